@@ -1,0 +1,47 @@
+/* bspline.h - univariate B-spline basis functions.
+ *
+ * Notation: degree p, n functions N_0..N_{n-1}, knots U[0 .. n+p] (n+p+1 of them), open:
+ * p+1 equal knots at either end, non-decreasing, U[0] = 0, U[n+p] = 1, inner multiplicity
+ * <= p (continuity C^{p-m} >= C^0). On span k, U[k] <= u < U[k+1], exactly the p+1
+ * functions N_{k-p}..N_k are not zero; every routine returns only those.
+ * Source: Piegl & Tiller 1997, The NURBS Book, ch. 2; numbering of algorithms from there.
+ */
+#ifndef BSPLINE_H
+#define BSPLINE_H
+
+#include "models/status.h"
+
+enum { BSPLINE_MAX_DEGREE = 5, BSPLINE_MAX_ORDER = BSPLINE_MAX_DEGREE + 1 };
+
+struct bspline {
+    int p;     /* degree 1..BSPLINE_MAX_DEGREE                                         */
+    int n;     /* functions, > p                                                       */
+    double *U; /* knots [n + p + 1]                                            owned   */
+};
+
+/* Uniform open knots. STATUS_INPUT (with sentence) unless 1 <= p <= max and n > p. */
+enum status bspline_init_uniform(struct bspline *b, int p, int n, struct message *why);
+
+/* Given knots U[count] (copied); n = count - p - 1. STATUS_INPUT, saying which rule of the
+ * notation above they break. */
+enum status bspline_init(struct bspline *b, int p, int count, const double *U,
+                         struct message *why);
+enum status bspline_copy(const struct bspline *from, struct bspline *to);
+void bspline_clear(struct bspline *b);
+
+/* Span k of u in [0,1]; u = 1 belongs to the last non-empty span. (A2.1) */
+int bspline_span(const struct bspline *b, double u);
+
+/* Values and derivatives of the p+1 functions alive on `span`, at u. (A2.3)
+ *   out [order + 1][p + 1]; out[d][a] = d^d N_{span-p+a} / du^d;   order 0..p
+ * Pure, no allocation: safe from any thread. */
+void bspline_eval(const struct bspline *b, int span, double u, int order, double *out);
+
+/* Non-empty spans: their number, and the knot index k of each into span[<= n - p]. */
+int bspline_spans(const struct bspline *b, int *span);
+
+/* Greville abscissa of function i: (U[i+1] + ... + U[i+p]) / p. With these as control
+ * points the curve is the identity. */
+double bspline_greville(const struct bspline *b, int i);
+
+#endif

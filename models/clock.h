@@ -1,0 +1,20 @@
+/* clock.h - monotonic seconds and summaries of repeats. */
+#ifndef CLOCK_H
+#define CLOCK_H
+
+/* Monotonic time [s]. */
+double clock_now(void);
+
+/* Quartiles of repeats, linear between order statistics (type 7 of Hyndman & Fan 1996). */
+struct clock_summary {
+    int count;
+    double min, lower, median, upper, max; /* [s] */
+};
+
+/* Summary of seconds[count], count >= 1; the input is not changed. */
+struct clock_summary clock_summarise(const double *seconds, int count);
+
+/* Peak resident memory of the process so far [bytes]. */
+long clock_peak_memory(void);
+
+#endif

@@ -1,0 +1,59 @@
+/* discretization.h - the work put in: how finely, of what degree, by which kinematics.
+ *
+ * Physics is scene.h. A model's `defaults` fills one of these; `--set discretization.KEY=`
+ * changes it. Keys a model has no use for are refused by its create.
+ */
+#ifndef DISCRETIZATION_H
+#define DISCRETIZATION_H
+
+#include "models/status.h"
+
+enum kinematics {
+    KINEMATICS_LINEAR,      /* small strain about the rest shape                      */
+    KINEMATICS_PRINTED,     /* Ren et al. 2024, eq. 18-22, to the letter               */
+    KINEMATICS_INCREMENTAL, /* as printed, displacement set to zero after each step    */
+    KINEMATICS_NONLINEAR,   /* total Lagrangian                                        */
+};
+
+enum remedy {
+    REMEDY_NONE,         /* the paper's                                                */
+    REMEDY_INCOMPATIBLE, /* hex: Wilson-Taylor incompatible modes                      */
+};
+
+/* Which coefficients through the thickness are unknowns. */
+enum unknowns {
+    UNKNOWNS_AUTO,
+    UNKNOWNS_POINTS,    /* control points                                              */
+    UNKNOWNS_THICKNESS, /* mid-surface, difference, ...: Legendre through the thickness */
+};
+
+enum solver { SOLVER_AUTO, SOLVER_BANDED, SOLVER_CHOLMOD };
+
+struct discretization {
+    int points[3]; /* control points or nodes along u, v, w                            */
+    int degree[3]; /* p, q, r                                                 1..5     */
+    int gauss[3];  /* Gauss points per span; 0: degree + 1                             */
+    int knot_count[3];
+    double *knots[3];   /* open knot vectors over [0,1]; NULL: uniform        owned    */
+    int weight_count;   /* 0: all 1                                                    */
+    double *weights;    /* [points u][points v][points w], > 0                owned    */
+    enum kinematics kinematics;
+    enum remedy remedy;
+    enum unknowns unknowns;
+    enum solver solver;
+};
+
+/* Frees what it owns; accepts all-zero and leaves all-zero. */
+void discretization_clear(struct discretization *d);
+
+/* Deep copy; *to is overwritten, not freed. */
+enum status discretization_copy(const struct discretization *from, struct discretization *to);
+
+/* Words for the enums, as written on the command line. Static storage. */
+const char *kinematics_name(enum kinematics k);
+const char *remedy_name(enum remedy r);
+const char *unknowns_name(enum unknowns u);
+const char *solver_name(enum solver s);
+const char *damping_name(int kind);
+
+#endif

@@ -1,0 +1,87 @@
+/* model.h - the contract every cloth model fills: one `const struct model` each, named in
+ * bench/registry.c and nowhere else.
+ *
+ * A model turns scene + discretization into motion. It never prints, times itself or
+ * computes its own error. Numerical death is a status (status_is_death), not an abort.
+ * Function pointers that say "optional" may be NULL: the model has no such thing.
+ */
+#ifndef MODEL_H
+#define MODEL_H
+
+#include "models/discretization.h"
+#include "models/scene.h"
+
+/* Work done, added up by the model; does not jitter as seconds do. */
+struct counters {
+    long steps, assemblies, factorisations, solves, iterations;
+};
+
+struct energy {
+    double kinetic, elastic, potential; /* [J]; potential of gravity, zero at rest     */
+};
+
+/* What was built. */
+struct model_size {
+    long nodes;          /* control points or nodes                                    */
+    long unknowns;       /* 3 nodes - held components                                  */
+    long factor_entries; /* numbers stored in the factor; 0 if none                    */
+    const char *solver;  /* "banded", "cholmod", ...; static storage                   */
+    const char *unknown_basis; /* "control points", "thickness"; static storage        */
+};
+
+/* Sparse symmetric matrix handed out for inspection; coordinates, lower triangle, 0-based,
+ * both arrays [entries], owned by the receiver (free with matrix_clear). */
+struct matrix {
+    int rows;
+    long entries;
+    int *row, *column;
+    double *value;
+};
+void matrix_clear(struct matrix *m);
+
+struct model {
+    const char *name;   /* key: command line, result file, test name                   */
+    const char *title;  /* as printed in tables                                        */
+    const char *source; /* citation of the formulation                                 */
+    unsigned serves;    /* the SCENE_NEED_* bits it can serve                          */
+
+    /* Fills *d with the model's defaults (owns nothing afterwards). */
+    void (*defaults)(struct discretization *d);
+
+    /* Builds everything that does not depend on time. STATUS_UNSUPPORTED with a sentence
+     * ("no contact") if the scene has physics the model leaves out; STATUS_INPUT if the
+     * discretization is impossible. Scene and discretization are borrowed until destroy.
+     * On failure *state is untouched. */
+    enum status (*create)(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why);
+
+    /* One time step (scene->step). Adds to *counters. After a death the state may still
+     * be sampled and destroyed. */
+    enum status (*advance)(void *state, struct counters *counters);
+
+    /* Positions of the material grid into xyz[GRID_W][GRID_V][GRID_U][3] [m]. */
+    void (*sample)(const void *state, double *xyz);
+
+    /* Positions of material points uvw[n][3] into xyz[n][3] [m]. Same values as sample at
+     * grid points, bit for bit. */
+    void (*probe)(const void *state, int n, const double *uvw, double *xyz);
+
+    void (*size)(const void *state, struct model_size *size);
+
+    /* optional */ void (*energy)(const void *state, struct energy *energy);
+
+    /* optional: moves the state to static equilibrium under the scene's loads. */
+    enum status (*equilibrium)(void *state, struct counters *counters, struct message *why);
+
+    /* optional: the `count` lowest angular frequencies [rad/s], ascending, about the rest
+     * shape. Zero modes of an unsupported sheet come first. */
+    enum status (*modes)(void *state, int count, double *omega, struct message *why);
+
+    /* optional: K and M of the rest shape, all 3*nodes rows, control-point unknowns,
+     * row = 3 node + component, node = (i m + j) l + k (w fastest, then v, then u). */
+    enum status (*matrices)(const void *state, struct matrix *K, struct matrix *M);
+
+    void (*destroy)(void *state); /* NULL is allowed                                   */
+};
+
+#endif

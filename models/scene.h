@@ -1,0 +1,122 @@
+/* scene.h - a scene: physics only, SI units. No numerics (those are discretization.h).
+ *
+ * A sheet of length L (u), width W (v) and thickness h (w) lies flat in its rest pose:
+ *   X(u,v,w) = origin + u L e_u + v W e_v + (w - 1/2) h e_w,   e_w = e_u x e_v,
+ * with (u,v,w) in [0,1]^3, so that `origin` is the mid-surface corner.
+ */
+#ifndef SCENE_H
+#define SCENE_H
+
+#include "models/status.h"
+
+/* Which components of a support are held; bits. */
+enum { FIX_X = 1, FIX_Y = 2, FIX_Z = 4, FIX_XYZ = 7 };
+
+enum damping_kind {
+    DAMPING_NONE,
+    DAMPING_VELOCITY_SCALE, /* v <- value v after each step; not a physical rate      */
+    DAMPING_VELOCITY_RATE,  /* v <- (1 - value dt) v after each step          [1/s]   */
+    DAMPING_MASS,           /* C = value M                                    [1/s]   */
+    DAMPING_RAYLEIGH,       /* C = alpha M + beta K                      [1/s], [s]   */
+};
+
+struct scene_damping {
+    enum damping_kind kind;
+    double value;
+    double alpha, beta;
+};
+
+/* All material points with lo <= (u,v,w) <= hi are held in the components of `fix` at
+ * rest position + path(t). An edge is lo = hi in one direction, [0,1] in the others. */
+struct scene_support {
+    double lo[3], hi[3];
+    unsigned fix;
+    int path_count;       /* 0: does not move                                         */
+    double (*path)[4];    /* [path_count][t, dx, dy, dz], t increasing; linear between,
+                             constant outside                          [s, m]  owned  */
+    int line;             /* in the scene file; 0 if made in memory                   */
+};
+
+enum obstacle_kind { OBSTACLE_PLANE, OBSTACLE_SPHERE };
+
+struct scene_obstacle {
+    enum obstacle_kind kind;
+    double point[3];  /* on the plane; the sphere's centre                    [m]     */
+    double normal[3]; /* plane: outward, any length > 0                               */
+    double radius;    /* sphere                                               [m]     */
+    double friction;  /* Coulomb coefficient, >= 0                                    */
+};
+
+struct scene {
+    char *name;   /* [a-z0-9_]+                                             owned     */
+    char *source; /* where the numbers come from                            owned     */
+    char *text;   /* the file as read, with the settings applied below it   owned     */
+
+    double length, width, thickness; /*                                       [m] > 0 */
+    double origin[3], axis_u[3], axis_v[3]; /* axes orthonormal                       */
+
+    double young;   /* E                                                     [Pa] > 0 */
+    double poisson; /* nu                                                  (-1, 0.5)  */
+    double density; /* rho                                               [kg/m^3] > 0 */
+
+    double gravity[3];    /*                                                  [m/s^2] */
+    double drag;          /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */
+    double wind[3];       /*                                                  [m/s]   */
+    struct scene_damping damping;
+
+    int support_count;
+    struct scene_support *supports; /* owned                                          */
+    int obstacle_count;
+    struct scene_obstacle *obstacles; /* owned                                        */
+
+    double step, end;     /* one frame, duration                              [s] > 0 */
+    int snapshot_count;
+    double *snapshots;    /* times worth keeping, increasing          [s]     owned   */
+};
+
+/* What a scene asks of a model; bits of scene_needs(). */
+#define SCENE_NEED_LIST(X)                                                              \
+    X(CONTACT, "contact with obstacles")                                                \
+    X(MOVING_SUPPORTS, "moving supports")                                               \
+    X(PATCH_SUPPORTS, "supports on an area")                                            \
+    X(COMPONENT_SUPPORTS, "supports that hold single components")                       \
+    X(THICKNESS_SUPPORTS, "supports on part of the thickness")                          \
+    X(DRAG, "body drag")
+
+enum scene_need_bit {
+#define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
+    SCENE_NEED_LIST(SCENE_NEED_BIT)
+#undef SCENE_NEED_BIT
+};
+enum scene_need {
+#define SCENE_NEED_VALUE(name, sentence) SCENE_NEED_##name = 1u << SCENE_NEED_BIT_##name,
+    SCENE_NEED_LIST(SCENE_NEED_VALUE)
+#undef SCENE_NEED_VALUE
+};
+
+unsigned scene_needs(const struct scene *scene);
+
+/* Names of the bits, comma-separated, into text[size]. */
+void scene_needs_text(unsigned needs, char *text, int size);
+
+/* Flat sheet of unit material at rest in the x-y plane, no loads, no supports: what tests
+ * and file reader start from. Free with scene_clear, which accepts all-zero. */
+enum status scene_init(struct scene *scene);
+void scene_clear(struct scene *scene);
+
+/* Adds a copy of *support (its path is copied too). */
+enum status scene_add_support(struct scene *scene, const struct scene_support *support);
+
+/* Rest position of a material point [m]. */
+void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3]);
+
+/* Shift of a support at time t [m]. */
+void scene_support_shift(const struct scene_support *support, double t, double shift[3]);
+
+/* Bending stiffness D = E h^3 / 12 (1 - nu^2) [N m]. */
+double scene_bending_stiffness(const struct scene *scene);
+
+/* Weight against bending, Gamma = rho |g| h L^3 / D [1]. */
+double scene_gamma(const struct scene *scene);
+
+#endif

@@ -1,0 +1,30 @@
+#include "models/status.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+const char *status_text(enum status st)
+{
+    static const char *const text[] = {
+#define STATUS_SENTENCE(code, sentence) [STATUS_##code] = sentence,
+        STATUS_LIST(STATUS_SENTENCE)
+#undef STATUS_SENTENCE
+    };
+    return (unsigned)st < sizeof text / sizeof *text ? text[st] : "unknown status";
+}
+
+bool status_is_death(enum status st)
+{
+    return st >= STATUS_NAN;
+}
+
+enum status status_fail(struct message *why, enum status st, const char *format, ...)
+{
+    if (why) {
+        va_list args;
+        va_start(args, format);
+        vsnprintf(why->text, sizeof why->text, format, args);
+        va_end(args);
+    }
+    return st;
+}

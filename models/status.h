@@ -1,0 +1,55 @@
+/* status.h - how functions say what went wrong.
+ *
+ * Every function that can fail for the user's, the file system's or the numerics' reasons
+ * returns an enum status; results go out by pointer. Programmer errors are assert. Inside a
+ * function one idiom only: TRY(call) stores the code in `st` and jumps to `out`, where
+ * whatever exists is freed and `st` is returned. bench/main.c alone prints and exits.
+ */
+#ifndef STATUS_H
+#define STATUS_H
+
+#include <stdbool.h>
+
+/* The last five are numerical deaths: outcomes with a time stamp, not errors. */
+#define STATUS_LIST(X)                                                                  \
+    X(OK, "done")                                                                       \
+    X(INPUT, "bad input")                                                               \
+    X(UNSUPPORTED, "the model leaves out something that the scene needs")               \
+    X(MEMORY, "out of memory")                                                          \
+    X(FILE, "a file could not be read or written")                                      \
+    X(LIBRARY, "a library failed")                                                      \
+    X(NAN, "a position is no longer a number")                                          \
+    X(INVERTED, "an element turned inside out (det J <= 0)")                            \
+    X(INDEFINITE, "the system matrix is not positive definite")                         \
+    X(DIVERGED, "the nonlinear iteration did not converge")                             \
+    X(ESCAPED, "a point is farther than 10 lengths from its support")
+
+enum status {
+#define STATUS_CODE(code, sentence) STATUS_##code,
+    STATUS_LIST(STATUS_CODE)
+#undef STATUS_CODE
+};
+
+/* Room for one sentence. Owned by the caller; may be NULL wherever it is taken. */
+struct message {
+    char text[1024];
+};
+
+#define TRY(call)                                                                       \
+    do {                                                                                \
+        if ((st = (call)) != STATUS_OK)                                                 \
+            goto out;                                                                   \
+    } while (0)
+
+/* The sentence of a code. Static storage. */
+const char *status_text(enum status st);
+
+/* True for the codes that end a simulation as a result. */
+bool status_is_death(enum status st);
+
+/* Writes the sentence into *why (if not NULL) and returns st, so that
+ * `return status_fail(why, STATUS_INPUT, "...", ...)` reads in one line. */
+enum status status_fail(struct message *why, enum status st, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+#endif

@@ -1,0 +1,71 @@
+/* check.h - a test is a program that counts failed checks and goes on; it returns
+ * check_result(). Tolerances are passed by name, so that the report names them.
+ * CHECK_TOL_SCALE=0 in the environment makes every tolerance zero: each residual is then
+ * printed beside its allowance. NaN fails. */
+#ifndef CHECK_H
+#define CHECK_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int check_failures, check_count;
+
+static inline double check_scale(void)
+{
+    const char *text = getenv("CHECK_TOL_SCALE");
+    return text ? strtod(text, NULL) : 1.0;
+}
+
+static inline bool check_near(const char *file, int line, const char *what, double actual,
+                              double want, const char *tol_name, double tol)
+{
+    double error = fabs(actual - want);
+    check_count++;
+    if (error <= tol * check_scale())
+        return true;
+    check_failures++;
+    printf("%s:%d: %s = %.17g, want %.17g: error %.2e, %s %.2e\n", file, line, what, actual,
+           want, error, tol_name, tol);
+    return false;
+}
+
+static inline bool check_true(const char *file, int line, const char *what, bool holds)
+{
+    check_count++;
+    if (holds)
+        return true;
+    check_failures++;
+    printf("%s:%d: does not hold: %s\n", file, line, what);
+    return false;
+}
+
+#define CHECK(condition) check_true(__FILE__, __LINE__, #condition, (condition))
+
+/* |actual - want| <= tol */
+#define CHECK_NEAR(actual, want, tol)                                                   \
+    check_near(__FILE__, __LINE__, #actual, (actual), (want), #tol, (tol))
+
+/* |actual - want| <= tol |want| */
+#define CHECK_RELATIVE(actual, want, tol)                                               \
+    check_near(__FILE__, __LINE__, #actual, (actual), (want), #tol " x |want|",         \
+               (tol) * fabs(want))
+
+/* For set-up that must succeed: without it the rest makes no sense. */
+#define REQUIRE(condition)                                                              \
+    do {                                                                                \
+        if (!CHECK(condition)) {                                                        \
+            printf("%s:%d: cannot go on\n", __FILE__, __LINE__);                        \
+            exit(1);                                                                    \
+        }                                                                               \
+    } while (0)
+
+static inline int check_result(void)
+{
+    printf("%d checks, %d failed\n", check_count, check_failures);
+    return check_failures || !check_count ? 1 : 0;
+}
+
+#endif

@@ -99,13 +99,18 @@ unsigned scene_needs(const struct scene *scene);
 /* Names of the bits, comma-separated, into text[size]. */
 void scene_needs_text(unsigned needs, char *text, int size);
 
-/* Flat sheet of unit material at rest in the x-y plane, no loads, no supports: what tests
- * and file reader start from. Free with scene_clear, which accepts all-zero. */
+/* What tests and the file reader start from: a flat sheet in the x-y plane, L = W = 1 m,
+ * h = 0.01 m, E = 1 Pa, nu = 0, rho = 1 kg/m^3, no loads, no supports, 1 s in steps of 5 ms.
+ * *scene is overwritten, not freed. Free with scene_clear, which accepts all-zero and leaves
+ * all-zero. */
 enum status scene_init(struct scene *scene);
 void scene_clear(struct scene *scene);
 
 /* Adds a copy of *support (its path is copied too). */
 enum status scene_add_support(struct scene *scene, const struct scene_support *support);
+
+/* Adds a copy of *obstacle. */
+enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle *obstacle);
 
 /* Rest position of a material point [m]. */
 void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3]);

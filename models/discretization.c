@@ -1,0 +1,102 @@
+/* discretization.c - ownership and words of discretizations. */
+#include "models/discretization.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/scene.h"
+
+void discretization_clear(struct discretization *d)
+{
+    for (int i = 0; i < 3; i++)
+        free(d->knots[i]);
+    free(d->weights);
+    memset(d, 0, sizeof *d);
+}
+
+/* NULL for NULL; otherwise a copy of values[count]. */
+static enum status copy_array(const double *values, int count, double **copy)
+{
+    *copy = NULL;
+    if (!values)
+        return STATUS_OK;
+    *copy = malloc((size_t)count * sizeof **copy);
+    if (!*copy)
+        return STATUS_MEMORY;
+    memcpy(*copy, values, (size_t)count * sizeof **copy);
+    return STATUS_OK;
+}
+
+enum status discretization_copy(const struct discretization *from,
+                                struct discretization *to)
+{
+    enum status st = STATUS_OK;
+    struct discretization copy = *from;
+
+    copy.weights = NULL;
+    memset(copy.knots, 0, sizeof copy.knots);
+    for (int i = 0; i < 3; i++)
+        TRY(copy_array(from->knots[i], from->knot_count[i], &copy.knots[i]));
+    TRY(copy_array(from->weights, from->weight_count, &copy.weights));
+out:
+    if (st != STATUS_OK)
+        discretization_clear(&copy);
+    *to = copy;
+    return st;
+}
+
+/* The word at `value`, or "unknown" for a value that no enum has. */
+#define WORD(words, value)                                                                 \
+    ((size_t)(value) < sizeof(words) / sizeof *(words) ? (words)[value] : "unknown")
+
+const char *kinematics_name(enum kinematics k)
+{
+    static const char *const words[] = {
+        [KINEMATICS_LINEAR] = "linear",
+        [KINEMATICS_PRINTED] = "printed",
+        [KINEMATICS_INCREMENTAL] = "incremental",
+        [KINEMATICS_NONLINEAR] = "nonlinear",
+    };
+    return WORD(words, k);
+}
+
+const char *remedy_name(enum remedy r)
+{
+    static const char *const words[] = {
+        [REMEDY_NONE] = "none",
+        [REMEDY_INCOMPATIBLE] = "incompatible",
+    };
+    return WORD(words, r);
+}
+
+const char *unknowns_name(enum unknowns u)
+{
+    static const char *const words[] = {
+        [UNKNOWNS_AUTO] = "auto",
+        [UNKNOWNS_POINTS] = "points",
+        [UNKNOWNS_THICKNESS] = "thickness",
+    };
+    return WORD(words, u);
+}
+
+const char *solver_name(enum solver s)
+{
+    static const char *const words[] = {
+        [SOLVER_AUTO] = "auto",
+        [SOLVER_BANDED] = "banded",
+        [SOLVER_CHOLMOD] = "cholmod",
+    };
+    return WORD(words, s);
+}
+
+const char *damping_name(int kind)
+{
+    static const char *const words[] = {
+        [DAMPING_NONE] = "none",
+        [DAMPING_VELOCITY_SCALE] = "velocity_scale",
+        [DAMPING_VELOCITY_RATE] = "velocity_rate",
+        [DAMPING_MASS] = "mass",
+        [DAMPING_RAYLEIGH] = "rayleigh",
+    };
+    return WORD(words, kind);
+}

@@ -1,0 +1,178 @@
+/* scene.c - making, copying and asking scenes. Reading them is scene_file.c. */
+#include "models/scene.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum status scene_init(struct scene *scene)
+{
+    *scene = (struct scene){
+        .name = strdup("unit"),
+        .source = strdup("made in memory"),
+        .text = strdup(""),
+        .length = 1.0,
+        .width = 1.0,
+        .thickness = 0.01,
+        .axis_u = {1, 0, 0},
+        .axis_v = {0, 1, 0},
+        .young = 1.0,
+        .density = 1.0,
+        .step = 0.005,
+        .end = 1.0,
+    };
+    if (scene->name && scene->source && scene->text)
+        return STATUS_OK;
+    scene_clear(scene);
+    return STATUS_MEMORY;
+}
+
+void scene_clear(struct scene *scene)
+{
+    for (int i = 0; i < scene->support_count; i++)
+        free(scene->supports[i].path);
+    free(scene->supports);
+    free(scene->obstacles);
+    free(scene->snapshots);
+    free(scene->name);
+    free(scene->source);
+    free(scene->text);
+    memset(scene, 0, sizeof *scene);
+}
+
+enum status scene_add_support(struct scene *scene, const struct scene_support *support)
+{
+    struct scene_support copy = *support;
+    size_t count = (size_t)scene->support_count + 1;
+    struct scene_support *grown = realloc(scene->supports, count * sizeof *grown);
+
+    if (!grown)
+        return STATUS_MEMORY;
+    scene->supports = grown;
+    copy.path = NULL;
+    if (support->path_count > 0) {
+        size_t bytes = (size_t)support->path_count * sizeof *copy.path;
+
+        copy.path = malloc(bytes);
+        if (!copy.path)
+            return STATUS_MEMORY;
+        memcpy(copy.path, support->path, bytes);
+    }
+    grown[scene->support_count++] = copy;
+    return STATUS_OK;
+}
+
+enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle *obstacle)
+{
+    size_t count = (size_t)scene->obstacle_count + 1;
+    struct scene_obstacle *grown = realloc(scene->obstacles, count * sizeof *grown);
+
+    if (!grown)
+        return STATUS_MEMORY;
+    scene->obstacles = grown;
+    grown[scene->obstacle_count++] = *obstacle;
+    return STATUS_OK;
+}
+
+static unsigned support_needs(const struct scene_support *s)
+{
+    unsigned needs = 0;
+
+    if (s->path_count > 0)
+        needs |= SCENE_NEED_MOVING_SUPPORTS;
+    if (s->hi[0] > s->lo[0] && s->hi[1] > s->lo[1])
+        needs |= SCENE_NEED_PATCH_SUPPORTS;
+    if (s->fix != FIX_XYZ)
+        needs |= SCENE_NEED_COMPONENT_SUPPORTS;
+    if (s->lo[2] > 0 || s->hi[2] < 1)
+        needs |= SCENE_NEED_THICKNESS_SUPPORTS;
+    return needs;
+}
+
+unsigned scene_needs(const struct scene *scene)
+{
+    unsigned needs = 0;
+
+    for (int i = 0; i < scene->support_count; i++)
+        needs |= support_needs(&scene->supports[i]);
+    if (scene->obstacle_count > 0)
+        needs |= SCENE_NEED_CONTACT;
+    if (scene->drag > 0)
+        needs |= SCENE_NEED_DRAG;
+    return needs;
+}
+
+void scene_needs_text(unsigned needs, char *text, int size)
+{
+    static const char *const sentence[] = {
+#define SENTENCE(name, words) [SCENE_NEED_BIT_##name] = words,
+        SCENE_NEED_LIST(SENTENCE)
+#undef SENTENCE
+    };
+    int used = 0;
+
+    assert(size > 0);
+    text[0] = '\0';
+    for (unsigned bit = 0; bit < sizeof sentence / sizeof *sentence; bit++) {
+        if (!(needs & 1u << bit) || used >= size)
+            continue;
+        used += snprintf(text + used, (size_t)(size - used), "%s%s", used ? ", " : "",
+                         sentence[bit]);
+    }
+}
+
+void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3])
+{
+    const double *e_u = scene->axis_u, *e_v = scene->axis_v;
+    const double e_w[3] = {
+        e_u[1] * e_v[2] - e_u[2] * e_v[1],
+        e_u[2] * e_v[0] - e_u[0] * e_v[2],
+        e_u[0] * e_v[1] - e_u[1] * e_v[0],
+    };
+
+    for (int i = 0; i < 3; i++)
+        xyz[i] = scene->origin[i] + uvw[0] * scene->length * e_u[i] +
+                 uvw[1] * scene->width * e_v[i] +
+                 (uvw[2] - 0.5) * scene->thickness * e_w[i];
+}
+
+void scene_support_shift(const struct scene_support *support, double t, double shift[3])
+{
+    const int count = support->path_count;
+    double(*path)[4] = support->path;
+    int k = 0;
+
+    if (count == 0) {
+        shift[0] = shift[1] = shift[2] = 0;
+        return;
+    }
+    while (k < count && path[k][0] <= t)
+        k++;
+    if (k == 0 || k == count) {
+        memcpy(shift, &path[k == 0 ? 0 : count - 1][1], 3 * sizeof *shift);
+        return;
+    }
+    /* path[k-1].t <= t < path[k].t */
+    const double part = (t - path[k - 1][0]) / (path[k][0] - path[k - 1][0]);
+
+    for (int i = 0; i < 3; i++)
+        shift[i] = path[k - 1][i + 1] + part * (path[k][i + 1] - path[k - 1][i + 1]);
+}
+
+double scene_bending_stiffness(const struct scene *scene)
+{
+    const double h = scene->thickness, nu = scene->poisson;
+
+    return scene->young * h * h * h / (12 * (1 - nu * nu));
+}
+
+double scene_gamma(const struct scene *scene)
+{
+    const double *g = scene->gravity, L = scene->length;
+    const double weight = scene->density * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) *
+                          scene->thickness; /* [N/m^2] */
+
+    return weight * L * L * L / scene_bending_stiffness(scene);
+}

@@ -1,0 +1,138 @@
+/* Scenes and discretizations made in memory: geometry, needs, paths, copies, words. */
+#include "models/discretization.h"
+#include "models/scene.h"
+#include "tests/check.h"
+
+/* A handful of operations on numbers of order one. */
+#define TOL_ROUND (8 * 2.220446049250313e-16)
+
+static void check_rest_point(void)
+{
+    struct scene s;
+    double x[3];
+
+    REQUIRE(scene_init(&s) == STATUS_OK);
+    scene_rest_point(&s, (double[3]){1, 0.5, 1}, x);
+    CHECK_NEAR(x[0], 1, TOL_ROUND);
+    CHECK_NEAR(x[1], 0.5, TOL_ROUND);
+    CHECK_NEAR(x[2], 0.005, TOL_ROUND);
+
+    /* Hanging in the x-z plane: e_w = (1,0,0) x (0,0,-1) = (0,1,0). */
+    memcpy(s.origin, (double[3]){1, 2, 3}, sizeof s.origin);
+    memcpy(s.axis_v, (double[3]){0, 0, -1}, sizeof s.axis_v);
+    s.length = 2, s.width = 0.5, s.thickness = 0.1;
+    scene_rest_point(&s, (double[3]){0.25, 1, 0}, x);
+    CHECK_NEAR(x[0], 1.5, TOL_ROUND);
+    CHECK_NEAR(x[1], 1.95, TOL_ROUND);
+    CHECK_NEAR(x[2], 2.5, TOL_ROUND);
+    scene_clear(&s);
+}
+
+static void check_numbers(void)
+{
+    struct scene s;
+
+    REQUIRE(scene_init(&s) == STATUS_OK);
+    s.young = 1e5, s.poisson = 0.3, s.density = 0.5, s.thickness = 0.001;
+    s.gravity[2] = -9.81;
+    CHECK_RELATIVE(scene_bending_stiffness(&s), 1e5 * 1e-9 / 10.92, TOL_ROUND);
+    /* 12 (1 - nu^2) rho g L^3 / (E h^2) */
+    CHECK_RELATIVE(scene_gamma(&s), 10.92 * 0.5 * 9.81 / 0.1, TOL_ROUND);
+    s.length = 2;
+    CHECK_RELATIVE(scene_gamma(&s), 8 * 10.92 * 0.5 * 9.81 / 0.1, TOL_ROUND);
+    scene_clear(&s);
+}
+
+static void check_needs(void)
+{
+    const struct scene_support edge = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .fix = FIX_XYZ};
+    struct scene_support other = {.lo = {0, 0, 0}, .hi = {0.1, 1, 0.5}, .fix = FIX_Z};
+    struct scene s;
+    char text[256];
+
+    REQUIRE(scene_init(&s) == STATUS_OK);
+    CHECK(scene_needs(&s) == 0);
+    REQUIRE(scene_add_support(&s, &edge) == STATUS_OK);
+    CHECK(scene_needs(&s) == 0);
+    REQUIRE(scene_add_support(&s, &other) == STATUS_OK);
+    CHECK(scene_needs(&s) == (SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |
+                              SCENE_NEED_THICKNESS_SUPPORTS));
+    s.drag = 1;
+    REQUIRE(scene_add_obstacle(&s, &(struct scene_obstacle){.radius = 1}) == STATUS_OK);
+    CHECK(scene_needs(&s) & SCENE_NEED_DRAG);
+    CHECK(scene_needs(&s) & SCENE_NEED_CONTACT);
+
+    scene_needs_text(0, text, sizeof text);
+    CHECK(!strcmp(text, ""));
+    scene_needs_text(SCENE_NEED_DRAG | SCENE_NEED_CONTACT, text, sizeof text);
+    CHECK(!strcmp(text, "contact with obstacles, body drag"));
+    scene_needs_text(~0u, text, 10);
+    CHECK(strlen(text) == 9);
+    scene_clear(&s);
+    scene_clear(&s);
+}
+
+static void check_path(void)
+{
+    double path[3][4] = {{0, 0, 0, 0}, {1, 0, 0, 2}, {3, 4, 0, 2}};
+    const struct scene_support moved = {.fix = FIX_XYZ, .path_count = 3, .path = path};
+    const struct scene_support still = {.fix = FIX_XYZ};
+    struct scene s;
+    double d[3];
+
+    REQUIRE(scene_init(&s) == STATUS_OK);
+    REQUIRE(scene_add_support(&s, &moved) == STATUS_OK);
+    path[2][1] = -1; /* the scene has its own copy */
+    scene_support_shift(&s.supports[0], -1, d);
+    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 0);
+    scene_support_shift(&s.supports[0], 0.5, d);
+    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 1);
+    scene_support_shift(&s.supports[0], 1, d);
+    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 2);
+    scene_support_shift(&s.supports[0], 2.5, d);
+    CHECK(d[0] == 3 && d[1] == 0 && d[2] == 2);
+    scene_support_shift(&s.supports[0], 99, d);
+    CHECK(d[0] == 4 && d[1] == 0 && d[2] == 2);
+    scene_support_shift(&still, 1, d);
+    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 0);
+    CHECK(scene_needs(&s) & SCENE_NEED_MOVING_SUPPORTS);
+    scene_clear(&s);
+}
+
+static void check_discretization(void)
+{
+    double knots[] = {0, 0, 1, 1}, weights[] = {1, 2, 3, 4};
+    struct discretization from = {.points = {2, 2, 1}, .degree = {1, 1, 0}}, to;
+
+    from.knots[1] = knots, from.knot_count[1] = 4;
+    from.weights = weights, from.weight_count = 4;
+    REQUIRE(discretization_copy(&from, &to) == STATUS_OK);
+    CHECK(to.knots[1] != knots && !memcmp(to.knots[1], knots, sizeof knots));
+    CHECK(to.weights != weights && !memcmp(to.weights, weights, sizeof weights));
+    CHECK(!to.knots[0] && !to.knots[2] && to.points[0] == 2);
+    discretization_clear(&to);
+    CHECK(!to.weights && !to.knots[1] && !to.points[0]);
+    discretization_clear(&to);
+}
+
+static void check_words(void)
+{
+    CHECK(!strcmp(kinematics_name(KINEMATICS_PRINTED), "printed"));
+    CHECK(!strcmp(remedy_name(REMEDY_INCOMPATIBLE), "incompatible"));
+    CHECK(!strcmp(unknowns_name(UNKNOWNS_THICKNESS), "thickness"));
+    CHECK(!strcmp(solver_name(SOLVER_BANDED), "banded"));
+    CHECK(!strcmp(damping_name(DAMPING_VELOCITY_RATE), "velocity_rate"));
+    CHECK(!strcmp(damping_name(-1), "unknown"));
+    CHECK(!strcmp(solver_name((enum solver)99), "unknown"));
+}
+
+int main(void)
+{
+    check_rest_point();
+    check_numbers();
+    check_needs();
+    check_path();
+    check_discretization();
+    check_words();
+    return check_result();
+}

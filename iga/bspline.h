@@ -29,15 +29,17 @@ enum status bspline_init(struct bspline *b, int p, int count, const double *U,
 enum status bspline_copy(const struct bspline *from, struct bspline *to);
 void bspline_clear(struct bspline *b);
 
-/* Span k of u in [0,1]; u = 1 belongs to the last non-empty span. (A2.1) */
+/* Span k of u in [0,1]; u = 1 belongs to the last non-empty span (A2.1). Below 0 and above 1
+ * the first and the last span, whose polynomials bspline_eval then carries on. */
 int bspline_span(const struct bspline *b, double u);
 
-/* Values and derivatives of the p+1 functions alive on `span`, at u. (A2.3)
+/* Values and derivatives of the p+1 functions alive on the non-empty `span`, at u. (eq. 2.7)
  *   out [order + 1][p + 1]; out[d][a] = d^d N_{span-p+a} / du^d;   order 0..p
  * Pure, no allocation: safe from any thread. */
 void bspline_eval(const struct bspline *b, int span, double u, int order, double *out);
 
-/* Non-empty spans: their number, and the knot index k of each into span[<= n - p]. */
+/* Non-empty spans: returns their number and writes the knot index k of each, ascending;
+ * span has room for n - p. */
 int bspline_spans(const struct bspline *b, int *span);
 
 /* Greville abscissa of function i: (U[i+1] + ... + U[i+p]) / p. With these as control

@@ -1,0 +1,285 @@
+#include "iga/patch.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+int patch_nodes(const struct patch *p)
+{
+    return p->basis[0].n * p->basis[1].n * p->basis[2].n;
+}
+
+int patch_local(const struct patch *p)
+{
+    return (p->basis[0].p + 1) * (p->basis[1].p + 1) * (p->basis[2].p + 1);
+}
+
+enum status patch_init(struct patch *patch, const struct bspline basis[3])
+{
+    enum status st = STATUS_OK;
+    struct patch new = {0};
+
+    for (int d = 0; d < 3; d++)
+        TRY(bspline_copy(&basis[d], &new.basis[d]));
+    new.point = calloc((size_t)patch_nodes(&new) * 3, sizeof *new.point);
+    if (!new.point)
+        TRY(STATUS_MEMORY);
+    *patch = new, new = (struct patch){0};
+out:
+    patch_clear(&new);
+    return st;
+}
+
+enum status patch_copy(const struct patch *from, struct patch *to)
+{
+    enum status st = STATUS_OK;
+    struct patch new = {0};
+    size_t nodes = (size_t)patch_nodes(from);
+
+    TRY(patch_init(&new, from->basis));
+    memcpy(new.point, from->point, nodes * 3 * sizeof *new.point);
+    if (from->weight) {
+        new.weight = malloc(nodes * sizeof *new.weight);
+        if (!new.weight)
+            TRY(STATUS_MEMORY);
+        memcpy(new.weight, from->weight, nodes * sizeof *new.weight);
+    }
+    *to = new, new = (struct patch){0};
+out:
+    patch_clear(&new);
+    return st;
+}
+
+void patch_clear(struct patch *patch)
+{
+    if (!patch)
+        return;
+    for (int d = 0; d < 3; d++)
+        bspline_clear(&patch->basis[d]);
+    free(patch->point);
+    free(patch->weight);
+    *patch = (struct patch){0};
+}
+
+void patch_set_box(struct patch *patch, const double origin[3], const double a[3],
+                   const double b[3], const double c[3])
+{
+    const struct bspline *basis = patch->basis;
+    double *x = patch->point;
+
+    for (int i = 0; i < basis[0].n; i++)
+        for (int j = 0; j < basis[1].n; j++)
+            for (int k = 0; k < basis[2].n; k++, x += 3) {
+                double u = bspline_greville(&basis[0], i);
+                double v = bspline_greville(&basis[1], j);
+                double w = bspline_greville(&basis[2], k);
+                for (int d = 0; d < 3; d++)
+                    x[d] = origin[d] + a[d] * u + b[d] * v + c[d] * w;
+            }
+}
+
+void patch_local_nodes(const struct patch *patch, const int span[3], int *node)
+{
+    const struct bspline *basis = patch->basis;
+    int m = basis[1].n, l = basis[2].n;
+
+    for (int i = span[0] - basis[0].p; i <= span[0]; i++)
+        for (int j = span[1] - basis[1].p; j <= span[1]; j++)
+            for (int k = span[2] - basis[2].p; k <= span[2]; k++)
+                *node++ = (i * m + j) * l + k;
+}
+
+/* Univariate values and first derivatives at a point, [value, derivative][function]. */
+struct factors {
+    double N[3][2][BSPLINE_MAX_ORDER];
+};
+
+static void evaluate_factors(const struct patch *patch, const double uvw[3], int order,
+                             int span[3], struct factors *f)
+{
+    for (int d = 0; d < 3; d++) {
+        const struct bspline *b = &patch->basis[d];
+        double out[2 * BSPLINE_MAX_ORDER];
+        span[d] = bspline_span(b, uvw[d]);
+        bspline_eval(b, span[d], uvw[d], order, out);
+        for (int o = 0; o <= order; o++)
+            memcpy(f->N[d][o], out + o * (b->p + 1), ((size_t)b->p + 1) * sizeof *out);
+    }
+}
+
+/* out[local]: product of values, differentiated once in `direction` (-1: not at all). */
+static void tensor(const struct patch *patch, const struct factors *f, int direction,
+                   double *out)
+{
+    const double *A = f->N[0][direction == 0], *B = f->N[1][direction == 1];
+    const double *C = f->N[2][direction == 2];
+
+    for (int a = 0; a <= patch->basis[0].p; a++)
+        for (int b = 0; b <= patch->basis[1].p; b++)
+            for (int c = 0; c <= patch->basis[2].p; c++)
+                *out++ = A[a] * B[b] * C[c];
+}
+
+/* f_a -> f_a w_a; returns their sum. */
+static double weigh(const double *weight, const int *node, int local, double *f)
+{
+    double sum = 0.0;
+
+    for (int a = 0; a < local; a++)
+        sum += f[a] *= weight[node[a]];
+    return sum;
+}
+
+/* R = N w / W and R' = (N' w - R W') / W, with W the sum of N w. (eq. 2; NURBS Book 4.8) */
+static void make_rational(const struct patch *patch, const int span[3], double *R,
+                          double *dR)
+{
+    int node[PATCH_MAX_LOCAL], local = patch_local(patch);
+    double W;
+
+    patch_local_nodes(patch, span, node);
+    W = weigh(patch->weight, node, local, R);
+    for (int a = 0; a < local; a++)
+        R[a] /= W;
+    for (int d = 0; dR && d < 3; d++) {
+        double *g = dR + d * local;
+        double dW = weigh(patch->weight, node, local, g);
+        for (int a = 0; a < local; a++)
+            g[a] = (g[a] - R[a] * dW) / W;
+    }
+}
+
+void patch_basis(const struct patch *patch, const double uvw[3], int span[3], double *R,
+                 double *dR)
+{
+    double scratch[PATCH_MAX_LOCAL];
+    struct factors f;
+
+    evaluate_factors(patch, uvw, dR ? 1 : 0, span, &f);
+    if (!R && patch->weight) /* the quotient rule needs the values */
+        R = scratch;
+    if (R)
+        tensor(patch, &f, -1, R);
+    for (int d = 0; dR && d < 3; d++)
+        tensor(patch, &f, d, dR + d * patch_local(patch));
+    if (patch->weight && R)
+        make_rational(patch, span, R, dR);
+}
+
+void patch_point(const struct patch *patch, const double uvw[3], double x[3],
+                 double J[3][3])
+{
+    double R[PATCH_MAX_LOCAL], dR[3 * PATCH_MAX_LOCAL];
+    int node[PATCH_MAX_LOCAL], span[3], local = patch_local(patch);
+
+    patch_basis(patch, uvw, span, R, J ? dR : NULL);
+    patch_local_nodes(patch, span, node);
+    memset(x, 0, 3 * sizeof *x);
+    if (J)
+        memset(J, 0, 9 * sizeof(double));
+    for (int a = 0; a < local; a++) {
+        const double *P = patch->point + 3 * (size_t)node[a];
+        for (int i = 0; i < 3; i++) {
+            x[i] += R[a] * P[i];
+            for (int j = 0; J && j < 3; j++)
+                J[i][j] += dR[j * local + a] * P[i];
+        }
+    }
+}
+
+/* Solves the positive definite A s = b by Cholesky; false if it is not definite. */
+static bool solve_definite(double A[3][3], const double b[3], double s[3])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j <= i; j++) {
+            double sum = A[i][j];
+            for (int k = 0; k < j; k++)
+                sum -= A[i][k] * A[j][k];
+            if (i == j && !(sum > 0.0))
+                return false;
+            A[i][j] = i == j ? sqrt(sum) : sum / A[j][j];
+        }
+    for (int i = 0; i < 3; i++) {
+        s[i] = b[i];
+        for (int k = 0; k < i; k++)
+            s[i] -= A[i][k] * s[k];
+        s[i] /= A[i][i];
+    }
+    for (int i = 2; i >= 0; i--) {
+        for (int k = i + 1; k < 3; k++)
+            s[i] -= A[k][i] * s[k];
+        s[i] /= A[i][i];
+    }
+    return true;
+}
+
+/* One Newton step, damped (Levenberg-Marquardt in columns of unit length, so that a thin
+ * patch is no harder than a cube): (J^T J + damping I) s = J^T r. Parameters that sit on a
+ * bound and would leave stay. Writes the clamped new parameters. */
+static bool step(double J[3][3], const double r[3], double damping, const double uvw[3],
+                 double new[3])
+{
+    double A[3][3], g[3], s[3], length[3];
+    bool stays[3];
+
+    for (int i = 0; i < 3; i++) {
+        length[i] = hypot(hypot(J[0][i], J[1][i]), J[2][i]);
+        if (!(length[i] > 0.0))
+            length[i] = 1.0;
+        g[i] = (J[0][i] * r[0] + J[1][i] * r[1] + J[2][i] * r[2]) / length[i];
+        stays[i] = (uvw[i] <= 0.0 && g[i] < 0.0) || (uvw[i] >= 1.0 && g[i] > 0.0);
+        if (stays[i])
+            g[i] = 0.0;
+    }
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            double dot = J[0][i] * J[0][j] + J[1][i] * J[1][j] + J[2][i] * J[2][j];
+            A[i][j] = stays[i] || stays[j] ? 0.0 : dot / (length[i] * length[j]);
+            if (i == j)
+                A[i][j] = stays[i] ? 1.0 : A[i][j] + damping;
+        }
+    if (!solve_definite(A, g, s))
+        return false;
+    for (int i = 0; i < 3; i++)
+        new[i] = fmin(fmax(uvw[i] + s[i] / length[i], 0.0), 1.0);
+    return true;
+}
+
+/* r = x - V(uvw), and its length. */
+static double residual(const struct patch *patch, const double x[3], const double uvw[3],
+                       double r[3], double J[3][3])
+{
+    double y[3];
+
+    patch_point(patch, uvw, y, J);
+    for (int i = 0; i < 3; i++)
+        r[i] = x[i] - y[i];
+    return hypot(hypot(r[0], r[1]), r[2]);
+}
+
+enum status patch_invert(const struct patch *patch, const double x[3], double tolerance,
+                         double uvw[3])
+{
+    enum { STEPS = 50 };
+    double J[3][3], r[3], damping = 0.0, distance;
+
+    for (int i = 0; i < 3; i++)
+        uvw[i] = fmin(fmax(uvw[i], 0.0), 1.0);
+    distance = residual(patch, x, uvw, r, J);
+    for (int i = 0; i < STEPS && distance > tolerance; i++) {
+        double try[3], try_r[3], try_J[3][3], try_distance = INFINITY;
+        if (step(J, r, damping, uvw, try))
+            try_distance = residual(patch, x, try, try_r, try_J);
+        if (!(try_distance < distance)) {
+            damping = fmax(10.0 * damping, 1e-3);
+            continue;
+        }
+        damping = damping > 1e-6 ? 0.1 * damping : 0.0;
+        distance = try_distance;
+        memcpy(uvw, try, sizeof try);
+        memcpy(r, try_r, sizeof r);
+        memcpy(J, try_J, sizeof J);
+    }
+    return distance <= tolerance ? STATUS_OK : STATUS_DIVERGED;
+}

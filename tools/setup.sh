@@ -100,7 +100,7 @@ install the like of these packages yourself, then build by hand as README.md say
         setup_say packages "all ${#packages[@]} are there"
         return
     fi
-    setup_say packages "to be installed from Debian:"
+    setup_say packages "missing, to be installed from Debian:"
     setup_print_packages "${missing[@]}"
     names=("${missing[@]%%:*}")
     if [ "$(id -u)" -ne 0 ]; then

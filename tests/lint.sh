@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Shell scripts and man page, by tools that ./check does not install: exit 77, skipped,
+# without them.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+command -v shellcheck >/dev/null && command -v mandoc >/dev/null || exit 77
+
+shellcheck --external-sources check reproduce .ci/run tools/*.sh tests/*.sh
+mandoc -T lint -W warning doc/clothbench.1

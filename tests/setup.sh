@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# ./check and ./reproduce where something is in the way. Nothing is installed or built: they
+# run in a copied folder and find pretended commands first in PATH.
+set -uo pipefail
+
+source=$(cd "$(dirname "$0")/.." && pwd)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+mkdir "$folder/tools" "$folder/bin"
+cp "$source/check" "$source/reproduce" "$folder"
+cp "$source/tools/setup.sh" "$folder/tools"
+for tool in bash cat dirname env flock mkdir nproc sed tail tee mv; do
+    ln -s "$(command -v "$tool")" "$folder/bin"
+done
+
+pretend() { # COMMAND SCRIPT
+    printf '#!/usr/bin/env bash\n%s\n' "$2" >"$folder/bin/$1"
+    chmod +x "$folder/bin/$1"
+}
+
+run() { # COMMAND...; fills $code and $output
+    output=$(cd "$folder" && PATH="$folder/bin" OS_RELEASE="$folder/os-release" CI='' "$@" 2>&1)
+    code=$?
+}
+
+expect() { # CASE CODE TEXT...
+    local name=$1 want=$2 text
+    shift 2
+    [ "$code" -eq "$want" ] || { echo "$name: exit $code, want $want" && ((++failures)); }
+    for text in "$@"; do
+        [[ $output == *"$text"* ]] || { echo "$name: '$text' is not in: $output" && ((++failures)); }
+    done
+}
+
+expect_not_installed() { # CASE
+    [ ! -e "$folder/installed" ] || { echo "$1: apt-get was run" && ((++failures)); }
+    rm -f "$folder/installed"
+}
+
+debian='ID=debian VERSION_ID="12"'
+# shellcheck disable=SC2016 # for the pretended command to expand
+pretend apt-get 'echo "$@" >>"${0%/*}/../installed"'
+pretend dpkg-query 'exit 1'
+pretend id 'echo 1000'
+
+for other in 'ID=fedora VERSION_ID=41' 'ID=debian VERSION_ID="11"'; do
+    echo "${other// /$'\n'}" >"$folder/os-release"
+    run ./check
+    expect "$other" 1 'not Debian 12' libsuitesparse-dev libcyaml-dev 'check: '
+    expect_not_installed "$other"
+done
+
+echo "${debian// /$'\n'}" >"$folder/os-release"
+run ./reproduce
+expect 'neither root nor sudo' 1 'reproduce: ' 'as root run: apt-get install gcc libc6-dev'
+expect_not_installed 'neither root nor sudo'
+
+pretend sudo 'exit 1'
+run ./check
+expect 'sudo refuses' 1 'sudo refused; as root run: apt-get install gcc'
+expect_not_installed 'sudo refuses'
+
+pretend id 'echo 0'
+pretend apt-get 'echo no such host; exit 100'
+run ./check
+expect 'no network' 1 'no such host' 'packages-update failed'
+
+# shellcheck disable=SC2016
+pretend apt-get 'echo "$@" >>"${0%/*}/../installed"'
+pretend dpkg-query 'printf installed'
+pretend cmake 'echo a clumsy compiler; exit 1'
+run ./check
+expect 'configuring fails' 1 'packages   all' 'a clumsy compiler' 'configure failed'
+expect_not_installed 'all packages there'
+
+run ./reproduce --fast
+expect 'unknown option' 2 'usage: ./reproduce'
+run ./reproduce --help
+expect 'help' 0 'usage: ./reproduce' libhdf5-dev
+run ./check --help
+expect 'help' 0 'usage: ./check' libhdf5-dev
+
+[ "$failures" -eq 0 ]

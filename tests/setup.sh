@@ -54,7 +54,8 @@ done
 
 echo "${debian// /$'\n'}" >"$folder/os-release"
 run ./reproduce
-expect 'neither root nor sudo' 1 'reproduce: ' 'as root run: apt-get install gcc libc6-dev'
+expect 'neither root nor sudo' 1 \
+    'reproduce: ' 'no sudo here' 'as root run: apt-get install gcc libc6-dev'
 expect_not_installed 'neither root nor sudo'
 
 pretend sudo 'exit 1'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Shell scripts and man page, by tools that ./check does not install: exit 77, skipped,
-# without them.
+# Shell scripts and man page, by tools that .ci/run installs and ./check does not: skipped,
+# exit 77, without them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 command -v shellcheck >/dev/null && command -v mandoc >/dev/null || exit 77

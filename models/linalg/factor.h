@@ -54,6 +54,7 @@ struct factor_info {
     const char *method; /* "banded", "cholmod"; static                                 */
     long entries;       /* numbers stored in L                                         */
     double flops;       /* of one factorisation                                        */
+    int parts;          /* independent sub-systems                                       */
     int half_bandwidth; /* banded only                                                 */
     long bytes;         /* held by the factor                                          */
 };

@@ -1,0 +1,289 @@
+#include "models/linalg/factor.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/linalg/blas_kernel.h"
+#include "models/linalg/factor_part.h"
+
+/* What lies where: parts one after the other, in the values (first_slot) and in the
+ * permuted right-hand side (first_row). One slot behind all is the dump. */
+struct factor {
+    int n, part_count;
+    struct factor_part *part; /* [part_count]                                          */
+    int *first_row;           /* [part_count + 1]                                      */
+    ptrdiff_t *first_slot;    /* [part_count + 1]                                      */
+    int *part_of;             /* [n]                                                   */
+    int *place;               /* [n] row in the permuted right-hand side               */
+    bool straight;            /* place[i] == i for all i                               */
+    bool ready;               /* the last refactor succeeded                           */
+    double *value;            /* [first_slot[part_count] + 1]                          */
+    double *work;             /* [n]                                                   */
+};
+
+/* --- independent sub-systems -----------------------------------------------------------
+ */
+
+static int root_of(int *parent, int i)
+{
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+/* part_of[n]: components numbered by their first unknown. Returns their number. */
+static int find_parts(const struct factor_pattern *a, int *parent, int *part_of)
+{
+    for (int i = 0; i < a->n; i++)
+        parent[i] = i;
+    for (int j = 0; j < a->n; j++)
+        for (long s = a->start[j]; s < a->start[j + 1]; s++) {
+            int p = root_of(parent, j), q = root_of(parent, a->row[s]);
+            if (p < q)
+                parent[q] = p;
+            else
+                parent[p] = q;
+        }
+    int count = 0;
+    for (int i = 0; i < a->n; i++) /* a root is the least of its component */
+        part_of[i] = parent[i] == i ? count++ : part_of[root_of(parent, i)];
+    return count;
+}
+
+/* The pattern of one part alone. Arrays owned. */
+struct part_pattern {
+    struct factor_pattern pattern;
+    long *start;
+    int *row, *order;
+};
+
+static void part_pattern_clear(struct part_pattern *p)
+{
+    free(p->start);
+    free(p->row);
+    free(p->order);
+    memset(p, 0, sizeof *p);
+}
+
+/* unknown[n]: the part's unknowns, ascending; local: their inverse. */
+static enum status part_pattern_init(const struct factor_pattern *a, const int *unknown,
+                                     int n, const int *local, const int *part_of,
+                                     struct part_pattern *p)
+{
+    long entries = 0;
+    for (int k = 0; k < n; k++)
+        entries += a->start[unknown[k] + 1] - a->start[unknown[k]];
+    memset(p, 0, sizeof *p);
+    p->start = malloc((n + 1) * sizeof *p->start);
+    p->row = malloc(entries * sizeof *p->row);
+    p->order = a->order ? malloc(n * sizeof *p->order) : NULL;
+    if (!p->start || !p->row || (a->order && !p->order)) {
+        part_pattern_clear(p);
+        return STATUS_MEMORY;
+    }
+    long end = 0;
+    for (int k = 0; k < n; k++) {
+        p->start[k] = end;
+        for (long s = a->start[unknown[k]]; s < a->start[unknown[k] + 1]; s++)
+            p->row[end++] = local[a->row[s]];
+    }
+    p->start[n] = end;
+    for (int k = 0, next = 0; a->order && k < a->n; k++)
+        if (part_of[a->order[k]] == part_of[unknown[0]])
+            p->order[next++] = local[a->order[k]];
+    p->pattern = (struct factor_pattern){
+        .n = n, .start = p->start, .row = p->row, .order = p->order};
+    return STATUS_OK;
+}
+
+/* --- which method -----------------------------------------------------------------------
+ */
+
+/* Narrow bands are cheaper than the indexing of a sparse factor. */
+static const struct factor_method *choose(const struct factor_pattern *a,
+                                          enum solver method)
+{
+    long half = 0;
+    if (method != SOLVER_AUTO)
+        return method == SOLVER_BANDED ? &factor_banded : &factor_cholmod;
+    for (int j = 0; j < a->n; j++)
+        for (long s = a->start[j]; s < a->start[j + 1]; s++)
+            half = a->row[s] - j > half ? a->row[s] - j : half;
+    return half <= 300 ? &factor_banded : &factor_cholmod;
+}
+
+/* --- life -------------------------------------------------------------------------------
+ */
+
+static enum status create_part(struct factor *f, int p, const struct factor_pattern *a,
+                               enum solver method, const int *unknown, const int *local)
+{
+    enum status st;
+    struct part_pattern own = {0};
+    struct factor_part *part = &f->part[p];
+    int *position = NULL;
+
+    part->n = f->first_row[p + 1] - f->first_row[p];
+    if (!(position = malloc(part->n * sizeof *position)))
+        return STATUS_MEMORY;
+    TRY(part_pattern_init(a, unknown, part->n, local, f->part_of, &own));
+    part->method = choose(&own.pattern, method);
+    TRY(part->method->create(&own.pattern, position, part));
+    f->first_slot[p + 1] = f->first_slot[p] + part->slots;
+    for (int k = 0; k < part->n; k++)
+        f->place[unknown[k]] = f->first_row[p] + position[k];
+out:
+    part_pattern_clear(&own);
+    free(position);
+    return st;
+}
+
+static enum status create_parts(struct factor *f, const struct factor_pattern *a,
+                                enum solver method)
+{
+    enum status st = STATUS_OK;
+    int *unknown = malloc(a->n * sizeof *unknown), *local = malloc(a->n * sizeof *local);
+    if (!unknown || !local) {
+        st = STATUS_MEMORY;
+        goto out;
+    }
+    for (int i = 0; i < a->n; i++)
+        f->first_row[f->part_of[i] + 1]++;
+    for (int p = 0; p < f->part_count; p++)
+        f->first_row[p + 1] += f->first_row[p];
+    for (int i = 0; i < a->n; i++) { /* counting sort; part[].n counts up meanwhile */
+        int p = f->part_of[i];
+        local[i] = f->part[p].n++;
+        unknown[f->first_row[p] + local[i]] = i;
+    }
+    for (int p = 0; p < f->part_count; p++)
+        TRY(create_part(f, p, a, method, unknown + f->first_row[p], local));
+    f->straight = true;
+    for (int i = 0; i < a->n; i++)
+        f->straight = f->straight && f->place[i] == i;
+out:
+    free(unknown);
+    free(local);
+    return st;
+}
+
+enum status factor_create(const struct factor_pattern *a, enum solver method,
+                          struct factor **out)
+{
+    enum status st = STATUS_MEMORY;
+    struct factor *f = calloc(1, sizeof *f);
+
+    assert(a->n > 0);
+    if (!f)
+        return STATUS_MEMORY;
+    blas_kernel_set_threads(1);
+    f->n = a->n;
+    f->part_of = malloc(a->n * sizeof *f->part_of);
+    f->place = malloc(a->n * sizeof *f->place);
+    f->work = calloc(a->n, sizeof *f->work);
+    if (!f->part_of || !f->place || !f->work)
+        goto out;
+    f->part_count = find_parts(a, f->place, f->part_of);
+    f->part = calloc(f->part_count, sizeof *f->part);
+    f->first_row = calloc(f->part_count + 1, sizeof *f->first_row);
+    f->first_slot = calloc(f->part_count + 1, sizeof *f->first_slot);
+    if (!f->part || !f->first_row || !f->first_slot)
+        goto out;
+    TRY(create_parts(f, a, method));
+    f->value = aligned_alloc(64, (f->first_slot[f->part_count] + 8) / 8 * 64);
+    st = f->value ? STATUS_OK : STATUS_MEMORY;
+out:
+    if (st == STATUS_OK) {
+        factor_clear_values(f);
+        *out = f;
+    } else {
+        factor_destroy(f);
+    }
+    return st;
+}
+
+void factor_destroy(struct factor *f)
+{
+    if (!f)
+        return;
+    for (int p = 0; f->part && p < f->part_count; p++)
+        if (f->part[p].method)
+            f->part[p].method->destroy(&f->part[p]);
+    free(f->part);
+    free(f->first_row);
+    free(f->first_slot);
+    free(f->part_of);
+    free(f->place);
+    free(f->value);
+    free(f->work);
+    free(f);
+}
+
+/* --- values -----------------------------------------------------------------------------
+ */
+
+ptrdiff_t factor_slot(const struct factor *f, int i, int j)
+{
+    assert(0 <= i && i < f->n && 0 <= j && j < f->n && f->part_of[i] == f->part_of[j]);
+    int p = f->part_of[i];
+    int a = f->place[i] - f->first_row[p], b = f->place[j] - f->first_row[p];
+    return f->first_slot[p] +
+           f->part[p].method->slot(&f->part[p], a > b ? a : b, a > b ? b : a);
+}
+
+ptrdiff_t factor_dump(const struct factor *f)
+{
+    return f->first_slot[f->part_count];
+}
+
+double *factor_values(struct factor *f)
+{
+    return f->value;
+}
+
+void factor_clear_values(struct factor *f)
+{
+    memset(f->value, 0, (f->first_slot[f->part_count] + 1) * sizeof *f->value);
+}
+
+/* --- numbers ----------------------------------------------------------------------------
+ */
+
+enum status factor_refactor(struct factor *f)
+{
+    enum status st = STATUS_OK;
+    f->ready = false;
+    for (int p = 0; p < f->part_count; p++)
+        TRY(f->part[p].method->refactor(&f->part[p], f->value + f->first_slot[p]));
+    f->ready = true;
+out:
+    return st;
+}
+
+enum status factor_solve(struct factor *f, double *b)
+{
+    assert(f->ready);
+    double *x = f->straight ? b : f->work;
+    for (int i = 0; !f->straight && i < f->n; i++)
+        x[f->place[i]] = b[i];
+    for (int p = 0; p < f->part_count; p++)
+        f->part[p].method->solve(&f->part[p], f->value + f->first_slot[p],
+                                 x + f->first_row[p]);
+    for (int i = 0; !f->straight && i < f->n; i++)
+        b[i] = x[f->place[i]];
+    return STATUS_OK;
+}
+
+void factor_describe(const struct factor *f, struct factor_info *info)
+{
+    memset(info, 0, sizeof *info);
+    info->parts = f->part_count;
+    for (int p = 0; p < f->part_count; p++) {
+        const char *name = f->part[p].method->name;
+        info->method = !info->method || info->method == name ? name : "mixed";
+        f->part[p].method->describe(&f->part[p], info);
+    }
+    info->bytes += (long)(f->n * (2 * sizeof(int) + sizeof(double)));
+    info->bytes += (long)(f->first_slot[f->part_count] * sizeof(double));
+}

@@ -1,0 +1,46 @@
+/* factor_part.h - inside factor.h: one independent sub-system (connected component of the
+ * pattern), factored by one method. Private to models/linalg.
+ *
+ * A part numbers its unknowns 0..n-1 in the order of elimination: position[i] says where
+ * unknown i of the part's pattern went.
+ */
+#ifndef FACTOR_PART_H
+#define FACTOR_PART_H
+
+#include <stddef.h>
+#include "models/linalg/factor.h"
+
+struct factor_part;
+
+struct factor_method {
+    const char *name;
+
+    /* Analyses `pattern` (order: a permutation or NULL) and writes position[n]. */
+    enum status (*create)(const struct factor_pattern *pattern, int *position,
+                          struct factor_part *part);
+
+    /* Where entry (i,j), i >= j, in positions, lives in the part's values. */
+    ptrdiff_t (*slot)(const struct factor_part *part, int i, int j);
+
+    enum status (*refactor)(struct factor_part *part, double *value);
+
+    /* A x = b in place; b[n] by position. */
+    void (*solve)(struct factor_part *part, const double *value, double *b);
+
+    /* Adds to *info. */
+    void (*describe)(const struct factor_part *part, struct factor_info *info);
+
+    void (*destroy)(struct factor_part *part); /* frees part->state, which may be NULL */
+};
+
+struct factor_part {
+    const struct factor_method *method;
+    int n;
+    ptrdiff_t slots; /* numbers it needs in factor_values, set by create               */
+    void *state;     /* the method's own                                     owned    */
+};
+
+extern const struct factor_method factor_banded;
+extern const struct factor_method factor_cholmod;
+
+#endif

@@ -1,0 +1,188 @@
+/* Both factors on nets of every shape: residuals at round-off, parts found, bits repeated,
+ * matrices that are not positive definite refused. */
+#include <float.h>
+
+#include "bench/net_matrix.h"
+#include "models/linalg/factor.h"
+#include "tests/check.h"
+
+/* Cholesky is backward stable: |b - A x| <= c w eps |A| |x| for w numbers a row of L (at
+ * most a few hundred here). A is diagonally dominant: |A| |x| <= 2 |a_ii| |x| row by row.
+ */
+#define TOL_RESIDUAL (512 * DBL_EPSILON)
+
+static void fill(const struct net_matrix *a, struct factor *f)
+{
+    factor_clear_values(f);
+    for (int j = 0; j < a->n; j++)
+        for (long s = a->start[j]; s < a->start[j + 1]; s++)
+            factor_values(f)[factor_slot(f, a->row[s], j)] += a->value[s];
+}
+
+static struct factor_pattern pattern_of(const struct net_matrix *a, const int *order)
+{
+    return (struct factor_pattern){
+        .n = a->n, .start = a->start, .row = a->row, .order = order};
+}
+
+/* b - A x over a_ii |x|, largest. */
+static double residual(const struct net_matrix *a, const double *x, const double *b)
+{
+    double *y = malloc(a->n * sizeof *y), size = 0.0, worst = 0.0;
+    net_matrix_multiply(a, x, y);
+    for (int i = 0; i < a->n; i++)
+        size = fmax(size, fabs(x[i]));
+    for (int i = 0; i < a->n; i++)
+        worst = fmax(worst, fabs(b[i] - y[i]) / (a->value[a->start[i]] * size));
+    free(y);
+    return size > 0.0 ? worst : NAN;
+}
+
+static void right_hand_side(int n, double *b)
+{
+    for (int i = 0; i < n; i++)
+        b[i] = 1.0 + sin(1.0 + i * i);
+}
+
+static void check_shape(const struct net_shape *shape, enum solver method, const int *order)
+{
+    struct net_matrix a;
+    struct factor *f = NULL;
+    struct factor_info info;
+    REQUIRE(net_matrix_create(shape, &a) == STATUS_OK);
+    double *b = malloc(a.n * sizeof *b), *x = malloc(a.n * sizeof *x);
+    double *again = malloc(a.n * sizeof *again);
+    struct factor_pattern pattern = pattern_of(&a, order);
+
+    REQUIRE(factor_create(&pattern, method, &f) == STATUS_OK);
+    for (int turn = 0; turn < 2; turn++) { /* the second refactor must not see the first */
+        fill(&a, f);
+        factor_values(f)[factor_dump(f)] += NAN;
+        REQUIRE(factor_refactor(f) == STATUS_OK);
+        right_hand_side(a.n, b);
+        memcpy(x, b, a.n * sizeof *x);
+        CHECK(factor_solve(f, x) == STATUS_OK);
+        CHECK_NEAR(residual(&a, x, b), 0.0, TOL_RESIDUAL);
+        CHECK(turn == 0 || !memcmp(x, again, a.n * sizeof *x));
+        memcpy(again, x, a.n * sizeof *x);
+    }
+    factor_describe(f, &info);
+    CHECK(info.parts == (shape->split ? 2 : 1));
+    CHECK(info.entries > a.n && info.flops > 0 && info.bytes >= 8 * info.entries / 2);
+    factor_destroy(f);
+    free(b);
+    free(x);
+    free(again);
+    net_matrix_clear(&a);
+}
+
+static void check_shapes(void)
+{
+    static const struct net_shape shapes[] = {
+        {.points_u = 2, .points_v = 2, .reach = 1},
+        {.points_u = 5, .points_v = 5, .reach = 2, .held_edge = true},
+        {.points_u = 5, .points_v = 3, .reach = 4, .split = true},
+        {.points_u = 10, .points_v = 10, .reach = 2, .held_edge = true},
+        {.points_u = 10, .points_v = 10, .reach = 2, .held_edge = true, .split = true},
+        {.points_u = 12, .points_v = 7, .reach = 1},
+        {.points_u = 16, .points_v = 16, .reach = 1, .held_edge = true, .split = true},
+        {.points_u = 15, .points_v = 14, .reach = 3, .held_edge = true},
+    };
+    for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++)
+        for (enum solver method = SOLVER_AUTO; method <= SOLVER_CHOLMOD; method++)
+            check_shape(&shapes[k], method, NULL);
+}
+
+/* Any permutation will do. */
+static void check_order(void)
+{
+    const struct net_shape shape = {
+        .points_u = 9, .points_v = 4, .reach = 2, .split = true};
+    int n = 9 * 4 * 6, *order = malloc(n * sizeof *order);
+    for (int k = 0; k < n; k++)
+        order[k] = (k * 5 + 3) % n; /* 5 and 216 have no common factor */
+    check_shape(&shape, SOLVER_BANDED, order);
+    check_shape(&shape, SOLVER_CHOLMOD, order);
+    free(order);
+}
+
+/* The band takes the narrower of the given and the natural order. */
+static void check_band_order(void)
+{
+    const struct net_shape wide = {.points_u = 3, .points_v = 20, .reach = 1};
+    struct net_matrix a;
+    struct factor *f = NULL;
+    struct factor_info info;
+    REQUIRE(net_matrix_create(&wide, &a) == STATUS_OK);
+    int *order = malloc(a.n * sizeof *order);
+    for (int j = 0; j < 20; j++)
+        for (int i = 0; i < 3; i++)
+            for (int c = 0; c < 6; c++)
+                order[(j * 3 + i) * 6 + c] = (i * 20 + j) * 6 + c;
+    struct factor_pattern pattern = pattern_of(&a, order);
+    REQUIRE(factor_create(&pattern, SOLVER_BANDED, &f) == STATUS_OK);
+    factor_describe(f, &info);
+    CHECK(info.half_bandwidth == (3 + 1) * 6 + 5);
+    factor_destroy(f);
+    free(order);
+    net_matrix_clear(&a);
+}
+
+static void check_refusals(enum solver method)
+{
+    const struct net_shape shape = {.points_u = 7, .points_v = 6, .reach = 2};
+    const double bad[] = {-1e3, 0.0, NAN, INFINITY, -INFINITY};
+    struct net_matrix a;
+    struct factor *f = NULL;
+    REQUIRE(net_matrix_create(&shape, &a) == STATUS_OK);
+    struct factor_pattern pattern = pattern_of(&a, NULL);
+    REQUIRE(factor_create(&pattern, method, &f) == STATUS_OK);
+    const int where[] = {0, 17, a.n - 1};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
+        for (size_t w = 0; w < sizeof where / sizeof *where; w++) {
+            fill(&a, f);
+            factor_values(f)[factor_slot(f, where[w], where[w])] = bad[k];
+            CHECK(factor_refactor(f) == STATUS_INDEFINITE);
+        }
+    fill(&a, f); /* off the diagonal */
+    factor_values(f)[factor_slot(f, 15, 3)] = NAN;
+    CHECK(factor_refactor(f) == STATUS_INDEFINITE);
+    fill(&a, f); /* and sound again */
+    CHECK(factor_refactor(f) == STATUS_OK);
+    factor_destroy(f);
+    net_matrix_clear(&a);
+}
+
+/* Unknowns that meet nobody are parts of their own. */
+static void check_diagonal(enum solver method)
+{
+    const long start[] = {0, 1, 2, 3};
+    const int row[] = {0, 1, 2};
+    struct factor_pattern pattern = {.n = 3, .start = start, .row = row};
+    struct factor *f = NULL;
+    struct factor_info info;
+    REQUIRE(factor_create(&pattern, method, &f) == STATUS_OK);
+    for (int i = 0; i < 3; i++)
+        factor_values(f)[factor_slot(f, i, i)] = 4.0 + i;
+    double b[] = {8.0, 15.0, 24.0};
+    REQUIRE(factor_refactor(f) == STATUS_OK);
+    factor_solve(f, b);
+    for (int i = 0; i < 3; i++)
+        CHECK_NEAR(b[i], 2.0 + i, TOL_RESIDUAL);
+    factor_describe(f, &info);
+    CHECK(info.parts == 3 && info.entries == 3);
+    factor_destroy(f);
+}
+
+int main(void)
+{
+    check_shapes();
+    check_order();
+    check_band_order();
+    for (enum solver method = SOLVER_BANDED; method <= SOLVER_CHOLMOD; method++) {
+        check_refusals(method);
+        check_diagonal(method);
+    }
+    factor_destroy(NULL);
+    return check_result();
+}

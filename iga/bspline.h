@@ -29,11 +29,11 @@ enum status bspline_init(struct bspline *b, int p, int count, const double *U,
 enum status bspline_copy(const struct bspline *from, struct bspline *to);
 void bspline_clear(struct bspline *b);
 
-/* Span k of u in [0,1]; u = 1 belongs to the last non-empty span (A2.1). Below 0 and above 1
- * the first and the last span, whose polynomials bspline_eval then carries on. */
+/* Span k of u in [0,1]; u = 1 belongs to the last non-empty span (A2.1). Below 0 and above
+ * 1 the first and the last span, whose polynomials bspline_eval then carries on. */
 int bspline_span(const struct bspline *b, double u);
 
-/* Values and derivatives of the p+1 functions alive on the non-empty `span`, at u. (eq. 2.7)
+/* Values and derivatives of the p+1 functions alive on `span` (not empty), at u: eq. 2.7.
  *   out [order + 1][p + 1]; out[d][a] = d^d N_{span-p+a} / du^d;   order 0..p
  * Pure, no allocation: safe from any thread. */
 void bspline_eval(const struct bspline *b, int span, double u, int order, double *out);

@@ -39,7 +39,8 @@ void patch_basis(const struct patch *patch, const double uvw[3], int span[3], do
                  double *dR);
 
 /* Position [m] and, if J is not NULL, J[i][j] = d x_i / d u_j. */
-void patch_point(const struct patch *patch, const double uvw[3], double x[3], double J[3][3]);
+void patch_point(const struct patch *patch, const double uvw[3], double x[3],
+                 double J[3][3]);
 
 /* Parameters of the point x: damped Newton from the start value in uvw, kept in [0,1]^3.
  * STATUS_DIVERGED if |V(uvw) - x| > tolerance [m] after 50 steps; uvw is then the nearest

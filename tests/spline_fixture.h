@@ -1,4 +1,4 @@
-/* spline_fixture.h - random knots and patches for the spline tests; the same on every run. */
+/* spline_fixture.h - random knots and patches for tests, the same on every run. */
 #ifndef SPLINE_FIXTURE_H
 #define SPLINE_FIXTURE_H
 
@@ -41,17 +41,17 @@ static inline void random_bspline(uint64_t *state, int p, struct bspline *b)
 
 /* A unit box whose control points are shaken by up to `shake` of the distance between
  * neighbours; weights, if wanted, in [0.5, 2). Degrees p[3]. */
-static inline void random_patch(uint64_t *state, const int p[3], double shake, bool rational,
-                                struct patch *patch)
+static inline void random_patch(uint64_t *state, const int p[3], double shake,
+                                bool rational, struct patch *patch)
 {
-    static const double origin[3] = {0}, a[3] = {1, 0, 0}, b[3] = {0, 1, 0}, c[3] = {0, 0, 1};
+    static const double origin[3], edge[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     struct bspline basis[3];
     int nodes;
 
     for (int d = 0; d < 3; d++)
         random_bspline(state, p[d], &basis[d]);
     REQUIRE(patch_init(patch, basis) == STATUS_OK);
-    patch_set_box(patch, origin, a, b, c);
+    patch_set_box(patch, origin, edge[0], edge[1], edge[2]);
     nodes = patch_nodes(patch);
     for (int i = 0; i < 3 * nodes; i++)
         patch->point[i] += shake * (random_unit(state) - 0.5) / basis[i % 3].n;

@@ -142,14 +142,20 @@ void scene_support_shift(const struct scene_support *support, double t, double s
 {
     const int count = support->path_count;
     double(*path)[4] = support->path;
-    int k = 0;
+    int k = 0, high = count; /* rows before k are at or before t, rows from high on after */
 
     if (count == 0) {
         shift[0] = shift[1] = shift[2] = 0;
         return;
     }
-    while (k < count && path[k][0] <= t)
-        k++;
+    while (k < high) {
+        const int middle = (k + high) / 2;
+
+        if (path[middle][0] <= t)
+            k = middle + 1;
+        else
+            high = middle;
+    }
     if (k == 0 || k == count) {
         memcpy(shift, &path[k == 0 ? 0 : count - 1][1], 3 * sizeof *shift);
         return;

@@ -48,7 +48,7 @@ pretend id 'echo 1000'
 for other in 'ID=fedora VERSION_ID=41' 'ID=debian VERSION_ID="11"'; do
     echo "${other// /$'\n'}" >"$folder/os-release"
     run ./check
-    expect "$other" 1 'not Debian 12' libsuitesparse-dev libcyaml-dev 'check: '
+    expect "$other" 1 'not Debian 12' libsuitesparse-dev libyaml-dev 'check: '
     expect_not_installed "$other"
 done
 

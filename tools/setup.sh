@@ -22,8 +22,7 @@ packages=(
     "liblapacke-dev: LAPACK from C"
     "libarpack2-dev: eigenvalues of large sparse matrices"
     "libhdf5-dev: result files"
-    "libyaml-dev: reads YAML"
-    "libcyaml-dev: holds scene files against a schema"
+    "libyaml-dev: reads scene files"
 )
 
 setup_say() { # PHASE SENTENCE

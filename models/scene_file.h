@@ -1,0 +1,54 @@
+/* scene_file.h - scenes from YAML files, with the command line's settings on top.
+ *
+ * Settings are strings `key=value`: `material.young=5e4`, `supports[0].fix=xy`,
+ * `damping={kind: none}`, `discretization.points=[10,10,2]`. The value is YAML; later
+ * settings win; a discretization is reached by settings only. scene_check.h says what a
+ * setting does to values of the file that it makes meaningless.
+ *
+ * What is wrong is said in one sentence without a line break, `file:line: ...` or
+ * `--set KEY=VALUE: ...` (STATUS_INPUT), or `file: ...` where there is no line because the
+ * file cannot be read (STATUS_FILE).
+ */
+#ifndef SCENE_FILE_H
+#define SCENE_FILE_H
+
+#include <stddef.h>
+
+#include "models/discretization.h"
+#include "models/scene.h"
+
+/* Reads a scene. *scene is overwritten, not freed; free with scene_clear. *d holds a model's
+ * defaults on entry and is overridden key by key. On failure *scene is all-zero and *d as it
+ * was. */
+enum status scene_file_read(const char *path, int setting_count, const char *const *settings,
+                            struct scene *scene, struct discretization *d,
+                            struct message *why);
+
+/* The same for text[size] in memory (any bytes), called `name` in sentences. */
+enum status scene_file_parse(const char *name, const char *text, size_t size,
+                             int setting_count, const char *const *settings,
+                             struct scene *scene, struct discretization *d,
+                             struct message *why);
+
+/* The file of a SCENE argument: one with a '/' or ending in .yaml is a path already; another
+ * is the NAME of NAME.yaml in the folder $CLOTHBENCH_SCENES, else in the one installed with
+ * the program, else in the source tree. *path is freed by the receiver. STATUS_INPUT: no
+ * such name, with a sentence that lists the known ones. */
+enum status scene_file_find(const char *argument, char **path, struct message *why);
+
+/* A scene that scene_file_find finds by name. */
+struct scene_file_entry {
+    char *name;   /* owned                                                             */
+    char *source; /* the scene's source line, or what is wrong with the file   owned   */
+};
+
+/* All of them, sorted by name; *entries is freed with scene_file_list_free. */
+enum status scene_file_list(struct scene_file_entry **entries, int *count,
+                            struct message *why);
+void scene_file_list_free(struct scene_file_entry *entries, int count);
+
+/* Calls line() for every key that a scene or a setting may have, with what it may be. */
+void scene_file_keys(void (*line)(void *context, const char *key, const char *text),
+                     void *context);
+
+#endif

@@ -1,0 +1,379 @@
+/* scene_schema.c - the keys of a scene. */
+#include "models/scene_schema.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/scene_check.h"
+
+/* Limits of what doubles and people can handle; physics asks for less. */
+#define LENGTH           .low = 1e-9, .high = 1e6
+#define PLACE            .low = -1e6, .high = 1e6
+#define POSITIVE         .low = 1e-9, .high = 1e15
+#define NOT_NEGATIVE     .low = 0, .high = 1e15
+#define PARAMETER        .low = 0, .high = 1
+#define IN(type, member) .offset = offsetof(struct type, member)
+
+static const char *damping_word(int value)
+{
+    return damping_name(value);
+}
+
+static const char *kinematics_word(int value)
+{
+    return kinematics_name((enum kinematics)value);
+}
+
+static const char *remedy_word(int value)
+{
+    return remedy_name((enum remedy)value);
+}
+
+static const char *unknowns_word(int value)
+{
+    return unknowns_name((enum unknowns)value);
+}
+
+static const char *solver_word(int value)
+{
+    return solver_name((enum solver)value);
+}
+
+static enum status read_name(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    struct scene *scene = target;
+    char *copy;
+
+    if (node->kind != YAML_TREE_SCALAR || !*node->text || strlen(node->text) > 64 ||
+        node->text[strspn(node->text, "abcdefghijklmnopqrstuvwxyz0123456789_")])
+        return schema_refuse(key, node, why);
+    copy = strdup(node->text);
+    if (!copy)
+        return STATUS_MEMORY;
+    free(scene->name);
+    scene->name = copy;
+    return STATUS_OK;
+}
+
+/* `u: 0` or `u: [0, 0.1]` of a support's `at`. */
+static enum status read_interval(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct scene_support *s = target;
+    const int i = key->key[0] - 'u';
+    const struct yaml_tree *lo = node, *hi = node;
+
+    if (node->kind == YAML_TREE_LIST) {
+        if (node->count != 2)
+            return schema_refuse(key, node, why);
+        lo = node->first, hi = lo->next;
+    }
+    TRY(schema_number(key, lo, &s->lo[i], why));
+    TRY(schema_number(key, hi, &s->hi[i], why));
+    if (s->lo[i] > s->hi[i])
+        return yaml_tree_refuse(node, why, "%s runs from %g down to %g, but must be %s",
+                                key->key, s->lo[i], s->hi[i], key->want);
+out:
+    return st;
+}
+
+static enum status check_at(const struct schema_key *key, const struct yaml_tree *node,
+                            void *target, struct message *why)
+{
+    (void)target;
+    return node->count > 0 ? STATUS_OK : schema_refuse(key, node, why);
+}
+
+static enum status read_fix(const struct schema_key *key, const struct yaml_tree *node,
+                            void *target, struct message *why)
+{
+    struct scene_support *s = target;
+
+    if (node->kind != YAML_TREE_SCALAR || !*node->text)
+        return schema_refuse(key, node, why);
+    s->fix = 0;
+    for (const char *c = node->text; *c; c++) {
+        const char *letters = "xyz", *letter = strchr(letters, *c);
+        const unsigned bit = letter ? 1u << (letter - letters) : 0;
+
+        if (!bit || s->fix & bit)
+            return schema_refuse(key, node, why);
+        s->fix |= bit;
+    }
+    return STATUS_OK;
+}
+
+static enum status read_path_row(const struct schema_key *key, const struct yaml_tree *row,
+                                 double out[4], struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *number = row->first;
+
+    if (row->kind != YAML_TREE_LIST || row->count != 4)
+        return schema_refuse(key, row, why);
+    for (int i = 0; i < 4; i++, number = number->next)
+        TRY(schema_number(key, number, &out[i], why));
+out:
+    return st;
+}
+
+static enum status read_path(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct scene_support *s = target;
+    const struct yaml_tree *row = node->first;
+
+    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > SCENE_MAX_PATH)
+        return schema_refuse(key, node, why);
+    s->path = calloc((size_t)node->count, sizeof *s->path);
+    if (!s->path)
+        return STATUS_MEMORY;
+    s->path_count = node->count;
+    for (int i = 0; i < node->count; i++, row = row->next) {
+        TRY(read_path_row(key, row, s->path[i], why));
+        if (i > 0 && s->path[i][0] <= s->path[i - 1][0])
+            return yaml_tree_refuse(row, why,
+                                    "path has time %g after %g, but times must "
+                                    "increase",
+                                    s->path[i][0], s->path[i - 1][0]);
+    }
+out:
+    return st;
+}
+
+/* clang-format off */
+static const struct schema_key AT[] = {
+    {"u", "along the length", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
+     .want = "a number or [low, high] within 0 and 1"},
+    {"v", "along the width", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
+     .want = "a number or [low, high] within 0 and 1"},
+    {"w", "through the thickness", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
+     .want = "a number or [low, high] within 0 and 1"},
+    {NULL}};
+
+static const struct schema_key SUPPORT[] = {
+    {"at", "where", SCHEMA_SECTION, .required = true, .keys = AT, .read = check_at},
+    {"fix", "components held", SCHEMA_SPECIAL, .required = true, .read = read_fix,
+     .want = "some of the letters x, y, z, each once, as in xyz"},
+    {"path", "shift in time [s, m, m, m]", SCHEMA_SPECIAL, PLACE, .read = read_path,
+     .want = "1 to 1000 rows [t, x, y, z] of numbers within -1e+06 and 1e+06"},
+    {NULL}};
+
+static const struct schema_key PLANE[] = {
+    {"point", "on the plane [m]", SCHEMA_VECTOR, .required = true, PLACE,
+     IN(scene_obstacle, point)},
+    {"normal", "outward", SCHEMA_VECTOR, .required = true, PLACE, IN(scene_obstacle, normal)},
+    {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3,
+     IN(scene_obstacle, friction)},
+    {NULL}};
+
+static const struct schema_key SPHERE[] = {
+    {"center", "centre [m]", SCHEMA_VECTOR, .required = true, PLACE,
+     IN(scene_obstacle, point)},
+    {"radius", "radius [m]", SCHEMA_NUMBER, .required = true, LENGTH,
+     IN(scene_obstacle, radius)},
+    {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3,
+     IN(scene_obstacle, friction)},
+    {NULL}};
+
+static const struct schema_key OBSTACLE[] = {
+    {"plane", "a half-space", SCHEMA_SECTION, .keys = PLANE},
+    {"sphere", "a ball", SCHEMA_SECTION, .keys = SPHERE},
+    {NULL}};
+/* clang-format on */
+
+static enum status read_supports(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct scene_support s = {.fix = 0};
+
+    if (node->kind != YAML_TREE_LIST || node->count > SCENE_MAX_SUPPORTS)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        s = (struct scene_support){.hi = {1, 1, 1}, .line = child->line};
+        TRY(schema_read(SUPPORT, child, "a support", &s, why));
+        TRY(scene_add_support(target, &s));
+        free(s.path), s.path = NULL;
+    }
+out:
+    free(s.path);
+    return st;
+}
+
+static enum status read_obstacles(const struct schema_key *key,
+                                  const struct yaml_tree *node, void *target,
+                                  struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_LIST || node->count > SCENE_MAX_OBSTACLES)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        struct scene_obstacle o = {.friction = 0};
+
+        TRY(schema_read(OBSTACLE, child, "an obstacle", &o, why));
+        if (child->count != 1)
+            return yaml_tree_refuse(child, why,
+                                    "an obstacle has %d shapes, but must have "
+                                    "one, plane or sphere",
+                                    child->count);
+        o.kind = yaml_tree_find(child, "sphere") ? OBSTACLE_SPHERE : OBSTACLE_PLANE;
+        if (o.kind == OBSTACLE_PLANE && !o.normal[0] && !o.normal[1] && !o.normal[2])
+            return yaml_tree_refuse(child->first, why,
+                                    "a plane's normal is zero, but must "
+                                    "point away from the obstacle");
+        TRY(scene_add_obstacle(target, &o));
+    }
+out:
+    return st;
+}
+
+static enum status refuse_numerics(const struct schema_key *key,
+                                   const struct yaml_tree *node, void *target,
+                                   struct message *why)
+{
+    (void)target;
+    return yaml_tree_refuse(node, why,
+                            "a scene is physics and has no section %s; give it on "
+                            "the command line, as in --set discretization.points=[10,10,2]",
+                            key->key);
+}
+
+/* clang-format off */
+static const struct schema_key SHEET[] = {
+    {"length", "L along u [m]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, length)},
+    {"width", "W along v [m]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, width)},
+    {"thickness", "h along w [m]", SCHEMA_NUMBER, .required = true, LENGTH,
+     IN(scene, thickness)},
+    {NULL}};
+
+static const struct schema_key POSE[] = {
+    {"origin", "mid-surface corner u = v = 0 [m]", SCHEMA_VECTOR, PLACE, IN(scene, origin)},
+    {"u", "unit vector along the length", SCHEMA_VECTOR, PLACE, IN(scene, axis_u)},
+    {"v", "unit vector along the width, across u", SCHEMA_VECTOR, PLACE, IN(scene, axis_v)},
+    {NULL}};
+
+static const struct schema_key MATERIAL[] = {
+    {"young", "E [Pa]", SCHEMA_NUMBER, .required = true, POSITIVE, IN(scene, young)},
+    {"poisson", "nu [1]", SCHEMA_NUMBER, .required = true, .open = true, .low = -1,
+     .high = 0.5, IN(scene, poisson)},
+    {"density", "rho [kg/m^3]", SCHEMA_NUMBER, .required = true, POSITIVE,
+     IN(scene, density)},
+    {NULL}};
+
+static const struct schema_key DRAG[] = {
+    {"coefficient", "c of the force c (wind - v) per volume [kg/m^3/s]", SCHEMA_NUMBER,
+     .required = true, NOT_NEGATIVE, IN(scene, drag)},
+    {"wind", "velocity of the air [m/s]", SCHEMA_VECTOR, PLACE, IN(scene, wind)},
+    {NULL}};
+
+static const struct schema_key DAMPING[] = {
+    {"kind", "law", SCHEMA_WORD, .required = true, .word = damping_word,
+     IN(scene, damping.kind)},
+    {"value", "factor, or rate [1/s]", SCHEMA_NUMBER, NOT_NEGATIVE,
+     IN(scene, damping.value)},
+    {"alpha", "rayleigh: of the mass [1/s]", SCHEMA_NUMBER, NOT_NEGATIVE,
+     IN(scene, damping.alpha)},
+    {"beta", "rayleigh: of the stiffness [s]", SCHEMA_NUMBER, NOT_NEGATIVE,
+     IN(scene, damping.beta)},
+    {NULL}};
+
+static const struct schema_key TIME[] = {
+    {"step", "one frame [s]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, step)},
+    {"end", "duration [s]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, end)},
+    {NULL}};
+
+static const struct schema_key SCENE[] = {
+    {"name", "key in lists and results", SCHEMA_SPECIAL, .required = true, .read = read_name,
+     .want = "1 to 64 of the characters a-z, 0-9 and _"},
+    {"source", "where the numbers come from", SCHEMA_TEXT, .required = true,
+     IN(scene, source)},
+    {"sheet", "the sheet", SCHEMA_SECTION, .required = true, .keys = SHEET},
+    {"pose", "its rest pose", SCHEMA_SECTION, .keys = POSE},
+    {"material", "isotropic, linear", SCHEMA_SECTION, .required = true, .keys = MATERIAL},
+    {"gravity", "acceleration [m/s^2]", SCHEMA_VECTOR, PLACE, IN(scene, gravity)},
+    {"drag", "body drag", SCHEMA_SECTION, .keys = DRAG},
+    {"damping", "damping", SCHEMA_SECTION, .keys = DAMPING},
+    {"supports", "what is held", SCHEMA_SPECIAL, .keys = SUPPORT, .read = read_supports,
+     .want = "a list of at most 100 supports {at: {...}, fix: xyz}"},
+    {"obstacles", "what is in the way", SCHEMA_SPECIAL, .keys = OBSTACLE,
+     .read = read_obstacles,
+     .want = "a list of at most 100 obstacles {plane: {...}} or {sphere: {...}}"},
+    {"time", "steps", SCHEMA_SECTION, .required = true, .keys = TIME},
+    {"snapshots", "times worth keeping [s]", SCHEMA_NUMBERS, .low = 0, .high = 1e6,
+     .order = SCHEMA_INCREASING, .most = SCENE_MAX_SNAPSHOTS, IN(scene, snapshots),
+     .count_offset = offsetof(struct scene, snapshot_count)},
+    {"discretization", NULL, SCHEMA_SPECIAL, .read = refuse_numerics}, /* not listed */
+    {NULL}};
+
+#define KNOTS(direction) .high = 1, .order = SCHEMA_NON_DECREASING, .most = 100000,         \
+    IN(discretization, knots[direction]),                                                   \
+    .count_offset = offsetof(struct discretization, knot_count[direction])
+
+static const struct schema_key DISCRETIZATION[] = {
+    {"points", "control points or nodes", SCHEMA_COUNTS, .low = 1, .high = 10000,
+     IN(discretization, points)},
+    {"degree", "p, q, r", SCHEMA_COUNTS, .low = 1, .high = 5, IN(discretization, degree)},
+    {"gauss", "points per span, 0: degree + 1", SCHEMA_COUNTS, .low = 0, .high = 16,
+     IN(discretization, gauss)},
+    {"knots_u", "open knots along u", SCHEMA_NUMBERS, KNOTS(0)},
+    {"knots_v", "open knots along v", SCHEMA_NUMBERS, KNOTS(1)},
+    {"knots_w", "open knots along w", SCHEMA_NUMBERS, KNOTS(2)},
+    {"weights", "NURBS weights [u][v][w]", SCHEMA_NUMBERS, .low = 1e-6, .high = 1e6,
+     .most = 1000000, IN(discretization, weights),
+     .count_offset = offsetof(struct discretization, weight_count)},
+    {"kinematics", "law of motion", SCHEMA_WORD, .word = kinematics_word,
+     IN(discretization, kinematics)},
+    {"remedy", "against locking", SCHEMA_WORD, .word = remedy_word,
+     IN(discretization, remedy)},
+    {"unknowns", "through the thickness", SCHEMA_WORD, .word = unknowns_word,
+     IN(discretization, unknowns)},
+    {"solver", "of the linear systems", SCHEMA_WORD, .word = solver_word,
+     IN(discretization, solver)},
+    {NULL}};
+/* clang-format on */
+
+/* What a setting may reach besides the scene. */
+static const struct schema_key NUMERICS[] = {
+    {"discretization", "the work put in", SCHEMA_SECTION, .keys = DISCRETIZATION},
+    {NULL},
+};
+
+enum status scene_schema_read(const struct yaml_tree *root, struct scene *scene,
+                              struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    TRY(schema_read(SCENE, root, "the scene", scene, why));
+    TRY(scene_check(root, scene, why));
+out:
+    return st;
+}
+
+enum status scene_schema_read_numerics(const struct yaml_tree *root,
+                                       struct discretization *d, struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *section, *points;
+
+    TRY(schema_read(NUMERICS, root, "the command line", d, why));
+    section = yaml_tree_find(root, "discretization");
+    points = section ? yaml_tree_find(section, "points") : NULL;
+    if (points && (double)d->points[0] * d->points[1] * d->points[2] > SCENE_MAX_POINTS)
+        return yaml_tree_refuse(points, why, "%d x %d x %d points, but must be %d at most",
+                                d->points[0], d->points[1], d->points[2], SCENE_MAX_POINTS);
+out:
+    return st;
+}
+
+void scene_schema_list(void (*line)(void *context, const char *key, const char *text),
+                       void *context)
+{
+    schema_list(SCENE, "", line, context);
+    schema_list(NUMERICS, "", line, context);
+}

@@ -1,0 +1,243 @@
+/* The scene reader: shipped scenes, settings, names. Refusals are in bad_scenes.c. */
+#include "models/scene_file.h"
+#include "tests/check.h"
+
+static const char MINIMAL[] = "name: minimal\n"
+                              "source: a test\n"
+                              "sheet: {length: 1, width: 2, thickness: 0.01}\n"
+                              "material: {young: 1e5, poisson: 0.3, density: 0.5}\n"
+                              "time: {step: 0.1, end: 1}\n";
+
+/* What every model's defaults look like here. */
+static struct discretization defaults(void)
+{
+    return (struct discretization){.points = {10, 10, 2}, .degree = {2, 2, 1}};
+}
+
+static enum status parse(const char *text, int count, const char *const *settings,
+                         struct scene *s, struct discretization *d)
+{
+    struct message why;
+    const enum status st =
+        scene_file_parse("memory", text, strlen(text), count, settings, s, d, &why);
+
+    if (st != STATUS_OK)
+        printf("%s\n", why.text);
+    return st;
+}
+
+static void check_minimal(void)
+{
+    struct scene s;
+    struct discretization d = defaults();
+
+    REQUIRE(parse(MINIMAL, 0, NULL, &s, &d) == STATUS_OK);
+    CHECK(!strcmp(s.name, "minimal") && !strcmp(s.source, "a test"));
+    CHECK(!strcmp(s.text, MINIMAL));
+    CHECK(s.width == 2 && s.young == 1e5 && s.poisson == 0.3 && s.step == 0.1);
+    CHECK(s.axis_u[0] == 1 && s.axis_v[1] == 1 && s.gravity[2] == 0);
+    CHECK(s.damping.kind == DAMPING_NONE && s.support_count == 0 && s.snapshot_count == 0);
+    CHECK(d.points[0] == 10 && d.degree[2] == 1);
+    scene_clear(&s);
+    discretization_clear(&d);
+}
+
+static void check_everything(void)
+{
+    static const char text[] =
+        "name: full\nsource: \"a: test\"\n"
+        "sheet: {length: 1, width: 2, thickness: 0.01}\n"
+        "pose: {origin: [1, 2, 3], u: [0, 0.6, 0.8], v: [1, 0, 0]}\n"
+        "material: {young: 1e5, poisson: -.5, density: 0.5}\n"
+        "gravity: [0, 0, -9.81]\n"
+        "drag: {coefficient: 2, wind: [3, 0, 0]}\n"
+        "damping: {kind: rayleigh, alpha: 0.1, beta: 1e-3}\n"
+        "supports:\n"
+        "- at: {u: 0, v: [0.25, 0.5]}\n"
+        "  fix: zx\n"
+        "  path: [[0, 0, 0, 0], [1, 2, 3, 4]]\n"
+        "- {at: {w: [0, 1]}, fix: y}\n"
+        "obstacles:\n"
+        "- plane: {point: [0, 0, -1], normal: [0, 0, 2], friction: 0.3}\n"
+        "- sphere: {center: [1, 0, 0], radius: 0.5}\n"
+        "time: {step: 0.1, end: 1}\n"
+        "snapshots: [0, 0.5, 1]\n";
+    struct scene s;
+    struct discretization d = defaults();
+    const struct scene_support *a, *b;
+
+    REQUIRE(parse(text, 0, NULL, &s, &d) == STATUS_OK);
+    CHECK(!strcmp(s.source, "a: test"));
+    CHECK(s.origin[2] == 3 && s.axis_u[2] == 0.8 && s.axis_v[0] == 1);
+    CHECK(s.drag == 2 && s.wind[0] == 3 && s.gravity[2] == -9.81 && s.poisson == -0.5);
+    CHECK(s.damping.kind == DAMPING_RAYLEIGH);
+    CHECK(s.damping.alpha == 0.1 && s.damping.beta == 1e-3);
+    REQUIRE(s.support_count == 2 && s.obstacle_count == 2 && s.snapshot_count == 3);
+    a = &s.supports[0], b = &s.supports[1];
+    CHECK(a->lo[0] == 0 && a->hi[0] == 0 && a->lo[1] == 0.25 && a->hi[1] == 0.5);
+    CHECK(a->lo[2] == 0 && a->hi[2] == 1 && a->fix == (FIX_X | FIX_Z) && a->line == 10);
+    CHECK(a->path_count == 2 && a->path[1][0] == 1 && a->path[1][3] == 4);
+    CHECK(b->fix == FIX_Y && b->hi[0] == 1 && !b->path && b->line == 13);
+    CHECK(s.obstacles[0].kind == OBSTACLE_PLANE && s.obstacles[0].normal[2] == 2);
+    CHECK(s.obstacles[0].point[2] == -1 && s.obstacles[0].friction == 0.3);
+    CHECK(s.obstacles[1].kind == OBSTACLE_SPHERE && s.obstacles[1].radius == 0.5);
+    CHECK(s.obstacles[1].point[0] == 1 && s.obstacles[1].friction == 0);
+    CHECK(s.snapshots[1] == 0.5);
+    scene_clear(&s);
+    discretization_clear(&d);
+}
+
+static void check_settings(void)
+{
+    static const char *const settings[] = {"material.young=5e4",
+                                           "material.young=6e4",
+                                           "gravity=[0,0,-1]",
+                                           "supports=[{at: {u: 0}, fix: xyz}]",
+                                           "supports[0].fix=xy",
+                                           "supports[0].at.u=[0,0.5]",
+                                           "damping.kind=mass",
+                                           "damping.value=2",
+                                           "discretization.points=[20,30,3]",
+                                           "discretization.degree=[3,4]",
+                                           "discretization.gauss=[4,4,0]",
+                                           "discretization.knots_w=[0,0,1,1]",
+                                           "discretization.weights=[1,2.5]",
+                                           "discretization.kinematics=printed",
+                                           "discretization.remedy=incompatible",
+                                           "discretization.unknowns=thickness",
+                                           "discretization.solver=banded"};
+    const int count = sizeof settings / sizeof *settings;
+    struct scene s;
+    struct discretization d = defaults();
+
+    REQUIRE(parse(MINIMAL, count, settings, &s, &d) == STATUS_OK);
+    CHECK(s.young == 6e4 && s.gravity[2] == -1);
+    CHECK(s.damping.kind == DAMPING_MASS && s.damping.value == 2);
+    REQUIRE(s.support_count == 1);
+    CHECK(s.supports[0].fix == (FIX_X | FIX_Y) && s.supports[0].hi[0] == 0.5);
+    CHECK(s.supports[0].line == 0);
+    CHECK(d.points[0] == 20 && d.points[1] == 30 && d.points[2] == 3);
+    CHECK(d.degree[0] == 3 && d.degree[1] == 4 && d.degree[2] == 1);
+    CHECK(d.gauss[0] == 4 && d.gauss[2] == 0);
+    CHECK(d.knot_count[2] == 4 && d.knots[2][3] == 1 && !d.knots[0]);
+    CHECK(d.weight_count == 2 && d.weights[1] == 2.5);
+    CHECK(d.kinematics == KINEMATICS_PRINTED && d.remedy == REMEDY_INCOMPATIBLE);
+    CHECK(d.unknowns == UNKNOWNS_THICKNESS && d.solver == SOLVER_BANDED);
+    CHECK(!strncmp(s.text, MINIMAL, strlen(MINIMAL)));
+    CHECK(strstr(s.text, "\n# --set material.young=5e4\n# --set material.young=6e4\n"));
+    scene_clear(&s);
+
+    /* A text without a last line break gets one before its settings. */
+    discretization_clear(&d);
+    d = defaults();
+    REQUIRE(parse("name: a\nsource: b\nsheet: {length: 1, width: 2, thickness: 0.01}\n"
+                  "material: {young: 1, poisson: 0, density: 1}\ntime: {step: 1, end: 2}",
+                  1, settings, &s, &d) == STATUS_OK);
+    CHECK(strstr(s.text, "end: 2}\n# --set material.young=5e4\n"));
+    scene_clear(&s);
+    discretization_clear(&d);
+}
+
+/* Settings outrank what they make meaningless in the file. */
+static void check_outranked(void)
+{
+    static const char *const early = "time.end=1.0", *const undamped = "damping.kind=none";
+    struct scene s;
+    struct discretization d = defaults();
+    struct message why;
+    char *path = NULL;
+
+    REQUIRE(scene_file_find("edge_drop", &path, &why) == STATUS_OK);
+    REQUIRE(scene_file_read(path, 1, &early, &s, &d, &why) == STATUS_OK);
+    CHECK(s.end == 1 && s.snapshot_count == 1 && s.snapshots[0] == 0.5);
+    scene_clear(&s);
+    REQUIRE(scene_file_read(path, 1, &undamped, &s, &d, &why) == STATUS_OK);
+    CHECK(s.damping.kind == DAMPING_NONE && s.damping.value == 0);
+    scene_clear(&s);
+    free(path);
+    discretization_clear(&d);
+}
+
+/* A failure leaves the discretization as it was and the scene all-zero. */
+static void check_failure(void)
+{
+    static const char *const settings[] = {"discretization.points=[20,30,3]",
+                                           "discretization.degree=[0,0,0]"};
+    static const struct scene zero;
+    struct scene s;
+    struct discretization d = defaults();
+    struct message why;
+
+    CHECK(scene_file_parse("memory", MINIMAL, strlen(MINIMAL), 2, settings, &s, &d, &why) ==
+          STATUS_INPUT);
+    CHECK(!memcmp(&s, &zero, sizeof s) && d.points[0] == 10);
+    CHECK(scene_file_parse("memory", "", 0, 0, NULL, &s, &d, NULL) == STATUS_INPUT);
+    discretization_clear(&d);
+}
+
+static void check_shipped(void)
+{
+    struct scene_file_entry *entries = NULL;
+    int count = 0;
+    struct message why;
+
+    REQUIRE(scene_file_list(&entries, &count, &why) == STATUS_OK);
+    CHECK(count >= 9);
+    for (int i = 0; i < count; i++) {
+        struct scene s = {NULL};
+        struct discretization d = defaults();
+        char *path = NULL;
+
+        CHECK(i == 0 || strcmp(entries[i - 1].name, entries[i].name) < 0);
+        CHECK(scene_file_find(entries[i].name, &path, &why) == STATUS_OK);
+        if (path && CHECK(scene_file_read(path, 0, NULL, &s, &d, &why) == STATUS_OK)) {
+            CHECK(!strcmp(s.name, entries[i].name));
+            CHECK(!strcmp(s.source, entries[i].source));
+        } else
+            printf("%s\n", why.text);
+        scene_clear(&s);
+        discretization_clear(&d);
+        free(path);
+    }
+    scene_file_list_free(entries, count);
+}
+
+static void check_names(void)
+{
+    struct message why;
+    char *path = NULL;
+
+    CHECK(scene_file_find("./nowhere.yaml", &path, &why) == STATUS_OK);
+    CHECK(path && !strcmp(path, "./nowhere.yaml"));
+    free(path);
+    CHECK(scene_file_find("edge_dorp", &path, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "no scene 'edge_dorp'") && strstr(why.text, " edge_drop"));
+    CHECK(scene_file_find("", &path, &why) == STATUS_INPUT);
+}
+
+static void count_key(void *context, const char *key, const char *text)
+{
+    int *seen = context;
+
+    *seen += !strcmp(key, "sheet.length") && strstr(text, "(required)");
+    *seen += !strcmp(key, "supports[i].at.u");
+    *seen += !strcmp(key, "damping.kind") && strstr(text, "none, velocity_scale,");
+    *seen += !strcmp(key, "discretization.points");
+    CHECK(strcmp(key, "discretization"));
+}
+
+int main(void)
+{
+    int seen = 0;
+
+    check_minimal();
+    check_everything();
+    check_settings();
+    check_outranked();
+    check_failure();
+    check_shipped();
+    check_names();
+    scene_file_keys(count_key, &seen);
+    CHECK(seen == 4);
+    return check_result();
+}

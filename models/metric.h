@@ -1,35 +1,45 @@
 /* metric.h - numbers read off sampled fields (grid.h). Model-free.
  *
- * Fields are const double *xyz of shape [GRID_W][GRID_V][GRID_U][3], metres.
+ * Fields are const double *xyz of shape [GRID_W][GRID_V][GRID_U][3], metres. The mid-surface
+ * is the mean of the two layers. `Down` is the direction of gravity, -z in a scene without.
+ * A NaN among the points that a metric reads makes it NaN. Sums are ordered: the same bits on
+ * every run.
  */
 #ifndef METRIC_H
 #define METRIC_H
 
 #include "models/scene.h"
 
-/* sqrt( sum over the grid of |a - b|^2 / GRID_POINTS ) [m]; NaN if any value is. A shift by
- * (3,4,12) cm gives 0.13 m. Sums are ordered: the same bits on every run. */
+/* sqrt( sum over the grid of |a - b|^2 / GRID_POINTS ) [m]. A shift by (3,4,12) cm gives
+ * 0.13 m. */
 double metric_rmse(const double *a, const double *b);
 
-/* Largest principal stretch of the mid-surface, central differences of the grid. >= 0. */
+/* Largest principal stretch of the mid-surface [1], >= 0: largest singular value of the
+ * gradient by central differences (one-sided on the edges). Exact for an affine map. */
 double metric_stretch(const struct scene *scene, const double *xyz);
 
-/* Lowest point below the highest rest point of the supports, along -gravity, over L. */
+/* How far the lowest mid-surface point lies below the highest mid-surface rest point of the
+ * supports (of the sheet, if it has none), over L. Zero for a level sheet at rest, whatever
+ * its thickness. */
 double metric_drop(const struct scene *scene, const double *xyz);
 
-/* Rms over interior mid-surface points of |second differences along u and v| times
- * (GRID_U - 1) / L: a cylinder of radius R gives about L / (99 R) ... zero for a plane. */
+/* L times the root mean square, over the interior points of the mid-surface, of
+ *     sqrt( |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 )                                [1],
+ * second derivatives by central differences in the arc lengths a = u L, b = v W of the rest
+ * shape. Zero for any affine map; L/R for a cylinder of radius R whatever its axis, less a
+ * share of (s/R)^2/12 for the grid's step s. Noise of one grid step is magnified by 1/s^2. */
 double metric_roughness(const struct scene *scene, const double *xyz);
 
 /* Greatest depth of a grid point below any obstacle's surface [m]; 0 without obstacles. */
 double metric_penetration(const struct scene *scene, const double *xyz);
 
-/* STATUS_NAN, STATUS_ESCAPED (a point farther than 10 L from the nearest rest point of a
- * support; from its own rest point without supports) or STATUS_OK. */
+/* STATUS_NAN (a coordinate is not finite), STATUS_ESCAPED (a point farther than 10 L from
+ * the nearest rest point of a support; from its own rest point without supports) or
+ * STATUS_OK. */
 enum status metric_blowup(const struct scene *scene, const double *xyz);
 
 /* Angle below the horizontal of the line from (0, 1/2) to (1, 1/2) on the mid-surface, in
- * degrees, gravity giving the vertical. */
+ * degrees, -180 to 180: past 90 the line points back over the rest direction of u. */
 double metric_angle(const struct scene *scene, const double *xyz);
 
 #endif

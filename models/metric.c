@@ -1,0 +1,237 @@
+#include "models/metric.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "models/grid.h"
+
+enum { LAYER = GRID_U * GRID_V, ROW = GRID_U * 3 };
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void middle(const double *xyz, int i, int j, double x[3])
+{
+    const double *below = xyz + 3 * (j * GRID_U + i), *above = below + 3 * LAYER;
+    for (int c = 0; c < 3; c++)
+        x[c] = 0.5 * (below[c] + above[c]);
+}
+
+static void down(const struct scene *scene, double direction[3])
+{
+    double size = sqrt(dot(scene->gravity, scene->gravity));
+    for (int c = 0; c < 3; c++)
+        direction[c] = size > 0 ? scene->gravity[c] / size : -(double)(c == 2);
+}
+
+double metric_rmse(const double *a, const double *b)
+{
+    /* rows first, then the sum of rows: less round-off than one long sum */
+    double sum = 0;
+    for (int row = 0; row < GRID_V * GRID_W; row++) {
+        const double *p = a + row * ROW, *q = b + row * ROW;
+        double part = 0;
+        for (int n = 0; n < ROW; n++)
+            part += (p[n] - q[n]) * (p[n] - q[n]);
+        sum += part;
+    }
+    return sqrt(sum / GRID_POINTS);
+}
+
+/* Largest singular value of the 3x2 gradient at mid-surface point (i,j). */
+static double largest_stretch(const struct scene *scene, const double *xyz, int i, int j)
+{
+    int i0 = i > 0 ? i - 1 : i, i1 = i < GRID_U - 1 ? i + 1 : i;
+    int j0 = j > 0 ? j - 1 : j, j1 = j < GRID_V - 1 ? j + 1 : j;
+    double da = (i1 - i0) * scene->length / (GRID_U - 1);
+    double db = (j1 - j0) * scene->width / (GRID_V - 1);
+    double west[3], east[3], south[3], north[3], fa[3], fb[3];
+
+    middle(xyz, i0, j, west);
+    middle(xyz, i1, j, east);
+    middle(xyz, i, j0, south);
+    middle(xyz, i, j1, north);
+    for (int c = 0; c < 3; c++) {
+        fa[c] = (east[c] - west[c]) / da;
+        fb[c] = (north[c] - south[c]) / db;
+    }
+    /* eigenvalue of the right Cauchy-Green tensor */
+    double aa = dot(fa, fa), bb = dot(fb, fb), ab = dot(fa, fb);
+    return sqrt(0.5 * (aa + bb + hypot(aa - bb, 2 * ab)));
+}
+
+double metric_stretch(const struct scene *scene, const double *xyz)
+{
+    double largest = 0;
+    for (int j = 0; j < GRID_V; j++)
+        for (int i = 0; i < GRID_U; i++) {
+            double stretch = largest_stretch(scene, xyz, i, j);
+            if (isnan(stretch))
+                return NAN;
+            largest = fmax(largest, stretch);
+        }
+    return largest;
+}
+
+/* Highest rest point of the mid-surface inside the box [lo, hi]: at one of its corners. */
+static double highest(const struct scene *scene, const double lo[3], const double hi[3],
+                      const double direction[3])
+{
+    double top = -INFINITY;
+    for (int corner = 0; corner < 4; corner++) {
+        double uvw[3] = {corner & 1 ? hi[0] : lo[0], corner & 2 ? hi[1] : lo[1], 0.5}, x[3];
+        scene_rest_point(scene, uvw, x);
+        top = fmax(top, -dot(x, direction));
+    }
+    return top;
+}
+
+double metric_drop(const struct scene *scene, const double *xyz)
+{
+    static const double zero[3] = {0, 0, 0}, one[3] = {1, 1, 1};
+    double direction[3], top = -INFINITY, bottom = INFINITY;
+
+    down(scene, direction);
+    for (int s = 0; s < scene->support_count; s++)
+        top = fmax(top,
+                   highest(scene, scene->supports[s].lo, scene->supports[s].hi, direction));
+    if (scene->support_count == 0)
+        top = highest(scene, zero, one, direction);
+    for (int j = 0; j < GRID_V; j++)
+        for (int i = 0; i < GRID_U; i++) {
+            double x[3];
+            middle(xyz, i, j, x);
+            double height = -dot(x, direction);
+            if (isnan(height))
+                return NAN;
+            bottom = fmin(bottom, height);
+        }
+    return (top - bottom) / scene->length;
+}
+
+/* |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 at an interior point; da, db: the grid's steps [m]. */
+static double squared_bending(const double *xyz, int i, int j, double da, double db)
+{
+    double x[3][3][3], sum = 0; /* x[row][column][component] around (i,j) */
+    for (int q = 0; q < 3; q++)
+        for (int p = 0; p < 3; p++)
+            middle(xyz, i + p - 1, j + q - 1, x[q][p]);
+    for (int c = 0; c < 3; c++) {
+        double aa = (x[1][2][c] - 2 * x[1][1][c] + x[1][0][c]) / (da * da);
+        double bb = (x[2][1][c] - 2 * x[1][1][c] + x[0][1][c]) / (db * db);
+        double ab = (x[2][2][c] - x[2][0][c] - x[0][2][c] + x[0][0][c]) / (4 * da * db);
+        sum += aa * aa + 2 * ab * ab + bb * bb;
+    }
+    return sum;
+}
+
+double metric_roughness(const struct scene *scene, const double *xyz)
+{
+    double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1), sum = 0;
+    for (int j = 1; j < GRID_V - 1; j++) {
+        double part = 0;
+        for (int i = 1; i < GRID_U - 1; i++)
+            part += squared_bending(xyz, i, j, da, db);
+        sum += part;
+    }
+    return scene->length * sqrt(sum / ((GRID_U - 2) * (GRID_V - 2)));
+}
+
+static double depth_below(const struct scene_obstacle *obstacle, const double x[3])
+{
+    double d[3];
+    for (int c = 0; c < 3; c++)
+        d[c] = x[c] - obstacle->point[c];
+    if (obstacle->kind == OBSTACLE_SPHERE)
+        return obstacle->radius - sqrt(dot(d, d));
+    return -dot(d, obstacle->normal) / sqrt(dot(obstacle->normal, obstacle->normal));
+}
+
+double metric_penetration(const struct scene *scene, const double *xyz)
+{
+    double deepest = 0;
+    for (int o = 0; o < scene->obstacle_count; o++)
+        for (int n = 0; n < GRID_POINTS; n++) {
+            double depth = depth_below(&scene->obstacles[o], xyz + 3 * n);
+            if (isnan(depth))
+                return NAN;
+            deepest = fmax(deepest, depth);
+        }
+    return deepest;
+}
+
+/* Squared distance [m^2] of x from the rest points of the box [lo, hi]. */
+static double squared_distance(const struct scene *scene, const double lo[3],
+                               const double hi[3], const double x[3])
+{
+    const double *u = scene->axis_u, *v = scene->axis_v;
+    double w[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                   u[0] * v[1] - u[1] * v[0]};
+    double size[3] = {scene->length, scene->width, scene->thickness}, d[3], local[3];
+    double sum = 0;
+
+    for (int c = 0; c < 3; c++)
+        d[c] = x[c] - scene->origin[c];
+    local[0] = dot(d, u);
+    local[1] = dot(d, v);
+    local[2] = dot(d, w) + 0.5 * scene->thickness;
+    for (int c = 0; c < 3; c++) {
+        double nearest = fmin(fmax(local[c], lo[c] * size[c]), hi[c] * size[c]);
+        sum += (local[c] - nearest) * (local[c] - nearest);
+    }
+    return sum;
+}
+
+static bool escaped(const struct scene *scene, int n, const double x[3])
+{
+    double limit = 10 * scene->length, nearest = INFINITY;
+    if (scene->support_count == 0) {
+        double uvw[3];
+        grid_point(n, uvw);
+        nearest = squared_distance(scene, uvw, uvw, x);
+    }
+    for (int s = 0; s < scene->support_count; s++)
+        nearest = fmin(nearest, squared_distance(scene, scene->supports[s].lo,
+                                                 scene->supports[s].hi, x));
+    return nearest > limit * limit;
+}
+
+enum status metric_blowup(const struct scene *scene, const double *xyz)
+{
+    for (int n = 0; n < 3 * GRID_POINTS; n++)
+        if (!isfinite(xyz[n]))
+            return STATUS_NAN;
+    for (int n = 0; n < GRID_POINTS; n++)
+        if (escaped(scene, n, xyz + 3 * n))
+            return STATUS_ESCAPED;
+    return STATUS_OK;
+}
+
+/* Mid-surface at v = 1/2, which lies between two rows of the grid. */
+static void middle_line(const double *xyz, int i, double x[3])
+{
+    double south[3], north[3];
+    middle(xyz, i, GRID_V / 2 - 1, south);
+    middle(xyz, i, GRID_V / 2, north);
+    for (int c = 0; c < 3; c++)
+        x[c] = 0.5 * (south[c] + north[c]);
+}
+
+double metric_angle(const struct scene *scene, const double *xyz)
+{
+    double start[3], end[3], line[3], level[3], direction[3];
+    down(scene, direction);
+    middle_line(xyz, 0, start);
+    middle_line(xyz, GRID_U - 1, end);
+    for (int c = 0; c < 3; c++)
+        line[c] = end[c] - start[c];
+    double fall = dot(line, direction);
+    for (int c = 0; c < 3; c++)
+        level[c] = line[c] - fall * direction[c];
+    double reach = sqrt(dot(level, level));
+    if (dot(level, scene->axis_u) < 0)
+        reach = -reach;
+    return atan2(fall, reach) * (45 / atan(1));
+}

@@ -1,0 +1,329 @@
+/* Metrics of fields whose numbers are known by hand; grid points; quartiles. */
+#include "models/metric.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+#include "models/clock.h"
+#include "models/grid.h"
+#include "tests/check.h"
+
+/* A few operations on numbers of size 1, each a rounding off. */
+#define TOL_ROUND (16 * DBL_EPSILON)
+/* 60000 squares summed by rows: 300 + 200 roundings at most, far fewer on average. */
+#define TOL_RMSE (500 * DBL_EPSILON)
+/* A first difference over one or two steps s >= 0.35/99 loses eps/s on coordinates of
+ * size 1. */
+#define TOL_STRETCH (4 * DBL_EPSILON * 99 / 0.35)
+/* A second difference loses 4 eps/s^2 on coordinates of size 1; s = 0.7/99, 0.35/99. */
+#define TOL_ROUGHNESS (8 * DBL_EPSILON * (99 / 0.35) * (99 / 0.35))
+
+enum { COUNT = GRID_POINTS * 3 };
+
+static double *new_field(void)
+{
+    double *xyz = malloc(COUNT * sizeof *xyz);
+    REQUIRE(xyz);
+    return xyz;
+}
+
+static void fill_rest(const struct scene *scene, double *xyz)
+{
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        scene_rest_point(scene, uvw, xyz + 3 * n);
+    }
+}
+
+/* A sheet 0.7 m x 0.35 m x 2 cm in a tilted pose. */
+static void init_tilted(struct scene *scene)
+{
+    REQUIRE(scene_init(scene) == STATUS_OK);
+    scene->length = 0.7, scene->width = 0.35, scene->thickness = 0.02;
+    memcpy(scene->axis_u, (double[]){0.6, 0.0, 0.8}, sizeof scene->axis_u);
+    memcpy(scene->axis_v, (double[]){0.0, 1.0, 0.0}, sizeof scene->axis_v);
+    memcpy(scene->origin, (double[]){0.1, -0.2, 0.3}, sizeof scene->origin);
+    memcpy(scene->gravity, (double[]){0, 0, -9.81}, sizeof scene->gravity);
+}
+
+/* x -> A x + b for every point. */
+static void map_affine(double *xyz, const double A[3][3], const double b[3])
+{
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double x[3] = {xyz[3 * n], xyz[3 * n + 1], xyz[3 * n + 2]};
+        for (int i = 0; i < 3; i++)
+            xyz[3 * n + i] = A[i][0] * x[0] + A[i][1] * x[1] + A[i][2] * x[2] + b[i];
+    }
+}
+
+static void test_grid(void)
+{
+    double uvw[3];
+    grid_point(0, uvw);
+    CHECK(uvw[0] == 0 && uvw[1] == 0 && uvw[2] == 0);
+    grid_point(GRID_U - 1, uvw);
+    CHECK(uvw[0] == 1 && uvw[1] == 0 && uvw[2] == 0);
+    grid_point((1 * GRID_V + 33) * GRID_U + 66, uvw);
+    CHECK(uvw[0] == 66 / 99.0 && uvw[1] == 33 / 99.0 && uvw[2] == 1);
+    grid_point(GRID_POINTS - 1, uvw);
+    CHECK(uvw[0] == 1 && uvw[1] == 1 && uvw[2] == 1);
+}
+
+static void test_rmse(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double *a = new_field(), *b = new_field();
+    struct scene scene;
+
+    init_tilted(&scene);
+    fill_rest(&scene, a);
+    fill_rest(&scene, b);
+    CHECK(metric_rmse(a, b) == 0);
+    map_affine(b, unit, (double[]){0.03, 0.04, 0.12});
+    CHECK_NEAR(metric_rmse(a, b), 0.13, TOL_RMSE);
+    CHECK(metric_rmse(a, b) == metric_rmse(b, a));
+
+    /* one point of the 20000 off by 1 m */
+    memcpy(b, a, COUNT * sizeof *a);
+    b[3 * 12345 + 1] += 1;
+    CHECK_NEAR(metric_rmse(a, b), sqrt(1.0 / 20000), TOL_ROUND);
+    b[COUNT - 1] = NAN;
+    CHECK(isnan(metric_rmse(a, b)));
+    b[COUNT - 1] = INFINITY;
+    CHECK(isinf(metric_rmse(a, b)));
+    scene_clear(&scene);
+    free(a), free(b);
+}
+
+static void test_stretch(void)
+{
+    /* a rotation about (1,1,1)/sqrt 3 by 120 degrees and a stretch along the sheet's axes
+     */
+    static const double turn[3][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+    static const double along_v[3][3] = {{1, 0, 0}, {0, 1.25, 0}, {0, 0, 1}};
+    static const double shear[3][3] = {{1, 0.5, 0}, {0, 1, 0}, {0, 0, 1}};
+    double *xyz = new_field();
+    struct scene scene;
+
+    init_tilted(&scene);
+    fill_rest(&scene, xyz);
+    CHECK_NEAR(metric_stretch(&scene, xyz), 1.0, TOL_STRETCH);
+    map_affine(xyz, turn, (double[]){1, 2, 3});
+    CHECK_NEAR(metric_stretch(&scene, xyz), 1.0, TOL_STRETCH);
+    fill_rest(&scene, xyz);
+    map_affine(xyz, along_v, (double[]){0, 0, 0});
+    CHECK_NEAR(metric_stretch(&scene, xyz), 1.25, TOL_STRETCH);
+
+    /* simple shear by 1/2 of a level sheet: sqrt of the larger root of t^2 - 2.25 t + 1 */
+    memcpy(scene.axis_u, (double[]){1, 0, 0}, sizeof scene.axis_u);
+    fill_rest(&scene, xyz);
+    map_affine(xyz, shear, (double[]){0, 0, 0});
+    CHECK_NEAR(metric_stretch(&scene, xyz), sqrt((2.25 + sqrt(1.0625)) / 2), TOL_STRETCH);
+
+    /* only the edge u = 1 is drawn out, by three steps: the one-sided difference sees 4 */
+    fill_rest(&scene, xyz);
+    for (int row = 0; row < GRID_V * GRID_W; row++)
+        xyz[3 * (row * GRID_U + GRID_U - 1)] += 3 * scene.length / 99;
+    CHECK_NEAR(metric_stretch(&scene, xyz), 4.0, TOL_STRETCH);
+    xyz[7] = NAN;
+    CHECK(isnan(metric_stretch(&scene, xyz)));
+    scene_clear(&scene);
+    free(xyz);
+}
+
+static void test_drop(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double *xyz = new_field();
+    struct scene scene;
+    struct scene_support edge = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .fix = FIX_XYZ};
+    struct scene_support strip = {.lo = {0, 0, 0}, .hi = {0.5, 1, 1}, .fix = FIX_XYZ};
+
+    /* the tilted sheet rises by 0.8 * 0.7 m from u = 0 to u = 1 */
+    init_tilted(&scene);
+    fill_rest(&scene, xyz);
+    CHECK_NEAR(metric_drop(&scene, xyz), 0.8, TOL_ROUND); /* no support: from u = 1 */
+    REQUIRE(scene_add_support(&scene, &edge) == STATUS_OK);
+    CHECK_NEAR(metric_drop(&scene, xyz), 0.0, TOL_ROUND);
+    map_affine(xyz, unit, (double[]){0, 0, -0.35});
+    CHECK_NEAR(metric_drop(&scene, xyz), 0.5, TOL_ROUND);
+    REQUIRE(scene_add_support(&scene, &strip) == STATUS_OK);
+    CHECK_NEAR(metric_drop(&scene, xyz), 0.9, TOL_ROUND);
+
+    /* gravity along +x: 0.6 * 0.7 m of the sheet lie below u = 0, the highest support */
+    fill_rest(&scene, xyz);
+    memcpy(scene.gravity, (double[]){2, 0, 0}, sizeof scene.gravity);
+    CHECK_NEAR(metric_drop(&scene, xyz), 0.6, TOL_ROUND);
+    xyz[COUNT - 3] = NAN;
+    CHECK(isnan(metric_drop(&scene, xyz)));
+    scene_clear(&scene);
+    free(xyz);
+}
+
+static void test_roughness(void)
+{
+    static const double shear[3][3] = {{1, 0.5, 0.2}, {0.1, 1, -0.3}, {0, 0.7, 1}};
+    double *xyz = new_field(), radius = 0.25, kappa = 0.3;
+    struct scene scene;
+
+    init_tilted(&scene);
+    fill_rest(&scene, xyz);
+    map_affine(xyz, shear, (double[]){0, 0, 0});
+    CHECK_NEAR(metric_roughness(&scene, xyz), 0.0, TOL_ROUGHNESS);
+
+    /* rolled on a cylinder along u: chords give 2 R (1 - cos(s/R)) / s^2 at every point */
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        double angle = uvw[0] * scene.length / radius;
+        xyz[3 * n] = radius * sin(angle);
+        xyz[3 * n + 1] = uvw[1] * scene.width;
+        xyz[3 * n + 2] = radius * cos(angle);
+    }
+    double s = scene.length / 99;
+    double chord = 2 * radius * (1 - cos(s / radius)) / (s * s);
+    CHECK_NEAR(metric_roughness(&scene, xyz), scene.length * chord, TOL_ROUGHNESS);
+    CHECK_NEAR(chord, 1 / radius, pow(s / radius, 2) / 12 / radius);
+
+    /* a twist z = kappa a b has x_ab = kappa only, which central differences get exactly */
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        double a = uvw[0] * scene.length, b = uvw[1] * scene.width;
+        xyz[3 * n] = a, xyz[3 * n + 1] = b, xyz[3 * n + 2] = kappa * a * b;
+    }
+    CHECK_NEAR(metric_roughness(&scene, xyz), scene.length * sqrt(2) * kappa,
+               TOL_ROUGHNESS);
+
+    /* one grid point lifted by e on the mid-surface: 4 e/s^2 at its own and so on */
+    fill_rest(&scene, xyz);
+    memcpy(scene.axis_u, (double[]){1, 0, 0}, sizeof scene.axis_u);
+    scene.width = scene.length;
+    fill_rest(&scene, xyz);
+    double lift = 0.01 * s * s;
+    for (int k = 0; k < GRID_W; k++)
+        xyz[3 * ((k * GRID_V + 50) * GRID_U + 40) + 2] += lift;
+    /* pure: own point (2^2 + 2^2), four neighbours 1; mixed: four diagonals 2 (1/4)^2 */
+    double squares = 0.01 * 0.01 * (8 + 4 + 4 * 2 / 16.0);
+    CHECK_NEAR(metric_roughness(&scene, xyz), scene.length * sqrt(squares / (98 * 98)),
+               TOL_ROUGHNESS);
+    xyz[0] = NAN;
+    CHECK(isnan(metric_roughness(&scene, xyz)));
+    scene_clear(&scene);
+    free(xyz);
+}
+
+static void test_penetration(void)
+{
+    double *xyz = new_field();
+    struct scene scene;
+    struct scene_obstacle obstacle[2] = {
+        {.kind = OBSTACLE_PLANE, .point = {5, 5, 0.25}, .normal = {0, 0, 3}},
+        {.kind = OBSTACLE_SPHERE, .point = {0.5, 0.5, 0}, .radius = 0.4},
+    };
+
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    scene.thickness = 0.01;
+    fill_rest(&scene, xyz);
+    CHECK(metric_penetration(&scene, xyz) == 0);
+    scene.obstacles = obstacle;
+    scene.obstacle_count = 1;
+    CHECK_NEAR(metric_penetration(&scene, xyz), 0.255, TOL_ROUND); /* the lower layer */
+    obstacle[0].point[2] = -1;
+    CHECK(metric_penetration(&scene, xyz) == 0);
+    /* nearest grid points to the centre: half a step off in u and v, h/2 in w */
+    scene.obstacle_count = 2;
+    double off = 0.5 / 99;
+    CHECK_NEAR(metric_penetration(&scene, xyz), 0.4 - sqrt(2 * off * off + 0.005 * 0.005),
+               TOL_ROUND);
+    xyz[100] = NAN;
+    CHECK(isnan(metric_penetration(&scene, xyz)));
+    scene.obstacles = NULL; /* the array is ours */
+    scene.obstacle_count = 0;
+    scene_clear(&scene);
+    free(xyz);
+}
+
+static void test_blowup(void)
+{
+    double *xyz = new_field();
+    struct scene scene;
+    struct scene_support edge = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .fix = FIX_XYZ};
+
+    init_tilted(&scene);
+    fill_rest(&scene, xyz);
+    CHECK(metric_blowup(&scene, xyz) == STATUS_OK);
+    int last = 3 * (GRID_POINTS - 1);
+    xyz[last + 1] += 10.01 * scene.length;
+    CHECK(metric_blowup(&scene, xyz) == STATUS_ESCAPED);
+    xyz[last + 1] -= 0.02 * scene.length;
+    CHECK(metric_blowup(&scene, xyz) == STATUS_OK);
+
+    /* from the edge u = 0 the corner (1,1,1) is L farther: sqrt(1 + 9.96^2) > 10 */
+    xyz[last + 1] -= 0.03 * scene.length;
+    CHECK(metric_blowup(&scene, xyz) == STATUS_OK);
+    REQUIRE(scene_add_support(&scene, &edge) == STATUS_OK);
+    CHECK(metric_blowup(&scene, xyz) == STATUS_ESCAPED);
+    xyz[last + 1] -= 0.06 * scene.length; /* sqrt(1 + 9.90^2) < 10 */
+    CHECK(metric_blowup(&scene, xyz) == STATUS_OK);
+    xyz[last] = NAN;
+    CHECK(metric_blowup(&scene, xyz) == STATUS_NAN);
+    xyz[last] = INFINITY;
+    CHECK(metric_blowup(&scene, xyz) == STATUS_NAN);
+    scene_clear(&scene);
+    free(xyz);
+}
+
+static void test_angle(void)
+{
+    double *xyz = new_field(), degree = atan(1) / 45;
+    struct scene scene;
+
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    memcpy(scene.gravity, (double[]){0, 0, -9.81}, sizeof scene.gravity);
+    for (int turn = -60; turn <= 150; turn += 30) {
+        double c = cos(turn * degree), s = sin(turn * degree);
+        double down[3][3] = {{c, 0, s}, {0, 1, 0}, {-s, 0, c}};
+        fill_rest(&scene, xyz);
+        map_affine(xyz, down, (double[]){0, 0, 0});
+        CHECK_NEAR(metric_angle(&scene, xyz), turn, 180 * TOL_ROUND);
+    }
+    CHECK_NEAR(metric_angle(&scene, xyz), 150, 180 * TOL_ROUND);
+    xyz[3 * (49 * GRID_U)] = NAN;
+    CHECK(isnan(metric_angle(&scene, xyz)));
+    scene_clear(&scene);
+    free(xyz);
+}
+
+static void test_clock(void)
+{
+    double seconds[6] = {5, 1, 4, 2, 3, NAN};
+    struct clock_summary s = clock_summarise(seconds, 5);
+    CHECK(s.count == 5 && s.min == 1 && s.lower == 2 && s.median == 3);
+    CHECK(s.upper == 4 && s.max == 5 && seconds[0] == 5);
+    s = clock_summarise(seconds, 4); /* 1 2 4 5, type 7: 1 + 3/4, 3, 4 + 1/4 */
+    CHECK(s.min == 1 && s.lower == 1.75 && s.median == 3 && s.upper == 4.25 && s.max == 5);
+    s = clock_summarise(seconds, 1);
+    CHECK(s.count == 1 && s.min == 5 && s.lower == 5 && s.median == 5 && s.max == 5);
+    s = clock_summarise(seconds, 6);
+    CHECK(s.min == 1 && isnan(s.max));
+
+    double start = clock_now();
+    CHECK(clock_now() >= start);
+    CHECK(clock_peak_memory() > 100000 && clock_peak_memory() < 1L << 40);
+}
+
+int main(void)
+{
+    test_grid();
+    test_rmse();
+    test_stretch();
+    test_drop();
+    test_roughness();
+    test_penetration();
+    test_blowup();
+    test_angle();
+    test_clock();
+    return check_result();
+}

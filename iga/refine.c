@@ -30,7 +30,7 @@ static void blossom(const struct bspline *b, int span, const double *argument, d
 }
 
 /* Row i of the operator. The span is that of the knot before the arguments, and these
- * ascend: only then is every factor a convex one. */
+ * ascend: every factor is then a convex one. */
 static void operator_row(const struct bspline *old, const struct bspline *new, int i,
                          int span, double *row)
 {

@@ -1,0 +1,85 @@
+#include "fem_ref/kirchhoff_field.h"
+#include "models/grid.h"
+
+#include <math.h>
+
+static void normal(const struct scene *scene, double n[3])
+{
+    const double *u = scene->axis_u, *v = scene->axis_v;
+    n[0] = u[1] * v[2] - u[2] * v[1];
+    n[1] = u[2] * v[0] - u[0] * v[2];
+    n[2] = u[0] * v[1] - u[1] * v[0];
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static bool is_clamped_edge(const struct scene_support *s)
+{
+    return s->lo[0] == 0 && s->hi[0] == 0 && s->lo[1] == 0 && s->hi[1] == 1 &&
+           s->lo[2] == 0 && s->hi[2] == 1 && s->fix == FIX_XYZ && !s->path_count;
+}
+
+enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_plate *plate,
+                                  struct message *why)
+{
+    /* Rounding of axes given with 16 digits. */
+    const double in_plane = 1e-14 * sqrt(dot(scene->gravity, scene->gravity));
+
+    if (scene->support_count != 1 || !is_clamped_edge(&scene->supports[0]))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "the Kirchhoff truth knows one support, the whole edge u = 0");
+    if (fabs(dot(scene->gravity, scene->axis_u)) > in_plane ||
+        fabs(dot(scene->gravity, scene->axis_v)) > in_plane)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "the Kirchhoff truth needs gravity normal to the sheet");
+    if (scene->obstacle_count || scene->drag != 0)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "the Kirchhoff truth knows no obstacles and no drag");
+    if (scene->damping.kind != DAMPING_NONE && scene->damping.kind != DAMPING_MASS)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "the Kirchhoff truth knows mass damping only");
+    if (scene->poisson < 0)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "the Kirchhoff truth is verified for 0 <= nu < 0.5 only");
+    *plate = (struct kirchhoff_plate){.length = scene->length,
+                                      .width = scene->width,
+                                      .thickness = scene->thickness,
+                                      .young = scene->young,
+                                      .poisson = scene->poisson,
+                                      .density = scene->density};
+    return STATUS_OK;
+}
+
+enum status kirchhoff_field_sample(const struct kirchhoff *k, const struct scene *scene,
+                                   double t, double *xyz, struct message *why)
+{
+    enum status st;
+    static const double half[GRID_W] = {-0.5, 0.5};
+    double w[GRID_V][GRID_U], wx[GRID_V][GRID_U], wy[GRID_V][GRID_U]; /* 240 kB */
+    double x[GRID_U], y[GRID_V], n[3];
+    struct kirchhoff_plate plate;
+
+    TRY(kirchhoff_field_plate(scene, &plate, why));
+    normal(scene, n);
+    const double q = plate.density * plate.thickness * dot(scene->gravity, n);
+    const double alpha = scene->damping.kind == DAMPING_MASS ? scene->damping.value : 0;
+    for (int i = 0; i < GRID_U; i++)
+        x[i] = plate.length * i / (GRID_U - 1);
+    for (int j = 0; j < GRID_V; j++)
+        y[j] = plate.width * j / (GRID_V - 1);
+    TRY(kirchhoff_grid(k, q, alpha, t, GRID_U, x, GRID_V, y, w[0], wx[0], wy[0]));
+    for (int p = 0; p < GRID_POINTS; p++) {
+        int i = p % GRID_U, j = p / GRID_U % GRID_V;
+        double uvw[3], z = half[p / (GRID_U * GRID_V)] * plate.thickness;
+        grid_point(p, uvw);
+        scene_rest_point(scene, uvw, xyz + 3 * p);
+        for (int c = 0; c < 3; c++)
+            xyz[3 * p + c] += w[j][i] * n[c] - z * (wx[j][i] * scene->axis_u[c] +
+                                                    wy[j][i] * scene->axis_v[c]);
+    }
+out:
+    return st;
+}

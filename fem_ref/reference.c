@@ -1,0 +1,240 @@
+#include "fem_ref/reference.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The file is kept whole; cells and comments point into it. */
+struct reference {
+    char *text;
+    char **comment; /* [comments] without the #          */
+    char **name;    /* [columns]                         */
+    char **cell;    /* [rows][columns]                   */
+    int comments, columns, rows;
+};
+
+enum { REFERENCE_BYTES = 64 << 20 }; /* far beyond any table: a wrong file, not a table */
+
+static enum status slurp(const char *path, char **text, size_t *size, struct message *why)
+{
+    enum status st = STATUS_OK;
+    char *buffer = NULL;
+    size_t room = 0, used = 0, got = 1;
+    FILE *file = fopen(path, "rb");
+
+    if (!file)
+        return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
+    while (got) {
+        if (used + 1 >= room) {
+            room = room ? 2 * room : 1 << 14;
+            char *more = room <= REFERENCE_BYTES ? realloc(buffer, room) : NULL;
+            if (!more) {
+                st = status_fail(why, STATUS_INPUT, "%s: too large for a table", path);
+                goto out;
+            }
+            buffer = more;
+        }
+        got = fread(buffer + used, 1, room - used - 1, file);
+        used += got;
+    }
+    if (ferror(file)) {
+        st = status_fail(why, STATUS_FILE, "%s: cannot be read", path);
+        goto out;
+    }
+    buffer[used] = 0;
+    *text = buffer, buffer = NULL;
+    *size = used;
+out:
+    free(buffer);
+    fclose(file);
+    return st;
+}
+
+/* Cuts a line at its commas in place; cells beyond `room` are counted, not stored. */
+static int split(char *line, char **cell, int room)
+{
+    int count = 0;
+    for (char *at = line; at; count++) {
+        char *comma = strchr(at, ',');
+        if (comma)
+            *comma = 0;
+        if (count < room)
+            cell[count] = at;
+        at = comma ? comma + 1 : NULL;
+    }
+    return count;
+}
+
+static const char *cell_fault(const char *cell)
+{
+    size_t n = strlen(cell);
+    if (strchr(cell, '"'))
+        return "quotes are not part of the format";
+    if (n && (strchr(" \t", cell[0]) || strchr(" \t", cell[n - 1])))
+        return "blanks around a cell";
+    return NULL;
+}
+
+static const char *names_fault(char **name, int columns)
+{
+    for (int i = 0; i < columns; i++) {
+        if (!*name[i])
+            return "a column without a name";
+        for (int j = 0; j < i; j++)
+            if (!strcmp(name[i], name[j]))
+                return "two columns of one name";
+    }
+    return NULL;
+}
+
+/* NULL, or what is wrong with this line. */
+static const char *take_line(struct reference *t, char *line)
+{
+    char **cell = NULL;
+    const char *fault = NULL;
+    int count;
+
+    if (!*line)
+        return "a blank line";
+    if (*line == '#') {
+        t->comment[t->comments++] = line + 1;
+        return NULL;
+    }
+    if (!t->columns) {
+        t->columns = 1;
+        for (const char *at = line; (at = strchr(at, ',')); at++)
+            t->columns++;
+        t->name = cell = calloc(t->columns, sizeof *cell);
+    } else {
+        char **more = realloc(t->cell, sizeof *more * (t->rows + 1) * t->columns);
+        if (more)
+            t->cell = more, cell = more + (size_t)t->rows++ * t->columns;
+    }
+    if (!cell)
+        return "out of memory";
+    count = split(line, cell, t->columns);
+    if (count != t->columns)
+        return count < t->columns ? "too few cells" : "too many cells";
+    for (int i = 0; i < count && !fault; i++)
+        fault = cell_fault(cell[i]);
+    return fault || cell != t->name ? fault : names_fault(t->name, t->columns);
+}
+
+static enum status parse(struct reference *t, size_t size, const char *path,
+                         struct message *why)
+{
+    char *next = t->text;
+    int line = 1;
+
+    if (strlen(t->text) != size)
+        return status_fail(why, STATUS_INPUT, "%s: not a text file", path);
+    for (const char *at = t->text; (at = strchr(at, '\n')); at++)
+        t->comments++;
+    t->comment = calloc(t->comments + 1, sizeof *t->comment);
+    if (!t->comment)
+        return STATUS_MEMORY;
+    t->comments = 0;
+    for (; *next; line++) {
+        char *end = strchr(next, '\n');
+        const char *fault = end ? NULL : "the last line has no end: cut short?";
+        if (end) {
+            *end = 0;
+            if (end > next && end[-1] == '\r')
+                end[-1] = 0;
+            fault = take_line(t, next);
+        }
+        if (fault)
+            return status_fail(why, STATUS_INPUT, "%s:%d: %s", path, line, fault);
+        next = end + 1;
+    }
+    if (!t->rows)
+        return status_fail(why, STATUS_INPUT, "%s: no rows", path);
+    return STATUS_OK;
+}
+
+enum status reference_open(const char *path, struct reference **table, struct message *why)
+{
+    enum status st;
+    size_t size = 0;
+    struct reference *t = calloc(1, sizeof *t);
+
+    if (!t)
+        return STATUS_MEMORY;
+    TRY(slurp(path, &t->text, &size, why));
+    TRY(parse(t, size, path, why));
+    *table = t, t = NULL;
+out:
+    reference_close(t);
+    return st;
+}
+
+void reference_close(struct reference *t)
+{
+    if (!t)
+        return;
+    free(t->text);
+    free(t->comment);
+    free(t->name);
+    free(t->cell);
+    free(t);
+}
+
+int reference_rows(const struct reference *t)
+{
+    return t->rows;
+}
+
+int reference_columns(const struct reference *t)
+{
+    return t->columns;
+}
+
+int reference_column(const struct reference *t, const char *name)
+{
+    for (int i = 0; i < t->columns; i++)
+        if (!strcmp(t->name[i], name))
+            return i;
+    return -1;
+}
+
+const char *reference_text(const struct reference *t, int row, const char *column)
+{
+    int c = reference_column(t, column);
+    assert(c >= 0 && row >= 0 && row < t->rows);
+    return t->cell[(size_t)row * t->columns + c];
+}
+
+double reference_number(const struct reference *t, int row, const char *column)
+{
+    const char *text = reference_text(t, row, column);
+    char *end;
+    double number;
+
+    if (!*text || text[strspn(text, "+-.0123456789eE")])
+        return NAN;
+    number = strtod(text, &end);
+    return *end || !isfinite(number) ? NAN : number;
+}
+
+int reference_find(const struct reference *t, int from, const char *column,
+                   const char *text)
+{
+    for (int row = from < 0 ? 0 : from; row < t->rows; row++)
+        if (!strcmp(reference_text(t, row, column), text))
+            return row;
+    return -1;
+}
+
+const char *reference_note(const struct reference *t, const char *key)
+{
+    const size_t n = strlen(key);
+    for (int i = 0; i < t->comments; i++) {
+        const char *at = t->comment[i] + strspn(t->comment[i], " \t");
+        if (!strncmp(at, key, n) && at[n] == ':')
+            return at + n + 1 + strspn(at + n + 1, " \t");
+    }
+    return NULL;
+}

@@ -1,0 +1,41 @@
+/* reference.h - strict reader of reference tables (tests/reference/): values computed or
+ * printed elsewhere, with their provenance.
+ *
+ * Format: UTF-8 text. First comment lines, `#` in column 1; then one line of distinct
+ * column names; then rows with exactly as many cells, separated by commas. No quotes, no
+ * blanks around cells, no blank lines; comments are allowed between rows. A cell is text,
+ * a number or empty. A comment `# key: value` is a note.
+ */
+#ifndef REFERENCE_H
+#define REFERENCE_H
+
+#include "models/status.h"
+
+struct reference;
+
+/* Reads the whole file. STATUS_FILE if it cannot be read, STATUS_INPUT with `file:line:
+ * what` if it breaks the format. *table is owned by the caller: reference_close (NULL is
+ * allowed). On failure *table is untouched. */
+enum status reference_open(const char *path, struct reference **table, struct message *why);
+void reference_close(struct reference *table);
+
+int reference_rows(const struct reference *table);
+int reference_columns(const struct reference *table);
+
+/* Index of a column, -1 if there is none of that name. */
+int reference_column(const struct reference *table, const char *name);
+
+/* The cell of an existing column, borrowed; "" if empty. */
+const char *reference_text(const struct reference *table, int row, const char *column);
+
+/* The cell as a number; NaN unless the whole cell is one finite decimal number. */
+double reference_number(const struct reference *table, int row, const char *column);
+
+/* First row >= from whose cell in `column` reads exactly `text`; -1 if none. */
+int reference_find(const struct reference *table, int from, const char *column,
+                   const char *text);
+
+/* Value of the first comment `# key: value`, borrowed; NULL if there is none. */
+const char *reference_note(const struct reference *table, const char *key);
+
+#endif

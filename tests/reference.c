@@ -1,0 +1,115 @@
+/* The reader of reference tables: reads ours, refuses what is not one, and says where. */
+#include "fem_ref/reference.h"
+#include "tests/check.h"
+
+#include <unistd.h>
+
+static char path[] = "/tmp/clothbench_reference_XXXXXX";
+
+static enum status open_text(const char *text, size_t size, struct reference **t,
+                             struct message *why)
+{
+    FILE *file = fopen(path, "wb");
+    REQUIRE(file && fwrite(text, 1, size, file) == size && !fclose(file));
+    why->text[0] = 0;
+    return reference_open(path, t, why);
+}
+
+static void check_refused(const char *text, size_t size, int line, const char *what)
+{
+    struct reference *t = NULL;
+    struct message why;
+    char want[256];
+
+    CHECK(open_text(text, size, &t, &why) == STATUS_INPUT);
+    CHECK(t == NULL);
+    if (line)
+        snprintf(want, sizeof want, "%s:%d: %s", path, line, what);
+    else
+        snprintf(want, sizeof want, "%s: %s", path, what);
+    if (!CHECK(!strcmp(why.text, want)))
+        printf("  got  %s\n  want %s\n", why.text, want);
+    reference_close(t);
+}
+
+static void check_reads(void)
+{
+    static const char text[] = "# by hand\n# date:  2026-01-02\nname,x,y\nfirst,1.5,\r\n"
+                               "# between\nsecond,-2e-3,nan\nsecond,0x10,1e999\n,7,8 9\n";
+    struct reference *t = NULL;
+    struct message why;
+
+    REQUIRE(open_text(text, sizeof text - 1, &t, &why) == STATUS_OK);
+    CHECK(reference_rows(t) == 4 && reference_columns(t) == 3);
+    CHECK(reference_column(t, "y") == 2 && reference_column(t, "z") == -1);
+    CHECK(!strcmp(reference_text(t, 0, "name"), "first"));
+    CHECK(reference_number(t, 0, "x") == 1.5 && reference_number(t, 1, "x") == -2e-3);
+    CHECK(isnan(reference_number(t, 0, "y")));    /* empty                */
+    CHECK(isnan(reference_number(t, 0, "name"))); /* text                 */
+    CHECK(isnan(reference_number(t, 1, "y")));    /* nan is not a value   */
+    CHECK(isnan(reference_number(t, 2, "x")));    /* hexadecimal          */
+    CHECK(isnan(reference_number(t, 2, "y")));    /* overflow             */
+    CHECK(isnan(reference_number(t, 3, "y")));    /* two numbers          */
+    CHECK(reference_find(t, 0, "name", "second") == 1);
+    CHECK(reference_find(t, 2, "name", "second") == 2);
+    CHECK(reference_find(t, 3, "name", "second") == -1);
+    CHECK(!strcmp(reference_note(t, "date"), "2026-01-02"));
+    CHECK(reference_note(t, "dat") == NULL);
+    reference_close(t);
+    reference_close(NULL);
+}
+
+static void check_refusals(void)
+{
+    struct reference *t = NULL;
+    struct message why;
+#define REFUSED(text, line, what) check_refused(text, sizeof text - 1, line, what)
+    REFUSED("", 0, "no rows");
+    REFUSED("# only words\n", 0, "no rows");
+    REFUSED("a,b\n", 0, "no rows");
+    REFUSED("a,b\n1,2\n3\n", 3, "too few cells");
+    REFUSED("a,b\n1,2,3\n", 2, "too many cells");
+    REFUSED("a,b\n\n1,2\n", 2, "a blank line");
+    REFUSED("a,a\n1,2\n", 1, "two columns of one name");
+    REFUSED("a,\n1,2\n", 1, "a column without a name");
+    REFUSED("a,b\n\"1\",2\n", 2, "quotes are not part of the format");
+    REFUSED("a,b\n1, 2\n", 2, "blanks around a cell");
+    REFUSED("a,b\n1,2", 2, "the last line has no end: cut short?");
+    REFUSED("a,b\n1,\0002\n", 0, "not a text file");
+    unlink(path);
+    CHECK(reference_open(path, &t, &why) == STATUS_FILE && strstr(why.text, path));
+    CHECK(reference_open("/", &t, NULL) == STATUS_FILE); /* a folder */
+    CHECK(t == NULL);
+}
+
+/* The stored tables: every one opens and holds the value its users look up. */
+static void check_ours(void)
+{
+    struct reference *t = NULL;
+    struct message why;
+
+    if (!CHECK(!reference_open(REFERENCE_DIR "/navier_plate.csv", &t, &why)))
+        printf("%s\n", why.text);
+    int row = reference_find(t, 0, "case", "unif");
+    CHECK(row >= 0 && reference_number(t, row, "kirchhoff") == 0.004062352652);
+    CHECK(isnan(reference_number(t, row, "pz1")));
+    reference_close(t), t = NULL;
+    REQUIRE(!reference_open(REFERENCE_DIR "/leissa_plate_frequencies.csv", &t, &why));
+    row = reference_find(t, 0, "bc", "CFFF");
+    CHECK(row >= 0 && reference_number(t, row, "lambda") == 3.5160157);
+    reference_close(t), t = NULL;
+    REQUIRE(!reference_open(REFERENCE_DIR "/heavy_elastica.csv", &t, &why));
+    CHECK(reference_number(t, 0, "Gamma") == 0.01);
+    reference_close(t);
+}
+
+int main(void)
+{
+    int file = mkstemp(path);
+    REQUIRE(file >= 0);
+    close(file);
+    check_reads();
+    check_refusals();
+    check_ours();
+    return check_result();
+}

@@ -68,7 +68,7 @@ static void check_shape(const struct net_shape *shape, enum solver method, const
     }
     factor_describe(f, &info);
     CHECK(info.parts == (shape->split ? 2 : 1));
-    CHECK(info.entries > a.n && info.flops > 0 && info.bytes >= 8 * info.entries / 2);
+    CHECK(info.entries > a.n && info.flops > 0 && info.bytes >= 8 * info.entries);
     factor_destroy(f);
     free(b);
     free(x);
@@ -170,7 +170,7 @@ static void check_diagonal(enum solver method)
     for (int i = 0; i < 3; i++)
         CHECK_NEAR(b[i], 2.0 + i, TOL_RESIDUAL);
     factor_describe(f, &info);
-    CHECK(info.parts == 3 && info.entries == 3);
+    CHECK(info.parts == 3 && info.entries >= 3);
     factor_destroy(f);
 }
 

@@ -12,14 +12,14 @@
 struct factor {
     int n, part_count;
     struct factor_part *part; /* [part_count]                                          */
-    int *first_row;           /* [part_count + 1]                                      */
-    ptrdiff_t *first_slot;    /* [part_count + 1]                                      */
+    int *first_row;           /* [part_count + 1] multiples of 8                       */
+    ptrdiff_t *first_slot;    /* [part_count + 1] multiples of 8                       */
     int *part_of;             /* [n]                                                   */
     int *place;               /* [n] row in the permuted right-hand side               */
     bool straight;            /* place[i] == i for all i                               */
     bool ready;               /* the last refactor succeeded                           */
     double *value;            /* [first_slot[part_count] + 1]                          */
-    double *work;             /* [n]                                                   */
+    double *work;             /* [first_row[part_count]] permuted, padding kept zero    */
 };
 
 /* --- independent sub-systems -----------------------------------------------------------
@@ -124,13 +124,13 @@ static enum status create_part(struct factor *f, int p, const struct factor_patt
     struct factor_part *part = &f->part[p];
     int *position = NULL;
 
-    part->n = f->first_row[p + 1] - f->first_row[p];
     if (!(position = malloc(part->n * sizeof *position)))
         return STATUS_MEMORY;
     TRY(part_pattern_init(a, unknown, part->n, local, f->part_of, &own));
     part->method = choose(&own.pattern, method);
     TRY(part->method->create(&own.pattern, position, part));
-    f->first_slot[p + 1] = f->first_slot[p] + part->slots;
+    f->first_slot[p + 1] = f->first_slot[p] + (part->slots + 7) / 8 * 8;
+    f->first_row[p + 1] = f->first_row[p] + (part->rows + 7) / 8 * 8;
     for (int k = 0; k < part->n; k++)
         f->place[unknown[k]] = f->first_row[p] + position[k];
 out:
@@ -144,28 +144,40 @@ static enum status create_parts(struct factor *f, const struct factor_pattern *a
 {
     enum status st = STATUS_OK;
     int *unknown = malloc(a->n * sizeof *unknown), *local = malloc(a->n * sizeof *local);
-    if (!unknown || !local) {
+    int *begin = calloc(f->part_count + 1, sizeof *begin);
+    if (!unknown || !local || !begin) {
         st = STATUS_MEMORY;
         goto out;
     }
     for (int i = 0; i < a->n; i++)
-        f->first_row[f->part_of[i] + 1]++;
+        begin[f->part_of[i] + 1]++;
     for (int p = 0; p < f->part_count; p++)
-        f->first_row[p + 1] += f->first_row[p];
+        begin[p + 1] += begin[p];
     for (int i = 0; i < a->n; i++) { /* counting sort; part[].n counts up meanwhile */
         int p = f->part_of[i];
         local[i] = f->part[p].n++;
-        unknown[f->first_row[p] + local[i]] = i;
+        unknown[begin[p] + local[i]] = i;
     }
     for (int p = 0; p < f->part_count; p++)
-        TRY(create_part(f, p, a, method, unknown + f->first_row[p], local));
+        TRY(create_part(f, p, a, method, unknown + begin[p], local));
     f->straight = true;
     for (int i = 0; i < a->n; i++)
         f->straight = f->straight && f->place[i] == i;
 out:
+    free(begin);
     free(unknown);
     free(local);
     return st;
+}
+
+/* Zeros, aligned to cache lines. */
+static double *aligned_numbers(ptrdiff_t count)
+{
+    size_t bytes = (count + 7) / 8 * 64;
+    double *x = aligned_alloc(64, bytes);
+    if (x)
+        memset(x, 0, bytes);
+    return x;
 }
 
 enum status factor_create(const struct factor_pattern *a, enum solver method,
@@ -181,8 +193,7 @@ enum status factor_create(const struct factor_pattern *a, enum solver method,
     f->n = a->n;
     f->part_of = malloc(a->n * sizeof *f->part_of);
     f->place = malloc(a->n * sizeof *f->place);
-    f->work = calloc(a->n, sizeof *f->work);
-    if (!f->part_of || !f->place || !f->work)
+    if (!f->part_of || !f->place)
         goto out;
     f->part_count = find_parts(a, f->place, f->part_of);
     f->part = calloc(f->part_count, sizeof *f->part);
@@ -191,15 +202,14 @@ enum status factor_create(const struct factor_pattern *a, enum solver method,
     if (!f->part || !f->first_row || !f->first_slot)
         goto out;
     TRY(create_parts(f, a, method));
-    f->value = aligned_alloc(64, (f->first_slot[f->part_count] + 8) / 8 * 64);
-    st = f->value ? STATUS_OK : STATUS_MEMORY;
+    f->value = aligned_numbers(f->first_slot[f->part_count] + 1);
+    f->work = aligned_numbers(f->first_row[f->part_count]);
+    st = f->value && f->work ? STATUS_OK : STATUS_MEMORY;
 out:
-    if (st == STATUS_OK) {
-        factor_clear_values(f);
+    if (st == STATUS_OK)
         *out = f;
-    } else {
+    else
         factor_destroy(f);
-    }
     return st;
 }
 
@@ -264,12 +274,20 @@ out:
 enum status factor_solve(struct factor *f, double *b)
 {
     assert(f->ready);
-    double *x = f->straight ? b : f->work;
+    double *x = f->work;
+    if (f->straight)
+        memcpy(x, b, f->n * sizeof *x);
     for (int i = 0; !f->straight && i < f->n; i++)
         x[f->place[i]] = b[i];
-    for (int p = 0; p < f->part_count; p++)
-        f->part[p].method->solve(&f->part[p], f->value + f->first_slot[p],
-                                 x + f->first_row[p]);
+    for (int p = 0; p < f->part_count; p++) {
+        const struct factor_part *part = &f->part[p];
+        double *own = x + f->first_row[p];
+        part->method->solve(&f->part[p], f->value + f->first_slot[p], own);
+        for (int i = part->n; i < f->first_row[p + 1] - f->first_row[p]; i++)
+            own[i] = 0.0;
+    }
+    if (f->straight)
+        memcpy(b, x, f->n * sizeof *x);
     for (int i = 0; !f->straight && i < f->n; i++)
         b[i] = x[f->place[i]];
     return STATUS_OK;

@@ -1,13 +1,15 @@
 /* factor.h - Cholesky factorisation of a symmetric positive definite matrix whose pattern
  * never changes: analyse once, fill values, refactor, solve.
  *
- * Two ways behind one face: LAPACK's blocked banded Cholesky for small nets (natural or
- * given order), CHOLMOD (supernodal, nested dissection) for large ones. One thread inside;
+ * Two ways behind one face: a band of tiles for small nets, nested dissection and supernodes
+ * for large ones. Independent sub-systems (connected components of the pattern, such as
+ * membrane and bending of a flat sheet) are found and factored one by one, each with its own
+ * band or order: leave couplings that are always zero out of the pattern. One thread inside;
  * the result does not depend on any thread count.
  *
  * The caller fills the numbers in place: slot = factor_slot(f, i, j) once at set-up, then
- * factor_values(f)[slot] += a_ij before every factor_refactor. Slots make the copy from any
- * other storage one indexed loop.
+ * factor_values(f)[slot] += a_ij after factor_clear_values, before every factor_refactor.
+ * Slots make the copy from any other storage one indexed loop.
  */
 #ifndef FACTOR_H
 #define FACTOR_H
@@ -22,12 +24,14 @@ struct factor_pattern {
     int n;
     const long *start; /* [n + 1]       borrowed during create                         */
     const int *row;    /* [start[n]]                                                   */
-    const int *order;  /* [n] fill-reducing permutation, order[new] = old; or NULL: natural
-                          for the band, METIS/AMD for CHOLMOD                          */
+    const int *order;  /* [n] order of elimination, order[new] = old, such as
+                          order_nested's; NULL: METIS or AMD. The band takes the narrower
+                          of this and the natural order.                               */
 };
 
-/* SOLVER_AUTO picks the band when it costs less (see the rule in factor.c, measured by
- * `clothbench bench`). Owned by the caller, freed with factor_destroy. */
+/* SOLVER_AUTO picks the band where it costs less (the rule and its measurement: factor.c).
+ * n >= 1. Sets BLAS to one thread for the process. Owned by the caller, freed with
+ * factor_destroy; *f is untouched on failure. */
 enum status factor_create(const struct factor_pattern *pattern, enum solver method,
                           struct factor **f);
 void factor_destroy(struct factor *f); /* NULL is allowed */
@@ -39,8 +43,8 @@ ptrdiff_t factor_slot(const struct factor *f, int i, int j);
 /* A slot that is never read: the destination for entries of held unknowns. */
 ptrdiff_t factor_dump(const struct factor *f);
 
-/* The values to fill, all slots; call factor_clear_values before summing into them.
- * factor_refactor may overwrite them (banded factors in place). Borrowed. */
+/* The values to fill, all slots; call factor_clear_values before summing into them, every
+ * time: factor_refactor overwrites them (bands are factored in place). Borrowed. */
 double *factor_values(struct factor *f);
 void factor_clear_values(struct factor *f);
 
@@ -51,8 +55,8 @@ enum status factor_refactor(struct factor *f);
 enum status factor_solve(struct factor *f, double *b);
 
 struct factor_info {
-    const char *method; /* "banded", "cholmod"; static                                 */
-    long entries;       /* numbers stored in L                                         */
+    const char *method; /* "banded", "cholmod", or "mixed"; static                     */
+    long entries;       /* numbers stored in L, padding included                       */
     double flops;       /* of one factorisation                                        */
     int parts;          /* independent sub-systems                                       */
     int half_bandwidth; /* banded only                                                 */

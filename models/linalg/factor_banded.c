@@ -1,14 +1,23 @@
-/* Cholesky on lower band storage: entry (i,j), i >= j, at value[i - j + j * lead]. */
+/* Cholesky on a band of 8 x 8 tiles with a ragged lower edge.
+ *
+ * Tile column K holds the tiles K .. last(K), one under the other; last never decreases, so
+ * that all fill falls inside. Left-looking: every tile of L is written once, from
+ * registers, with all updates from its left and the division by the diagonal tile done. The
+ * unknowns are padded with ones on the diagonal to whole tiles.
+ */
 #include <assert.h>
-#include <lapacke.h>
-#include <math.h>
 #include <stdlib.h>
 
 #include "models/linalg/factor_part.h"
+#include "models/linalg/tile.h"
 
 struct banded {
-    int half; /* half-bandwidth                                                        */
-    int lead; /* numbers stored a column                                               */
+    int half;         /* half-bandwidth in unknowns                                    */
+    int tiles;        /* tile columns                                                  */
+    int *last;        /* [tiles] last tile row of a tile column                        */
+    int *first;       /* [tiles] first tile column of a tile row                       */
+    ptrdiff_t *start; /* [tiles + 1] the diagonal tile of a column, in values          */
+    double *inverse;  /* [tiles * TILE] reciprocals of the diagonal of L               */
 };
 
 static int half_bandwidth(const struct factor_pattern *a, const int *position)
@@ -22,72 +31,169 @@ static int half_bandwidth(const struct factor_pattern *a, const int *position)
     return half;
 }
 
+/* The given order, unless the natural one is as narrow. Returns the half-bandwidth. */
+static int choose_order(const struct factor_pattern *a, int *position)
+{
+    for (int k = 0; k < a->n; k++)
+        position[k] = k;
+    int natural = half_bandwidth(a, position);
+    if (!a->order)
+        return natural;
+    for (int k = 0; k < a->n; k++)
+        position[a->order[k]] = k;
+    int given = half_bandwidth(a, position);
+    if (given < natural)
+        return given;
+    for (int k = 0; k < a->n; k++)
+        position[k] = k;
+    return natural;
+}
+
+static void find_profile(struct banded *band, const struct factor_pattern *a,
+                         const int *position)
+{
+    for (int t = 0; t < band->tiles; t++)
+        band->last[t] = t;
+    for (int j = 0; j < a->n; j++)
+        for (long s = a->start[j]; s < a->start[j + 1]; s++) {
+            int p = position[a->row[s]] / TILE, q = position[j] / TILE;
+            int low = p < q ? p : q, high = p < q ? q : p;
+            band->last[low] = high > band->last[low] ? high : band->last[low];
+        }
+    band->start[0] = 0;
+    for (int t = 0, row = 0; t < band->tiles; t++) {
+        if (t > 0 && band->last[t] < band->last[t - 1])
+            band->last[t] = band->last[t - 1];
+        for (; row <= band->last[t]; row++)
+            band->first[row] = t;
+        band->start[t + 1] =
+            band->start[t] + (band->last[t] - t + 1) * (ptrdiff_t)TILE_SIZE;
+    }
+}
+
 static enum status create(const struct factor_pattern *a, int *position,
                           struct factor_part *part)
 {
-    struct banded *band = part->state = malloc(sizeof *band);
+    struct banded *band = part->state = calloc(1, sizeof *band);
     if (!band)
         return STATUS_MEMORY;
-    /* The given order, unless it is wider than the natural one. */
-    for (int k = 0; k < a->n; k++)
-        position[k] = k;
-    band->half = half_bandwidth(a, position);
-    if (a->order) {
-        for (int k = 0; k < a->n; k++)
-            position[a->order[k]] = k;
-        int given = half_bandwidth(a, position);
-        if (given < band->half)
-            band->half = given;
-        else
-            for (int k = 0; k < a->n; k++)
-                position[k] = k;
-    }
-    band->lead = band->half + 1;
-    part->slots = (ptrdiff_t)part->n * band->lead;
+    band->half = choose_order(a, position);
+    band->tiles = (a->n + TILE - 1) / TILE;
+    band->last = malloc(band->tiles * sizeof *band->last);
+    band->first = malloc(band->tiles * sizeof *band->first);
+    band->start = malloc((band->tiles + 1) * sizeof *band->start);
+    band->inverse = malloc(band->tiles * TILE * sizeof *band->inverse);
+    if (!band->last || !band->first || !band->start || !band->inverse)
+        return STATUS_MEMORY;
+    find_profile(band, a, position);
+    part->rows = band->tiles * TILE;
+    part->slots = band->start[band->tiles];
     return STATUS_OK;
 }
 
 static ptrdiff_t slot(const struct factor_part *part, int i, int j)
 {
     const struct banded *band = part->state;
-    assert(i - j <= band->half);
-    return i - j + (ptrdiff_t)j * band->lead;
+    int row = i / TILE, column = j / TILE;
+    assert(row <= band->last[column]);
+    return band->start[column] + (row - column) * TILE_SIZE + j % TILE * TILE + i % TILE;
+}
+
+/* Tiles (row .. row + count - 1, column) of L; `count` is a constant where this is inlined.
+ * Tiles left of a row's first one do not exist: those of later rows begin later. */
+TILE_INLINE void finish_tiles(const struct banded *band, double *value, int count, int row,
+                              int column)
+{
+    tile_column c[TILE_PASS][TILE];
+    double *target = value + band->start[column] + (row - column) * TILE_SIZE;
+    int k = band->first[row];
+    tile_load(count, target, c);
+    for (; count > 1 && k < band->first[row + count - 1]; k++) {
+        const double *diagonal = value + band->start[k] - k * (ptrdiff_t)TILE_SIZE;
+        tile_update(1, c, diagonal + row * TILE_SIZE, diagonal + column * TILE_SIZE);
+        if (count > 2 && k >= band->first[row + 1])
+            tile_update(1, c + 1, diagonal + (row + 1) * TILE_SIZE,
+                        diagonal + column * TILE_SIZE);
+    }
+    for (; k < column; k++) {
+        const double *diagonal = value + band->start[k] - k * (ptrdiff_t)TILE_SIZE;
+        tile_update(count, c, diagonal + row * TILE_SIZE, diagonal + column * TILE_SIZE);
+    }
+    tile_divide(count, c, value + band->start[column], band->inverse + column * TILE);
+    tile_store(count, c, target);
+}
+
+static bool finish_diagonal(const struct banded *band, double *value, int column)
+{
+    tile_column c[1][TILE];
+    double *target = value + band->start[column];
+    tile_load(1, target, c);
+    for (int k = band->first[column]; k < column; k++) {
+        const double *left = value + band->start[k] + (column - k) * TILE_SIZE;
+        tile_update(1, c, left, left);
+    }
+    tile_store(1, c, target);
+    return tile_cholesky(target, band->inverse + column * TILE);
 }
 
 static enum status refactor(struct factor_part *part, double *value)
 {
     const struct banded *band = part->state;
-    lapack_int info =
-        LAPACKE_dpbtrf_work(LAPACK_COL_MAJOR, 'L', part->n, band->half, value, band->lead);
-    if (info != 0)
-        return STATUS_INDEFINITE;
-    for (int j = 0; j < part->n; j++)
-        if (!isfinite(value[(ptrdiff_t)j * band->lead]))
+    for (int i = part->n; i < part->rows; i++)
+        value[slot(part, i, i)] = 1.0;
+    for (int column = 0; column < band->tiles; column++) {
+        if (!finish_diagonal(band, value, column))
             return STATUS_INDEFINITE;
+        int row = column + 1;
+        for (; row + TILE_PASS - 1 <= band->last[column]; row += TILE_PASS)
+            finish_tiles(band, value, TILE_PASS, row, column);
+        for (; row <= band->last[column]; row++)
+            finish_tiles(band, value, 1, row, column);
+    }
     return STATUS_OK;
 }
 
 static void solve(struct factor_part *part, const double *value, double *b)
 {
     const struct banded *band = part->state;
-    LAPACKE_dpbtrs_work(LAPACK_COL_MAJOR, 'L', part->n, band->half, 1, value, band->lead, b,
-                        part->n);
+    for (int k = 0; k < band->tiles; k++) {
+        const double *tile = value + band->start[k];
+        double *x = b + k * TILE;
+        tile_forward(tile, band->inverse + k * TILE, x);
+        tile_subtract(band->last[k] - k, tile + TILE_SIZE, x, x + TILE);
+    }
+    for (int k = band->tiles - 1; k >= 0; k--) {
+        const double *tile = value + band->start[k];
+        double *x = b + k * TILE;
+        tile_subtract_transposed(band->last[k] - k, tile + TILE_SIZE, x + TILE, x);
+        tile_backward(tile, band->inverse + k * TILE, x);
+    }
 }
 
 static void describe(const struct factor_part *part, struct factor_info *info)
 {
     const struct banded *band = part->state;
-    double n = part->n, k = band->half;
-    info->entries += (long)((n - k) * (k + 1) + k * (k + 1) / 2);
-    info->flops += n * (k + 1) * (k + 1);
-    info->bytes += (long)sizeof *band;
+    for (int k = 0; k < band->tiles; k++) {
+        double below = (band->last[k] - k) * TILE; /* n + (n - 1) + ... squared, by 8 */
+        info->flops += TILE * (below + TILE / 2) * (below + TILE / 2);
+    }
+    info->entries += (long)part->slots;
+    info->bytes +=
+        (long)(sizeof *band + band->tiles * (2 * sizeof(int) + 9 * sizeof(double)));
     info->half_bandwidth =
         band->half > info->half_bandwidth ? band->half : info->half_bandwidth;
 }
 
 static void destroy(struct factor_part *part)
 {
-    free(part->state);
+    struct banded *band = part->state;
+    if (!band)
+        return;
+    free(band->last);
+    free(band->first);
+    free(band->start);
+    free(band->inverse);
+    free(band);
     part->state = NULL;
 }
 

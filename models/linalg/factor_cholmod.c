@@ -102,6 +102,7 @@ static enum status create(const struct factor_pattern *a, int *position,
     TRY(error_of(c));
     s->gather = malloc((s->l->maxesize + 1) * sizeof *s->gather);
     st = s->gather ? STATUS_OK : STATUS_MEMORY;
+    part->rows = part->n;
     part->slots = ((int *)s->a->p)[part->n];
 out:
     return st;

@@ -24,7 +24,7 @@ struct factor_method {
 
     enum status (*refactor)(struct factor_part *part, double *value);
 
-    /* A x = b in place; b[n] by position. */
+    /* A x = b in place; b[rows] by position, 64-byte aligned, zeros behind n. */
     void (*solve)(struct factor_part *part, const double *value, double *b);
 
     /* Adds to *info. */
@@ -36,6 +36,7 @@ struct factor_method {
 struct factor_part {
     const struct factor_method *method;
     int n;
+    int rows;        /* of its right-hand side: n, or more with padding; set by create   */
     ptrdiff_t slots; /* numbers it needs in factor_values, set by create               */
     void *state;     /* the method's own                                     owned    */
 };

@@ -1,0 +1,170 @@
+#include "models/linalg/blocks.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Elements around each node, by counting: e of node a in list[first[a] .. first[a+1]). */
+static enum status elements_of_nodes(int nodes, int elements, int local, const int *ien,
+                                     long **first, int **list)
+{
+    long total = (long)elements * local;
+    long *f = calloc((size_t)nodes + 2, sizeof *f);
+    int *l = malloc((size_t)total * sizeof *l);
+
+    if (!f || !l) {
+        free(f);
+        free(l);
+        return STATUS_MEMORY;
+    }
+    for (long t = 0; t < total; t++)
+        f[ien[t] + 2]++;
+    for (int a = 0; a < nodes; a++)
+        f[a + 2] += f[a + 1];
+    for (int e = 0; e < elements; e++)
+        for (int a = 0; a < local; a++)
+            l[f[ien[(long)e * local + a] + 1]++] = e;
+    *first = f;
+    *list = l;
+    return STATUS_OK;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    return *(const int *)a - *(const int *)b;
+}
+
+/* Neighbours b >= a of one node into row; mark[b] == a says b is there already. */
+static int collect_row(int a, int local, const int *ien, const long *first,
+                       const int *list, int *mark, int *row)
+{
+    int count = 0;
+
+    for (long t = first[a]; t < first[a + 1]; t++) {
+        const int *node = ien + (long)list[t] * local;
+        for (int s = 0; s < local; s++)
+            if (node[s] >= a && mark[node[s]] != a) {
+                mark[node[s]] = a;
+                row[count++] = node[s];
+            }
+    }
+    if (!count)
+        row[count++] = a; /* a node of no element still has its diagonal */
+    qsort(row, (size_t)count, sizeof *row, ascending);
+    return count;
+}
+
+enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
+                        const int *ien)
+{
+    enum status st = STATUS_MEMORY;
+    long *first = NULL, capacity = 64L * nodes, pairs = 0;
+    int *list = NULL, *mark = malloc((size_t)nodes * sizeof *mark);
+    int *row = malloc((size_t)nodes * sizeof *row);
+    struct blocks new = {.nodes = nodes};
+
+    new.start = malloc(((size_t)nodes + 1) * sizeof *new.start);
+    new.node = malloc((size_t)capacity * sizeof *new.node);
+    if (!mark || !row || !new.start || !new.node)
+        goto out;
+    TRY(elements_of_nodes(nodes, elements, local, ien, &first, &list));
+    memset(mark, -1, (size_t)nodes * sizeof *mark);
+    for (int a = 0; a < nodes; a++) {
+        int count = collect_row(a, local, ien, first, list, mark, row);
+        if (pairs + count > capacity) {
+            capacity = 2 * (pairs + count);
+            int *more = realloc(new.node, (size_t)capacity * sizeof *more);
+            if (!more) {
+                st = STATUS_MEMORY;
+                goto out;
+            }
+            new.node = more;
+        }
+        new.start[a] = pairs;
+        memcpy(new.node + pairs, row, (size_t)count * sizeof *row);
+        pairs += count;
+    }
+    new.start[nodes] = pairs;
+    *g = new;
+    memset(&new, 0, sizeof new);
+    st = STATUS_OK;
+out:
+    blocks_clear(&new);
+    free(first);
+    free(list);
+    free(mark);
+    free(row);
+    return st;
+}
+
+void blocks_clear(struct blocks *g)
+{
+    if (!g)
+        return;
+    free(g->start);
+    free(g->node);
+    memset(g, 0, sizeof *g);
+}
+
+long blocks_find(const struct blocks *g, int a, int b)
+{
+    long low = g->start[a], high = g->start[a + 1];
+
+    assert(a <= b);
+    while (low < high) {
+        long middle = (low + high) / 2;
+        if (g->node[middle] < b)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < g->start[a + 1] && g->node[low] == b ? low : -1;
+}
+
+void blocks_multiply(const struct blocks *g, const double (*K)[9], const double *x,
+                     double *y)
+{
+    memset(y, 0, 3 * (size_t)g->nodes * sizeof *y);
+    for (int a = 0; a < g->nodes; a++) {
+        const double *xa = x + 3 * (size_t)a;
+        long n = g->start[a];
+        const double *k = K[n];
+        double s[3] = {0};
+
+        for (int i = 0; i < 3; i++)
+            s[i] = k[3 * i] * xa[0] + k[3 * i + 1] * xa[1] + k[3 * i + 2] * xa[2];
+        for (n++; n < g->start[a + 1]; n++) {
+            const double *xb = x + 3 * (size_t)g->node[n];
+            double *yb = y + 3 * (size_t)g->node[n];
+            k = K[n];
+            for (int i = 0; i < 3; i++) {
+                s[i] += k[3 * i] * xb[0] + k[3 * i + 1] * xb[1] + k[3 * i + 2] * xb[2];
+                yb[i] += k[i] * xa[0] + k[3 + i] * xa[1] + k[6 + i] * xa[2];
+            }
+        }
+        for (int i = 0; i < 3; i++)
+            y[3 * (size_t)a + i] += s[i];
+    }
+}
+
+void blocks_multiply_mass(const struct blocks *g, const double *M, const double *x,
+                          double *y)
+{
+    memset(y, 0, 3 * (size_t)g->nodes * sizeof *y);
+    for (int a = 0; a < g->nodes; a++) {
+        const double *xa = x + 3 * (size_t)a;
+        long n = g->start[a];
+        double s[3] = {M[n] * xa[0], M[n] * xa[1], M[n] * xa[2]};
+
+        for (n++; n < g->start[a + 1]; n++) {
+            const double *xb = x + 3 * (size_t)g->node[n];
+            double *yb = y + 3 * (size_t)g->node[n];
+            for (int i = 0; i < 3; i++) {
+                s[i] += M[n] * xb[i];
+                yb[i] += M[n] * xa[i];
+            }
+        }
+        for (int i = 0; i < 3; i++)
+            y[3 * (size_t)a + i] += s[i];
+    }
+}

@@ -1,0 +1,32 @@
+/* blocks.h - symmetric matrices of a vector field on a node graph.
+ *
+ * The graph holds each pair of coupled nodes once: row a lists its neighbours b >= a,
+ * ascending, a itself first. A stiffness is K[pairs][3][3], K[n][i][j] coupling component i
+ * of a with component j of b; a mass is M[pairs], times the identity.
+ */
+#ifndef BLOCKS_H
+#define BLOCKS_H
+
+#include "models/status.h"
+
+struct blocks {
+    int nodes;
+    long *start; /* [nodes + 1]                                                owned   */
+    int *node;   /* [pairs = start[nodes]]                                     owned   */
+};
+
+/* Graph of elements with `local` nodes each: ien[elements][local], ascending per element. */
+enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
+                        const int *ien);
+void blocks_clear(struct blocks *g);
+
+/* Index of the pair (a, b), a <= b; -1 if they are not coupled. O(log). */
+long blocks_find(const struct blocks *g, int a, int b);
+
+/* y = K x and y = M x; x, y [nodes][3], not aliased. Serial, ordered. */
+void blocks_multiply(const struct blocks *g, const double (*K)[9], const double *x,
+                     double *y);
+void blocks_multiply_mass(const struct blocks *g, const double *M, const double *x,
+                          double *y);
+
+#endif

@@ -1,0 +1,98 @@
+#include "models/linalg/newmark.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum status newmark_init(struct newmark *n, int nodes, double dt, double alpha, double beta)
+{
+    size_t count = 3 * (size_t)nodes;
+    double *room = calloc(6 * count + 1, sizeof *room);
+
+    if (!room)
+        return STATUS_MEMORY;
+    *n = (struct newmark){.dt = dt,
+                          .alpha = alpha,
+                          .beta = beta,
+                          .d = room,
+                          .v = room + count,
+                          .a = room + 2 * count,
+                          .work = room + 3 * count};
+    return STATUS_OK;
+}
+
+void newmark_clear(struct newmark *n)
+{
+    if (!n)
+        return;
+    free(n->d);
+    memset(n, 0, sizeof *n);
+}
+
+double newmark_k(const struct newmark *n)
+{
+    return n->dt * n->dt / 4 + n->beta * n->dt / 2;
+}
+
+double newmark_m(const struct newmark *n)
+{
+    return 1 + n->alpha * n->dt / 2;
+}
+
+/* rhs -= M (a + alpha v) + K (d + beta v) of the held unknowns, whose motion is given. */
+static void subtract_held(struct newmark *n, struct system *s, const double (*K)[9],
+                          const double *M, const struct newmark_held *held, double *rhs)
+{
+    size_t count = 3 * (size_t)s->graph->nodes;
+    double *x = n->work + count, *y = n->work + 2 * count;
+
+    memset(x, 0, count * sizeof *x);
+    for (int h = 0; h < s->held->held_count; h++)
+        x[s->held->held[h]] = held->a[h] + n->alpha * held->v[h];
+    blocks_multiply_mass(s->graph, M, x, y);
+    for (size_t t = 0; t < count; t++)
+        rhs[t] -= y[t];
+    for (int h = 0; h < s->held->held_count; h++)
+        x[s->held->held[h]] = held->d[h] + n->beta * held->v[h];
+    blocks_multiply(s->graph, K, x, y);
+    for (size_t t = 0; t < count; t++)
+        rhs[t] -= y[t];
+}
+
+enum status newmark_step(struct newmark *n, struct system *s, const double (*K)[9],
+                         const double *M, const double *load,
+                         const struct newmark_held *held)
+{
+    const int *place = s->held->free_index;
+    size_t count = 3 * (size_t)s->graph->nodes;
+    double dt = n->dt, c = dt * dt / 4, k = newmark_k(n), m = newmark_m(n);
+    double *w = n->work, *z = n->work + count;
+    enum status st;
+
+    for (size_t t = 0; t < count; t++) {
+        double p = n->d[t] + dt * n->v[t] + c * n->a[t];
+        double q = n->v[t] + dt / 2 * n->a[t];
+        w[t] = place[t] < 0 ? 0 : m * ((p + n->beta * q) / k) - n->alpha * q;
+    }
+    blocks_multiply_mass(s->graph, M, w, z);
+    for (size_t t = 0; t < count; t++)
+        w[t] = z[t] + load[t];
+    if (held)
+        subtract_held(n, s, K, M, held, w);
+    st = system_solve(s, w);
+    if (st != STATUS_OK)
+        return st;
+    for (size_t t = 0; t < count; t++) {
+        double p = n->d[t] + dt * n->v[t] + c * n->a[t];
+        double q = n->v[t] + dt / 2 * n->a[t];
+        if (place[t] < 0)
+            continue;
+        n->a[t] = w[t] - (p + n->beta * q) / k;
+        n->d[t] = p + c * n->a[t];
+        n->v[t] = q + dt / 2 * n->a[t];
+    }
+    for (int h = 0; held && h < s->held->held_count; h++) {
+        int t = s->held->held[h];
+        n->d[t] = held->d[h], n->v[t] = held->v[h], n->a[t] = held->a[h];
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,33 @@
+/* supports.h - which unknowns of a node model a scene's supports hold, and where.
+ *
+ * The paper's rule: a node is held if its parameters lie in the support's region, in all
+ * layers the region covers (an edge: all control points of the edge, both layers).
+ */
+#ifndef SUPPORTS_H
+#define SUPPORTS_H
+
+#include "models/scene.h"
+
+struct supports {
+    int nodes, free_count, held_count;
+    int *free_index; /* [3 nodes] place among the free unknowns, -1 if held    owned   */
+    int *held;       /* [held_count] unknown 3 node + component, ascending     owned   */
+    int *owner;      /* [held_count] the support that holds it                 owned   */
+    bool moving;     /* any of them has a path                                         */
+};
+
+/* uvw[nodes][3]: parameters of the nodes; w < 0 stands for a whole column, which only a
+ * support through the full thickness may hold. STATUS_INPUT with a sentence if a support
+ * holds no node, STATUS_UNSUPPORTED if it takes part of a column. */
+enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
+                          double (*uvw)[3], struct message *why);
+void supports_clear(struct supports *s);
+
+/* True if every support takes the full thickness: columns may be unknowns. */
+bool supports_whole_columns(const struct scene *scene);
+
+/* Shift of each held unknown from its rest position at time t into shift[held_count] [m]. */
+void supports_shift(const struct supports *s, const struct scene *scene, double t,
+                    double *shift);
+
+#endif

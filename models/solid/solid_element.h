@@ -1,0 +1,46 @@
+/* solid_element.h - matrices of one isotropic linear-elastic element on a given geometry.
+ *
+ *   K_ai,bj = int lambda N_a,i N_b,j + mu N_a,j N_b,i + mu delta_ij N_a,k N_b,k dV
+ *   M_ab    = int rho N_a N_b dV,        volume_a = int N_a dV
+ * (Hughes 2000, sec. 2.7-2.9), by the space's Gauss rule. Gradients are with respect to
+ * the geometry given, which is the rest shape or, in the kinematics that rebuild, the
+ * present one.
+ */
+#ifndef SOLID_ELEMENT_H
+#define SOLID_ELEMENT_H
+
+#include "models/solid/solid_space.h"
+
+struct solid_material {
+    double lambda, mu; /* Lame [Pa]                                                    */
+    double density;    /* [kg/m^3]                                                     */
+};
+
+struct solid_material solid_element_material(double young, double poisson, double density);
+
+/* Working storage and results of one thread. Columns: the functions, then the internal
+ * modes, padded to `padded`; rows of M and X: the functions only, padded to `row`. */
+struct solid_element {
+    int local, row, padded, gauss, modes;
+    struct solid_functions shape;
+    double *X;      /* [3][row]            geometry, gathered                    [m]   */
+    double *g;      /* [gauss][3][padded]  physical gradients                    [1/m] */
+    double *wg;     /* same, times dV                                                  */
+    double *dV;     /* [gauss]             weight det J                          [m^3] */
+    double *H;      /* [columns][9][padded] int N_a,i N_b,j; valid for b >= a          */
+    double *M;      /* [local][row]        valid for b >= a                      [kg]  */
+    double *volume; /* [row]                                                     [m^3] */
+    double *K;      /* [columns][padded][9] K_ab row-major, valid for b >= a     [N/m] */
+    void *memory;
+};
+
+enum status solid_element_init(struct solid_element *e, const struct solid_space *space);
+void solid_element_clear(struct solid_element *e);
+
+/* Computes K, M and volume of one element on the coefficients x[nodes][3] [m].
+ * STATUS_INVERTED if det J <= 0 at a Gauss point, STATUS_NAN if it is not a number. */
+enum status solid_element_compute(struct solid_element *e, const struct solid_space *space,
+                                  int element, const struct solid_material *material,
+                                  const double *x);
+
+#endif

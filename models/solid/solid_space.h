@@ -1,0 +1,73 @@
+/* solid_space.h - a discretized solid as the assembly sees it: elements, their nodes and
+ * their basis functions at Gauss points. Filled by iga/ (B-splines) and fem_ref/ (hexahedra);
+ * what is below it - element matrices, assembly, stepping - is the same code for both.
+ *
+ * "Node" means a coefficient of a basis function. With the Legendre basis through the
+ * thickness (UNKNOWNS_THICKNESS) coefficient 0 of a column is its mid-surface position,
+ * coefficient 1 half its thickness vector, and so on.
+ */
+#ifndef SOLID_SPACE_H
+#define SOLID_SPACE_H
+
+#include <stdbool.h>
+
+#include "models/status.h"
+
+/* Vectors of 8 doubles: rows of basis functions are padded to a multiple of it with zeros,
+ * so that the kernels have no remainders. */
+enum { SOLID_LANES = 8 };
+#define SOLID_PADDED(columns) (((columns) + SOLID_LANES - 1) / SOLID_LANES * SOLID_LANES)
+
+/* Basis functions of one element; rows padded as above and 64-byte aligned. */
+struct solid_functions {
+    double *N;      /* [gauss][padded]    values                                       */
+    double *G;      /* [gauss][3][padded] parametric gradients                         */
+    double *weight; /* [gauss]            parametric quadrature weights                */
+};
+
+struct solid_space {
+    int nodes, elements;
+    int local; /* functions per element                                                */
+    int gauss; /* Gauss points per element                                             */
+    int *ien;  /* [elements][local] ascending nodes of each element            owned   */
+
+    /* Elements [slab[s], slab[s+1]) form slab s; slabs s and s+2 share no node, so that
+     * all even slabs, then all odd ones, may be assembled side by side with sums in an
+     * order that no thread count changes. */
+    int slabs;
+    int *slab; /* [slabs + 1]                                                  owned   */
+
+    double (*uvw)[3]; /* [nodes] parameters of each node (Greville abscissae): decides
+                         which supports hold it; in the thickness basis w = -1: the
+                         column as a whole                                     owned   */
+    double *rest;     /* [nodes][3] rest coefficients                  [m]     owned   */
+
+    /* For a flat sheet with the thickness basis: 0/1 per component, such that linear
+     * stiffness and mass couple only equal ones (membrane and bending motion). NULL where
+     * that is not known. */
+    unsigned char *parity; /* [nodes][3]                                       owned   */
+    bool thickness_basis;  /* coefficients are Legendre through the thickness          */
+
+    /* Fills out->N, G, weight (room given by the caller; padding already zero). Pure:
+     * any thread. */
+    void (*functions)(const struct solid_space *space, int element,
+                      struct solid_functions *out);
+    void *tables; /* of the owner of `functions`                                       */
+
+    /* Element-internal displacement modes without mass, condensed out of the stiffness
+     * (Wilson et al. 1973; Taylor, Beresford, Wilson 1976): parametric gradients
+     * [gauss][3][modes], the same for all elements; pushed forward with the Jacobian at
+     * the element's centre, given by the functions' gradients [3][padded] there. */
+    int modes;
+    const double *mode_gradient;
+    const double *centre_gradient;
+};
+
+/* Frees what is marked owned, not `tables`. Accepts all-zero, leaves all-zero. */
+void solid_space_clear(struct solid_space *space);
+
+/* Slabs for elements numbered in columns of `per_column`, of which `width` + 1 neighbouring
+ * ones share nodes. */
+enum status solid_space_set_slabs(struct solid_space *space, int per_column, int width);
+
+#endif

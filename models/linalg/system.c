@@ -80,7 +80,7 @@ enum status system_init(struct system *s, const struct blocks *graph,
                         const int *order, enum solver solver)
 {
     enum status st = STATUS_MEMORY;
-    struct system new = {.graph = graph, .held = held};
+    struct system new = {.graph = graph, .held = held, .parity = parity};
     long *start = NULL;
     int *row = NULL, *unknowns = NULL;
 

@@ -12,6 +12,7 @@
 struct system {
     const struct blocks *graph;     /* borrowed                                        */
     const struct supports *held;    /* borrowed                                        */
+    const unsigned char *parity;    /* borrowed or NULL                                */
     struct factor *factor;
     int *slot;      /* [pairs][9] place of each block entry in the factor's values     */
     double *packed; /* [free_count]                                                    */

@@ -1,0 +1,139 @@
+#include "models/solid/solid_assembly.h"
+
+#include <limits.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool runs_of(const struct solid_space *s, int run)
+{
+    for (long t = 0; t < (long)s->elements * s->local; t += run)
+        for (int k = 1; k < run; k++)
+            if (s->ien[t + k] != s->ien[t] + k)
+                return false;
+    return true;
+}
+
+static int longest_run(const struct solid_space *s)
+{
+    for (int run = s->local; run > 1; run--)
+        if (s->local % run == 0 && runs_of(s, run))
+            return run;
+    return 1;
+}
+
+static enum status find_places(struct solid_assembly *s)
+{
+    const struct solid_space *space = s->space;
+    int local = space->local, runs;
+
+    s->run = longest_run(space);
+    runs = local / s->run;
+    s->place = malloc((size_t)space->elements * (size_t)(local * runs) * sizeof *s->place);
+    if (!s->place || s->graph.start[space->nodes] > INT_MAX / 9)
+        return STATUS_MEMORY;
+    for (int e = 0; e < space->elements; e++) {
+        const int *node = space->ien + (size_t)e * (size_t)local;
+        int *place = s->place + (size_t)e * (size_t)(local * runs);
+        for (int a = 0; a < local; a++)
+            for (int r = a / s->run; r < runs; r++) {
+                int first = r * s->run > a ? r * s->run : a;
+                place[a * runs + r] = (int)blocks_find(&s->graph, node[a], node[first]);
+            }
+    }
+    return STATUS_OK;
+}
+
+enum status solid_assembly_init(struct solid_assembly *s, const struct solid_space *space,
+                                const struct solid_material *material)
+{
+    enum status st;
+    struct solid_assembly new = {.space = space, .material = *material};
+
+    TRY(blocks_init(&new.graph, space->nodes, space->elements, space->local, space->ien));
+    TRY(find_places(&new));
+    size_t pairs = (size_t)new.graph.start[space->nodes];
+    st = STATUS_MEMORY;
+    new.K = malloc(pairs * sizeof *new.K);
+    new.M = malloc(pairs * sizeof *new.M);
+    new.volume = malloc((size_t)space->nodes * sizeof *new.volume);
+    new.work = calloc((size_t)omp_get_max_threads(), sizeof *new.work);
+    if (!new.K || !new.M || !new.volume || !new.work)
+        goto out;
+    for (; new.threads < omp_get_max_threads(); new.threads++)
+        TRY(solid_element_init(&new.work[new.threads], space));
+    *s = new;
+    memset(&new, 0, sizeof new);
+    st = STATUS_OK;
+out:
+    solid_assembly_clear(&new);
+    return st;
+}
+
+void solid_assembly_clear(struct solid_assembly *s)
+{
+    if (!s)
+        return;
+    for (int t = 0; t < s->threads; t++)
+        solid_element_clear(&s->work[t]);
+    blocks_clear(&s->graph);
+    free(s->work);
+    free(s->place);
+    free(s->K);
+    free(s->M);
+    free(s->volume);
+    memset(s, 0, sizeof *s);
+}
+
+static void scatter(struct solid_assembly *s, const struct solid_element *e, int element)
+{
+    int local = e->local, run = s->run, runs = local / run;
+    const int *node = s->space->ien + (size_t)element * (size_t)local;
+    const int *place = s->place + (size_t)element * (size_t)(local * runs);
+
+    for (int a = 0; a < local; a++) {
+        const double *K = e->K + (size_t)a * (size_t)e->padded * 9;
+        const double *M = e->M + (size_t)a * (size_t)e->row;
+        for (int r = a / run; r < runs; r++) {
+            int b = r * run > a ? r * run : a, count = (r + 1) * run - b;
+            double *to = s->K[place[a * runs + r]], *to_M = s->M + place[a * runs + r];
+            for (int t = 0; t < 9 * count; t++)
+                to[t] += K[9 * b + t];
+            for (int t = 0; t < count; t++)
+                to_M[t] += M[b + t];
+        }
+        s->volume[node[a]] += e->volume[a];
+    }
+}
+
+static enum status assemble_slab(struct solid_assembly *s, struct solid_element *work,
+                                 int slab, const double *x)
+{
+    for (int e = s->space->slab[slab]; e < s->space->slab[slab + 1]; e++) {
+        enum status st = solid_element_compute(work, s->space, e, &s->material, x);
+        if (st != STATUS_OK)
+            return st;
+        scatter(s, work, e);
+    }
+    return STATUS_OK;
+}
+
+enum status solid_assembly_compute(struct solid_assembly *s, const double *x)
+{
+    size_t pairs = (size_t)s->graph.start[s->space->nodes];
+    int slabs = s->space->slabs, inverted = 0, nan = 0;
+
+    memset(s->K, 0, pairs * sizeof *s->K);
+    memset(s->M, 0, pairs * sizeof *s->M);
+    memset(s->volume, 0, (size_t)s->space->nodes * sizeof *s->volume);
+    for (int phase = 0; phase < 2; phase++) {
+#pragma omp parallel for schedule(static) num_threads(s->threads)                         \
+    if (s->threads > 1 && slabs > 2) reduction(| : inverted, nan)
+        for (int slab = phase; slab < slabs; slab += 2) {
+            enum status st = assemble_slab(s, &s->work[omp_get_thread_num()], slab, x);
+            inverted |= st == STATUS_INVERTED;
+            nan |= st == STATUS_NAN;
+        }
+    }
+    return nan ? STATUS_NAN : inverted ? STATUS_INVERTED : STATUS_OK;
+}

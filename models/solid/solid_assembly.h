@@ -1,0 +1,35 @@
+/* solid_assembly.h - global stiffness, mass and volumes of a solid_space on a geometry.
+ *
+ * The pattern and every element's places in it are found once. Assembly runs over slabs in
+ * parallel; sums are made in an order that does not depend on the number of threads.
+ */
+#ifndef SOLID_ASSEMBLY_H
+#define SOLID_ASSEMBLY_H
+
+#include "models/linalg/blocks.h"
+#include "models/solid/solid_element.h"
+
+struct solid_assembly {
+    const struct solid_space *space; /* borrowed                                       */
+    struct solid_material material;
+    struct blocks graph;
+    double (*K)[9];  /* [pairs] stiffness blocks                  [N/m]        owned   */
+    double *M;       /* [pairs] mass                              [kg]         owned   */
+    double *volume;  /* [nodes] int N_a dV                        [m^3]        owned   */
+
+    int run;         /* element nodes come in runs of this many consecutive numbers    */
+    int *place;      /* [elements][local][local / run] pair of (node, first of run)    */
+    int threads;
+    struct solid_element *work; /* [threads]                                           */
+};
+
+/* Threads: as many as OpenMP would give at this moment. */
+enum status solid_assembly_init(struct solid_assembly *s, const struct solid_space *space,
+                                const struct solid_material *material);
+void solid_assembly_clear(struct solid_assembly *s);
+
+/* K, M and volume on the coefficients x[nodes][3]. On STATUS_INVERTED or STATUS_NAN the
+ * matrices are of no use. */
+enum status solid_assembly_compute(struct solid_assembly *s, const double *x);
+
+#endif

@@ -1,0 +1,293 @@
+#include "models/solid/solid_motion.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Mass damping that the scene amounts to: body drag c is C = (c / rho) M. */
+static double mass_damping(const struct scene *scene)
+{
+    const struct scene_damping *damping = &scene->damping;
+    double alpha = scene->drag / scene->density;
+
+    if (damping->kind == DAMPING_MASS)
+        alpha += damping->value;
+    if (damping->kind == DAMPING_RAYLEIGH)
+        alpha += damping->alpha;
+    return alpha;
+}
+
+static double stiffness_damping(const struct scene *scene)
+{
+    return scene->damping.kind == DAMPING_RAYLEIGH ? scene->damping.beta : 0;
+}
+
+/* Factor on the velocity after each step. */
+static double velocity_factor(const struct scene *scene)
+{
+    switch (scene->damping.kind) {
+    case DAMPING_VELOCITY_SCALE:
+        return scene->damping.value;
+    case DAMPING_VELOCITY_RATE:
+        return 1 - scene->damping.value * scene->step;
+    default:
+        return 1;
+    }
+}
+
+static void compute_load(struct solid_motion *m)
+{
+    const struct scene *s = m->scene;
+
+    for (int i = 0; i < 3; i++) {
+        double force = s->density * s->gravity[i] + s->drag * s->wind[i];
+        for (int a = 0; a < m->space->nodes; a++)
+            m->load[3 * a + i] = force * m->assembly.volume[a];
+    }
+}
+
+enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
+                              const struct solid_space *space,
+                              const struct discretization *d, const int *order,
+                              struct message *why)
+{
+    enum status st;
+    size_t bytes = 3 * (size_t)space->nodes * sizeof(double);
+    struct solid_motion new = {.scene = scene, .space = space, .kinematics = d->kinematics};
+    struct solid_material material =
+        solid_element_material(scene->young, scene->poisson, scene->density);
+
+    if (d->kinematics == KINEMATICS_NONLINEAR)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "no nonlinear kinematics; use linear, printed or incremental");
+    TRY(solid_assembly_init(&new.assembly, space, &material));
+    TRY(supports_init(&new.supports, scene, space->nodes, space->uvw, why));
+    TRY(newmark_init(&new.newmark, space->nodes, scene->step, mass_damping(scene),
+                     stiffness_damping(scene)));
+    st = STATUS_MEMORY;
+    new.x = malloc(bytes);
+    new.load = malloc(bytes);
+    new.held = calloc(4 * (size_t)new.supports.held_count + 1, sizeof *new.held);
+    if (!new.x || !new.load || !new.held)
+        goto out;
+    memcpy(new.x, space->rest, bytes);
+    st = solid_assembly_compute(&new.assembly, new.x);
+    if (st != STATUS_OK) {
+        status_fail(why, st, "the rest shape is folded: %s", status_text(st));
+        goto out;
+    }
+    compute_load(&new);
+    *m = new; /* before the system, which keeps pointers into it */
+    memset(&new, 0, sizeof new);
+    st = system_init(&m->system, &m->assembly.graph, &m->supports,
+                     d->kinematics == KINEMATICS_LINEAR ? space->parity : NULL, order,
+                     d->solver);
+    if (st != STATUS_OK)
+        solid_motion_clear(m);
+out:
+    solid_motion_clear(&new);
+    return st;
+}
+
+void solid_motion_clear(struct solid_motion *m)
+{
+    if (!m)
+        return;
+    system_clear(&m->system);
+    newmark_clear(&m->newmark);
+    supports_clear(&m->supports);
+    solid_assembly_clear(&m->assembly);
+    free(m->x);
+    free(m->load);
+    free(m->held);
+    memset(m, 0, sizeof *m);
+}
+
+static double *held_row(struct solid_motion *m, int row)
+{
+    return m->held + (size_t)row * (size_t)m->supports.held_count;
+}
+
+/* Displacement, velocity and acceleration that the paths give at time t, by central
+ * differences over one step. */
+static struct newmark_held path_motion(struct solid_motion *m, double t)
+{
+    double dt = m->newmark.dt, *d = held_row(m, 0), *v = held_row(m, 1),
+           *a = held_row(m, 2), *work = held_row(m, 3);
+
+    supports_shift(&m->supports, m->scene, t, d);
+    supports_shift(&m->supports, m->scene, t + dt, v);
+    supports_shift(&m->supports, m->scene, t - dt, work);
+    for (int h = 0; h < m->supports.held_count; h++) {
+        double ahead = v[h], behind = work[h];
+        v[h] = (ahead - behind) / (2 * dt);
+        a[h] = (ahead - 2 * d[h] + behind) / (dt * dt);
+    }
+    return (struct newmark_held){d, v, a};
+}
+
+/* Held motion for the kinematics that add d to the control points: d brings them to where
+ * the path is. `printed` takes v and a from the paper's eq. 21. */
+static struct newmark_held step_motion(struct solid_motion *m, double t)
+{
+    struct newmark_held held = path_motion(m, t);
+    const struct newmark *n = &m->newmark;
+    double *d = held_row(m, 0), *v = held_row(m, 1), *a = held_row(m, 2), dt = n->dt;
+
+    for (int h = 0; h < m->supports.held_count; h++) {
+        int u = m->supports.held[h];
+        d[h] = m->space->rest[u] + d[h] - m->x[u];
+        if (m->kinematics != KINEMATICS_PRINTED)
+            continue;
+        a[h] = 4 / (dt * dt) * (d[h] - n->d[u] - dt * n->v[u]) - n->a[u];
+        v[h] = n->v[u] + dt / 2 * (n->a[u] + a[h]);
+    }
+    return held;
+}
+
+static const double (*stiffness(const struct solid_motion *m))[9]
+{
+    return (const double(*)[9])m->assembly.K;
+}
+
+/* M a = load - M alpha v - K (d + beta v) at the start, held unknowns following their
+ * paths; then the constant system of the steps. */
+static enum status start_linear(struct solid_motion *m, struct counters *counters)
+{
+    enum status st;
+    struct newmark *n = &m->newmark;
+    size_t count = 3 * (size_t)m->space->nodes;
+    double *x = n->work, *y = n->work + count;
+
+    memcpy(n->a, m->load, count * sizeof *n->a);
+    if (m->supports.moving) {
+        struct newmark_held held = path_motion(m, m->time);
+        memset(x, 0, count * sizeof *x);
+        for (int h = 0; h < m->supports.held_count; h++) {
+            int u = m->supports.held[h];
+            n->d[u] = held.d[h], n->v[u] = held.v[h];
+            x[u] = held.a[h] + n->alpha * held.v[h];
+        }
+        blocks_multiply_mass(&m->assembly.graph, m->assembly.M, x, y);
+        for (size_t t = 0; t < count; t++) {
+            n->a[t] -= y[t];
+            x[t] = n->d[t] + n->beta * n->v[t];
+        }
+        blocks_multiply(&m->assembly.graph, stiffness(m), x, y);
+        for (size_t t = 0; t < count; t++)
+            n->a[t] -= y[t];
+    }
+    TRY(system_factor(&m->system, 0, stiffness(m), 1, m->assembly.M));
+    TRY(system_solve(&m->system, n->a));
+    for (int h = 0; m->supports.moving && h < m->supports.held_count; h++)
+        n->a[m->supports.held[h]] = held_row(m, 2)[h];
+    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
+    counters->factorisations += 2;
+    counters->solves++;
+    m->started = true;
+out:
+    return st;
+}
+
+static void damp_velocity(struct solid_motion *m)
+{
+    double factor = velocity_factor(m->scene);
+    size_t count = 3 * (size_t)m->space->nodes;
+
+    for (size_t t = 0; factor != 1 && t < count; t++)
+        m->newmark.v[t] *= factor;
+}
+
+static enum status step_linear(struct solid_motion *m, struct counters *counters)
+{
+    enum status st;
+    struct newmark_held held;
+    size_t count = 3 * (size_t)m->space->nodes;
+
+    if (!m->started)
+        TRY(start_linear(m, counters));
+    if (m->supports.moving)
+        held = path_motion(m, m->time + m->newmark.dt);
+    TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
+                     m->supports.moving ? &held : NULL));
+    counters->solves++;
+    for (size_t t = 0; t < count; t++)
+        m->x[t] = m->space->rest[t] + m->newmark.d[t];
+out:
+    return st;
+}
+
+static enum status step_rebuilt(struct solid_motion *m, struct counters *counters)
+{
+    enum status st;
+    struct newmark *n = &m->newmark;
+    struct newmark_held held;
+    size_t count = 3 * (size_t)m->space->nodes;
+
+    if (m->kinematics == KINEMATICS_INCREMENTAL)
+        memset(n->d, 0, count * sizeof *n->d);
+    TRY(solid_assembly_compute(&m->assembly, m->x));
+    counters->assemblies++;
+    compute_load(m);
+    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
+    counters->factorisations++;
+    if (m->supports.moving)
+        held = step_motion(m, m->time + n->dt);
+    TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load,
+                     m->supports.moving ? &held : NULL));
+    counters->solves++;
+    for (size_t t = 0; t < count; t++)
+        m->x[t] += n->d[t];
+out:
+    return st;
+}
+
+enum status solid_motion_step(struct solid_motion *m, struct counters *counters)
+{
+    enum status st = m->kinematics == KINEMATICS_LINEAR ? step_linear(m, counters)
+                                                        : step_rebuilt(m, counters);
+    if (st != STATUS_OK)
+        return st;
+    damp_velocity(m);
+    m->time += m->newmark.dt;
+    counters->steps++;
+    return STATUS_OK;
+}
+
+void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
+{
+    const struct newmark *n = &m->newmark;
+    const struct blocks *graph = &m->assembly.graph;
+    size_t count = 3 * (size_t)m->space->nodes;
+    double *y = n->work, kinetic = 0, elastic = 0, potential = 0;
+    bool linear = m->kinematics == KINEMATICS_LINEAR;
+    const double *v = linear ? n->v : n->d; /* rebuilt: d is the last step's increment */
+
+    blocks_multiply_mass(graph, m->assembly.M, v, y);
+    for (size_t t = 0; t < count; t++)
+        kinetic += v[t] * y[t] / 2;
+    blocks_multiply(graph, stiffness(m), n->d, y);
+    for (size_t t = 0; t < count; t++) {
+        double weight = m->scene->density * m->scene->gravity[t % 3] * m->assembly.volume[t / 3];
+        elastic += n->d[t] * y[t] / 2;
+        potential -= weight * (m->x[t] - m->space->rest[t]);
+    }
+    energy->kinetic = linear ? kinetic : kinetic / (n->dt * n->dt);
+    energy->elastic = linear ? elastic : NAN;
+    energy->potential = potential;
+}
+
+void solid_motion_size(const struct solid_motion *m, struct model_size *size)
+{
+    struct factor_info info;
+
+    factor_describe(m->system.factor, &info);
+    *size = (struct model_size){
+        .nodes = m->space->nodes,
+        .unknowns = m->supports.free_count,
+        .factor_entries = info.entries,
+        .solver = info.method,
+        .unknown_basis = m->space->thickness_basis ? "thickness" : "control points",
+    };
+}

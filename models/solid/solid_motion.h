@@ -1,0 +1,51 @@
+/* solid_motion.h - the motion of a solid in time, in the kinematics that need no Newton
+ * iteration:
+ *
+ *   linear       small strain about the rest shape; K, M constant, one factorisation.
+ *   printed      Ren et al. 2024, eq. 18-22 to the letter: K, M, b rebuilt on the present
+ *                control points each step, d += dt v + dt^2/4 (a + a_new), P += d.
+ *   incremental  the same with d = 0 after each step.
+ *
+ * `printed` and `incremental` start at d = v = a = 0, `linear` with the acceleration that
+ * the loads give. A free sheet under `printed` falls with g (1 + mu) / (2 (1 - mu)): d is
+ * never reset, so it acts as velocity times dt, and K d as a viscosity E dt.
+ */
+#ifndef SOLID_MOTION_H
+#define SOLID_MOTION_H
+
+#include "models/linalg/newmark.h"
+#include "models/model.h"
+#include "models/solid/solid_assembly.h"
+
+struct solid_motion {
+    const struct scene *scene;       /* borrowed                                       */
+    const struct solid_space *space; /* borrowed                                       */
+    enum kinematics kinematics;
+    struct solid_assembly assembly;
+    struct supports supports;
+    struct system system;
+    struct newmark newmark;
+    double *x;     /* [nodes][3] present coefficients                   [m]    owned   */
+    double *load;  /* [nodes][3] gravity and wind                       [N]    owned   */
+    double *held;  /* [4][held_count] target d, v, a; work              owned          */
+    double time;   /* [s]                                                              */
+    bool started;  /* the constant system is factored                                  */
+};
+
+/* `order`: node order for the factorisation or NULL. STATUS_UNSUPPORTED for nonlinear
+ * kinematics. The assembled matrices of the rest shape are there after it. */
+enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
+                              const struct solid_space *space,
+                              const struct discretization *d, const int *order,
+                              struct message *why);
+void solid_motion_clear(struct solid_motion *m);
+
+/* One step of scene->step. */
+enum status solid_motion_step(struct solid_motion *m, struct counters *counters);
+
+/* Energies; the elastic one is NaN where the kinematics has none (printed, incremental). */
+void solid_motion_energy(const struct solid_motion *m, struct energy *energy);
+
+void solid_motion_size(const struct solid_motion *m, struct model_size *size);
+
+#endif

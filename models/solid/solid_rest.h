@@ -1,0 +1,24 @@
+/* solid_rest.h - what is asked of a solid about its rest shape: static equilibrium, natural
+ * frequencies, the matrices themselves. All linear.
+ */
+#ifndef SOLID_REST_H
+#define SOLID_REST_H
+
+#include "models/solid/solid_motion.h"
+
+/* Static equilibrium under the loads, supports at their shift of time 0; velocity and time
+ * become zero. One step of iterative refinement measures the digits left: STATUS_INDEFINITE
+ * (with sentence) if fewer than two, STATUS_INPUT without any support. */
+enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *counters,
+                                   struct message *why);
+
+/* The `count` lowest angular frequencies [rad/s], ascending. */
+enum status solid_rest_modes(struct solid_motion *m, int count, double *omega,
+                             struct message *why);
+
+/* All of K and M of the rest shape, lower triangle (model.h); before the first step, and
+ * with control points as unknowns. */
+enum status solid_rest_matrices(const struct solid_motion *m, struct matrix *K,
+                                struct matrix *M);
+
+#endif

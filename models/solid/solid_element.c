@@ -68,8 +68,10 @@ void solid_element_clear(struct solid_element *e)
     memset(e, 0, sizeof *e);
 }
 
-static double sum_lanes(lanes v)
+static double sum_lanes(const lanes *s)
 {
+    const lanes v = *s;
+
     return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
 }
 
@@ -85,7 +87,7 @@ static double inverse_jacobian(int row, const double *X, const double *G, double
             lanes s = {0};
             for (int c = 0; c < row / SOLID_LANES; c++)
                 s += x[c] * d[c];
-            J[i][j] = sum_lanes(s);
+            J[i][j] = sum_lanes(&s);
         }
     for (int i = 0; i < 3; i++) /* cofactors */
         for (int j = 0; j < 3; j++) {

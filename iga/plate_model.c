@@ -1,0 +1,312 @@
+#include "iga/plate_model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "iga/plate_space.h"
+#include "models/grid.h"
+#include "models/solid/solid_model.h"
+
+/* A direction of the material grid: spans and values at its samples, [count][order]. */
+struct samples {
+    int count, order;
+    int *first;    /* first function alive                                     owned   */
+    double *value; /*                                                          owned   */
+};
+
+struct plate {
+    struct solid_motion motion; /* first: solid_model.h                                */
+    struct solid_space space;
+    struct plate_tables tables;
+    struct patch patch;
+    struct samples grid[3];
+    double (*uvw)[3]; /* with weights: parameters of the grid's material points; owned */
+};
+
+static void defaults(struct discretization *d)
+{
+    *d = (struct discretization){
+        .points = {10, 10, 2}, .degree = {2, 2, 1}, .kinematics = KINEMATICS_PRINTED};
+}
+
+static enum status make_basis(const struct discretization *d, int i, struct bspline *b,
+                              struct message *why)
+{
+    if (!d->knot_count[i])
+        return bspline_init_uniform(b, d->degree[i], d->points[i], why);
+    if (d->knot_count[i] != d->points[i] + d->degree[i] + 1)
+        return status_fail(why, STATUS_INPUT,
+                           "knots_%c: %d knots given, but %d points of degree %d need %d",
+                           "uvw"[i], d->knot_count[i], d->points[i], d->degree[i],
+                           d->points[i] + d->degree[i] + 1);
+    return bspline_init(b, d->degree[i], d->knot_count[i], d->knots[i], why);
+}
+
+static enum status make_patch(const struct scene *scene, const struct discretization *d,
+                              struct patch *patch, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct bspline basis[3] = {{0}};
+    double corner[3][3], at[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, origin[3];
+
+    for (int i = 0; i < 3; i++)
+        TRY(make_basis(d, i, &basis[i], why));
+    TRY(patch_init(patch, basis));
+    scene_rest_point(scene, (double[3]){0, 0, 0}, origin);
+    for (int i = 0; i < 3; i++) {
+        scene_rest_point(scene, at[i], corner[i]);
+        for (int j = 0; j < 3; j++)
+            corner[i][j] -= origin[j];
+    }
+    patch_set_box(patch, origin, corner[0], corner[1], corner[2]);
+    if (!d->weight_count)
+        goto out;
+    if (d->weight_count != patch_nodes(patch)) {
+        st = status_fail(why, STATUS_INPUT, "weights: %d given, but the net has %d points",
+                         d->weight_count, patch_nodes(patch));
+        goto out;
+    }
+    patch->weight = malloc((size_t)d->weight_count * sizeof *patch->weight);
+    if (!patch->weight)
+        TRY(STATUS_MEMORY);
+    memcpy(patch->weight, d->weights, (size_t)d->weight_count * sizeof *patch->weight);
+out:
+    for (int i = 0; i < 3; i++)
+        bspline_clear(&basis[i]);
+    return st;
+}
+
+/* Functions alive at x in direction i of the patch. */
+static int alive(const struct plate *p, int i, double x, double *value)
+{
+    const struct bspline *b = &p->patch.basis[i];
+    int span = bspline_span(b, x);
+
+    if (i == 2)
+        plate_space_thickness(&p->patch, p->space.thickness_basis, x, value);
+    else
+        bspline_eval(b, span, x, 0, value);
+    return span - b->p;
+}
+
+static enum status make_samples(struct plate *p, int i, int count)
+{
+    struct samples *s = &p->grid[i];
+
+    *s = (struct samples){.count = count, .order = p->patch.basis[i].p + 1};
+    s->first = malloc((size_t)count * sizeof *s->first);
+    s->value = malloc((size_t)(count * s->order) * sizeof *s->value);
+    if (!s->first || !s->value)
+        return STATUS_MEMORY;
+    for (int n = 0; n < count; n++)
+        s->first[n] = alive(p, i, (double)n / (count - 1), s->value + n * s->order);
+    return STATUS_OK;
+}
+
+/* With weights the parameter is no longer the material coordinate: look it up. */
+static enum status find_material_points(struct plate *p, const struct scene *scene,
+                                        int count, const double *material, double (*uvw)[3])
+{
+    double tolerance = 1e-12 * (scene->length + scene->width);
+
+    for (int n = 0; n < count; n++) {
+        double x[3];
+        memcpy(uvw[n], material + 3 * (size_t)n, sizeof uvw[n]);
+        scene_rest_point(scene, uvw[n], x);
+        enum status st = patch_invert(&p->patch, x, tolerance, uvw[n]);
+        if (st != STATUS_OK)
+            return st;
+    }
+    return STATUS_OK;
+}
+
+static enum status make_grid(struct plate *p, const struct scene *scene)
+{
+    enum status st = STATUS_OK;
+    double(*material)[3] = NULL;
+
+    if (!p->patch.weight) {
+        TRY(make_samples(p, 0, GRID_U));
+        TRY(make_samples(p, 1, GRID_V));
+        TRY(make_samples(p, 2, GRID_W));
+        return STATUS_OK;
+    }
+    p->uvw = malloc(GRID_POINTS * sizeof *p->uvw);
+    material = malloc(GRID_POINTS * sizeof *material);
+    if (!p->uvw || !material)
+        TRY(STATUS_MEMORY);
+    for (int n = 0; n < GRID_POINTS; n++)
+        grid_point(n, material[n]);
+    TRY(find_material_points(p, scene, GRID_POINTS, material[0], p->uvw));
+out:
+    free(material);
+    return st;
+}
+
+static int *thickness_degrees(const struct solid_space *space, int l)
+{
+    int *degree = malloc((size_t)space->nodes * sizeof *degree);
+
+    for (int a = 0; degree && a < space->nodes; a++)
+        degree[a] = a % l;
+    return degree;
+}
+
+static void destroy(void *state)
+{
+    struct plate *p = state;
+
+    if (!p)
+        return;
+    solid_motion_clear(&p->motion);
+    plate_space_clear(&p->space, &p->tables);
+    patch_clear(&p->patch);
+    for (int i = 0; i < 3; i++) {
+        free(p->grid[i].first);
+        free(p->grid[i].value);
+    }
+    free(p->uvw);
+    free(p);
+}
+
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
+{
+    enum status st;
+    bool thickness;
+    int *degree = NULL, *order = NULL;
+    struct plate *p = NULL;
+
+    TRY(solid_model_refuse(scene, SOLID_MODEL_SERVES, why));
+    if (d->remedy != REMEDY_NONE)
+        return status_fail(why, STATUS_UNSUPPORTED, "iga has no remedy=%s; use remedy=none",
+                           remedy_name(d->remedy));
+    p = calloc(1, sizeof *p);
+    if (!p)
+        TRY(STATUS_MEMORY);
+    TRY(make_patch(scene, d, &p->patch, why));
+    TRY(solid_model_basis(scene, d, p->patch.basis[2].n == p->patch.basis[2].p + 1 &&
+                                        !p->patch.weight,
+                          &thickness, why));
+    TRY(plate_space_init(&p->space, &p->tables, &p->patch, d->gauss, thickness));
+    if (thickness) {
+        degree = thickness_degrees(&p->space, p->patch.basis[2].n);
+        if (!degree)
+            TRY(STATUS_MEMORY);
+        p->space.parity = solid_model_parity(scene, p->space.nodes, degree);
+    }
+    order = solid_model_order(p->patch.basis[0].n, p->patch.basis[1].n, p->patch.basis[2].n);
+    TRY(make_grid(p, scene));
+    TRY(solid_motion_init(&p->motion, scene, &p->space, d, order, why));
+    *state = p, p = NULL;
+out:
+    destroy(p);
+    free(degree);
+    free(order);
+    return st;
+}
+
+/* Position at one tensor-product point: sums over u, then v, then w, so that a grid point
+ * comes out the same from wherever it is asked. */
+static void evaluate(const struct plate *p, const int first[3], const double *const N[3],
+                     double *xyz)
+{
+    int m = p->patch.basis[1].n, l = p->patch.basis[2].n;
+    int orders[3] = {p->patch.basis[0].p + 1, p->patch.basis[1].p + 1,
+                     p->patch.basis[2].p + 1};
+    double sum[3] = {0};
+
+    for (int c = 0; c < orders[2]; c++) {
+        double over_v[3] = {0};
+        for (int b = 0; b < orders[1]; b++) {
+            double over_u[3] = {0};
+            for (int a = 0; a < orders[0]; a++) {
+                int node = ((first[0] + a) * m + first[1] + b) * l + first[2] + c;
+                for (int i = 0; i < 3; i++)
+                    over_u[i] += N[0][a] * p->motion.x[3 * (size_t)node + i];
+            }
+            for (int i = 0; i < 3; i++)
+                over_v[i] += N[1][b] * over_u[i];
+        }
+        for (int i = 0; i < 3; i++)
+            sum[i] += N[2][c] * over_v[i];
+    }
+    memcpy(xyz, sum, sizeof sum);
+}
+
+/* Positions at parameters of the rational patch. */
+static void evaluate_rational(const struct plate *p, int n, double (*uvw)[3], double *xyz)
+{
+    struct patch now = p->patch; /* same bases and weights, present points */
+
+    now.point = p->motion.x;
+    for (int t = 0; t < n; t++)
+        patch_point(&now, uvw[t], xyz + 3 * (size_t)t, NULL);
+}
+
+static void sample(const void *state, double *xyz)
+{
+    const struct plate *p = state;
+
+    if (p->uvw) {
+        evaluate_rational(p, GRID_POINTS, p->uvw, xyz);
+        return;
+    }
+    for (int k = 0; k < GRID_W; k++)
+        for (int j = 0; j < GRID_V; j++)
+            for (int i = 0; i < GRID_U; i++, xyz += 3) {
+                const struct samples *g = p->grid;
+                const int first[3] = {g[0].first[i], g[1].first[j], g[2].first[k]};
+                const double *const N[3] = {g[0].value + i * g[0].order,
+                                            g[1].value + j * g[1].order,
+                                            g[2].value + k * g[2].order};
+                evaluate(p, first, N, xyz);
+            }
+}
+
+static void probe(const void *state, int n, const double *uvw, double *xyz)
+{
+    const struct plate *p = state;
+
+    for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
+        double N[3][BSPLINE_MAX_ORDER], at[1][3];
+        int first[3];
+        if (p->uvw) {
+            if (find_material_points((struct plate *)p, p->motion.scene, 1, uvw, at))
+                at[0][0] = NAN; /* cannot be: the rest shape was inverted at create */
+            evaluate_rational(p, 1, at, xyz);
+            continue;
+        }
+        for (int i = 0; i < 3; i++)
+            first[i] = alive(p, i, uvw[i], N[i]);
+        evaluate(p, first, (const double *const[3]){N[0], N[1], N[2]}, xyz);
+    }
+}
+
+static enum status matrices(const void *state, struct matrix *K, struct matrix *M)
+{
+    const struct plate *p = state;
+
+    if (p->space.thickness_basis)
+        return STATUS_UNSUPPORTED;
+    return solid_rest_matrices(&p->motion, K, M);
+}
+
+const struct model plate_model = {
+    .name = "iga",
+    .title = "IGA thick plate",
+    .source = "Ren, Dai, Lin 2024, Journal of Image and Graphics 29(1), eq. 1-22",
+    .serves = SOLID_MODEL_SERVES,
+    .defaults = defaults,
+    .create = create,
+    .advance = solid_model_advance,
+    .sample = sample,
+    .probe = probe,
+    .size = solid_model_size,
+    .energy = solid_model_energy,
+    .equilibrium = solid_model_equilibrium,
+    .modes = solid_model_modes,
+    .matrices = matrices,
+    .destroy = destroy,
+};

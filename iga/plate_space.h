@@ -1,0 +1,41 @@
+/* plate_space.h - a B-spline patch as a solid_space: elements are the non-empty knot spans,
+ * nodes the control points or, with the thickness basis, Legendre coefficients of each
+ * column of control points.
+ */
+#ifndef PLATE_SPACE_H
+#define PLATE_SPACE_H
+
+#include "iga/patch.h"
+#include "models/linalg/gauss.h"
+#include "models/solid/solid_space.h"
+
+/* Tables of one direction, per non-empty span and Gauss point: [spans][gauss][p + 1]. */
+struct plate_direction {
+    int spans, order, gauss; /* order = p + 1 functions                                */
+    int *first;              /* [spans] first function alive                   owned   */
+    double *N, *dN;          /* values and derivatives                         owned   */
+    double *weight;          /* [spans][gauss]                                 owned   */
+};
+
+struct plate_tables {
+    struct plate_direction direction[3];
+    /* Products over v and w, [spans v][spans w][gauss v][gauss w][3][order v * order w]:
+     * N N, N' N, N N'. */
+    double *product;     /*                                                    owned   */
+    const double *point_weight; /* [nodes] NURBS weights or NULL; borrowed from patch  */
+};
+
+/* Builds *space and *tables of the patch's present shape; gauss[3] points per span, 0: p+1.
+ * `thickness` asks for the Legendre basis through w: one span there and no weights. The
+ * patch is borrowed for its weights. Parity is left NULL. */
+enum status plate_space_init(struct solid_space *space, struct plate_tables *tables,
+                             const struct patch *patch, const int gauss[3], bool thickness);
+void plate_space_clear(struct solid_space *space, struct plate_tables *tables);
+
+/* Values of the functions through the thickness in use at w: N[order]. */
+void plate_space_thickness(const struct patch *patch, bool thickness, double w, double *N);
+
+/* Shifted Legendre polynomials P_k(2 w - 1), k = 0..degree, and derivatives (or NULL). */
+void plate_space_legendre(int degree, double w, double *value, double *derivative);
+
+#endif

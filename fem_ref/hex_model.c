@@ -1,0 +1,194 @@
+#include "fem_ref/hex_model.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "fem_ref/hex_space.h"
+#include "models/grid.h"
+#include "models/solid/solid_model.h"
+
+struct hex {
+    struct solid_motion motion; /* first: solid_model.h                                */
+    struct solid_space space;
+    struct hex_tables tables;
+    int points[3];
+};
+
+static void defaults(struct discretization *d)
+{
+    *d = (struct discretization){
+        .points = {32, 32, 2}, .degree = {1, 1, 1}, .kinematics = KINEMATICS_PRINTED};
+}
+
+static enum status refuse(const struct discretization *d, struct message *why)
+{
+    for (int i = 0; i < 3; i++) {
+        if (d->degree[i] != 1)
+            return status_fail(why, STATUS_INPUT,
+                               "degree: hexahedra are trilinear, degree=[1,1,1], not %d",
+                               d->degree[i]);
+        if (d->points[i] < 2)
+            return status_fail(why, STATUS_INPUT, "points: at least 2 along %c, not %d",
+                               "uvw"[i], d->points[i]);
+        if (d->gauss[i] != 0 && d->gauss[i] != 2)
+            return status_fail(why, STATUS_INPUT, "gauss: hexahedra use [2,2,2]");
+        if (d->knot_count[i])
+            return status_fail(why, STATUS_INPUT, "knots_%c: hexahedra have no knots",
+                               "uvw"[i]);
+    }
+    if (d->weight_count)
+        return status_fail(why, STATUS_INPUT, "weights: hexahedra have none");
+    if (d->remedy != REMEDY_NONE && d->remedy != REMEDY_INCOMPATIBLE)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "hex has no remedy=%s; use none or incompatible",
+                           remedy_name(d->remedy));
+    return STATUS_OK;
+}
+
+static double *rest_points(const struct scene *scene, const int points[3])
+{
+    size_t nodes = (size_t)points[0] * (size_t)points[1] * (size_t)points[2];
+    double *x = malloc(3 * nodes * sizeof *x), *next = x;
+
+    for (int i = 0; x && i < points[0]; i++)
+        for (int j = 0; j < points[1]; j++)
+            for (int k = 0; k < points[2]; k++, next += 3) {
+                double uvw[3] = {(double)i / (points[0] - 1), (double)j / (points[1] - 1),
+                                 (double)k / (points[2] - 1)};
+                scene_rest_point(scene, uvw, next);
+            }
+    return x;
+}
+
+static void destroy(void *state)
+{
+    struct hex *h = state;
+
+    if (!h)
+        return;
+    solid_motion_clear(&h->motion);
+    solid_space_clear(&h->space);
+    free(h);
+}
+
+static enum status set_parity(struct hex *h, const struct scene *scene)
+{
+    int *degree = malloc((size_t)h->space.nodes * sizeof *degree);
+
+    if (!degree)
+        return STATUS_MEMORY;
+    for (int a = 0; a < h->space.nodes; a++)
+        degree[a] = a % 2;
+    h->space.parity = solid_model_parity(scene, h->space.nodes, degree);
+    free(degree);
+    return STATUS_OK;
+}
+
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
+{
+    enum status st;
+    bool thickness;
+    double *x = NULL;
+    int *order = NULL;
+    struct hex *h = NULL;
+
+    TRY(solid_model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(refuse(d, why));
+    TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));
+    h = aligned_alloc(64, (sizeof *h + 63) / 64 * 64);
+    if (!h)
+        TRY(STATUS_MEMORY);
+    memset(h, 0, sizeof *h);
+    x = rest_points(scene, d->points);
+    if (!x)
+        TRY(STATUS_MEMORY);
+    memcpy(h->points, d->points, sizeof h->points);
+    TRY(hex_space_init(&h->space, &h->tables, d->points, x, thickness,
+                       d->remedy == REMEDY_INCOMPATIBLE));
+    if (thickness)
+        TRY(set_parity(h, scene));
+    order = solid_model_order(d->points[0], d->points[1], d->points[2]);
+    TRY(solid_motion_init(&h->motion, scene, &h->space, d, order, why));
+    *state = h, h = NULL;
+out:
+    destroy(h);
+    free(x);
+    free(order);
+    return st;
+}
+
+/* Cell of x among `points` nodes on [0,1], and the two weights there. */
+static int cell(int points, double x, double weight[2])
+{
+    double s = x * (points - 1);
+    int i = s < 0 ? 0 : (int)s;
+
+    if (i > points - 2)
+        i = points - 2;
+    weight[1] = s - i;
+    weight[0] = 1 - weight[1];
+    return i;
+}
+
+/* Trilinear interpolation of the nodes' positions. */
+static void probe(const void *state, int n, const double *uvw, double *xyz)
+{
+    const struct hex *h = state;
+
+    for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
+        double weight[3][2], sum[3] = {0};
+        int at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = cell(h->points[i], uvw[i], weight[i]);
+        if (h->space.thickness_basis) {
+            weight[2][0] = 1;
+            weight[2][1] = 2 * uvw[2] - 1;
+        }
+        for (int s = 0; s < 8; s++) {
+            int a = s >> 2, b = s >> 1 & 1, c = s & 1;
+            int node = ((at[0] + a) * h->points[1] + at[1] + b) * h->points[2] + at[2] + c;
+            double N = weight[0][a] * weight[1][b] * weight[2][c];
+            for (int i = 0; i < 3; i++)
+                sum[i] += N * h->motion.x[3 * (size_t)node + i];
+        }
+        memcpy(xyz, sum, sizeof sum);
+    }
+}
+
+static void sample(const void *state, double *xyz)
+{
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        probe(state, 1, uvw, xyz + 3 * (size_t)n);
+    }
+}
+
+static enum status matrices(const void *state, struct matrix *K, struct matrix *M)
+{
+    const struct hex *h = state;
+
+    if (h->space.thickness_basis)
+        return STATUS_UNSUPPORTED;
+    return solid_rest_matrices(&h->motion, K, M);
+}
+
+const struct model hex_model = {
+    .name = "hex",
+    .title = "trilinear hexahedra",
+    .source = "Hughes 2000, The Finite Element Method, ch. 3; incompatible modes: Taylor, "
+              "Beresford, Wilson 1976",
+    .serves = SOLID_MODEL_SERVES,
+    .defaults = defaults,
+    .create = create,
+    .advance = solid_model_advance,
+    .sample = sample,
+    .probe = probe,
+    .size = solid_model_size,
+    .energy = solid_model_energy,
+    .equilibrium = solid_model_equilibrium,
+    .modes = solid_model_modes,
+    .matrices = matrices,
+    .destroy = destroy,
+};

@@ -1,0 +1,31 @@
+/* hex_space.h - a net of trilinear 8-node hexahedra as a solid_space (Hughes 2000, sec. 3.5):
+ * 2x2x2 Gauss, consistent mass, optionally three incompatible modes (Wilson et al. 1973 in
+ * the form of Taylor, Beresford, Wilson 1976, which passes the patch test).
+ *
+ * Nodes are numbered w fastest: (i m + j) l + k, i < n along u. Element coordinates run over
+ * [0,1]^3.
+ */
+#ifndef HEX_SPACE_H
+#define HEX_SPACE_H
+
+#include "models/solid/solid_space.h"
+
+enum { HEX_LOCAL = 8, HEX_GAUSS = 8, HEX_MODES = 3 };
+
+/* Values and gradients of one element, the same for all. */
+struct hex_tables {
+    _Alignas(64) double centre[3][HEX_LOCAL];
+    double N[HEX_GAUSS][HEX_LOCAL];
+    double G[HEX_GAUSS][3][HEX_LOCAL];
+    double weight[HEX_GAUSS];
+    double mode[HEX_GAUSS][3][HEX_MODES];
+};
+
+/* A net of points[3] nodes (each >= 2) whose node (i,j,k) lies at x[node][3] [m]; copied.
+ * With `thickness` (points[2] == 2 only) each column's unknowns are its middle and half its
+ * thickness vector. *tables must outlive *space and be 64-byte aligned. */
+enum status hex_space_init(struct solid_space *space, struct hex_tables *tables,
+                           const int points[3], const double *x, bool thickness,
+                           bool incompatible);
+
+#endif

@@ -92,12 +92,20 @@ out:
     } else {
         scene_clear(scene);
         if (why && !why->text[0])
-            status_fail(why, st, "%s: %s", name, status_text(st));
+            status_fail(why, st, "a scene file: %s", status_text(st));
     }
     discretization_clear(&work);
     yaml_tree_free(numerics.first);
     yaml_tree_free(root);
     return st;
+}
+
+static enum status refuse_file(const char *path, const char *reason, struct message *why)
+{
+    const struct yaml_tree file = {.origin = path, .line = -1};
+
+    yaml_tree_refuse(&file, why, "cannot be read as a scene: %s", reason);
+    return STATUS_FILE;
 }
 
 /* Reads at most YAML_TREE_MAX_TEXT + 1 bytes of a file, enough to see that it is too long.
@@ -112,16 +120,16 @@ static enum status read_bytes(const char *path, char **bytes, size_t *size,
 
     *bytes = NULL;
     if (!file)
-        return status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path,
-                           strerror(errno));
+        return refuse_file(path, strerror(errno), why);
     if (!fstat(fileno(file), &about) && S_ISDIR(about.st_mode))
-        TRY(status_fail(why, STATUS_FILE, "%s: is a directory, not a scene file", path));
+        TRY(refuse_file(path, "it is a directory", why));
     *bytes = malloc(most);
     if (!*bytes)
-        TRY(status_fail(why, STATUS_MEMORY, "%s: out of memory", path));
+        TRY(status_fail(why, STATUS_MEMORY, "a scene file: %s",
+                        status_text(STATUS_MEMORY)));
     *size = fread(*bytes, 1, most, file);
     if (ferror(file))
-        TRY(status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path, strerror(errno)));
+        TRY(refuse_file(path, strerror(errno), why));
 out:
     fclose(file);
     if (st != STATUS_OK)

@@ -22,17 +22,20 @@ static int write_range(char *text, size_t size, const struct schema_key *key)
     return snprintf(text, size, " from %g to %g", key->low, key->high);
 }
 
-/* "a, b, c": the words of an enum or the keys of a section. */
+/* " a, b, c": the words of an enum or the listed keys of a section. */
 static void write_names(char *text, size_t size, const struct schema_key *key)
 {
     size_t used = strlen(text);
 
     for (int i = 0; used < size; i++) {
-        const char *name = key->type == SCHEMA_WORD ? key->word(i) : key->keys[i].key;
+        const bool is_word = key->type == SCHEMA_WORD;
+        const char *name = is_word ? key->word(i) : key->keys[i].key;
 
         if (!name || !strcmp(name, NO_WORD))
             break;
-        used += (size_t)snprintf(text + used, size - used, "%s%s", i ? ", " : " ", name);
+        if (is_word || key->keys[i].what)
+            used +=
+                (size_t)snprintf(text + used, size - used, "%s%s", i ? ", " : " ", name);
     }
 }
 
@@ -293,7 +296,7 @@ static enum status refuse_key(const struct schema_key *keys, const struct yaml_t
     const struct schema_key all = {.type = SCHEMA_SECTION, .keys = keys};
     const char *nearest = NULL;
     struct wanted known = {""};
-    int least = 1 + (int)strlen(node->key) / 3; /* one slip in three letters */
+    int least = ((int)strlen(node->key) + 1) / 3; /* one slip in three letters */
 
     for (const struct schema_key *k = keys; k->key; k++) {
         const int edits = distance(node->key, k->key);

@@ -13,7 +13,7 @@
 struct yaml_tree_words yaml_tree_quote(const char *text)
 {
     struct yaml_tree_words words;
-    size_t n = 0, room = 48;
+    size_t n = 0, room = 44; /* "...' in quotes" still fits */
 
     words.text[n++] = '\'';
     for (; *text && n < room; text++)
@@ -34,23 +34,27 @@ struct yaml_tree_words yaml_tree_describe(const struct yaml_tree *node)
         snprintf(words.text, sizeof words.text, "a section");
     else if (!*node->text && !node->quoted)
         snprintf(words.text, sizeof words.text, "empty");
-    else
+    else {
         words = yaml_tree_quote(node->text);
+        if (node->quoted)
+            strcat(words.text, " in quotes");
+    }
     return words;
 }
 
-/* `file:line: `, or `--set setting: ` for line 0; long names keep their end, long settings
- * their beginning. */
+/* `file:line: `, `--set setting: ` for line 0, `file: ` for line -1; long names keep their
+ * end, long settings their beginning. */
 static int write_origin(char *text, size_t size, const char *origin, int line)
 {
     const size_t length = strlen(origin), most = 400;
+    const char *dots = length > most ? "..." : "";
+    const char *end = length > most ? origin + length - most : origin;
 
     if (line == 0)
-        return snprintf(text, size, "--set %.*s%s: ", (int)most, origin,
-                        length > most ? "..." : "");
-    if (length > most)
-        return snprintf(text, size, "...%s:%d: ", origin + length - most, line);
-    return snprintf(text, size, "%s:%d: ", origin, line);
+        return snprintf(text, size, "--set %.*s%s: ", (int)most, origin, dots);
+    if (line < 0)
+        return snprintf(text, size, "%s%s: ", dots, end);
+    return snprintf(text, size, "%s%s:%d: ", dots, end, line);
 }
 
 static enum status refuse(const char *origin, int line, struct message *why,
@@ -158,13 +162,16 @@ static enum status refuse_syntax(const struct parse *p)
     const int line = (int)y->problem_mark.line + 1;
 
     if (y->error == YAML_MEMORY_ERROR)
-        return status_fail(p->why, STATUS_MEMORY, "%s: out of memory", p->origin);
+        return status_fail(p->why, STATUS_MEMORY, "a scene file: %s",
+                           status_text(STATUS_MEMORY));
     if (y->error == YAML_READER_ERROR)
         return refuse_at(p, line_of(p->text, y->problem_offset),
                          "not a text in UTF-8 (%s); write the scene as plain text",
                          y->problem);
     if (indented_by_tab(p, line))
         return refuse_at(p, line, "a tab in the indentation; YAML wants spaces");
+    if (y->context && !strcmp(y->context, "while scanning a simple key"))
+        return refuse_at(p, (int)y->context_mark.line + 1, "not YAML: %s", y->problem);
     if (y->context && (int)y->context_mark.line + 1 != line)
         return refuse_at(p, line, "not YAML: %s (%s that began in line %d)", y->problem,
                          y->context, (int)y->context_mark.line + 1);
@@ -288,6 +295,14 @@ out:
     return st;
 }
 
+/* U+0085, U+2028 and U+2029 end lines for YAML, but not for editors. */
+static bool is_odd_break(const char *text, size_t left)
+{
+    return (left >= 2 && !memcmp(text, "\xc2\x85", 2)) ||
+           (left >= 3 && !memcmp(text, "\xe2\x80\xa8", 3)) ||
+           (left >= 3 && !memcmp(text, "\xe2\x80\xa9", 3));
+}
+
 /* Bytes that no text has; libyaml would name them less plainly. */
 static enum status check_bytes(const struct parse *p)
 {
@@ -298,9 +313,12 @@ static enum status check_bytes(const struct parse *p)
 
         if ((c < ' ' && c != '\n' && c != '\r' && c != '\t') || c == 127)
             return refuse_at(p, line_of(p->text, i),
-                             "byte 0x%02x is no text; a scene is YAML "
-                             "in UTF-8",
-                             c);
+                             "byte 0x%02x is no text; write plain text in UTF-8", c);
+        if (c >= 128 && is_odd_break(p->text + i, p->size - i))
+            return refuse_at(
+                p, line_of(p->text, i),
+                "a line break that most editors do not show (U+0085, U+2028 or "
+                "U+2029); leave it out");
     }
     return STATUS_OK;
 }
@@ -336,11 +354,13 @@ enum status yaml_tree_parse(const char *origin, bool setting, const char *text, 
     struct parse p = {
         .origin = origin, .text = text, .size = size, .setting = setting, .why = why};
 
+    if (size >= 3 && !memcmp(text, "\xef\xbb\xbf", 3)) /* byte order mark */
+        p.text += 3, p.size -= 3;
     TRY(check_bytes(&p));
     if (!yaml_parser_initialize(&p.parser))
         return STATUS_MEMORY;
     yaml_parser_set_encoding(&p.parser, YAML_UTF8_ENCODING);
-    yaml_parser_set_input_string(&p.parser, (const unsigned char *)text, size);
+    yaml_parser_set_input_string(&p.parser, (const unsigned char *)p.text, p.size);
     TRY(parse_document(&p, tree));
 out:
     yaml_event_delete(&p.event);

@@ -26,7 +26,7 @@ struct yaml_tree {
     char *text;         /* of a scalar, without NUL bytes; otherwise NULL       owned */
     bool quoted;        /* the scalar stood in quotes or as a block                   */
     const char *origin; /* file name, or the setting if line is 0            borrowed */
-    int line;           /* in the file, from 1                                        */
+    int line;           /* in the file, from 1; 0: a setting; -1: no line             */
     int count;                /* children                                             */
     struct yaml_tree *first;  /* child                                          owned */
     struct yaml_tree *next;   /* sibling                                        owned */

@@ -1,0 +1,103 @@
+/* libFuzzer target for the scene reader. Leading lines `--set KEY=VALUE` of the input are
+ * settings, the rest is the scene file.
+ *
+ *   CC=clang cmake -S . -B build-fuzz -DCLOTHBENCH_FUZZ=ON
+ *   cmake --build build-fuzz --target fuzz_scene
+ *   mkdir -p corpus && cp -r models/scenes tests/bad_scenes corpus
+ *   build-fuzz/tests/fuzz_scene -dict=tests/fuzz_scene.dict -max_len=4096 \
+ *       -max_total_time=600 corpus
+ *
+ * Beyond crashes, leaks and undefined behaviour it stops at: a refusal without a printable
+ * sentence or with something left in the scene; a scene whose text does not read again. */
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/scene_file.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum { MAX_SETTINGS = 8 };
+
+/* What was read must hold: stop with the failed condition's text. */
+#define MUST(condition)                                                                    \
+    do {                                                                                   \
+        if (!(condition)) {                                                                \
+            fprintf(stderr, "does not hold: %s\n", #condition);                            \
+            abort();                                                                       \
+        }                                                                                  \
+    } while (0)
+
+/* Cuts leading setting lines off *text; line breaks become ends of strings. */
+static int take_settings(char **text, const char *end, const char *settings[MAX_SETTINGS])
+{
+    int count = 0;
+
+    while (count < MAX_SETTINGS && end - *text > 6 && !memcmp(*text, "--set ", 6)) {
+        char *stop = memchr(*text, '\n', (size_t)(end - *text));
+
+        if (!stop)
+            break;
+        *stop = '\0';
+        settings[count++] = *text + 6;
+        *text = stop + 1;
+    }
+    return count;
+}
+
+static void check_refusal(const struct scene *scene, const struct message *why)
+{
+    static const struct scene zero;
+
+    MUST(!memcmp(scene, &zero, sizeof zero));
+    MUST(strlen(why->text) > 8 && strlen(why->text) < sizeof why->text - 1);
+    for (const char *c = why->text; *c; c++)
+        MUST((unsigned char)*c >= ' ' && *c != 127);
+    MUST(!strncmp(why->text, "fuzz:", 5) || !strncmp(why->text, "--set ", 6));
+}
+
+static void check_scene(const struct scene *scene)
+{
+    struct scene again;
+    struct discretization d = {.points = {10, 10, 2}, .degree = {2, 2, 1}};
+    struct message why;
+    int end = 0;
+
+    MUST(scene->thickness > 0 && scene->young > 0 && scene->poisson < 0.5);
+    MUST(scene->step > 0 && scene->end >= scene->step);
+    MUST(scene_gamma(scene) >= 0);
+    for (int i = 0; i < scene->support_count; i++)
+        MUST(scene->supports[i].fix && scene->supports[i].hi[2] <= 1);
+    /* Settings stand in the text as comments, so that what is read may differ or be
+     * refused, but the text is always YAML. */
+    if (scene_file_parse("again", scene->text, strlen(scene->text), 0, NULL, &again, &d,
+                         &why) != STATUS_OK)
+        MUST(sscanf(why.text, "again:%*d: not YAML%n", &end) <= 0 && !end);
+    scene_clear(&again);
+    discretization_clear(&d);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    const char *settings[MAX_SETTINGS];
+    struct discretization d = {.points = {10, 10, 2}, .degree = {2, 2, 1}};
+    struct scene scene;
+    struct message why;
+    char *copy = malloc(size + 1), *text = copy;
+    int count;
+
+    MUST(copy);
+    if (size > 0)
+        memcpy(copy, data, size);
+    count = take_settings(&text, copy + size, settings);
+    if (scene_file_parse("fuzz", text, (size_t)(copy + size - text), count, settings,
+                         &scene, &d, &why) == STATUS_OK)
+        check_scene(&scene);
+    else
+        check_refusal(&scene, &why);
+    scene_clear(&scene);
+    discretization_clear(&d);
+    free(copy);
+    return 0;
+}

@@ -1,6 +1,8 @@
-/* eigen.h - the lowest eigenpairs of K x = lambda M x, both symmetric, M positive definite.
+/* eigen.h - the lowest eigenpairs of K x = lambda M x, both symmetric, M positive definite,
+ * K at least positive semi-definite.
  *
- * Dense LAPACK (dsygvx) up to EIGEN_DENSE_MAX unknowns, ARPACK shift-invert above it.
+ * Dense LAPACK (dsygvx) up to EIGEN_DENSE_MAX unknowns, ARPACK shift-invert above it, with a
+ * start vector of its own: the same bits every run.
  */
 #ifndef EIGEN_H
 #define EIGEN_H
@@ -19,9 +21,16 @@ struct eigen_matrix {
 };
 
 /* The `count` smallest lambda, ascending, into lambda[count]; eigenvectors, M-normalised,
- * into vector[count][n] unless NULL. K may be singular (free body): the shift is
- * -scale * 1e-6 with scale from the diagonals. 1 <= count <= n. STATUS_DIVERGED if ARPACK
- * gives up (sentence in *why). */
+ * into vector[count][n] unless NULL. 1 <= count <= n; patterns of K and M may differ.
+ *
+ * K may be singular (free body): the shift is -1e-12 trace K / trace M, far below the
+ * modes of the thinnest sheet, and grows a hundredfold while round-off leaves
+ * K - shift M indefinite. Errors in lambda are about 1e-15 of the largest lambda, however
+ * small the wanted ones are.
+ *
+ * STATUS_INDEFINITE if K - shift M stays so, or the diagonal of M or K is not positive (no
+ * more of M is checked above EIGEN_DENSE_MAX); STATUS_DIVERGED if LAPACK or ARPACK gives up;
+ * sentence in *why. Not for two threads at once (ARPACK keeps state). */
 enum status eigen_lowest(const struct eigen_matrix *K, const struct eigen_matrix *M,
                          int count, double *lambda, double *vector, struct message *why);
 

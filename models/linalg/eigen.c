@@ -1,0 +1,283 @@
+#include "models/linalg/eigen.h"
+
+#include <assert.h>
+#include <lapacke.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/linalg/blas_kernel.h"
+#include "models/linalg/factor.h"
+
+/* --- dense ------------------------------------------------------------------------------
+ */
+
+static void spread(const struct eigen_matrix *a, double *full)
+{
+    memset(full, 0, (size_t)a->n * a->n * sizeof *full);
+    for (int j = 0; j < a->n; j++)
+        for (long s = a->start[j]; s < a->start[j + 1]; s++)
+            full[(size_t)j * a->n + a->row[s]] = a->value[s];
+}
+
+static enum status lowest_dense(const struct eigen_matrix *K, const struct eigen_matrix *M,
+                                int count, double *lambda, double *vector,
+                                struct message *why)
+{
+    enum status st = STATUS_OK;
+    int n = K->n, found = 0, info;
+    size_t square = (size_t)n * n;
+    double *k = malloc(square * sizeof *k), *m = malloc(square * sizeof *m);
+    double *all = malloc(n * sizeof *all); /* dsygvx wants room for all n */
+    int *failed = malloc(n * sizeof *failed);
+    if (!k || !m || !all || !failed) {
+        st = STATUS_MEMORY;
+        goto out;
+    }
+    spread(K, k);
+    spread(M, m);
+    info = LAPACKE_dsygvx(LAPACK_COL_MAJOR, 1, vector ? 'V' : 'N', 'I', 'L', n, k, n, m, n,
+                          0.0, 0.0, 1, count, 2.0 * LAPACKE_dlamch('S'), &found, all,
+                          vector, n, failed);
+    if (info > n)
+        st = status_fail(why, STATUS_INDEFINITE,
+                         "eigenvalues: the mass matrix is not positive definite");
+    else if (info != 0 || found != count)
+        st = status_fail(why, STATUS_DIVERGED,
+                         "eigenvalues: LAPACK's dsygvx stopped with info %d", info);
+    else
+        memcpy(lambda, all, count * sizeof *lambda);
+out:
+    free(k);
+    free(m);
+    free(all);
+    free(failed);
+    return st;
+}
+
+/* --- sparse -----------------------------------------------------------------------------
+ */
+
+/* ARPACK's Fortran symbols; the last arguments are the lengths of the character ones. */
+void dsaupd_(int *ido, const char *bmat, const int *n, const char *which, const int *nev,
+             double *tol, double *resid, const int *ncv, double *v, const int *ldv,
+             int *iparam, int *ipntr, double *workd, double *workl, const int *lworkl,
+             int *info, size_t bmat_length, size_t which_length);
+void dseupd_(const int *rvec, const char *howmny, int *select, double *d, double *z,
+             const int *ldz, const double *sigma, const char *bmat, const int *n,
+             const char *which, const int *nev, double *tol, double *resid, const int *ncv,
+             double *v, const int *ldv, int *iparam, int *ipntr, double *workd,
+             double *workl, const int *lworkl, int *info, size_t howmny_length,
+             size_t bmat_length, size_t which_length);
+
+static void multiply(const struct eigen_matrix *a, const double *x, double *y)
+{
+    memset(y, 0, a->n * sizeof *y);
+    for (int j = 0; j < a->n; j++)
+        for (long s = a->start[j]; s < a->start[j + 1]; s++) {
+            y[a->row[s]] += a->value[s] * x[j];
+            if (a->row[s] != j)
+                y[j] += a->value[s] * x[a->row[s]];
+        }
+}
+
+/* Sum of the diagonal; -1 if a number on it is not positive, as no mass is. */
+static double positive_trace(const struct eigen_matrix *a)
+{
+    double sum = 0.0;
+    for (int j = 0; j < a->n; j++) {
+        if (!(a->value[a->start[j]] > 0.0))
+            return -1.0;
+        sum += a->value[a->start[j]];
+    }
+    return sum;
+}
+
+/* The union of two patterns. start[n + 1]; row has room for both. */
+static void merge_patterns(const struct eigen_matrix *a, const struct eigen_matrix *b,
+                           long *start, int *row)
+{
+    long end = 0;
+    for (int j = 0; j < a->n; j++) {
+        long s = a->start[j], t = b->start[j];
+        start[j] = end;
+        while (s < a->start[j + 1] || t < b->start[j + 1]) {
+            int p = s < a->start[j + 1] ? a->row[s] : a->n;
+            int q = t < b->start[j + 1] ? b->row[t] : a->n;
+            row[end++] = p < q ? p : q;
+            s += p <= q;
+            t += q <= p;
+        }
+    }
+    start[a->n] = end;
+}
+
+static void add_values(const struct eigen_matrix *a, double scale, struct factor *f)
+{
+    double *value = factor_values(f);
+    for (int j = 0; j < a->n; j++)
+        for (long s = a->start[j]; s < a->start[j + 1]; s++)
+            value[factor_slot(f, a->row[s], j)] += scale * a->value[s];
+}
+
+/* Factors K - sigma M for the smallest -sigma that leaves it positive definite. */
+static enum status factor_shifted(const struct eigen_matrix *K,
+                                  const struct eigen_matrix *M, double *sigma,
+                                  struct factor **f, struct message *why)
+{
+    enum status st = STATUS_MEMORY;
+    const double least = 1e-12, most = 1e-3; /* of the mean lambda */
+    double mean = positive_trace(K) / positive_trace(M);
+    if (!(mean > 0.0))
+        return status_fail(why, STATUS_INDEFINITE,
+                           "eigenvalues: a diagonal entry is not positive");
+    long *start = malloc((K->n + 1) * sizeof *start);
+    int *row = malloc((K->start[K->n] + M->start[M->n]) * sizeof *row);
+    if (!start || !row)
+        goto out;
+    merge_patterns(K, M, start, row);
+    struct factor_pattern pattern = {.n = K->n, .start = start, .row = row};
+    TRY(factor_create(&pattern, SOLVER_AUTO, f));
+    st = STATUS_INDEFINITE;
+    for (double part = least; part < most && st == STATUS_INDEFINITE; part *= 100.0) {
+        *sigma = -part * mean;
+        factor_clear_values(*f);
+        add_values(K, 1.0, *f);
+        add_values(M, -*sigma, *f);
+        st = factor_refactor(*f);
+    }
+    if (st != STATUS_OK)
+        status_fail(why, st, "eigenvalues: stiffness or mass is not positive definite");
+out:
+    free(start);
+    free(row);
+    return st;
+}
+
+struct lanczos {
+    int n, nev, ncv, lworkl, iparam[11], ipntr[11], *select;
+    double tol; /* 0: round-off; dsaupd writes here what it took */
+    double *resid, *v, *workd, *workl;
+};
+
+static void lanczos_clear(struct lanczos *l)
+{
+    free(l->select);
+    free(l->resid);
+    free(l->v);
+    free(l->workd);
+    free(l->workl);
+}
+
+static enum status lanczos_init(struct lanczos *l, int n, int nev)
+{
+    /* Twice the wanted ones is ARPACK's advice; a few more save restarts for few wanted. */
+    *l = (struct lanczos){.n = n, .nev = nev, .ncv = 2 * nev + 20 < n ? 2 * nev + 20 : n};
+    l->lworkl = l->ncv * (l->ncv + 8);
+    l->select = calloc(l->ncv, sizeof *l->select);
+    l->resid = malloc(n * sizeof *l->resid);
+    l->v = malloc((size_t)n * l->ncv * sizeof *l->v);
+    l->workd = malloc(3 * (size_t)n * sizeof *l->workd);
+    l->workl = malloc(l->lworkl * sizeof *l->workl);
+    l->iparam[0] = 1;    /* exact shifts  */
+    l->iparam[2] = 1000; /* restarts      */
+    l->iparam[3] = 1;    /* block size    */
+    l->iparam[6] = 3;    /* shift-invert  */
+    if (!l->select || !l->resid || !l->v || !l->workd || !l->workl)
+        return STATUS_MEMORY;
+    /* A start vector that no mode is likely to be orthogonal to, the same every run. */
+    unsigned long state = 1;
+    for (int i = 0; i < n; i++) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        l->resid[i] = (double)(state >> 11) * 0x1p-53 - 0.5;
+    }
+    return STATUS_OK;
+}
+
+/* ARPACK's reverse communication: it asks, we multiply or solve. */
+static enum status lanczos_run(struct lanczos *l, const struct eigen_matrix *M,
+                               struct factor *f, struct message *why)
+{
+    enum status st = STATUS_OK;
+    int ido = 0, info = 1; /* info 1: start from resid */
+    for (;;) {
+        dsaupd_(&ido, "G", &l->n, "LM", &l->nev, &l->tol, l->resid, &l->ncv, l->v, &l->n,
+                l->iparam, l->ipntr, l->workd, l->workl, &l->lworkl, &info, 1, 2);
+        double *x = l->workd + l->ipntr[0] - 1, *y = l->workd + l->ipntr[1] - 1;
+        if (ido == -1 || ido == 2)
+            multiply(M, x, y);
+        else if (ido == 1)
+            memcpy(y, l->workd + l->ipntr[2] - 1, l->n * sizeof *y);
+        else
+            break;
+        if (ido != 2)
+            TRY(factor_solve(f, y));
+    }
+    if (info != 0)
+        st =
+            status_fail(why, STATUS_DIVERGED,
+                        "eigenvalues: ARPACK's dsaupd stopped with info %d, %d of %d found",
+                        info, l->iparam[4], l->nev);
+out:
+    return st;
+}
+
+/* Ritz pairs, sorted (they come ascending or nearly so: insertion). */
+static enum status lanczos_take(struct lanczos *l, double sigma, double *lambda,
+                                double *vector, struct message *why)
+{
+    enum status st = STATUS_OK;
+    int info = 0, want = vector != NULL;
+    double *z = vector ? vector : l->v, *keep = malloc(l->n * sizeof *keep);
+    if (!keep)
+        return STATUS_MEMORY;
+    dseupd_(&want, "A", l->select, lambda, z, &l->n, &sigma, "G", &l->n, "LM", &l->nev,
+            &l->tol, l->resid, &l->ncv, l->v, &l->n, l->iparam, l->ipntr, l->workd,
+            l->workl, &l->lworkl, &info, 1, 1, 2);
+    if (info != 0)
+        st = status_fail(why, STATUS_DIVERGED, "eigenvalues: ARPACK's dseupd gave info %d",
+                         info);
+    size_t bytes = l->n * sizeof *keep;
+    for (int k = 1; st == STATUS_OK && k < l->nev; k++)
+        for (int j = k; j > 0 && lambda[j] < lambda[j - 1]; j--) {
+            double swap = lambda[j];
+            lambda[j] = lambda[j - 1];
+            lambda[j - 1] = swap;
+            if (!vector)
+                continue;
+            double *low = vector + (size_t)(j - 1) * l->n, *high = low + l->n;
+            memcpy(keep, low, bytes);
+            memcpy(low, high, bytes);
+            memcpy(high, keep, bytes);
+        }
+    free(keep);
+    return st;
+}
+
+static enum status lowest_sparse(const struct eigen_matrix *K, const struct eigen_matrix *M,
+                                 int count, double *lambda, double *vector,
+                                 struct message *why)
+{
+    enum status st;
+    struct factor *f = NULL;
+    struct lanczos l = {0};
+    double sigma = 0.0;
+    TRY(factor_shifted(K, M, &sigma, &f, why));
+    TRY(lanczos_init(&l, K->n, count));
+    TRY(lanczos_run(&l, M, f, why));
+    TRY(lanczos_take(&l, sigma, lambda, vector, why));
+out:
+    lanczos_clear(&l);
+    factor_destroy(f);
+    return st;
+}
+
+enum status eigen_lowest(const struct eigen_matrix *K, const struct eigen_matrix *M,
+                         int count, double *lambda, double *vector, struct message *why)
+{
+    assert(K->n == M->n && 1 <= count && count <= K->n);
+    blas_kernel_set_threads(1);
+    /* Lanczos pays while the wanted modes are few. */
+    if (K->n <= EIGEN_DENSE_MAX || count > K->n / 4)
+        return lowest_dense(K, M, count, lambda, vector, why);
+    return lowest_sparse(K, M, count, lambda, vector, why);
+}

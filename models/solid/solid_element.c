@@ -72,7 +72,7 @@ static double sum_lanes(const lanes *s)
 {
     const lanes v = *s;
 
-    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+    return (v[0] + v[2]) + (v[1] + v[3]);
 }
 
 /* T = J^-T with J_ij = sum_a X_ai N_a,j over `row` columns. Returns det J. */

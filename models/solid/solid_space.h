@@ -13,9 +13,9 @@
 
 #include "models/status.h"
 
-/* Vectors of 8 doubles: rows of basis functions are padded to a multiple of it with zeros,
+/* Vectors of 4 doubles: rows of basis functions are padded to a multiple of it with zeros,
  * so that the kernels have no remainders. */
-enum { SOLID_LANES = 8 };
+enum { SOLID_LANES = 4 };
 #define SOLID_PADDED(columns) (((columns) + SOLID_LANES - 1) / SOLID_LANES * SOLID_LANES)
 
 /* Basis functions of one element; rows padded as above and 64-byte aligned. */

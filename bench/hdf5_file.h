@@ -1,0 +1,30 @@
+/* hdf5_file.h - the little of HDF5 that result files need, with its errors as sentences.
+ *
+ * The library is not thread-safe: one thread at a time. */
+#ifndef HDF5_FILE_H
+#define HDF5_FILE_H
+
+#include <hdf5.h>
+
+#include "models/status.h"
+
+/* Once before any other call (more often is allowed): the library prints no error stacks and
+ * does nothing at exit (where it would close again what could not be closed). */
+void hdf5_file_start(void);
+
+/* STATUS_FILE with `path: doing: reason`, the reason taken from the library's last error,
+ * the system's word for it where there is one. */
+enum status hdf5_file_fail(const char *path, const char *doing, struct message *why);
+
+/* Attributes of an open group, dataset or file; text is UTF-8 of any length. Negative:
+ * failed. */
+herr_t hdf5_file_put_text(hid_t object, const char *key, const char *text);
+herr_t hdf5_file_put_long(hid_t object, const char *key, long value);
+herr_t hdf5_file_put_double(hid_t object, const char *key, double value);
+
+/* Dataset `name` of doubles [rows] (columns = 0) or [rows][columns]; missing groups on the
+ * way are made. */
+herr_t hdf5_file_put_array(hid_t file, const char *name, const double *values, int rows,
+                           int columns);
+
+#endif

@@ -1,0 +1,37 @@
+/* aside.h - a file is written aside under a temporary name in the same folder and renamed
+ * when it is complete: whoever looks at the wanted name sees the old file or the whole new
+ * one, never half of it.
+ *
+ * A symbolic link is followed. A device or pipe (/dev/full, /dev/stdout) is written in place.
+ */
+#ifndef ASIDE_H
+#define ASIDE_H
+
+#include <stdbool.h>
+
+#include "models/status.h"
+
+struct aside {
+    char *path;      /* the wanted name, as the user wrote it                   owned */
+    char *target;    /* the same with symbolic links followed                   owned */
+    char *temporary; /* what to write to                                        owned */
+    bool in_place;   /* a device: temporary = target, nothing is renamed              */
+};
+
+/* Finds a free temporary name and leaves an empty file there, so that a run learns at its
+ * start what would stop it at its end. STATUS_FILE with a sentence: a folder, no such
+ * folder, no permission. On failure *a is all-zero. */
+enum status aside_open(const char *path, struct aside *a, struct message *why);
+
+/* After the temporary file was closed by its writer: syncs it to disk, renames it, syncs the
+ * folder; clears *a. On failure the temporary file is removed. */
+enum status aside_commit(struct aside *a, struct message *why);
+
+/* Removes the temporary file and clears *a; all-zero is allowed. */
+void aside_discard(struct aside *a);
+
+/* From now on SIGINT, SIGTERM and SIGHUP remove the temporary files of this process before
+ * they end it. Signals that are ignored stay so. Call once, early in main. */
+void aside_catch_signals(void);
+
+#endif

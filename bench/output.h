@@ -1,0 +1,33 @@
+/* output.h - text that leaves the program: files written aside (aside.h) with every write
+ * checked, and the check of standard output at the end. */
+#ifndef OUTPUT_H
+#define OUTPUT_H
+
+#include "models/status.h"
+
+struct output;
+
+/* Starts a text file that gets its name only when it is complete. STATUS_FILE as in
+ * aside_open; on failure *out is untouched. */
+enum status output_create(const char *path, struct output **out, struct message *why);
+
+/* printf; a failed write is kept for output_close. */
+void output_print(struct output *out, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Writes what is left, checks every write since the start, syncs, renames, frees. On failure
+ * (a full disk) STATUS_FILE with a sentence, and nothing of the file is left. */
+enum status output_close(struct output *out, struct message *why);
+
+/* Gives the file up: nothing of it is left. NULL is allowed. */
+void output_discard(struct output *out);
+
+/* First thing in main: a reader who goes away (`clothbench ... | head`) becomes a failed
+ * write, told by output_close_standard, instead of a silent end. */
+void output_keep_after_closed_pipe(void);
+
+/* Last thing in main: flushes and closes standard output. STATUS_FILE with a sentence for
+ * standard error if any write to it failed; the program should then exit with 1. */
+enum status output_close_standard(struct message *why);
+
+#endif

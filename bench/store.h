@@ -1,0 +1,76 @@
+/* store.h - the result file of one run: scene, model, discretization, motion, seconds.
+ *
+ * HDF5, in /, F = frames kept, R = repeats:
+ *
+ *   attributes        format, scene (its YAML text), scene_name, scene_source, model,
+ *                     model_title, model_source, discretization (lines `key=value` as
+ *                     --set takes them), outcome ("done" or the sentence of a death), death_time [s] (only
+ *                     then), length, width, thickness [m], nodes, unknowns, factor_entries,
+ *                     solver, unknown_basis
+ *   provenance        a group whose attributes are provenance.h's keys
+ *   time              [F]                          double [s]
+ *   xyz               [F][w 2][v 100][u 100][3]    double [m] (or float, if asked for)
+ *   energy/kinetic, energy/elastic, energy/potential   [F]   double [J], NaN if not known
+ *   counters/steps, ...                            [F]   work done up to the frame
+ *   metrics/NAME      [F], attribute `unit`        double
+ *   seconds/create, seconds/sample                 [R]            raw, every repeat
+ *   seconds/advance                                [R][steps]     raw, every step
+ *
+ * Beside FILE.h5 stands FILE.xdmf, which opens in ParaView (path with a slash in it). Both
+ * are written aside and renamed (aside.h): a run that fails leaves neither.
+ */
+#ifndef STORE_H
+#define STORE_H
+
+#include <stdbool.h>
+
+#include "bench/provenance.h"
+#include "models/model.h"
+
+struct store;
+
+/* What is known before the first step; all borrowed during store_create. */
+struct store_run {
+    const struct scene *scene;
+    const struct model *model;
+    const struct discretization *discretization;
+    const struct provenance *provenance;
+    bool single; /* positions as 32-bit floats: 1e-8 m on a 1 m sheet, half the file         */
+};
+
+/* Opens the file aside. STATUS_FILE with a sentence; *store is then untouched. Call
+ * store_close or store_discard in the end. */
+enum status store_create(const char *path, const struct store_run *run,
+                         struct store **store, struct message *why);
+
+/* Appends a frame: field xyz (grid.h) at time t. energy and counters may be NULL: NaN and
+ * zeros are stored. */
+enum status store_frame(struct store *store, double t, const double *xyz,
+                        const struct energy *energy, const struct counters *counters,
+                        struct message *why);
+
+/* Raw seconds[rows][columns] of a phase ("create", "advance", "sample"); columns = 0: one
+ * number a repeat. Once per phase. */
+enum status store_seconds(struct store *store, const char *phase, const double *seconds,
+                          int rows, int columns, struct message *why);
+
+/* A number per frame stored so far, value[count], with its unit ("m", "1"). Once per name,
+ * [a-z_]+. */
+enum status store_metric(struct store *store, const char *name, const char *unit,
+                         const double *value, int count, struct message *why);
+
+/* What was built. */
+enum status store_size(struct store *store, const struct model_size *size,
+                       struct message *why);
+
+/* The run died at t with this status: kept, and written by store_close. */
+void store_death(struct store *store, enum status death, double t);
+
+/* Completes the file, syncs, renames, writes the XDMF; frees in any case. On failure nothing
+ * is left of the file that failed. */
+enum status store_close(struct store *store, struct message *why);
+
+/* Gives the run up: removes the temporary file. NULL is allowed. */
+void store_discard(struct store *store);
+
+#endif

@@ -1,0 +1,18 @@
+/* xdmf.h - a few lines of XML (xdmf.org) that tell ParaView how to read a result file. */
+#ifndef XDMF_H
+#define XDMF_H
+
+#include <stdbool.h>
+
+#include "models/status.h"
+
+/* Name of the XDMF beside a result file: .h5 becomes .xdmf, another name gets it appended.
+ * Freed by the receiver; NULL: out of memory. */
+char *xdmf_path(const char *result_path);
+
+/* Writes it: one structured grid of the two layers a frame, at time[frames]; single: the
+ * positions are 32-bit. Written aside and renamed. */
+enum status xdmf_write(const char *result_path, const double *time, int frames, bool single,
+                       struct message *why);
+
+#endif

@@ -1,0 +1,463 @@
+/* Result files, Matrix Market files and text files: what was written is read back bit for
+ * bit; whatever stops the writing gives one sentence and leaves nothing behind. */
+#include "bench/store.h"
+
+#include <dirent.h>
+#include <float.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "bench/aside.h"
+#include "bench/matrix_market.h"
+#include "bench/output.h"
+#include "bench/store_read.h"
+#include "models/grid.h"
+#include "tests/check.h"
+
+enum { FRAMES = 3, COUNT = 3 * GRID_POINTS };
+
+static char folder[] = "/tmp/clothbench-store-XXXXXX";
+static const struct model nothing = {
+    .name = "none", .title = "No <model> & co", .source = "-"};
+
+static const char *in_folder(const char *name)
+{
+    static char path[4][256];
+    static int turn;
+    char *text = path[turn++ % 4];
+    snprintf(text, sizeof path[0], "%s/%s", folder, name);
+    return text;
+}
+
+static int files_in(const char *path)
+{
+    int count = 0;
+    DIR *dir = opendir(path);
+    REQUIRE(dir);
+    for (struct dirent *e; (e = readdir(dir));)
+        count += e->d_name[0] != '.';
+    closedir(dir);
+    return count;
+}
+
+/* One sentence: not empty, no line break, names the file. */
+static bool is_sentence(const struct message *why, const char *path)
+{
+    printf("  said: %s\n", why->text);
+    return why->text[0] && !strchr(why->text, '\n') && strstr(why->text, path);
+}
+
+/* A sheet rolled up as time goes by; the numbers do not compress to nothing. */
+static void bend(int frame, double *xyz)
+{
+    double curvature = 1.0 * frame + 0.01;
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        double radius = 1 / curvature - 0.05 * (uvw[2] - 0.5);
+        xyz[3 * n] = radius * sin(uvw[0] * curvature);
+        xyz[3 * n + 1] = 0.5 * uvw[1];
+        xyz[3 * n + 2] = radius * cos(uvw[0] * curvature) - 1 / curvature;
+    }
+}
+
+struct fixture {
+    struct scene scene;
+    struct discretization discretization;
+    struct provenance provenance;
+    struct store_run run;
+    double *xyz; /* [FRAMES][COUNT] */
+};
+
+static void fixture_init(struct fixture *f)
+{
+    memset(f, 0, sizeof *f);
+    REQUIRE(scene_init(&f->scene) == STATUS_OK);
+    /* longer than the 64 kB that fixed attributes hold */
+    free(f->scene.text);
+    f->scene.text = malloc(100001);
+    REQUIRE(f->scene.text);
+    memset(f->scene.text, '#', 100000);
+    f->scene.text[100000] = '\0';
+    f->discretization = (struct discretization){.points = {10, 11, 2}, .degree = {2, 3, 1}};
+    provenance_collect(&f->provenance);
+    f->run = (struct store_run){&f->scene, &nothing, &f->discretization, &f->provenance, 0};
+    f->xyz = malloc(FRAMES * COUNT * sizeof *f->xyz);
+    REQUIRE(f->xyz);
+    for (int n = 0; n < FRAMES; n++)
+        bend(n, f->xyz + n * COUNT);
+}
+
+static void fixture_clear(struct fixture *f)
+{
+    scene_clear(&f->scene);
+    free(f->xyz);
+}
+
+/* Everything a run writes; the first failure ends it. */
+static enum status write_run(const struct fixture *f, const char *path, struct message *why)
+{
+    static const double create[2] = {0.25, 0.5}, advance[2][3] = {{1, 2, 3}, {4, 5, 6}};
+    static const double drop[FRAMES] = {0, 0.5, NAN};
+    struct store *store = NULL;
+    enum status st = STATUS_OK;
+
+    TRY(store_create(path, &f->run, &store, why));
+    for (int n = 0; n < FRAMES; n++) {
+        struct energy energy = {n, 2 * n, -3 * n};
+        struct counters counters = {.steps = n, .iterations = 100 * n};
+        TRY(store_frame(store, 0.1 * n, f->xyz + n * COUNT, n == 1 ? NULL : &energy,
+                        &counters, why));
+    }
+    TRY(store_size(store, &(struct model_size){220, 600, 7000, "banded", "thickness"},
+                   why));
+    TRY(store_seconds(store, "create", create, 2, 0, why));
+    TRY(store_seconds(store, "advance", &advance[0][0], 2, 3, why));
+    TRY(store_metric(store, "drop", "1", drop, FRAMES, why));
+    store_death(store, STATUS_INVERTED, 0.3);
+    st = store_close(store, why);
+    store = NULL;
+out:
+    store_discard(store);
+    return st;
+}
+
+static void check_array(const struct store_read *file, const char *name, int rows,
+                        int columns, const double *want)
+{
+    double *value = NULL;
+    int r = 0, c = 0;
+    struct message why = {""};
+    printf("  array %s\n", name);
+    CHECK(store_read_array(file, name, &value, &r, &c, &why) == STATUS_OK);
+    if (CHECK(r == rows && c == columns))
+        for (int i = 0; i < r * c; i++)
+            CHECK(value[i] == want[i] || (isnan(value[i]) && isnan(want[i])));
+    free(value);
+}
+
+static void check_text(const struct store_read *file, const char *group, const char *key,
+                       const char *want)
+{
+    char *text = NULL;
+    CHECK(store_read_text(file, group, key, &text, NULL) == STATUS_OK);
+    CHECK(text && !strcmp(text, want));
+    free(text);
+}
+
+static void test_round_trip(const struct fixture *f)
+{
+    struct message why = {""};
+    struct store_read *file = NULL;
+    const char *path = in_folder("run.h5");
+    double *xyz = malloc(COUNT * sizeof *xyz), number = 0;
+
+    REQUIRE(xyz && write_run(f, path, &why) == STATUS_OK);
+    CHECK(files_in(folder) == 2); /* run.h5, run.xdmf */
+    REQUIRE(store_read_open(path, &file, &why) == STATUS_OK);
+    REQUIRE(store_read_frames(file) == FRAMES);
+    for (int n = 0; n < FRAMES; n++) {
+        CHECK(store_read_frame(file, n, xyz, &why) == STATUS_OK);
+        CHECK(!memcmp(xyz, f->xyz + n * COUNT, COUNT * sizeof *xyz));
+    }
+    check_array(file, "time", FRAMES, 1, (double[]){0.0, 0.1, 0.2});
+    check_array(file, "energy/elastic", FRAMES, 1, (double[]){0, NAN, 4});
+    check_array(file, "counters/iterations", FRAMES, 1, (double[]){0, 100, 200});
+    check_array(file, "seconds/create", 2, 1, (double[]){0.25, 0.5});
+    check_array(file, "seconds/advance", 2, 3, (double[]){1, 2, 3, 4, 5, 6});
+    check_array(file, "metrics/drop", FRAMES, 1, (double[]){0, 0.5, NAN});
+    check_text(file, "/", "scene", f->scene.text);
+    check_text(file, "/", "model_title", nothing.title);
+    check_text(file, "/", "solver", "banded");
+    check_text(file, "/", "outcome", status_text(STATUS_INVERTED));
+    check_text(file, "metrics/drop", "unit", "1");
+    check_text(file, "provenance", "commit", provenance_value(&f->provenance, "commit"));
+    CHECK(store_read_number(file, "death_time", &number, &why) == STATUS_OK &&
+          number == 0.3);
+    CHECK(store_read_number(file, "unknowns", &number, &why) == STATUS_OK && number == 600);
+
+    char *settings = NULL;
+    CHECK(store_read_text(file, "/", "discretization", &settings, &why) == STATUS_OK);
+    CHECK(settings && strstr(settings, "discretization.points=[10,11,2]\n"));
+    CHECK(settings && strstr(settings, "discretization.kinematics=linear\n"));
+    free(settings);
+
+    CHECK(!store_read_has(file, "metrics/none") && !store_read_has(file, "none/none"));
+    double *none = NULL;
+    int rows, columns;
+    CHECK(store_read_array(file, "none/none", &none, &rows, &columns, &why) ==
+          STATUS_INPUT);
+    CHECK(store_read_number(file, "none", &number, &why) == STATUS_FILE);
+    store_read_close(file);
+    free(xyz);
+}
+
+/* As 32-bit floats: rounded once, so within half a unit of the 24th bit. */
+#define TOL_SINGLE (FLT_EPSILON / 2)
+
+static void test_single(struct fixture *f)
+{
+    struct message why = {""};
+    struct store_read *file = NULL;
+    double *xyz = malloc(COUNT * sizeof *xyz), largest = 0;
+
+    f->run.single = true;
+    REQUIRE(xyz && write_run(f, in_folder("run.h5"), &why) == STATUS_OK); /* replaces */
+    f->run.single = false;
+    CHECK(files_in(folder) == 2);
+    REQUIRE(store_read_open(in_folder("run.h5"), &file, &why) == STATUS_OK);
+    CHECK(store_read_frame(file, 2, xyz, &why) == STATUS_OK);
+    for (int n = 0; n < COUNT; n++)
+        largest = fmax(largest, fabs(xyz[n] - f->xyz[2 * COUNT + n]));
+    CHECK(largest > 0);
+    CHECK_NEAR(largest, 0, TOL_SINGLE);
+    store_read_close(file);
+    free(xyz);
+}
+
+static void test_xdmf(void)
+{
+    char text[4096] = "";
+    FILE *file = fopen(in_folder("run.xdmf"), "r");
+    REQUIRE(file);
+    REQUIRE(fread(text, 1, sizeof text - 1, file) > 1000);
+    fclose(file);
+    CHECK(strstr(text, "<Time Value=\"0\"/>") && strstr(text, ">run.h5:/xyz<"));
+}
+
+static void test_reading_what_is_none(void)
+{
+    struct store_read *file = NULL;
+    struct message why = {""};
+    FILE *text = fopen(in_folder("text.h5"), "w");
+    REQUIRE(text && fputs("not HDF5", text) >= 0 && fclose(text) == 0);
+    CHECK(store_read_open(in_folder("text.h5"), &file, &why) == STATUS_INPUT);
+    CHECK(is_sentence(&why, "text.h5"));
+    CHECK(store_read_open(in_folder("absent.h5"), &file, &why) == STATUS_FILE);
+    CHECK(is_sentence(&why, "absent.h5"));
+    CHECK(store_read_open(folder, &file, &why) == STATUS_INPUT);
+    CHECK(!file);
+    unlink(in_folder("text.h5"));
+}
+
+/* The same bad targets for the three writers. */
+static void refused(const struct fixture *f, const char *path, const char *part)
+{
+    static int row[1] = {0};
+    static double value[1] = {1};
+    struct matrix m = {1, 1, row, row, value};
+    struct output *out = NULL;
+    struct message why = {""};
+
+    CHECK(write_run(f, path, &why) == STATUS_FILE);
+    CHECK(is_sentence(&why, part));
+    why.text[0] = '\0';
+    CHECK(matrix_market_write(path, &m, NULL, &why) == STATUS_FILE);
+    CHECK(is_sentence(&why, part));
+    why.text[0] = '\0';
+    /* a file's name may be refused at once, a full disk shows only at the end */
+    if (output_create(path, &out, &why) == STATUS_OK) {
+        output_print(out, "1,2,3\n");
+        CHECK(output_close(out, &why) == STATUS_FILE);
+    }
+    CHECK(is_sentence(&why, part));
+}
+
+static void test_bad_targets(const struct fixture *f)
+{
+    int before = files_in(folder);
+
+    refused(f, in_folder("missing/run.h5"), "missing/run.h5");
+    refused(f, folder, folder);
+    refused(f, "", "name");
+    refused(f, in_folder("run.h5/below.h5"), "run.h5/below.h5"); /* a file as folder */
+    refused(f, "/dev/full", "/dev/full");
+    struct stat info;
+    CHECK(stat("/dev/full", &info) == 0 && S_ISCHR(info.st_mode)); /* still a device */
+    CHECK(files_in(folder) == before);
+
+    REQUIRE(mkdir(in_folder("locked"), 0555) == 0);
+    if (geteuid() != 0)
+        refused(f, in_folder("locked/run.h5"), "locked/run.h5");
+    else if (access("/proc/version", F_OK) == 0) /* root writes anywhere but here */
+        refused(f, "/proc/run.h5", "/proc/run.h5");
+    CHECK(files_in(in_folder("locked")) == 0);
+    rmdir(in_folder("locked"));
+}
+
+/* At every size from nothing to nearly enough the disk is full at another call. */
+static void test_full_disk(const struct fixture *f)
+{
+    struct message why = {""};
+    const char *disk = in_folder("disk");
+
+    REQUIRE(mkdir(disk, 0755) == 0);
+    int full = 0, fits = 0;
+    for (int kilobytes = 8; kilobytes <= 4096; kilobytes += 4 + kilobytes / 8 / 4 * 4) {
+        char size[32], path[300];
+        snprintf(size, sizeof size, "size=%dk", kilobytes);
+        snprintf(path, sizeof path, "%s/run.h5", disk);
+        if (mount("none", disk, "tmpfs", 0, size) != 0) {
+            printf("full disk: not tested, no right to mount a small one\n");
+            rmdir(disk);
+            return;
+        }
+        why.text[0] = '\0';
+        enum status st = write_run(f, path, &why);
+        if (st == STATUS_OK) {
+            fits++;
+            CHECK(files_in(disk) == 2);
+        } else {
+            full++;
+            CHECK(st == STATUS_FILE && is_sentence(&why, "run."));
+            CHECK(strstr(why.text, "No space left on device"));
+            /* the result may fit and the XDMF not; never a part of one */
+            CHECK(files_in(disk) == 0 || (files_in(disk) == 1 && access(path, F_OK) == 0));
+        }
+        umount(disk);
+    }
+    printf("full disk: %d sizes too small, %d large enough\n", full, fits);
+    CHECK(full >= 4 && fits >= 1);
+    rmdir(disk);
+}
+
+static void test_matrix_market(void)
+{
+    int row[4] = {0, 1, 2, 2}, column[4] = {0, 0, 1, 2};
+    double value[4] = {1.0 / 3, -2e-300, 4.9406564584124654e-324, 1.7976931348623157e308};
+    struct matrix m = {3, 4, row, column, value}, back;
+    struct message why = {""};
+    const char *path = in_folder("K.mtx");
+
+    REQUIRE(matrix_market_write(path, &m, "stiffness\nrow = 3 node + component", &why) ==
+            STATUS_OK);
+    REQUIRE(matrix_market_read(path, &back, &why) == STATUS_OK);
+    CHECK(back.rows == 3 && back.entries == 4);
+    for (int n = 0; n < 4; n++)
+        CHECK(back.row[n] == row[n] && back.column[n] == column[n] &&
+              back.value[n] == value[n]);
+    matrix_clear(&back);
+
+    char text[256] = "";
+    FILE *file = fopen(path, "r");
+    REQUIRE(file && fread(text, 1, sizeof text - 1, file) > 0);
+    fclose(file);
+    CHECK(!strncmp(text,
+                   "%%MatrixMarket matrix coordinate real symmetric\n% stiffness\n"
+                   "% row = 3 node + component\n3 3 4\n1 1 0.33333333333333331\n",
+                   strlen("%%MatrixMarket matrix coordinate real symmetric\n% stiffness\n"
+                          "% row = 3 node + component\n3 3 4\n1 1 0.33333333333333331\n")));
+
+    static const char *const bad[] = {
+        "3 3 1\n1 1 1\n",
+        "%%MatrixMarket matrix coordinate real symmetric\n3 2 1\n1 1 1\n",
+        "%%MatrixMarket matrix coordinate real symmetric\n3 3 2\n1 1 1\n",
+        "%%MatrixMarket matrix coordinate real symmetric\n3 3 1\n1 2 1\n",
+        "%%MatrixMarket matrix coordinate real symmetric\n3 3 1\n4 1 1\n",
+        "%%MatrixMarket matrix coordinate real symmetric\n3 3 1\n1 1 x\n",
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        file = fopen(path, "w");
+        REQUIRE(file && fputs(bad[i], file) >= 0 && fclose(file) == 0);
+        CHECK(matrix_market_read(path, &back, &why) == STATUS_INPUT);
+        CHECK(is_sentence(&why, "K.mtx:") && !back.value);
+    }
+    unlink(path);
+}
+
+/* A child ended by a signal in the middle of a file takes the file with it; a file of the
+ * parent's stays. */
+static void test_signal(int number)
+{
+    struct aside mine = {0};
+    struct message why;
+    int before = files_in(folder), outcome = 0;
+
+    REQUIRE(aside_open(in_folder("parent.txt"), &mine, &why) == STATUS_OK);
+    fflush(stdout);
+    pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        struct output *out = NULL;
+        aside_catch_signals();
+        if (output_create(in_folder("child.txt"), &out, &why) != STATUS_OK ||
+            files_in(folder) != before + 2)
+            _exit(1);
+        output_print(out, "half");
+        raise(number);
+        _exit(2);
+    }
+    REQUIRE(waitpid(child, &outcome, 0) == child);
+    CHECK(WIFSIGNALED(outcome) && WTERMSIG(outcome) == number);
+    CHECK(files_in(folder) == before + 1);
+    aside_discard(&mine);
+    CHECK(files_in(folder) == before);
+}
+
+/* A symbolic link stays one, and what it points to is replaced. */
+static void test_link(void)
+{
+    struct output *out = NULL;
+    struct message why;
+    struct stat info;
+
+    FILE *file = fopen(in_folder("real.txt"), "w");
+    REQUIRE(file && fclose(file) == 0);
+    REQUIRE(symlink("real.txt", in_folder("link.txt")) == 0);
+    REQUIRE(output_create(in_folder("link.txt"), &out, &why) == STATUS_OK);
+    output_print(out, "%d\n", 12345);
+    CHECK(output_close(out, &why) == STATUS_OK);
+    CHECK(lstat(in_folder("link.txt"), &info) == 0 && S_ISLNK(info.st_mode));
+    CHECK(stat(in_folder("real.txt"), &info) == 0 && info.st_size == 6);
+    unlink(in_folder("link.txt"));
+    unlink(in_folder("real.txt"));
+}
+
+static void test_provenance(const struct provenance *p)
+{
+    static const char *const keys[] = {
+        "program", "commit", "changed_files", "compiler",     "flags",
+        "cholmod", "hdf5",   "blas",          "cpu",          "blas_kernel",
+        "cores",   "system", "omp_threads",   "blas_threads", "date"};
+    int year = 0, month = 0, day = 0;
+
+    for (int i = 0; i < p->count; i++)
+        printf("  %s: %s\n", p->entry[i].key, p->entry[i].value);
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        const char *value = provenance_value(p, keys[i]);
+        CHECK(value && *value && !strchr(value, '\n'));
+    }
+    CHECK(sscanf(provenance_value(p, "date"), "%4d-%2d-%2dT", &year, &month, &day) == 3);
+    CHECK(year >= 2024 && month >= 1 && month <= 12 && day >= 1 && day <= 31);
+    CHECK(!provenance_value(p, "none"));
+    const char *commit = provenance_value(p, "commit");
+    CHECK(!strcmp(commit, "unknown") || strspn(commit, "0123456789abcdef") >= 40);
+}
+
+int main(void)
+{
+    struct fixture f;
+
+    REQUIRE(mkdtemp(folder));
+    fixture_init(&f);
+    test_provenance(&f.provenance);
+    test_round_trip(&f);
+    test_single(&f);
+    test_xdmf();
+    test_reading_what_is_none();
+    test_bad_targets(&f);
+    test_full_disk(&f);
+    test_matrix_market();
+    test_signal(SIGINT);
+    test_signal(SIGTERM);
+    test_link();
+    CHECK(files_in(folder) == 2);
+    unlink(in_folder("run.h5"));
+    unlink(in_folder("run.xdmf"));
+    CHECK(rmdir(folder) == 0);
+    fixture_clear(&f);
+    return check_result();
+}

@@ -7,6 +7,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* One name a value of enum table_format, in its order. */
+static const char *const format_names[] = {"text", "csv", "markdown", "latex"};
+
+enum status table_format_parse(const char *word, enum table_format *format,
+                               struct message *why)
+{
+    for (int n = 0; n < 4; n++)
+        if (!strcmp(word, format_names[n])) {
+            *format = (enum table_format)n;
+            return STATUS_OK;
+        }
+    return status_fail(why, STATUS_INPUT,
+                       "--format %s: a format is text, csv, markdown or latex", word);
+}
+
 struct table *table_create(int column_count, const struct table_column *columns,
                            const char *caption)
 {

@@ -6,21 +6,6 @@
 
 enum { TEXT_WIDTH = 96 };
 
-/* One name a value of enum table_format, in its order. */
-static const char *const format_names[] = {"text", "csv", "markdown", "latex"};
-
-enum status table_format_parse(const char *word, enum table_format *format,
-                               struct message *why)
-{
-    for (int n = 0; n < 4; n++)
-        if (!strcmp(word, format_names[n])) {
-            *format = (enum table_format)n;
-            return STATUS_OK;
-        }
-    return status_fail(why, STATUS_INPUT,
-                       "--format %s: a format is text, csv, markdown or latex", word);
-}
-
 static const struct table_cell *cell_at(const struct table *t, int row, int column)
 {
     return &t->cells[(long)row * t->column_count + column];

@@ -66,8 +66,6 @@ enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *coun
                     "(discretization.unknowns=thickness is made for that)");
     for (size_t t = 0; t < count; t++)
         m->x[t] = m->space->rest[t] + n->d[t];
-    if (m->kinematics != KINEMATICS_LINEAR) /* there d is the last step's increment */
-        memset(n->d, 0, count * sizeof *n->d);
 out:
     return st;
 }

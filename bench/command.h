@@ -1,0 +1,76 @@
+/* command.h - what a command of the program is, and how its options are read.
+ *
+ * A command is one `const struct command`, named in bench/commands.c and nowhere else. Its
+ * table of options reads the command line, refuses what is wrong and makes the help, so that
+ * the three cannot differ. A command gives back a status and a sentence; bench/main.c prints
+ * it and exits.
+ */
+#ifndef COMMAND_H
+#define COMMAND_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "models/status.h"
+
+struct command_option {
+    const char *name;  /* "--model"; NULL ends a table                                 */
+    const char *value; /* what follows it, for people: "NAME"; NULL: a switch          */
+    bool repeats;      /* may be given more than once                                  */
+    const char *help;  /* one sentence; \n where a line should end                     */
+};
+
+/* Something with a name that `clothbench list` shows. */
+struct command_item {
+    const char *name, *text;
+};
+
+struct command_line; /* the words and options given */
+
+struct command {
+    const char *name;
+    const char *summary;   /* one line, for the list of commands                       */
+    const char *arguments; /* "SCENE [OPTION]...", for the usage line                  */
+    const char *text;      /* what it does; lines end in \n                            */
+    const char *examples;  /* lines, without the program's name in front               */
+    int least, most;       /* words it takes                                           */
+    const struct command_option *options; /* NULL: none                                */
+    const char *section;                  /* of `list` for its items; NULL: none       */
+    const struct command_item *items;     /* ends with a NULL name                     */
+
+    /* STATUS_INPUT: bad usage. Sentences go to *why, tables and data to standard output,
+     * the rest for people to standard error. */
+    enum status (*run)(const struct command_line *line, struct message *why);
+};
+
+struct command_line {
+    const struct command *command; /*                                         borrowed */
+    int word_count;
+    const char **words;            /* [word_count]; strings borrowed from argv   owned */
+    int *counts;                   /* [options] times given                      owned */
+    const char ***values;          /* [options][count]; NULL strings of switches owned */
+};
+
+/* Reads argv[argc], the arguments after the command's name: --name value, --name=value,
+ * switches, words; all is words after `--`. Refuses unknown options, missing or unwanted
+ * values, options given twice that may not repeat, too few or too many words: STATUS_INPUT
+ * with a sentence. *line is overwritten; free with command_line_clear. */
+enum status command_parse(const struct command *command, int argc, char **argv,
+                          struct command_line *line, struct message *why);
+void command_line_clear(struct command_line *line); /* all-zero is allowed */
+
+/* What was given for an option of the table: whether at all; its last value or NULL; all of
+ * its values, borrowed, and their count. */
+bool command_given(const struct command_line *line, const char *option);
+const char *command_value(const struct command_line *line, const char *option);
+const char *const *command_values(const struct command_line *line, const char *option,
+                                  int *count);
+
+/* A whole number from low to high; *number is as it was if the option was not given. */
+enum status command_integer(const struct command_line *line, const char *option, long low,
+                            long high, long *number, struct message *why);
+
+/* Usage, what it does, options, examples. */
+void command_help(const struct command *command, FILE *file);
+
+#endif

@@ -1,0 +1,34 @@
+#include "bench/commands.h"
+
+#include <string.h>
+
+#include "bench/list.h"
+#include "bench/run.h"
+
+const struct command *const commands[] = {
+    &list_command,
+    &run_command,
+    NULL,
+};
+
+static const char *const planned[] = {"table",  "bench",  "compare", "study",
+                                      "sweep",  "verify", "stress",  "score",
+                                      "advise", "report", NULL};
+
+enum status commands_find(const char *name, const struct command **command,
+                          struct message *why)
+{
+    for (int n = 0; commands[n]; n++)
+        if (!strcmp(commands[n]->name, name)) {
+            *command = commands[n];
+            return STATUS_OK;
+        }
+    for (int n = 0; planned[n]; n++)
+        if (!strcmp(planned[n], name))
+            return status_fail(why, STATUS_INPUT,
+                               "the command '%s' is planned but not built yet; "
+                               "clothbench help lists those that are",
+                               name);
+    return status_fail(why, STATUS_INPUT,
+                       "there is no command '%s'; clothbench help lists them", name);
+}

@@ -1,0 +1,14 @@
+/* commands.h - the only list of the program's commands. */
+#ifndef COMMANDS_H
+#define COMMANDS_H
+
+#include "bench/command.h"
+
+/* In the order of the help; ends with NULL. */
+extern const struct command *const commands[];
+
+/* STATUS_INPUT with a sentence: no such command, or one that is planned but not built. */
+enum status commands_find(const char *name, const struct command **command,
+                          struct message *why);
+
+#endif

@@ -1,0 +1,115 @@
+/* main.c - finds the command, prints what went wrong and exits; nobody else does. */
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/aside.h"
+#include "bench/commands.h"
+#include "bench/output.h"
+#include "bench/provenance.h"
+#include "models/linalg/blas_kernel.h"
+
+/* EXIT_USAGE: bad input, too. */
+enum { EXIT_DONE = 0, EXIT_DIED = 1, EXIT_USAGE = 2 };
+
+static int exit_code(enum status st)
+{
+    switch (st) {
+    case STATUS_OK:
+        return EXIT_DONE;
+    case STATUS_INPUT:
+    case STATUS_UNSUPPORTED:
+        return EXIT_USAGE;
+    default:
+        return EXIT_DIED;
+    }
+}
+
+static void print_help(FILE *file)
+{
+    fputs("usage: clothbench COMMAND [ARGUMENT]...\n\n"
+          "Verifies and times cloth models against each other and against a truth.\n\n"
+          "Commands:\n",
+          file);
+    for (int n = 0; commands[n]; n++)
+        fprintf(file, "  %-8s%s\n", commands[n]->name, commands[n]->summary);
+    fputs("  help    this text; help COMMAND: options and examples of a command\n"
+          "  version\n"
+          "\nExamples:\n"
+          "  clothbench list scenes\n"
+          "  clothbench run edge_drop\n"
+          "  clothbench run cantilever --static\n"
+          "  clothbench help run\n"
+          "\nExit: 0 done; 1 a run died or a check failed; 2 bad input or usage.\n",
+          file);
+}
+
+static enum status print_version(void)
+{
+    static struct provenance p;
+
+    provenance_collect(&p);
+    for (int n = 0; n < p.count; n++)
+        printf("%-16s%s\n", p.entry[n].key, p.entry[n].value);
+    return STATUS_OK;
+}
+
+static bool asks_for_help(int argc, char **argv)
+{
+    for (int n = 0; n < argc && strcmp(argv[n], "--"); n++)
+        if (!strcmp(argv[n], "--help") || !strcmp(argv[n], "-h"))
+            return true;
+    return false;
+}
+
+/* The program's words after its name. */
+static enum status run(int argc, char **argv, struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct command *command = NULL;
+    struct command_line line = {0};
+    bool help;
+
+    if (!argc)
+        return status_fail(why, STATUS_INPUT, "which command? clothbench help lists them");
+    if (!strcmp(argv[0], "version") || !strcmp(argv[0], "--version"))
+        return print_version();
+    help = !strcmp(argv[0], "help");
+    if ((help && argc == 1) || asks_for_help(1, argv)) {
+        print_help(stdout);
+        return STATUS_OK;
+    }
+    TRY(commands_find(argv[help], &command, why));
+    if (help || asks_for_help(argc - 1, argv + 1)) {
+        command_help(command, stdout);
+        return STATUS_OK;
+    }
+    TRY(command_parse(command, argc - 1, argv + 1, &line, why));
+    TRY(command->run(&line, why));
+out:
+    command_line_clear(&line);
+    return st;
+}
+
+int main(int argc, char **argv)
+{
+    struct message why = {{0}}, lost = {{0}};
+
+    blas_kernel_choose(argv);
+    blas_kernel_set_threads(1);
+    if (!getenv("OMP_NUM_THREADS"))
+        omp_set_num_threads(1); /* seconds are those of one thread unless told otherwise */
+    output_keep_after_closed_pipe();
+    aside_catch_signals();
+
+    enum status st = run(argc - 1, argv + 1, &why);
+    enum status written = output_close_standard(&lost);
+    if (written != STATUS_OK && (st == STATUS_OK || !*why.text)) {
+        st = written;
+        why = lost;
+    }
+    if (st != STATUS_OK)
+        fprintf(stderr, "clothbench: %s\n", *why.text ? why.text : status_text(st));
+    return exit_code(st);
+}

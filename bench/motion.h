@@ -1,0 +1,44 @@
+/* motion.h - one model through one scene: the frames, their seconds, and how it ends.
+ *
+ * Seconds are those of advance() alone; whoever watches the frames samples outside of them.
+ */
+#ifndef MOTION_H
+#define MOTION_H
+
+#include <stdbool.h>
+
+#include "models/model.h"
+
+struct motion {
+    const struct model *model; /*                                             borrowed */
+    const struct scene *scene; /*                                             borrowed */
+    void *state;               /* of the model                                borrowed */
+    int frame_count;           /* that the scene asks for                              */
+    int frames;                /* that were lived through                              */
+    double time;               /* of the last of them                              [s] */
+    double *seconds;           /* [frame_count] of each step; a fatal one has its, too */
+    int steps;                 /* numbers in `seconds`                                 */
+    struct counters counters;
+    enum status death; /* STATUS_OK: it lives                                          */
+    double death_time; /* of the frame that could not be had                       [s] */
+};
+
+/* Called at t = 0 and after every frame lived through. Anything but STATUS_OK ends the run. */
+typedef enum status motion_watcher(void *context, const struct motion *m,
+                                   struct message *why);
+
+/* State at the scene's start. *m is overwritten; free with motion_clear. */
+enum status motion_init(struct motion *m, const struct model *model,
+                        const struct scene *scene, void *state);
+void motion_clear(struct motion *m);
+
+/* All frames, up to scene->end or a death, which is a result: STATUS_OK and m->death.
+ * After each frame some points are looked at, and, if one is far away, the whole grid
+ * (metric_blowup). `watch` may be NULL. */
+enum status motion_run(struct motion *m, motion_watcher *watch, void *context, bool quiet,
+                       struct message *why);
+
+/* The sentence of its death, with the time. */
+enum status motion_tell_death(const struct motion *m, struct message *why);
+
+#endif

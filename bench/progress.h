@@ -1,0 +1,24 @@
+/* progress.h - how far a long job is, with the time it still takes: one line on standard
+ * error that is rewritten in place. Nothing at all where standard error is no terminal. */
+#ifndef PROGRESS_H
+#define PROGRESS_H
+
+#include <stdbool.h>
+
+struct progress {
+    const char *label; /* borrowed                                                     */
+    long total;
+    double start, shown; /* [s]                                                        */
+    bool on, drawn;
+};
+
+/* `quiet`: nothing on terminals either. */
+struct progress progress_start(const char *label, long total, bool quiet);
+
+/* `done` of total; draws at most ten times a second. */
+void progress_update(struct progress *p, long done);
+
+/* Wipes the line. */
+void progress_end(struct progress *p);
+
+#endif

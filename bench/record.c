@@ -1,0 +1,111 @@
+#include "bench/record.h"
+
+#include <stdlib.h>
+
+#include "models/clock.h"
+#include "models/grid.h"
+#include "models/metric.h"
+
+static const struct {
+    const char *name, *unit;
+    double (*value)(const struct scene *scene, const double *xyz);
+} metrics[] = {
+    {"drop", "1", metric_drop},
+    {"angle", "degrees", metric_angle},
+    {"stretch", "1", metric_stretch},
+    {"roughness", "1", metric_roughness},
+    {"penetration", "m", metric_penetration},
+};
+enum { METRICS = sizeof metrics / sizeof *metrics };
+
+struct record {
+    const struct scene *scene;
+    const struct model *model;
+    struct store *store;    /* NULL once closed                             owned      */
+    int room, frames;       /* kept                                                    */
+    double *xyz;            /* [GRID_POINTS][3] work                        owned      */
+    double *value[METRICS]; /* [room]                                       owned      */
+    double *sample_seconds; /* [room]                                       owned      */
+};
+
+void record_discard(struct record *r)
+{
+    if (!r)
+        return;
+    store_discard(r->store);
+    for (int n = 0; n < METRICS; n++)
+        free(r->value[n]);
+    free(r->sample_seconds);
+    free(r->xyz);
+    free(r);
+}
+
+enum status record_create(const char *path, const struct store_run *run, int frame_count,
+                          struct record **record, struct message *why)
+{
+    enum status st = STATUS_OK;
+    size_t size = (size_t)(frame_count + 1) * sizeof(double);
+    struct record *r = calloc(1, sizeof *r);
+
+    if (!r)
+        return STATUS_MEMORY;
+    r->scene = run->scene;
+    r->model = run->model;
+    r->room = frame_count + 1;
+    r->xyz = malloc(GRID_POINTS * 3 * sizeof *r->xyz);
+    r->sample_seconds = malloc(size);
+    if (!r->xyz || !r->sample_seconds)
+        TRY(STATUS_MEMORY);
+    for (int n = 0; n < METRICS; n++)
+        if (!(r->value[n] = malloc(size)))
+            TRY(STATUS_MEMORY);
+    TRY(store_create(path, run, &r->store, why));
+    *record = r, r = NULL;
+out:
+    record_discard(r);
+    return st;
+}
+
+enum status record_frame(struct record *r, const void *state, double t,
+                         const struct counters *counters, struct message *why)
+{
+    struct energy energy;
+    double start = clock_now();
+
+    if (r->frames == r->room)
+        return STATUS_OK; /* cannot be: frame_count is the motion's */
+    r->model->sample(state, r->xyz);
+    r->sample_seconds[r->frames] = clock_now() - start;
+    for (int n = 0; n < METRICS; n++)
+        r->value[n][r->frames] = metrics[n].value(r->scene, r->xyz);
+    if (r->model->energy)
+        r->model->energy(state, &energy);
+    r->frames++;
+    return store_frame(r->store, t, r->xyz, r->model->energy ? &energy : NULL, counters,
+                       why);
+}
+
+enum status record_close(struct record *r, const void *state, double create_seconds,
+                         const struct motion *m, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct model_size size = {0};
+    struct store *store = r->store;
+
+    r->model->size(state, &size);
+    TRY(store_size(store, &size, why));
+    for (int n = 0; n < METRICS; n++)
+        TRY(store_metric(store, metrics[n].name, metrics[n].unit, r->value[n], r->frames,
+                         why));
+    TRY(store_seconds(store, "create", &create_seconds, 1, 0, why));
+    TRY(store_seconds(store, "sample", r->sample_seconds, r->frames, 0, why));
+    if (m && m->steps)
+        TRY(store_seconds(store, "advance", m->seconds, 1, m->steps, why));
+    if (m && m->death)
+        store_death(store, m->death, m->death_time);
+    r->store = NULL; /* closing frees it, whatever comes of it */
+    TRY(store_close(store, why));
+out:
+    record_discard(r);
+    return st;
+}

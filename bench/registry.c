@@ -1,0 +1,50 @@
+#include "bench/registry.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "fem_ref/hex_model.h"
+#include "iga/plate_model.h"
+
+const struct model *const registry[] = {
+    &plate_model,
+    &hex_model,
+    NULL,
+};
+
+static const struct {
+    const char *name, *title;
+} planned[] = {
+    {"shell", "the isogeometric Kirchhoff-Love shell"},
+    {"mass_spring", "mass-spring"},
+    {"projective_dynamics", "projective dynamics"},
+};
+
+void registry_names(char *text, int size)
+{
+    int used = 0;
+
+    *text = '\0';
+    for (int n = 0; registry[n] && used < size; n++)
+        used += snprintf(text + used, (size_t)(size - used), "%s%s", n ? ", " : "",
+                         registry[n]->name);
+}
+
+enum status registry_find(const char *name, const struct model **model, struct message *why)
+{
+    char names[256];
+
+    for (int n = 0; registry[n]; n++)
+        if (!strcmp(registry[n]->name, name)) {
+            *model = registry[n];
+            return STATUS_OK;
+        }
+    registry_names(names, sizeof names);
+    for (size_t n = 0; n < sizeof planned / sizeof *planned; n++)
+        if (!strcmp(planned[n].name, name))
+            return status_fail(why, STATUS_INPUT,
+                               "the model '%s' (%s) is not built yet; models: %s", name,
+                               planned[n].title, names);
+    return status_fail(why, STATUS_INPUT, "there is no model '%s'; models: %s", name,
+                       names);
+}

@@ -1,0 +1,32 @@
+/* timing.h - seconds of several cases, fairly: repeats interleaved (case 1, 2, ..., 1, 2,
+ * ...) against drift of the machine, each on a fresh state, warm-up steps not counted.
+ */
+#ifndef TIMING_H
+#define TIMING_H
+
+#include "models/model.h"
+
+struct timing_case {
+    const struct model *model;
+    const struct scene *scene;              /* borrowed                                */
+    const struct discretization *discretization; /* borrowed                           */
+    double *create;  /* [repeats]           set-up                    [s]      owned   */
+    double *advance; /* [repeats][frames]   one time step each; NaN after a death  owned */
+};
+
+struct timing_plan {
+    int repeats, warmup, frames;
+    /* Called after each run of a case; NULL: not. */
+    void (*progress)(void *context, int done, int total);
+    void *context;
+};
+
+/* Fills create and advance of every case. On failure they are freed and NULL. */
+enum status timing_run(const struct timing_plan *plan, int count, struct timing_case *cases,
+                       struct message *why);
+void timing_clear(struct timing_case *c);
+
+/* Keeps this thread on the processor it runs on; returns its number, -1 if that is refused. */
+int timing_pin(void);
+
+#endif

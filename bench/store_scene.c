@@ -26,8 +26,8 @@ static int find_settings(char *text, const char **settings, int most)
     return count;
 }
 
-enum status store_scene(const struct store_read *file, const char *path, struct scene *scene,
-                        struct message *why)
+enum status store_scene(const struct store_read *file, const char *path,
+                        struct scene *scene, struct message *why)
 {
     enum { MOST = 256 };
     const char *settings[MOST];

@@ -34,8 +34,8 @@ void table1_path(const char *folder, enum table1_part part, int variant, char *p
 {
     struct table1_variant v = table1_variant(variant);
 
-    snprintf(path, (size_t)size, "%s/%s_%s_%d%s.h5", folder, table1_part_name[part], v.model,
-             v.side, v.incompatible ? "_incompatible" : "");
+    snprintf(path, (size_t)size, "%s/%s_%s_%d%s.h5", folder, table1_part_name[part],
+             v.model, v.side, v.incompatible ? "_incompatible" : "");
 }
 
 /* edge_drop as the part needs it. The velocity scaling of the paper belongs to its own
@@ -84,8 +84,8 @@ struct run {
 };
 
 /* One state on its way: what is stored of it. */
-static enum status keep(struct run *r, void *state, double t, const struct counters *counters,
-                        double *xyz, struct message *why)
+static enum status keep(struct run *r, void *state, double t,
+                        const struct counters *counters, double *xyz, struct message *why)
 {
     struct energy energy;
 
@@ -140,7 +140,8 @@ static void report(void *context, int done, int total)
 }
 
 static enum status time_part(const struct table1_options *options, enum table1_part part,
-                             const struct scene *scene, struct run *runs, struct message *why)
+                             const struct scene *scene, struct run *runs,
+                             struct message *why)
 {
     struct timing_case cases[TABLE1_VARIANTS];
     struct reporter reporter = {options, part};
@@ -208,7 +209,7 @@ static enum status make_folder(const char *folder, struct message *why)
     char path[4096];
 
     snprintf(path, sizeof path, "%s", folder);
-    for (char *end = path; end; ) {
+    for (char *end = path; end;) {
         end = strchr(end + 1, '/');
         if (end)
             *end = '\0';

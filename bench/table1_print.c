@@ -18,7 +18,7 @@ struct cell {
     double rmse[TABLE1_TIMES]; /* against the baseline, NaN if not reached        [m]  */
     double unknowns;
     struct clock_summary create, step; /* [s]; count = 0 for statics                   */
-    char *outcome;             /* owned                                                */
+    char *outcome; /* owned                                                */
 };
 
 struct table1_data {
@@ -171,7 +171,8 @@ static int first_at(const struct cell *cells, bool incompatible, int time)
 static void note_first(struct table *t, const struct cell *cells, bool incompatible)
 {
     int variant = first_within(cells, incompatible);
-    const char *what = incompatible ? "Hexahedra with incompatible modes" : "Plain hexahedra";
+    const char *what =
+        incompatible ? "Hexahedra with incompatible modes" : "Plain hexahedra";
     char at[128] = "";
 
     for (int n = 0; n < TABLE1_TIMES; n++) {
@@ -184,15 +185,19 @@ static void note_first(struct table *t, const struct cell *cells, bool incompati
             snprintf(at + used, sizeof at - used, "none at %.1f s", table1_time[n]);
     }
     if (variant < 0)
-        table_note(t, "%s: no density here keeps the RMSE within %.2f m at all four times "
-                   "(first density that does: %s).", what, PAPER_TABLE1_RMSE, at);
+        table_note(t,
+                   "%s: no density here keeps the RMSE within %.2f m at all four times "
+                   "(first density that does: %s).",
+                   what, PAPER_TABLE1_RMSE, at);
     else
-        table_note(t, "%s: %dx%dx2 is the first to keep the RMSE within %.2f m at all four "
-                   "times (first density that does: %s), at %.3g times the cost of IGA; the "
-                   "paper has 32x32x2 and %.0f.", what, table1_variant(variant).side,
-                   table1_variant(variant).side, PAPER_TABLE1_RMSE, at,
-                   cells[variant].step.median / cells[0].step.median,
-                   paper_table1[1].seconds / paper_table1[0].seconds);
+        table_note(
+            t,
+            "%s: %dx%dx2 is the first to keep the RMSE within %.2f m at all four "
+            "times (first density that does: %s), at %.3g times the cost of IGA; the "
+            "paper has 32x32x2 and %.0f.",
+            what, table1_variant(variant).side, table1_variant(variant).side,
+            PAPER_TABLE1_RMSE, at, cells[variant].step.median / cells[0].step.median,
+            paper_table1[1].seconds / paper_table1[0].seconds);
 }
 
 /* Refinement towards the truth leads away from a baseline that misses it. */
@@ -203,9 +208,11 @@ static void note_away(struct table *t, const struct cell *cells)
     double from = coarse->rmse[TABLE1_TIMES - 1], to = fine->rmse[TABLE1_TIMES - 1];
 
     if (to > from)
-        table_note(t, "Refining the hexahedra with incompatible modes leads away from the "
+        table_note(t,
+                   "Refining the hexahedra with incompatible modes leads away from the "
                    "baseline (%.3f to %.3f m at %.1f s): what they converge to is not the "
-                   "IGA result.", from, to, table1_time[TABLE1_TIMES - 1]);
+                   "IGA result.",
+                   from, to, table1_time[TABLE1_TIMES - 1]);
 }
 
 static void paper_rows(struct table *t)
@@ -241,15 +248,25 @@ static void shell_row(struct table *t)
 static enum status print_part(const struct table1_data *d, enum table1_part part,
                               enum table_format format, FILE *file)
 {
-    static const struct table_column columns[] = {
-        {"model", NULL, TABLE_LEFT}, {"net", NULL, TABLE_LEFT}, {"unknowns", NULL, 0},
-        {"set-up", "ms", 0},         {"median", "ms", 0},         {"min", "ms", 0},          {"quartiles", "ms", 0},
-        {"cost/IGA", NULL, 0},       {"RMSE 0.1 s", "m", 0},    {"0.2 s", "m", 0},
-        {"0.3 s", "m", 0},           {"0.4 s", "m", 0},         {"<= 0.04", NULL, TABLE_LEFT}};
-    static const char *const caption[] = {
-        "Table 1, printed kinematics, mu = 0.5: a frame rebuilt each step, RMSE against IGA",
-        "Table 1, incremental kinematics, undamped: a frame rebuilt each step, RMSE against IGA",
-        "Table 1, linear kinematics, undamped: a step with one factorisation, RMSE against IGA"};
+    static const struct table_column columns[] = {{"model", NULL, TABLE_LEFT},
+                                                  {"net", NULL, TABLE_LEFT},
+                                                  {"unknowns", NULL, 0},
+                                                  {"set-up", "ms", 0},
+                                                  {"median", "ms", 0},
+                                                  {"min", "ms", 0},
+                                                  {"quartiles", "ms", 0},
+                                                  {"cost/IGA", NULL, 0},
+                                                  {"RMSE 0.1 s", "m", 0},
+                                                  {"0.2 s", "m", 0},
+                                                  {"0.3 s", "m", 0},
+                                                  {"0.4 s", "m", 0},
+                                                  {"<= 0.04", NULL, TABLE_LEFT}};
+    static const char *const caption[] = {"Table 1, printed kinematics, mu = 0.5: a frame "
+                                          "rebuilt each step, RMSE against IGA",
+                                          "Table 1, incremental kinematics, undamped: a "
+                                          "frame rebuilt each step, RMSE against IGA",
+                                          "Table 1, linear kinematics, undamped: a step "
+                                          "with one factorisation, RMSE against IGA"};
     const struct cell *cells = d->cell[part];
     struct table *t =
         table_create(sizeof columns / sizeof *columns, columns, caption[part]);
@@ -282,17 +299,23 @@ static enum status print_part(const struct table1_data *d, enum table1_part part
 static enum status print_truth(const struct table1_data *d, enum table_format format,
                                FILE *file)
 {
-    static const struct table_column columns[] = {
-        {"model", NULL, TABLE_LEFT}, {"net", NULL, TABLE_LEFT}, {"unknowns", NULL, 0},
-        {"static tip", "Kirchhoff", 0}, {"static RMSE", "%", 0}, {"RMSE 0.1 s", "%", 0},
-        {"0.2 s", "%", 0},           {"0.3 s", "%", 0},         {"0.4 s", "%", 0}};
+    static const struct table_column columns[] = {{"model", NULL, TABLE_LEFT},
+                                                  {"net", NULL, TABLE_LEFT},
+                                                  {"unknowns", NULL, 0},
+                                                  {"static tip", "Kirchhoff", 0},
+                                                  {"static RMSE", "%", 0},
+                                                  {"RMSE 0.1 s", "%", 0},
+                                                  {"0.2 s", "%", 0},
+                                                  {"0.3 s", "%", 0},
+                                                  {"0.4 s", "%", 0}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "The same spaces against truth, linear kinematics: "
                                    "Kirchhoff plate, static and in motion");
     enum status st;
 
     for (int n = 0; n < TABLE1_VARIANTS; n++) {
-        const struct cell *rest = &d->cell[TABLE1_STATIC][n], *move = &d->cell[TABLE1_LINEAR][n];
+        const struct cell *rest = &d->cell[TABLE1_STATIC][n],
+                          *move = &d->cell[TABLE1_LINEAR][n];
         if (n == 1 || n == 1 + TABLE1_DENSITIES)
             table_rule(t);
         table_row(t);
@@ -301,11 +324,13 @@ static enum status print_truth(const struct table1_data *d, enum table_format fo
         table_number(t, 100 * table1_truth_error(&d->truth, TABLE1_TIMES, rest->xyz[0]), 3);
         for (int time = 0; time < TABLE1_TIMES; time++)
             if (time < move->frames)
-                table_number(t, 100 * table1_truth_error(&d->truth, time, move->xyz[time]), 3);
+                table_number(t, 100 * table1_truth_error(&d->truth, time, move->xyz[time]),
+                             3);
             else
                 table_dash(t);
     }
-    table_note(t, "RMSE over the material grid, in per cent of the rms displacement of the "
+    table_note(t,
+               "RMSE over the material grid, in per cent of the rms displacement of the "
                "truth. Error bar of the truth: %.0e in motion, %.0e static; Kirchhoff's "
                "theory itself leaves out shear, of order (h/L)^2 = %.0e.",
                KIRCHHOFF_TRANSIENT_ERROR, KIRCHHOFF_ERROR,
@@ -372,38 +397,44 @@ static void summary(const struct table1_data *d, FILE *file)
     double growth = log(paper_ratio) / log(32 * 32 / 100.0);
 
     fprintf(file, "What was reproduced, and what not\n\n");
-    fprintf(file, "- The criterion. The paper refines hexahedra until their RMSE against IGA "
-                  "10x10x2 is at most %.2f,\n  and ends at 32x32x2. Here, with its printed "
-                  "scheme, ", PAPER_TABLE1_RMSE);
+    fprintf(file,
+            "- The criterion. The paper refines hexahedra until their RMSE against IGA "
+            "10x10x2 is at most %.2f,\n  and ends at 32x32x2. Here, with its printed "
+            "scheme, ",
+            PAPER_TABLE1_RMSE);
     if (first < 0)
-        fprintf(file, "no density up to %d meets that at all four times: at 32x32x2\n  the "
-                      "RMSE is %.3f, %.3f, %.3f, %.3f m at 0.1 ... 0.4 s. ",
+        fprintf(file,
+                "no density up to %d meets that at all four times: at 32x32x2\n  the "
+                "RMSE is %.3f, %.3f, %.3f, %.3f m at 0.1 ... 0.4 s. ",
                 table1_density[TABLE1_DENSITIES - 1], printed[4].rmse[0],
                 printed[4].rmse[1], printed[4].rmse[2], printed[4].rmse[3]);
     else
         fprintf(file, "%dx%dx2 is the first to meet it at all four times.\n  ",
                 table1_variant(first).side, table1_variant(first).side);
     fprintf(file, "The paper does not say after how many\n  steps it compares.\n");
-    fprintf(file, "- The ratio. A rebuilt frame of hex 32x32x2 costs %.1f times one of IGA "
-                  "10x10x2 here, %.0f times in the\n  paper. 10.24 times the nodes at a "
-                  "ratio of %.0f is a cost growing as nodes^%.1f; a banded or nested-\n  "
-                  "dissection factorisation of a sheet grows as nodes^1.5 to nodes^2. The "
-                  "paper's absolute times\n  (91 ms and 16048 ms a frame) are %.0f and %.0f "
-                  "times ours, on another machine.\n",
+    fprintf(file,
+            "- The ratio. A rebuilt frame of hex 32x32x2 costs %.1f times one of IGA "
+            "10x10x2 here, %.0f times in the\n  paper. 10.24 times the nodes at a "
+            "ratio of %.0f is a cost growing as nodes^%.1f; a banded or nested-\n  "
+            "dissection factorisation of a sheet grows as nodes^1.5 to nodes^2. The "
+            "paper's absolute times\n  (91 ms and 16048 ms a frame) are %.0f and %.0f "
+            "times ours, on another machine.\n",
             printed[4].step.median / printed[0].step.median, paper_ratio, paper_ratio,
             growth, paper_table1[0].seconds / printed[0].step.median,
             paper_table1[1].seconds / printed[4].step.median);
     worth(d, file);
-    fprintf(file, "- Range. Gamma = rho g h L^3 / D is %.0f: small-strain linear theory (the "
-                  "linear table and its truth) is a test\n  of the spaces, not of the "
-                  "motion; it is 10 %% off from Gamma = 2.9 on.\n", d->truth.gamma);
+    fprintf(file,
+            "- Range. Gamma = rho g h L^3 / D is %.0f: small-strain linear theory (the "
+            "linear table and its truth) is a test\n  of the spaces, not of the "
+            "motion; it is 10 %% off from Gamma = 2.9 on.\n",
+            d->truth.gamma);
 }
 
 static void machine(const char *folder, FILE *file)
 {
-    static const char *const keys[] = {"commit", "changed_files", "compiler", "flags", "cpu",
-                                       "blas_kernel", "cholmod", "omp_threads",
-                                       "blas_threads", "date"};
+    static const char *const keys[] = {
+        "commit",      "changed_files", "compiler",    "flags",        "cpu",
+        "blas_kernel", "cholmod",       "omp_threads", "blas_threads", "date"};
     struct store_read *run = NULL;
     char path[4096];
 

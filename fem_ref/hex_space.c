@@ -113,9 +113,9 @@ enum status hex_space_init(struct solid_space *space, struct hex_tables *tables,
         new.mode_gradient = &tables->mode[0][0][0];
         new.centre_gradient = &tables->centre[0][0];
     }
-    new.ien = malloc((size_t)new.elements * HEX_LOCAL * sizeof *new.ien);
-    new.uvw = malloc((size_t)new.nodes * sizeof *new.uvw);
-    new.rest = malloc((size_t)new.nodes * 3 * sizeof *new.rest);
+    new.ien = malloc((size_t) new.elements *HEX_LOCAL * sizeof *new.ien);
+    new.uvw = malloc((size_t) new.nodes * sizeof *new.uvw);
+    new.rest = malloc((size_t) new.nodes * 3 * sizeof *new.rest);
     if (!new.ien || !new.uvw || !new.rest)
         goto out;
     TRY(solid_space_set_slabs(&new, per_column, 1));

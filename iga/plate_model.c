@@ -38,8 +38,8 @@ static enum status make_basis(const struct discretization *d, int i, struct bspl
     if (d->knot_count[i] != d->points[i] + d->degree[i] + 1)
         return status_fail(why, STATUS_INPUT,
                            "knots_%c: %d knots given, but %d points of degree %d need %d",
-                           "uvw"[i], d->knot_count[i], d->points[i], d->degree[i],
-                           d->points[i] + d->degree[i] + 1);
+                           "uvw"[i], d -> knot_count[i], d -> points[i], d -> degree[i],
+                           d -> points[i] + d -> degree[i] + 1);
     return bspline_init(b, d->degree[i], d->knot_count[i], d->knots[i], why);
 }
 
@@ -186,9 +186,9 @@ static enum status create(const struct scene *scene, const struct discretization
     if (!p)
         TRY(STATUS_MEMORY);
     TRY(make_patch(scene, d, &p->patch, why));
-    TRY(solid_model_basis(scene, d, p->patch.basis[2].n == p->patch.basis[2].p + 1 &&
-                                        !p->patch.weight,
-                          &thickness, why));
+    TRY(solid_model_basis(
+        scene, d, p->patch.basis[2].n == p->patch.basis[2].p + 1 && !p->patch.weight,
+        &thickness, why));
     TRY(plate_space_init(&p->space, &p->tables, &p->patch, d->gauss, thickness));
     if (thickness) {
         degree = thickness_degrees(&p->space, p->patch.basis[2].n);
@@ -196,7 +196,8 @@ static enum status create(const struct scene *scene, const struct discretization
             TRY(STATUS_MEMORY);
         p->space.parity = solid_model_parity(scene, p->space.nodes, degree);
     }
-    order = solid_model_order(p->patch.basis[0].n, p->patch.basis[1].n, p->patch.basis[2].n);
+    order =
+        solid_model_order(p->patch.basis[0].n, p->patch.basis[1].n, p->patch.basis[2].n);
     TRY(make_grid(p, scene));
     TRY(solid_motion_init(&p->motion, scene, &p->space, d, order, why));
     *state = p, p = NULL;

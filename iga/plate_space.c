@@ -121,8 +121,8 @@ static enum status make_products(struct plate_tables *t)
 }
 
 /* R_a = w_a N_a / W and its gradient at one Gauss point, in place. */
-static void make_rational(const struct solid_space *space, int element, double *N, double *G,
-                          int row)
+static void make_rational(const struct solid_space *space, int element, double *N,
+                          double *G, int row)
 {
     const struct plate_tables *t = space->tables;
     const int *node = space->ien + (size_t)element * (size_t)space->local;
@@ -164,9 +164,9 @@ static void functions(const struct solid_space *space, int element,
                     G[row + a * count + n] = Nu[a] * vw[count + n];
                     G[2 * row + a * count + n] = Nu[a] * vw[2 * count + n];
                 }
-            *weight++ = u->weight[eu * u->gauss + q] *
-                        (v->weight[ev * v->gauss + s / w->gauss] *
-                         w->weight[ew * w->gauss + s % w->gauss]);
+            *weight++ =
+                u->weight[eu * u->gauss + q] * (v->weight[ev * v->gauss + s / w->gauss] *
+                                                w->weight[ew * w->gauss + s % w->gauss]);
             if (t->point_weight)
                 make_rational(space, element, N, G, row);
             N += row;
@@ -239,16 +239,17 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
     struct solid_space new = {.nodes = patch_nodes(patch), .local = patch_local(patch)};
 
     for (int i = 0; i < 3; i++)
-        TRY(direction_init(&t.direction[i], &patch->basis[i], gauss[i], thickness && i == 2));
+        TRY(direction_init(&t.direction[i], &patch->basis[i], gauss[i],
+                           thickness && i == 2));
     TRY(make_products(&t));
-    new.elements = d[0].spans * d[1].spans * d[2].spans;
-    new.gauss = d[0].gauss * d[1].gauss * d[2].gauss;
+    new.elements = d[0].spans *d[1].spans *d[2].spans;
+    new.gauss = d[0].gauss *d[1].gauss *d[2].gauss;
     new.thickness_basis = thickness;
     new.functions = functions;
     new.tables = tables;
-    new.ien = malloc((size_t)new.elements * (size_t)new.local * sizeof *new.ien);
-    new.uvw = malloc((size_t)new.nodes * sizeof *new.uvw);
-    new.rest = malloc((size_t)new.nodes * 3 * sizeof *new.rest);
+    new.ien = malloc((size_t) new.elements *(size_t) new.local * sizeof *new.ien);
+    new.uvw = malloc((size_t) new.nodes * sizeof *new.uvw);
+    new.rest = malloc((size_t) new.nodes * 3 * sizeof *new.rest);
     if (!new.ien || !new.uvw || !new.rest)
         TRY(STATUS_MEMORY);
     TRY(solid_space_set_slabs(&new, d[1].spans * d[2].spans, patch->basis[0].p));

@@ -35,8 +35,8 @@ static int ascending(const void *a, const void *b)
 }
 
 /* Neighbours b >= a of one node into row; mark[b] == a says b is there already. */
-static int collect_row(int a, int local, const int *ien, const long *first,
-                       const int *list, int *mark, int *row)
+static int collect_row(int a, int local, const int *ien, const long *first, const int *list,
+                       int *mark, int *row)
 {
     int count = 0;
 

@@ -46,7 +46,8 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
                 return status_fail(why, STATUS_UNSUPPORTED,
                                    "support %d holds part of the thickness, but the "
                                    "unknowns are whole columns; use "
-                                   "discretization.unknowns=points", n);
+                                   "discretization.unknowns=points",
+                                   n);
             count++;
             for (int i = 0; i < 3; i++)
                 if (s->fix >> i & 1 && owner[3 * a + i] < 0)
@@ -55,7 +56,8 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
         if (!count)
             return status_fail(why, STATUS_INPUT,
                                "support %d holds no node of this discretization; use more "
-                               "points or a larger region", n);
+                               "points or a larger region",
+                               n);
     }
     return STATUS_OK;
 }

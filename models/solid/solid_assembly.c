@@ -52,7 +52,7 @@ enum status solid_assembly_init(struct solid_assembly *s, const struct solid_spa
 
     TRY(blocks_init(&new.graph, space->nodes, space->elements, space->local, space->ien));
     TRY(find_places(&new));
-    size_t pairs = (size_t)new.graph.start[space->nodes];
+    size_t pairs = (size_t) new.graph.start[space->nodes];
     st = STATUS_MEMORY;
     new.K = malloc(pairs * sizeof *new.K);
     new.M = malloc(pairs * sizeof *new.M);
@@ -127,8 +127,9 @@ enum status solid_assembly_compute(struct solid_assembly *s, const double *x)
     memset(s->M, 0, pairs * sizeof *s->M);
     memset(s->volume, 0, (size_t)s->space->nodes * sizeof *s->volume);
     for (int phase = 0; phase < 2; phase++) {
-#pragma omp parallel for schedule(static) num_threads(s->threads)                         \
-    if (s->threads > 1 && slabs > 2) reduction(| : inverted, nan)
+#pragma omp parallel for schedule(static)                                                  \
+    num_threads(s->threads) if (s->threads > 1 && slabs > 2) reduction(|                   \
+                                                                       : inverted, nan)
         for (int slab = phase; slab < slabs; slab += 2) {
             enum status st = assemble_slab(s, &s->work[omp_get_thread_num()], slab, x);
             inverted |= st == STATUS_INVERTED;

@@ -68,7 +68,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     st = STATUS_MEMORY;
     new.x = malloc(bytes);
     new.load = malloc(bytes);
-    new.held = calloc(4 * (size_t)new.supports.held_count + 1, sizeof *new.held);
+    new.held = calloc(4 * (size_t) new.supports.held_count + 1, sizeof *new.held);
     if (!new.x || !new.load || !new.held)
         goto out;
     memcpy(new.x, space->rest, bytes);
@@ -269,7 +269,8 @@ void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
         kinetic += v[t] * y[t] / 2;
     blocks_multiply(graph, stiffness(m), n->d, y);
     for (size_t t = 0; t < count; t++) {
-        double weight = m->scene->density * m->scene->gravity[t % 3] * m->assembly.volume[t / 3];
+        double weight =
+            m->scene->density * m->scene->gravity[t % 3] * m->assembly.volume[t / 3];
         elastic += n->d[t] * y[t] / 2;
         potential -= weight * (m->x[t] - m->space->rest[t]);
     }

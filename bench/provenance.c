@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <cholmod.h>
 #include <omp.h>
+#include <provenance_commit.h> /* made by cmake/provenance.cmake at every build */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +13,6 @@
 
 #include "bench/hdf5_file.h"
 #include "models/linalg/blas_kernel.h"
-#include "provenance_commit.h" /* made by cmake/provenance.cmake at every build */
 
 __attribute__((format(printf, 3, 4))) static void add(struct provenance *p, const char *key,
                                                       const char *format, ...)

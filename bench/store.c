@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -30,7 +31,7 @@ struct store {
     int frames, room;
     double *time;           /* [room]         owned; written at the end                  */
     double *series[SERIES]; /* [room] each    owned                                      */
-    bool single;
+    bool single, packed;
     enum status outcome;
     double death_time;
 };
@@ -92,13 +93,21 @@ static enum status create_xyz(struct store *s, struct message *why)
     hsize_t limit[5] = {H5S_UNLIMITED, GRID_W, GRID_V, GRID_U, 3};
     hsize_t chunk[5] = {1, GRID_W, GRID_V, GRID_U, 3};
     hid_t space = H5Screate_simple(5, none, limit);
-    hid_t create = H5Pcreate(H5P_DATASET_CREATE);
+    hid_t create = H5Pcreate(H5P_DATASET_CREATE), access = H5Pcreate(H5P_DATASET_ACCESS);
 
     H5Pset_chunk(create, 5, chunk);
-    H5Pset_shuffle(create); /* bytes of equal weight together: smooth fields then pack */
-    H5Pset_deflate(create, 1);
+    /* Frames are written whole, once: past the cache, which copies and, when a write fails,
+     * leaks them; not filled with zeros before. */
+    H5Pset_fill_time(create, H5D_FILL_TIME_NEVER);
+    H5Pset_chunk_cache(access, H5D_CHUNK_CACHE_NSLOTS_DEFAULT, 0,
+                       H5D_CHUNK_CACHE_W0_DEFAULT);
+    if (s->packed) {
+        H5Pset_shuffle(create); /* bytes of equal weight together: these pack better */
+        H5Pset_deflate(create, 1);
+    }
     s->xyz = H5Dcreate2(s->file, "xyz", s->single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, space,
-                        H5P_DEFAULT, create, H5P_DEFAULT);
+                        H5P_DEFAULT, create, access);
+    H5Pclose(access);
     H5Pclose(create);
     H5Sclose(space);
     return s->xyz < 0 ? fail(s, why) : STATUS_OK;
@@ -115,6 +124,7 @@ enum status store_create(const char *path, const struct store_run *run,
     hdf5_file_start();
     s->file = s->xyz = H5I_INVALID_HID;
     s->single = run->single;
+    s->packed = run->packed;
     TRY(aside_open(path, &s->aside, why));
     if (s->aside.in_place)
         TRY(status_fail(why, STATUS_FILE, "%s: a result file cannot be a device or pipe",
@@ -237,6 +247,43 @@ void store_death(struct store *s, enum status death, double t)
     s->death_time = t;
 }
 
+/* frame/N: a view of xyz[N], no copy. XDMF 2 and 3 spell a selection from a larger array
+ * differently, and no file serves the readers of both; a whole array is read by all. */
+static bool put_view(hid_t group, int frame, int frames)
+{
+    char name[16];
+    hsize_t whole[5] = {(hsize_t)frames, GRID_W, GRID_V, GRID_U, 3};
+    hsize_t start[5] = {(hsize_t)frame, 0, 0, 0, 0};
+    hsize_t count[5] = {1, GRID_W, GRID_V, GRID_U, 3};
+    hid_t view = H5Screate_simple(4, count + 1, NULL);
+    hid_t source = H5Screate_simple(5, whole, NULL);
+    hid_t create = H5Pcreate(H5P_DATASET_CREATE);
+
+    snprintf(name, sizeof name, "%d", frame);
+    H5Sselect_hyperslab(source, H5S_SELECT_SET, start, NULL, count, NULL);
+    hid_t set = H5I_INVALID_HID;
+    if (H5Pset_virtual(create, view, ".", "/xyz", source) >= 0)
+        set =
+            H5Dcreate2(group, name, H5T_IEEE_F64LE, view, H5P_DEFAULT, create, H5P_DEFAULT);
+    bool good = set >= 0 && H5Dclose(set) >= 0;
+    H5Pclose(create);
+    H5Sclose(source);
+    H5Sclose(view);
+    return good;
+}
+
+static enum status put_views(struct store *s, struct message *why)
+{
+    hid_t group = H5Gcreate2(s->file, "frame", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    bool good = group >= 0;
+
+    for (int n = 0; good && n < s->frames; n++)
+        good = put_view(group, n, s->frames);
+    if (group >= 0 && H5Gclose(group) < 0)
+        good = false;
+    return good ? STATUS_OK : fail(s, why);
+}
+
 static enum status put_end(struct store *s, struct message *why)
 {
     if (hdf5_file_put_array(s->file, "time", s->time, s->frames, 0) < 0)
@@ -244,6 +291,9 @@ static enum status put_end(struct store *s, struct message *why)
     for (int i = 0; i < SERIES; i++)
         if (hdf5_file_put_array(s->file, series_name[i], s->series[i], s->frames, 0) < 0)
             return fail(s, why);
+    enum status st = put_views(s, why);
+    if (st != STATUS_OK)
+        return st;
     if (hdf5_file_put_text(s->file, "outcome", status_text(s->outcome)) < 0 ||
         (s->outcome != STATUS_OK &&
          hdf5_file_put_double(s->file, "death_time", s->death_time) < 0))
@@ -271,7 +321,7 @@ enum status store_close(struct store *s, struct message *why)
     TRY(put_end(s, why));
     TRY(close_file(s, why));
     TRY(aside_commit(&s->aside, why));
-    TRY(xdmf_write(path, s->time, s->frames, s->single, why));
+    TRY(xdmf_write(path, s->time, s->frames, why));
 out:
     free(path);
     store_discard(s);

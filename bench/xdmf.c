@@ -39,37 +39,29 @@ static char *xml_name(const char *path)
     return text;
 }
 
-/* One frame of xyz as an array [w][v][u][3]. */
-static void print_positions(struct output *out, const char *name, int frame, int frames,
-                            int bytes)
+static void print_positions(struct output *out, const char *name, int frame)
 {
     output_print(out,
-                 "<DataItem ItemType=\"HyperSlab\" Dimensions=\"%d %d %d 3\">"
-                 "<DataItem Dimensions=\"3 5\" Format=\"XML\">"
-                 "%d 0 0 0 0  1 1 1 1 1  1 %d %d %d 3</DataItem>"
-                 "<DataItem Dimensions=\"%d %d %d %d 3\" NumberType=\"Float\" "
-                 "Precision=\"%d\" Format=\"HDF\">%s:/xyz</DataItem></DataItem>\n",
-                 GRID_W, GRID_V, GRID_U, frame, GRID_W, GRID_V, GRID_U, frames, GRID_W,
-                 GRID_V, GRID_U, bytes, name);
+                 "<DataItem Dimensions=\"%d %d %d 3\" NumberType=\"Float\" "
+                 "Precision=\"8\" Format=\"HDF\">%s:/frame/%d</DataItem>\n",
+                 GRID_W, GRID_V, GRID_U, name, frame);
 }
 
-static void print_frame(struct output *out, const char *name, int frame, int frames,
-                        double time, int bytes)
+static void print_frame(struct output *out, const char *name, int frame, double time)
 {
     output_print(out,
                  "<Grid Name=\"sheet\" GridType=\"Uniform\">\n<Time Value=\"%.17g\"/>\n"
                  "<Topology TopologyType=\"3DSMesh\" Dimensions=\"%d %d %d\"/>\n"
-                 "<Geometry GeometryType=\"XYZ\">",
+                 "<Geometry GeometryType=\"XYZ\">\n",
                  time, GRID_W, GRID_V, GRID_U);
-    print_positions(out, name, frame, frames, bytes);
-    output_print(out, "</Geometry>\n"
-                      "<Attribute Name=\"start\" AttributeType=\"Vector\" "
-                      "Center=\"Node\">");
-    print_positions(out, name, 0, frames, bytes);
+    print_positions(out, name, frame);
+    output_print(out, "</Geometry>\n<Attribute Name=\"start\" AttributeType=\"Vector\" "
+                      "Center=\"Node\">\n");
+    print_positions(out, name, 0);
     output_print(out, "</Attribute>\n</Grid>\n");
 }
 
-enum status xdmf_write(const char *result_path, const double *time, int frames, bool single,
+enum status xdmf_write(const char *result_path, const double *time, int frames,
                        struct message *why)
 {
     enum status st = STATUS_OK;
@@ -83,7 +75,7 @@ enum status xdmf_write(const char *result_path, const double *time, int frames, 
                       "<Grid Name=\"run\" GridType=\"Collection\" "
                       "CollectionType=\"Temporal\">\n");
     for (int frame = 0; frame < frames; frame++)
-        print_frame(out, name, frame, frames, time[frame], single ? 4 : 8);
+        print_frame(out, name, frame, time[frame]);
     output_print(out, "</Grid>\n</Domain>\n</Xdmf>\n");
     st = output_close(out, why);
     out = NULL;

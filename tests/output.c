@@ -1,12 +1,39 @@
-/* Standard output that cannot be written to is told at the end, with its reason, whether
- * the failure came early (more than a buffer was printed) or only with the last flush. */
+/* Files written aside: gone with a signal, links followed. Standard output that cannot be
+ * written to: told at the end, with its reason, whether the failure came early (more than a
+ * buffer was printed) or only with the last flush. */
 #include "bench/output.h"
 
+#include <dirent.h>
 #include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "bench/aside.h"
 #include "tests/check.h"
+
+static char folder[] = "/tmp/clothbench-output-XXXXXX";
+
+static const char *in_folder(const char *name)
+{
+    static char path[4][256];
+    static int turn;
+    char *text = path[turn++ % 4];
+    snprintf(text, sizeof path[0], "%s/%s", folder, name);
+    return text;
+}
+
+static int files_in(const char *path)
+{
+    int count = 0;
+    DIR *dir = opendir(path);
+    REQUIRE(dir);
+    for (struct dirent *e; (e = readdir(dir));)
+        count += e->d_name[0] != '.';
+    closedir(dir);
+    return count;
+}
 
 /* What main does, in a child whose standard output is `target` (-1: closed): prints `lines`
  * and ends with 0 or 1; the sentence goes to sentence[size]. Returns the exit code, or -1
@@ -82,8 +109,63 @@ static void test_others(void)
     close(null);
 }
 
+/* A child ended by a signal in the middle of a file takes the file with it; a file of the
+ * parent's stays. */
+static void test_signal(int number)
+{
+    struct aside mine = {0};
+    struct message why;
+    int before = files_in(folder), outcome = 0;
+
+    REQUIRE(aside_open(in_folder("parent.txt"), &mine, &why) == STATUS_OK);
+    fflush(stdout);
+    pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        struct output *out = NULL;
+        signal(number, SIG_DFL); /* ignored in some background shells */
+        aside_catch_signals();
+        if (output_create(in_folder("child.txt"), &out, &why) != STATUS_OK ||
+            files_in(folder) != before + 2)
+            _exit(1);
+        output_print(out, "half");
+        raise(number);
+        _exit(2);
+    }
+    REQUIRE(waitpid(child, &outcome, 0) == child);
+    CHECK(WIFSIGNALED(outcome) && WTERMSIG(outcome) == number);
+    CHECK(files_in(folder) == before + 1);
+    aside_discard(&mine);
+    CHECK(files_in(folder) == before);
+}
+
+/* A symbolic link stays one, and what it points to is replaced. */
+static void test_link(void)
+{
+    struct output *out = NULL;
+    struct message why;
+    struct stat info;
+
+    FILE *file = fopen(in_folder("real.txt"), "w");
+    REQUIRE(file && fclose(file) == 0);
+    REQUIRE(symlink("real.txt", in_folder("link.txt")) == 0);
+    REQUIRE(output_create(in_folder("link.txt"), &out, &why) == STATUS_OK);
+    output_print(out, "%d\n", 12345);
+    CHECK(output_close(out, &why) == STATUS_OK);
+    CHECK(lstat(in_folder("link.txt"), &info) == 0 && S_ISLNK(info.st_mode));
+    CHECK(stat(in_folder("real.txt"), &info) == 0 && info.st_size == 6);
+    unlink(in_folder("link.txt"));
+    unlink(in_folder("real.txt"));
+}
+
 int main(void)
 {
+    REQUIRE(mkdtemp(folder));
+    test_signal(SIGINT);
+    test_signal(SIGTERM);
+    test_signal(SIGHUP);
+    test_link();
+    CHECK(rmdir(folder) == 0);
     test_full_device();
     test_closed_pipe();
     test_others();

@@ -1,111 +1,12 @@
-/* The second stage of table1.h: tables and sentences from result files. */
-#include "bench/table1.h"
-
+/* The second stage of table1.h: tables from result files. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/paper.h"
-#include "bench/store_scene.h"
-#include "bench/table1_truth.h"
-#include "models/clock.h"
-#include "models/metric.h"
+#include "bench/table1_data.h"
 
-/* What the tables need of one result file. */
-struct cell {
-    int frames; /* fewer than TABLE1_TIMES after a death                               */
-    double *xyz[TABLE1_TIMES]; /* owned                                                */
-    double rmse[TABLE1_TIMES]; /* against the baseline, NaN if not reached        [m]  */
-    double unknowns;
-    struct clock_summary create, step; /* [s]; count = 0 for statics                   */
-    char *outcome; /* owned                                                */
-};
-
-struct table1_data {
-    struct cell cell[TABLE1_PARTS][TABLE1_VARIANTS];
-    struct table1_truth truth;
-};
-
-static void data_clear(struct table1_data *d)
-{
-    for (int part = 0; part < TABLE1_PARTS; part++)
-        for (int n = 0; n < TABLE1_VARIANTS; n++) {
-            for (int t = 0; t < TABLE1_TIMES; t++)
-                free(d->cell[part][n].xyz[t]);
-            free(d->cell[part][n].outcome);
-        }
-    table1_truth_clear(&d->truth);
-    free(d);
-}
-
-/* Summary of the numbers there are; a death leaves some out. */
-static enum status load_seconds(const struct store_read *file, const char *name,
-                                struct clock_summary *summary, struct message *why)
-{
-    enum status st;
-    double *seconds = NULL;
-    int rows, columns, count = 0;
-
-    if (!store_read_has(file, name))
-        return STATUS_OK;
-    TRY(store_read_array(file, name, &seconds, &rows, &columns, why));
-    for (int n = 0; n < rows * columns; n++)
-        if (!isnan(seconds[n]))
-            seconds[count++] = seconds[n];
-    if (count)
-        *summary = clock_summarise(seconds, count);
-out:
-    free(seconds);
-    return st;
-}
-
-static enum status load_cell(const char *path, struct cell *c, struct message *why)
-{
-    struct store_read *file = NULL;
-    enum status st;
-
-    TRY(store_read_open(path, &file, why));
-    TRY(store_read_number(file, "unknowns", &c->unknowns, why));
-    TRY(store_read_text(file, "/", "outcome", &c->outcome, why));
-    c->frames = store_read_frames(file);
-    if (c->frames > TABLE1_TIMES) {
-        st = status_fail(why, STATUS_INPUT, "%s: %d frames, but Table 1 keeps %d", path,
-                         c->frames, TABLE1_TIMES);
-        goto out;
-    }
-    for (int t = 0; t < c->frames; t++) {
-        c->xyz[t] = malloc(3 * GRID_POINTS * sizeof(double));
-        if (!c->xyz[t])
-            TRY(STATUS_MEMORY);
-        TRY(store_read_frame(file, t, c->xyz[t], why));
-    }
-    TRY(load_seconds(file, "seconds/create", &c->create, why));
-    TRY(load_seconds(file, "seconds/advance", &c->step, why));
-out:
-    store_read_close(file);
-    return st;
-}
-
-static enum status load(const char *folder, struct table1_data *d, struct message *why)
-{
-    enum status st = STATUS_OK;
-    char path[4096];
-
-    for (int part = 0; part < TABLE1_PARTS; part++)
-        for (int n = 0; n < TABLE1_VARIANTS; n++) {
-            struct cell *c = &d->cell[part][n], *baseline = &d->cell[part][0];
-            table1_path(folder, part, n, path, sizeof path);
-            TRY(load_cell(path, c, why));
-            for (int t = 0; t < TABLE1_TIMES; t++)
-                c->rmse[t] = t < c->frames && t < baseline->frames
-                                 ? metric_rmse(c->xyz[t], baseline->xyz[t])
-                                 : NAN;
-        }
-out:
-    return st;
-}
-
-static void name_cells(struct table *t, const struct cell *c, int variant)
+static void name_cells(struct table *t, const struct table1_cell *c, int variant)
 {
     struct table1_variant v = table1_variant(variant);
 
@@ -114,7 +15,8 @@ static void name_cells(struct table *t, const struct cell *c, int variant)
     table_integer(t, lround(c->unknowns));
 }
 
-static void time_cells(struct table *t, const struct cell *c, const struct cell *baseline)
+static void time_cells(struct table *t, const struct table1_cell *c,
+                       const struct table1_cell *baseline)
 {
     if (!c->step.count || !baseline->step.count) {
         for (int n = 0; n < 5; n++)
@@ -128,37 +30,18 @@ static void time_cells(struct table *t, const struct cell *c, const struct cell 
     table_number(t, c->step.median / baseline->step.median, 3);
 }
 
-static bool within(const struct cell *c)
-{
-    for (int t = 0; t < TABLE1_TIMES; t++)
-        if (!(c->rmse[t] <= PAPER_TABLE1_RMSE))
-            return false;
-    return true;
-}
-
-static void rmse_cells(struct table *t, const struct cell *c, bool baseline)
+static void rmse_cells(struct table *t, const struct table1_cell *c, bool baseline)
 {
     for (int n = 0; n < TABLE1_TIMES; n++)
         if (baseline || isnan(c->rmse[n]))
             table_dash(t);
         else
             table_fixed(t, c->rmse[n], 4);
-    table_text(t, "%s", baseline ? "baseline" : within(c) ? "yes" : "no");
-}
-
-/* The first density that meets the paper's criterion at all times; -1 if none does. */
-static int first_within(const struct cell *cells, bool incompatible)
-{
-    for (int n = 0; n < TABLE1_DENSITIES; n++) {
-        int variant = 1 + n + (incompatible ? TABLE1_DENSITIES : 0);
-        if (within(&cells[variant]))
-            return variant;
-    }
-    return -1;
+    table_text(t, "%s", baseline ? "baseline" : table1_data_within(c) ? "yes" : "no");
 }
 
 /* The first density that meets it at one time. */
-static int first_at(const struct cell *cells, bool incompatible, int time)
+static int first_at(const struct table1_cell *cells, bool incompatible, int time)
 {
     for (int n = 0; n < TABLE1_DENSITIES; n++) {
         int variant = 1 + n + (incompatible ? TABLE1_DENSITIES : 0);
@@ -168,9 +51,9 @@ static int first_at(const struct cell *cells, bool incompatible, int time)
     return 0;
 }
 
-static void note_first(struct table *t, const struct cell *cells, bool incompatible)
+static void note_first(struct table *t, const struct table1_cell *cells, bool incompatible)
 {
-    int variant = first_within(cells, incompatible);
+    int variant = table1_data_first(cells, incompatible);
     const char *what =
         incompatible ? "Hexahedra with incompatible modes" : "Plain hexahedra";
     char at[128] = "";
@@ -201,10 +84,10 @@ static void note_first(struct table *t, const struct cell *cells, bool incompati
 }
 
 /* Refinement towards the truth leads away from a baseline that misses it. */
-static void note_away(struct table *t, const struct cell *cells)
+static void note_away(struct table *t, const struct table1_cell *cells)
 {
-    const struct cell *coarse = &cells[1 + TABLE1_DENSITIES];
-    const struct cell *fine = &cells[TABLE1_VARIANTS - 1];
+    const struct table1_cell *coarse = &cells[1 + TABLE1_DENSITIES];
+    const struct table1_cell *fine = &cells[TABLE1_VARIANTS - 1];
     double from = coarse->rmse[TABLE1_TIMES - 1], to = fine->rmse[TABLE1_TIMES - 1];
 
     if (to > from)
@@ -267,7 +150,7 @@ static enum status print_part(const struct table1_data *d, enum table1_part part
                                           "frame rebuilt each step, RMSE against IGA",
                                           "Table 1, linear kinematics, undamped: a step "
                                           "with one factorisation, RMSE against IGA"};
-    const struct cell *cells = d->cell[part];
+    const struct table1_cell *cells = d->cell[part];
     struct table *t =
         table_create(sizeof columns / sizeof *columns, columns, caption[part]);
     enum status st;
@@ -314,8 +197,8 @@ static enum status print_truth(const struct table1_data *d, enum table_format fo
     enum status st;
 
     for (int n = 0; n < TABLE1_VARIANTS; n++) {
-        const struct cell *rest = &d->cell[TABLE1_STATIC][n],
-                          *move = &d->cell[TABLE1_LINEAR][n];
+        const struct table1_cell *rest = &d->cell[TABLE1_STATIC][n],
+                                 *move = &d->cell[TABLE1_LINEAR][n];
         if (n == 1 || n == 1 + TABLE1_DENSITIES)
             table_rule(t);
         table_row(t);
@@ -340,127 +223,13 @@ static enum status print_truth(const struct table1_data *d, enum table_format fo
     return st;
 }
 
-/* Truth for the scene of the linear runs. */
-static enum status load_truth(const char *folder, struct table1_truth *truth,
-                              struct message *why)
-{
-    struct store_read *file = NULL;
-    struct scene scene = {0};
-    char path[4096];
-    enum status st;
-
-    table1_path(folder, TABLE1_LINEAR, 0, path, sizeof path);
-    TRY(store_read_open(path, &file, why));
-    TRY(store_scene(file, path, &scene, why));
-    TRY(table1_truth_init(truth, &scene, why));
-out:
-    scene_clear(&scene);
-    store_read_close(file);
-    return st;
-}
-
-/* The claim of Table 1 at equal error against truth. */
-static void worth(const struct table1_data *d, FILE *file)
-{
-    const struct cell *printed = d->cell[TABLE1_PRINTED], *rest = d->cell[TABLE1_STATIC];
-    const int hex32 = 4, cured = 1 + TABLE1_DENSITIES;
-    double iga = table1_truth_error(&d->truth, TABLE1_TIMES, rest[0].xyz[0]);
-    double hex = table1_truth_error(&d->truth, TABLE1_TIMES, rest[hex32].xyz[0]);
-    double incompatible = table1_truth_error(&d->truth, TABLE1_TIMES, rest[cured].xyz[0]);
-    double cost = printed[cured].step.median / printed[0].step.median;
-
-    fprintf(file,
-            "- What it is worth. Against truth the static error is %.0f %% for IGA 10x10x2 "
-            "(tip %.3f of Kirchhoff's) and\n  %.1f %% for hex 32x32x2 (tip %.4f)%s.\n",
-            100 * iga, table1_truth_tip(&d->truth, rest[0].xyz[0]), 100 * hex,
-            table1_truth_tip(&d->truth, rest[hex32].xyz[0]),
-            iga > 0.1 && hex > 0.1
-                ? ": the criterion matches one locked mesh to\n  another. A small RMSE "
-                  "between them says that the printed scheme, which has no elastic memory "
-                  "(it is\n  a viscosity E dt), hides their stiffness, not that either is "
-                  "right"
-                : "");
-    fprintf(file,
-            "- At equal error. The same hexahedra with incompatible modes have %.1f %% at "
-            "10x10x2 for %.2g times the cost\n  of IGA's frame. The claim that hexahedra "
-            "need many times IGA's cost %s at equal error against truth.\n",
-            100 * incompatible, cost,
-            incompatible <= iga && cost < 2 ? "does not hold" : "holds");
-}
-
-/* What a reader should take away, from the numbers above it. */
-static void summary(const struct table1_data *d, FILE *file)
-{
-    const struct cell *printed = d->cell[TABLE1_PRINTED];
-    int first = first_within(printed, false);
-    double paper_ratio = paper_table1[1].seconds / paper_table1[0].seconds;
-    double growth = log(paper_ratio) / log(32 * 32 / 100.0);
-
-    fprintf(file, "What was reproduced, and what not\n\n");
-    fprintf(file,
-            "- The criterion. The paper refines hexahedra until their RMSE against IGA "
-            "10x10x2 is at most %.2f,\n  and ends at 32x32x2. Here, with its printed "
-            "scheme, ",
-            PAPER_TABLE1_RMSE);
-    if (first < 0)
-        fprintf(file,
-                "no density up to %d meets that at all four times: at 32x32x2\n  the "
-                "RMSE is %.3f, %.3f, %.3f, %.3f m at 0.1 ... 0.4 s. ",
-                table1_density[TABLE1_DENSITIES - 1], printed[4].rmse[0],
-                printed[4].rmse[1], printed[4].rmse[2], printed[4].rmse[3]);
-    else
-        fprintf(file, "%dx%dx2 is the first to meet it at all four times.\n  ",
-                table1_variant(first).side, table1_variant(first).side);
-    fprintf(file, "The paper does not say after how many\n  steps it compares.\n");
-    fprintf(file,
-            "- The ratio. A rebuilt frame of hex 32x32x2 costs %.1f times one of IGA "
-            "10x10x2 here, %.0f times in the\n  paper. 10.24 times the nodes at a "
-            "ratio of %.0f is a cost growing as nodes^%.1f; a banded or nested-\n  "
-            "dissection factorisation of a sheet grows as nodes^1.5 to nodes^2. The "
-            "paper's absolute times\n  (91 ms and 16048 ms a frame) are %.0f and %.0f "
-            "times ours, on another machine.\n",
-            printed[4].step.median / printed[0].step.median, paper_ratio, paper_ratio,
-            growth, paper_table1[0].seconds / printed[0].step.median,
-            paper_table1[1].seconds / printed[4].step.median);
-    worth(d, file);
-    fprintf(file,
-            "- Range. Gamma = rho g h L^3 / D is %.0f: small-strain linear theory (the "
-            "linear table and its truth) is a test\n  of the spaces, not of the "
-            "motion; it is 10 %% off from Gamma = 2.9 on.\n",
-            d->truth.gamma);
-}
-
-static void machine(const char *folder, FILE *file)
-{
-    static const char *const keys[] = {
-        "commit",      "changed_files", "compiler",    "flags",        "cpu",
-        "blas_kernel", "cholmod",       "omp_threads", "blas_threads", "date"};
-    struct store_read *run = NULL;
-    char path[4096];
-
-    table1_path(folder, TABLE1_PRINTED, 0, path, sizeof path);
-    if (store_read_open(path, &run, NULL) != STATUS_OK)
-        return;
-    fprintf(file, "\nMeasured:");
-    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
-        char *text = NULL;
-        if (store_read_text(run, "provenance", keys[n], &text, NULL) == STATUS_OK)
-            fprintf(file, "%s%s %s", n ? "; " : " ", keys[n], text);
-        free(text);
-    }
-    fprintf(file, "\n");
-    store_read_close(run);
-}
-
 enum status table1_print(const char *folder, enum table_format format, FILE *file,
                          struct message *why)
 {
-    struct table1_data *d = calloc(1, sizeof *d);
-    enum status st = d ? STATUS_OK : STATUS_MEMORY;
+    struct table1_data *d = NULL;
+    enum status st;
 
-    TRY(st);
-    TRY(load(folder, d, why));
-    TRY(load_truth(folder, &d->truth, why));
+    TRY(table1_data_load(folder, &d, why));
     for (int part = 0; part < TABLE1_STATIC; part++) {
         TRY(print_part(d, part, format, file));
         fprintf(file, "\n");
@@ -468,11 +237,9 @@ enum status table1_print(const char *folder, enum table_format format, FILE *fil
     TRY(print_truth(d, format, file));
     if (format == TABLE_TEXT) {
         fprintf(file, "\n");
-        summary(d, file);
-        machine(folder, file);
+        table1_text(d, folder, file);
     }
 out:
-    if (d)
-        data_clear(d);
+    table1_data_clear(d);
     return st;
 }

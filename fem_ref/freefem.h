@@ -1,0 +1,70 @@
+/* freefem.h - a cantilevered sheet as a 3-D elastic solid, by FreeFEM: run if it is
+ * installed, otherwise the stored field (tests/reference/freefem_*.csv), and said so.
+ *
+ * The script is fem_ref/freefem/transient.edp; its header tells mesh, elements and time
+ * stepping. A field is the displacement of FREEFEM_SIDE^2 points of the mid-surface, every
+ * ninth of the material grid (grid.h), u = i / 11, v = j / 11, along the sheet's own axes
+ * (e_u, e_v, e_w), under gravity along -e_w.
+ */
+#ifndef FREEFEM_H
+#define FREEFEM_H
+
+#include "models/scene.h"
+
+enum { FREEFEM_SIDE = 12, FREEFEM_TIMES = 4 };
+
+/* Sheet 1 m x 1 m, edge u = 0 clamped. */
+struct freefem_job {
+    double thickness;      /*                                                 [m] > 0 */
+    double young, poisson; /*                                                 [Pa, 1] */
+    double density;        /*                                                [kg/m^3] */
+    double gravity;        /* along -e_w                                      [m/s^2] */
+    int cells;             /* boxes a side, 1 ..; 10 and 16: about 10 s and 25 s       */
+    int steps;             /* time steps to 0.4 s, a multiple of 4; 0: static answer   */
+};
+
+struct freefem_field {
+    int times;                  /* FREEFEM_TIMES, or 1: static                       */
+    double time[FREEFEM_TIMES]; /* 0.1 .. 0.4 [s]; INFINITY: static                  */
+    double shift[FREEFEM_TIMES][FREEFEM_SIDE][FREEFEM_SIDE][3]; /* [t][j][i] [m]     */
+    double error[FREEFEM_TIMES]; /* error bar (rms) [m]; NaN: not known, a run       */
+    char origin[256];            /* for people: what computed this, when             */
+};
+
+/* The job of a scene: what kirchhoff_field_plate accepts, 1 m x 1 m, undamped; cells and
+ * steps are left to the caller. STATUS_UNSUPPORTED and a sentence otherwise. */
+enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
+                           struct message *why);
+
+/* Reads a field and refuses (STATUS_INPUT, with file and line or row) missing or surplus
+ * rows, other points or times, anything not finite, a clamped edge that moves, nothing that
+ * moves. Without the notes of a stored file the error bar is NaN. */
+enum status freefem_read(const char *path, struct freefem_field *field,
+                         struct message *why);
+
+/* Reads the stored field of `job`, whose physics must equal the file's notes; its cells and
+ * steps are not compared. */
+enum status freefem_stored(const struct freefem_job *job, const char *path,
+                           struct freefem_field *field, struct message *why);
+
+/* Runs `program` (NULL: FreeFem++ from the PATH) on the script, one thread, without a
+ * shell, in a temporary folder of TMPDIR. Checks the exit code and then the field.
+ * STATUS_UNSUPPORTED if there is no such program, STATUS_LIBRARY if it failed. */
+enum status freefem_run(const struct freefem_job *job, const char *script,
+                        const char *program, struct freefem_field *field,
+                        struct message *why);
+
+/* freefem_run, or freefem_stored where FreeFEM is not installed; origin tells which. */
+enum status freefem_get(const struct freefem_job *job, const char *script,
+                        const char *stored, struct freefem_field *field,
+                        struct message *why);
+
+/* rms over the points, at time number t, of |a - b| [m]. */
+double freefem_difference(const struct freefem_field *a, const struct freefem_field *b,
+                          int t);
+
+/* The same against the mid-surface of a sampled field xyz[GRID_W][GRID_V][GRID_U][3]. */
+double freefem_rmse(const struct freefem_field *field, int t, const struct scene *scene,
+                    const double *xyz);
+
+#endif

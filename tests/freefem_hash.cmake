@@ -1,0 +1,12 @@
+# The stored FreeFEM fields tell the script that made them: was it changed since?
+file(SHA256 ${SOURCE}/fem_ref/freefem/transient.edp script)
+file(GLOB fields ${SOURCE}/tests/reference/freefem_*.csv)
+if(NOT fields)
+  message(FATAL_ERROR "no stored FreeFEM fields")
+endif()
+foreach(field ${fields})
+  file(STRINGS ${field} note REGEX "^# script_sha256: ")
+  if(NOT note STREQUAL "# script_sha256: ${script}")
+    message(FATAL_ERROR "${field} was made by another transient.edp: run fem_ref/freefem/store.sh")
+  endif()
+endforeach()

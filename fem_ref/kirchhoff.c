@@ -38,37 +38,53 @@ struct kirchhoff {
 
 /* ------------------------------------------------------------------ building -------- */
 
-/* Rows a of both matrices: bending energy with r = L / W
- *   w_xx^2 + r^4 w_yy^2 + 2 nu r^2 w_xx w_yy + 2 (1 - nu) r^2 w_xy^2. */
-static void fill_rows(const struct kirchhoff *k, struct family *f, int a)
-{
-    const struct ritz *X = &k->along, *Y = &k->across;
-    const double nu = k->plate.poisson;
-    const double r = k->plate.length / k->plate.width, r2 = r * r;
-
-    for (int c = 0; c < X->count; c++) {
-        double m = ritz_product(X, 0, a, 0, c), s = ritz_product(X, 1, a, 1, c);
-        double b = ritz_product(X, 2, a, 2, c), ac = ritz_product(X, 2, a, 0, c);
-        double ca = ritz_product(X, 0, a, 2, c);
-        for (int i = 0; i < f->ny; i++) {
-            for (int j = 0; j < f->ny; j++) {
-                int p = 2 * i + f->parity, q = 2 * j + f->parity;
-                size_t at = (size_t)(a * f->ny + i) * f->n + c * f->ny + j;
-                double ym = ritz_product(Y, 0, p, 0, q);
-                f->mass[at] = m * ym;
-                f->stiffness[at] = b * ym + r2 * r2 * m * ritz_product(Y, 2, p, 2, q) +
-                                   nu * r2 *
-                                       (ac * ritz_product(Y, 0, p, 2, q) +
-                                        ca * ritz_product(Y, 2, p, 0, q)) +
-                                   2 * (1 - nu) * r2 * s * ritz_product(Y, 1, p, 1, q);
-            }
-        }
-    }
-}
-
 static double *table(size_t n)
 {
     return calloc(n, sizeof(double));
+}
+
+/* Integrals of two functions of one direction. */
+struct pair {
+    double mass, slope, bend; /* phi_i phi_j, phi_i' phi_j', phi_i'' phi_j'' */
+    double mixed, mixed_back; /* phi_i'' phi_j, phi_i phi_j''                */
+};
+
+static struct pair pair_of(const struct ritz *r, int i, int j)
+{
+    return (struct pair){.mass = ritz_product(r, 0, i, 0, j),
+                         .slope = ritz_product(r, 1, i, 1, j),
+                         .bend = ritz_product(r, 2, i, 2, j),
+                         .mixed = ritz_product(r, 2, i, 0, j),
+                         .mixed_back = ritz_product(r, 0, i, 2, j)};
+}
+
+/* Both matrices: bending energy with r = L / W
+ *   w_xx^2 + r^4 w_yy^2 + 2 nu r^2 w_xx w_yy + 2 (1 - nu) r^2 w_xy^2. */
+static enum status fill_matrices(const struct kirchhoff *k, struct family *f)
+{
+    const int nx = k->along.count, ny = f->ny, odd = f->parity;
+    const double nu = k->plate.poisson;
+    const double r = k->plate.length / k->plate.width, r2 = r * r;
+    struct pair *across = calloc((size_t)ny * ny, sizeof *across);
+
+    if (!across)
+        return STATUS_MEMORY;
+    for (int n = 0; n < ny * ny; n++)
+        across[n] = pair_of(&k->across, 2 * (n / ny) + odd, 2 * (n % ny) + odd);
+    for (int ac = 0; ac < nx * nx; ac++) {
+        const int a = ac / nx, c = ac % nx;
+        const struct pair x = pair_of(&k->along, a, c);
+        for (int n = 0; n < ny * ny; n++) {
+            const struct pair y = across[n];
+            size_t at = (size_t)(a * ny + n / ny) * f->n + c * ny + n % ny;
+            f->mass[at] = x.mass * y.mass;
+            f->stiffness[at] = x.bend * y.mass + r2 * r2 * x.mass * y.bend +
+                               nu * r2 * (x.mixed * y.mixed_back + x.mixed_back * y.mixed) +
+                               2 * (1 - nu) * r2 * x.slope * y.slope;
+        }
+    }
+    free(across);
+    return STATUS_OK;
 }
 
 /* M c = mu K c; the eigenvectors come out K-orthonormal, one a row of `mode`. */
@@ -101,8 +117,7 @@ static enum status family_init(const struct kirchhoff *k, int parity, struct fam
     f->load = table(f->n);
     if (!f->mass || !f->stiffness || !f->mode || !f->mu || !f->load)
         return STATUS_MEMORY;
-    for (int a = 0; a < k->along.count; a++)
-        fill_rows(k, f, a);
+    TRY(fill_matrices(k, f));
     TRY(solve_modes(f));
     for (int i = 0; i < f->n; i++) {
         const double *c = f->mode + (size_t)i * f->n;

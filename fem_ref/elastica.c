@@ -1,0 +1,87 @@
+#include "fem_ref/elastica.h"
+
+#include <math.h>
+
+/* Degree of the series. A step is a quarter of the solution's length scale
+ * 1 / (1 + sqrt(tau)): terms fall like 4^-k / k!^(1/2) or faster, to nothing at 24. */
+enum { DEGREE = 24 };
+
+struct state {
+    double tau, psi, slope;
+    double across, down; /* integrals of sin psi and cos psi from the tip */
+};
+
+/* Taylor coefficients of psi, sin psi, cos psi about the state, by
+ * psi'' = tau sin psi, (sin psi)' = psi' cos psi, (cos psi)' = -psi' sin psi. */
+static void series(const struct state *a, double psi[], double sine[], double cosine[])
+{
+    psi[0] = a->psi, psi[1] = a->slope;
+    sine[0] = sin(a->psi), cosine[0] = cos(a->psi);
+    for (int k = 0; k < DEGREE; k++) {
+        double s = 0, c = 0;
+        for (int j = 0; j <= k; j++) {
+            s += (j + 1) * psi[j + 1] * cosine[k - j];
+            c -= (j + 1) * psi[j + 1] * sine[k - j];
+        }
+        sine[k + 1] = s / (k + 1);
+        cosine[k + 1] = c / (k + 1);
+        psi[k + 2] =
+            (a->tau * sine[k] + (k > 0 ? sine[k - 1] : 0)) / ((k + 1.0) * (k + 2.0));
+    }
+}
+
+static void step(struct state *a, double h)
+{
+    double psi[DEGREE + 2], sine[DEGREE + 1], cosine[DEGREE + 1];
+    double value = 0, slope = 0, across = 0, down = 0;
+
+    series(a, psi, sine, cosine);
+    for (int k = DEGREE; k >= 0; k--) {
+        value = value * h + psi[k];
+        slope = slope * h + (k + 1) * psi[k + 1];
+        across = across * h + sine[k] / (k + 1);
+        down = down * h + cosine[k] / (k + 1);
+    }
+    a->tau += h;
+    a->psi = value;
+    a->slope = slope;
+    a->across += across * h;
+    a->down += down * h;
+}
+
+/* From the tip to tau = end, or until psi has passed pi/2 for good: true if it has. */
+static bool shoot(double log_psi, double end, struct state *a)
+{
+    *a = (struct state){.psi = exp(log_psi)};
+    while (a->tau < end) {
+        double h = 0.25 / (1 + sqrt(a->tau)), left = end - a->tau;
+        if (a->psi > 2) /* psi grows as long as it is below pi */
+            return true;
+        step(a, left < 1.5 * h ? left : h);
+        if (left < 1.5 * h)
+            break;
+    }
+    return a->psi > acos(0);
+}
+
+enum status elastica_solve(double gamma, struct elastica *e)
+{
+    if (!(gamma >= ELASTICA_MIN && gamma <= ELASTICA_MAX))
+        return STATUS_INPUT;
+    const double end = cbrt(gamma), right_angle = acos(0);
+    double low = -sqrt(gamma) - 5, high = log(right_angle); /* brackets log psi(0) */
+    struct state a;
+
+    for (double middle; middle = (low + high) / 2, low < middle && middle < high;) {
+        if (shoot(middle, end, &a))
+            high = middle;
+        else
+            low = middle;
+    }
+    shoot(low, end, &a);
+    e->tip_angle = right_angle - exp(low);
+    e->root_curvature = a.slope * end;
+    e->drop = a.down / end;
+    e->reach = a.across / end;
+    return STATUS_OK;
+}

@@ -1,0 +1,29 @@
+/* elastica.h - the heavy elastica: an inextensible strip clamped horizontally at one end,
+ * hanging under its own weight; equilibrium at any Gamma = rho g h L^3 / D (scene.h).
+ *
+ * Angle below the horizontal theta(s), s in units of L:
+ *   theta'' = -Gamma (1 - s) cos theta,  theta(0) = 0,  theta'(1) = 0.
+ * With tau = Gamma^(1/3) (1 - s) and psi = pi/2 - theta Gamma leaves the equation,
+ *   psi'' = tau sin psi,  psi'(0) = 0,  psi(Gamma^(1/3)) = pi/2,
+ * which is shot from the free end by Taylor series of high order. psi(0) is found by its
+ * logarithm: a limp strip hangs vertically to within exp(-2/3 sqrt(Gamma)).
+ */
+#ifndef ELASTICA_H
+#define ELASTICA_H
+
+#include "models/status.h"
+
+#define ELASTICA_MIN 1e-4
+#define ELASTICA_MAX 1e6
+
+struct elastica {
+    double drop, reach;    /* of the tip, over L                                      */
+    double tip_angle;      /* below the horizontal                             [rad]  */
+    double root_curvature; /* times L                                                 */
+};
+
+/* Solves for ELASTICA_MIN <= gamma <= ELASTICA_MAX; otherwise STATUS_INPUT. Relative error
+ * below 1e-10 (tests/elastica.c). At most 0.3 s; allocates nothing. */
+enum status elastica_solve(double gamma, struct elastica *e);
+
+#endif

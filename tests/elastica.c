@@ -1,0 +1,74 @@
+/* The heavy elastica against values computed elsewhere by another method, and its limits.
+ */
+#include "fem_ref/elastica.h"
+#include "fem_ref/reference.h"
+#include "tests/check.h"
+
+/* The table's own trust, relative; and absolute at its smallest Gamma, where its drop
+ * leaves Gamma / 8 (1 - Gamma^2 / 80) by 5e-13 (ours keeps it: check_limits). */
+#define TOL_TABLE 1e-10
+#define TOL_SMALL 1e-12
+
+static double allowed(double value)
+{
+    return TOL_SMALL + TOL_TABLE * fabs(value);
+}
+
+static void check_cell(const struct reference *t, int row, const char *column, double value)
+{
+    const double want = reference_number(t, row, column), TOL_CELL = allowed(want);
+    CHECK_NEAR(value, want, TOL_CELL);
+}
+
+static void check_table(void)
+{
+    struct reference *t = NULL;
+    struct elastica e;
+
+    REQUIRE(!reference_open(REFERENCE_DIR "/heavy_elastica.csv", &t, NULL));
+    for (int row = 0; row < reference_rows(t); row++) {
+        double gamma = reference_number(t, row, "Gamma");
+        REQUIRE(!elastica_solve(gamma, &e));
+        check_cell(t, row, "H_over_L", e.drop);
+        check_cell(t, row, "W_over_L", e.reach);
+        check_cell(t, row, "theta_tip_rad", e.tip_angle);
+        CHECK_RELATIVE(e.root_curvature, reference_number(t, row, "kappa_root_L"),
+                       TOL_TABLE);
+    }
+    CHECK(reference_rows(t) > 40);
+    reference_close(t);
+}
+
+static void check_limits(void)
+{
+    struct elastica e;
+    /* Stiff: drop Gamma / 8 (1 - Gamma^2 / 80), next term of order Gamma^4 / 1000. */
+    const double stiff = 0.01, TOL_STIFF = 2e-11;
+    REQUIRE(!elastica_solve(stiff, &e));
+    CHECK_RELATIVE(e.drop, stiff / 8 * (1 - stiff * stiff / 80), TOL_STIFF);
+    /* Limp: at the root the weight is a force P = Gamma, and a long elastica pulled by P at
+     * a right angle has curvature sqrt(2 P) and reach sqrt(2 / P) (sqrt 2 - 1 in reach and
+     * drop lost by the bend); corrections of order Gamma^-1/2. */
+    const double limp = 1e6, TOL_LIMP = 1e-3;
+    REQUIRE(!elastica_solve(limp, &e));
+    CHECK_RELATIVE(e.root_curvature, sqrt(2 * limp), TOL_LIMP);
+    CHECK_NEAR(e.drop, 1 - (2 - sqrt(2)) / sqrt(limp), TOL_LIMP / sqrt(limp) * 10);
+    CHECK_NEAR(e.tip_angle, acos(0), TOL_TABLE);
+}
+
+static void check_refusals(void)
+{
+    struct elastica e = {.drop = -1};
+    const double bad[] = {0, -1, NAN, INFINITY, 1e-5, 1e7};
+    for (int i = 0; i < 6; i++)
+        CHECK(elastica_solve(bad[i], &e) == STATUS_INPUT);
+    CHECK(e.drop == -1);
+}
+
+int main(void)
+{
+    check_table();
+    check_limits();
+    check_refusals();
+    return check_result();
+}

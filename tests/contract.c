@@ -1,0 +1,307 @@
+/* What models/model.h promises, held against every model of the registry: a model that is
+ * registered is tested. */
+#include <math.h>
+#include <omp.h>
+
+#include "models/grid.h"
+#include "models/metric.h"
+#include "tests/contract.h"
+
+enum { FIELD = GRID_POINTS * 3 };
+static const size_t field_size = FIELD * sizeof(double);
+
+/* Kinetic and potential energies, elastic where there is one, of a sheet that starts at
+ * rest without damping: their sum may not grow by more than this share of what was turned
+ * over. */
+static const double energy_gain = 1e-9;
+/* Mass of a sheet summed from a few hundred entries of M. */
+static const double mass_rounding = 1e-12;
+
+static double *new_field(void)
+{
+    double *xyz = malloc(field_size);
+    REQUIRE(xyz);
+    return xyz;
+}
+
+/* A whole run's last field. */
+static void run(const struct model *model, const struct scene *scene,
+                const struct discretization *d, int frames, double *xyz)
+{
+    void *state = create(model, scene, d);
+    advance(model, state, frames);
+    model->sample(state, xyz);
+    model->destroy(state);
+}
+
+static bool all_finite(const double *value, long count)
+{
+    for (long n = 0; n < count; n++)
+        if (!isfinite(value[n]))
+            return false;
+    return true;
+}
+
+static void check_fields(const struct model *model)
+{
+    const struct model *found = NULL;
+    struct message why = {{0}};
+
+    CHECK(model->name && model->title && model->source);
+    CHECK(model->defaults && model->create && model->advance && model->sample);
+    CHECK(model->probe && model->size && model->destroy);
+    CHECK(strspn(model->name, "abcdefghijklmnopqrstuvwxyz_") == strlen(model->name));
+    CHECK(registry_find(model->name, &found, &why) == STATUS_OK && found == model);
+    model->destroy(NULL);
+}
+
+static void check_size(const struct model *model, const struct scene *scene,
+                       const struct discretization *d)
+{
+    struct model_size size = {0};
+    void *state = create(model, scene, d);
+
+    model->size(state, &size);
+    CHECK(size.nodes > 0 && size.unknowns > 0 && size.unknowns <= 3 * size.nodes);
+    CHECK(size.solver && size.unknown_basis && size.factor_entries >= 0);
+    model->destroy(state);
+}
+
+/* sample() gives the rest shape at first, the same bits twice, and changes nothing; probe()
+ * gives its bits. */
+static void check_sampling(const struct model *model, const struct scene *scene,
+                           const struct discretization *d)
+{
+    double *first = new_field(), *second = new_field(), *grid = new_field();
+    void *watched = create(model, scene, d);
+
+    for (int n = 0; n < GRID_POINTS; n++)
+        grid_point(n, grid + 3 * n);
+    model->sample(watched, first);
+    double off = 0;
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double rest[3];
+        scene_rest_point(scene, grid + 3 * n, rest);
+        for (int i = 0; i < 3; i++)
+            off = fmax(off, fabs(first[3 * n + i] - rest[i]));
+    }
+    const double rest_rounding = 1e-14; /* a few roundings of sums of positions < 1 m */
+    CHECK_NEAR(off, 0, rest_rounding);
+    for (int n = 0; n < FRAMES; n++) {
+        advance(model, watched, 1);
+        model->sample(watched, first);
+        model->sample(watched, second);
+        CHECK(!memcmp(first, second, field_size));
+    }
+    CHECK(all_finite(first, FIELD));
+    model->probe(watched, GRID_POINTS, grid, second);
+    CHECK(!memcmp(first, second, field_size));
+    run(model, scene, d, FRAMES, second); /* nobody looks on the way */
+    CHECK(!memcmp(first, second, field_size));
+    CHECK(metric_drop(scene, first) > 0);
+    model->destroy(watched);
+    free(first);
+    free(second);
+    free(grid);
+}
+
+static void check_threads(const struct model *model, const struct scene *scene,
+                          const struct discretization *d)
+{
+    double *one = new_field(), *many = new_field();
+
+    omp_set_num_threads(1);
+    run(model, scene, d, FRAMES, one);
+    for (int threads = 2; threads <= 4; threads *= 2) {
+        omp_set_num_threads(threads);
+        run(model, scene, d, FRAMES, many);
+        CHECK(!memcmp(one, many, field_size));
+    }
+    omp_set_num_threads(1);
+    free(one);
+    free(many);
+}
+
+/* Two sheets side by side move as each does alone. */
+static void check_independence(const struct model *model, const struct scene *scene,
+                               const struct discretization *d)
+{
+    double *alone = new_field(), *beside = new_field(), *other = new_field();
+    struct scene stiff;
+
+    fill_scene(&stiff);
+    stiff.young *= 10;
+    run(model, scene, d, FRAMES, alone);
+    void *a = create(model, scene, d), *b = create(model, &stiff, d);
+    for (int n = 0; n < FRAMES; n++) {
+        advance(model, a, 1);
+        advance(model, b, 1);
+    }
+    model->sample(a, beside);
+    model->sample(b, other);
+    CHECK(!memcmp(alone, beside, field_size));
+    CHECK(memcmp(alone, other, field_size)); /* stiffness matters at all */
+    model->destroy(a);
+    model->destroy(b);
+    scene_clear(&stiff);
+    free(alone);
+    free(beside);
+    free(other);
+}
+
+static void check_counters(const struct model *model, const struct scene *scene,
+                           const struct discretization *d)
+{
+    struct counters more = {.steps = 100, .solves = 100};
+    void *state = create(model, scene, d);
+    struct counters c = advance(model, state, FRAMES);
+
+    CHECK(c.steps == FRAMES && c.solves + c.iterations >= FRAMES);
+    CHECK(c.assemblies >= 0 && c.factorisations >= 0);
+    CHECK(model->advance(state, &more) == STATUS_OK);
+    CHECK(more.steps == 101 && more.solves >= 100); /* added to, not set */
+    model->destroy(state);
+}
+
+static void check_energy(const struct model *model, const struct scene *scene,
+                         const struct discretization *d)
+{
+    struct energy start, now;
+
+    if (!model->energy)
+        return;
+    void *state = create(model, scene, d);
+    model->energy(state, &start);
+    CHECK(start.kinetic == 0 && start.potential == 0);
+    CHECK(start.elastic == 0 || isnan(start.elastic));
+    for (int n = 0; n < FRAMES; n++) {
+        advance(model, state, 1);
+        model->energy(state, &now);
+        CHECK(now.kinetic > 0 && isfinite(now.potential));
+        CHECK(now.elastic >= 0 || isnan(now.elastic));
+        if (d->kinematics == KINEMATICS_LINEAR && !isnan(now.elastic))
+            CHECK(now.kinetic + now.elastic + now.potential <=
+                  energy_gain * (now.kinetic + fabs(now.potential)));
+    }
+    CHECK(now.potential < 0);
+    model->destroy(state);
+}
+
+static void check_equilibrium(const struct model *model, const struct scene *scene,
+                              const struct discretization *d)
+{
+    struct counters counters = {0};
+    struct message why = {{0}};
+    double *xyz;
+
+    if (!model->equilibrium)
+        return;
+    void *state = create(model, scene, d);
+    xyz = new_field();
+    if (!CHECK(model->equilibrium(state, &counters, &why) == STATUS_OK))
+        printf("%s: %s\n", model->name, why.text);
+    model->sample(state, xyz);
+    CHECK(all_finite(xyz, FIELD) && metric_drop(scene, xyz) > 0 && counters.solves > 0);
+    model->destroy(state);
+    free(xyz);
+}
+
+static void check_modes(const struct model *model, const struct scene *scene,
+                        const struct discretization *d)
+{
+    enum { COUNT = 5 };
+    struct message why = {{0}};
+    double omega[COUNT];
+
+    if (!model->modes)
+        return;
+    void *state = create(model, scene, d);
+    CHECK(model->modes(state, COUNT, omega, &why) == STATUS_OK);
+    CHECK(omega[0] > 0);
+    for (int n = 1; n < COUNT; n++)
+        CHECK(omega[n] >= omega[n - 1]);
+    *why.text = '\0';
+    CHECK(model->modes(state, 1000000, omega, &why) == STATUS_INPUT && *why.text);
+    model->destroy(state);
+}
+
+static void check_matrices(const struct model *model, const struct scene *scene,
+                           const struct discretization *d)
+{
+    struct discretization points = *d;
+    struct matrix K = {0}, M = {0};
+    struct model_size size;
+    double mass = 0;
+    bool lower = true;
+
+    if (!model->matrices)
+        return;
+    points.unknowns = UNKNOWNS_POINTS;
+    void *state = create(model, scene, &points);
+    model->size(state, &size);
+    REQUIRE(model->matrices(state, &K, &M) == STATUS_OK);
+    CHECK(K.rows == 3 * size.nodes && M.rows == K.rows && K.entries > 0);
+    CHECK(all_finite(K.value, K.entries) && all_finite(M.value, M.entries));
+    for (long n = 0; n < K.entries; n++)
+        lower = lower && K.row[n] < K.rows && K.row[n] >= K.column[n] && K.column[n] >= 0;
+    for (long n = 0; n < M.entries; n++)
+        mass += (M.row[n] == M.column[n] ? 1 : 2) * M.value[n];
+    CHECK(lower);
+    CHECK_RELATIVE(mass,
+                   3 * scene->density * scene->length * scene->width * scene->thickness,
+                   mass_rounding);
+    model->destroy(state);
+    matrix_clear(&K);
+    matrix_clear(&M);
+}
+
+/* Everything that depends on kinematics, for each that the model has. */
+static void check_kinematics(const struct model *model, const struct scene *scene)
+{
+    int served = 0;
+
+    for (int k = KINEMATICS_LINEAR; k <= KINEMATICS_NONLINEAR; k++) {
+        struct discretization d = small_net(model);
+        struct message why = {{0}};
+        void *state = NULL;
+        d.kinematics = (enum kinematics)k;
+        enum status st = model->create(scene, &d, &state, &why);
+        if (st == STATUS_UNSUPPORTED) {
+            CHECK(*why.text && !state);
+            continue;
+        }
+        REQUIRE(st == STATUS_OK);
+        model->destroy(state);
+        served++;
+        check_sampling(model, scene, &d);
+        check_threads(model, scene, &d);
+        check_independence(model, scene, &d);
+        check_counters(model, scene, &d);
+        check_energy(model, scene, &d);
+    }
+    CHECK(served > 0);
+}
+
+static void check_model(const struct model *model)
+{
+    struct discretization d = small_net(model);
+    struct scene scene;
+
+    printf("%s\n", model->name);
+    fill_scene(&scene);
+    check_fields(model);
+    check_size(model, &scene, &d);
+    check_kinematics(model, &scene);
+    d.kinematics = KINEMATICS_LINEAR;
+    check_equilibrium(model, &scene, &d);
+    check_modes(model, &scene, &d);
+    check_matrices(model, &scene, &d);
+    scene_clear(&scene);
+}
+
+int main(void)
+{
+    for (int n = 0; registry[n]; n++)
+        check_model(registry[n]);
+    return check_result();
+}

@@ -1,0 +1,134 @@
+/* What models refuse, and that they say so: for every model of the registry. */
+#include "tests/contract.h"
+
+static void check_registry(void)
+{
+    const struct model *found = NULL;
+    struct message why = {{0}};
+
+    for (int n = 0; registry[n]; n++)
+        for (int m = 0; m < n; m++)
+            CHECK(strcmp(registry[n]->name, registry[m]->name));
+    CHECK(registry_find("no_such_model", &found, &why) == STATUS_INPUT && !found);
+    CHECK(strstr(why.text, registry[0]->name));
+}
+
+/* Refused with a sentence, and the caller's pointer is as it was. */
+static void check_refused(const struct model *model, const struct scene *scene,
+                          const struct discretization *d, enum status want,
+                          const char *what)
+{
+    struct message why = {{0}};
+    int mark;
+    void *state = &mark;
+    enum status st = model->create(scene, d, &state, &why);
+
+    if (!CHECK(st == want && state == &mark && *why.text))
+        printf("%s, %s: status %d, '%s'\n", model->name, what, st, why.text);
+    if (st == STATUS_OK)
+        model->destroy(state);
+}
+
+static void check_bad_discretizations(const struct model *model, const struct scene *scene)
+{
+    double one = 1;
+
+    for (int n = 0; n < 6; n++) {
+        static const char *const what[] = {"no points",      "one point",  "points < 0",
+                                           "a stray weight", "half knots", "degree 9"};
+        struct discretization d = small_net(model);
+        enum status want = STATUS_INPUT;
+        switch (n) {
+        case 0:
+            d.points[0] = 0;
+            break;
+        case 1:
+            d.points[1] = 1;
+            break;
+        case 2:
+            d.points[0] = -7;
+            break;
+        case 3:
+            d.weight_count = 1, d.weights = &one;
+            break;
+        case 4:
+            d.knot_count[0] = 1, d.knots[0] = &one;
+            break;
+        case 5:
+            d.degree[0] = 9;
+            break;
+        }
+        check_refused(model, scene, &d, want, what[n]);
+    }
+}
+
+/* A scene with one need more than the plain one. */
+static void add_need(struct scene *scene, unsigned need)
+{
+    static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.1}};
+    struct scene_obstacle floor = {
+        .kind = OBSTACLE_PLANE, .point = {0, 0, -1}, .normal = {0, 0, 1}};
+    struct scene_support s = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_XYZ};
+
+    switch (need) {
+    case SCENE_NEED_CONTACT:
+        REQUIRE(scene_add_obstacle(scene, &floor) == STATUS_OK);
+        return;
+    case SCENE_NEED_DRAG:
+        scene->drag = 1;
+        return;
+    case SCENE_NEED_MOVING_SUPPORTS:
+        s.path = path, s.path_count = 2;
+        break;
+    case SCENE_NEED_PATCH_SUPPORTS:
+        s.lo[0] = 0.75;
+        break;
+    case SCENE_NEED_COMPONENT_SUPPORTS:
+        s.fix = FIX_Z;
+        break;
+    case SCENE_NEED_THICKNESS_SUPPORTS:
+        s.hi[2] = 0;
+        break;
+    }
+    REQUIRE(scene_add_support(scene, &s) == STATUS_OK);
+}
+
+/* Every need is either served, or said not to be. */
+static void check_needs(const struct model *model)
+{
+#define NEED(name, sentence) SCENE_NEED_##name,
+    static const unsigned needs[] = {SCENE_NEED_LIST(NEED)};
+#undef NEED
+
+    for (size_t n = 0; n < sizeof needs / sizeof *needs; n++) {
+        struct discretization d = small_net(model);
+        struct scene scene;
+        fill_scene(&scene);
+        add_need(&scene, needs[n]);
+        if (!CHECK(scene_needs(&scene) & needs[n]))
+            printf("need %u is not in the scene made for it\n", needs[n]);
+        if (model->serves & needs[n]) {
+            void *state = create(model, &scene, &d);
+            advance(model, state, 2);
+            model->destroy(state);
+        } else {
+            char text[256];
+            scene_needs_text(needs[n], text, sizeof text);
+            check_refused(model, &scene, &d, STATUS_UNSUPPORTED, text);
+        }
+        scene_clear(&scene);
+    }
+}
+
+int main(void)
+{
+    check_registry();
+    for (int n = 0; registry[n]; n++) {
+        struct scene scene;
+        fill_scene(&scene);
+        check_bad_discretizations(registry[n], &scene);
+        check_needs(registry[n]);
+        scene_clear(&scene);
+    }
+    return check_result();
+}

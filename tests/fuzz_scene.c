@@ -1,8 +1,7 @@
 /* libFuzzer target for the scene reader. Leading lines `--set KEY=VALUE` of the input are
  * settings, the rest is the scene file.
  *
- *   CC=clang cmake -S . -B build-fuzz -DCLOTHBENCH_FUZZ=ON
- *   cmake --build build-fuzz --target fuzz_scene
+ *   cmake --preset fuzz && cmake --build --preset fuzz
  *   mkdir -p corpus && cp -r models/scenes tests/bad_scenes corpus
  *   build-fuzz/tests/fuzz_scene -dict=tests/fuzz_scene.dict -max_len=4096 \
  *       -max_total_time=600 corpus

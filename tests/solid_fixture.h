@@ -167,4 +167,21 @@ static inline void solid_interpolate(const struct patch *patch, solid_field *fie
         d[t] /= patch->weight[t / 3];
 }
 
+/* All of a symmetric block matrix, [3 nodes][3 nodes]; owned by the caller. */
+static inline double *solid_dense(const struct blocks *g, double (*K)[9])
+{
+    size_t n = 3 * (size_t)g->nodes;
+    double *full = calloc(n * n, sizeof *full);
+
+    REQUIRE(full);
+    for (int a = 0; a < g->nodes; a++)
+        for (long t = g->start[a]; t < g->start[a + 1]; t++)
+            for (int ij = 0; ij < 9; ij++) {
+                size_t row = 3 * (size_t)a + (size_t)ij / 3;
+                size_t column = 3 * (size_t)g->node[t] + (size_t)ij % 3;
+                full[row * n + column] = full[column * n + row] = K[t][ij];
+            }
+    return full;
+}
+
 #endif

@@ -1,8 +1,10 @@
+#define _DEFAULT_SOURCE /* madvise */
 #include "models/linalg/factor.h"
 
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include "models/linalg/blas_kernel.h"
 #include "models/linalg/factor_part.h"
@@ -106,11 +108,11 @@ static const struct factor_method *choose(const struct factor_pattern *a,
 {
     long half = 0;
     if (method != SOLVER_AUTO)
-        return method == SOLVER_BANDED ? &factor_banded : &factor_cholmod;
+        return method == SOLVER_BANDED ? &factor_banded : &factor_supernodal;
     for (int j = 0; j < a->n; j++)
         for (long s = a->start[j]; s < a->start[j + 1]; s++)
             half = a->row[s] - j > half ? a->row[s] - j : half;
-    return half <= 300 ? &factor_banded : &factor_cholmod;
+    return half <= 300 ? &factor_banded : &factor_supernodal;
 }
 
 /* --- life -------------------------------------------------------------------------------
@@ -170,11 +172,14 @@ out:
     return st;
 }
 
-/* Zeros, aligned to cache lines. */
-static double *aligned_numbers(ptrdiff_t count)
+double *factor_numbers(ptrdiff_t count)
 {
-    size_t bytes = (count + 7) / 8 * 64;
-    double *x = aligned_alloc(64, bytes);
+    /* From a few megabytes on, a sweep over 4 kB pages waits for their addresses. */
+    const size_t huge = (size_t)1 << 21;
+    size_t bytes = (count + 8) / 8 * 64, align = bytes < 2 * huge ? 64 : huge;
+    double *x = aligned_alloc(align, (bytes + align - 1) / align * align);
+    if (x && align == huge)
+        madvise(x, bytes, MADV_HUGEPAGE); /* advice: no matter if refused */
     if (x)
         memset(x, 0, bytes);
     return x;
@@ -202,8 +207,8 @@ enum status factor_create(const struct factor_pattern *a, enum solver method,
     if (!f->part || !f->first_row || !f->first_slot)
         goto out;
     TRY(create_parts(f, a, method));
-    f->value = aligned_numbers(f->first_slot[f->part_count] + 1);
-    f->work = aligned_numbers(f->first_row[f->part_count]);
+    f->value = factor_numbers(f->first_slot[f->part_count] + 1);
+    f->work = factor_numbers(f->first_row[f->part_count]);
     st = f->value && f->work ? STATUS_OK : STATUS_MEMORY;
 out:
     if (st == STATUS_OK)

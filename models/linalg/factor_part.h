@@ -41,7 +41,11 @@ struct factor_part {
     void *state;     /* the method's own                                     owned    */
 };
 
+/* Room for count numbers: zeros, aligned to cache lines, on huge pages where that pays.
+ * Owned by the caller, freed with free; NULL if there is none. */
+double *factor_numbers(ptrdiff_t count);
+
 extern const struct factor_method factor_banded;
-extern const struct factor_method factor_cholmod;
+extern const struct factor_method factor_supernodal;
 
 #endif

@@ -68,7 +68,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     st = STATUS_MEMORY;
     new.x = malloc(bytes);
     new.load = malloc(bytes);
-    new.held = calloc(4 * (size_t) new.supports.held_count + 1, sizeof *new.held);
+    new.held = calloc(4 * (size_t)new.supports.held_count + 1, sizeof *new.held);
     if (!new.x || !new.load || !new.held)
         goto out;
     memcpy(new.x, space->rest, bytes);
@@ -151,40 +151,54 @@ static const double (*stiffness(const struct solid_motion *m))[9]
     return (const double(*)[9])m->assembly.K;
 }
 
-/* M a = load - M alpha v - K (d + beta v) at the start, held unknowns following their
- * paths; then the constant system of the steps. */
-static enum status start_linear(struct solid_motion *m, struct counters *counters)
+/* M a = load - M alpha v - K (d + beta v) at the start, from whatever d and v there are (rest,
+ * static equilibrium), held unknowns following their paths. */
+static enum status start_acceleration(struct solid_motion *m, struct counters *counters)
 {
     enum status st;
     struct newmark *n = &m->newmark;
+    struct newmark_held held = {0};
+    int held_count = m->supports.moving ? m->supports.held_count : 0;
     size_t count = 3 * (size_t)m->space->nodes;
     double *x = n->work, *y = n->work + count;
 
-    memcpy(n->a, m->load, count * sizeof *n->a);
-    if (m->supports.moving) {
-        struct newmark_held held = path_motion(m, m->time);
-        memset(x, 0, count * sizeof *x);
-        for (int h = 0; h < m->supports.held_count; h++) {
-            int u = m->supports.held[h];
-            n->d[u] = held.d[h], n->v[u] = held.v[h];
-            x[u] = held.a[h] + n->alpha * held.v[h];
-        }
-        blocks_multiply_mass(&m->assembly.graph, m->assembly.M, x, y);
-        for (size_t t = 0; t < count; t++) {
-            n->a[t] -= y[t];
-            x[t] = n->d[t] + n->beta * n->v[t];
-        }
-        blocks_multiply(&m->assembly.graph, stiffness(m), x, y);
-        for (size_t t = 0; t < count; t++)
-            n->a[t] -= y[t];
+    if (m->supports.moving)
+        held = path_motion(m, m->time);
+    for (int h = 0; h < held_count; h++) {
+        int u = m->supports.held[h];
+        n->d[u] = held.d[h], n->v[u] = held.v[h];
     }
+    for (size_t t = 0; t < count; t++)
+        x[t] = n->alpha * n->v[t];
+    for (int h = 0; h < held_count; h++)
+        x[m->supports.held[h]] += held.a[h];
+    blocks_multiply_mass(&m->assembly.graph, m->assembly.M, x, y);
+    for (size_t t = 0; t < count; t++) {
+        n->a[t] = m->load[t] - y[t];
+        x[t] = n->d[t] + n->beta * n->v[t];
+    }
+    blocks_multiply(&m->assembly.graph, stiffness(m), x, y);
+    for (size_t t = 0; t < count; t++)
+        n->a[t] -= y[t];
     TRY(system_factor(&m->system, 0, stiffness(m), 1, m->assembly.M));
     TRY(system_solve(&m->system, n->a));
-    for (int h = 0; m->supports.moving && h < m->supports.held_count; h++)
-        n->a[m->supports.held[h]] = held_row(m, 2)[h];
-    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
-    counters->factorisations += 2;
+    for (int h = 0; h < held_count; h++)
+        n->a[m->supports.held[h]] = held.a[h];
+    counters->factorisations++;
     counters->solves++;
+out:
+    return st;
+}
+
+/* The first acceleration, then the constant system of the steps. */
+static enum status start_linear(struct solid_motion *m, struct counters *counters)
+{
+    enum status st;
+    const struct newmark *n = &m->newmark;
+
+    TRY(start_acceleration(m, counters));
+    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
+    counters->factorisations++;
     m->started = true;
 out:
     return st;
@@ -269,8 +283,7 @@ void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
         kinetic += v[t] * y[t] / 2;
     blocks_multiply(graph, stiffness(m), n->d, y);
     for (size_t t = 0; t < count; t++) {
-        double weight =
-            m->scene->density * m->scene->gravity[t % 3] * m->assembly.volume[t / 3];
+        double weight = m->scene->density * m->scene->gravity[t % 3] * m->assembly.volume[t / 3];
         elastic += n->d[t] * y[t] / 2;
         potential -= weight * (m->x[t] - m->space->rest[t]);
     }

@@ -27,8 +27,7 @@ static double largest(size_t count, const double *x)
     return most;
 }
 
-/* Correction above this part of the solution: the system is singular to working accuracy.
- */
+/* Correction above this part of the solution: the system is singular to working accuracy. */
 static const double LARGEST_CORRECTION = 1e-2;
 
 enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *counters,
@@ -67,6 +66,8 @@ enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *coun
                     "(discretization.unknowns=thickness is made for that)");
     for (size_t t = 0; t < count; t++)
         m->x[t] = m->space->rest[t] + n->d[t];
+    if (m->kinematics != KINEMATICS_LINEAR) /* there d is the last step's increment */
+        memset(n->d, 0, count * sizeof *n->d);
 out:
     return st;
 }
@@ -93,8 +94,7 @@ enum status solid_rest_modes(struct solid_motion *m, int count, double *omega,
     k.start = start[0], k.row = row[0], k.value = value[0];
     mass.start = start[1], mass.row = row[1], mass.value = value[1];
     TRY(eigen_lowest(&k, &mass, count, omega, NULL, why));
-    for (int n = 0; n < count;
-         n++) /* a zero mode's eigenvalue is round-off of either sign */
+    for (int n = 0; n < count; n++) /* a zero mode's eigenvalue is round-off of either sign */
         omega[n] = omega[n] > 0 ? sqrt(omega[n]) : 0;
 out:
     for (int n = 0; n < 2; n++) {

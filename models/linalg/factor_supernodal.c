@@ -1,0 +1,374 @@
+/* Multifrontal Cholesky on supernodes. CHOLMOD orders and analyses; the numbers are ours:
+ * its kernels are made for columns longer than a cloth's, and its OpenMP loops ask for four
+ * threads whatever the machine has.
+ *
+ * L lies supernode by supernode in tiles (front.h), in the values themselves: the caller
+ * fills A in, the factorisation overwrites it. Pivots and rows are padded to whole tiles,
+ * with ones on the diagonal. Updates on their way to the parent lie in one arena, planned
+ * at set-up.
+ */
+#include <assert.h>
+#include <cholmod.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/linalg/factor_part.h"
+#include "models/linalg/front.h"
+#include "models/linalg/tile.h"
+
+struct supernode {
+    int first, count;      /* its columns: positions first .. first + count            */
+    int below;             /* rows below them                                          */
+    int parent;            /* supernode of the first row below, or -1                  */
+    int pivots, tiles;     /* tiles of columns, of columns and rows                    */
+    const int *row;        /* [below] positions, ascending                   borrowed  */
+    const int *place;      /* [below] places in the parent's front, see front_add      */
+    ptrdiff_t lower;       /* where its L starts in the values                         */
+    ptrdiff_t update;      /* where its update starts in the arena                     */
+    ptrdiff_t update_size; /* numbers                                                  */
+    int first_child, next; /* lists, -1 at the end                                     */
+};
+
+struct supernodal {
+    int count;              /* supernodes, children before parents                     */
+    struct supernode *node; /* [count]                                                 */
+    int *of_column;         /* [n]                                                     */
+    int *row, *place;       /* all nodes' rows and places                              */
+    double *arena;
+    ptrdiff_t arena_size;
+    double *inverse; /* [rows padded, node by node at inverse_start]                   */
+    ptrdiff_t *inverse_start; /* [count]                                               */
+    double **column; /* [most tiles of a front]                                        */
+    double *x;       /* [most tiles * TILE]                                            */
+    double flops;
+    int most_tiles;
+};
+
+/* --- CHOLMOD: order and symbolic factorisation ------------------------------------------
+ */
+
+static enum status error_of(const cholmod_common *c)
+{
+    if (c->status >= CHOLMOD_OK)
+        return STATUS_OK;
+    return c->status == CHOLMOD_OUT_OF_MEMORY || c->status == CHOLMOD_TOO_LARGE
+               ? STATUS_MEMORY
+               : STATUS_LIBRARY;
+}
+
+/* The pattern with unknown i moved to position[i]; lower triangle. */
+static cholmod_sparse *permuted_pattern(const struct factor_pattern *a, const int *position,
+                                        cholmod_common *c)
+{
+    long entries = a->start[a->n];
+    cholmod_triplet *t =
+        cholmod_allocate_triplet(a->n, a->n, entries, -1, CHOLMOD_PATTERN, c);
+    cholmod_sparse *lower = NULL;
+    if (t) {
+        int *i = t->i, *j = t->j;
+        long end = 0;
+        for (int col = 0; col < a->n; col++)
+            for (long s = a->start[col]; s < a->start[col + 1]; s++, end++) {
+                int p = position[a->row[s]], q = position[col];
+                i[end] = p > q ? p : q;
+                j[end] = p > q ? q : p;
+            }
+        t->nnz = entries;
+        lower = cholmod_triplet_to_sparse(t, entries, c);
+    }
+    cholmod_free_triplet(&t, c);
+    return lower;
+}
+
+/* position[n] and the supernodes in *l, from the given order or the better of AMD's and
+ * METIS's. */
+static enum status analyse(const struct factor_pattern *a, int *position,
+                           cholmod_factor **l, cholmod_common *c)
+{
+    for (int k = 0; k < a->n; k++)
+        position[k] = k;
+    cholmod_sparse *lower = permuted_pattern(a, position, c);
+    c->nmethods = a->order ? 1 : 2;
+    c->method[0].ordering = a->order ? CHOLMOD_GIVEN : CHOLMOD_AMD;
+    c->method[1].ordering = CHOLMOD_METIS;
+    c->postorder = 1;
+    c->supernodal = CHOLMOD_SUPERNODAL;
+    /* Supernodes merge up to these widths while at most this share of them is zeros: tiles
+     * of 8 like wider ones than CHOLMOD's defaults (4, 16, 48; 0.8, 0.1, 0.05). */
+    c->nrelax[0] = 12, c->nrelax[1] = 32, c->nrelax[2] = 64;
+    c->zrelax[0] = 0.8, c->zrelax[1] = 0.2, c->zrelax[2] = 0.05;
+    if (lower)
+        *l = cholmod_analyze_p(lower, (int *)a->order, NULL, 0, c);
+    for (int k = 0; *l && k < a->n; k++)
+        position[((int *)(*l)->Perm)[k]] = k;
+    cholmod_free_sparse(&lower, c);
+    return *l ? error_of(c) : STATUS_MEMORY;
+}
+
+/* --- our own analysis -------------------------------------------------------------------
+ */
+
+static void link_node(struct supernodal *s, int k)
+{
+    struct supernode *node = &s->node[k];
+    node->parent = node->below ? s->of_column[node->row[0]] : -1;
+    node->first_child = node->next = -1;
+    node->pivots = (node->count + TILE - 1) / TILE;
+    node->tiles = node->pivots + (node->below + TILE - 1) / TILE;
+    ptrdiff_t rest = node->tiles - node->pivots;
+    node->update_size = rest * (rest + 1) / 2 * TILE_SIZE;
+    s->most_tiles = node->tiles > s->most_tiles ? node->tiles : s->most_tiles;
+    for (int i = 0; i < node->count; i++)
+        s->flops += (double)(node->below + i + 1) * (node->below + i + 1);
+}
+
+/* Row of a position in the front of `node`; binary search below the pivots. */
+static int row_in_front(const struct supernode *node, int position)
+{
+    if (position < node->first + node->count)
+        return position - node->first;
+    int low = 0, high = node->below;
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
+        if (node->row[middle] <= position)
+            low = middle;
+        else
+            high = middle;
+    }
+    assert(node->below > 0 && node->row[low] == position);
+    return node->pivots * TILE + low;
+}
+
+static void place_in_parents(struct supernodal *s)
+{
+    for (int k = s->count - 1; k >= 0; k--) { /* backwards: child lists come ascending */
+        struct supernode *node = &s->node[k];
+        int *place = s->place + (node->row - s->row);
+        node->place = place;
+        if (node->parent < 0)
+            continue;
+        struct supernode *parent = &s->node[node->parent];
+        node->next = parent->first_child;
+        parent->first_child = k;
+        for (int i = 0; i < node->below; i++) {
+            int row = row_in_front(parent, node->row[i]);
+            place[i] = row / TILE * TILE_SIZE + row % TILE;
+        }
+    }
+}
+
+/* Every update lives from its node's turn to its parent's. First fit: live[] holds the
+ * nodes whose updates are in the arena, by place. */
+static void plan_arena(struct supernodal *s, int *live)
+{
+    int count = 0;
+    for (int k = 0; k < s->count; k++) {
+        struct supernode *node = &s->node[k];
+        ptrdiff_t place = 0;
+        int at = 0;
+        for (; at < count; at++) {
+            const struct supernode *other = &s->node[live[at]];
+            if (other->update - place >= node->update_size)
+                break;
+            place = other->update + other->update_size;
+        }
+        node->update = place;
+        if (place + node->update_size > s->arena_size)
+            s->arena_size = place + node->update_size;
+        memmove(live + at + 1, live + at, (count - at) * sizeof *live);
+        live[at] = k;
+        int kept = 0;
+        for (int i = 0; i <= count; i++) /* its children are read by now */
+            if (s->node[live[i]].parent != k && s->node[live[i]].update_size > 0)
+                live[kept++] = live[i];
+        count = kept;
+    }
+}
+
+static enum status take_supernodes(struct supernodal *s, const cholmod_factor *l)
+{
+    const int *super = l->super, *pi = l->pi;
+    s->count = (int)l->nsuper;
+    s->node = calloc(s->count, sizeof *s->node);
+    s->of_column = malloc(l->n * sizeof *s->of_column);
+    s->row = malloc((l->ssize + 1) * sizeof *s->row);
+    s->place = malloc((l->ssize + 1) * sizeof *s->place);
+    s->inverse_start = malloc(s->count * sizeof *s->inverse_start);
+    if (!s->node || !s->of_column || !s->row || !s->place || !s->inverse_start)
+        return STATUS_MEMORY;
+    memcpy(s->row, l->s, l->ssize * sizeof *s->row);
+    for (int k = 0; k < s->count; k++) {
+        struct supernode *node = &s->node[k];
+        node->first = super[k];
+        node->count = super[k + 1] - super[k];
+        node->below = pi[k + 1] - pi[k] - node->count;
+        node->row = s->row + pi[k] + node->count;
+        for (int i = 0; i < node->count; i++)
+            s->of_column[node->first + i] = k;
+    }
+    return STATUS_OK;
+}
+
+static enum status lay_out(struct supernodal *s, ptrdiff_t *slots)
+{
+    int *live = malloc((s->count + 1) * sizeof *live);
+    ptrdiff_t end = 0, inverse_end = 0;
+    if (!live)
+        return STATUS_MEMORY;
+    for (int k = 0; k < s->count; k++) {
+        struct supernode *node = &s->node[k];
+        link_node(s, k);
+        ptrdiff_t p = node->pivots;
+        node->lower = end;
+        end += (p * node->tiles - p * (p - 1) / 2) * TILE_SIZE;
+        s->inverse_start[k] = inverse_end;
+        inverse_end += p * TILE;
+    }
+    *slots = end;
+    place_in_parents(s);
+    plan_arena(s, live);
+    free(live);
+    s->arena = factor_numbers(s->arena_size);
+    s->inverse = factor_numbers(inverse_end);
+    s->x = factor_numbers((ptrdiff_t)s->most_tiles * TILE);
+    s->column = malloc(s->most_tiles * sizeof *s->column);
+    return s->arena && s->inverse && s->x && s->column ? STATUS_OK : STATUS_MEMORY;
+}
+
+static enum status create(const struct factor_pattern *a, int *position,
+                          struct factor_part *part)
+{
+    enum status st;
+    cholmod_common common;
+    cholmod_factor *l = NULL;
+    struct supernodal *s = part->state = calloc(1, sizeof *s);
+    if (!s)
+        return STATUS_MEMORY;
+    cholmod_start(&common);
+    common.print = 0;
+    TRY(analyse(a, position, &l, &common));
+    TRY(take_supernodes(s, l));
+    TRY(lay_out(s, &part->slots));
+    part->rows = part->n;
+out:
+    cholmod_free_factor(&l, &common);
+    cholmod_finish(&common);
+    return st;
+}
+
+/* --- numbers ----------------------------------------------------------------------------
+ */
+
+static ptrdiff_t tile_start(const struct supernode *node, int row, int column)
+{
+    ptrdiff_t k = column;
+    return node->lower + (k * node->tiles - k * (k - 1) / 2 + row - column) * TILE_SIZE;
+}
+
+static ptrdiff_t slot(const struct factor_part *part, int i, int j)
+{
+    const struct supernodal *s = part->state;
+    const struct supernode *node = &s->node[s->of_column[j]];
+    int row = row_in_front(node, i), column = j - node->first;
+    return tile_start(node, row / TILE, column / TILE) + column % TILE * TILE + row % TILE;
+}
+
+static void open_front(const struct supernodal *s, int k, double *value,
+                       struct front *front)
+{
+    const struct supernode *node = &s->node[k];
+    double *update = s->arena + node->update;
+    front->pivots = node->pivots;
+    front->tiles = node->tiles;
+    front->column = s->column;
+    front->inverse = s->inverse + s->inverse_start[k];
+    for (int j = 0; j < node->pivots; j++)
+        front->column[j] = value + tile_start(node, j, j) - (ptrdiff_t)j * TILE_SIZE;
+    for (int j = node->pivots; j < node->tiles; j++) {
+        front->column[j] = update - (ptrdiff_t)j * TILE_SIZE;
+        update += (ptrdiff_t)(node->tiles - j) * TILE_SIZE;
+    }
+    memset(s->arena + node->update, 0, node->update_size * sizeof *s->arena);
+    for (int i = node->count; i < node->pivots * TILE; i++)
+        value[tile_start(node, i / TILE, i / TILE) + i % TILE * (TILE + 1)] = 1.0;
+}
+
+static enum status refactor(struct factor_part *part, double *value)
+{
+    const struct supernodal *s = part->state;
+    for (int k = 0; k < s->count; k++) {
+        struct front front;
+        open_front(s, k, value, &front);
+        for (int c = s->node[k].first_child; c >= 0; c = s->node[c].next)
+            front_add(&front, s->arena + s->node[c].update, s->node[c].below,
+                      s->node[c].place);
+        if (!front_factor(&front))
+            return STATUS_INDEFINITE;
+    }
+    return STATUS_OK;
+}
+
+static void solve(struct factor_part *part, const double *value, double *b)
+{
+    const struct supernodal *s = part->state;
+    double *x = s->x;
+    for (int k = 0; k < s->count; k++) {
+        const struct supernode *node = &s->node[k];
+        double *rest = x + node->pivots * TILE;
+        memset(x, 0, (size_t)node->tiles * TILE * sizeof *x);
+        memcpy(x, b + node->first, node->count * sizeof *x);
+        front_forward(node->pivots, node->tiles, value + node->lower,
+                      s->inverse + s->inverse_start[k], x);
+        memcpy(b + node->first, x, node->count * sizeof *x);
+        for (int i = 0; i < node->below; i++)
+            b[node->row[i]] += rest[i];
+    }
+    for (int k = s->count - 1; k >= 0; k--) {
+        const struct supernode *node = &s->node[k];
+        double *rest = x + node->pivots * TILE;
+        memset(x, 0, (size_t)node->tiles * TILE * sizeof *x);
+        memcpy(x, b + node->first, node->count * sizeof *x);
+        for (int i = 0; i < node->below; i++)
+            rest[i] = b[node->row[i]];
+        front_backward(node->pivots, node->tiles, value + node->lower,
+                       s->inverse + s->inverse_start[k], x);
+        memcpy(b + node->first, x, node->count * sizeof *x);
+    }
+}
+
+static void describe(const struct factor_part *part, struct factor_info *info)
+{
+    const struct supernodal *s = part->state;
+    info->entries += (long)part->slots;
+    info->flops += s->flops;
+    info->bytes += (long)(s->arena_size * sizeof *s->arena + s->count * sizeof *s->node +
+                          part->n * (sizeof(int) + sizeof(double)));
+}
+
+static void destroy(struct factor_part *part)
+{
+    struct supernodal *s = part->state;
+    if (!s)
+        return;
+    free(s->node);
+    free(s->of_column);
+    free(s->row);
+    free(s->place);
+    free(s->inverse_start);
+    free(s->arena);
+    free(s->inverse);
+    free(s->column);
+    free(s->x);
+    free(s);
+    part->state = NULL;
+}
+
+const struct factor_method factor_supernodal = {
+    .name = "supernodal",
+    .create = create,
+    .slot = slot,
+    .refactor = refactor,
+    .solve = solve,
+    .describe = describe,
+    .destroy = destroy,
+};

@@ -1,0 +1,201 @@
+/* motion_fixture.h - shipped scenes in motion, for tests that concern time: a scene with
+ * settings and a solid model, its state within reach, all natural modes of a small net. */
+#ifndef MOTION_FIXTURE_H
+#define MOTION_FIXTURE_H
+
+#include <float.h>
+
+#include "fem_ref/hex_model.h"
+#include "iga/plate_model.h"
+#include "models/grid.h"
+#include "models/linalg/eigen.h"
+#include "models/metric.h"
+#include "models/scene_file.h"
+#include "models/solid/solid_model.h"
+#include "tests/check.h"
+
+struct run {
+    const struct model *model;
+    struct scene scene;
+    struct discretization d;
+    void *state; /* begins with a struct solid_motion (solid_model.h)                  */
+    struct counters counters;
+};
+
+/* Settings are a list that ends with NULL: RUN_SETTINGS("time.step=0.01", ...). */
+#define RUN_SETTINGS(...) ((const char *const[]){__VA_ARGS__, NULL})
+
+/* Reads the scene; run_start creates the model, so that a test may change things between.
+ */
+static inline void run_read(struct run *run, const char *model, const char *scene,
+                            const char *const *settings)
+{
+    struct message why;
+    char path[1024];
+    int count = 0;
+
+    memset(run, 0, sizeof *run);
+    run->model = !strcmp(model, "hex") ? &hex_model : &plate_model;
+    run->model->defaults(&run->d);
+    while (settings && settings[count])
+        count++;
+    snprintf(path, sizeof path, SOURCE_DIR "/models/scenes/%s.yaml", scene);
+    why.text[0] = 0;
+    if (!CHECK(scene_file_read(path, count, settings, &run->scene, &run->d, &why) ==
+               STATUS_OK)) {
+        printf("%s\n", why.text);
+        exit(1);
+    }
+}
+
+static inline void run_start(struct run *run)
+{
+    struct message why;
+
+    why.text[0] = 0;
+    if (!CHECK(run->model->create(&run->scene, &run->d, &run->state, &why) == STATUS_OK)) {
+        printf("%s\n", why.text);
+        exit(1);
+    }
+}
+
+static inline void run_open(struct run *run, const char *model, const char *scene,
+                            const char *const *settings)
+{
+    run_read(run, model, scene, settings);
+    run_start(run);
+}
+
+static inline void run_close(struct run *run)
+{
+    if (run->state)
+        run->model->destroy(run->state);
+    scene_clear(&run->scene);
+    discretization_clear(&run->d);
+    memset(run, 0, sizeof *run);
+}
+
+static inline struct solid_motion *run_motion(const struct run *run)
+{
+    return run->state;
+}
+
+static inline void run_steps(struct run *run, int steps)
+{
+    for (int n = 0; n < steps; n++)
+        REQUIRE(run->model->advance(run->state, &run->counters) == STATUS_OK);
+}
+
+/* Runs to time t, which must be a whole number of steps. */
+static inline void run_until(struct run *run, double t)
+{
+    run_steps(run, (int)floor((t - run_motion(run)->time) / run->scene.step + 0.5));
+}
+
+typedef double run_field[GRID_POINTS][3];
+
+static inline void run_sample(const struct run *run, run_field field)
+{
+    run->model->sample(run->state, field[0]);
+}
+
+/* Largest |a - b| over two fields' coordinates [m]. */
+static inline double run_distance(run_field a, run_field b)
+{
+    double most = 0;
+
+    for (int n = 0; n < 3 * GRID_POINTS; n++)
+        if (!(fabs(a[0][n] - b[0][n]) <= most))
+            most = fabs(a[0][n] - b[0][n]);
+    return most;
+}
+
+static inline size_t run_unknowns(const struct run *run)
+{
+    return 3 * (size_t)run_motion(run)->space->nodes;
+}
+
+/* All natural modes of a run's rest shape about held supports: lambda = omega^2 ascending,
+ * vector[i][unknowns] M-normalised, zero at held unknowns. */
+struct modes {
+    int count;
+    size_t unknowns;
+    double *lambda, *vector;
+    double *work;
+};
+
+static inline void modes_init(struct modes *m, const struct run *run)
+{
+    const struct solid_motion *s = run_motion(run);
+    const double(*K)[9] = (const double(*)[9])s->assembly.K;
+    struct eigen_matrix k = {.n = s->supports.free_count}, mass = k;
+    long *start[2];
+    int *row[2], n = k.n;
+    double *value[2], *packed = malloc((size_t)(n * n) * sizeof *packed);
+
+    *m = (struct modes){.count = n, .unknowns = run_unknowns(run)};
+    m->lambda = malloc((size_t)n * sizeof *m->lambda);
+    m->vector = calloc((size_t)n * m->unknowns, sizeof *m->vector);
+    m->work = malloc(m->unknowns * sizeof *m->work);
+    REQUIRE(packed && m->lambda && m->vector && m->work && n <= EIGEN_DENSE_MAX);
+    for (int t = 0; t < 2; t++)
+        REQUIRE(system_columns(&s->assembly.graph, &s->supports, NULL, !t, K, t,
+                               s->assembly.M, &start[t], &row[t], &value[t]) == STATUS_OK);
+    k.start = start[0], k.row = row[0], k.value = value[0];
+    mass.start = start[1], mass.row = row[1], mass.value = value[1];
+    REQUIRE(eigen_lowest(&k, &mass, n, m->lambda, packed, NULL) == STATUS_OK);
+    for (int i = 0; i < n; i++)
+        for (size_t t = 0; t < m->unknowns; t++)
+            if (s->supports.free_index[t] >= 0)
+                m->vector[(size_t)i * m->unknowns + t] =
+                    packed[i * n + s->supports.free_index[t]];
+    for (int t = 0; t < 2; t++) {
+        free(start[t]);
+        free(row[t]);
+        free(value[t]);
+    }
+    free(packed);
+}
+
+static inline void modes_clear(struct modes *m)
+{
+    free(m->lambda);
+    free(m->vector);
+    free(m->work);
+    memset(m, 0, sizeof *m);
+}
+
+/* Modal amplitudes q[count] = vector' M x of x[unknowns]. */
+static inline void modes_project(const struct modes *m, const struct run *run,
+                                 const double *x, double *q)
+{
+    const struct solid_assembly *a = &run_motion(run)->assembly;
+
+    blocks_multiply_mass(&a->graph, a->M, x, m->work);
+    for (int i = 0; i < m->count; i++) {
+        q[i] = 0;
+        for (size_t t = 0; t < m->unknowns; t++)
+            q[i] += m->vector[(size_t)i * m->unknowns + t] * m->work[t];
+    }
+}
+
+/* x[unknowns] = sum q[i] vector[i]. */
+static inline void modes_combine(const struct modes *m, const double *q, double *x)
+{
+    memset(x, 0, m->unknowns * sizeof *x);
+    for (int i = 0; i < m->count; i++)
+        for (size_t t = 0; t < m->unknowns; t++)
+            x[t] += q[i] * m->vector[(size_t)i * m->unknowns + t];
+}
+
+/* Modal loads vector' f of the scene's constant load f. */
+static inline void modes_load(const struct modes *m, const struct run *run, double *p)
+{
+    for (int i = 0; i < m->count; i++) {
+        p[i] = 0;
+        for (size_t t = 0; t < m->unknowns; t++)
+            p[i] += m->vector[(size_t)i * m->unknowns + t] * run_motion(run)->load[t];
+    }
+}
+
+#endif

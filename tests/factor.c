@@ -4,6 +4,7 @@
 
 #include "bench/net_matrix.h"
 #include "models/linalg/factor.h"
+#include "models/linalg/order.h"
 #include "tests/check.h"
 
 /* Cholesky is backward stable: |b - A x| <= c w eps |A| |x| for w numbers a row of L (at
@@ -106,6 +107,37 @@ static void check_order(void)
     free(order);
 }
 
+/* Every unknown once; cuts leave no coupling between the halves they part, so supernodes in
+ * this order hold less than a band. */
+static void check_nested(const struct net_shape *shape)
+{
+    struct net_matrix a;
+    struct factor *f = NULL;
+    struct factor_info band, nested;
+    REQUIRE(net_matrix_create(shape, &a) == STATUS_OK);
+    int *order = malloc(a.n * sizeof *order), *seen = calloc(a.n, sizeof *seen);
+    order_nested(shape->points_u, shape->points_v, 6, shape->reach, order);
+    for (int k = 0; k < a.n; k++)
+        CHECK(0 <= order[k] && order[k] < a.n && !seen[order[k]]++);
+    struct factor_pattern pattern = pattern_of(&a, order);
+    REQUIRE(factor_create(&pattern, SOLVER_CHOLMOD, &f) == STATUS_OK);
+    factor_describe(f, &nested);
+    factor_destroy(f);
+    REQUIRE(factor_create(&pattern, SOLVER_BANDED, &f) == STATUS_OK);
+    factor_describe(f, &band);
+    factor_destroy(f);
+    CHECK(nested.flops < 0.6 * band.flops && nested.half_bandwidth == 0);
+    /* SOLVER_AUTO must have seen that. */
+    REQUIRE(factor_create(&pattern, SOLVER_AUTO, &f) == STATUS_OK);
+    factor_describe(f, &nested);
+    CHECK(!strcmp(nested.method, "supernodal"));
+    factor_destroy(f);
+    free(order);
+    free(seen);
+    net_matrix_clear(&a);
+    check_shape(shape, SOLVER_AUTO, NULL);
+}
+
 /* The band takes the narrower of the given and the natural order. */
 static void check_band_order(void)
 {
@@ -179,6 +211,7 @@ int main(void)
     check_shapes();
     check_order();
     check_band_order();
+    check_nested(&(struct net_shape){.points_u = 32, .points_v = 31, .reach = 1});
     for (enum solver method = SOLVER_BANDED; method <= SOLVER_CHOLMOD; method++) {
         check_refusals(method);
         check_diagonal(method);

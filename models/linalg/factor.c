@@ -102,17 +102,67 @@ static enum status part_pattern_init(const struct factor_pattern *a, const int *
 /* --- which method -----------------------------------------------------------------------
  */
 
-/* Narrow bands are cheaper than the indexing of a sparse factor. */
-static const struct factor_method *choose(const struct factor_pattern *a,
-                                          enum solver method)
+static double flops_of(const struct factor_part *part)
 {
-    long half = 0;
-    if (method != SOLVER_AUTO)
-        return method == SOLVER_BANDED ? &factor_banded : &factor_supernodal;
-    for (int j = 0; j < a->n; j++)
-        for (long s = a->start[j]; s < a->start[j + 1]; s++)
-            half = a->row[s] - j > half ? a->row[s] - j : half;
-    return half <= 300 ? &factor_banded : &factor_supernodal;
+    struct factor_info info = {0};
+    part->method->describe(part, &info);
+    return info.flops;
+}
+
+static void swap_parts(struct factor_part *a, struct factor_part *b)
+{
+    struct factor_part keep = *a;
+    *a = *b;
+    *b = keep;
+}
+
+/* SOLVER_AUTO: the band, unless supernodes save enough arithmetic: its tiles run faster.
+ * Measured by test_speed_factor (least of at least 9; one thread of a Zen 4 EPYC at 57
+ * Gflop/s, others at work on it; supernodes in order_nested's order; p: reach of the
+ * couplings):
+ *
+ *                          Mflop            factor [ms]        solve [ms]
+ *   net         p      band  supern.       band   supern.     band   supern.
+ *   5x5x2       2       0.4      0.4     0.0135    0.0145   0.0015    0.0017
+ *   10x10x2     2       8.6      9.5      0.198     0.273    0.011     0.014
+ *   10x10x2 *   2       2.5      2.8      0.074     0.103   0.0075    0.0090
+ *   14x14x2     2        34       31      0.717     0.815    0.033     0.037
+ *   20x20x2     2       141      127       2.82      3.15    0.103     0.111
+ *   20x20x2 *   2        37       34       0.86      1.03    0.054     0.064
+ *   32x32x2     2       923      644       18.3      18.3     0.55      0.43
+ *   50x50x2     2      5486     2959        140       102      5.2       4.1
+ *   100x100x2   2               27272                 722               24.2
+ *   100x100x2 * 2                7023                 198               14.3
+ *   10x10x2     1       2.8      2.5      0.081     0.099    0.007     0.009
+ *   16x16x2     1        17       12      0.405     0.411    0.028     0.033
+ *   20x20x2     1        40       27      0.906     0.850    0.057     0.059
+ *   24x24x2     1        80       48       1.76      1.47    0.099     0.095
+ *   32x32x2     1       248      111       5.28      3.61    0.234     0.201
+ *   40x40x2     1       595      233       13.4      8.18     0.62      0.35
+ *   100x100x2   1                3910                 112               10.6
+ *   60x6x2      2        16       48       0.43      1.21    0.037     0.068
+ *   * membrane and bending uncoupled: two parts
+ */
+static const double arithmetic_saved = 1.45; /* where the two factors cost the same       */
+static const double never_below = 15e6; /* flops: 0.4 ms, not worth CHOLMOD's analysis */
+
+/* The method asked for, or the cheaper one; position[n], spare[n]: work. */
+static enum status create_by_method(const struct factor_pattern *a, enum solver method,
+                                    int *position, int *spare, struct factor_part *part)
+{
+    enum status st;
+    struct factor_part other = {.method = &factor_supernodal, .n = part->n};
+    part->method = method == SOLVER_CHOLMOD ? &factor_supernodal : &factor_banded;
+    st = part->method->create(a, position, part);
+    if (st != STATUS_OK || method != SOLVER_AUTO || flops_of(part) < never_below)
+        return st;
+    st = other.method->create(a, spare, &other);
+    if (st == STATUS_OK && flops_of(part) > arithmetic_saved * flops_of(&other)) {
+        memcpy(position, spare, a->n * sizeof *position);
+        swap_parts(part, &other);
+    }
+    other.method->destroy(&other);
+    return st;
 }
 
 /* --- life -------------------------------------------------------------------------------
@@ -126,11 +176,10 @@ static enum status create_part(struct factor *f, int p, const struct factor_patt
     struct factor_part *part = &f->part[p];
     int *position = NULL;
 
-    if (!(position = malloc(part->n * sizeof *position)))
+    if (!(position = malloc(2 * (size_t)part->n * sizeof *position)))
         return STATUS_MEMORY;
     TRY(part_pattern_init(a, unknown, part->n, local, f->part_of, &own));
-    part->method = choose(&own.pattern, method);
-    TRY(part->method->create(&own.pattern, position, part));
+    TRY(create_by_method(&own.pattern, method, position, position + part->n, part));
     f->first_slot[p + 1] = f->first_slot[p] + (part->slots + 7) / 8 * 8;
     f->first_row[p + 1] = f->first_row[p] + (part->rows + 7) / 8 * 8;
     for (int k = 0; k < part->n; k++)

@@ -55,7 +55,7 @@ enum status factor_refactor(struct factor *f);
 enum status factor_solve(struct factor *f, double *b);
 
 struct factor_info {
-    const char *method; /* "banded", "cholmod", or "mixed"; static                     */
+    const char *method; /* "banded", "supernodal" or "mixed"; static                  */
     long entries;       /* numbers stored in L, padding included                       */
     double flops;       /* of one factorisation                                        */
     int parts;          /* independent sub-systems                                       */

@@ -104,7 +104,7 @@ static ptrdiff_t slot(const struct factor_part *part, int i, int j)
 TILE_INLINE void finish_tiles(const struct banded *band, double *value, int count, int row,
                               int column)
 {
-    tile_column c[TILE_PASS][TILE];
+    tile_column c[TILE_PASS_MAX][TILE];
     double *target = value + band->start[column] + (row - column) * TILE_SIZE;
     int k = band->first[row];
     tile_load(count, target, c);

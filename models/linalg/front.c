@@ -10,7 +10,7 @@ enum { PANEL = 12 };
  * column. */
 TILE_INLINE void finish(const struct front *f, int count, int row, int column, int from)
 {
-    tile_column c[TILE_PASS][TILE];
+    tile_column c[TILE_PASS_MAX][TILE];
     double *target = f->column[column] + (ptrdiff_t)row * TILE_SIZE;
     const double *diagonal = f->column[column] + (ptrdiff_t)column * TILE_SIZE;
     tile_load(count, target, c);
@@ -25,7 +25,7 @@ TILE_INLINE void finish(const struct front *f, int count, int row, int column, i
 TILE_INLINE void update(const struct front *f, int count, int row, int column, int from,
                         int to)
 {
-    tile_column c[TILE_PASS][TILE];
+    tile_column c[TILE_PASS_MAX][TILE];
     double *target = f->column[column] + (ptrdiff_t)row * TILE_SIZE;
     tile_load(count, target, c);
     for (int k = from; k < to; k++)

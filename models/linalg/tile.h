@@ -15,8 +15,9 @@
 enum { TILE = 8, TILE_SIZE = TILE * TILE };
 
 /* Tiles that one pass holds in registers: 24 accumulators of 32 with AVX-512. */
+enum { TILE_PASS_MAX = 3 };
 #ifdef __AVX512F__
-enum { TILE_PASS = 3 };
+enum { TILE_PASS = TILE_PASS_MAX };
 #else
 enum { TILE_PASS = 1 };
 #endif
@@ -25,7 +26,7 @@ typedef double tile_column __attribute__((vector_size(TILE * sizeof(double)), ma
 
 #define TILE_INLINE static inline __attribute__((always_inline))
 
-/* c[r] -= a[r] b^T for `count` tiles r one under the other (count 1..TILE_PASS, a constant). */
+/* c[r] -= a[r] b^T for `count` tiles r one under the other (count 1..TILE_PASS_MAX, a constant). */
 TILE_INLINE void tile_update(int count, tile_column c[][TILE], const double *a,
                              const double *b)
 {

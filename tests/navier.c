@@ -1,0 +1,183 @@
+/* Simply supported square plates against the Navier table: sinusoidal load with a single
+ * polynomial of degree 1, 2, 3 through the thickness, whose converged answers differ (the
+ * thickness locking of degree 1 among them), and with degree 5 against three-dimensional
+ * elasticity; uniform load and frequencies by the navier scene. The in-plane net is fine
+ * enough not to matter. */
+#include "fem_ref/reference.h"
+#include "models/scene_file.h"
+#include "models/solid/solid_model.h"
+#include "tests/plate_fixture.h"
+
+/* The table has ten digits, good to 1e-9. Splines of degree 5 on four spans of a quarter
+ * wave miss it by (pi / 16)^10 = 1e-7 of the energy at most; a product of lambda / mu <= 50
+ * and less for what nearly incompressible plates lock. */
+static const double TOL_SINE = 1e-7;
+/* Thin plates: the condition of K in the thickness basis, 1e2 (a / h)^2 for degree 5 (as
+ * much again as for degree 2), and the last thing lost is the bending part: 1e10 eps. */
+static const double TOL_THIN_SINE = 3e-6;
+/* Degree 5 through the thickness leaves (h / a)^6 of exact elasticity, times about 0.1. */
+#define TOL_EXACT(h) (TOL_SINE + 0.2 * pow(h, 6))
+/* Uniform load: the corners' r^4 log r limits the order, on six spans, to about 1e-5;
+ * locking grows as h falls: 2e-4 at h = a / 1000. */
+#define TOL_UNIFORM(h) (5e-5 + 5e-7 / (h))
+/* Eigenvalues of degree 4 on four spans of a quarter wave: (pi / 16)^8 = 2e-6, some tens of
+ * times that in thin ones; degree 3 through the thickness: (h / a)^6, on a half wave 2^6
+ * more. */
+#define TOL_FREQUENCY(h) (1e-4 + 10 * pow(h, 6))
+
+static const double PI = 3.14159265358979323846;
+
+/* The quarter u, v <= 1/2 of the plate, symmetric about u = 1/2, symmetric or not about
+ * v = 1/2. */
+static void quarter_scene(double h, double nu, bool antisymmetric, struct scene *scene)
+{
+    plate_scene(scene, h, nu);
+    scene->length = scene->width = 0.5;
+    plate_hold(scene, 0, 0, FIX_Y | FIX_Z);
+    plate_hold(scene, 1, 0, FIX_X | FIX_Z);
+    plate_hold(scene, 0, 1, FIX_X);
+    plate_hold(scene, 1, 1, antisymmetric ? FIX_X | FIX_Z : FIX_Y);
+}
+
+/* All of it under its own weight: the shipped scene. */
+static void whole_scene(double h, double nu, struct scene *scene)
+{
+    struct discretization d = {{0}};
+    struct message why = {""};
+    char *path = NULL;
+
+    REQUIRE(scene_file_find("navier", &path, &why) == STATUS_OK);
+    REQUIRE(scene_file_read(path, 0, NULL, scene, &d, &why) == STATUS_OK);
+    scene->thickness = h;
+    scene->poisson = nu;
+    free(path);
+}
+
+/* load_a = int force(x, y) N_a dV in z, force = -sin(pi x) sin(pi y) / h: a unit load. */
+static void sine_load(struct solid_motion *m, double h)
+{
+    const struct solid_space *s = m->space;
+    struct solid_element e;
+    struct solid_material none = {1, 1, 1};
+
+    REQUIRE(solid_element_init(&e, s) == STATUS_OK);
+    memset(m->load, 0, 3 * (size_t)s->nodes * sizeof *m->load);
+    for (int n = 0; n < s->elements; n++) {
+        const int *node = s->ien + (size_t)n * (size_t)s->local;
+        REQUIRE(solid_element_compute(&e, s, n, &none, s->rest) == STATUS_OK); /* N, dV */
+        for (int q = 0; q < s->gauss; q++) {
+            const double *N = e.shape.N + (size_t)(q * e.row);
+            double x = 0, y = 0;
+            for (int a = 0; a < s->local; a++) {
+                x += N[a] * s->rest[3 * node[a]];
+                y += N[a] * s->rest[3 * node[a] + 1];
+            }
+            double force = -sin(PI * x) * sin(PI * y) / h * e.dV[q];
+            for (int a = 0; a < s->local; a++)
+                m->load[3 * node[a] + 2] += force * N[a];
+        }
+    }
+    solid_element_clear(&e);
+}
+
+/* w(centre) D / (q a^4) under the sine load, one span of degree r through the thickness. */
+static double sine_deflection(double h, double nu, int r)
+{
+    static const double centre[3] = {1, 1, 0.5};
+    struct discretization d = plate_degrees(5, 5, r, 9, 9, r + 1);
+    struct counters counters = {0};
+    struct message why = {""};
+    struct scene scene;
+    double xyz[3];
+    void *state = NULL;
+
+    quarter_scene(h, nu, false, &scene);
+    REQUIRE(plate_model.create(&scene, &d, &state, &why) == STATUS_OK);
+    sine_load(state, h); /* a solid's state begins with its motion: solid_model.h */
+    CHECK(plate_model.equilibrium(state, &counters, &why) == STATUS_OK);
+    plate_model.probe(state, 1, centre, xyz);
+    plate_model.destroy(state);
+    double D = scene_bending_stiffness(&scene);
+    scene_clear(&scene);
+    return -xyz[2] * D;
+}
+
+/* The same of the shipped scene, at degree 4 where thickness matters. */
+static double uniform_deflection(double h, double nu)
+{
+    int r = h > 0.03 ? 4 : 3;
+    struct discretization d = plate_degrees(5, 5, r, 11, 11, r + 1);
+    struct scene scene;
+
+    whole_scene(h, nu, &scene);
+    double load = -scene.density * scene.gravity[2] * h;
+    double w = plate_sag(&plate_model, &scene, &d, 0.5, 0.5);
+    w *= scene_bending_stiffness(&scene) / load;
+    scene_clear(&scene);
+    return w;
+}
+
+/* omega a^2 sqrt(rho h / D) of mode (1,1), or (1,2) if antisymmetric. In-plane modes lie
+ * about: it is the one nearest to `want`. */
+static double mode(double h, double nu, bool antisymmetric, double want)
+{
+    struct discretization d = plate_degrees(4, 4, 3, 8, 8, 4);
+    struct message why = {""};
+    struct scene scene;
+    double omega[4], nearest = INFINITY;
+    void *state = NULL;
+
+    quarter_scene(h, nu, antisymmetric, &scene);
+    REQUIRE(plate_model.create(&scene, &d, &state, &why) == STATUS_OK);
+    REQUIRE(plate_model.modes(state, 4, omega, &why) == STATUS_OK);
+    plate_model.destroy(state);
+    double unit = sqrt(scene_bending_stiffness(&scene) / (scene.density * h));
+    for (int n = 0; n < 4; n++)
+        if (fabs(omega[n] / unit - want) < fabs(nearest - want))
+            nearest = omega[n] / unit;
+    scene_clear(&scene);
+    return nearest;
+}
+
+static void check_sine(const struct reference *table, int row, double h, double nu)
+{
+    static const char *const column[] = {"pz1", "pz2", "pz3"};
+
+    for (int r = 1; r <= 3; r++) {
+        double want = reference_number(table, row, column[r - 1]);
+        double w = sine_deflection(h, nu, r);
+        CHECK_RELATIVE(w, want, h < 2e-3 ? TOL_THIN_SINE : TOL_SINE);
+    }
+    if (h > 0.03) {
+        double want = reference_number(table, row, "exact3D_body");
+        CHECK_RELATIVE(sine_deflection(h, nu, 5), want, TOL_EXACT(h));
+    }
+}
+
+static void check_row(const struct reference *table, int row)
+{
+    double h = reference_number(table, row, "h_over_a");
+    double nu = reference_number(table, row, "nu");
+    double exact = reference_number(table, row, "exact3D_body");
+    const char *name = reference_text(table, row, "case");
+
+    if (!strcmp(name, "sin11"))
+        check_sine(table, row, h, nu);
+    else if (!strcmp(name, "unif"))
+        CHECK_RELATIVE(uniform_deflection(h, nu), exact, TOL_UNIFORM(h));
+    else if (h > 5e-3 && nu == 0.3) /* nearly incompressible ones need more than degree 3 */
+        CHECK_RELATIVE(mode(h, nu, !strcmp(name, "freq12"), exact), exact,
+                       TOL_FREQUENCY(h));
+}
+
+int main(void)
+{
+    struct reference *table = NULL;
+    struct message why = {""};
+
+    REQUIRE(reference_open(REFERENCE_DIR "/navier_plate.csv", &table, &why) == STATUS_OK);
+    for (int row = 0; row < reference_rows(table); row++)
+        check_row(table, row);
+    reference_close(table);
+    return check_result();
+}

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/linalg/supports.h"
+
 void plate_space_legendre(int degree, double w, double *value, double *derivative)
 {
     double x = 2 * w - 1, p[BSPLINE_MAX_ORDER], d[BSPLINE_MAX_ORDER];
@@ -222,8 +224,9 @@ static void place_nodes(struct solid_space *space, const struct patch *patch)
             for (int k = 0; k < l; k++, node++) {
                 space->uvw[node][0] = bspline_greville(&b[0], i);
                 space->uvw[node][1] = bspline_greville(&b[1], j);
-                space->uvw[node][2] =
-                    space->thickness_basis ? -1 : bspline_greville(&b[2], k);
+                space->uvw[node][2] = !space->thickness_basis ? bspline_greville(&b[2], k)
+                                      : k == 0                ? SUPPORTS_MIDDLE
+                                                              : SUPPORTS_DIFFERENCE;
             }
     for (int a = 0; space->thickness_basis && a < space->nodes; a += l)
         column_coefficients(&b[2], patch->point + 3 * (size_t)a,

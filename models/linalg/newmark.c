@@ -35,10 +35,10 @@ double newmark_k(const struct newmark *n)
 
 double newmark_m(const struct newmark *n)
 {
-    return 1 + n->alpha * n->dt / 2;
+    return 1 + n->alpha * n->dt / 2 + n->gamma * n->dt * n->dt / 4;
 }
 
-/* rhs -= M (a + alpha v) + K (d + beta v) of the held unknowns, whose motion is given. */
+/* rhs -= M (a + alpha v + gamma d) + K (d + beta v) of the held unknowns, whose motion is given. */
 static void subtract_held(struct newmark *n, struct system *s, const double (*K)[9],
                           const double *M, const struct newmark_held *held, double *rhs)
 {
@@ -47,7 +47,7 @@ static void subtract_held(struct newmark *n, struct system *s, const double (*K)
 
     memset(x, 0, count * sizeof *x);
     for (int h = 0; h < s->held->held_count; h++)
-        x[s->held->held[h]] = held->a[h] + n->alpha * held->v[h];
+        x[s->held->held[h]] = held->a[h] + n->alpha * held->v[h] + n->gamma * held->d[h];
     blocks_multiply_mass(s->graph, M, x, y);
     for (size_t t = 0; t < count; t++)
         rhs[t] -= y[t];
@@ -71,7 +71,7 @@ enum status newmark_step(struct newmark *n, struct system *s, const double (*K)[
     for (size_t t = 0; t < count; t++) {
         double p = n->d[t] + dt * n->v[t] + c * n->a[t];
         double q = n->v[t] + dt / 2 * n->a[t];
-        w[t] = place[t] < 0 ? 0 : m * ((p + n->beta * q) / k) - n->alpha * q;
+        w[t] = place[t] < 0 ? 0 : m * ((p + n->beta * q) / k) - n->alpha * q - n->gamma * p;
     }
     blocks_multiply_mass(s->graph, M, w, z);
     for (size_t t = 0; t < count; t++)

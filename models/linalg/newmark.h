@@ -13,6 +13,7 @@
 struct newmark {
     double dt;          /* [s]                                                         */
     double alpha, beta; /* Rayleigh damping [1/s], [s]                                 */
+    double gamma;       /* K + gamma M acts on d [1/s^2]; 0 unless set after init      */
     double *d, *v, *a;  /* [nodes][3] displacement, velocity, acceleration             */
     double *work;       /* [3][nodes][3]                                               */
 };

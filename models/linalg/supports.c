@@ -81,8 +81,8 @@ enum status supports_init(struct supports *s, const struct scene *scene, int nod
         if (owner[n] < 0)
             continue;
         new.held[new.held_count] = n;
-        new.owner[new.held_count++] = owner[n];
         new.moving |= scene->supports[owner[n]].path_count > 0;
+        new.owner[new.held_count++] = uvw[n / 3][2] == SUPPORTS_DIFFERENCE ? -1 : owner[n];
     }
     *s = new;
     memset(&new, 0, sizeof new);
@@ -106,8 +106,9 @@ void supports_shift(const struct supports *s, const struct scene *scene, double 
                     double *shift)
 {
     for (int n = 0; n < s->held_count; n++) {
-        double by[3];
-        scene_support_shift(&scene->supports[s->owner[n]], t, by);
+        double by[3] = {0};
+        if (s->owner[n] >= 0)
+            scene_support_shift(&scene->supports[s->owner[n]], t, by);
         shift[n] = by[s->held[n] % 3];
     }
 }

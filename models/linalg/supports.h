@@ -8,16 +8,21 @@
 
 #include "models/scene.h"
 
+/* Parameters w of coefficients that stand for a whole column: its mid-surface, which moves
+ * with a support, and its differences across the thickness, which a shift leaves alone. */
+enum { SUPPORTS_MIDDLE = -1, SUPPORTS_DIFFERENCE = -2 };
+
 struct supports {
     int nodes, free_count, held_count;
     int *free_index; /* [3 nodes] place among the free unknowns, -1 if held    owned   */
     int *held;       /* [held_count] unknown 3 node + component, ascending     owned   */
-    int *owner;      /* [held_count] the support that holds it                 owned   */
+    int *owner;      /* [held_count] the support whose path it follows, -1: none
+                                                                               owned   */
     bool moving;     /* any of them has a path                                         */
 };
 
-/* uvw[nodes][3]: parameters of the nodes; w < 0 stands for a whole column, which only a
- * support through the full thickness may hold. STATUS_INPUT with a sentence if a support
+/* uvw[nodes][3]: parameters of the nodes; w < 0 (above) belongs to a whole column, which
+ * only a support through the full thickness may hold. STATUS_INPUT with a sentence if a support
  * holds no node, STATUS_UNSUPPORTED if it takes part of a column. */
 enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
                           double (*uvw)[3], struct message *why);

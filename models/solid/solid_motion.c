@@ -5,17 +5,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Mass damping that the scene amounts to: body drag c is C = (c / rho) M. */
-static double mass_damping(const struct scene *scene)
+/* Mass damping that the scene amounts to. Body drag c is C = (c / rho) M, but not under
+ * `printed`, whose v is not the sheet's velocity: there d / dt is, see drag_on_d. */
+static double mass_damping(const struct scene *scene, enum kinematics kinematics)
 {
     const struct scene_damping *damping = &scene->damping;
-    double alpha = scene->drag / scene->density;
+    double alpha = kinematics == KINEMATICS_PRINTED ? 0 : scene->drag / scene->density;
 
     if (damping->kind == DAMPING_MASS)
         alpha += damping->value;
     if (damping->kind == DAMPING_RAYLEIGH)
         alpha += damping->alpha;
     return alpha;
+}
+
+/* Drag c d / dt under `printed`, as a multiple of M d. */
+static double drag_on_d(const struct scene *scene, enum kinematics kinematics)
+{
+    return kinematics == KINEMATICS_PRINTED ? scene->drag / (scene->density * scene->step)
+                                            : 0;
 }
 
 static double stiffness_damping(const struct scene *scene)
@@ -63,12 +71,13 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                            "no nonlinear kinematics; use linear, printed or incremental");
     TRY(solid_assembly_init(&new.assembly, space, &material));
     TRY(supports_init(&new.supports, scene, space->nodes, space->uvw, why));
-    TRY(newmark_init(&new.newmark, space->nodes, scene->step, mass_damping(scene),
-                     stiffness_damping(scene)));
+    TRY(newmark_init(&new.newmark, space->nodes, scene->step,
+                     mass_damping(scene, d->kinematics), stiffness_damping(scene)));
+    new.newmark.gamma = drag_on_d(scene, d->kinematics);
     st = STATUS_MEMORY;
     new.x = malloc(bytes);
     new.load = malloc(bytes);
-    new.held = calloc(4 * (size_t)new.supports.held_count + 1, sizeof *new.held);
+    new.held = calloc(4 * (size_t) new.supports.held_count + 1, sizeof *new.held);
     if (!new.x || !new.load || !new.held)
         goto out;
     memcpy(new.x, space->rest, bytes);
@@ -151,8 +160,8 @@ static const double (*stiffness(const struct solid_motion *m))[9]
     return (const double(*)[9])m->assembly.K;
 }
 
-/* M a = load - M alpha v - K (d + beta v) at the start, from whatever d and v there are (rest,
- * static equilibrium), held unknowns following their paths. */
+/* M a = load - M alpha v - K (d + beta v) at the start, from whatever d and v there are
+ * (rest, static equilibrium), held unknowns following their paths. */
 static enum status start_acceleration(struct solid_motion *m, struct counters *counters)
 {
     enum status st;
@@ -283,7 +292,8 @@ void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
         kinetic += v[t] * y[t] / 2;
     blocks_multiply(graph, stiffness(m), n->d, y);
     for (size_t t = 0; t < count; t++) {
-        double weight = m->scene->density * m->scene->gravity[t % 3] * m->assembly.volume[t / 3];
+        double weight =
+            m->scene->density * m->scene->gravity[t % 3] * m->assembly.volume[t / 3];
         elastic += n->d[t] * y[t] / 2;
         potential -= weight * (m->x[t] - m->space->rest[t]);
     }

@@ -38,8 +38,8 @@ struct solid_space {
     int *slab; /* [slabs + 1]                                                  owned   */
 
     double (*uvw)[3]; /* [nodes] parameters of each node (Greville abscissae): decides
-                         which supports hold it; in the thickness basis w = -1: the
-                         column as a whole                                     owned   */
+                         which supports hold it; in the thickness basis w is one of
+                         supports.h's SUPPORTS_MIDDLE, SUPPORTS_DIFFERENCE     owned   */
     double *rest;     /* [nodes][3] rest coefficients                  [m]     owned   */
 
     /* For a flat sheet with the thickness basis: 0/1 per component, such that linear

@@ -213,6 +213,7 @@ static enum status print_growth(enum table_format format, struct message *why)
         {"ratio", NULL, 0}};
     struct table *t = table_create(7, columns, "Growth of a rebuilt frame with the net");
     double unknowns[PAPER_COSTS], cost[PAPER_COSTS], points[PAPER_COSTS], paper[PAPER_COSTS];
+    double assemble[PAPER_COSTS], elements[PAPER_COSTS];
     enum status st = STATUS_OK;
 
     for (int n = 0; n < PAPER_COSTS; n++) {
@@ -223,6 +224,8 @@ static enum status print_growth(enum table_format format, struct message *why)
         TRY(bench_solid_measure("iga", settings, REPEATS, &b, why));
         unknowns[n] = (double)b.size.unknowns;
         cost[n] = b.frame.median;
+        assemble[n] = b.assemble.median;
+        elements[n] = (growth[n] - 2) * (growth[n] - 2);
         points[n] = paper_cost[n].control_points;
         paper[n] = paper_cost[n].milliseconds;
         table_row(t);
@@ -234,6 +237,10 @@ static enum status print_growth(enum table_format format, struct message *why)
         table_number(t, paper[n], 4);
         table_number(t, paper[n] / (1e3 * cost[n]), 3);
     }
+    table_note(t, "K and M alone grow as unknowns^%.2f and as elements^%.2f: a net of n "
+               "points a side has (n - 2)^2 elements, so that elements per unknown more than "
+               "double from 5 to 20.", slope(PAPER_COSTS, unknowns, assemble),
+               slope(PAPER_COSTS, elements, assemble));
     table_note(t, "Cost grows as unknowns^%.2f (aim 1.2 or less), as control points^%.2f; the "
                "paper's as control points^%.2f over all four nets, ^%.2f over the last three.",
                slope(PAPER_COSTS, unknowns, cost), slope(PAPER_COSTS, points, cost),

@@ -35,7 +35,7 @@ static void print_help(FILE *file)
     for (int n = 0; commands[n]; n++)
         fprintf(file, "  %-8s%s\n", commands[n]->name, commands[n]->summary);
     fputs("  help    this text; help COMMAND: options and examples of a command\n"
-          "  version\n"
+          "  version commit, compiler, libraries, machine, threads\n"
           "\nExamples:\n"
           "  clothbench list scenes\n"
           "  clothbench run edge_drop\n"
@@ -63,6 +63,12 @@ static bool asks_for_help(int argc, char **argv)
     return false;
 }
 
+/* Words that the overview explains, being no commands of the table. */
+static bool is_word_of_main(const char *word)
+{
+    return !strcmp(word, "help") || !strcmp(word, "version");
+}
+
 /* The program's words after its name. */
 static enum status run(int argc, char **argv, struct message *why)
 {
@@ -76,7 +82,7 @@ static enum status run(int argc, char **argv, struct message *why)
     if (!strcmp(argv[0], "version") || !strcmp(argv[0], "--version"))
         return print_version();
     help = !strcmp(argv[0], "help");
-    if ((help && argc == 1) || asks_for_help(1, argv)) {
+    if ((help && (argc == 1 || is_word_of_main(argv[1]))) || asks_for_help(1, argv)) {
         print_help(stdout);
         return STATUS_OK;
     }

@@ -1,0 +1,224 @@
+#!/usr/bin/env bash
+# The program as a user meets it: what it prints where, and how it ends.
+#   cli.sh PROGRAM
+set -uo pipefail
+
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+fail() {
+    echo "$*"
+    ((++failures))
+}
+
+run() { # ARGUMENT...; fills $code, $out and $err
+    "$program" "$@" >out 2>err </dev/null
+    code=$?
+    out=$(<out)
+    err=$(<err)
+}
+
+# Bad usage: exit 2, nothing on standard output, one sentence that has TEXT.
+refused() { # TEXT ARGUMENT...
+    local text=$1
+    shift
+    run "$@"
+    [ "$code" -eq 2 ] || fail "$*: exit $code, want 2"
+    [ -z "$out" ] || fail "$*: prints $out"
+    [ "$(wc -l <err)" -eq 1 ] || fail "$*: not one line: $err"
+    [[ $err == clothbench:* && $err == *"$text"* ]] || fail "$*: '$text' is not in: $err"
+}
+
+good() { # ARGUMENT...
+    run "$@"
+    [ "$code" -eq 0 ] || fail "$*: exit $code: $err"
+}
+
+says() { # WHAT TEXT...; each is in $WHAT
+    local what=$1 text
+    shift
+    for text in "$@"; do
+        [[ ${!what} == *"$text"* ]] || fail "'$text' is not in $what: ${!what}"
+    done
+}
+
+short=(--set time.end=0.05 --quiet)
+
+# --- help -------------------------------------------------------------------------------
+good help
+says out 'usage: clothbench' list run Examples
+overview=$out
+good --help
+[ "$out" = "$overview" ] || fail '--help is not help'
+sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' out | grep -Ev '^(help|version)$' >commands
+[ -s commands ] || fail 'help lists no commands'
+while read -r command; do
+    good help "$command"
+    says out "usage: clothbench $command" Examples
+    help=$out
+    good "$command" --help
+    [ "$out" = "$help" ] || fail "$command --help is not help $command"
+done <commands
+good run edge_drop --model hex --help
+says out --static --modes --probe --matrices --out --set
+good version
+says out 'clothbench 0' compiler blas_kernel
+good --version
+good help version
+good help help
+
+# --- list -------------------------------------------------------------------------------
+good list
+says out scenes: models: edge_drop 'Ren et al. 2024'
+good list models
+says out iga hex
+for model in shell mass_spring; do
+    [[ $out == *"$model"* ]] && fail "list models has $model, which is not built"
+done
+good list scenes
+names=$(cut -d' ' -f1 <<<"$out")
+[ "$(wc -w <<<"$names")" -ge 9 ] || fail "few scenes: $names"
+for name in $names; do
+    # some scenes hold the mid-surface, which two layers of points do not have
+    good run "$name" "${short[@]}" --set 'discretization.points=[6,6,3]' \
+        --set 'discretization.degree=[2,2,2]'
+    [ -z "$out$err" ] || fail "run $name --quiet says $out$err"
+done
+good list studies
+[ -z "$out" ] || fail "list studies prints $out"
+
+# --- bad usage --------------------------------------------------------------------------
+refused 'which command'
+refused "no command 'dance'" dance
+for command in compare study sweep verify stress score advise report; do
+    refused 'not built yet' "$command" edge_drop
+    refused 'not built yet' help "$command"
+done
+for model in shell mass_spring projective_dynamics; do
+    refused 'not built yet; models: iga, hex' run edge_drop --model $model
+done
+refused "no model 'ibm'; models: iga, hex" run edge_drop --model ibm
+refused "no scene 'nowhere'" run nowhere
+refused 'nowhere.yaml' run nowhere.yaml
+refused 'needs an argument' run
+refused "'two' is one word too many" run one two
+refused "'two' is one word too many" list scenes two
+refused "no 'cats'" list cats
+refused 'no option --dance' run edge_drop --dance
+refused 'no option -x' run edge_drop -x
+refused '--model needs a value' run edge_drop --model
+refused '--model is given twice' run edge_drop --model iga --model iga
+refused '--static takes no value' run edge_drop --static=yes
+refused 'one at a time' run edge_drop --static --modes 3
+refused 'whole number from 1' run edge_drop --modes 0
+refused 'whole number from 1' run edge_drop --modes many
+refused 'modes: 1 to 540' run edge_drop --modes 541 --quiet
+refused '--probe makes no sense' run edge_drop --modes 1 --probe 0,0,0
+refused '--out makes no sense' run edge_drop --modes 1 --out a.h5
+refused 'is for the tables' run edge_drop --format csv
+refused 'text, csv, markdown or latex' run edge_drop --static --format html
+for point in 1 1,1 1,1,1,1 1,1,x 1,1,1.5 -1,0,0 nan,0,0 ',,' '' '1,1,1 '; do
+    refused 'must be u,v,w' run edge_drop --probe "$point"
+done
+refused "no key 'wind_speed'" run edge_drop --set wind_speed=3
+refused 'young' run edge_drop --set material.young=-1
+refused 'points' run edge_drop --set 'discretization.points=[10000,10000,2]'
+refused 'degree' run edge_drop --set 'discretization.degree=[5,2,1]' \
+    --set 'discretization.points=[5,5,2]'
+refused 'nonlinear' run edge_drop --set discretization.kinematics=nonlinear
+refused 'unsupported: no contact' run edge_drop \
+    --set 'obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}}]'
+
+# --- what a run says --------------------------------------------------------------------
+good run edge_drop --set time.end=0.05
+[ -z "$out" ] || fail "run prints data nobody asked for: $out"
+says err 'Gamma           386.6' '10 x 10 x 2' 'degree (2,2,1)' printed 540 'ms a frame' \
+    median quartiles '10 factorisations' 'peak memory' drop stretch roughness
+[[ $err == *warning* ]] && fail 'a warning for printed kinematics'
+[[ $err == *$'\033'* || $err == *$'\r'* ]] && fail 'a progress bar without a terminal'
+good run edge_drop --set discretization.kinematics=linear --set time.end=0.05
+says err 'warning: small-strain' 'more than 10 %' 'kinematics linear'
+
+# --- probes -----------------------------------------------------------------------------
+good run edge_drop "${short[@]}" --probe 1,0.5,0.5 --probe=0.3,0.7,1
+[ -z "$err" ] || fail "--quiet says $err"
+first=$out
+[ "$(wc -l <out)" -eq $((1 + 2 * 11)) ] || fail "probe lines: $(wc -l <out)"
+[ "$(head -n 1 out)" = t,u,v,w,x,y,z ] || fail "probe header: $(head -n 1 out)"
+tail -n +2 out | grep -Evq '^([-+.e0-9]+,){6}[-+.e0-9]+$' && fail 'probe lines do not parse'
+says out '0,1,0.5,0.5,1' # t = 0 is there
+# 17 digits: every number comes back as it is when printed again from its double
+tail -n +2 out | tr , '\n' | while read -r number; do
+    [ "$(LC_ALL=C awk -v x="$number" 'BEGIN { printf "%.17g", x }')" = "$number" ] || exit 1
+done || fail 'a number does not come back as it was'
+[[ $out =~ [0-9]\.[0-9]{15} ]] || fail 'no number with 16 digits'
+good run edge_drop "${short[@]}" --probe 1,0.5,0.5 --probe 0.3,0.7,1
+[ "$out" = "$first" ] || fail 'the same run gives other numbers'
+
+# --- statics and modes ------------------------------------------------------------------
+good run cantilever --static --quiet --format csv
+says out 'point u,v,w' 'deflection' '"1,0.5,0.5"'
+good run cantilever --static --quiet --format latex
+says out '\begin{tabular}' '\end{table}'
+good run cantilever --static --quiet --probe 1,0.5,0.5
+[ "$(wc -l <out)" -eq 2 ] || fail "--static --probe prints $out"
+good run cantilever --modes 3 --quiet --format csv
+[ "$(grep -c '^[1-9]' out)" -eq 3 ] || fail "--modes 3 prints $out"
+says out lambda frequency
+
+# --- files ------------------------------------------------------------------------------
+good run edge_drop "${short[@]}" --out kept.h5 --matrices matrices
+[ -s kept.h5 ] || fail '--out: no file'
+[ -s kept.xdmf ] || fail '--out: no XDMF'
+[ "$(head -c 8 kept.h5 | tail -c 7 | head -c 3)" = HDF ] || fail 'kept.h5 is no HDF5 file'
+for name in K M; do
+    grep -q '^%%MatrixMarket matrix coordinate real symmetric' matrices/$name.mtx ||
+        fail "$name.mtx: no header"
+    grep -q '^600 600 ' matrices/$name.mtx || fail "$name.mtx: not 600 x 600"
+    grep -q 'row = 3 node' matrices/$name.mtx || fail "$name.mtx: order not told"
+done
+good run edge_drop "${short[@]}" --matrices matrices # the folder may be there
+refuse_file() { # TEXT ARGUMENT...: exit 1 and a sentence
+    local text=$1
+    shift
+    run run edge_drop "${short[@]}" "$@"
+    [ "$code" -eq 1 ] || fail "$*: exit $code, want 1"
+    says err "$text"
+}
+refuse_file 'missing/kept.h5' --out missing/kept.h5
+refuse_file 'missing/matrices' --matrices missing/matrices
+refuse_file 'kept.h5' --matrices kept.h5
+[ -z "$(find . -name '*.tmp*' -o -name '.*kept*')" ] || fail "left behind: $(ls -A)"
+
+# --- death ------------------------------------------------------------------------------
+# Ren et al. 2024, Table 4 row 7: E = 5e4, rho = 0.1, mu = 0.9
+row7=(--set material.young=5e4 --set material.density=0.1 --set damping.value=0.9 --quiet)
+run run edge_drop "${row7[@]}" --probe 1,0.5,0.5 --out dead.h5
+[ "$code" -eq 1 ] || fail "a dead run: exit $code, want 1"
+[[ $err =~ 'died at t = 0.2'[5-9] ]] || fail "a dead run says: $err"
+[ "$(wc -l <err)" -eq 1 ] || fail "a dead run says more than one line: $err"
+[ "$(wc -l <out)" -gt 40 ] || fail 'a dead run: its life is not printed'
+[ -s dead.h5 ] || fail 'a dead run: nothing is kept'
+
+# --- nobody listens ---------------------------------------------------------------------
+"$program" run edge_drop --quiet --probe 1,0.5,0.5 2>err | head -n 1 >/dev/null
+code=${PIPESTATUS[0]} err=$(<err)
+[ "$code" -eq 1 ] || fail "closed pipe: exit $code, want 1"
+says err 'went away'
+if [ -w /dev/full ]; then
+    for words in 'list' 'help' 'run edge_drop --quiet --probe 1,0.5,0.5' \
+        'run cantilever --static --quiet'; do
+        # shellcheck disable=SC2086 # words
+        "$program" $words >/dev/full 2>err
+        code=$? err=$(<err)
+        [ "$code" -eq 1 ] || fail "$words >/dev/full: exit $code, want 1"
+        says err 'No space left on device'
+    done
+fi
+"$program" list >&- 2>err
+[ $? -eq 1 ] || fail 'list to a closed output: not exit 1'
+
+[ "$failures" -eq 0 ]

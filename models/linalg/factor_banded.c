@@ -18,6 +18,7 @@ struct banded {
     int *first;       /* [tiles] first tile column of a tile row                       */
     ptrdiff_t *start; /* [tiles + 1] the diagonal tile of a column, in values          */
     double *inverse;  /* [tiles * TILE] reciprocals of the diagonal of L               */
+    double **column;  /* [tiles] tile (i,k) at column[k] + i TILE_SIZE, during refactor */
 };
 
 static int half_bandwidth(const struct factor_pattern *a, const int *position)
@@ -83,7 +84,8 @@ static enum status create(const struct factor_pattern *a, int *position,
     band->first = malloc(band->tiles * sizeof *band->first);
     band->start = malloc((band->tiles + 1) * sizeof *band->start);
     band->inverse = malloc(band->tiles * TILE * sizeof *band->inverse);
-    if (!band->last || !band->first || !band->start || !band->inverse)
+    band->column = malloc(band->tiles * sizeof *band->column);
+    if (!band->column || !band->last || !band->first || !band->start || !band->inverse)
         return STATUS_MEMORY;
     find_profile(band, a, position);
     part->rows = band->tiles * TILE;
@@ -101,37 +103,27 @@ static ptrdiff_t slot(const struct factor_part *part, int i, int j)
 
 /* Tiles (row .. row + count - 1, column) of L; `count` is a constant where this is inlined.
  * Tiles left of a row's first one do not exist: those of later rows begin later. */
-TILE_INLINE void finish_tiles(const struct banded *band, double *value, int count, int row,
-                              int column)
+TILE_INLINE void finish_tiles(const struct banded *band, int count, int row, int column)
 {
-    tile_column c[TILE_PASS_MAX][TILE];
-    double *target = value + band->start[column] + (row - column) * TILE_SIZE;
-    int k = band->first[row];
+    tile_registers c;
+    double *target = band->column[column] + (ptrdiff_t)row * TILE_SIZE;
+    int all = band->first[row + count - 1]; /* from here on every row has its tile */
     tile_load(count, target, c);
-    for (; count > 1 && k < band->first[row + count - 1]; k++) {
-        const double *diagonal = value + band->start[k] - k * (ptrdiff_t)TILE_SIZE;
-        tile_update(1, c, diagonal + row * TILE_SIZE, diagonal + column * TILE_SIZE);
-        if (count > 2 && k >= band->first[row + 1])
-            tile_update(1, c + 1, diagonal + (row + 1) * TILE_SIZE,
-                        diagonal + column * TILE_SIZE);
-    }
-    for (; k < column; k++) {
-        const double *diagonal = value + band->start[k] - k * (ptrdiff_t)TILE_SIZE;
-        tile_update(count, c, diagonal + row * TILE_SIZE, diagonal + column * TILE_SIZE);
-    }
-    tile_divide(count, c, value + band->start[column], band->inverse + column * TILE);
+    TILE_UNROLL
+    for (int r = 0; r < count - 1; r++)
+        tile_update(r, 1, c, band->column, row, column, band->first[row + r], all);
+    tile_update(0, count, c, band->column, row, column, all, column);
+    tile_divide(count, c, band->column[column] + (ptrdiff_t)column * TILE_SIZE,
+                band->inverse + column * TILE);
     tile_store(count, c, target);
 }
 
-static bool finish_diagonal(const struct banded *band, double *value, int column)
+static bool finish_diagonal(const struct banded *band, int column)
 {
-    tile_column c[1][TILE];
-    double *target = value + band->start[column];
+    tile_registers c;
+    double *target = band->column[column] + (ptrdiff_t)column * TILE_SIZE;
     tile_load(1, target, c);
-    for (int k = band->first[column]; k < column; k++) {
-        const double *left = value + band->start[k] + (column - k) * TILE_SIZE;
-        tile_update(1, c, left, left);
-    }
+    tile_update(0, 1, c, band->column, column, column, band->first[column], column);
     tile_store(1, c, target);
     return tile_cholesky(target, band->inverse + column * TILE);
 }
@@ -141,14 +133,16 @@ static enum status refactor(struct factor_part *part, double *value)
     const struct banded *band = part->state;
     for (int i = part->n; i < part->rows; i++)
         value[slot(part, i, i)] = 1.0;
+    for (int k = 0; k < band->tiles; k++)
+        band->column[k] = value + band->start[k] - (ptrdiff_t)k * TILE_SIZE;
     for (int column = 0; column < band->tiles; column++) {
-        if (!finish_diagonal(band, value, column))
+        if (!finish_diagonal(band, column))
             return STATUS_INDEFINITE;
         int row = column + 1;
         for (; row + TILE_PASS - 1 <= band->last[column]; row += TILE_PASS)
-            finish_tiles(band, value, TILE_PASS, row, column);
+            finish_tiles(band, TILE_PASS, row, column);
         for (; row <= band->last[column]; row++)
-            finish_tiles(band, value, 1, row, column);
+            finish_tiles(band, 1, row, column);
     }
     return STATUS_OK;
 }
@@ -179,7 +173,7 @@ static void describe(const struct factor_part *part, struct factor_info *info)
     }
     info->entries += (long)part->slots;
     info->bytes +=
-        (long)(sizeof *band + band->tiles * (2 * sizeof(int) + 9 * sizeof(double)));
+        (long)(sizeof *band + band->tiles * (2 * sizeof(int) + 10 * sizeof(double)));
     info->half_bandwidth =
         band->half > info->half_bandwidth ? band->half : info->half_bandwidth;
 }
@@ -193,6 +187,7 @@ static void destroy(struct factor_part *part)
     free(band->first);
     free(band->start);
     free(band->inverse);
+    free(band->column);
     free(band);
     part->state = NULL;
 }

@@ -10,13 +10,11 @@ enum { PANEL = 12 };
  * column. */
 TILE_INLINE void finish(const struct front *f, int count, int row, int column, int from)
 {
-    tile_column c[TILE_PASS_MAX][TILE];
+    tile_registers c;
     double *target = f->column[column] + (ptrdiff_t)row * TILE_SIZE;
     const double *diagonal = f->column[column] + (ptrdiff_t)column * TILE_SIZE;
     tile_load(count, target, c);
-    for (int k = from; k < column; k++)
-        tile_update(count, c, f->column[k] + (ptrdiff_t)row * TILE_SIZE,
-                    f->column[k] + (ptrdiff_t)column * TILE_SIZE);
+    tile_update(0, count, c, f->column, row, column, from, column);
     tile_divide(count, c, diagonal, f->inverse + column * TILE);
     tile_store(count, c, target);
 }
@@ -25,12 +23,10 @@ TILE_INLINE void finish(const struct front *f, int count, int row, int column, i
 TILE_INLINE void update(const struct front *f, int count, int row, int column, int from,
                         int to)
 {
-    tile_column c[TILE_PASS_MAX][TILE];
+    tile_registers c;
     double *target = f->column[column] + (ptrdiff_t)row * TILE_SIZE;
     tile_load(count, target, c);
-    for (int k = from; k < to; k++)
-        tile_update(count, c, f->column[k] + (ptrdiff_t)row * TILE_SIZE,
-                    f->column[k] + (ptrdiff_t)column * TILE_SIZE);
+    tile_update(0, count, c, f->column, row, column, from, to);
     tile_store(count, c, target);
 }
 
@@ -94,7 +90,7 @@ void front_add(const struct front *f, const double *from, int rows, const int *p
             source += TILE_SIZE;
             to += TILE;
             if (to[TILE - 1] - to[0] == TILE - 1 && to[0] % TILE == 0)
-                *(tile_column *)(target + to[0]) += *(const tile_column *)source;
+                tile_column(source, -1.0, target + to[0]);
             else
 #pragma GCC unroll 8
                 for (int r = 0; r < TILE; r++)

@@ -1,9 +1,10 @@
 /* tile.h - inside factor.h: arithmetic on 8 x 8 tiles.
  *
- * A tile is 64 numbers, column by column, aligned to 64 bytes: one column is one cache line
- * and one AVX-512 register (the compiler makes two AVX or four SSE registers of it where
- * there is no AVX-512). Factors are stored tile by tile, so that every kernel streams.
- * Includers are compiled with -ffp-contract=fast: here fused multiply-adds are half the time.
+ * A tile is 64 numbers, column by column, aligned to 64 bytes, so that one column is one
+ * cache line. Factors are stored tile by tile: every kernel streams. A column is one
+ * register with AVX-512, two with AVX, four with SSE2; loops over TILE_WORDS are unrolled
+ * away. Includers are compiled with -ffp-contract=fast: here fused multiply-adds are half
+ * the time.
  */
 #ifndef TILE_H
 #define TILE_H
@@ -14,68 +15,103 @@
 
 enum { TILE = 8, TILE_SIZE = TILE * TILE };
 
-/* Tiles that one pass holds in registers: 24 accumulators of 32 with AVX-512. */
+/* What the accumulators of one pass may take: TILE_PASS tiles one under the other, of which
+ * TILE_STRIP columns at a time: 24 of 32 registers with AVX-512, 8 of 16 without. */
 enum { TILE_PASS_MAX = 3 };
-#ifdef __AVX512F__
-enum { TILE_PASS = TILE_PASS_MAX };
+#if defined(__AVX512F__)
+enum { TILE_LANES = 8, TILE_PASS = TILE_PASS_MAX, TILE_STRIP = 8 };
+#elif defined(__AVX__)
+enum { TILE_LANES = 4, TILE_PASS = 1, TILE_STRIP = 4 };
 #else
-enum { TILE_PASS = 1 };
+enum { TILE_LANES = 2, TILE_PASS = 1, TILE_STRIP = 2 };
 #endif
+enum { TILE_WORDS = TILE / TILE_LANES };
 
-typedef double tile_column __attribute__((vector_size(TILE * sizeof(double)), may_alias));
+typedef double tile_word
+    __attribute__((vector_size(TILE_LANES * sizeof(double)), may_alias));
+
+/* Tiles in registers: word w of column j of tile r. */
+typedef tile_word tile_registers[TILE_PASS_MAX][TILE][TILE_WORDS];
 
 #define TILE_INLINE static inline __attribute__((always_inline))
+#define TILE_UNROLL _Pragma("GCC unroll 8")
 
-/* c[r] -= a[r] b^T for `count` tiles r one under the other (count 1..TILE_PASS_MAX, a constant). */
-TILE_INLINE void tile_update(int count, tile_column c[][TILE], const double *a,
-                             const double *b)
+/* Tiles (row + r, k) lie at column[k] + (row + r) TILE_SIZE:
+ * c[r] -= sum over k = from .. to - 1 of tile (row + r, k) tile (other, k)^T,
+ * for `count` tiles r one under the other from `first` on (constants). */
+TILE_INLINE void tile_update(int first, int count, tile_registers c, double *const *column,
+                             ptrdiff_t row, ptrdiff_t other, int from, int to)
 {
-#pragma GCC unroll 8
-    for (int k = 0; k < TILE; k++)
-#pragma GCC unroll 3
-        for (int r = 0; r < count; r++) {
-            const tile_column left = *(const tile_column *)(a + r * TILE_SIZE + k * TILE);
-#pragma GCC unroll 8
-            for (int j = 0; j < TILE; j++)
-                c[r][j] -= left * b[k * TILE + j];
+    TILE_UNROLL
+    for (int strip = 0; strip < TILE; strip += TILE_STRIP)
+        for (int k = from; k < to; k++) {
+            const double *a = column[k] + row * TILE_SIZE;
+            const double *b = column[k] + other * TILE_SIZE;
+            TILE_UNROLL
+            for (int l = 0; l < TILE; l++)
+                TILE_UNROLL
+            for (int r = first; r < first + count; r++)
+                TILE_UNROLL
+            for (int w = 0; w < TILE_WORDS; w++) {
+                const tile_word left =
+                    ((const tile_word *)(a + r * TILE_SIZE + l * TILE))[w];
+                TILE_UNROLL
+                for (int j = strip; j < strip + TILE_STRIP; j++)
+                    c[r][j][w] -= left * b[l * TILE + j];
+            }
         }
 }
 
 /* c[r] = c[r] l^-T: l lower triangular, `inverse` the reciprocals of its diagonal. */
-TILE_INLINE void tile_divide(int count, tile_column c[][TILE], const double *l,
+TILE_INLINE void tile_divide(int count, tile_registers c, const double *l,
                              const double *inverse)
 {
-#pragma GCC unroll 3
+    TILE_UNROLL
     for (int r = 0; r < count; r++)
-#pragma GCC unroll 8
-        for (int j = 0; j < TILE; j++) {
-            c[r][j] *= inverse[j];
-#pragma GCC unroll 8
-            for (int i = j + 1; i < TILE; i++)
-                c[r][i] -= c[r][j] * l[j * TILE + i];
-        }
+        TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        TILE_UNROLL
+    for (int w = 0; w < TILE_WORDS; w++) {
+        c[r][j][w] *= inverse[j];
+        TILE_UNROLL
+        for (int i = j + 1; i < TILE; i++)
+            c[r][i][w] -= c[r][j][w] * l[j * TILE + i];
+    }
 }
 
-TILE_INLINE void tile_load(int count, const double *from, tile_column c[][TILE])
+TILE_INLINE void tile_load(int count, const double *from, tile_registers c)
 {
-#pragma GCC unroll 3
+    TILE_UNROLL
     for (int r = 0; r < count; r++)
-#pragma GCC unroll 8
-        for (int j = 0; j < TILE; j++)
-            c[r][j] = *(const tile_column *)(from + r * TILE_SIZE + j * TILE);
+        TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        TILE_UNROLL
+    for (int w = 0; w < TILE_WORDS; w++)
+        c[r][j][w] = ((const tile_word *)(from + r * TILE_SIZE + j * TILE))[w];
 }
 
-TILE_INLINE void tile_store(int count, tile_column c[][TILE], double *to)
+TILE_INLINE void tile_store(int count, tile_registers c, double *to)
 {
-#pragma GCC unroll 3
+    TILE_UNROLL
     for (int r = 0; r < count; r++)
-#pragma GCC unroll 8
-        for (int j = 0; j < TILE; j++)
-            *(tile_column *)(to + r * TILE_SIZE + j * TILE) = c[r][j];
+        TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        TILE_UNROLL
+    for (int w = 0; w < TILE_WORDS; w++)
+        ((tile_word *)(to + r * TILE_SIZE + j * TILE))[w] = c[r][j][w];
+}
+
+/* y -= a x on one column. */
+TILE_INLINE void tile_column(const double *a, double x, double *y)
+{
+    TILE_UNROLL
+    for (int w = 0; w < TILE_WORDS; w++)
+        ((tile_word *)y)[w] -= ((const tile_word *)a)[w] * x;
 }
 
 /* Cholesky of one tile in place: lower triangle read, L written over it, zeros above.
- * inverse[TILE]: reciprocals of the diagonal. False if not positive definite or not finite. */
+ * inverse[TILE]: reciprocals of the diagonal. False if not positive definite or not finite.
+ */
 TILE_INLINE bool tile_cholesky(double *a, double *inverse)
 {
     for (int j = 0; j < TILE; j++) {
@@ -84,53 +120,68 @@ TILE_INLINE bool tile_cholesky(double *a, double *inverse)
             return false;
         double root = sqrt(pivot);
         inverse[j] = 1.0 / root;
-        tile_column *column = (tile_column *)(a + j * TILE);
-        *column *= inverse[j];
-        for (int i = 0; i < j; i++)
-            a[j * TILE + i] = 0.0;
+        for (int i = 0; i < TILE; i++)
+            a[j * TILE + i] = i < j ? 0.0 : a[j * TILE + i] * inverse[j];
         a[j * TILE + j] = root;
         for (int k = j + 1; k < TILE; k++)
-            *(tile_column *)(a + k * TILE) -= *column * a[j * TILE + k];
+            tile_column(a + j * TILE, a[j * TILE + k], a + k * TILE);
     }
     return true;
 }
 
-/* x = l^-1 x on one tile. */
+/* x = l^-1 x on one tile: number by number, where the chain of operations is shortest. */
 TILE_INLINE void tile_forward(const double *l, const double *inverse, double *x)
 {
-    tile_column rest = *(tile_column *)x;
-#pragma GCC unroll 8
+    double value[TILE];
+    TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        value[j] = x[j];
+    TILE_UNROLL
     for (int j = 0; j < TILE; j++) {
-        double value = rest[j] * inverse[j];
-        rest -= *(const tile_column *)(l + j * TILE) * value; /* zeros above the diagonal */
-        x[j] = value;
+        value[j] *= inverse[j];
+        TILE_UNROLL
+        for (int i = j + 1; i < TILE; i++)
+            value[i] -= l[j * TILE + i] * value[j];
     }
+    TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        x[j] = value[j];
 }
 
 /* x = l^-T x on one tile. */
 TILE_INLINE void tile_backward(const double *l, const double *inverse, double *x)
 {
-#pragma GCC unroll 8
+    double value[TILE];
+    TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        value[j] = x[j];
+    TILE_UNROLL
     for (int j = TILE - 1; j >= 0; j--) {
-        double value = x[j] * inverse[j];
-        x[j] = value;
-#pragma GCC unroll 8
+        value[j] *= inverse[j];
+        TILE_UNROLL
         for (int i = 0; i < j; i++)
-            x[i] -= l[i * TILE + j] * value;
+            value[i] -= l[i * TILE + j] * value[j];
     }
+    TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        x[j] = value[j];
 }
 
 /* y -= a x for `count` tiles one under the other; y[count * TILE]. */
 TILE_INLINE void tile_subtract(ptrdiff_t count, const double *a, const double *x, double *y)
 {
-    for (ptrdiff_t t = 0; t < count; t++) {
-        tile_column even = *(const tile_column *)(y + t * TILE), odd = {0};
-#pragma GCC unroll 4
+    for (ptrdiff_t t = 0; t < count; t++)
+        TILE_UNROLL
+    for (int w = 0; w < TILE_WORDS; w++) {
+        const tile_word *left = (const tile_word *)(a + t * TILE_SIZE) + w;
+        tile_word *sum = (tile_word *)(y + t * TILE) + w;
+        tile_word even = *sum, odd = {0};
+        TILE_UNROLL
         for (int j = 0; j < TILE; j += 2) {
-            even -= *(const tile_column *)(a + t * TILE_SIZE + j * TILE) * x[j];
-            odd -= *(const tile_column *)(a + t * TILE_SIZE + (j + 1) * TILE) * x[j + 1];
+            even -= left[j * TILE_WORDS] * x[j];
+            odd -= left[(j + 1) * TILE_WORDS] * x[j + 1];
         }
-        *(tile_column *)(y + t * TILE) = even + odd;
+        *sum = even + odd;
     }
 }
 
@@ -138,16 +189,23 @@ TILE_INLINE void tile_subtract(ptrdiff_t count, const double *a, const double *x
 TILE_INLINE void tile_subtract_transposed(ptrdiff_t count, const double *a, const double *y,
                                           double *x)
 {
-    tile_column sum[TILE] = {{0}};
-    for (ptrdiff_t t = 0; t < count; t++) {
-        const tile_column right = *(const tile_column *)(y + t * TILE);
-#pragma GCC unroll 8
+    tile_word sum[TILE] = {{0}};
+    for (ptrdiff_t t = 0; t < count; t++)
+        TILE_UNROLL
+    for (int w = 0; w < TILE_WORDS; w++) {
+        const tile_word right = ((const tile_word *)(y + t * TILE))[w];
+        TILE_UNROLL
         for (int j = 0; j < TILE; j++)
-            sum[j] += *(const tile_column *)(a + t * TILE_SIZE + j * TILE) * right;
+            sum[j] += ((const tile_word *)(a + t * TILE_SIZE + j * TILE))[w] * right;
     }
     for (int j = 0; j < TILE; j++) {
-        const tile_column s = sum[j];
-        x[j] -= ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+        double pair[TILE_LANES], total = 0.0;
+        *(tile_word *)pair = sum[j];
+        for (int half = TILE_LANES / 2; half > 0; half /= 2)
+            for (int i = 0; i < half; i++)
+                pair[i] += pair[i + half];
+        total = pair[0];
+        x[j] -= total;
     }
 }
 

@@ -104,9 +104,10 @@ static inline double run_distance(run_field a, run_field b)
 {
     double most = 0;
 
-    for (int n = 0; n < 3 * GRID_POINTS; n++)
-        if (!(fabs(a[0][n] - b[0][n]) <= most))
-            most = fabs(a[0][n] - b[0][n]);
+    for (int n = 0; n < GRID_POINTS; n++)
+        for (int i = 0; i < 3; i++)
+            if (!(fabs(a[n][i] - b[n][i]) <= most))
+                most = fabs(a[n][i] - b[n][i]);
     return most;
 }
 

@@ -99,11 +99,21 @@ static void add_row(struct table *t, const char *name, double value, const char 
 {
     table_row(t);
     table_text(t, "%s", name);
-    if (isnan(value))
-        table_dash(t);
-    else
-        table_number(t, value, 6);
+    table_number(t, value, 6);
     table_text(t, "%s", unit);
+}
+
+/* NaN: the model has no such energy in its kinematics. */
+static void add_energy(struct table *t, const char *name, double value)
+{
+    if (!isnan(value)) {
+        add_row(t, name, value, "J");
+        return;
+    }
+    table_row(t);
+    table_text(t, "%s", name);
+    table_dash(t);
+    table_text(t, "J");
 }
 
 enum status describe_state(const struct scene *scene, const struct model *model,
@@ -130,9 +140,9 @@ enum status describe_state(const struct scene *scene, const struct model *model,
     add_row(table, "roughness", metric_roughness(scene, xyz), "1");
     if (scene->obstacle_count)
         add_row(table, "penetration", metric_penetration(scene, xyz), "m");
-    add_row(table, "kinetic energy", energy.kinetic, "J");
-    add_row(table, "elastic energy", energy.elastic, "J");
-    add_row(table, "potential energy", energy.potential, "J");
+    add_energy(table, "kinetic energy", energy.kinetic);
+    add_energy(table, "elastic energy", energy.elastic);
+    add_energy(table, "potential energy", energy.potential);
     fputc('\n', file);
     TRY(table_print(table, TABLE_TEXT, file));
 out:

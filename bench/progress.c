@@ -33,8 +33,7 @@ void progress_update(struct progress *p, long done)
     fprintf(stderr, "\r%s [", p->label);
     for (int n = 0; n < BAR_WIDTH; n++)
         fputc(n < filled ? '#' : '.', stderr);
-    fprintf(stderr, "] %3.0f %%, %.0f:%02d left\033[K", 100 * share,
-            (double)(long)(left / 60), (int)left % 60);
+    fprintf(stderr, "] %3.0f %%, %.0f s left\033[K", 100 * share, left);
     fflush(stderr);
     p->shown = now;
     p->drawn = true;

@@ -112,7 +112,7 @@ static enum status print_text(const struct table *t, FILE *file)
 {
     int count = t->column_count;
     bool units = false;
-    int *width = malloc((size_t)count * sizeof *width);
+    int *width = calloc((size_t)count, sizeof *width);
 
     if (!width)
         return STATUS_MEMORY;

@@ -45,6 +45,7 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
     memset(e, 0, sizeof *e);
     for (size_t t = 0; t < parts; t++)
         total += room[t].count;
+    total = (total + 7) / 8 * 8; /* aligned_alloc wants multiples of the 64 bytes */
     e->memory = aligned_alloc(64, total * sizeof(double));
     if (!e->memory)
         return STATUS_MEMORY;

@@ -62,6 +62,28 @@ static void check_bad_discretizations(const struct model *model, const struct sc
     }
 }
 
+/* Any small net and degree is built and moves, or is refused. */
+static void check_nets(const struct model *model, const struct scene *scene)
+{
+    for (int n = 0; n < 5 * 3 * 3 * 3; n++) {
+        struct discretization d = small_net(model);
+        struct counters counters = {0};
+        struct message why = {{0}};
+        void *state = NULL;
+        d.points[0] = 2 + n % 5;
+        d.points[2] = 2 + n / 5 % 3;
+        for (int i = 0; i < 3; i++)
+            d.degree[i] = i < 2 ? 1 + n / 15 % 3 : 1 + n / 45;
+        enum status st = model->create(scene, &d, &state, &why);
+        if (st == STATUS_OK) {
+            CHECK(model->advance(state, &counters) == STATUS_OK);
+            model->destroy(state);
+        } else {
+            CHECK((st == STATUS_INPUT || st == STATUS_UNSUPPORTED) && *why.text && !state);
+        }
+    }
+}
+
 /* A scene with one need more than the plain one. */
 static void add_need(struct scene *scene, unsigned need)
 {
@@ -127,6 +149,7 @@ int main(void)
         struct scene scene;
         fill_scene(&scene);
         check_bad_discretizations(registry[n], &scene);
+        check_nets(registry[n], &scene);
         check_needs(registry[n]);
         scene_clear(&scene);
     }

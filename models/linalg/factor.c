@@ -117,30 +117,30 @@ static void swap_parts(struct factor_part *a, struct factor_part *b)
 }
 
 /* SOLVER_AUTO: the band, unless supernodes save enough arithmetic: its tiles run faster.
- * Measured by test_speed_factor (least of at least 9; one thread of a Zen 4 EPYC at 57
- * Gflop/s, others at work on it; supernodes in order_nested's order; p: reach of the
- * couplings):
+ * Measured by test_speed_factor: the least of two runs of 9 to 201 turns, one thread of a
+ * Zen 4 EPYC (57 Gflop/s) with others at work beside it; supernodes in order_nested's
+ * order; p: reach of the couplings.
  *
  *                          Mflop            factor [ms]        solve [ms]
  *   net         p      band  supern.       band   supern.     band   supern.
- *   5x5x2       2       0.4      0.4     0.0135    0.0145   0.0015    0.0017
- *   10x10x2     2       8.6      9.5      0.198     0.273    0.011     0.014
- *   10x10x2 *   2       2.5      2.8      0.074     0.103   0.0075    0.0090
- *   14x14x2     2        34       31      0.717     0.815    0.033     0.037
- *   20x20x2     2       141      127       2.82      3.15    0.103     0.111
- *   20x20x2 *   2        37       34       0.86      1.03    0.054     0.064
- *   32x32x2     2       923      644       18.3      18.3     0.55      0.43
- *   50x50x2     2      5486     2959        140       102      5.2       4.1
+ *   5x5x2       2       0.4      0.4      0.013     0.015   0.0013    0.0015
+ *   10x10x2     2       8.6      9.5      0.198     0.277   0.0104    0.0134
+ *   10x10x2 *   2       2.5      2.8      0.074     0.103   0.0067    0.0084
+ *   14x14x2     2        34       31      0.717     0.815    0.032     0.036
+ *   20x20x2     2       141      127       2.81      3.24    0.102     0.108
+ *   20x20x2 *   2        37       34       0.86      1.03    0.052     0.061
+ *   32x32x2     2       923      644       18.3      18.3     0.50      0.41
+ *   50x50x2     2      5486     2959        140       102      4.6       3.4
  *   100x100x2   2               27272                 722               24.2
- *   100x100x2 * 2                7023                 198               14.3
- *   10x10x2     1       2.8      2.5      0.081     0.099    0.007     0.009
- *   16x16x2     1        17       12      0.405     0.411    0.028     0.033
- *   20x20x2     1        40       27      0.906     0.850    0.057     0.059
- *   24x24x2     1        80       48       1.76      1.47    0.099     0.095
- *   32x32x2     1       248      111       5.28      3.61    0.234     0.201
- *   40x40x2     1       595      233       13.4      8.18     0.62      0.35
+ *   100x100x2 * 2                7023                 198               13.7
+ *   10x10x2     1       2.8      2.5      0.081     0.099   0.0066    0.0085
+ *   16x16x2     1        17       12      0.405     0.411    0.027     0.031
+ *   20x20x2     1        40       27      0.904     0.850    0.056     0.056
+ *   24x24x2     1        80       48       1.76      1.47    0.096     0.091
+ *   32x32x2     1       248      111       5.28      3.60    0.232     0.192
+ *   40x40x2     1       595      233       13.4      8.18     0.62      0.33
  *   100x100x2   1                3910                 112               10.6
- *   60x6x2      2        16       48       0.43      1.21    0.037     0.068
+ *   60x6x2      2        16       48      0.431      1.21    0.034     0.068
  *   * membrane and bending uncoupled: two parts
  */
 static const double arithmetic_saved = 1.45; /* where the two factors cost the same       */

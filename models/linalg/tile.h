@@ -198,14 +198,15 @@ TILE_INLINE void tile_subtract_transposed(ptrdiff_t count, const double *a, cons
         for (int j = 0; j < TILE; j++)
             sum[j] += ((const tile_word *)(a + t * TILE_SIZE + j * TILE))[w] * right;
     }
-    for (int j = 0; j < TILE; j++) {
-        double pair[TILE_LANES], total = 0.0;
-        *(tile_word *)pair = sum[j];
+    for (int j = 0; j < TILE; j++) { /* lanes pairwise */
+        union {
+            tile_word word;
+            double lane[TILE_LANES];
+        } total = {.word = sum[j]};
         for (int half = TILE_LANES / 2; half > 0; half /= 2)
             for (int i = 0; i < half; i++)
-                pair[i] += pair[i + half];
-        total = pair[0];
-        x[j] -= total;
+                total.lane[i] += total.lane[i + half];
+        x[j] -= total.lane[0];
     }
 }
 

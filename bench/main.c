@@ -9,6 +9,7 @@
 #include "bench/output.h"
 #include "bench/provenance.h"
 #include "models/linalg/blas_kernel.h"
+#include "models/scene_file.h"
 
 /* EXIT_USAGE: bad input, too. */
 enum { EXIT_DONE = 0, EXIT_DIED = 1, EXIT_USAGE = 2 };
@@ -43,6 +44,27 @@ static void print_help(FILE *file)
           "  clothbench help run\n"
           "\nExit: 0 done; 1 a run died or a check failed; 2 bad input or usage.\n",
           file);
+}
+
+static void print_key(void *file, const char *key, const char *text)
+{
+    fprintf(file, "  %-28s%s%s\n", key, strlen(key) < 28 ? "" : "  ", text);
+}
+
+static void print_scene_help(FILE *file)
+{
+    fputs(
+        "A scene is a YAML file of physics, in SI units; clothbench list scenes names "
+        "those\n"
+        "that come with the program. Its keys, and those of the discretization, which the\n"
+        "command line alone gives:\n\n",
+        file);
+    scene_file_keys(print_key, file);
+    fputs(
+        "\n--set KEY=VALUE overrides any of them; the value is YAML, later settings win:\n"
+        "  --set material.young=5e4 --set 'damping={kind: none}' "
+        "--set supports[0].fix=xy\n",
+        file);
 }
 
 static enum status print_version(void)
@@ -84,6 +106,10 @@ static enum status run(int argc, char **argv, struct message *why)
     help = !strcmp(argv[0], "help");
     if ((help && (argc == 1 || is_word_of_main(argv[1]))) || asks_for_help(1, argv)) {
         print_help(stdout);
+        return STATUS_OK;
+    }
+    if (help && !strcmp(argv[1], "scene")) {
+        print_scene_help(stdout);
         return STATUS_OK;
     }
     TRY(commands_find(argv[help], &command, why));

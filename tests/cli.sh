@@ -79,6 +79,8 @@ says out 'clothbench 0' compiler blas_kernel
 good --version
 good help version
 good help help
+good help scene
+says out material.young discretization.points supports
 
 # --- list -------------------------------------------------------------------------------
 good list

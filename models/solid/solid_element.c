@@ -31,11 +31,12 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
         {&e->shape.N, gauss * row},
         {&e->shape.G, gauss * 3 * row},
         {&e->shape.weight, SOLID_PADDED(gauss)},
-        {&e->X, 3 * row},
+        {&e->X, 4 * local},
         {&e->g, gauss * 3 * padded},
         {&e->wg, gauss * 3 * padded},
         {&e->dV, SOLID_PADDED(gauss)},
-        {&e->H, columns * 9 * padded},
+        {&e->wN, gauss * row},
+        {&e->H, padded * 9 * padded}, /* rows in pairs: one more than columns */
         {&e->M, local * row},
         {&e->volume, row},
         {&e->K, columns * padded * 9},
@@ -69,36 +70,33 @@ void solid_element_clear(struct solid_element *e)
     memset(e, 0, sizeof *e);
 }
 
-static double sum_lanes(const lanes *s)
+static void cross(const double a[4], const double b[4], double out[3])
 {
-    const lanes v = *s;
-
-    return (v[0] + v[2]) + (v[1] + v[3]);
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* T = J^-T with J_ij = sum_a X_ai N_a,j over `row` columns. Returns det J. */
-static double inverse_jacobian(int row, const double *X, const double *G, double T[3][3])
+/* T = J^-T with J_ij = sum_a X_ai N_a,j; G's rows are `row` apart. Returns det J. */
+static double inverse_jacobian(int local, int row, const double *X, const double *G,
+                               double T[3][3])
 {
-    double J[3][3], det;
+    lanes column[3] = {{0}}; /* J's columns */
+    double J[3][SOLID_LANES], cofactor[3][3], det;
 
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            const lanes *x = (const lanes *)(X + i * row);
-            const lanes *d = (const lanes *)(G + j * row);
-            lanes s = {0};
-            for (int c = 0; c < row / SOLID_LANES; c++)
-                s += x[c] * d[c];
-            J[i][j] = sum_lanes(&s);
-        }
-    for (int i = 0; i < 3; i++) /* cofactors */
-        for (int j = 0; j < 3; j++) {
-            int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            T[i][j] = J[i1][j1] * J[i2][j2] - J[i1][j2] * J[i2][j1];
-        }
-    det = J[0][0] * T[0][0] + J[0][1] * T[0][1] + J[0][2] * T[0][2];
+    for (int a = 0; a < local; a++) {
+        lanes x = *(const lanes *)(X + SOLID_LANES * a);
+        column[0] += G[a] * x;
+        column[1] += G[row + a] * x;
+        column[2] += G[2 * row + a] * x;
+    }
+    memcpy(J, column, sizeof J);
+    for (int j = 0; j < 3; j++)
+        cross(J[(j + 1) % 3], J[(j + 2) % 3], cofactor[j]);
+    det = J[0][0] * cofactor[0][0] + J[0][1] * cofactor[0][1] + J[0][2] * cofactor[0][2];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            T[i][j] /= det;
+            T[i][j] = cofactor[j][i] / det;
     return det;
 }
 
@@ -130,7 +128,8 @@ static enum status physical_gradients(struct solid_element *e,
     double centre[3][3], centre_det = 0;
 
     if (e->modes) {
-        centre_det = inverse_jacobian(e->row, e->X, space->centre_gradient, centre);
+        centre_det =
+            inverse_jacobian(e->local, e->row, e->X, space->centre_gradient, centre);
         if (!(centre_det > 0))
             return bad_jacobian(centre_det);
     }
@@ -138,7 +137,7 @@ static enum status physical_gradients(struct solid_element *e,
         const double *G = e->shape.G + (size_t)q * 3 * (size_t)e->row;
         double *g = e->g + (size_t)q * 3 * (size_t)e->padded;
         double *wg = e->wg + (size_t)q * 3 * (size_t)e->padded;
-        double T[3][3], det = inverse_jacobian(e->row, e->X, G, T);
+        double T[3][3], det = inverse_jacobian(e->local, e->row, e->X, G, T);
 
         if (!(det > 0))
             return bad_jacobian(det);
@@ -152,61 +151,76 @@ static enum status physical_gradients(struct solid_element *e,
     return STATUS_OK;
 }
 
-/* H[a][3 i + j][b] = sum_q wg_i[a] g_j[b], from the lanes that hold b = a on. */
-static void outer_gradients(struct solid_element *e)
+/* H[a][3 i + j][b] = sum_q wg_i[a] g_j[b] for rows a and a + 1 and the lanes from `first`
+ * on: two rows share the loads of g. */
+static void outer_rows(const struct solid_element *e, int a, int first)
 {
-    int rows = e->local + e->modes, chunks = e->padded / SOLID_LANES;
     size_t stride = 3 * (size_t)e->padded;
+    const double *wg = e->wg + a, *g = e->g + first;
+    double *H = e->H + (size_t)a * 9 * (size_t)e->padded + first;
+    lanes s[9] = {{0}}, r[9] = {{0}};
 
-    for (int a = 0; a < rows; a++)
-        for (int c = a / SOLID_LANES; c < chunks; c++) {
-            const double *wg = e->wg + a;
-            const double *g = e->g + c * SOLID_LANES;
-            double *H = e->H + (size_t)a * 9 * (size_t)e->padded + c * SOLID_LANES;
-            lanes s[9] = {{0}};
-
-            for (int q = 0; q < e->gauss; q++, wg += stride, g += stride) {
-                lanes g0 = *(const lanes *)g, g1 = *(const lanes *)(g + e->padded),
-                      g2 = *(const lanes *)(g + 2 * e->padded);
-                double w0 = wg[0], w1 = wg[e->padded], w2 = wg[2 * e->padded];
-                s[0] += w0 * g0, s[1] += w0 * g1, s[2] += w0 * g2;
-                s[3] += w1 * g0, s[4] += w1 * g1, s[5] += w1 * g2;
-                s[6] += w2 * g0, s[7] += w2 * g1, s[8] += w2 * g2;
-            }
-            for (int n = 0; n < 9; n++)
-                *(lanes *)(H + n * e->padded) = s[n];
-        }
+    for (int q = 0; q < e->gauss; q++, wg += stride, g += stride) {
+        lanes g0 = *(const lanes *)g, g1 = *(const lanes *)(g + e->padded),
+              g2 = *(const lanes *)(g + 2 * e->padded);
+        const double *w1 = wg + e->padded, *w2 = wg + 2 * e->padded;
+        s[0] += wg[0] * g0, s[1] += wg[0] * g1, s[2] += wg[0] * g2;
+        s[3] += w1[0] * g0, s[4] += w1[0] * g1, s[5] += w1[0] * g2;
+        s[6] += w2[0] * g0, s[7] += w2[0] * g1, s[8] += w2[0] * g2;
+        r[0] += wg[1] * g0, r[1] += wg[1] * g1, r[2] += wg[1] * g2;
+        r[3] += w1[1] * g0, r[4] += w1[1] * g1, r[5] += w1[1] * g2;
+        r[6] += w2[1] * g0, r[7] += w2[1] * g1, r[8] += w2[1] * g2;
+    }
+    for (int n = 0; n < 9; n++) {
+        *(lanes *)(H + n * e->padded) = s[n];
+        *(lanes *)(H + (9 + n) * e->padded) = r[n];
+    }
 }
 
+static void outer_gradients(struct solid_element *e)
+{
+    for (int a = 0; a < e->local + e->modes; a += 2)
+        for (int b = a / SOLID_LANES * SOLID_LANES; b < e->padded; b += SOLID_LANES)
+            outer_rows(e, a, b);
+}
+
+/* K_ab from H_ab, four b at a time. */
 static void stiffness(struct solid_element *e, const struct solid_material *material)
 {
     double lambda = material->lambda, mu = material->mu;
     int rows = e->local + e->modes, n = e->padded;
 
-    for (int a = 0; a < rows; a++) {
-        const double *H = e->H + (size_t)a * 9 * (size_t)n;
-        double *K = e->K + (size_t)a * (size_t)n * 9;
-        for (int b = a; b < rows; b++) {
-            double shear = mu * (H[b] + H[4 * n + b] + H[8 * n + b]);
-            for (int i = 0; i < 3; i++)
-                for (int j = 0; j < 3; j++)
-                    K[9 * b + 3 * i + j] =
-                        lambda * H[(3 * i + j) * n + b] + mu * H[(3 * j + i) * n + b];
-            K[9 * b] += shear, K[9 * b + 4] += shear, K[9 * b + 8] += shear;
+    for (int a = 0; a < rows; a++)
+        for (int c = a / SOLID_LANES * SOLID_LANES; c < n; c += SOLID_LANES) {
+            const double *H = e->H + (size_t)a * 9 * (size_t)n + c;
+            double *K = e->K + ((size_t)a * (size_t)n + (size_t)c) * 9;
+            lanes h[9], k[9];
+
+            for (int t = 0; t < 9; t++)
+                h[t] = *(const lanes *)(H + t * n);
+            for (int t = 0; t < 9; t++) /* 3 i + j and its transpose 3 j + i */
+                k[t] = lambda * h[t] + mu * h[t % 3 * 3 + t / 3];
+            lanes shear = mu * (h[0] + h[4] + h[8]);
+            k[0] += shear, k[4] += shear, k[8] += shear;
+            for (int b = 0; b < SOLID_LANES; b++)
+                for (int t = 0; t < 9; t++)
+                    K[9 * b + t] = k[t][b];
         }
-    }
 }
 
 static void mass(struct solid_element *e, double density)
 {
     int chunks = e->row / SOLID_LANES;
 
+    for (int q = 0; q < e->gauss; q++)
+        for (int a = 0; a < e->row; a++)
+            e->wN[q * e->row + a] = density * e->dV[q] * e->shape.N[q * e->row + a];
     for (int a = 0; a < e->local; a++)
         for (int c = a / SOLID_LANES; c < chunks; c++) {
-            const double *N = e->shape.N;
+            const double *N = e->shape.N + c * SOLID_LANES, *wN = e->wN + a;
             lanes s = {0};
-            for (int q = 0; q < e->gauss; q++, N += e->row)
-                s += (density * e->dV[q] * N[a]) * *(const lanes *)(N + c * SOLID_LANES);
+            for (int q = 0; q < e->gauss; q++, N += e->row, wN += e->row)
+                s += *wN * *(const lanes *)N;
             *(lanes *)(e->M + (size_t)a * (size_t)e->row + c * SOLID_LANES) = s;
         }
     for (int c = 0; c < chunks; c++) {
@@ -277,7 +291,7 @@ enum status solid_element_compute(struct solid_element *e, const struct solid_sp
     space->functions(space, element, &e->shape);
     for (int a = 0; a < e->local; a++)
         for (int i = 0; i < 3; i++)
-            e->X[i * e->row + a] = x[3 * (size_t)node[a] + (size_t)i];
+            e->X[SOLID_LANES * a + i] = x[3 * (size_t)node[a] + (size_t)i];
     st = physical_gradients(e, space);
     if (st != STATUS_OK)
         return st;

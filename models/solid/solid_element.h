@@ -23,10 +23,11 @@ struct solid_material solid_element_material(double young, double poisson, doubl
 struct solid_element {
     int local, row, padded, gauss, modes;
     struct solid_functions shape;
-    double *X;      /* [3][row]            geometry, gathered                    [m]   */
+    double *X;      /* [local][4]          geometry, gathered; fourth zero       [m]   */
     double *g;      /* [gauss][3][padded]  physical gradients                    [1/m] */
     double *wg;     /* same, times dV                                                  */
     double *dV;     /* [gauss]             weight det J                          [m^3] */
+    double *wN;     /* [gauss][row]        values times density dV                     */
     double *H;      /* [columns][9][padded] int N_a,i N_b,j; valid for b >= a          */
     double *M;      /* [local][row]        valid for b >= a                      [kg]  */
     double *volume; /* [row]                                                     [m^3] */

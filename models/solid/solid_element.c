@@ -9,6 +9,7 @@
  * but multiply-adds, and fused ones are twice as fast. */
 
 typedef double lanes __attribute__((vector_size(SOLID_LANES * sizeof(double))));
+_Static_assert(SOLID_LANES == 4, "a gathered position is one vector: x, y, z, 0");
 
 struct solid_material solid_element_material(double young, double poisson, double density)
 {

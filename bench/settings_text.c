@@ -16,6 +16,19 @@ static void print_doubles(FILE *out, const double *value, int count)
     fputc(']', out);
 }
 
+/* Keys of the models that are no solids; those not set are the model's own. */
+static void print_steps(const struct discretization *d, FILE *out)
+{
+    fprintf(out, "discretization.parameters=%s\n", parameters_name(d->parameters));
+    fprintf(out, "discretization.integrator=%s\n", integrator_name(d->integrator));
+    fprintf(out, "discretization.substeps=%d\n", d->substeps);
+    fprintf(out, "discretization.iterations=%d\n", d->iterations);
+    fprintf(out, "discretization.tolerance=%.17g\n", d->tolerance);
+    fprintf(out, "discretization.strain_limit=%.17g\n", d->strain_limit);
+    fprintf(out, "discretization.constraint=%s\n", constraint_name(d->constraint));
+    fprintf(out, "discretization.acceleration=%s\n", acceleration_name(d->acceleration));
+}
+
 enum status settings_text(const struct discretization *d, char **text)
 {
     static const char *const direction[3] = {"u", "v", "w"};
@@ -43,6 +56,7 @@ enum status settings_text(const struct discretization *d, char **text)
     fprintf(out, "discretization.remedy=%s\n", remedy_name(d->remedy));
     fprintf(out, "discretization.unknowns=%s\n", unknowns_name(d->unknowns));
     fprintf(out, "discretization.solver=%s\n", solver_name(d->solver));
+    print_steps(d, out);
     if (fclose(out) != 0) {
         free(result);
         return STATUS_MEMORY;

@@ -179,6 +179,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct plate *p = NULL;
 
     TRY(solid_model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(discretization_refuse(d, 0, why));
     if (d->remedy != REMEDY_NONE)
         return status_fail(why, STATUS_UNSUPPORTED, "iga has no remedy=%s; use remedy=none",
                            remedy_name(d->remedy));

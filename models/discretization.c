@@ -45,6 +45,31 @@ out:
     return st;
 }
 
+enum status discretization_refuse(const struct discretization *d, unsigned used,
+                                  struct message *why)
+{
+    const struct {
+        bool set;
+        unsigned bit;
+        const char *key;
+    } keys[] = {
+        {d->parameters != 0, DISCRETIZATION_PARAMETERS, "parameters"},
+        {d->integrator != 0, DISCRETIZATION_INTEGRATOR, "integrator"},
+        {d->substeps != 0, DISCRETIZATION_SUBSTEPS, "substeps"},
+        {d->iterations != 0, DISCRETIZATION_ITERATIONS, "iterations"},
+        {d->tolerance != 0, DISCRETIZATION_TOLERANCE, "tolerance"},
+        {d->strain_limit != 0, DISCRETIZATION_STRAIN_LIMIT, "strain_limit"},
+        {d->constraint != 0, DISCRETIZATION_CONSTRAINT, "constraint"},
+        {d->acceleration != 0, DISCRETIZATION_ACCELERATION, "acceleration"},
+    };
+
+    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++)
+        if (keys[n].set && !(used & keys[n].bit))
+            return status_fail(why, STATUS_INPUT, "%s: this model has no use for it",
+                               keys[n].key);
+    return STATUS_OK;
+}
+
 /* The word at `value`, or "unknown" for a value that no enum has. */
 #define WORD(words, value)                                                                 \
     ((size_t)(value) < sizeof(words) / sizeof *(words) ? (words)[value] : "unknown")
@@ -87,6 +112,42 @@ const char *solver_name(enum solver s)
         [SOLVER_CHOLMOD] = "cholmod",
     };
     return WORD(words, s);
+}
+
+const char *parameters_name(enum parameters p)
+{
+    static const char *const words[] = {
+        [PARAMETERS_MATCHED] = "matched",
+        [PARAMETERS_PAPER] = "paper",
+    };
+    return WORD(words, p);
+}
+
+const char *integrator_name(enum integrator i)
+{
+    static const char *const words[] = {
+        [INTEGRATOR_IMPLICIT] = "implicit",
+        [INTEGRATOR_EXPLICIT] = "explicit",
+    };
+    return WORD(words, i);
+}
+
+const char *constraint_name(enum constraint c)
+{
+    static const char *const words[] = {
+        [CONSTRAINT_TRIANGLES] = "triangles",
+        [CONSTRAINT_EDGES] = "edges",
+    };
+    return WORD(words, c);
+}
+
+const char *acceleration_name(enum acceleration a)
+{
+    static const char *const words[] = {
+        [ACCELERATION_NONE] = "none",
+        [ACCELERATION_CHEBYSHEV] = "chebyshev",
+    };
+    return WORD(words, a);
 }
 
 const char *damping_name(int kind)

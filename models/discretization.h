@@ -29,6 +29,19 @@ enum unknowns {
 
 enum solver { SOLVER_AUTO, SOLVER_BANDED, SOLVER_CHOLMOD };
 
+/* Where a spring's or constraint's strength comes from (mass_spring, projective_dynamics). */
+enum parameters {
+    PARAMETERS_MATCHED, /* the scene's E, nu, h and rho                                */
+    PARAMETERS_PAPER,   /* Ren et al. 2024, Fig. 6                                     */
+};
+
+enum integrator { INTEGRATOR_IMPLICIT, INTEGRATOR_EXPLICIT }; /* Euler                */
+
+/* What resists stretching in projective_dynamics. */
+enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
+
+enum acceleration { ACCELERATION_NONE, ACCELERATION_CHEBYSHEV };
+
 struct discretization {
     int points[3]; /* control points or nodes along u, v, w                            */
     int degree[3]; /* p, q, r                                                 1..5     */
@@ -41,7 +54,33 @@ struct discretization {
     enum remedy remedy;
     enum unknowns unknowns;
     enum solver solver;
+
+    /* Of the models that are no solids; zero: the model's own. */
+    enum parameters parameters;
+    enum integrator integrator;
+    int substeps;        /* of one frame; 0: one                                       */
+    int iterations;      /* at most, in a step; 0: until the tolerance is met          */
+    double tolerance;    /* ends the iteration; each model says of what [1]; 0: its own */
+    double strain_limit; /* Provot 1995: greatest elongation of a spring [1]; 0: none  */
+    enum constraint constraint;
+    enum acceleration acceleration;
 };
+
+/* The keys above that not every model has a use for; bits. */
+enum {
+    DISCRETIZATION_PARAMETERS = 1,
+    DISCRETIZATION_INTEGRATOR = 2,
+    DISCRETIZATION_SUBSTEPS = 4,
+    DISCRETIZATION_ITERATIONS = 8,
+    DISCRETIZATION_TOLERANCE = 16,
+    DISCRETIZATION_STRAIN_LIMIT = 32,
+    DISCRETIZATION_CONSTRAINT = 64,
+    DISCRETIZATION_ACCELERATION = 128,
+};
+
+/* STATUS_INPUT with a sentence if any of those keys is set that is not in `used`. */
+enum status discretization_refuse(const struct discretization *d, unsigned used,
+                                  struct message *why);
 
 /* Frees what it owns; accepts all-zero and leaves all-zero. */
 void discretization_clear(struct discretization *d);
@@ -54,6 +93,10 @@ const char *kinematics_name(enum kinematics k);
 const char *remedy_name(enum remedy r);
 const char *unknowns_name(enum unknowns u);
 const char *solver_name(enum solver s);
+const char *parameters_name(enum parameters p);
+const char *integrator_name(enum integrator i);
+const char *constraint_name(enum constraint c);
+const char *acceleration_name(enum acceleration a);
 const char *damping_name(int kind);
 
 #endif

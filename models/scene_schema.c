@@ -40,6 +40,26 @@ static const char *solver_word(int value)
     return solver_name((enum solver)value);
 }
 
+static const char *parameters_word(int value)
+{
+    return parameters_name((enum parameters)value);
+}
+
+static const char *integrator_word(int value)
+{
+    return integrator_name((enum integrator)value);
+}
+
+static const char *constraint_word(int value)
+{
+    return constraint_name((enum constraint)value);
+}
+
+static const char *acceleration_word(int value)
+{
+    return acceleration_name((enum acceleration)value);
+}
+
 static enum status read_name(const struct schema_key *key, const struct yaml_tree *node,
                              void *target, struct message *why)
 {
@@ -335,6 +355,22 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, unknowns)},
     {"solver", "of the linear systems", SCHEMA_WORD, .word = solver_word,
      IN(discretization, solver)},
+    {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_word,
+     IN(discretization, parameters)},
+    {"integrator", "Euler's method", SCHEMA_WORD, .word = integrator_word,
+     IN(discretization, integrator)},
+    {"substeps", "of a frame, 0: one", SCHEMA_COUNT, .low = 0, .high = 1e6,
+     IN(discretization, substeps)},
+    {"iterations", "at most in a step, 0: until the tolerance is met", SCHEMA_COUNT,
+     .low = 0, .high = 1e6, IN(discretization, iterations)},
+    {"tolerance", "ends an iteration, 0: the model's own", SCHEMA_NUMBER, .low = 0,
+     .high = 1, IN(discretization, tolerance)},
+    {"strain_limit", "of a spring, 0: none", SCHEMA_NUMBER, .low = 0, .high = 10,
+     IN(discretization, strain_limit)},
+    {"constraint", "what resists stretching", SCHEMA_WORD, .word = constraint_word,
+     IN(discretization, constraint)},
+    {"acceleration", "of an iteration", SCHEMA_WORD, .word = acceleration_word,
+     IN(discretization, acceleration)},
     {NULL}};
 /* clang-format on */
 

@@ -46,6 +46,7 @@ static struct wanted wanted(const struct schema_key *key)
         [SCHEMA_NUMBER] = "a number",
         [SCHEMA_VECTOR] = "three numbers [x, y, z]",
         [SCHEMA_NUMBERS] = "a list of numbers",
+        [SCHEMA_COUNT] = "a whole number",
         [SCHEMA_COUNTS] = "two or three whole numbers [u, v, w]",
         [SCHEMA_WORD] = "one of",
         [SCHEMA_TEXT] = "a line of text",
@@ -173,6 +174,25 @@ out:
     return st;
 }
 
+/* A whole number in digits alone. */
+static bool parse_count(const struct schema_key *key, const struct yaml_tree *node,
+                        int *count)
+{
+    double number;
+
+    if (!parse_number(node, &number) || !in_range(key, number) ||
+        node->text[strspn(node->text, "0123456789")])
+        return false;
+    *count = (int)number;
+    return true;
+}
+
+static enum status read_count(const struct schema_key *key, const struct yaml_tree *node,
+                              int *count, struct message *why)
+{
+    return parse_count(key, node, count) ? STATUS_OK : schema_refuse(key, node, why);
+}
+
 static enum status read_counts(const struct schema_key *key, const struct yaml_tree *node,
                                int counts[3], struct message *why)
 {
@@ -180,14 +200,9 @@ static enum status read_counts(const struct schema_key *key, const struct yaml_t
 
     if (node->kind != YAML_TREE_LIST || node->count < 2 || node->count > 3)
         return schema_refuse(key, node, why);
-    for (int i = 0; i < node->count; i++, child = child->next) {
-        double number;
-
-        if (!parse_number(child, &number) || !in_range(key, number) ||
-            child->text[strspn(child->text, "0123456789")])
+    for (int i = 0; i < node->count; i++, child = child->next)
+        if (!parse_count(key, child, &counts[i]))
             return refuse_inside(key, child, why);
-        counts[i] = (int)number;
-    }
     return STATUS_OK;
 }
 
@@ -248,6 +263,8 @@ static enum status read_value(const struct schema_key *key, const struct yaml_tr
         return read_vector(key, node, place, why);
     case SCHEMA_NUMBERS:
         return read_numbers(key, node, place, count, why);
+    case SCHEMA_COUNT:
+        return read_count(key, node, place, why);
     case SCHEMA_COUNTS:
         return read_counts(key, node, place, why);
     case SCHEMA_WORD:

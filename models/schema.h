@@ -10,6 +10,7 @@ enum schema_type {
     SCHEMA_NUMBER,  /* double                                                          */
     SCHEMA_VECTOR,  /* double[3]                                                       */
     SCHEMA_NUMBERS, /* double * [count], owned; the count is an int at count_offset     */
+    SCHEMA_COUNT,   /* int                                                             */
     SCHEMA_COUNTS,  /* int[3]; two numbers leave the third as it was                    */
     SCHEMA_WORD,    /* an enum of int's size, by the names that `word` gives            */
     SCHEMA_TEXT,    /* char *, owned, replaced                                          */

@@ -162,6 +162,14 @@ static const struct {
     {"discretization.remedy=unknown", "one of none, incompatible"},
     {"discretization.solver=lu", "one of auto, banded"},
     {"discretization.unknowns=[points]", "one of auto, points"},
+    {"discretization.parameters=mine", "one of matched, paper"},
+    {"discretization.integrator=rk4", "one of implicit, explicit"},
+    {"discretization.substeps=1.5", "a whole number from 0"},
+    {"discretization.iterations=-1", "a whole number from 0"},
+    {"discretization.tolerance=2", "a number from 0 to 1"},
+    {"discretization.strain_limit=-0.1", "a number from 0 to 10"},
+    {"discretization.constraint=faces", "one of triangles, edges"},
+    {"discretization.acceleration=magic", "one of none, chebyshev"},
     {"discretization[0]=1", "discretization is a section; it has no elements"},
 };
 

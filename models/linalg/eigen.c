@@ -221,36 +221,19 @@ out:
     return st;
 }
 
-/* Ritz pairs, sorted (they come ascending or nearly so: insertion). */
+/* Ritz pairs; dseupd returns them ascending. */
 static enum status lanczos_take(struct lanczos *l, double sigma, double *lambda,
                                 double *vector, struct message *why)
 {
-    enum status st = STATUS_OK;
     int info = 0, want = vector != NULL;
-    double *z = vector ? vector : l->v, *keep = malloc(l->n * sizeof *keep);
-    if (!keep)
-        return STATUS_MEMORY;
+    double *z = vector ? vector : l->v;
     dseupd_(&want, "A", l->select, lambda, z, &l->n, &sigma, "G", &l->n, "LM", &l->nev,
             &l->tol, l->resid, &l->ncv, l->v, &l->n, l->iparam, l->ipntr, l->workd,
             l->workl, &l->lworkl, &info, 1, 1, 2);
     if (info != 0)
-        st = status_fail(why, STATUS_DIVERGED, "eigenvalues: ARPACK's dseupd gave info %d",
-                         info);
-    size_t bytes = l->n * sizeof *keep;
-    for (int k = 1; st == STATUS_OK && k < l->nev; k++)
-        for (int j = k; j > 0 && lambda[j] < lambda[j - 1]; j--) {
-            double swap = lambda[j];
-            lambda[j] = lambda[j - 1];
-            lambda[j - 1] = swap;
-            if (!vector)
-                continue;
-            double *low = vector + (size_t)(j - 1) * l->n, *high = low + l->n;
-            memcpy(keep, low, bytes);
-            memcpy(low, high, bytes);
-            memcpy(high, keep, bytes);
-        }
-    free(keep);
-    return st;
+        return status_fail(why, STATUS_DIVERGED,
+                           "eigenvalues: ARPACK's dseupd gave info %d", info);
+    return STATUS_OK;
 }
 
 static enum status lowest_sparse(const struct eigen_matrix *K, const struct eigen_matrix *M,

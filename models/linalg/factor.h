@@ -24,9 +24,9 @@ struct factor_pattern {
     int n;
     const long *start; /* [n + 1]       borrowed during create                         */
     const int *row;    /* [start[n]]                                                   */
-    const int *order;  /* [n] order of elimination, order[new] = old, such as
-                          order_nested's; NULL: METIS or AMD. The band takes the narrower
-                          of this and the natural order.                               */
+    const int *order;  /* [n] an order of elimination, order[new] = old, or NULL. The band
+                          takes the narrower of this and the natural order; supernodes the
+                          best of this (order_nested's, say), AMD's and METIS's.       */
 };
 
 /* SOLVER_AUTO picks the band where it costs less (the rule and its measurement: factor.c).

@@ -80,25 +80,35 @@ static cholmod_sparse *permuted_pattern(const struct factor_pattern *a, const in
     return lower;
 }
 
-/* position[n] and the supernodes in *l, from the given order or the better of AMD's and
- * METIS's. */
+static cholmod_factor *analyse_by(cholmod_sparse *lower, const int *order, int first,
+                                  int second, cholmod_common *c)
+{
+    c->nmethods = 2; /* CHOLMOD takes the one with fewer entries in L */
+    c->method[0].ordering = first;
+    c->method[1].ordering = second;
+    return cholmod_analyze_p(lower, (int *)order, NULL, 0, c);
+}
+
+/* position[n] and the supernodes in *l: the best of AMD's order, METIS's and the given one;
+ * METIS, which takes longest, is not asked where the given one beats AMD. */
 static enum status analyse(const struct factor_pattern *a, int *position,
                            cholmod_factor **l, cholmod_common *c)
 {
     for (int k = 0; k < a->n; k++)
         position[k] = k;
     cholmod_sparse *lower = permuted_pattern(a, position, c);
-    c->nmethods = a->order ? 1 : 2;
-    c->method[0].ordering = a->order ? CHOLMOD_GIVEN : CHOLMOD_AMD;
-    c->method[1].ordering = CHOLMOD_METIS;
     c->postorder = 1;
     c->supernodal = CHOLMOD_SUPERNODAL;
     /* Supernodes merge up to these widths while at most this share of them is zeros: tiles
      * of 8 like wider ones than CHOLMOD's defaults (4, 16, 48; 0.8, 0.1, 0.05). */
     c->nrelax[0] = 12, c->nrelax[1] = 32, c->nrelax[2] = 64;
     c->zrelax[0] = 0.8, c->zrelax[1] = 0.2, c->zrelax[2] = 0.05;
-    if (lower)
-        *l = cholmod_analyze_p(lower, (int *)a->order, NULL, 0, c);
+    if (lower && a->order)
+        *l = analyse_by(lower, a->order, CHOLMOD_GIVEN, CHOLMOD_AMD, c);
+    if (*l && (*l)->ordering != CHOLMOD_GIVEN)
+        cholmod_free_factor(l, c);
+    if (lower && !*l)
+        *l = analyse_by(lower, NULL, CHOLMOD_AMD, CHOLMOD_METIS, c);
     for (int k = 0; *l && k < a->n; k++)
         position[((int *)(*l)->Perm)[k]] = k;
     cholmod_free_sparse(&lower, c);

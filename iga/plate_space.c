@@ -193,7 +193,9 @@ static void number_elements(struct solid_space *space, const struct plate_tables
                                       d[2].first[ew] + c;
 }
 
-/* Legendre coefficients of a column of control points: c_k = (2k+1) int V P_k dw. */
+/* Legendre coefficients of a column of control points: c_k = (2k+1) int V P_k dw. V counts
+ * from the first point, so that a column along an axis has exact zeros across it: round-off
+ * there, divided by a small thickness, would couple membrane and bending motion. */
 static void column_coefficients(const struct bspline *b, const double *point, double *out)
 {
     double x[GAUSS_MAX], w[GAUSS_MAX], N[BSPLINE_MAX_ORDER], P[BSPLINE_MAX_ORDER];
@@ -206,11 +208,13 @@ static void column_coefficients(const struct bspline *b, const double *point, do
         for (int i = 0; i < 3; i++) {
             double V = 0;
             for (int c = 0; c < b->n; c++)
-                V += N[c] * point[3 * c + i];
+                V += N[c] * (point[3 * c + i] - point[i]);
             for (int k = 0; k < b->n; k++)
                 out[3 * k + i] += (2 * k + 1) * w[q] * P[k] * V;
         }
     }
+    for (int i = 0; i < 3; i++)
+        out[i] += point[i];
 }
 
 static void place_nodes(struct solid_space *space, const struct patch *patch)

@@ -10,8 +10,8 @@
  * %. */
 static const double TOL_FREQUENCY = 2e-3;
 /* Zero frequencies of a free plate, of the first one: omega runs up to some 10 c / h, the
- * first is 4 c h / a^2, so that lambda's errors, 1e-15 of the largest, are 1e-5 of the first:
- * a root of 3e-3. */
+ * first is 4 c h / a^2, so that lambda's errors, 1e-15 of the largest, are 1e-5 of the
+ * first: a root of 3e-3. */
 static const double TOL_ZERO = 3e-3;
 
 static const double THICKNESS = 5e-3;

@@ -77,6 +77,44 @@ static void check_shape(const struct net_shape *shape, enum solver method, const
     net_matrix_clear(&a);
 }
 
+/* Three sides at once, one more by itself: each as good as alone, and none of the others'.
+ */
+static void check_many(const struct net_shape *shape, enum solver method)
+{
+    enum { COUNT = 4 };
+    struct net_matrix a;
+    struct factor *f = NULL;
+    REQUIRE(net_matrix_create(shape, &a) == STATUS_OK);
+    int stride = a.n + 3;
+    double *b = malloc(COUNT * stride * sizeof *b), *x = malloc(COUNT * stride * sizeof *x);
+    double *again = malloc(COUNT * stride * sizeof *again);
+    struct factor_pattern pattern = pattern_of(&a, NULL);
+
+    REQUIRE(factor_create(&pattern, method, &f) == STATUS_OK);
+    for (int i = 0; i < COUNT * stride; i++)
+        b[i] = cos(i + 0.1 * (i % 7));
+    for (int turn = 0; turn < 2; turn++) { /* the second refactor must not see the first */
+        for (long s = 0; s < a.start[a.n]; s++)
+            a.value[s] *= 1 + turn;
+        fill(&a, f);
+        REQUIRE(factor_refactor(f) == STATUS_OK);
+        memcpy(x, b, COUNT * stride * sizeof *x);
+        CHECK(factor_solve_many(f, COUNT, x, stride) == STATUS_OK);
+        for (int c = 0; c < COUNT; c++)
+            CHECK_NEAR(residual(&a, x + c * stride, b + c * stride), 0.0, TOL_RESIDUAL);
+        for (int i = a.n; i < stride; i++)
+            CHECK(x[i] == b[i]); /* nothing behind a side is touched */
+        memcpy(again, b, COUNT * stride * sizeof *x);
+        CHECK(factor_solve_many(f, COUNT, again, stride) == STATUS_OK);
+        CHECK(!memcmp(x, again, COUNT * stride * sizeof *x));
+    }
+    factor_destroy(f);
+    free(b);
+    free(x);
+    free(again);
+    net_matrix_clear(&a);
+}
+
 static void check_shapes(void)
 {
     static const struct net_shape shapes[] = {
@@ -90,8 +128,10 @@ static void check_shapes(void)
         {.points_u = 15, .points_v = 14, .reach = 3, .held_edge = true},
     };
     for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++)
-        for (enum solver method = SOLVER_AUTO; method <= SOLVER_CHOLMOD; method++)
+        for (enum solver method = SOLVER_AUTO; method <= SOLVER_CHOLMOD; method++) {
             check_shape(&shapes[k], method, NULL);
+            check_many(&shapes[k], method);
+        }
 }
 
 /* Any permutation will do. */

@@ -8,6 +8,7 @@
 
 #include "models/linalg/blas_kernel.h"
 #include "models/linalg/factor_part.h"
+#include "models/linalg/tile_three.h"
 
 /* What lies where: parts one after the other, in the values (first_slot) and in the
  * permuted right-hand side (first_row). One slot behind all is the dump. */
@@ -22,6 +23,9 @@ struct factor {
     bool ready;               /* the last refactor succeeded                           */
     double *value;            /* [first_slot[part_count] + 1]                          */
     double *work;             /* [first_row[part_count]] permuted, padding kept zero    */
+    bool ready_three;         /* prepared for three sides since the last refactor       */
+    double *work_three;       /* [3 first_row[part_count]] blocks, padding kept zero; NULL
+                                 until three sides are asked for                        */
 };
 
 /* --- independent sub-systems -----------------------------------------------------------
@@ -281,6 +285,7 @@ void factor_destroy(struct factor *f)
     free(f->place);
     free(f->value);
     free(f->work);
+    free(f->work_three);
     free(f);
 }
 
@@ -317,7 +322,7 @@ void factor_clear_values(struct factor *f)
 enum status factor_refactor(struct factor *f)
 {
     enum status st = STATUS_OK;
-    f->ready = false;
+    f->ready = f->ready_three = false;
     for (int p = 0; p < f->part_count; p++)
         TRY(f->part[p].method->refactor(&f->part[p], f->value + f->first_slot[p]));
     f->ready = true;
@@ -345,6 +350,81 @@ enum status factor_solve(struct factor *f, double *b)
     for (int i = 0; !f->straight && i < f->n; i++)
         b[i] = x[f->place[i]];
     return STATUS_OK;
+}
+
+static enum status prepare_three(struct factor *f)
+{
+    enum status st = STATUS_OK;
+    if (!f->work_three)
+        f->work_three = factor_numbers((ptrdiff_t)SIDES * f->first_row[f->part_count]);
+    if (!f->work_three)
+        return STATUS_MEMORY;
+    for (int p = 0; p < f->part_count; p++)
+        TRY(f->part[p].method->prepare_three(&f->part[p], f->value + f->first_slot[p]));
+    f->ready_three = true;
+out:
+    return st;
+}
+
+/* Whole blocks of eight rows, where no unknown moves. */
+static void into_blocks(const struct factor *f, const double *b, ptrdiff_t stride,
+                        double *x)
+{
+    int whole = f->straight ? f->n / TILE : 0;
+    for (int t = 0; t < whole; t++)
+        for (int c = 0; c < SIDES; c++)
+            memcpy(x + t * BLOCK + c * TILE, b + c * stride + t * TILE, TILE * sizeof *x);
+    for (int i = whole * TILE; i < f->n; i++)
+        for (int c = 0; c < SIDES; c++)
+            x[block_place(f->place[i]) + c * TILE] = b[c * stride + i];
+}
+
+static void from_blocks(const struct factor *f, const double *x, double *b,
+                        ptrdiff_t stride)
+{
+    int whole = f->straight ? f->n / TILE : 0;
+    for (int t = 0; t < whole; t++)
+        for (int c = 0; c < SIDES; c++)
+            memcpy(b + c * stride + t * TILE, x + t * BLOCK + c * TILE, TILE * sizeof *x);
+    for (int i = whole * TILE; i < f->n; i++)
+        for (int c = 0; c < SIDES; c++)
+            b[c * stride + i] = x[block_place(f->place[i]) + c * TILE];
+}
+
+static void clear_padding(const struct factor *f, int p, double *own)
+{
+    for (int i = f->part[p].n; i < f->first_row[p + 1] - f->first_row[p]; i++)
+        for (int c = 0; c < SIDES; c++)
+            own[block_place(i) + c * TILE] = 0.0;
+}
+
+static enum status solve_three(struct factor *f, double *b, ptrdiff_t stride)
+{
+    if (!f->ready_three) {
+        enum status st = prepare_three(f);
+        if (st != STATUS_OK)
+            return st;
+    }
+    into_blocks(f, b, stride, f->work_three);
+    for (int p = 0; p < f->part_count; p++) {
+        double *own = f->work_three + (ptrdiff_t)SIDES * f->first_row[p];
+        f->part[p].method->solve_three(&f->part[p], f->value + f->first_slot[p], own);
+        clear_padding(f, p, own);
+    }
+    from_blocks(f, f->work_three, b, stride);
+    return STATUS_OK;
+}
+
+enum status factor_solve_many(struct factor *f, int count, double *b, ptrdiff_t stride)
+{
+    enum status st = STATUS_OK;
+    assert(f->ready && count >= 0);
+    for (; count >= SIDES; count -= SIDES, b += SIDES * stride)
+        TRY(solve_three(f, b, stride));
+    for (; count > 0; count--, b += stride)
+        TRY(factor_solve(f, b));
+out:
+    return st;
 }
 
 void factor_describe(const struct factor *f, struct factor_info *info)

@@ -10,6 +10,7 @@
 
 #include "models/linalg/factor_part.h"
 #include "models/linalg/tile.h"
+#include "models/linalg/tile_three.h"
 
 struct banded {
     int half;         /* half-bandwidth in unknowns                                    */
@@ -18,6 +19,7 @@ struct banded {
     int *first;       /* [tiles] first tile column of a tile row                       */
     ptrdiff_t *start; /* [tiles + 1] the diagonal tile of a column, in values          */
     double *inverse;  /* [tiles * TILE] reciprocals of the diagonal of L               */
+    double *pair;     /* [tiles * TILE_PAIR] inverse diagonal tiles, NULL until needed */
     double **column;  /* [tiles] tile (i,k) at column[k] + i TILE_SIZE, during refactor */
 };
 
@@ -164,6 +166,36 @@ static void solve(struct factor_part *part, const double *value, double *b)
     }
 }
 
+static enum status prepare_three(struct factor_part *part, const double *value)
+{
+    struct banded *band = part->state;
+    if (!band->pair)
+        band->pair = factor_numbers((ptrdiff_t)band->tiles * TILE_PAIR);
+    if (!band->pair)
+        return STATUS_MEMORY;
+    for (int k = 0; k < band->tiles; k++)
+        tile_invert(value + band->start[k], band->inverse + k * TILE,
+                    band->pair + k * TILE_PAIR);
+    return STATUS_OK;
+}
+
+static void solve_three(struct factor_part *part, const double *value, double *b)
+{
+    const struct banded *band = part->state;
+    for (int k = 0; k < band->tiles; k++) {
+        double *x = b + k * BLOCK;
+        tile_three_apply(band->pair + k * TILE_PAIR, x);
+        tile_three_subtract(band->last[k] - k, value + band->start[k] + TILE_SIZE, x,
+                            x + BLOCK);
+    }
+    for (int k = band->tiles - 1; k >= 0; k--) {
+        double *x = b + k * BLOCK;
+        tile_three_subtract_transposed(band->last[k] - k,
+                                       value + band->start[k] + TILE_SIZE, x + BLOCK, x);
+        tile_three_apply(band->pair + k * TILE_PAIR + TILE_SIZE, x);
+    }
+}
+
 static void describe(const struct factor_part *part, struct factor_info *info)
 {
     const struct banded *band = part->state;
@@ -187,6 +219,7 @@ static void destroy(struct factor_part *part)
     free(band->first);
     free(band->start);
     free(band->inverse);
+    free(band->pair);
     free(band->column);
     free(band);
     part->state = NULL;
@@ -198,6 +231,8 @@ const struct factor_method factor_banded = {
     .slot = slot,
     .refactor = refactor,
     .solve = solve,
+    .prepare_three = prepare_three,
+    .solve_three = solve_three,
     .describe = describe,
     .destroy = destroy,
 };

@@ -15,6 +15,7 @@
 #include "models/linalg/factor_part.h"
 #include "models/linalg/front.h"
 #include "models/linalg/tile.h"
+#include "models/linalg/tile_three.h"
 
 struct supernode {
     int first, count;      /* its columns: positions first .. first + count            */
@@ -40,6 +41,10 @@ struct supernodal {
     ptrdiff_t *inverse_start; /* [count]                                               */
     double **column; /* [most tiles of a front]                                        */
     double *x;       /* [most tiles * TILE]                                            */
+    double *pair;    /* inverse diagonal tiles, TILE_PAIR each; and x_three[most tiles *
+                        BLOCK]: NULL until three sides are asked for                   */
+    double *x_three;
+    ptrdiff_t inverse_end; /* numbers in inverse                                       */
     double flops;
     int most_tiles;
 };
@@ -235,6 +240,7 @@ static enum status lay_out(struct supernodal *s, ptrdiff_t *slots)
         inverse_end += p * TILE;
     }
     *slots = end;
+    s->inverse_end = inverse_end;
     place_in_parents(s);
     plan_arena(s, live);
     free(live);
@@ -346,6 +352,67 @@ static void solve(struct factor_part *part, const double *value, double *b)
     }
 }
 
+static enum status prepare_three(struct factor_part *part, const double *value)
+{
+    struct supernodal *s = part->state;
+    if (!s->pair)
+        s->pair = factor_numbers(s->inverse_end / TILE * TILE_PAIR);
+    if (!s->x_three)
+        s->x_three = factor_numbers((ptrdiff_t)s->most_tiles * BLOCK);
+    if (!s->pair || !s->x_three)
+        return STATUS_MEMORY;
+    for (int k = 0; k < s->count; k++)
+        for (int t = 0; t < s->node[k].pivots; t++) {
+            ptrdiff_t at = s->inverse_start[k] + t * TILE;
+            tile_invert(value + tile_start(&s->node[k], t, t), s->inverse + at,
+                        s->pair + at / TILE * TILE_PAIR);
+        }
+    return STATUS_OK;
+}
+
+/* Pivot rows of three sides between the right-hand side and a front. */
+TILE_INLINE void move_pivots(const struct supernode *node, double *x, double *b, bool into)
+{
+    for (int i = 0; i < node->count; i++) {
+        double *here = x + block_place(i), *there = b + block_place(node->first + i);
+        for (int c = 0; c < SIDES; c++)
+            if (into)
+                here[c * TILE] = there[c * TILE];
+            else
+                there[c * TILE] = here[c * TILE];
+    }
+}
+
+static void solve_three(struct factor_part *part, const double *value, double *b)
+{
+    const struct supernodal *s = part->state;
+    double *x = s->x_three;
+    for (int k = 0; k < s->count; k++) {
+        const struct supernode *node = &s->node[k];
+        double *rest = x + node->pivots * BLOCK;
+        memset(x, 0, (size_t)node->tiles * BLOCK * sizeof *x);
+        move_pivots(node, x, b, true);
+        front_forward_three(node->pivots, node->tiles, value + node->lower,
+                            s->pair + s->inverse_start[k] / TILE * TILE_PAIR, x);
+        move_pivots(node, x, b, false);
+        for (int i = 0; i < node->below; i++)
+            for (int c = 0; c < SIDES; c++)
+                b[block_place(node->row[i]) + c * TILE] += rest[block_place(i) + c * TILE];
+    }
+    for (int k = s->count - 1; k >= 0; k--) {
+        const struct supernode *node = &s->node[k];
+        double *rest = x + node->pivots * BLOCK;
+        memset(x, 0, (size_t)node->tiles * BLOCK * sizeof *x);
+        move_pivots(node, x, b, true);
+        for (int i = 0; i < node->below; i++)
+            for (int c = 0; c < SIDES; c++)
+                rest[block_place(i) + c * TILE] = b[block_place(node->row[i]) + c * TILE];
+        front_backward_three(node->pivots, node->tiles, value + node->lower,
+                             s->pair + s->inverse_start[k] / TILE * TILE_PAIR, x);
+        move_pivots(node, x, b, false);
+    }
+}
+
 static void describe(const struct factor_part *part, struct factor_info *info)
 {
     const struct supernodal *s = part->state;
@@ -369,6 +436,8 @@ static void destroy(struct factor_part *part)
     free(s->inverse);
     free(s->column);
     free(s->x);
+    free(s->pair);
+    free(s->x_three);
     free(s);
     part->state = NULL;
 }
@@ -379,6 +448,8 @@ const struct factor_method factor_supernodal = {
     .slot = slot,
     .refactor = refactor,
     .solve = solve,
+    .prepare_three = prepare_three,
+    .solve_three = solve_three,
     .describe = describe,
     .destroy = destroy,
 };

@@ -31,4 +31,11 @@ void front_add(const struct front *front, const double *update, int rows, const 
 void front_forward(int pivots, int tiles, const double *l, const double *inverse, double *x);
 void front_backward(int pivots, int tiles, const double *l, const double *inverse, double *x);
 
+/* The same for three sides: x in blocks (tile_three.h), pair: inverse diagonal tiles of the
+ * pivots, TILE_PAIR each. */
+void front_forward_three(int pivots, int tiles, const double *l, const double *pair,
+                         double *x);
+void front_backward_three(int pivots, int tiles, const double *l, const double *pair,
+                          double *x);
+
 #endif

@@ -1,0 +1,124 @@
+/* tile_three.h - inside factor.h: tiles against three right-hand sides at once (x, y and z
+ * of a scalar system), so that L is read once for all three.
+ *
+ * A block is 24 numbers: eight rows of the first side, of the second, of the third; aligned
+ * to 64 bytes. Division by a diagonal tile is a product with its inverse, which tile_invert
+ * makes once: eight steps that wait for each other become none. Both the inverse and its
+ * transpose are kept: TILE_PAIR numbers a diagonal tile.
+ */
+#ifndef TILE_THREE_H
+#define TILE_THREE_H
+
+#include <string.h>
+
+#include "models/linalg/tile.h"
+
+/* Eight rows; the compiler makes as many registers of it as the CPU needs. */
+typedef double tile_line __attribute__((vector_size(TILE * sizeof(double)), may_alias));
+
+enum { SIDES = 3, BLOCK = SIDES * TILE, TILE_PAIR = 2 * TILE_SIZE };
+
+/* Where row i of the first side lies among blocks; the others follow TILE apart. */
+static inline ptrdiff_t block_place(ptrdiff_t i)
+{
+    return (i & ~(ptrdiff_t)(TILE - 1)) * SIDES + (i & (TILE - 1)); /* i >= 0 */
+}
+
+/* pair[TILE_PAIR]: l^-1 and l^-T, column by column; inverse: reciprocals of l's diagonal.
+ */
+static inline void tile_invert(const double *l, const double *inverse, double *pair)
+{
+    double *down = pair, *up = pair + TILE_SIZE;
+
+    memset(pair, 0, TILE_PAIR * sizeof *pair);
+    for (int j = 0; j < TILE; j++)
+        for (int i = j; i < TILE; i++) {
+            double sum = i == j;
+            for (int k = j; k < i; k++)
+                sum -= l[k * TILE + i] * down[j * TILE + k];
+            down[j * TILE + i] = up[i * TILE + j] = sum * inverse[i];
+        }
+}
+
+/* y[c] += a x[c] on one tile and one block. */
+TILE_INLINE void tile_three_product(const double *a, const double *x, tile_line y[SIDES])
+{
+#pragma GCC unroll 8
+    for (int j = 0; j < TILE; j++) {
+        const tile_line column = *(const tile_line *)(a + j * TILE);
+#pragma GCC unroll 3
+        for (int c = 0; c < SIDES; c++)
+            y[c] += column * x[c * TILE + j];
+    }
+}
+
+/* x = a x on one block. */
+TILE_INLINE void tile_three_apply(const double *a, double *x)
+{
+    tile_line y[SIDES] = {{0}};
+    tile_three_product(a, x, y);
+#pragma GCC unroll 3
+    for (int c = 0; c < SIDES; c++)
+        *(tile_line *)(x + c * TILE) = y[c];
+}
+
+/* y -= a x for `count` tiles one under the other; y[count * BLOCK], x[BLOCK]. */
+TILE_INLINE void tile_three_subtract(ptrdiff_t count, const double *a, const double *x,
+                                     double *y)
+{
+    for (ptrdiff_t t = 0; t < count; t++, a += TILE_SIZE, y += BLOCK) {
+        tile_line sum[SIDES] = {{0}};
+        tile_three_product(a, x, sum);
+#pragma GCC unroll 3
+        for (int c = 0; c < SIDES; c++)
+            *(tile_line *)(y + c * TILE) -= sum[c];
+    }
+}
+
+/* x -= the sums of eight lines' lanes. */
+TILE_INLINE void tile_subtract_lanes(const tile_line s[TILE], tile_line *x)
+{
+    typedef long long order __attribute__((vector_size(TILE * sizeof(long long))));
+    const order even1 = {0, 8, 2, 10, 4, 12, 6, 14}, odd1 = {1, 9, 3, 11, 5, 13, 7, 15};
+    const order even2 = {0, 1, 8, 9, 4, 5, 12, 13}, odd2 = {2, 3, 10, 11, 6, 7, 14, 15};
+    const order even4 = {0, 1, 2, 3, 8, 9, 10, 11}, odd4 = {4, 5, 6, 7, 12, 13, 14, 15};
+    tile_line two[4], four[2];
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; k++)
+        two[k] = __builtin_shuffle(s[2 * k], s[2 * k + 1], even1) +
+                 __builtin_shuffle(s[2 * k], s[2 * k + 1], odd1);
+#pragma GCC unroll 2
+    for (int k = 0; k < 2; k++)
+        four[k] = __builtin_shuffle(two[2 * k], two[2 * k + 1], even2) +
+                  __builtin_shuffle(two[2 * k], two[2 * k + 1], odd2);
+    *x -= __builtin_shuffle(four[0], four[1], even4) +
+          __builtin_shuffle(four[0], four[1], odd4);
+}
+
+/* x -= a^T y for `count` tiles one under the other. */
+TILE_INLINE void tile_three_subtract_transposed(ptrdiff_t count, const double *a,
+                                                const double *y, double *x)
+{
+    tile_line sum[SIDES][TILE];
+#pragma GCC unroll 3
+    for (int c = 0; c < SIDES; c++)
+#pragma GCC unroll 8
+        for (int j = 0; j < TILE; j++)
+            sum[c][j] = (tile_line){0};
+    for (ptrdiff_t t = 0; t < count; t++, a += TILE_SIZE, y += BLOCK) {
+        const tile_line y0 = *(const tile_line *)y, y1 = *(const tile_line *)(y + TILE),
+                        y2 = *(const tile_line *)(y + 2 * TILE);
+#pragma GCC unroll 8
+        for (int j = 0; j < TILE; j++) {
+            const tile_line column = *(const tile_line *)(a + j * TILE);
+            sum[0][j] += column * y0;
+            sum[1][j] += column * y1;
+            sum[2][j] += column * y2;
+        }
+    }
+#pragma GCC unroll 3
+    for (int c = 0; c < SIDES; c++)
+        tile_subtract_lanes(sum[c], (tile_line *)(x + c * TILE));
+}
+
+#endif

@@ -1,11 +1,10 @@
 #include "bench/table1.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
+#include "bench/folder.h"
 #include "bench/registry.h"
 #include "bench/store.h"
 #include "bench/timing.h"
@@ -203,25 +202,6 @@ out:
     return st;
 }
 
-/* mkdir -p. */
-static enum status make_folder(const char *folder, struct message *why)
-{
-    char path[4096];
-
-    snprintf(path, sizeof path, "%s", folder);
-    for (char *end = path; end;) {
-        end = strchr(end + 1, '/');
-        if (end)
-            *end = '\0';
-        if (mkdir(path, 0777) != 0 && errno != EEXIST)
-            return status_fail(why, STATUS_FILE, "%s: cannot be made: %s", path,
-                               strerror(errno));
-        if (end)
-            *end = '/';
-    }
-    return STATUS_OK;
-}
-
 enum status table1_measure(const struct table1_options *options, struct message *why)
 {
     enum status st = STATUS_OK;
@@ -230,7 +210,7 @@ enum status table1_measure(const struct table1_options *options, struct message 
 
     if (!xyz)
         return STATUS_MEMORY;
-    TRY(make_folder(options->folder, why));
+    TRY(folder_make(options->folder, why));
     provenance_collect(&provenance);
     for (int part = 0; part < TABLE1_PARTS; part++)
         TRY(measure_part(options, part, &provenance, xyz, why));

@@ -105,7 +105,7 @@ good list studies
 # --- bad usage --------------------------------------------------------------------------
 refused 'which command'
 refused "no command 'dance'" dance
-for command in compare study sweep verify stress score advise report; do
+for command in study sweep verify stress score advise report; do
     refused 'not built yet' "$command" edge_drop
     refused 'not built yet' help "$command"
 done

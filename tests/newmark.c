@@ -106,10 +106,11 @@ static void check_velocity_damping(const char *damping, double dt, double factor
             v = factor * (v + dt / 2 * (a + next));
             a = next;
         }
-        /* Its own phase, and what the large first mode leaks into it by round-off. */
+        /* Its own phase, and what the large first mode leaks into it by round-off: a step's
+         * solve leaves some hundred ulp (121 measured without fused multiply-adds). */
         double TOL_RECURRENCE =
             phase_tolerance(&m, i, STEPS, dt) * fabs(load[i]) / m.lambda[i] +
-            64 * DBL_EPSILON * STEPS * fabs(load[0]) / m.lambda[0];
+            256 * DBL_EPSILON * STEPS * fabs(load[0]) / m.lambda[0];
         CHECK_NEAR(q[i], d, TOL_RECURRENCE);
     }
     free(q);

@@ -1,0 +1,31 @@
+/* truth.h - what a scene's motion is held against, with its error bar.
+ *
+ * Two kinds. Where the load is so light that linear theory holds (Gamma < TRUTH_GAMMA) and
+ * the sheet is a cantilever: the Kirchhoff plate, exact in time. Elsewhere: the finest
+ * nonlinear Kirchhoff-Love shell, its difference from the next coarser one (net and time step
+ * both) as error bar; it shares no code with the solids but the B-spline basis.
+ */
+#ifndef TRUTH_H
+#define TRUTH_H
+
+#include "models/scene.h"
+
+/* A cantilever's tip is off by 0.0125 Gamma^2 in linear theory (heavy elastica): 1e-4. */
+#define TRUTH_GAMMA 0.09
+
+struct truth {
+    int times;
+    double *time;        /* [times] [s]                                        owned   */
+    double **xyz;        /* [times] fields (grid.h) [m]; NULL past `until`     owned   */
+    double *error;       /* [times] rms error bar [m]                          owned   */
+    char source[256];    /* a sentence                                                 */
+};
+
+/* Truth of `path` with the settings at time[times]. The shell's motions are kept as result
+ * files in `folder` and found again there. STATUS_UNSUPPORTED with a sentence: none. */
+enum status truth_find(const char *path, int setting_count, const char *const *settings,
+                       int times, const double *time, const char *folder, bool quick,
+                       struct truth **truth, struct message *why);
+void truth_destroy(struct truth *t); /* NULL is allowed */
+
+#endif

@@ -1,0 +1,73 @@
+/* intersection.h - where a sheet passes through itself: pairs of triangles of its grid that
+ * have points in common which they should not have.
+ *
+ * The surface is a grid of points xyz[n_v][n_u][3], u fastest. Cell (i,j), number
+ * j (n_u - 1) + i, is cut along the diagonal from (i,j) to (i+1,j+1) into the triangles
+ *   2 cell:      (i,j), (i+1,j), (i+1,j+1)
+ *   2 cell + 1:  (i,j), (i+1,j+1), (i,j+1).
+ * Exchanging u and v, or turning both round, gives the same triangles; turning round one of
+ * them gives the other diagonals, another surface.
+ *
+ * Two triangles intersect if they have a point in common that is not in the hull of the grid
+ * points they share (triangle.h). So touching in a point counts, neighbours along an edge
+ * count only when folded flat onto each other, neighbours at a vertex when they pass through
+ * or overlap each other. Two grid points at the same place stay two points: a closed tube
+ * touches itself along the seam. Without degenerate triangles the count is 0 exactly if the
+ * surface is embedded.
+ *
+ * Decided without round-off, of the coordinates as they are, except that a coordinate below
+ * 2^-247 (about 1e-75) of the largest is taken for 0. Thickness plays no role.
+ *
+ * Cost: O(cells + pairs of cells whose boxes overlap), by a tree of boxes over the grid.
+ */
+#ifndef INTERSECTION_H
+#define INTERSECTION_H
+
+#include <stdbool.h>
+
+#include "models/status.h"
+
+struct intersection_pair {
+    int first, second; /* triangles, first < second                                    */
+};
+
+/* Work space, kept from call to call; all-zero before the first, free with
+ * intersection_clear, which leaves all-zero. */
+struct intersection {
+    bool keep_pairs;                 /* set by the caller: fill `pairs` too            */
+    struct intersection_pair *pairs; /* [pair_count], ascending                 owned  */
+    long pair_count;                 /* 0 unless keep_pairs                            */
+    long tests;                      /* pairs of triangles tested, of the last call    */
+
+    /* private */
+    int n_u, n_v, levels;
+    long room, pair_room;
+    double *point;           /* [n_v][n_u][3], scaled to 1                      owned  */
+    struct intersection_level {
+        int n_u, n_v;        /* boxes; those of level 0 are the cells                  */
+        double (*box)[6];    /* [n_v][n_u][low xyz, high xyz], into `boxes`            */
+    } level[32];
+    double (*boxes)[6];      /*                                                 owned  */
+    struct intersection_pair *candidate; /* cells whose boxes overlap           owned  */
+    unsigned char *hit;      /* of each candidate, a bit for each pair          owned  */
+    int candidate_count;
+};
+
+void intersection_clear(struct intersection *s);
+
+/* Counts the intersecting pairs of a grid of n_u x n_v points, each at least 2 and at most
+ * 2^30 triangles. Allocates when a grid is larger than those before. The same count and
+ * pairs for any number of threads. STATUS_NAN with *count = -1 if a coordinate is not
+ * finite; STATUS_MEMORY. */
+enum status intersection_count(struct intersection *s, int n_u, int n_v, const double *xyz,
+                               long *count);
+
+/* The same count by testing every pair, boxes of cells and all: for tests and to show what
+ * the tree saves. Lists no pairs. */
+enum status intersection_count_all(struct intersection *s, int n_u, int n_v,
+                                   const double *xyz, long *count);
+
+/* Grid points of a triangle. */
+void intersection_corners(int n_u, int triangle, int corner[3]);
+
+#endif

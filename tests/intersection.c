@@ -1,0 +1,356 @@
+/* Self-intersections of grids: counts known by hand, the tree against every pair, every pair
+ * against exact linear programming. Counts: no tolerances. */
+#include "models/intersection.h"
+
+#include <omp.h>
+#include <stdint.h>
+
+#include "tests/check.h"
+#include "tests/triangle_reference.h"
+
+enum { POINTS_MAX = 64 * 64 };
+static double xyz[POINTS_MAX][3];
+static struct intersection work;
+static uint64_t state = 20240607;
+
+/* [0, 1); xorshift64* */
+static double random_unit(void)
+{
+    state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
+    return (double)(state * 2685821657736338717u >> 11) * 0x1p-53;
+}
+
+static long count(int n_u, int n_v)
+{
+    long pairs;
+    CHECK(intersection_count(&work, n_u, n_v, xyz[0], &pairs) == STATUS_OK);
+    return pairs;
+}
+
+static long count_all(int n_u, int n_v)
+{
+    struct intersection own = {0};
+    long pairs;
+    CHECK(intersection_count_all(&own, n_u, n_v, xyz[0], &pairs) == STATUS_OK);
+    intersection_clear(&own);
+    return pairs;
+}
+
+/* x and z along u by a polygon, y = v. */
+static void extrude(int n_u, int n_v, const double (*polygon)[2])
+{
+    for (int j = 0; j < n_v; j++)
+        for (int i = 0; i < n_u; i++) {
+            double *x = xyz[j * n_u + i];
+            x[0] = polygon[i][0], x[1] = j, x[2] = polygon[i][1];
+        }
+}
+
+static void test_flat(void)
+{
+    for (int j = 0; j < 40; j++)
+        for (int i = 0; i < 50; i++) {
+            double *x = xyz[j * 50 + i];
+            x[0] = 0.3 * i - 0.7 * j, x[1] = 0.1 * i + 0.2 * j, x[2] = 0.5 * i + 0.9 * j;
+        }
+    CHECK(count(50, 40) == 0);
+    CHECK(work.tests < 50 * 40 * 60); /* the tree leaves little more than neighbours */
+    for (int n = 0; n < 2000; n++)
+        xyz[n][2] = 0;
+    CHECK(count(50, 40) == 0);
+    /* the sheet drawn out to a needle, still flat and of one side */
+    for (int n = 0; n < 2000; n++)
+        xyz[n][1] = ldexp(xyz[n][1], -60);
+    CHECK(count(50, 40) == 0);
+}
+
+/* The side from P0 to P1 and the one from P2 to P3 cross at 1/3 and 2/3 of their lengths:
+ * there the triangles 0, 1 of a cell fill y = [0, 1/3], [1/3, 1] of the first, [0, 2/3],
+ * [2/3, 1] of the second. Three of the four overlap; two more touch across a row. */
+static void test_crossing(void)
+{
+    static const double bent[][2] = {{0, 0}, {3, 3}, {3, -1}, {0, 2}};
+    static const struct intersection_pair want[] = {{0, 4}, {1, 4}, {1, 5}};
+
+    extrude(4, 2, bent);
+    work.keep_pairs = true;
+    CHECK(count(4, 2) == 3);
+    CHECK(work.pair_count == 3 && !memcmp(work.pairs, want, sizeof want));
+    work.keep_pairs = false;
+    for (int rows = 1; rows < 12; rows++) {
+        extrude(4, rows + 1, bent);
+        CHECK(count(4, rows + 1) == 3 * rows + 2 * (rows - 1));
+        CHECK(work.pair_count == 0);
+    }
+}
+
+/* A square tube, its last edge on the first: at the seam the triangles 0, 1 of the first
+ * cell have y = {0}, [0, 1], those of the last [0, 1], {1}. */
+static void test_tube(void)
+{
+    double tube[][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+
+    for (int rows = 1; rows < 12; rows++) {
+        extrude(5, rows + 1, tube);
+        CHECK(count(5, rows + 1) == 3 * rows + 5 * (rows - 1)); /* closed: touching */
+    }
+    tube[4][1] = 0x1p-300;
+    extrude(5, 6, tube);
+    CHECK(count(5, 6) == 3 * 5 + 5 * 4); /* a gap below what is told from 0 */
+    tube[4][1] = 0x1p-240;
+    extrude(5, 6, tube);
+    CHECK(count(5, 6) == 0); /* a gap */
+    tube[0][0] = -0.5, tube[4][1] = -0.5;
+    extrude(5, 6, tube);
+    CHECK(count(5, 6) == 3 * 5 + 2 * 4); /* through each other, as in test_crossing */
+}
+
+/* Rolled up by `turns`, the radius growing by `growth` a turn. */
+static void roll(int n_u, int n_v, double turns, double growth)
+{
+    for (int j = 0; j < n_v; j++)
+        for (int i = 0; i < n_u; i++) {
+            double angle = turns * i / (n_u - 1), *x = xyz[j * n_u + i];
+            double radius = 1 + growth * angle;
+            x[0] = radius * cos(8 * atan(1) * angle), x[1] = j / 7.0;
+            x[2] = radius * sin(8 * atan(1) * angle);
+        }
+}
+
+static void test_roll(void)
+{
+    roll(50, 9, 0.999, 0);
+    CHECK(count(50, 9) == 0);
+    roll(50, 9, 1.5, 0); /* chords of one turn cross those of the next */
+    CHECK(count(50, 9) > 24 * 8 && count(50, 9) == count_all(50, 9));
+    roll(50, 9, 1.5, 0.01); /* sagitta of a chord: 1 - cos(pi 1.5/49) = 0.0046 */
+    CHECK(count(50, 9) == 0);
+    roll(50, 9, 2.5, -0.05);
+    CHECK(count(50, 9) == 0);
+}
+
+/* Folded flat: in a row every triangle of the one side overlaps both of the other. Across a
+ * row the upper edges of one side touch the other's lower ones but for common points. */
+static void test_folded(void)
+{
+    static const double fold[][2] = {{0, 0}, {1, 0}, {0, 0}};
+
+    for (int rows = 1; rows < 12; rows++) {
+        extrude(3, rows + 1, fold);
+        CHECK(count(3, rows + 1) == 4 * rows + 5 * (rows - 1));
+    }
+    for (int j = 0; j < 4; j++)
+        xyz[3 * j + 2][2] = 0x1p-200; /* nearly flat */
+    CHECK(count(3, 4) == 0);
+
+    /* a cell folded along its diagonal */
+    static const double cell[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+    memcpy(xyz, cell, sizeof cell);
+    CHECK(count(2, 2) == 1);
+    xyz[2][2] = 1;
+    CHECK(count(2, 2) == 0);
+}
+
+/* All points in one: every pair without a common grid point. */
+static void test_collapsed(void)
+{
+    long apart = 0;
+
+    memset(xyz, 0, sizeof xyz);
+    for (int p = 0; p < 2 * 6 * 4; p++)
+        for (int q = 0; q < p; q++) {
+            int a[3], b[3], shared = 0;
+            intersection_corners(7, p, a), intersection_corners(7, q, b);
+            for (int k = 0; k < 9; k++)
+                shared += a[k / 3] == b[k % 3];
+            apart += shared == 0;
+        }
+    CHECK(count(7, 5) == apart);
+    for (int n = 0; n < 35; n++)
+        xyz[n][1] = 3.25;
+    CHECK(count(7, 5) == apart);
+}
+
+/* Pairs by linear programming. */
+static long count_reference(int n_u, int n_v, const int (*x)[3])
+{
+    int triangles = 2 * (n_u - 1) * (n_v - 1);
+    long pairs = 0;
+
+    for (int first = 0; first < triangles; first++)
+        for (int second = first + 1; second < triangles; second++) {
+            int a[3], b[3], p[3][3], q[3][3], shared = 0;
+            intersection_corners(n_u, first, a), intersection_corners(n_u, second, b);
+            for (int i = 0; i < 3; i++)
+                for (int j = shared; j < 3; j++)
+                    if (a[i] == b[j]) {
+                        int ai = a[i], bj = b[j];
+                        a[i] = a[shared], b[j] = b[shared];
+                        a[shared] = ai, b[shared] = bj;
+                        shared++;
+                        break;
+                    }
+            for (int i = 0; i < 3; i++) {
+                memcpy(p[i], x[a[i]], sizeof p[i]);
+                memcpy(q[i], x[b[i]], sizeof q[i]);
+            }
+            pairs += reference_meets(p, q, shared);
+        }
+    return pairs;
+}
+
+/* Small integers: much touches, lies in one plane or has no area. */
+static void test_reference(void)
+{
+    int x[20][3];
+
+    for (int n = 0; n < 40; n++) {
+        int size = 1 + n % 4, spread = n % 3;
+        for (int p = 0; p < 20; p++)
+            for (int c = 0; c < 3; c++) {
+                x[p][c] = (int)(random_unit() * (2 * size + 1)) - size;
+                if (spread && c < 2)
+                    x[p][c] += spread * (c ? p / 5 : p % 5) * size;
+                if (n % 5 == 4 && c == 2)
+                    x[p][c] = 0;
+                xyz[p][c] = x[p][c];
+            }
+        CHECK(count(5, 4) == count_reference(5, 4, x));
+    }
+}
+
+/* A sheet shaken by `noise` cells. */
+static void crumple(int n_u, int n_v, double noise)
+{
+    for (int j = 0; j < n_v; j++)
+        for (int i = 0; i < n_u; i++) {
+            double *x = xyz[j * n_u + i];
+            x[0] = i + noise * (random_unit() - 0.5);
+            x[1] = j + noise * (random_unit() - 0.5);
+            x[2] = 4 * sin(0.5 * i) + noise * (random_unit() - 0.5);
+        }
+}
+
+static void transpose(int n_u, int n_v)
+{
+    static double old[POINTS_MAX][3];
+
+    memcpy(old, xyz, sizeof old);
+    for (int j = 0; j < n_v; j++)
+        for (int i = 0; i < n_u; i++)
+            memcpy(xyz[i * n_v + j], old[j * n_u + i], sizeof *xyz);
+}
+
+static void turn_round(int points)
+{
+    for (int n = 0; n < points / 2; n++) {
+        double x[3];
+        memcpy(x, xyz[n], sizeof x);
+        memcpy(xyz[n], xyz[points - 1 - n], sizeof x);
+        memcpy(xyz[points - 1 - n], x, sizeof x);
+    }
+}
+
+static void test_crumpled(void)
+{
+    static const int size[][2] = {{2, 30}, {17, 13}, {33, 9}, {28, 28}};
+    long most = 0;
+
+    for (int n = 0; n < 24; n++) {
+        int n_u = size[n % 4][0], n_v = size[n % 4][1];
+        crumple(n_u, n_v, 1.5 * (1 + n / 4));
+        long pairs = count(n_u, n_v);
+        CHECK(pairs == count_all(n_u, n_v));
+        most = pairs > most ? pairs : most;
+        transpose(n_u, n_v);
+        CHECK(count(n_v, n_u) == pairs);
+        turn_round(n_u * n_v);
+        CHECK(count(n_v, n_u) == pairs);
+        for (int p = 0; p < n_u * n_v; p++) { /* another axis up, other units */
+            double *x = xyz[p], z = x[2];
+            x[2] = ldexp(x[1], 900), x[1] = ldexp(x[0], 900), x[0] = ldexp(z, 900);
+        }
+        CHECK(count(n_v, n_u) == pairs);
+    }
+    CHECK(most > 1000);
+}
+
+/* More candidates than are tested at a time; one to four threads; pairs in order. */
+static void test_threads(void)
+{
+    struct intersection other = {.keep_pairs = true};
+    long pairs, again;
+
+    crumple(48, 48, 40);
+    work.keep_pairs = true;
+    omp_set_num_threads(1);
+    pairs = count(48, 48);
+    CHECK(work.tests > 1000000 && pairs == work.pair_count && pairs == count_all(48, 48));
+    for (long n = 1; n < pairs; n++) {
+        struct intersection_pair p = work.pairs[n - 1], q = work.pairs[n];
+        if (!CHECK(p.first < q.first || (p.first == q.first && p.second < q.second)))
+            break;
+    }
+    for (int threads = 2; threads <= 4; threads++) {
+        omp_set_num_threads(threads);
+        REQUIRE(intersection_count(&other, 48, 48, xyz[0], &again) == STATUS_OK);
+        CHECK(again == pairs && other.tests == work.tests);
+        CHECK(!memcmp(other.pairs, work.pairs, pairs * sizeof *work.pairs));
+    }
+    intersection_clear(&other);
+    work.keep_pairs = false;
+}
+
+static void test_not_finite(void)
+{
+    static const double bad[] = {NAN, INFINITY, -INFINITY};
+    long pairs;
+
+    crumple(6, 6, 0.1);
+    CHECK(count(6, 6) == 0);
+    for (int n = 0; n < 3; n++) {
+        double kept = xyz[35 - n][n];
+        xyz[35 - n][n] = bad[n];
+        CHECK(intersection_count(&work, 6, 6, xyz[0], &pairs) == STATUS_NAN && pairs == -1);
+        CHECK(intersection_count_all(&work, 6, 6, xyz[0], &pairs) == STATUS_NAN);
+        CHECK(pairs == -1);
+        xyz[35 - n][n] = kept;
+    }
+    CHECK(count(6, 6) == 0);
+}
+
+static void test_reuse(void)
+{
+    struct intersection s = {0};
+    static const struct intersection zero;
+    long pairs;
+
+    crumple(40, 40, 3);
+    CHECK(intersection_count(&s, 40, 40, xyz[0], &pairs) == STATUS_OK);
+    const double *point = s.point;
+    long small = count_all(11, 31);
+    for (int n = 0; n < 3; n++) {
+        CHECK(intersection_count(&s, 11, 31, xyz[0], &pairs) == STATUS_OK);
+        CHECK(pairs == small && s.point == point);
+    }
+    intersection_clear(&s);
+    CHECK(!memcmp(&s, &zero, sizeof s));
+    intersection_clear(&s);
+}
+
+int main(void)
+{
+    test_flat();
+    test_crossing();
+    test_tube();
+    test_roll();
+    test_folded();
+    test_collapsed();
+    test_reference();
+    test_crumpled();
+    test_threads();
+    test_not_finite();
+    test_reuse();
+    intersection_clear(&work);
+    return check_result();
+}

@@ -140,6 +140,7 @@ enum status describe_state(const struct scene *scene, const struct model *model,
     add_row(table, "roughness", metric_roughness(scene, xyz), "1");
     if (scene->obstacle_count)
         add_row(table, "penetration", metric_penetration(scene, xyz), "m");
+    add_row(table, "self-intersections", metric_intersections(xyz), "pairs");
     add_energy(table, "kinetic energy", energy.kinetic);
     add_energy(table, "elastic energy", energy.elastic);
     add_energy(table, "potential energy", energy.potential);

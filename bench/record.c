@@ -26,6 +26,7 @@ struct record {
     int room, frames;       /* kept                                                    */
     double *xyz;            /* [GRID_POINTS][3] work                        owned      */
     double *value[METRICS]; /* [room]                                       owned      */
+    struct energy *energy;  /* [room], if the model has any                 owned      */
     double *sample_seconds; /* [room]                                       owned      */
 };
 
@@ -36,6 +37,7 @@ void record_discard(struct record *r)
     store_discard(r->store);
     for (int n = 0; n < METRICS; n++)
         free(r->value[n]);
+    free(r->energy);
     free(r->sample_seconds);
     free(r->xyz);
     free(r);
@@ -55,7 +57,8 @@ enum status record_create(const char *path, const struct store_run *run, int fra
     r->room = frame_count + 1;
     r->xyz = malloc(GRID_POINTS * 3 * sizeof *r->xyz);
     r->sample_seconds = malloc(size);
-    if (!r->xyz || !r->sample_seconds)
+    r->energy = malloc((size_t)r->room * sizeof *r->energy);
+    if (!r->xyz || !r->sample_seconds || !r->energy)
         TRY(STATUS_MEMORY);
     for (int n = 0; n < METRICS; n++)
         if (!(r->value[n] = malloc(size)))
@@ -70,7 +73,7 @@ out:
 enum status record_frame(struct record *r, const void *state, double t,
                          const struct counters *counters, struct message *why)
 {
-    struct energy energy;
+    struct energy *energy = r->model->energy ? &r->energy[r->frames] : NULL;
     double start = clock_now();
 
     assert(r->frames < r->room);
@@ -78,11 +81,23 @@ enum status record_frame(struct record *r, const void *state, double t,
     r->sample_seconds[r->frames] = clock_now() - start;
     for (int n = 0; n < METRICS; n++)
         r->value[n][r->frames] = metrics[n].value(r->scene, r->xyz);
-    if (r->model->energy)
-        r->model->energy(state, &energy);
+    if (energy)
+        r->model->energy(state, energy);
     r->frames++;
-    return store_frame(r->store, t, r->xyz, r->model->energy ? &energy : NULL, counters,
-                       why);
+    return store_frame(r->store, t, r->xyz, energy, counters, why);
+}
+
+static enum status store_drift(const struct record *r, struct message *why)
+{
+    double *drift = malloc((size_t)r->room * sizeof *drift);
+    enum status st = STATUS_MEMORY;
+
+    if (drift) {
+        metric_energy_drift(r->frames, r->energy, drift);
+        st = store_metric(r->store, "energy_drift", "1", drift, r->frames, why);
+    }
+    free(drift);
+    return st;
 }
 
 enum status record_close(struct record *r, const void *state, double create_seconds,
@@ -97,6 +112,8 @@ enum status record_close(struct record *r, const void *state, double create_seco
     for (int n = 0; n < METRICS; n++)
         TRY(store_metric(store, metrics[n].name, metrics[n].unit, r->value[n], r->frames,
                          why));
+    if (r->model->energy)
+        TRY(store_drift(r, why));
     TRY(store_seconds(store, "create", &create_seconds, 1, 0, why));
     TRY(store_seconds(store, "sample", r->sample_seconds, r->frames, 0, why));
     if (m && m->steps)

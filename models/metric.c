@@ -1,9 +1,10 @@
 #include "models/metric.h"
 
 #include <math.h>
-#include <stddef.h>
+#include <stdlib.h>
 
 #include "models/grid.h"
+#include "models/intersection.h"
 
 enum { LAYER = GRID_U * GRID_V, ROW = GRID_U * 3 };
 
@@ -234,4 +235,39 @@ double metric_angle(const struct scene *scene, const double *xyz)
     if (dot(level, scene->axis_u) < 0)
         reach = -reach;
     return atan2(fall, reach) * (45 / atan(1));
+}
+
+double metric_intersections(const double *xyz)
+{
+    double *surface = malloc(LAYER * 3 * sizeof *surface);
+    struct intersection work = {0};
+    enum status st = STATUS_MEMORY;
+    long count = 0;
+
+    if (surface) {
+        for (int n = 0; n < LAYER; n++)
+            middle(xyz, n % GRID_U, n / GRID_U, surface + 3 * n);
+        st = intersection_count(&work, GRID_U, GRID_V, surface, &count);
+    }
+    intersection_clear(&work);
+    free(surface);
+    return st ? NAN : (double)count;
+}
+
+static double total(const struct energy *energy)
+{
+    return energy->kinetic + energy->elastic + energy->potential;
+}
+
+void metric_energy_drift(int count, const struct energy *energy, double *drift)
+{
+    double largest = 0;
+
+    for (int n = 0; n < count; n++)
+        largest = fmax(largest, energy[n].kinetic + energy[n].elastic +
+                                    fabs(energy[n].potential - energy[0].potential));
+    for (int n = 0; n < count; n++) {
+        double change = total(&energy[n]) - total(&energy[0]);
+        drift[n] = change == 0 ? 0 : change / largest;
+    }
 }

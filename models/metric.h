@@ -8,7 +8,7 @@
 #ifndef METRIC_H
 #define METRIC_H
 
-#include "models/scene.h"
+#include "models/model.h"
 
 /* sqrt( sum over the grid of |a - b|^2 / GRID_POINTS ) [m]. A shift by (3,4,12) cm gives
  * 0.13 m. */
@@ -41,5 +41,17 @@ enum status metric_blowup(const struct scene *scene, const double *xyz);
 /* Angle below the horizontal of the line from (0, 1/2) to (1, 1/2) on the mid-surface, in
  * degrees, -180 to 180: past 90 the line points back over the rest direction of u. */
 double metric_angle(const struct scene *scene, const double *xyz);
+
+/* Pairs of triangles of the mid-surface that intersect (intersection.h: touching counts,
+ * thickness does not); 0 for a sheet clear of itself. NaN also if memory ran out. Some 10 ms,
+ * more for a sheet that is crumpled: a hundred times what the others cost. */
+double metric_intersections(const double *xyz);
+
+/* drift[n] = (E_n - E_0) / E_max of a motion's energies [count], count >= 1, with E the sum
+ * of the three and E_max the largest of kinetic + elastic + |potential - potential_0|: the
+ * share of the energy in play that was lost (negative) or won. 0 at rest. A scene without
+ * damping, drag, friction and moving supports should keep 0; none should rise without
+ * supports that move. */
+void metric_energy_drift(int count, const struct energy *energy, double *drift);
 
 #endif

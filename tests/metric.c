@@ -296,6 +296,53 @@ static void test_angle(void)
     free(xyz);
 }
 
+/* A flat sheet, then one point pulled through a cell far off. */
+static void test_intersections(void)
+{
+    double *xyz = new_field();
+    struct scene scene;
+
+    init_tilted(&scene);
+    fill_rest(&scene, xyz);
+    CHECK(metric_intersections(xyz) == 0);
+    /* a lower layer that is through the upper does not count: the middle stays flat */
+    for (int n = 0; n < COUNT / 2; n++) {
+        double below = xyz[n];
+        xyz[n] = xyz[COUNT / 2 + n], xyz[COUNT / 2 + n] = below;
+    }
+    CHECK(metric_intersections(xyz) == 0);
+    for (int k = 0; k < GRID_W; k++) {
+        double *moved = xyz + 3 * ((k * GRID_V + 20) * GRID_U + 30);
+        const double *cell = xyz + 3 * ((k * GRID_V + 60) * GRID_U + 70);
+        for (int c = 0; c < 3; c++)
+            moved[c] = (2 * cell[c] + cell[3 + c] + cell[3 + 3 * GRID_U + c]) / 4;
+        moved[2] -= 0.01;
+    }
+    CHECK(metric_intersections(xyz) >= 1);
+    xyz[COUNT - 1] = NAN;
+    CHECK(isnan(metric_intersections(xyz)));
+    scene_clear(&scene);
+    free(xyz);
+}
+
+static void test_energy_drift(void)
+{
+    /* E = 2, 2, 1, 2.5; in play 2, 6, 7, 2.5 */
+    static const struct energy energy[] = {{2, 0, 0}, {3, 1, -2}, {1, 3, -3}, {0.5, 1, 1}};
+    struct energy rest[2] = {{0, 0, 7}, {0, 0, 7}};
+    double drift[4], largest = 7;
+
+    metric_energy_drift(4, energy, drift);
+    CHECK(drift[0] == 0 && drift[1] == 0);
+    CHECK_NEAR(drift[2], -1 / largest, TOL_ROUND);
+    CHECK_NEAR(drift[3], 0.5 / largest, TOL_ROUND);
+    metric_energy_drift(2, rest, drift);
+    CHECK(drift[0] == 0 && drift[1] == 0);
+    rest[1].elastic = NAN;
+    metric_energy_drift(2, rest, drift);
+    CHECK(drift[0] == 0 && isnan(drift[1]));
+}
+
 static void test_clock(void)
 {
     double seconds[6] = {5, 1, 4, 2, 3, NAN};
@@ -324,6 +371,8 @@ int main(void)
     test_penetration();
     test_blowup();
     test_angle();
+    test_intersections();
+    test_energy_drift();
     test_clock();
     return check_result();
 }

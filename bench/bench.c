@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/bench_intersection.h"
 #include "bench/bench_solid.h"
 #include "bench/paper.h"
 #include "bench/progress.h"
@@ -259,6 +260,7 @@ static const struct {
     {"baselines", print_baselines},
     {"levers", print_levers},
     {"growth", print_growth},
+    {"intersection", bench_intersection_print},
 };
 
 static const struct command_option options[] = {
@@ -271,6 +273,7 @@ static const struct command_item items[] = {
     {"baselines", "the same matrices by CHOLMOD and LAPACK as they come"},
     {"levers", "what the band, the splitting of unknowns, one factorisation give"},
     {"growth", "cost of a frame over nets of 5 to 20 points a side"},
+    {"intersection", "counting a sheet's self-intersections, flat to crumpled"},
     {NULL, NULL},
 };
 
@@ -291,7 +294,7 @@ static enum status check_words(const struct command_line *line, struct message *
         if (!known)
             return status_fail(why, STATUS_INPUT,
                                "there is no benchmark '%s'; there are solids, baselines, "
-                               "levers and growth", line->words[n]);
+                               "levers, growth and intersection", line->words[n]);
     }
     return STATUS_OK;
 }
@@ -334,7 +337,7 @@ const struct command bench_command = {
             "A loaded machine spoils the times: look at the quartiles.\n",
     .examples = "bench\nbench solids growth\nbench --format csv\n",
     .least = 0,
-    .most = 4,
+    .most = 5,
     .options = options,
     .section = "benchmarks",
     .items = items,

@@ -103,6 +103,18 @@ static void add_row(struct table *t, const char *name, double value, const char 
     table_text(t, "%s", unit);
 }
 
+/* NaN: not known. */
+static void add_count(struct table *t, const char *name, double value, const char *unit)
+{
+    table_row(t);
+    table_text(t, "%s", name);
+    if (isnan(value))
+        table_dash(t);
+    else
+        table_integer(t, (long)value);
+    table_text(t, "%s", unit);
+}
+
 /* NaN: the model has no such energy in its kinematics. */
 static void add_energy(struct table *t, const char *name, double value)
 {
@@ -140,7 +152,7 @@ enum status describe_state(const struct scene *scene, const struct model *model,
     add_row(table, "roughness", metric_roughness(scene, xyz), "1");
     if (scene->obstacle_count)
         add_row(table, "penetration", metric_penetration(scene, xyz), "m");
-    add_row(table, "self-intersections", metric_intersections(xyz), "pairs");
+    add_count(table, "self-intersections", metric_intersections(xyz), "pairs");
     add_energy(table, "kinetic energy", energy.kinetic);
     add_energy(table, "elastic energy", energy.elastic);
     add_energy(table, "potential energy", energy.potential);

@@ -1,5 +1,5 @@
-/* Self-intersections of grids: counts known by hand, the tree against every pair, every pair
- * against exact linear programming. Counts: no tolerances. */
+/* Self-intersections of grids: counts known by hand, the tree against every pair, every
+ * pair against exact linear programming. Counts: no tolerances. */
 #include "models/intersection.h"
 
 #include <omp.h>

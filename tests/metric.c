@@ -296,7 +296,7 @@ static void test_angle(void)
     free(xyz);
 }
 
-/* A flat sheet, then one point pulled through a cell far off. */
+/* A flat sheet, then two neighbours pulled to either side of a cell far off. */
 static void test_intersections(void)
 {
     double *xyz = new_field();
@@ -315,8 +315,9 @@ static void test_intersections(void)
         double *moved = xyz + 3 * ((k * GRID_V + 20) * GRID_U + 30);
         const double *cell = xyz + 3 * ((k * GRID_V + 60) * GRID_U + 70);
         for (int c = 0; c < 3; c++)
-            moved[c] = (2 * cell[c] + cell[3 + c] + cell[3 + 3 * GRID_U + c]) / 4;
+            moved[c] = moved[3 + c] = (cell[c] + cell[3 + c] + cell[3 * GRID_U + c]) / 3;
         moved[2] -= 0.01;
+        moved[5] += 0.01;
     }
     CHECK(metric_intersections(xyz) >= 1);
     xyz[COUNT - 1] = NAN;

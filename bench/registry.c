@@ -5,10 +5,12 @@
 
 #include "fem_ref/hex_model.h"
 #include "iga/plate_model.h"
+#include "projective_dynamics/projective_dynamics_model.h"
 
 const struct model *const registry[] = {
     &plate_model,
     &hex_model,
+    &projective_dynamics_model,
     NULL,
 };
 
@@ -17,7 +19,6 @@ static const struct {
 } planned[] = {
     {"shell", "the isogeometric Kirchhoff-Love shell"},
     {"mass_spring", "mass-spring"},
-    {"projective_dynamics", "projective dynamics"},
 };
 
 void registry_names(char *text, int size)

@@ -109,7 +109,7 @@ for command in study sweep verify stress score advise report; do
     refused 'not built yet' "$command" edge_drop
     refused 'not built yet' help "$command"
 done
-for model in shell mass_spring projective_dynamics; do
+for model in shell mass_spring; do
     refused 'not built yet; models: iga, hex' run edge_drop --model $model
 done
 refused "no model 'ibm'; models: iga, hex" run edge_drop --model ibm

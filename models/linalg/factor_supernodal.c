@@ -40,10 +40,8 @@ struct supernodal {
     double *inverse; /* [rows padded, node by node at inverse_start]                   */
     ptrdiff_t *inverse_start; /* [count]                                               */
     double **column; /* [most tiles of a front]                                        */
-    double *x;       /* [most tiles * TILE]                                            */
-    double *pair;    /* inverse diagonal tiles, TILE_PAIR each; and x_three[most tiles *
-                        BLOCK]: NULL until three sides are asked for                   */
-    double *x_three;
+    double *x;       /* [most tiles * BLOCK]                                           */
+    double *pair;    /* inverse diagonal tiles, TILE_PAIR each; NULL until needed      */
     ptrdiff_t inverse_end; /* numbers in inverse                                       */
     double flops;
     int most_tiles;
@@ -246,7 +244,7 @@ static enum status lay_out(struct supernodal *s, ptrdiff_t *slots)
     free(live);
     s->arena = factor_numbers(s->arena_size);
     s->inverse = factor_numbers(inverse_end);
-    s->x = factor_numbers((ptrdiff_t)s->most_tiles * TILE);
+    s->x = factor_numbers((ptrdiff_t)s->most_tiles * BLOCK);
     s->column = malloc(s->most_tiles * sizeof *s->column);
     return s->arena && s->inverse && s->x && s->column ? STATUS_OK : STATUS_MEMORY;
 }
@@ -357,9 +355,7 @@ static enum status prepare_three(struct factor_part *part, const double *value)
     struct supernodal *s = part->state;
     if (!s->pair)
         s->pair = factor_numbers(s->inverse_end / TILE * TILE_PAIR);
-    if (!s->x_three)
-        s->x_three = factor_numbers((ptrdiff_t)s->most_tiles * BLOCK);
-    if (!s->pair || !s->x_three)
+    if (!s->pair)
         return STATUS_MEMORY;
     for (int k = 0; k < s->count; k++)
         for (int t = 0; t < s->node[k].pivots; t++) {
@@ -386,7 +382,7 @@ TILE_INLINE void move_pivots(const struct supernode *node, double *x, double *b,
 static void solve_three(struct factor_part *part, const double *value, double *b)
 {
     const struct supernodal *s = part->state;
-    double *x = s->x_three;
+    double *x = s->x;
     for (int k = 0; k < s->count; k++) {
         const struct supernode *node = &s->node[k];
         double *rest = x + node->pivots * BLOCK;
@@ -437,7 +433,6 @@ static void destroy(struct factor_part *part)
     free(s->column);
     free(s->x);
     free(s->pair);
-    free(s->x_three);
     free(s);
     part->state = NULL;
 }

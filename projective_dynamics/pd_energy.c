@@ -1,0 +1,247 @@
+#include "projective_dynamics/pd_energy.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "projective_dynamics/pd_bending.h"
+
+static const double PAPER_STRETCH = 10, PAPER_BEND = 10, PAPER_MASS = 1;
+
+/* Plane stress: energy per area E h / 2(1-nu^2) [(1-nu) |e|^2 + nu tr(e)^2], e the strain.
+ * With |e|^2 = (s1-s2)^2/2 + (s1+s2-2)^2/2 for small strains that is
+ *   E h/(1+nu) (s1-s2)^2/4 + E h/(1-nu) (s1+s2-2)^2/4.
+ * The matrix needs no more than the larger weight: to second order the two distances lie in
+ * orthogonal parts of F. */
+static void set_triangles(struct pd_energy *e, const struct scene *scene,
+                          enum parameters parameters)
+{
+    const struct pd_net *net = &e->net;
+    double stiffness = scene->young * scene->thickness, area = net->du * net->dv / 2;
+
+    e->deviator = area * stiffness / (1 + scene->poisson);
+    e->trace = area * stiffness / (1 - scene->poisson);
+    if (parameters == PARAMETERS_PAPER)
+        e->deviator = e->trace = area * PAPER_STRETCH * PAPER_STRETCH;
+    double larger = fmax(e->deviator, e->trace);
+    for (int k = 0; k < net->nodes; k++) {
+        int i = k / net->m, j = k % net->m;
+        int beside_u = (j > 0) + (j < net->m - 1), beside_v = (i > 0) + (i < net->n - 1);
+        if (i < net->n - 1)
+            e->edge[PD_EDGE_U][k] = larger * beside_u / (net->du * net->du);
+        if (j < net->m - 1)
+            e->edge[PD_EDGE_V][k] = larger * beside_v / (net->dv * net->dv);
+    }
+    e->constraints += 2 * (net->n - 1) * (net->m - 1);
+}
+
+/* Springs k of rest length l along a direction n, one a cell of area A, are a material with
+ * C_ijkl = k l^2 n_i n_j n_k n_l / A, so that two diagonals give C12 = C33 = 2 k_d a b /
+ * l^2, and C11 a^2/b^2 times as much; an edge along u adds k_u a/b to C11. Plane stress has
+ * C11 = E h / (1 - nu^2), C33 = E h / 2 (1 + nu). Where a cell is so long that an edge's
+ * spring would be negative, the diagonals are weaker and C33 falls short. */
+static void matched_springs(const struct pd_net *net, const struct scene *scene,
+                            double spring[PD_EDGES])
+{
+    double stiffness = scene->young * scene->thickness, nu = scene->poisson;
+    double C11 = stiffness / (1 - nu * nu), C33 = stiffness / (2 * (1 + nu));
+    double a = net->du, b = net->dv, ratio = a * a / (b * b);
+
+    C33 = fmin(C33, C11 * fmin(ratio, 1 / ratio));
+    spring[PD_EDGE_U] = fmax(b / a * (C11 - C33 * ratio), 0);
+    spring[PD_EDGE_V] = fmax(a / b * (C11 - C33 / ratio), 0);
+    spring[PD_EDGE_FALLING] = spring[PD_EDGE_RISING] = C33 * (a * a + b * b) / (2 * a * b);
+}
+
+static void fill_edges(struct pd_energy *e, const double spring[PD_EDGES], double rim_share)
+{
+    const struct pd_net *net = &e->net;
+
+    for (int c = 0; c < PD_EDGES; c++)
+        for (int k = 0; k < net->nodes; k++) {
+            int i = k / net->m, j = k % net->m;
+            bool rim = (c == PD_EDGE_U && (j == 0 || j == net->m - 1)) ||
+                       (c == PD_EDGE_V && (i == 0 || i == net->n - 1));
+            if (!pd_net_has(net, (enum pd_edge)c, k))
+                continue;
+            e->edge[c][k] = spring[c] * (rim ? rim_share : 1);
+            e->constraints++;
+        }
+}
+
+static void set_edges(struct pd_energy *e, const struct scene *scene,
+                      enum parameters parameters)
+{
+    double spring[PD_EDGES];
+
+    if (parameters == PARAMETERS_PAPER) {
+        for (int c = 0; c < PD_EDGES; c++)
+            spring[c] =
+                PAPER_STRETCH * PAPER_STRETCH / pd_net_length(&e->net, (enum pd_edge)c);
+        fill_edges(e, spring, 1);
+    } else {
+        matched_springs(&e->net, scene, spring);
+        fill_edges(e, spring, 0.5); /* half a cell lies beside an edge at the rim */
+    }
+}
+
+static void set_mass(struct pd_energy *e, const struct scene *scene,
+                     enum parameters parameters)
+{
+    const struct pd_net *net = &e->net;
+    double density = parameters == PARAMETERS_PAPER
+                         ? PAPER_MASS / (scene->length * scene->width)
+                         : scene->density * scene->thickness;
+
+    for (int k = 0; k < net->nodes; k++) {
+        int i = k / net->m, j = k % net->m;
+        double u = i > 0 && i < net->n - 1 ? net->du : net->du / 2;
+        double v = j > 0 && j < net->m - 1 ? net->dv : net->dv / 2;
+        e->area[k] = u * v;
+        e->mass[k] = density * e->area[k];
+    }
+}
+
+static void set_rest(struct pd_energy *e, const struct scene *scene)
+{
+    const struct pd_net *net = &e->net;
+
+    for (int k = 0; k < net->nodes; k++) {
+        double uvw[3] = {(double)(k / net->m) / (net->n - 1),
+                         (double)(k % net->m) / (net->m - 1), 0.5};
+        double x[3];
+        scene_rest_point(scene, uvw, x);
+        for (int c = 0; c < 3; c++)
+            e->rest[c * pd_net_stride(net) + k] = x[c];
+    }
+}
+
+static enum status allocate(struct pd_energy *e)
+{
+    for (int c = 0; c < PD_EDGES; c++)
+        if (!(e->edge[c] = pd_net_fields(&e->net, 1)))
+            return STATUS_MEMORY;
+    e->mass = pd_net_fields(&e->net, 1);
+    e->area = pd_net_fields(&e->net, 1);
+    e->rest = pd_net_fields(&e->net, 3);
+    e->rows = malloc((size_t)PD_BENDING_ROWS * (size_t)e->net.nodes * sizeof *e->rows);
+    return e->mass && e->area && e->rest && e->rows ? STATUS_OK : STATUS_MEMORY;
+}
+
+enum status pd_energy_init(struct pd_energy *e, const struct scene *scene, int n, int m,
+                           enum constraint constraint, enum parameters parameters,
+                           const bool *clamped)
+{
+    enum status st;
+    struct pd_energy new = {.constraint = constraint};
+
+    pd_net_init(&new.net, n, m, scene->length, scene->width);
+    TRY(allocate(&new));
+    set_mass(&new, scene, parameters);
+    set_rest(&new, scene);
+    if (constraint == CONSTRAINT_TRIANGLES)
+        set_triangles(&new, scene, parameters);
+    else
+        set_edges(&new, scene, parameters);
+    if (parameters == PARAMETERS_PAPER)
+        pd_bending_mean_curvature(&new, PAPER_BEND);
+    else
+        pd_bending_plate(&new, scene, clamped);
+    new.constraints += new.row_count;
+    new.rest_value = pd_energy_value(&new, new.rest);
+    *e = new;
+    memset(&new, 0, sizeof new);
+out:
+    pd_energy_clear(&new);
+    return st;
+}
+
+void pd_energy_clear(struct pd_energy *e)
+{
+    if (!e)
+        return;
+    for (int c = 0; c < PD_EDGES; c++)
+        pd_net_free_fields(&e->net, e->edge[c]);
+    pd_net_free_fields(&e->net, e->mass);
+    pd_net_free_fields(&e->net, e->area);
+    pd_net_free_fields(&e->net, e->rest);
+    free(e->rows);
+    memset(e, 0, sizeof *e);
+}
+
+/* --- value ------------------------------------------------------------------------------
+ */
+
+static void difference(const struct pd_energy *e, const double *x, int from, int to,
+                       double scale, double d[3])
+{
+    for (int c = 0; c < 3; c++, x += pd_net_stride(&e->net))
+        d[c] = (x[to] - x[from]) * scale;
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static double edge_energy(const struct pd_energy *e, const double *x)
+{
+    double sum = 0;
+
+    for (int c = 0; c < PD_EDGES; c++)
+        for (int k = 0; k < e->net.nodes; k++) {
+            int to[2];
+            double d[3], off;
+            if (!pd_net_has(&e->net, (enum pd_edge)c, k))
+                continue;
+            pd_net_ends(&e->net, (enum pd_edge)c, to);
+            difference(e, x, k + to[0], k + to[1], 1, d);
+            off = sqrt(dot(d, d)) - pd_net_length(&e->net, (enum pd_edge)c);
+            sum += e->edge[c][k] * off * off / 2;
+        }
+    return sum;
+}
+
+static double triangle_energy(const struct pd_energy *e, const double *x)
+{
+    const struct pd_net *net = &e->net;
+    double sum = 0;
+
+    for (int t = 0; t < 2 * net->nodes; t++) {
+        int k = t / 2, second = t % 2;
+        double u[3], v[3];
+        if (!pd_net_has(net, PD_EDGE_FALLING, k))
+            continue;
+        difference(e, x, k + second, k + net->m + second, 1 / net->du, u);
+        difference(e, x, k + second * net->m, k + 1 + second * net->m, 1 / net->dv, v);
+        double a = dot(u, u), b = dot(v, v), c = dot(u, v);
+        double area = sqrt(fmax(a * b - c * c, 0));
+        double trace = sqrt(a + b + 2 * area) - 2, deviator2 = fmax(a + b - 2 * area, 0);
+        sum += (e->deviator * deviator2 + e->trace * trace * trace) / 4;
+    }
+    return sum;
+}
+
+static double row_energy(const struct pd_energy *e, const double *x)
+{
+    double sum = 0;
+
+    for (int r = 0; r < e->row_count; r++) {
+        const struct pd_row *row = &e->rows[r];
+        for (int c = 0; c < 3; c++) {
+            double off = -row->target[c];
+            for (int s = 0; s < row->count; s++)
+                off += row->coefficient[s] * x[c * pd_net_stride(&e->net) + row->node[s]];
+            sum += row->weight * off * off / 2;
+        }
+    }
+    return sum;
+}
+
+double pd_energy_value(const struct pd_energy *e, const double *x)
+{
+    double stretch =
+        e->constraint == CONSTRAINT_EDGES ? edge_energy(e, x) : triangle_energy(e, x);
+
+    return fmax(stretch + row_energy(e, x) - e->rest_value, 0);
+}

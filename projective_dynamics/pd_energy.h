@@ -1,0 +1,67 @@
+/* pd_energy.h - the sheet's elastic energy as projective dynamics writes it: sums of
+ * squared distances to sets on which a constraint holds (Bouaziz et al. 2014, eq. 8).
+ *
+ * Stretch by edges: 1/2 k (|x_b - x_a| - l)^2 on structural and diagonal edges; the set is
+ * a sphere. Or by triangles, two a cell, F = [x_u/du, x_v/dv] with singular values s1, s2:
+ *   A [ deviator (s1 - s2)^2 / 4 + trace (s1 + s2 - 2)^2 / 4 ],
+ * the distances to the conformal F and to those of mean stretch 1. Equal weights give the
+ * distance to the rotations, Bouaziz's strain constraint with the range [1,1].
+ *
+ * Bending by rows 1/2 w |sum_k c_k x_k - target|^2 of second differences: on a flat rest
+ * shape the length of the mean-curvature vector that is kept is zero, so that the nearest
+ * point of the set is a constant (Bergou et al. 2006: isometric bending is quadratic) and
+ * bending lies in the constant matrix alone.
+ *
+ * Parameter sets:
+ *   paper    weights 10 and 10, total mass 1 kg (Ren et al. 2024, Fig. 6). What a weight
+ *            multiplies is not said. Ours: each constraint is w times a strain, squared,
+ * over its part of the sheet, as in the solver that Bouaziz's group published: 1/2 w^2 l
+ * (|e|/l - 1)^2 for an edge, 1/2 w^2 A |F - R|^2 for a triangle; bending 1/2 w A |x_uu +
+ * x_vv|^2 with the scale 1 m^2. matched  triangles: deviator E h/(1 + nu), trace E h/(1 -
+ * nu): small strains cost what plane stress costs, at every nu. Edges: springs with the
+ * C11, C22 and C33 of plane stress; their C12 equals C33, which is right at nu = 1/3 only.
+ * Bending: the plate's D and nu.
+ *
+ * Clamps: a node held in x, y, z through the full thickness, with a neighbour held so on
+ * one line of the net, keeps the slope across that line: a mirrored ghost node gives the
+ * row 1/2 w |2 (x_1 - x_0 - du e_u) / du^2|^2. A point support, and one on part of the
+ * thickness (a hinge), keep positions only; so do all supports of the paper's set.
+ */
+#ifndef PD_ENERGY_H
+#define PD_ENERGY_H
+
+#include "models/discretization.h"
+#include "models/scene.h"
+#include "projective_dynamics/pd_net.h"
+
+struct pd_row {
+    int count, node[5];
+    double coefficient[5]; /* [1/m^2]                                                  */
+    double weight;         /* [N m^3]                                                  */
+    double target[3];      /* [1/m] zero, but for clamps                               */
+};
+
+struct pd_energy {
+    struct pd_net net;
+    enum constraint constraint;
+    double *edge[PD_EDGES]; /* weight of each edge in the constant matrix, by k [N/m];
+                               triangles write theirs here too              owned     */
+    double deviator, trace; /* of one triangle, its area included [N m]                */
+    double *mass, *area;    /* lumped, per node [kg], [m^2]                  owned     */
+    double *rest;           /* [3] fields                                    owned     */
+    int row_count;
+    struct pd_row *rows; /* bending and clamps                            owned     */
+    int constraints;     /* edges or triangles, and rows                            */
+    double rest_value;   /* energy at rest, from rounding alone [J]                 */
+};
+
+/* n, m >= 2. clamped[nodes]: held in all components through the full thickness. */
+enum status pd_energy_init(struct pd_energy *e, const struct scene *scene, int n, int m,
+                           enum constraint constraint, enum parameters parameters,
+                           const bool *clamped);
+void pd_energy_clear(struct pd_energy *e);
+
+/* Elastic energy [J] of positions x, three fields; 0 for the rest shape. */
+double pd_energy_value(const struct pd_energy *e, const double *x);
+
+#endif

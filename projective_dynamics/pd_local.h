@@ -1,0 +1,30 @@
+/* pd_local.h - the local step: every constraint's nearest point, gathered per node.
+ *
+ * Chunks of nodes are fixed by the net and handed out to threads; a chunk computes all the
+ * projections that its nodes need, a few of them its neighbour's too, and sums them per
+ * node in fixed order. The result does not depend on the number of threads.
+ */
+#ifndef PD_LOCAL_H
+#define PD_LOCAL_H
+
+#include "projective_dynamics/pd_energy.h"
+
+struct pd_local {
+    const struct pd_energy *energy; /*                                       borrowed  */
+    double factor;                  /* on all weights                                  */
+    double *weight;                 /* fields: factor k l of each kind of edge, or the share
+                                       of triangles at k that exist (0 or 1)  owned     */
+    int chunk, threads;
+    double *buffer; /* [threads][fields of a chunk]                          owned     */
+};
+
+enum status pd_local_init(struct pd_local *local, const struct pd_energy *energy,
+                          double factor);
+void pd_local_clear(struct pd_local *local);
+
+/* b = base + factor sum over the stretch constraints of w G^T p(G x), p the nearest point.
+ * x, base and b: three fields each, of pd_net_stride. */
+void pd_local_step(const struct pd_local *local, const double *x, const double *base,
+                   double *b);
+
+#endif

@@ -1,0 +1,382 @@
+#include "projective_dynamics/pd_motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
+
+/* --- life --------------------------------------------------------------------------------
+ */
+
+static double mass_damping(const struct scene *scene, const struct pd_energy *e,
+                           enum parameters parameters)
+{
+    const struct scene_damping *damping = &scene->damping;
+    double alpha = scene->drag * scene->thickness * e->area[0] / e->mass[0];
+
+    if (parameters == PARAMETERS_MATCHED && damping->kind == DAMPING_MASS)
+        alpha += damping->value;
+    if (parameters == PARAMETERS_MATCHED && damping->kind == DAMPING_RAYLEIGH)
+        alpha += damping->alpha;
+    return alpha;
+}
+
+/* Factor on the velocity after each frame. */
+static double velocity_factor(const struct pd_motion *m)
+{
+    const struct scene_damping *damping = &m->scene->damping;
+
+    if (m->options.parameters == PARAMETERS_PAPER)
+        return 1 - PAPER_DAMPING;
+    if (damping->kind == DAMPING_VELOCITY_SCALE)
+        return damping->value;
+    if (damping->kind == DAMPING_VELOCITY_RATE)
+        return 1 - damping->value * m->scene->step;
+    return 1;
+}
+
+/* A support that takes part of the thickness holds the mid-surface if that is in the part:
+ * nodes are at w = 1/2. */
+static enum status hold_nodes(struct pd_motion *m, struct message *why)
+{
+    const int *points = m->options.points;
+    size_t nodes = (size_t)points[0] * (size_t)points[1];
+    double(*uvw)[3] = malloc(nodes * sizeof *uvw);
+    enum status st;
+
+    if (!uvw)
+        return STATUS_MEMORY;
+    for (size_t k = 0; k < nodes; k++) {
+        uvw[k][0] = (double)((int)k / points[1]) / (points[0] - 1);
+        uvw[k][1] = (double)((int)k % points[1]) / (points[1] - 1);
+        uvw[k][2] = 0.5;
+    }
+    st = supports_init(&m->supports, m->scene, (int)nodes, uvw, why);
+    free(uvw);
+    return st;
+}
+
+/* clamped[nodes]: held in x, y and z, each by a support through the full thickness. */
+static void find_clamped(const struct pd_motion *m, bool *clamped)
+{
+    const struct supports *s = &m->supports;
+
+    memset(clamped, 0, (size_t)s->nodes * sizeof *clamped);
+    for (int h = 0; h + 2 < s->held_count; h++) {
+        bool full = s->held[h] % 3 == 0 && s->held[h + 2] == s->held[h] + 2;
+        for (int c = 0; full && c < 3; c++) {
+            const struct scene_support *owner = &m->scene->supports[s->owner[h + c]];
+            full = owner->lo[2] <= 0 && owner->hi[2] >= 1;
+        }
+        if (full)
+            clamped[s->held[h] / 3] = true;
+    }
+}
+
+/* The factor by which the slowest error shrinks: the largest eigenvalue of A^-1 K_stretch
+ * about the rest shape, across the sheet, where edges resist nothing. Power iteration. */
+static enum status find_radius(struct pd_motion *m)
+{
+    enum { TURNS = 200 };
+    const struct pd_net *net = &m->energy.net;
+    ptrdiff_t stride = pd_net_stride(net);
+    double *z = m->next, *y = m->before;
+
+    memset(z, 0, (size_t)stride * sizeof *z);
+    for (int k = 0; k < net->nodes; k++)
+        z[k] = (k * 7 % 11) - 5;
+    for (int turn = 0; turn < TURNS; turn++) {
+        double size = 0;
+        memset(y, 0, (size_t)(3 * stride - net->pad) * sizeof *y);
+        for (int kind = 0; kind < PD_EDGES; kind++) {
+            int to[2];
+            pd_net_ends(net, (enum pd_edge)kind, to);
+            for (int k = 0; k < net->nodes; k++) {
+                double pull = m->local.factor * m->energy.edge[kind][k] *
+                              (z[k + to[1]] - z[k + to[0]]);
+                y[k + to[1]] += pull;
+                y[k + to[0]] -= pull;
+            }
+        }
+        for (int k = 0; k < net->nodes; k++)
+            y[k] = m->system.held[k] ? 0 : y[k];
+        enum status st = pd_system_solve(&m->system, y);
+        if (st != STATUS_OK)
+            return st;
+        for (int k = 0; k < net->nodes; k++)
+            size += y[k] * y[k];
+        m->radius = sqrt(size); /* z has length 1, but for the first turn */
+        for (int k = 0; k < net->nodes; k++)
+            z[k] = m->radius > 0 ? y[k] / m->radius : 0;
+    }
+    m->radius = fmin(m->radius, 1 - 1e-9);
+    return STATUS_OK;
+}
+
+static enum status allocate(struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+    double **fields[] = {&m->x, &m->v, &m->base, &m->start, &m->next, &m->before};
+
+    for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
+        if (!(*fields[n] = pd_net_fields(net, 3)))
+            return STATUS_MEMORY;
+    m->shift = calloc((size_t)m->supports.held_count + 1, sizeof *m->shift);
+    return m->shift ? STATUS_OK : STATUS_MEMORY;
+}
+
+enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
+                           const struct pd_options *options, struct message *why)
+{
+    enum status st;
+    bool *clamped =
+        calloc((size_t)options->points[0] * (size_t)options->points[1], sizeof *clamped);
+
+    *m = (struct pd_motion){.scene = scene, .options = *options};
+    m->dt = scene->step / options->substeps;
+    if (!clamped)
+        return STATUS_MEMORY;
+    TRY(hold_nodes(m, why));
+    find_clamped(m, clamped);
+    TRY(pd_energy_init(&m->energy, scene, options->points[0], options->points[1],
+                       options->constraint, options->parameters, clamped));
+    m->alpha = mass_damping(scene, &m->energy, options->parameters);
+    TRY(pd_system_init(&m->system, &m->energy, &m->supports, 1 + m->alpha * m->dt,
+                       m->dt * m->dt, options->solver));
+    TRY(pd_local_init(&m->local, &m->energy, m->dt * m->dt));
+    TRY(allocate(m));
+    if (options->chebyshev)
+        TRY(find_radius(m));
+    for (int k = 0; k < m->energy.net.nodes; k++)
+        for (int c = 0; c < 3; c++) {
+            ptrdiff_t at = c * pd_net_stride(&m->energy.net) + k;
+            m->x[at] = m->energy.rest[at];
+        }
+out:
+    free(clamped);
+    if (st != STATUS_OK)
+        pd_motion_clear(m);
+    return st;
+}
+
+void pd_motion_clear(struct pd_motion *m)
+{
+    if (!m)
+        return;
+    const struct pd_net *net = &m->energy.net;
+    double *fields[] = {m->x, m->v, m->base, m->start, m->next, m->before};
+    for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
+        pd_net_free_fields(net, fields[n]);
+    free(m->shift);
+    pd_local_clear(&m->local);
+    pd_system_clear(&m->system);
+    pd_energy_clear(&m->energy);
+    supports_clear(&m->supports);
+    memset(m, 0, sizeof *m);
+}
+
+/* --- the step ----------------------------------------------------------------------------
+ */
+
+static ptrdiff_t place(const struct pd_motion *m, int unknown)
+{
+    return unknown % 3 * pd_net_stride(&m->energy.net) + unknown / 3;
+}
+
+static void exchange(double **a, double **b)
+{
+    double *keep = *a;
+    *a = *b;
+    *b = keep;
+}
+
+void pd_motion_begin(struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+    const struct scene *scene = m->scene;
+    double dt = m->dt, inert = 1 + m->alpha * dt;
+    double wind = scene->drag * scene->thickness * m->energy.area[0] / m->energy.mass[0];
+
+    exchange(&m->x, &m->start);
+    for (int c = 0; c < 3; c++) {
+        ptrdiff_t at = c * pd_net_stride(net);
+        const double *start = m->start + at, *v = m->v + at, *mass = m->energy.mass,
+                     *constant = m->system.constant + at;
+        double *base = m->base + at, *x = m->x + at;
+        double fall = dt * dt * (scene->gravity[c] + wind * scene->wind[c]);
+        for (int k = 0; k < net->nodes; k++) {
+            double flight = inert * start[k] + dt * v[k] + fall;
+            base[k] = mass[k] * flight + constant[k];
+            x[k] = flight / inert;
+        }
+    }
+    supports_shift(&m->supports, scene, m->time + dt, m->shift);
+    for (int h = 0; h < m->supports.held_count; h++) {
+        ptrdiff_t at = place(m, m->supports.held[h]);
+        m->x[at] = m->base[at] = m->energy.rest[at] + m->shift[h];
+    }
+    pd_system_hold(&m->system, m->base);
+}
+
+static double farthest(const struct pd_motion *m, const double *a, const double *b)
+{
+    const struct pd_net *net = &m->energy.net;
+    ptrdiff_t stride = pd_net_stride(net);
+    double most = 0;
+
+    for (int k = 0; k < net->nodes; k++) {
+        double sum = 0;
+        for (int c = 0; c < 3; c++)
+            sum += (a[c * stride + k] - b[c * stride + k]) *
+                   (a[c * stride + k] - b[c * stride + k]);
+        most = sum > most ? sum : most;
+    }
+    return sqrt(most);
+}
+
+/* Chebyshev's weight of iteration `number`, from the one before (Wang 2015, eq. 12). */
+static double chebyshev_weight(int number, double radius, double before)
+{
+    if (number == 0)
+        return 1;
+    return number == 1 ? 2 / (2 - radius * radius) : 4 / (4 - radius * radius * before);
+}
+
+/* next <- w (next - before) + before */
+static void overshoot(struct pd_motion *m, int number)
+{
+    const struct pd_net *net = &m->energy.net;
+
+    m->weight = chebyshev_weight(number, m->radius, m->weight);
+    for (int c = 0; number > 0 && c < 3; c++) {
+        double *next = m->next + c * pd_net_stride(net);
+        const double *before = m->before + c * pd_net_stride(net);
+        for (int k = 0; k < net->nodes; k++)
+            next[k] = m->weight * (next[k] - before[k]) + before[k];
+    }
+}
+
+enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved)
+{
+    enum status st;
+
+    pd_local_step(&m->local, m->x, m->base, m->next);
+    for (int h = 0; h < m->supports.held_count; h++) {
+        ptrdiff_t at = place(m, m->supports.held[h]);
+        m->next[at] = m->base[at];
+    }
+    TRY(pd_system_solve(&m->system, m->next));
+    if (m->options.chebyshev)
+        overshoot(m, number);
+    if (moved)
+        *moved = farthest(m, m->next, m->x);
+    if (m->options.chebyshev) {
+        exchange(&m->before, &m->x);
+        exchange(&m->x, &m->next);
+    } else
+        exchange(&m->x, &m->next);
+out:
+    return st;
+}
+
+static enum status step(struct pd_motion *m, struct counters *counters)
+{
+    enum status st;
+    const struct pd_net *net = &m->energy.net;
+    const struct pd_options *o = &m->options;
+    double near = o->tolerance * m->scene->length, moved = INFINITY;
+
+    pd_motion_begin(m);
+    for (int n = 0; n < o->iterations && !(o->tolerance > 0 && moved <= near); n++) {
+        TRY(pd_motion_iterate(m, n, o->tolerance > 0 ? &moved : NULL));
+        counters->iterations++;
+        counters->solves++;
+    }
+    for (int c = 0; c < 3; c++) {
+        ptrdiff_t at = c * pd_net_stride(net);
+        for (int k = 0; k < net->nodes; k++)
+            m->v[at + k] = (m->x[at + k] - m->start[at + k]) / m->dt;
+    }
+    m->time += m->dt;
+out:
+    return st;
+}
+
+/* Damps, and says if all are numbers: a sum with one that is not is none. */
+static bool finish_frame(struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+    double factor = velocity_factor(m), sum = 0;
+
+    for (int c = 0; c < 3; c++) {
+        double *v = m->v + c * pd_net_stride(net);
+        for (int k = 0; k < net->nodes; k++)
+            sum += fabs(v[k] *= factor);
+    }
+    return isfinite(sum);
+}
+
+enum status pd_motion_frame(struct pd_motion *m, struct counters *counters)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < m->options.substeps; n++)
+        TRY(step(m, counters));
+    counters->factorisations += m->counted ? 0 : m->system.group_count;
+    m->counted = true;
+    if (!finish_frame(m))
+        return STATUS_NAN;
+    counters->steps++;
+out:
+    return st;
+}
+
+/* --- what came of it ---------------------------------------------------------------------
+ */
+
+double pd_motion_objective(const struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+    double dt = m->dt, inert = 1 + m->alpha * dt, sum = 0;
+    double wind =
+        m->scene->drag * m->scene->thickness * m->energy.area[0] / m->energy.mass[0];
+
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < net->nodes; k++) {
+            ptrdiff_t at = c * pd_net_stride(net) + k;
+            double fall = dt * dt * (m->scene->gravity[c] + wind * m->scene->wind[c]);
+            double off = m->x[at] - m->start[at] - (dt * m->v[at] + fall) / inert;
+            if (!m->system.held[c * net->nodes + k])
+                sum += m->energy.mass[k] * off * off;
+        }
+    return sum * inert / (2 * dt * dt) + pd_energy_value(&m->energy, m->x);
+}
+
+void pd_motion_energy(const struct pd_motion *m, struct energy *energy)
+{
+    const struct pd_net *net = &m->energy.net;
+    double kinetic = 0, potential = 0;
+
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < net->nodes; k++) {
+            ptrdiff_t at = c * pd_net_stride(net) + k;
+            kinetic += m->energy.mass[k] * m->v[at] * m->v[at] / 2;
+            potential -=
+                m->energy.mass[k] * m->scene->gravity[c] * (m->x[at] - m->energy.rest[at]);
+        }
+    *energy = (struct energy){kinetic, pd_energy_value(&m->energy, m->x), potential};
+}
+
+void pd_motion_size(const struct pd_motion *m, struct model_size *size)
+{
+    *size = (struct model_size){.nodes = m->energy.net.nodes,
+                                .unknowns = m->supports.free_count,
+                                .unknown_basis = "nodes"};
+    for (int n = 0; n < m->system.group_count; n++) {
+        struct factor_info info;
+        factor_describe(m->system.group[n].factor, &info);
+        size->factor_entries += info.entries;
+        size->solver = info.method;
+    }
+}

@@ -1,0 +1,67 @@
+/* pd_motion.h - the sheet in time: implicit Euler by local and global steps in turn
+ * (Bouaziz et al. 2014, algorithm 1).
+ *
+ * A step solves M (x - x_old - dt v) / dt^2 + alpha M (x - x_old) / dt = f - dE/dx: the
+ * free flight is the first guess, then b = M (...) + dt^2 sum w G^T p(G x), A x = b, over
+ * and over. Damping: mass (and Rayleigh's alpha) and drag in alpha; velocity_scale and
+ * velocity_rate after each frame. The paper's set has v <- (1 - 0.005) v a frame in place
+ * of the scene's.
+ */
+#ifndef PD_MOTION_H
+#define PD_MOTION_H
+
+#include "models/model.h"
+#include "projective_dynamics/pd_local.h"
+#include "projective_dynamics/pd_system.h"
+
+struct pd_options {
+    int points[2];
+    enum constraint constraint;
+    enum parameters parameters;
+    int substeps;     /* steps a frame, >= 1                                           */
+    int iterations;   /* a step: as many, or at most so many if tolerance > 0; >= 1    */
+    double tolerance; /* stop where no node moves farther, as a share of the length    */
+    bool chebyshev;   /* Wang 2015                                                     */
+    enum solver solver;
+};
+
+struct pd_motion {
+    const struct scene *scene; /*                                           borrowed  */
+    struct pd_options options;
+    struct pd_energy energy;
+    struct supports supports;
+    struct pd_system system;
+    struct pd_local local;
+    double dt, alpha; /* [s], [1/s]                                                    */
+    double radius;    /* Chebyshev: of the iteration about the rest shape              */
+    double weight;    /* of the last iteration                                         */
+    double *x, *v;    /* three fields each                                   owned    */
+    double *base, *start, *next, *before; /* work, the same                  owned    */
+    double *shift;                        /* [held]                          owned    */
+    double time;
+    bool counted; /* the factorisation of create                                       */
+};
+
+/* *m must stay where it is until pd_motion_clear. */
+enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
+                           const struct pd_options *options, struct message *why);
+void pd_motion_clear(struct pd_motion *m);
+
+/* One frame of scene->step. STATUS_NAN if a position is no longer a number. */
+enum status pd_motion_frame(struct pd_motion *m, struct counters *counters);
+
+/* The parts of a step, for tests and measurements: what is known of it (base, and the free
+ * flight as first guess in m->x, the old positions in m->start); one local and global step
+ * `number` = 0, 1, ..., which returns the farthest that a node moved [m] (0 if not asked).
+ */
+void pd_motion_begin(struct pd_motion *m);
+enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved);
+
+/* What a step minimises, in J: 1/2 |x - free flight|^2_M (1 + alpha dt)/dt^2 + E(x), at
+ * m->x, between pd_motion_begin and the end of the step. */
+double pd_motion_objective(const struct pd_motion *m);
+
+void pd_motion_energy(const struct pd_motion *m, struct energy *energy);
+void pd_motion_size(const struct pd_motion *m, struct model_size *size);
+
+#endif

@@ -1,0 +1,276 @@
+#include "projective_dynamics/pd_system.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/linalg/order.h"
+
+/* The lower part of a 5 x 5 stencil: node (i,j) with (i+di, j+dj) behind it. */
+enum { REACH = 2, COUPLINGS = 13 };
+
+static const int offset[COUPLINGS][2] = {{0, 0}, {0, 1}, {0, 2}, {1, -2}, {1, -1},
+                                         {1, 0}, {1, 1}, {1, 2}, {2, -2}, {2, -1},
+                                         {2, 0}, {2, 1}, {2, 2}};
+
+/* --- the matrix --------------------------------------------------------------------------
+ */
+
+/* Which coupling the nodes a <= b have. */
+static int coupling_of(const struct pd_net *net, int a, int b)
+{
+    int di = b / net->m - a / net->m, dj = b % net->m - a % net->m;
+
+    assert(di >= 0 && di <= REACH && dj >= -REACH && dj <= REACH);
+    return di == 0 ? dj : 5 * di + dj; /* see offset */
+}
+
+static void add(struct pd_system *s, int a, int b, double value)
+{
+    int low = a < b ? a : b, high = a < b ? b : a;
+
+    s->stencil[(size_t)low * COUPLINGS + coupling_of(s->net, low, high)] += value;
+}
+
+static void add_edges(struct pd_system *s, const struct pd_energy *e, double factor)
+{
+    for (int kind = 0; kind < PD_EDGES; kind++) {
+        int to[2];
+        pd_net_ends(s->net, (enum pd_edge)kind, to);
+        for (int k = 0; k < s->net->nodes; k++) {
+            double weight = factor * e->edge[kind][k];
+            if (weight == 0)
+                continue;
+            add(s, k + to[0], k + to[0], weight);
+            add(s, k + to[1], k + to[1], weight);
+            add(s, k + to[0], k + to[1], -weight);
+        }
+    }
+}
+
+static void add_rows(struct pd_system *s, const struct pd_energy *e, double factor)
+{
+    for (int r = 0; r < e->row_count; r++) {
+        const struct pd_row *row = &e->rows[r];
+        for (int p = 0; p < row->count; p++) {
+            double weight = factor * row->weight * row->coefficient[p];
+            for (int q = 0; q <= p; q++)
+                add(s, row->node[p], row->node[q], weight * row->coefficient[q]);
+            for (int c = 0; c < 3; c++)
+                s->constant[c * pd_net_stride(s->net) + row->node[p]] +=
+                    weight * row->target[c];
+        }
+    }
+}
+
+/* Index of the partner of k in a coupling, -1 outside the net. */
+static int partner(const struct pd_net *net, int k, int coupling)
+{
+    int i = k / net->m + offset[coupling][0], j = k % net->m + offset[coupling][1];
+
+    return i < net->n && j >= 0 && j < net->m ? i * net->m + j : -1;
+}
+
+void pd_system_multiply(const struct pd_system *s, const double *x, double *y)
+{
+    const struct pd_net *net = s->net;
+    ptrdiff_t stride = pd_net_stride(net);
+
+    for (int c = 0; c < 3; c++, x += stride, y += stride) {
+        memset(y, 0, (size_t)net->nodes * sizeof *y);
+        for (int k = 0; k < net->nodes; k++)
+            for (int t = 0; t < COUPLINGS; t++) {
+                int other = partner(net, k, t);
+                double value = s->stencil[(size_t)k * COUPLINGS + t];
+                if (other < 0 || value == 0)
+                    continue;
+                y[k] += value * x[other];
+                if (t > 0)
+                    y[other] += value * x[k];
+            }
+    }
+}
+
+/* --- factors -----------------------------------------------------------------------------
+ */
+
+/* All couplings that any number needs: the same for every group. Arrays owned by the
+ * caller. */
+static enum status make_pattern(const struct pd_system *s, long **start, int **row)
+{
+    int nodes = s->net->nodes;
+    long end = 0;
+
+    *start = malloc(((size_t)nodes + 1) * sizeof **start);
+    *row = malloc((size_t)nodes * COUPLINGS * sizeof **row);
+    if (!*start || !*row)
+        return STATUS_MEMORY;
+    for (int k = 0; k < nodes; k++) {
+        (*start)[k] = end;
+        for (int t = 0; t < COUPLINGS; t++) {
+            int other = partner(s->net, k, t);
+            if (other >= 0 && (t == 0 || s->stencil[(size_t)k * COUPLINGS + t] != 0))
+                (*row)[end++] = other;
+        }
+    }
+    (*start)[nodes] = end;
+    return STATUS_OK;
+}
+
+static void couple(struct pd_group *g, int node, int held, double value)
+{
+    g->coupling_free[g->coupling_count] = node;
+    g->coupling_held[g->coupling_count] = held;
+    g->coupling[g->coupling_count++] = value;
+}
+
+static void fill(const struct pd_system *s, struct pd_group *g, const bool *held)
+{
+    double *value = factor_values(g->factor);
+
+    factor_clear_values(g->factor);
+    for (int k = 0; k < s->net->nodes; k++)
+        for (int t = 0; t < COUPLINGS; t++) {
+            int other = partner(s->net, k, t);
+            double a = s->stencil[(size_t)k * COUPLINGS + t];
+            if (other < 0 || a == 0)
+                continue;
+            if (!held[k] && !held[other])
+                value[factor_slot(g->factor, other, k)] += a;
+            else if (t == 0)
+                value[factor_slot(g->factor, k, k)] = 1;
+            else if (held[k] != held[other])
+                couple(g, held[k] ? other : k, held[k] ? k : other, a);
+        }
+}
+
+static enum status make_group(struct pd_system *s, const struct factor_pattern *pattern,
+                              enum solver solver, struct pd_group *g)
+{
+    enum status st;
+    const bool *held = s->held + (size_t)g->first * s->net->nodes;
+    size_t most = 0;
+
+    for (int k = 0; k < s->net->nodes; k++)
+        most += held[k] ? 24 : 0; /* 5 x 5 less itself */
+    g->coupling_free = malloc((most + 1) * sizeof *g->coupling_free);
+    g->coupling_held = malloc((most + 1) * sizeof *g->coupling_held);
+    g->coupling = malloc((most + 1) * sizeof *g->coupling);
+    if (!g->coupling_free || !g->coupling_held || !g->coupling)
+        return STATUS_MEMORY;
+    TRY(factor_create(pattern, solver, &g->factor));
+    fill(s, g, held);
+    TRY(factor_refactor(g->factor));
+out:
+    return st;
+}
+
+static bool same_held(const struct pd_system *s, int a, int b)
+{
+    size_t nodes = (size_t)s->net->nodes;
+
+    return !memcmp(s->held + a * nodes, s->held + b * nodes, nodes * sizeof *s->held);
+}
+
+/* Neighbouring components with the same held nodes go together. */
+static enum status make_groups(struct pd_system *s, enum solver solver)
+{
+    enum status st;
+    long *start = NULL;
+    int *row = NULL, *order = malloc((size_t)s->net->nodes * sizeof *order);
+
+    if (!order)
+        return STATUS_MEMORY;
+    order_nested(s->net->n, s->net->m, 1, REACH, order);
+    TRY(make_pattern(s, &start, &row));
+    struct factor_pattern pattern = {s->net->nodes, start, row, order};
+    for (int c = 0; c < 3; c += s->group[s->group_count++].count) {
+        struct pd_group *g = &s->group[s->group_count];
+        g->first = c;
+        for (g->count = 1; c + g->count < 3 && same_held(s, c, c + g->count);)
+            g->count++;
+        st = make_group(s, &pattern, solver, g);
+        if (st != STATUS_OK) {
+            s->group_count++; /* to be cleared with the others */
+            goto out;
+        }
+    }
+out:
+    free(start);
+    free(row);
+    free(order);
+    return st;
+}
+
+enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
+                           const struct supports *supports, double mass_factor,
+                           double factor, enum solver solver)
+{
+    enum status st = STATUS_MEMORY;
+    size_t nodes = (size_t)energy->net.nodes;
+    struct pd_system new = {.net = &energy->net};
+
+    new.stencil = calloc(nodes * COUPLINGS, sizeof *new.stencil);
+    new.constant = pd_net_fields(new.net, 3);
+    new.held = calloc(3 * nodes, sizeof *new.held);
+    if (!new.stencil || !new.constant || !new.held)
+        goto out;
+    for (int k = 0; k < new.net->nodes; k++)
+        add(&new, k, k, mass_factor * energy->mass[k]);
+    add_edges(&new, energy, factor);
+    add_rows(&new, energy, factor);
+    for (int h = 0; h < supports->held_count; h++)
+        new.held[supports->held[h] % 3 * nodes + (size_t)supports->held[h] / 3] = true;
+    TRY(make_groups(&new, solver));
+    *s = new;
+    memset(&new, 0, sizeof new);
+out:
+    pd_system_clear(&new);
+    return st;
+}
+
+void pd_system_clear(struct pd_system *s)
+{
+    if (!s)
+        return;
+    for (int g = 0; g < s->group_count; g++) {
+        factor_destroy(s->group[g].factor);
+        free(s->group[g].coupling_free);
+        free(s->group[g].coupling_held);
+        free(s->group[g].coupling);
+    }
+    free(s->stencil);
+    if (s->net)
+        pd_net_free_fields(s->net, s->constant);
+    free(s->held);
+    memset(s, 0, sizeof *s);
+}
+
+/* --- the step ----------------------------------------------------------------------------
+ */
+
+void pd_system_hold(const struct pd_system *s, double *base)
+{
+    ptrdiff_t stride = pd_net_stride(s->net);
+
+    for (int n = 0; n < s->group_count; n++) {
+        const struct pd_group *g = &s->group[n];
+        for (int c = g->first; c < g->first + g->count; c++) {
+            double *b = base + c * stride;
+            for (int t = 0; t < g->coupling_count; t++)
+                b[g->coupling_free[t]] -= g->coupling[t] * b[g->coupling_held[t]];
+        }
+    }
+}
+
+enum status pd_system_solve(struct pd_system *s, double *b)
+{
+    enum status st = STATUS_OK;
+    ptrdiff_t stride = pd_net_stride(s->net);
+
+    for (int n = 0; n < s->group_count; n++)
+        TRY(factor_solve_many(s->group[n].factor, s->group[n].count,
+                              b + s->group[n].first * stride, stride));
+out:
+    return st;
+}

@@ -1,0 +1,50 @@
+/* pd_system.h - the constant system of the global step, scalar: x, y and z are three
+ * right-hand sides of one n x n matrix
+ *   A = mass_factor M + factor (sum over stretch edges k g g^T + sum over rows w c c^T),
+ * factored once. Held nodes keep their place as rows of the unit matrix, their couplings on
+ * the right-hand side. Supports that hold single components make up to three matrices.
+ */
+#ifndef PD_SYSTEM_H
+#define PD_SYSTEM_H
+
+#include "models/discretization.h"
+#include "models/linalg/factor.h"
+#include "models/linalg/supports.h"
+#include "projective_dynamics/pd_energy.h"
+
+/* Components that hold the same nodes share a factor. */
+struct pd_group {
+    struct factor *factor; /* owned                                                    */
+    int first, count;      /* components first .. first + count - 1                    */
+    int coupling_count;
+    int *coupling_free, *coupling_held; /* [coupling_count] nodes            owned     */
+    double *coupling;                   /* [coupling_count]                  owned     */
+};
+
+struct pd_system {
+    const struct pd_net *net; /*                                             borrowed  */
+    double *stencil;          /* [nodes][13] lower part of A: couplings of k to k + offset
+                                 for pd_system_offset                        owned     */
+    int group_count;
+    struct pd_group group[3];
+    double *constant; /* [3] fields: factor sum w c target                  owned     */
+    bool *held;       /* [3][nodes]                                         owned     */
+};
+
+/* Everything by dt^2: mass_factor = 1 + alpha dt, factor = dt^2. */
+enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
+                           const struct supports *supports, double mass_factor,
+                           double factor, enum solver solver);
+void pd_system_clear(struct pd_system *s);
+
+/* base (three fields): at held nodes their positions, at others less what they are coupled
+ * to of those. Once a step. */
+void pd_system_hold(const struct pd_system *s, double *base);
+
+/* A x = b in place, three fields; held nodes keep what b has there. */
+enum status pd_system_solve(struct pd_system *s, double *b);
+
+/* A x, three fields, held nodes as if free: for residuals and tests. */
+void pd_system_multiply(const struct pd_system *s, const double *x, double *y);
+
+#endif

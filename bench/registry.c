@@ -5,11 +5,13 @@
 
 #include "fem_ref/hex_model.h"
 #include "iga/plate_model.h"
+#include "mass_spring/spring_model.h"
 #include "projective_dynamics/projective_dynamics_model.h"
 
 const struct model *const registry[] = {
     &plate_model,
     &hex_model,
+    &spring_model,
     &projective_dynamics_model,
     NULL,
 };
@@ -18,7 +20,6 @@ static const struct {
     const char *name, *title;
 } planned[] = {
     {"shell", "the isogeometric Kirchhoff-Love shell"},
-    {"mass_spring", "mass-spring"},
 };
 
 void registry_names(char *text, int size)

@@ -63,8 +63,8 @@ out:
     return st;
 }
 
-/* Scene and settings. Statics and modes are linear unless the user says otherwise: the
- * setting comes first, later ones win. */
+/* Scene and settings. Statics and modes of solids are linear unless the user says otherwise:
+ * the setting comes first, later ones win. */
 static enum status read_scene(struct run *r, const struct command_line *line,
                               struct message *why)
 {
@@ -77,11 +77,11 @@ static enum status read_scene(struct run *r, const struct command_line *line,
 
     if (!settings)
         return STATUS_MEMORY;
-    if (r->task != TASK_MOTION)
+    r->model->defaults(&r->discretization);
+    if (r->task != TASK_MOTION && r->discretization.kinematics != KINEMATICS_NONLINEAR)
         settings[count++] = "discretization.kinematics=linear";
     for (int n = 0; n < given; n++)
         settings[count++] = set[n];
-    r->model->defaults(&r->discretization);
     TRY(scene_file_find(line->words[0], &path, why));
     TRY(scene_file_read(path, count, settings, &r->scene, &r->discretization, why));
 out:

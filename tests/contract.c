@@ -282,6 +282,14 @@ static void check_kinematics(const struct model *model, const struct scene *scen
     CHECK(served > 0);
 }
 
+/* Statics and modes are linear in solids; other models have their own. */
+static void set_rest_kinematics(const struct model *model, struct discretization *d)
+{
+    *d = small_net(model);
+    if (d->kinematics != KINEMATICS_NONLINEAR)
+        d->kinematics = KINEMATICS_LINEAR;
+}
+
 static void check_model(const struct model *model)
 {
     struct discretization d = small_net(model);
@@ -292,7 +300,7 @@ static void check_model(const struct model *model)
     check_fields(model);
     check_size(model, &scene, &d);
     check_kinematics(model, &scene);
-    d.kinematics = KINEMATICS_LINEAR;
+    set_rest_kinematics(model, &d);
     check_equilibrium(model, &scene, &d);
     check_modes(model, &scene, &d);
     check_matrices(model, &scene, &d);

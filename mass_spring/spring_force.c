@@ -1,0 +1,233 @@
+#include "mass_spring/spring_force.h"
+
+#include <math.h>
+#include <string.h>
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* e = x_b - x_a; its length. */
+static double edge(const double *x, int a, int b, double e[3])
+{
+    for (int i = 0; i < 3; i++)
+        e[i] = x[3 * (size_t)b + i] - x[3 * (size_t)a + i];
+    return sqrt(dot(e, e));
+}
+
+/* Below this the direction of an edge is lost: no force, no transverse stiffness. */
+static const double SHORTEST = 1e-150;
+
+static void scale(double factor, double *e)
+{
+    for (int i = 0; i < 3; i++)
+        e[i] *= factor;
+}
+
+static double inverse(double length)
+{
+    return length > SHORTEST ? 1 / length : 0;
+}
+
+/* |e1| + |e2| - |e1 + e2| without cancellation where the hinge is nearly straight. */
+static double excess(const double e1[3], const double e2[3])
+{
+    double sum[3] = {e1[0] + e2[0], e1[1] + e2[1], e1[2] + e2[2]};
+    double l1 = sqrt(dot(e1, e1)), l2 = sqrt(dot(e2, e2)), l = sqrt(dot(sum, sum));
+    double along = dot(e1, e2);
+    double cross[3] = {e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2],
+                       e1[0] * e2[1] - e1[1] * e2[0]};
+
+    if (along <= 0)
+        return l1 + l2 - l;
+    return 2 * dot(cross, cross) / ((l1 * l2 + along) * (l1 + l2 + l));
+}
+
+double spring_force_energy(const struct spring_net *net, const double *x)
+{
+    double energy = 0, e1[3], e2[3];
+
+    for (int n = 0; n < net->spring_count; n++) {
+        const struct spring *s = &net->springs[n];
+        double stretch = edge(x, s->a, s->b, e1) - s->length;
+        energy += s->stiffness * stretch * stretch / 2;
+    }
+    for (int n = 0; n < net->hinge_count; n++) {
+        const struct hinge *h = &net->hinges[n];
+        edge(x, h->a, h->b, e1);
+        edge(x, h->b, h->c, e2);
+        energy += h->strut * excess(e1, e2);
+    }
+    for (int n = 0; n < net->clamp_count; n++) {
+        const struct clamp *c = &net->clamps[n];
+        edge(x, c->a, c->b, e2);
+        energy += c->strut * excess(c->edge, e2);
+    }
+    return energy;
+}
+
+/* Unit vectors of e1, e2 (in place) and of e1 + e2 into sum; 1 / length of each. */
+static void directions(double e1[3], double e2[3], double sum[3], double over[3])
+{
+    for (int i = 0; i < 3; i++)
+        sum[i] = e1[i] + e2[i];
+    over[0] = inverse(sqrt(dot(e1, e1)));
+    over[1] = inverse(sqrt(dot(e2, e2)));
+    over[2] = inverse(sqrt(dot(sum, sum)));
+    scale(over[0], e1);
+    scale(over[1], e2);
+    scale(over[2], sum);
+}
+
+static void add_hinge_forces(const struct spring_net *net, const double *x, double *f)
+{
+    double e1[3], e2[3], sum[3], over[3];
+
+    for (int n = 0; n < net->hinge_count; n++) {
+        const struct hinge *h = &net->hinges[n];
+        double *fa = f + 3 * (size_t)h->a, *fb = f + 3 * (size_t)h->b,
+               *fc = f + 3 * (size_t)h->c;
+        edge(x, h->a, h->b, e1);
+        edge(x, h->b, h->c, e2);
+        directions(e1, e2, sum, over);
+        for (int i = 0; i < 3; i++) {
+            double pull_a = h->strut * (e1[i] - sum[i]);
+            double pull_c = h->strut * (e2[i] - sum[i]);
+            fa[i] += pull_a;
+            fb[i] += pull_c - pull_a;
+            fc[i] -= pull_c;
+        }
+    }
+    for (int n = 0; n < net->clamp_count; n++) {
+        const struct clamp *c = &net->clamps[n];
+        memcpy(e1, c->edge, sizeof e1);
+        edge(x, c->a, c->b, e2);
+        directions(e1, e2, sum, over);
+        for (int i = 0; i < 3; i++) { /* the turning moment goes into the support */
+            double pull = c->strut * (e2[i] - sum[i]);
+            f[3 * (size_t)c->a + i] += pull;
+            f[3 * (size_t)c->b + i] -= pull;
+        }
+    }
+}
+
+void spring_force_add(const struct spring_net *net, const double *x, double *f)
+{
+    double e[3];
+
+    for (int n = 0; n < net->spring_count; n++) {
+        const struct spring *s = &net->springs[n];
+        double *fa = f + 3 * (size_t)s->a, *fb = f + 3 * (size_t)s->b;
+        double length = edge(x, s->a, s->b, e);
+        double pull = s->stiffness * (length - s->length) * inverse(length);
+        for (int i = 0; i < 3; i++) {
+            fa[i] += pull * e[i];
+            fb[i] -= pull * e[i];
+        }
+    }
+    add_hinge_forces(net, x, f);
+}
+
+/* K += k (t I + (1 - t) n n') of one spring, t = 1 - r/l, not below `least`. */
+static void add_spring(const struct spring *s, const double *x, double least,
+                       double (*K)[9])
+{
+    double e[3], length = edge(x, s->a, s->b, e), over = inverse(length);
+    double t = fmax(1 - s->length * over, least);
+    double along = s->stiffness * (1 - t) * over * over, across = s->stiffness * t;
+    double *aa = K[s->aa], *bb = K[s->bb], *ab = K[s->ab];
+
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            double k = along * e[i] * e[j] + (i == j ? across : 0);
+            aa[3 * i + j] += k;
+            bb[3 * i + j] += k;
+            ab[3 * i + j] -= k;
+        }
+}
+
+void spring_force_clamped(const struct spring_net *net, const double *x,
+                          const double (*hinges)[9], double (*K)[9])
+{
+    memcpy(K, hinges, (size_t)net->graph.start[net->nodes] * sizeof *K);
+    for (int n = 0; n < net->spring_count; n++)
+        add_spring(&net->springs[n], x, 0, K);
+}
+
+/* K += of a hinge with the second derivatives A (e1 e1), B (e1 e2), C (e2 e2), all
+ * symmetric. */
+static void add_hinge(const struct hinge *h, const double A[9], const double B[9],
+                      const double C[9], double (*K)[9])
+{
+    for (int t = 0; t < 9; t++) {
+        K[h->aa][t] += A[t];
+        K[h->ab][t] += B[t] - A[t];
+        K[h->ac][t] -= B[t];
+        K[h->bb][t] += A[t] - 2 * B[t] + C[t];
+        K[h->bc][t] += B[t] - C[t];
+        K[h->cc][t] += C[t];
+    }
+}
+
+/* P (I - n n') / l. */
+static void transverse(double strut, const double n[3], double over, double out[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            out[3 * i + j] = strut * over * ((i == j) - n[i] * n[j]);
+}
+
+void spring_force_jacobian(const struct spring_net *net, const double *x, double (*K)[9])
+{
+    double e1[3], e2[3], sum[3], over[3], A[9], B[9], C[9];
+
+    memset(K, 0, (size_t)net->graph.start[net->nodes] * sizeof *K);
+    for (int n = 0; n < net->spring_count; n++)
+        add_spring(&net->springs[n], x, -INFINITY, K);
+    for (int n = 0; n < net->hinge_count; n++) {
+        const struct hinge *h = &net->hinges[n];
+        edge(x, h->a, h->b, e1);
+        edge(x, h->b, h->c, e2);
+        directions(e1, e2, sum, over);
+        transverse(h->strut, e1, over[0], A);
+        transverse(h->strut, e2, over[1], C);
+        transverse(-h->strut, sum, over[2], B);
+        for (int t = 0; t < 9; t++) {
+            A[t] += B[t];
+            C[t] += B[t];
+        }
+        add_hinge(h, A, B, C, K);
+    }
+    for (int n = 0; n < net->clamp_count; n++) {
+        const struct clamp *c = &net->clamps[n];
+        memcpy(e1, c->edge, sizeof e1);
+        edge(x, c->a, c->b, e2);
+        directions(e1, e2, sum, over);
+        transverse(c->strut, e2, over[1], C);
+        transverse(-c->strut, sum, over[2], B);
+        for (int t = 0; t < 9; t++)
+            K[c->bb][t] += C[t] + B[t];
+    }
+}
+
+/* The straight hinge with equal edges of length a: P / (2 a) |d1 - d2|^2 / 2. */
+void spring_force_hinges(const struct spring_net *net, double (*hinges)[9])
+{
+    double e[3];
+
+    memset(hinges, 0, (size_t)net->graph.start[net->nodes] * sizeof *hinges);
+    for (int n = 0; n < net->hinge_count; n++) {
+        const struct hinge *h = &net->hinges[n];
+        double k = h->strut * inverse(edge(net->rest, h->a, h->b, e)) / 2;
+        double A[9] = {k, 0, 0, 0, k, 0, 0, 0, k};
+        double B[9] = {-k, 0, 0, 0, -k, 0, 0, 0, -k};
+        add_hinge(h, A, B, A, hinges);
+    }
+    for (int n = 0; n < net->clamp_count; n++) {
+        const struct clamp *c = &net->clamps[n];
+        double k = c->strut * inverse(sqrt(dot(c->edge, c->edge))) / 2;
+        for (int i = 0; i < 3; i++)
+            hinges[c->bb][4 * i] += k;
+    }
+}

@@ -1,0 +1,28 @@
+/* spring_force.h - energy, force and Jacobian of a net at positions x[nodes][3].
+ *
+ * A spring of stiffness k and rest length r has the energy k (l - r)^2 / 2 and the second
+ * derivative k ((1 - r/l) I + (r/l) n n'), whose transverse part is negative when it is
+ * compressed. A hinge has P (|e1| + |e2| - |e1 + e2|).
+ */
+#ifndef SPRING_FORCE_H
+#define SPRING_FORCE_H
+
+#include "mass_spring/spring_net.h"
+
+/* [J]; zero at rest up to round-off. */
+double spring_force_energy(const struct spring_net *net, const double *x);
+
+/* f[nodes][3] += -dE/dx [N]. */
+void spring_force_add(const struct spring_net *net, const double *x, double *f);
+
+/* K = d2E/dx2 [N/m], K[pairs of net->graph][9]. */
+void spring_force_jacobian(const struct spring_net *net, const double *x, double (*K)[9]);
+
+/* A positive semi-definite matrix near it: per spring the negative transverse part is
+ * clamped to zero; per hinge the second derivative of the straight hinge at rest, the same
+ * in all directions, which does not depend on x: `hinges` as spring_force_hinges gives it. */
+void spring_force_clamped(const struct spring_net *net, const double *x,
+                          const double (*hinges)[9], double (*K)[9]);
+void spring_force_hinges(const struct spring_net *net, double (*hinges)[9]);
+
+#endif

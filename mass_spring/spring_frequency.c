@@ -1,0 +1,85 @@
+#include "mass_spring/spring_frequency.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "mass_spring/spring_force.h"
+
+enum { LANCZOS_STEPS = 200 };
+
+static double norm(size_t count, const double *x)
+{
+    double sum = 0;
+
+    for (size_t t = 0; t < count; t++)
+        sum += x[t] * x[t];
+    return sqrt(sum);
+}
+
+/* y = m^-1/2 K m^-1/2 x among the free unknowns. */
+static void multiply(const struct spring_net *net, const struct supports *supports,
+                     const double *mass, double (*K)[9], const double *x, double *work,
+                     double *y)
+{
+    size_t count = 3 * (size_t)net->nodes;
+
+    for (size_t t = 0; t < count; t++)
+        work[t] = x[t] / sqrt(mass[t / 3]);
+    blocks_multiply(&net->graph, (const double(*)[9])K, work, y);
+    for (size_t t = 0; t < count; t++)
+        y[t] = supports->free_index[t] < 0 ? 0 : y[t] / sqrt(mass[t / 3]);
+}
+
+/* A start without symmetry: a low-discrepancy sequence. */
+static void start_vector(const struct supports *supports, size_t count, double *q)
+{
+    for (size_t t = 0; t < count; t++)
+        q[t] = supports->free_index[t] < 0 ? 0
+                                           : fmod((double)(t + 1) * 0.61803398875, 1) - 0.5;
+    double length = norm(count, q);
+    for (size_t t = 0; t < count; t++)
+        q[t] /= length;
+}
+
+enum status spring_frequency_largest(const struct spring_net *net,
+                                     const struct supports *supports, const double *mass,
+                                     double (*K)[9], double *omega)
+{
+    size_t count = 3 * (size_t)net->nodes;
+    double *room = calloc(4 * count, sizeof *room), alpha[LANCZOS_STEPS],
+           beta[LANCZOS_STEPS];
+    double *q = room, *before = room + count, *y = room + 2 * count,
+           *work = room + 3 * count;
+    int n = 0;
+
+    *omega = 0;
+    if (!room)
+        return STATUS_MEMORY;
+    if (!supports->free_count)
+        goto out;
+    spring_force_jacobian(net, net->rest, K);
+    start_vector(supports, count, q);
+    for (double last = 0; n < LANCZOS_STEPS && n < supports->free_count;) {
+        multiply(net, supports, mass, K, q, work, y);
+        alpha[n] = 0;
+        for (size_t t = 0; t < count; t++)
+            alpha[n] += q[t] * y[t];
+        for (size_t t = 0; t < count; t++)
+            y[t] -= alpha[n] * q[t] + last * before[t];
+        last = beta[n] = norm(count, y);
+        double scale = fabs(alpha[n++]);
+        if (last <= 1e-12 * scale)
+            break;
+        double *old = before;
+        before = q, q = y, y = old;
+        for (size_t t = 0; t < count; t++)
+            q[t] /= last;
+    }
+    if (LAPACKE_dsterf(n, alpha, beta) == 0 && alpha[n - 1] > 0)
+        *omega = sqrt(alpha[n - 1]);
+out:
+    free(room);
+    return STATUS_OK;
+}

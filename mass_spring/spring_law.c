@@ -1,0 +1,82 @@
+#include "mass_spring/spring_law.h"
+
+#include <math.h>
+
+static const double PAPER_STIFFNESS = 100, PAPER_DRAG = 0.05, PAPER_AREA_MASS = 1;
+
+/* The geometry of a cell's diagonal. */
+struct diagonal {
+    double length, c2, s2; /* squares of cosine and sine to u */
+};
+
+static struct diagonal diagonal_of(const double cell[2])
+{
+    double l2 = cell[0] * cell[0] + cell[1] * cell[1];
+
+    return (struct diagonal){sqrt(l2), cell[0] * cell[0] / l2, cell[1] * cell[1] / l2};
+}
+
+struct spring_law_stiffness spring_law_plane_stress(const struct scene *scene)
+{
+    double nu = scene->poisson;
+    double c11 = scene->young * scene->thickness / (1 - nu * nu);
+
+    return (struct spring_law_stiffness){c11, c11, nu * c11, (1 - nu) / 2 * c11};
+}
+
+struct spring_law_stiffness spring_law_effective(const struct spring_law *law,
+                                                 const double cell[2])
+{
+    struct diagonal d = diagonal_of(cell);
+    double q =
+        2 * law->stiffness[SPRING_DIAGONAL] * d.length * d.length / (cell[0] * cell[1]);
+
+    return (struct spring_law_stiffness){
+        .c11 = law->stiffness[SPRING_U] * cell[0] / cell[1] + q * d.c2 * d.c2,
+        .c22 = law->stiffness[SPRING_V] * cell[1] / cell[0] + q * d.s2 * d.s2,
+        .c12 = q * d.c2 * d.s2,
+        .c33 = q * d.c2 * d.s2,
+    };
+}
+
+/* Hinges of length a and width b with the bending stiffness B per width: the energy of one
+ * is P a theta^2 / 4 = B (theta / a)^2 a b / 2. */
+static double strut_force(double B, double a, double b)
+{
+    return 2 * B * b / (a * a);
+}
+
+static void match(const struct scene *scene, const double cell[2], struct spring_law *law)
+{
+    struct spring_law_stiffness want = spring_law_plane_stress(scene);
+    struct diagonal d = diagonal_of(cell);
+    double bend = scene->thickness * scene->thickness / 12, area = cell[0] * cell[1];
+    double q = want.c33 / (d.c2 * d.s2);
+
+    q = fmin(q, fmin(want.c11 / (d.c2 * d.c2), want.c22 / (d.s2 * d.s2)));
+    double along_u = fmax(want.c11 - q * d.c2 * d.c2, 0);
+    double along_v = fmax(want.c22 - q * d.s2 * d.s2, 0);
+
+    law->stiffness[SPRING_U] = along_u * cell[1] / cell[0];
+    law->stiffness[SPRING_V] = along_v * cell[0] / cell[1];
+    law->stiffness[SPRING_DIAGONAL] = q / 2 * area / (d.length * d.length);
+    law->strut[SPRING_U] = strut_force(bend * along_u, cell[0], cell[1]);
+    law->strut[SPRING_V] = strut_force(bend * along_v, cell[1], cell[0]);
+    law->strut[SPRING_DIAGONAL] = strut_force(bend * q / 2, d.length, area / d.length);
+}
+
+void spring_law_make(const struct scene *scene, enum parameters parameters,
+                     const double cell[2], struct spring_law *law)
+{
+    *law = (struct spring_law){.rim = 1};
+    if (parameters == PARAMETERS_PAPER) {
+        for (int n = 0; n < SPRING_DIRECTIONS; n++)
+            law->stiffness[n] = PAPER_STIFFNESS;
+        law->area_mass = PAPER_AREA_MASS;
+        law->drag = PAPER_DRAG;
+        return;
+    }
+    law->rim = 0.5;
+    law->area_mass = scene->density * scene->thickness;
+    match(scene, cell, law);
+}

@@ -1,0 +1,270 @@
+#include "mass_spring/spring_motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "mass_spring/spring_frequency.h"
+#include "mass_spring/spring_strain.h"
+
+/* Of the explicit method's greatest step, where it chooses: springs that turn and stretch
+ * are a little stiffer than at rest. */
+static const double LIMIT_SHARE = 0.8;
+
+/* Newton's tolerance, in rest lengths of the shortest spring. */
+static const double DEFAULT_TOLERANCE = 1e-6;
+
+static bool uses_scene_damping(const struct spring_motion *m)
+{
+    return m->parameters != PARAMETERS_PAPER;
+}
+
+static void set_masses(struct spring_motion *m)
+{
+    const struct scene *s = m->scene;
+    double alpha = 0;
+
+    if (uses_scene_damping(m) && s->damping.kind == DAMPING_MASS)
+        alpha = s->damping.value;
+    if (uses_scene_damping(m) && s->damping.kind == DAMPING_RAYLEIGH)
+        alpha = s->damping.alpha;
+    for (int a = 0; a < m->net.nodes; a++) {
+        double volume = m->net.area[a] * s->thickness;
+        m->mass[a] = m->net.law.area_mass * m->net.area[a];
+        m->drag[a] = alpha * m->mass[a] + m->net.law.drag + s->drag * volume;
+        for (int i = 0; i < 3; i++)
+            m->load[3 * a + i] = m->mass[a] * s->gravity[i] + s->drag * volume * s->wind[i];
+    }
+}
+
+static enum status allocate(struct spring_motion *m)
+{
+    size_t nodes = (size_t)m->net.nodes;
+    size_t pairs = (size_t)m->net.graph.start[nodes];
+
+    m->mass = malloc(nodes * sizeof *m->mass);
+    m->drag = malloc(nodes * sizeof *m->drag);
+    m->weight = malloc(nodes * sizeof *m->weight);
+    m->x = malloc(3 * nodes * sizeof *m->x);
+    m->v = calloc(3 * nodes, sizeof *m->v);
+    m->load = malloc(3 * nodes * sizeof *m->load);
+    m->start = malloc(3 * nodes * sizeof *m->start);
+    m->target = malloc(3 * nodes * sizeof *m->target);
+    m->shift = malloc(((size_t)m->newton.supports.held_count + 1) * sizeof *m->shift);
+    if (m->beta > 0 && !(m->V = malloc(pairs * sizeof *m->V)))
+        return STATUS_MEMORY;
+    return m->mass && m->drag && m->weight && m->x && m->v && m->load && m->start &&
+                   m->target && m->shift
+               ? STATUS_OK
+               : STATUS_MEMORY;
+}
+
+double spring_motion_limit(const struct spring_motion *m)
+{
+    return m->limit;
+}
+
+static double limit_of(double omega, double beta)
+{
+    return omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
+}
+
+static enum status set_steps(struct spring_motion *m, const struct discretization *d,
+                             struct message *why)
+{
+    enum status st = STATUS_OK;
+    double omega = 0, step = m->scene->step;
+    static const double MOST_SUBSTEPS = 1e6;
+
+    m->substeps = d->substeps > 0 ? d->substeps : 1;
+    if (m->integrator == INTEGRATOR_EXPLICIT) {
+        TRY(spring_frequency_largest(&m->net, &m->newton.supports, m->mass, m->newton.K,
+                                     &omega));
+        m->limit = limit_of(omega, m->beta);
+        double needed = ceil(step / (LIMIT_SHARE * m->limit));
+        if (!d->substeps && !(needed <= MOST_SUBSTEPS))
+            return status_fail(why, STATUS_INPUT,
+                               "the explicit method needs %g substeps a frame here "
+                               "(greatest stable step %g s); use integrator=implicit",
+                               needed, m->limit);
+        if (!d->substeps && needed > 1)
+            m->substeps = (int)needed;
+    }
+    m->dt = step / m->substeps;
+    for (int a = 0; a < m->net.nodes; a++)
+        m->weight[a] = m->mass[a] / (m->dt * m->dt) + m->drag[a] / m->dt;
+out:
+    return st;
+}
+
+static double shortest_spring(const struct spring_net *net)
+{
+    return fmin(net->cell[0], net->cell[1]);
+}
+
+enum status spring_motion_init(struct spring_motion *m, const struct scene *scene,
+                               const struct discretization *d, struct message *why)
+{
+    enum status st;
+
+    *m = (struct spring_motion){.scene = scene,
+                                .parameters = d->parameters,
+                                .integrator = d->integrator,
+                                .strain_limit = d->strain_limit};
+    if (uses_scene_damping(m) && scene->damping.kind == DAMPING_RAYLEIGH)
+        m->beta = scene->damping.beta;
+    TRY(spring_net_init(&m->net, scene, d->points, d->parameters));
+    TRY(spring_newton_init(&m->newton, scene, &m->net, d->solver, why));
+    TRY(allocate(m));
+    memcpy(m->x, m->net.rest, 3 * (size_t)m->net.nodes * sizeof *m->x);
+    m->rest_energy = spring_force_energy(&m->net, m->x);
+    set_masses(m);
+    m->limits.iterations = d->iterations;
+    m->limits.tolerance =
+        (d->tolerance > 0 ? d->tolerance : DEFAULT_TOLERANCE) * shortest_spring(&m->net);
+    TRY(set_steps(m, d, why));
+out:
+    if (st != STATUS_OK)
+        spring_motion_clear(m);
+    return st;
+}
+
+void spring_motion_clear(struct spring_motion *m)
+{
+    if (!m)
+        return;
+    spring_newton_clear(&m->newton);
+    spring_net_clear(&m->net);
+    free(m->mass);
+    free(m->drag);
+    free(m->weight);
+    free(m->x);
+    free(m->v);
+    free(m->load);
+    free(m->start);
+    free(m->target);
+    free(m->shift);
+    free(m->V);
+    memset(m, 0, sizeof *m);
+}
+
+void spring_motion_hold(struct spring_motion *m, double t)
+{
+    const struct supports *s = &m->newton.supports;
+
+    supports_shift(s, m->scene, t, m->shift);
+    for (int h = 0; h < s->held_count; h++)
+        m->x[s->held[h]] = m->net.rest[s->held[h]] + m->shift[h];
+}
+
+static void damping_matrix(struct spring_motion *m)
+{
+    if (m->beta > 0)
+        spring_force_clamped(&m->net, m->x, (const double(*)[9])m->newton.hinges, m->V);
+}
+
+static enum status step_implicit(struct spring_motion *m, double t,
+                                 struct counters *counters)
+{
+    size_t count = 3 * (size_t)m->net.nodes;
+    double dt = m->dt;
+    struct spring_problem p = {.weight = m->weight,
+                               .target = m->target,
+                               .load = m->load,
+                               .viscosity = m->beta / dt,
+                               .V = (const double(*)[9])m->V,
+                               .start = m->start};
+
+    damping_matrix(m);
+    for (size_t n = 0; n < count; n++)
+        m->target[n] = m->x[n] + m->v[n] * (m->mass[n / 3] / (dt * m->weight[n / 3]));
+    spring_motion_hold(m, t);
+    return spring_newton_solve(&m->newton, &p, &m->limits, m->x, counters);
+}
+
+static enum status step_explicit(struct spring_motion *m, double t,
+                                 struct counters *counters)
+{
+    size_t count = 3 * (size_t)m->net.nodes;
+    double *f = m->target, dt = m->dt;
+
+    damping_matrix(m);
+    if (m->beta > 0)
+        blocks_multiply(&m->net.graph, (const double(*)[9])m->V, m->v, f);
+    for (size_t n = 0; n < count; n++)
+        f[n] = m->load[n] - (m->beta > 0 ? m->beta * f[n] : 0);
+    spring_force_add(&m->net, m->x, f);
+    for (size_t n = 0; n < count; n++) {
+        double mass = m->mass[n / 3], drag = m->drag[n / 3];
+        m->x[n] += dt * (mass * m->v[n] + dt * f[n]) / (mass + dt * drag);
+    }
+    spring_motion_hold(m, t);
+    counters->assemblies++;
+    counters->solves++;
+    return STATUS_OK;
+}
+
+static enum status substep(struct spring_motion *m, struct counters *counters)
+{
+    enum status st;
+    size_t count = 3 * (size_t)m->net.nodes;
+    double t = (double)(m->substep + 1) / m->substeps * m->scene->step;
+
+    memcpy(m->start, m->x, count * sizeof *m->x);
+    if (m->integrator == INTEGRATOR_EXPLICIT)
+        TRY(step_explicit(m, t, counters));
+    else
+        TRY(step_implicit(m, t, counters));
+    if (m->strain_limit > 0)
+        spring_strain_limit(&m->net, &m->newton.supports, m->strain_limit, m->x);
+    for (size_t n = 0; n < count; n++) {
+        m->v[n] = (m->x[n] - m->start[n]) / m->dt;
+        if (!isfinite(m->v[n]))
+            st = STATUS_NAN;
+    }
+    m->substep++;
+out:
+    return st;
+}
+
+static double velocity_factor(const struct spring_motion *m)
+{
+    const struct scene_damping *damping = &m->scene->damping;
+
+    if (!uses_scene_damping(m))
+        return 1;
+    if (damping->kind == DAMPING_VELOCITY_SCALE)
+        return damping->value;
+    if (damping->kind == DAMPING_VELOCITY_RATE)
+        return 1 - damping->value * m->scene->step;
+    return 1;
+}
+
+enum status spring_motion_step(struct spring_motion *m, struct counters *counters)
+{
+    enum status st = STATUS_OK;
+    size_t count = 3 * (size_t)m->net.nodes;
+    double factor = velocity_factor(m);
+
+    for (int n = 0; n < m->substeps; n++)
+        TRY(substep(m, counters));
+    for (size_t n = 0; factor != 1 && n < count; n++)
+        m->v[n] *= factor;
+    counters->steps++;
+out:
+    return st;
+}
+
+void spring_motion_energy(const struct spring_motion *m, struct energy *energy)
+{
+    double kinetic = 0, potential = 0;
+
+    for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++) {
+        double mass = m->mass[n / 3];
+        kinetic += mass * m->v[n] * m->v[n] / 2;
+        potential -= mass * m->scene->gravity[n % 3] * (m->x[n] - m->net.rest[n]);
+    }
+    energy->kinetic = kinetic;
+    energy->elastic = spring_force_energy(&m->net, m->x) - m->rest_energy;
+    energy->potential = potential;
+}

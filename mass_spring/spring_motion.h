@@ -1,0 +1,58 @@
+/* spring_motion.h - a net of springs in time.
+ *
+ * implicit   Euler's implicit method, in its variational form (spring_newton.h):
+ *            m (x - x0 - dt v0) / dt^2 + c (x - x0) / dt = load + F(x),  v = (x - x0) / dt.
+ * explicit   symplectic Euler: v from the forces at x0 (c implicit, for free), x from v.
+ *            Stable up to a greatest step: spring_motion_limit. Without a number of substeps
+ *            it takes as many as keep LIMIT_SHARE of it; with one, it may blow up.
+ *
+ * Damping: mass and alpha are c = alpha m; beta is beta K V with the clamped Jacobian at the
+ * start of the step, which is positive semi-definite: it only takes energy. velocity_scale and
+ * velocity_rate act once a frame, whatever the substeps. Body drag is a force on each point.
+ * The paper's set has its own drag on points and leaves the scene's damping out.
+ */
+#ifndef SPRING_MOTION_H
+#define SPRING_MOTION_H
+
+#include "mass_spring/spring_newton.h"
+
+struct spring_motion {
+    const struct scene *scene; /* borrowed                                             */
+    struct spring_net net;
+    struct spring_newton newton;
+    enum parameters parameters;
+    enum integrator integrator;
+    struct spring_limits limits;
+    int substeps;
+    double dt;            /* of a substep                                        [s]   */
+    double strain_limit;  /* 0: none                                                   */
+    double beta;          /* stiffness damping                                   [s]   */
+    double limit;         /* greatest stable step of the explicit method at rest [s]   */
+    double rest_energy;   /* round-off of the energy at rest                     [J]   */
+    double *mass, *drag, *weight; /* [nodes] m, c, m / dt^2 + c / dt         owned     */
+    double *x, *v;        /* [nodes][3]                                      owned     */
+    double *load;         /* [nodes][3] gravity and wind                 [N] owned     */
+    double *start, *target; /* [nodes][3] work                               owned     */
+    double *shift;        /* [held_count] work                               owned     */
+    double (*V)[9];       /* [pairs] with beta, else NULL                    owned     */
+    long substep;         /* taken so far                                              */
+};
+
+/* *m must stay where it is: it holds pointers into itself. */
+enum status spring_motion_init(struct spring_motion *m, const struct scene *scene,
+                               const struct discretization *d, struct message *why);
+void spring_motion_clear(struct spring_motion *m);
+
+/* One step of scene->step. */
+enum status spring_motion_step(struct spring_motion *m, struct counters *counters);
+
+/* Held points to where they are at time t. */
+void spring_motion_hold(struct spring_motion *m, double t);
+
+void spring_motion_energy(const struct spring_motion *m, struct energy *energy);
+
+/* Greatest stable step of the explicit method about the rest shape [s], INFINITY if nothing
+ * can move: 2 / omega_max, and with stiffness damping sqrt(beta^2 + 4 / omega^2) - beta. */
+double spring_motion_limit(const struct spring_motion *m);
+
+#endif

@@ -1,0 +1,235 @@
+#include "mass_spring/spring_net.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Steps (in i, in j) to the next node of a line. */
+static const struct line {
+    enum spring_direction direction;
+    int di, dj;
+} LINES[] = {
+    {SPRING_U, 1, 0}, {SPRING_V, 0, 1}, {SPRING_DIAGONAL, 1, 1}, {SPRING_DIAGONAL, 1, -1}};
+
+enum { LINE_COUNT = sizeof LINES / sizeof *LINES };
+
+/* The node `count` steps down the line from (i, j), -1 beyond the rim. */
+static int along(const struct spring_net *net, int i, int j, const struct line *line,
+                 int count)
+{
+    i += count * line->di;
+    j += count * line->dj;
+    return i < 0 || j < 0 || i >= net->points[0] || j >= net->points[1]
+               ? -1
+               : i * net->points[1] + j;
+}
+
+/* Lines on the rim belong to one row of cells only. */
+static double line_weight(const struct spring_net *net, int i, int j,
+                          const struct line *line)
+{
+    bool rim = (line->direction == SPRING_U && (j == 0 || j == net->points[1] - 1)) ||
+               (line->direction == SPRING_V && (i == 0 || i == net->points[0] - 1));
+
+    return rim ? net->law.rim : 1;
+}
+
+static void set_nodes(struct spring_net *net, const struct scene *scene)
+{
+    int n = net->points[0], m = net->points[1];
+
+    for (int a = 0; a < net->nodes; a++) {
+        int i = a / m, j = a % m;
+        double share = (i == 0 || i == n - 1 ? 0.5 : 1) * (j == 0 || j == m - 1 ? 0.5 : 1);
+        net->uvw[a][0] = (double)i / (n - 1);
+        net->uvw[a][1] = (double)j / (m - 1);
+        net->uvw[a][2] = 0.5;
+        scene_rest_point(scene, net->uvw[a], net->rest + 3 * (size_t)a);
+        net->area[a] = share * net->cell[0] * net->cell[1];
+    }
+}
+
+static double distance(const double *a, const double *b)
+{
+    double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+
+    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
+static void add_springs(struct spring_net *net, int i, int j)
+{
+    int a = i * net->points[1] + j;
+
+    for (int n = 0; n < LINE_COUNT; n++) {
+        const struct line *line = &LINES[n];
+        int b = along(net, i, j, line, 1);
+        double k = net->law.stiffness[line->direction] * line_weight(net, i, j, line);
+        if (b < 0 || k == 0)
+            continue;
+        net->springs[net->spring_count++] = (struct spring){
+            .a = a,
+            .b = b,
+            .stiffness = k,
+            .length = distance(net->rest + 3 * (size_t)a, net->rest + 3 * (size_t)b)};
+    }
+}
+
+static void add_clamp(struct spring_net *net, const bool *clamped, int a, int b,
+                      double strut)
+{
+    struct clamp clamp = {.a = a, .b = b, .strut = 2 * strut};
+
+    if (b < 0 || clamped[b])
+        return;
+    for (int i = 0; i < 3; i++)
+        clamp.edge[i] = net->rest[3 * b + i] - net->rest[3 * a + i];
+    net->clamps[net->clamp_count++] = clamp;
+}
+
+static void add_hinges(struct spring_net *net, const bool *clamped, int i, int j)
+{
+    int b = i * net->points[1] + j;
+
+    for (int n = 0; n < LINE_COUNT; n++) {
+        const struct line *line = &LINES[n];
+        int a = along(net, i, j, line, -1), c = along(net, i, j, line, 1);
+        double strut = net->law.strut[line->direction] * line_weight(net, i, j, line);
+        if (strut == 0)
+            continue;
+        if (clamped[b]) {
+            add_clamp(net, clamped, b, a, strut);
+            add_clamp(net, clamped, b, c, strut);
+        } else if (a >= 0 && c >= 0) {
+            net->hinges[net->hinge_count++] =
+                (struct hinge){.a = a, .b = b, .c = c, .strut = strut};
+        }
+    }
+}
+
+/* Round-off of a node's parameter. */
+static const double ROUNDING = 1e-12;
+
+/* Nodes of columns that are held whole and in all components. */
+static void find_clamped(const struct spring_net *net, const struct scene *scene,
+                         bool *clamped)
+{
+    for (int n = 0; n < scene->support_count; n++) {
+        const struct scene_support *s = &scene->supports[n];
+        if (s->fix != FIX_XYZ || s->lo[2] > 0 || s->hi[2] < 1)
+            continue;
+        for (int a = 0; a < net->nodes; a++) {
+            const double *at = net->uvw[a];
+            clamped[a] |= at[0] >= s->lo[0] - ROUNDING && at[0] <= s->hi[0] + ROUNDING &&
+                          at[1] >= s->lo[1] - ROUNDING && at[1] <= s->hi[1] + ROUNDING;
+        }
+    }
+}
+
+static enum status make_graph(struct spring_net *net)
+{
+    size_t elements = (size_t)net->spring_count + (size_t)net->hinge_count;
+    int *ien = malloc((3 * elements + 1) * sizeof *ien), *next = ien;
+    enum status st = STATUS_MEMORY;
+
+    if (!ien)
+        goto out;
+    for (int n = 0; n < net->spring_count; n++, next += 3) {
+        const struct spring *s = &net->springs[n];
+        next[0] = s->a, next[1] = next[2] = s->b;
+    }
+    for (int n = 0; n < net->hinge_count; n++, next += 3) {
+        const struct hinge *h = &net->hinges[n];
+        next[0] = h->a, next[1] = h->b, next[2] = h->c;
+    }
+    TRY(blocks_init(&net->graph, net->nodes, (int)elements, 3, ien));
+out:
+    free(ien);
+    return st;
+}
+
+static void find_pairs(struct spring_net *net)
+{
+    const struct blocks *g = &net->graph;
+
+    for (int n = 0; n < net->spring_count; n++) {
+        struct spring *s = &net->springs[n];
+        s->aa = g->start[s->a], s->bb = g->start[s->b];
+        s->ab = blocks_find(g, s->a, s->b);
+    }
+    for (int n = 0; n < net->hinge_count; n++) {
+        struct hinge *h = &net->hinges[n];
+        h->aa = g->start[h->a], h->bb = g->start[h->b], h->cc = g->start[h->c];
+        h->ab = blocks_find(g, h->a, h->b);
+        h->bc = blocks_find(g, h->b, h->c);
+        h->ac = blocks_find(g, h->a, h->c);
+    }
+    for (int n = 0; n < net->clamp_count; n++)
+        net->clamps[n].bb = g->start[net->clamps[n].b];
+}
+
+static enum status allocate(struct spring_net *net)
+{
+    size_t nodes = (size_t)net->nodes;
+
+    net->uvw = malloc(nodes * sizeof *net->uvw);
+    net->rest = malloc(3 * nodes * sizeof *net->rest);
+    net->area = malloc(nodes * sizeof *net->area);
+    net->springs = malloc(LINE_COUNT * nodes * sizeof *net->springs);
+    net->hinges = malloc(LINE_COUNT * nodes * sizeof *net->hinges);
+    net->clamps = malloc(2 * LINE_COUNT * nodes * sizeof *net->clamps);
+    return net->uvw && net->rest && net->area && net->springs && net->hinges && net->clamps
+               ? STATUS_OK
+               : STATUS_MEMORY;
+}
+
+enum status spring_net_init(struct spring_net *net, const struct scene *scene,
+                            const int points[2], enum parameters parameters)
+{
+    enum status st;
+    struct spring_net new = {
+        .points = {points[0], points[1]},
+        .nodes = points[0] * points[1],
+        .cell = {scene->length / (points[0] - 1), scene->width / (points[1] - 1)}};
+    bool *clamped = NULL;
+
+    assert(points[0] >= 2 && points[1] >= 2);
+    TRY(allocate(&new));
+    clamped = calloc((size_t) new.nodes, sizeof *clamped);
+    if (!clamped)
+        TRY(STATUS_MEMORY);
+    spring_law_make(scene, parameters, new.cell, &new.law);
+    set_nodes(&new, scene);
+    find_clamped(&new, scene, clamped);
+    for (int a = 0; a < new.nodes; a++) {
+        add_springs(&new, a / points[1], a % points[1]);
+        add_hinges(&new, clamped, a / points[1], a % points[1]);
+    }
+    TRY(make_graph(&new));
+    find_pairs(&new);
+    *net = new;
+    memset(&new, 0, sizeof new);
+out:
+    spring_net_clear(&new);
+    free(clamped);
+    return st;
+}
+
+void spring_net_clear(struct spring_net *net)
+{
+    if (!net)
+        return;
+    blocks_clear(&net->graph);
+    free(net->uvw);
+    free(net->rest);
+    free(net->area);
+    free(net->springs);
+    free(net->hinges);
+    free(net->clamps);
+    memset(net, 0, sizeof *net);
+}
+
+int spring_net_reach(const struct spring_net *net)
+{
+    return net->hinge_count ? 2 : 1;
+}

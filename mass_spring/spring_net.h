@@ -1,0 +1,60 @@
+/* spring_net.h - a net of n x m point masses over the mid-surface, node i m + j at
+ * (u,v) = (i/(n-1), j/(m-1)), with its springs and hinges (spring_law.h).
+ *
+ * A hinge is three nodes in line with a strut from the first to the last. A point has no
+ * rotation, so that holding it does not clamp the sheet there; but a solid's column, held
+ * through the whole thickness in x, y and z, cannot turn. For such nodes the hinges centred
+ * at them are replaced by clamps, one for each free neighbour: hinges whose other edge is
+ * the rest position of the neighbour mirrored at the node, of twice the strength, because
+ * they stand for half the length. Nets without hinges (`paper`) turn freely about what is
+ * held, and so does a support that takes the mid-surface alone.
+ */
+#ifndef SPRING_NET_H
+#define SPRING_NET_H
+
+#include "mass_spring/spring_law.h"
+#include "models/linalg/blocks.h"
+
+struct spring {
+    int a, b;                     /* a < b                                             */
+    double stiffness;             /* k                                         [N/m]   */
+    double length;                /* at rest                                     [m]   */
+    long aa, bb, ab;              /* pairs of the graph                                */
+};
+
+struct hinge {
+    int a, b, c;                  /* a < b < c, b the centre                           */
+    double strut;                 /* P                                           [N]   */
+    long aa, bb, cc, ab, bc, ac;
+};
+
+struct clamp {
+    int a, b;                     /* a held, b free                                    */
+    double edge[3];               /* towards a, does not turn                    [m]   */
+    double strut;                 /*                                             [N]   */
+    long bb;
+};
+
+struct spring_net {
+    int points[2], nodes;
+    double cell[2];               /* a_u, a_v                                    [m]   */
+    struct spring_law law;
+    double (*uvw)[3];             /* [nodes] material parameters, w = 1/2      owned   */
+    double *rest;                 /* [nodes][3]                          [m]   owned   */
+    double *area;                 /* [nodes] of the sheet that is theirs [m^2] owned   */
+    int spring_count, hinge_count, clamp_count;
+    struct spring *springs;       /* owned                                             */
+    struct hinge *hinges;         /* owned                                             */
+    struct clamp *clamps;         /* owned                                             */
+    struct blocks graph;          /* owned                                             */
+};
+
+/* points: n, m >= 2. */
+enum status spring_net_init(struct spring_net *net, const struct scene *scene,
+                            const int points[2], enum parameters parameters);
+void spring_net_clear(struct spring_net *net);
+
+/* How far a hinge reaches, in nodes: 2, or 1 without hinges. */
+int spring_net_reach(const struct spring_net *net);
+
+#endif

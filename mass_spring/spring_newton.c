@@ -1,0 +1,176 @@
+#include "mass_spring/spring_newton.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/linalg/order.h"
+
+enum { MOST_ITERATIONS = 100, MOST_CUTS = 30 };
+
+/* A step is accepted if the slope at its end is above minus this part of the one at its
+ * start. */
+static const double LARGEST_RISE = 0.5;
+
+static enum status make_system(struct spring_newton *s, enum solver solver)
+{
+    enum status st = STATUS_MEMORY;
+    const int *points = s->net->points;
+    int *order = malloc((size_t)s->net->nodes * sizeof *order);
+
+    if (!order)
+        return st;
+    order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
+    st = system_init(&s->system, &s->net->graph, &s->supports, NULL, order, solver);
+    free(order);
+    return st;
+}
+
+enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
+                               const struct spring_net *net, enum solver solver,
+                               struct message *why)
+{
+    enum status st;
+    size_t pairs = (size_t)net->graph.start[net->nodes];
+
+    *s = (struct spring_newton){.net = net};
+    TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, why));
+    s->K = malloc(pairs * sizeof *s->K);
+    s->hinges = malloc(pairs * sizeof *s->hinges);
+    s->work = malloc(12 * (size_t)net->nodes * sizeof *s->work);
+    if (!s->K || !s->hinges || !s->work)
+        TRY(STATUS_MEMORY);
+    spring_force_hinges(net, s->hinges);
+    if (s->supports.free_count)
+        TRY(make_system(s, solver));
+out:
+    if (st != STATUS_OK)
+        spring_newton_clear(s);
+    return st;
+}
+
+void spring_newton_clear(struct spring_newton *s)
+{
+    if (!s)
+        return;
+    system_clear(&s->system);
+    supports_clear(&s->supports);
+    free(s->K);
+    free(s->hinges);
+    free(s->work);
+    memset(s, 0, sizeof *s);
+}
+
+/* Minus the gradient at x, zero at held unknowns; `work` for the viscous part. */
+static void residual(const struct spring_newton *s, const struct spring_problem *p,
+                     const double *x, double *work, double *r)
+{
+    size_t count = 3 * (size_t)s->net->nodes;
+    const int *place = s->supports.free_index;
+
+    if (p->viscosity) {
+        for (size_t t = 0; t < count; t++)
+            work[t] = p->viscosity * (x[t] - p->start[t]);
+        blocks_multiply(&s->net->graph, p->V, work, r);
+        for (size_t t = 0; t < count; t++)
+            r[t] = p->load[t] - r[t];
+    } else {
+        memcpy(r, p->load, count * sizeof *r);
+    }
+    for (size_t t = 0; t < count; t++)
+        r[t] -= p->weight[t / 3] * (x[t] - p->target[t]);
+    spring_force_add(s->net, x, r);
+    for (size_t t = 0; t < count; t++)
+        if (place[t] < 0)
+            r[t] = 0;
+}
+
+static enum status factor(struct spring_newton *s, const struct spring_problem *p,
+                          const double *x)
+{
+    const struct blocks *g = &s->net->graph;
+    long pairs = g->start[g->nodes];
+
+    spring_force_clamped(s->net, x, (const double(*)[9])s->hinges, s->K);
+    for (int a = 0; a < g->nodes; a++)
+        for (int i = 0; i < 3; i++)
+            s->K[g->start[a]][4 * i] += p->weight[a];
+    for (long n = 0; p->viscosity && n < pairs; n++)
+        for (int t = 0; t < 9; t++)
+            s->K[n][t] += p->viscosity * p->V[n][t];
+    return system_factor(&s->system, 1, (const double(*)[9])s->K, 0, NULL);
+}
+
+static double product(size_t count, const double *a, const double *b)
+{
+    double sum = 0;
+
+    for (size_t t = 0; t < count; t++)
+        sum += a[t] * b[t];
+    return sum;
+}
+
+static double largest(size_t count, const double *x)
+{
+    double most = 0;
+
+    for (size_t t = 0; t < count; t++)
+        if (!(fabs(x[t]) <= most))
+            most = fabs(x[t]);
+    return most;
+}
+
+/* Moves x along d as far as is good and leaves the residual there in r; the part of d. */
+static double search(const struct spring_newton *s, const struct spring_problem *p,
+                     const double *d, double *x, double *r)
+{
+    size_t count = 3 * (size_t)s->net->nodes;
+    double *from = s->work + 2 * count, *work = s->work + 3 * count;
+    double fall = product(count, r, d), part = 1;
+
+    memcpy(from, x, count * sizeof *x);
+    for (int cut = 0; cut <= MOST_CUTS; cut++) {
+        for (size_t t = 0; t < count; t++)
+            x[t] = from[t] + part * d[t];
+        residual(s, p, x, work, r);
+        double rise = -product(count, r, d);
+        if (rise <= LARGEST_RISE * fall)
+            break;
+        part *= isfinite(rise) ? fall / (fall + rise) : 0.5;
+    }
+    return part;
+}
+
+enum status spring_newton_solve(struct spring_newton *s, const struct spring_problem *p,
+                                const struct spring_limits *limits, double *x,
+                                struct counters *counters)
+{
+    enum status st = STATUS_OK;
+    size_t count = 3 * (size_t)s->net->nodes;
+    double *r = s->work, *d = s->work + count;
+    int most = limits->iterations ? limits->iterations : MOST_ITERATIONS;
+
+    if (!s->supports.free_count)
+        return STATUS_OK;
+    residual(s, p, x, d, r);
+    for (int n = 0; n < most; n++) {
+        TRY(factor(s, p, x));
+        memcpy(d, r, count * sizeof *d);
+        TRY(system_solve(&s->system, d));
+        counters->assemblies++, counters->factorisations++;
+        counters->solves++, counters->iterations++;
+        double size = largest(count, d);
+        if (!isfinite(size))
+            TRY(STATUS_NAN);
+        if (most == 1) {
+            for (size_t t = 0; t < count; t++)
+                x[t] += d[t];
+            goto out;
+        }
+        if (search(s, p, d, x, r) * size <= limits->tolerance)
+            goto out;
+    }
+    st = limits->iterations ? STATUS_OK : STATUS_DIVERGED;
+out:
+    return st;
+}

@@ -1,0 +1,52 @@
+/* spring_newton.h - minimises
+ *     sum_a weight_a |x_a - target_a|^2 / 2 + E(x) - load x + viscosity |x - start|^2_V / 2
+ * over the free unknowns of a net: one step of implicit Euler, or of a search for rest.
+ *
+ * Newton with the clamped Jacobian (spring_force.h), so that every step goes down, and a line
+ * search on the slope: a step is shortened while it ends where the function rises at more
+ * than half the rate at which it fell. Slopes cost no energies and have no cancellation. Cut
+ * to one iteration it is the linearised step of Baraff and Witkin 1998, without line search.
+ */
+#ifndef SPRING_NEWTON_H
+#define SPRING_NEWTON_H
+
+#include "mass_spring/spring_force.h"
+#include "models/linalg/system.h"
+#include "models/model.h"
+
+struct spring_newton {
+    const struct spring_net *net; /* borrowed                                          */
+    struct supports supports;
+    struct system system;
+    double (*K)[9];      /* [pairs]                                            owned   */
+    double (*hinges)[9]; /* [pairs] spring_force_hinges                        owned   */
+    double *work;        /* [4][nodes][3]                                      owned   */
+};
+
+struct spring_problem {
+    const double *weight;        /* [nodes]                                   [N/m]    */
+    const double *target, *load; /* [nodes][3]                                [m, N]   */
+    double viscosity;            /* 0: the next two are not read              [1]      */
+    const double (*V)[9];        /* [pairs] positive semi-definite            [N/m]    */
+    const double *start;         /* [nodes][3]                                [m]      */
+};
+
+struct spring_limits {
+    int iterations;   /* stop there without complaint; 0: go on until it has converged */
+    double tolerance; /* converged when no coordinate moves farther             [m]    */
+};
+
+/* After spring_net_init; `net` must stay where it is, and so must *s. */
+enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
+                               const struct spring_net *net, enum solver solver,
+                               struct message *why);
+void spring_newton_clear(struct spring_newton *s);
+
+/* From x[nodes][3], whose held unknowns are where they should be, to the minimum.
+ * STATUS_DIVERGED after 100 iterations (limits->iterations == 0), STATUS_INDEFINITE,
+ * STATUS_NAN. */
+enum status spring_newton_solve(struct spring_newton *s, const struct spring_problem *p,
+                                const struct spring_limits *limits, double *x,
+                                struct counters *counters);
+
+#endif

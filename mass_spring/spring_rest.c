@@ -1,0 +1,155 @@
+#include "mass_spring/spring_rest.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_ITERATIONS = 2000 };
+
+/* Largest residual force, of the largest force on a point. */
+static const double FORCE_TOLERANCE = 1e-9;
+/* Time step: growth after a good step, cut after a bad one. */
+static const double GROWTH = 4, CUT = 0.1;
+
+struct search {
+    struct spring_motion *m;
+    double *r, *d, *from; /* [nodes][3] residual force, step, last good positions      */
+    double energy;        /* elastic and of the loads, at `from`                 [J]   */
+    double step;          /* pseudo-time                                         [s]   */
+};
+
+static double total_energy(const struct spring_motion *m)
+{
+    double energy = spring_force_energy(&m->net, m->x);
+
+    for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++)
+        energy -= m->load[n] * (m->x[n] - m->net.rest[n]);
+    return energy;
+}
+
+/* Residual force into s->r; its largest component. */
+static double residual(const struct search *s)
+{
+    const struct spring_motion *m = s->m;
+    const int *place = m->newton.supports.free_index;
+    size_t count = 3 * (size_t)m->net.nodes;
+    double most = 0;
+
+    memcpy(s->r, m->load, count * sizeof *s->r);
+    spring_force_add(&m->net, m->x, s->r);
+    for (size_t n = 0; n < count; n++) {
+        if (place[n] < 0)
+            s->r[n] = 0;
+        if (!(fabs(s->r[n]) <= most))
+            most = fabs(s->r[n]);
+    }
+    return most;
+}
+
+static double largest_load(const struct spring_motion *m)
+{
+    double most = 0;
+
+    for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++)
+        most = fmax(most, fabs(m->load[n]));
+    return most;
+}
+
+static enum status factor(const struct search *s, bool clamped)
+{
+    struct spring_newton *newton = &s->m->newton;
+    const struct spring_net *net = &s->m->net;
+    const struct blocks *g = &net->graph;
+
+    if (clamped)
+        spring_force_clamped(net, s->m->x, (const double(*)[9])newton->hinges, newton->K);
+    else
+        spring_force_jacobian(net, s->m->x, newton->K);
+    for (int a = 0; a < g->nodes; a++)
+        for (int i = 0; i < 3; i++)
+            newton->K[g->start[a]][4 * i] += s->m->mass[a] / (s->step * s->step);
+    return system_factor(&newton->system, 1, (const double(*)[9])newton->K, 0, NULL);
+}
+
+/* One step of pseudo-time from s->from; x is there again if it leads up. */
+static enum status advance(struct search *s, struct counters *counters)
+{
+    enum status st;
+    struct spring_motion *m = s->m;
+    size_t count = 3 * (size_t)m->net.nodes;
+
+    memcpy(s->d, s->r, count * sizeof *s->d);
+    st = factor(s, false);
+    if (st == STATUS_INDEFINITE) {
+        counters->factorisations++;
+        st = factor(s, true);
+    }
+    if (st == STATUS_OK)
+        st = system_solve(&m->newton.system, s->d);
+    counters->assemblies++, counters->factorisations++;
+    counters->solves++, counters->iterations++;
+    if (st != STATUS_OK)
+        return st;
+    double scale = fabs(s->energy) + 1e-300;
+    for (size_t n = 0; n < count; n++) {
+        scale += fabs(m->load[n] * (m->x[n] - m->net.rest[n]));
+        m->x[n] += s->d[n];
+    }
+    double energy = total_energy(m);
+    if (energy <= s->energy + 1e-13 * scale) { /* round-off of its sums */
+        s->energy = energy;
+        s->step = fmin(GROWTH * s->step, 1e12);
+        memcpy(s->from, m->x, count * sizeof *m->x);
+    } else {
+        s->step *= CUT;
+        memcpy(m->x, s->from, count * sizeof *m->x);
+    }
+    return STATUS_OK;
+}
+
+static enum status search(struct search *s, struct counters *counters, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct spring_motion *m = s->m;
+    double allowed = FORCE_TOLERANCE * largest_load(m), force = residual(s);
+
+    memcpy(s->from, m->x, 3 * (size_t)m->net.nodes * sizeof *m->x);
+    s->energy = total_energy(m);
+    s->step = m->scene->step;
+    for (int n = 0; force > allowed; n++) {
+        if (n == MOST_ITERATIONS)
+            return status_fail(
+                why, STATUS_DIVERGED,
+                "no equilibrium after %d iterations: a force of %g N is left", n, force);
+        TRY(advance(s, counters));
+        force = residual(s);
+        if (!isfinite(force))
+            TRY(STATUS_NAN);
+    }
+out:
+    return st;
+}
+
+enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *counters,
+                                    struct message *why)
+{
+    enum status st = STATUS_OK;
+    size_t count = 3 * (size_t)m->net.nodes;
+    struct search s = {.m = m};
+
+    if (!m->newton.supports.held_count)
+        return status_fail(why, STATUS_INPUT,
+                           "static equilibrium needs supports, and the scene has none");
+    s.r = m->start, s.d = m->target;
+    s.from = malloc(count * sizeof *s.from);
+    if (!s.from)
+        return STATUS_MEMORY;
+    spring_motion_hold(m, 0);
+    if (m->newton.supports.free_count)
+        TRY(search(&s, counters, why));
+    memset(m->v, 0, count * sizeof *m->v);
+    m->substep = 0;
+out:
+    free(s.from);
+    return st;
+}

@@ -62,6 +62,8 @@ static void match(const struct scene *scene, const double cell[2], struct spring
     law->stiffness[SPRING_DIAGONAL] = q / 2 * area / (d.length * d.length);
     law->strut[SPRING_U] = strut_force(bend * along_u, cell[0], cell[1]);
     law->strut[SPRING_V] = strut_force(bend * along_v, cell[1], cell[0]);
+    law->rim_strut[SPRING_U] = strut_force(bend * want.c11, cell[0], cell[1]) / 2;
+    law->rim_strut[SPRING_V] = strut_force(bend * want.c22, cell[1], cell[0]) / 2;
     law->strut[SPRING_DIAGONAL] = strut_force(bend * q / 2, d.length, area / d.length);
 }
 

@@ -27,8 +27,9 @@
  * negative. (Choi and Ko 2002 reach the same force from the buckled shape of a beam.) Hinges
  * along the same four directions give a bending energy of the same form as the membrane's,
  * with C_ij h^2 / 12 for C_ij: Kirchhoff's plate at nu = 1/3 again, and the right stiffness D
- * in cylindrical bending for every nu. Diagonal hinges end one cell before the rim: first
- * order in the cell's size.
+ * in cylindrical bending along u or v for every nu. Diagonals end one cell before the rim;
+ * hinges along the rim make up for them in cylindrical bending, but in twist a strip half a
+ * cell wide is missing: an error of first order in the cell's size.
  *
  * `paper` (Ren et al. 2024, Fig. 6: "k = 100, damping 0.05, point mass density 1", structural
  * and shear springs, after Provot 1995). It gives no units and no sheet. Read here as
@@ -48,7 +49,8 @@ enum spring_direction { SPRING_U, SPRING_V, SPRING_DIAGONAL, SPRING_DIRECTIONS }
 struct spring_law {
     double stiffness[SPRING_DIRECTIONS]; /* of a whole spring                  [N/m]   */
     double strut[SPRING_DIRECTIONS];     /* P of a whole hinge                   [N]   */
-    double rim;       /* strength of springs and hinges on the rim               [1]   */
+    double rim;          /* of springs and clamps on the rim, to whole ones      [1]   */
+    double rim_strut[SPRING_DIRECTIONS]; /* P of a hinge on the rim              [N]   */
     double area_mass; /*                                                  [kg/m^2]     */
     double drag;      /* force on a point against its velocity             [N s/m]     */
 };

@@ -26,13 +26,10 @@ static int along(const struct spring_net *net, int i, int j, const struct line *
 }
 
 /* Lines on the rim belong to one row of cells only. */
-static double line_weight(const struct spring_net *net, int i, int j,
-                          const struct line *line)
+static bool on_rim(const struct spring_net *net, int i, int j, const struct line *line)
 {
-    bool rim = (line->direction == SPRING_U && (j == 0 || j == net->points[1] - 1)) ||
-               (line->direction == SPRING_V && (i == 0 || i == net->points[0] - 1));
-
-    return rim ? net->law.rim : 1;
+    return (line->direction == SPRING_U && (j == 0 || j == net->points[1] - 1)) ||
+           (line->direction == SPRING_V && (i == 0 || i == net->points[0] - 1));
 }
 
 static void set_nodes(struct spring_net *net, const struct scene *scene)
@@ -64,7 +61,8 @@ static void add_springs(struct spring_net *net, int i, int j)
     for (int n = 0; n < LINE_COUNT; n++) {
         const struct line *line = &LINES[n];
         int b = along(net, i, j, line, 1);
-        double k = net->law.stiffness[line->direction] * line_weight(net, i, j, line);
+        double k = net->law.stiffness[line->direction] *
+                   (on_rim(net, i, j, line) ? net->law.rim : 1);
         if (b < 0 || k == 0)
             continue;
         net->springs[net->spring_count++] = (struct spring){
@@ -80,7 +78,7 @@ static void add_clamp(struct spring_net *net, const bool *clamped, int a, int b,
 {
     struct clamp clamp = {.a = a, .b = b, .strut = 2 * strut};
 
-    if (b < 0 || clamped[b])
+    if (b < 0 || clamped[b] || strut == 0)
         return;
     for (int i = 0; i < 3; i++)
         clamp.edge[i] = net->rest[3 * b + i] - net->rest[3 * a + i];
@@ -94,13 +92,13 @@ static void add_hinges(struct spring_net *net, const bool *clamped, int i, int j
     for (int n = 0; n < LINE_COUNT; n++) {
         const struct line *line = &LINES[n];
         int a = along(net, i, j, line, -1), c = along(net, i, j, line, 1);
-        double strut = net->law.strut[line->direction] * line_weight(net, i, j, line);
-        if (strut == 0)
-            continue;
+        bool rim = on_rim(net, i, j, line);
+        double whole = net->law.strut[line->direction];
+        double strut = rim ? net->law.rim_strut[line->direction] : whole;
         if (clamped[b]) {
-            add_clamp(net, clamped, b, a, strut);
-            add_clamp(net, clamped, b, c, strut);
-        } else if (a >= 0 && c >= 0) {
+            add_clamp(net, clamped, b, a, rim ? net->law.rim * whole : whole);
+            add_clamp(net, clamped, b, c, rim ? net->law.rim * whole : whole);
+        } else if (a >= 0 && c >= 0 && strut > 0) {
             net->hinges[net->hinge_count++] =
                 (struct hinge){.a = a, .b = b, .c = c, .strut = strut};
         }

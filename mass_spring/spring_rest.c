@@ -1,13 +1,16 @@
 #include "mass_spring/spring_rest.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ITERATIONS = 2000 };
+enum { MOST_ITERATIONS = 5000 };
 
-/* Largest residual force, of the largest force on a point. */
-static const double FORCE_TOLERANCE = 1e-9;
+/* Largest residual force, of the largest force on a point. In thin sheets round-off of the
+ * membrane's forces is above it: then a long step that moves nothing, in lengths of the
+ * sheet, says that rest is reached. */
+static const double FORCE_TOLERANCE = 1e-8, MOVE_TOLERANCE = 1e-9, LONG_STEP = 1e6;
 /* Time step: growth after a good step, cut after a bad one. */
 static const double GROWTH = 4, CUT = 0.1;
 
@@ -16,6 +19,7 @@ struct search {
     double *r, *d, *from; /* [nodes][3] residual force, step, last good positions      */
     double energy;        /* elastic and of the loads, at `from`                 [J]   */
     double step;          /* pseudo-time                                         [s]   */
+    double move;          /* of the last step, INFINITY unless it was long       [m]   */
 };
 
 static double total_energy(const struct spring_motion *m)
@@ -46,13 +50,20 @@ static double residual(const struct search *s)
     return most;
 }
 
-static double largest_load(const struct spring_motion *m)
+/* What is left of a force by the tolerance, and what round-off of positions makes of eight
+ * springs at a point. */
+static void allowed_forces(const struct spring_motion *m, double *wanted, double *rounding)
 {
-    double most = 0;
+    double load = 0, position = 0, stiffness = 0;
 
-    for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++)
-        most = fmax(most, fabs(m->load[n]));
-    return most;
+    for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++) {
+        load = fmax(load, fabs(m->load[n]));
+        position = fmax(position, fabs(m->net.rest[n]));
+    }
+    for (int n = 0; n < m->net.spring_count; n++)
+        stiffness = fmax(stiffness, m->net.springs[n].stiffness);
+    *wanted = FORCE_TOLERANCE * load;
+    *rounding = 8 * DBL_EPSILON * stiffness * position;
 }
 
 static enum status factor(const struct search *s, bool clamped)
@@ -90,18 +101,21 @@ static enum status advance(struct search *s, struct counters *counters)
     counters->solves++, counters->iterations++;
     if (st != STATUS_OK)
         return st;
-    double scale = fabs(s->energy) + 1e-300;
+    double scale = fabs(s->energy) + 1e-300, move = 0;
     for (size_t n = 0; n < count; n++) {
         scale += fabs(m->load[n] * (m->x[n] - m->net.rest[n]));
         m->x[n] += s->d[n];
+        move = fmax(move, fabs(s->d[n]));
     }
     double energy = total_energy(m);
     if (energy <= s->energy + 1e-13 * scale) { /* round-off of its sums */
         s->energy = energy;
+        s->move = s->step >= LONG_STEP ? move : INFINITY;
         s->step = fmin(GROWTH * s->step, 1e12);
         memcpy(s->from, m->x, count * sizeof *m->x);
     } else {
         s->step *= CUT;
+        s->move = INFINITY;
         memcpy(m->x, s->from, count * sizeof *m->x);
     }
     return STATUS_OK;
@@ -111,12 +125,15 @@ static enum status search(struct search *s, struct counters *counters, struct me
 {
     enum status st = STATUS_OK;
     struct spring_motion *m = s->m;
-    double allowed = FORCE_TOLERANCE * largest_load(m), force = residual(s);
+    double wanted, rounding, force = residual(s);
+    double still = MOVE_TOLERANCE * m->scene->length;
 
     memcpy(s->from, m->x, 3 * (size_t)m->net.nodes * sizeof *m->x);
     s->energy = total_energy(m);
     s->step = m->scene->step;
-    for (int n = 0; force > allowed; n++) {
+    s->move = INFINITY;
+    allowed_forces(m, &wanted, &rounding);
+    for (int n = 0; force > wanted && (force > rounding || s->move > still); n++) {
         if (n == MOST_ITERATIONS)
             return status_fail(
                 why, STATUS_DIVERGED,

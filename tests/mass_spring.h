@@ -1,0 +1,53 @@
+/* mass_spring.h - the net that its tests share. */
+#ifndef TESTS_MASS_SPRING_H
+#define TESTS_MASS_SPRING_H
+
+#include "bench/registry.h"
+#include "mass_spring/spring_motion.h"
+#include "tests/check.h"
+
+/* A sheet in SI numbers of cloth, held along u = 0 unless `free`. */
+static inline void fill_scene(struct scene *scene, bool held)
+{
+    struct scene_support edge = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .fix = FIX_XYZ};
+
+    REQUIRE(scene_init(scene) == STATUS_OK);
+    scene->length = 0.6;
+    scene->width = 0.5;
+    scene->thickness = 0.01;
+    scene->young = 1e5;
+    scene->poisson = 0.3;
+    scene->density = 0.5;
+    scene->gravity[0] = 1.5;
+    scene->gravity[2] = -9.81;
+    if (held)
+        REQUIRE(scene_add_support(scene, &edge) == STATUS_OK);
+}
+
+static inline struct discretization net_of(int n, int m)
+{
+    struct discretization d;
+    const struct model *model = NULL;
+
+    REQUIRE(registry_find("mass_spring", &model, NULL) == STATUS_OK);
+    model->defaults(&d);
+    d.points[0] = n, d.points[1] = m;
+    return d;
+}
+
+static inline void start(struct spring_motion *m, const struct scene *scene,
+                  const struct discretization *d)
+{
+    struct message why = {{0}};
+
+    if (!CHECK(spring_motion_init(m, scene, d, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+}
+
+/* Numbers in (-1, 1), the same on every run. */
+static inline double noise(int n)
+{
+    return 2 * fmod((n + 1) * 0.6180339887498949, 1) - 1;
+}
+
+#endif

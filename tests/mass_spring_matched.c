@@ -1,0 +1,271 @@
+/* Springs matched to E, nu, h: small-strain membrane and bending against plane stress and
+ * Kirchhoff's plate, large bending against the heavy elastica. */
+#include <float.h>
+#include <omp.h>
+
+#include "fem_ref/elastica.h"
+#include "mass_spring/spring_rest.h"
+#include "tests/mass_spring.h"
+
+/* A sheet that lies askew, so that no product of components vanishes by chance. */
+static void fill_askew(struct scene *scene, double poisson)
+{
+    REQUIRE(scene_init(scene) == STATUS_OK);
+    scene->length = 0.8;
+    scene->width = 0.7;
+    scene->thickness = 0.003;
+    scene->young = 2e5;
+    scene->poisson = poisson;
+    const double u[3] = {2. / 3, 2. / 3, 1. / 3}, v[3] = {-2. / 3, 1. / 3, 2. / 3};
+    memcpy(scene->axis_u, u, sizeof u);
+    memcpy(scene->axis_v, v, sizeof v);
+}
+
+/* d' K d / 2 at rest for a field d. */
+static double quadratic(struct spring_motion *m, const double *d)
+{
+    double *Kd = malloc(3 * (size_t)m->net.nodes * sizeof *Kd), sum = 0;
+
+    REQUIRE(Kd);
+    spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
+    blocks_multiply(&m->net.graph, (const double(*)[9])m->newton.K, d, Kd);
+    for (int t = 0; t < 3 * m->net.nodes; t++)
+        sum += d[t] * Kd[t] / 2;
+    free(Kd);
+    return sum;
+}
+
+/* Energy per area of the small homogeneous strain e = (e_u, e_v, g). */
+static double membrane_energy(const struct scene *scene, int n, int m, const double e[3])
+{
+    struct spring_motion motion;
+    struct discretization d = net_of(n, m);
+
+    REQUIRE(spring_motion_init(&motion, scene, &d, NULL) == STATUS_OK);
+    double *field = malloc(3 * (size_t)motion.net.nodes * sizeof *field);
+    REQUIRE(field);
+    for (int a = 0; a < motion.net.nodes; a++) {
+        double s = motion.net.uvw[a][0] * scene->length;
+        double t = motion.net.uvw[a][1] * scene->width;
+        for (int i = 0; i < 3; i++)
+            field[3 * a + i] = (e[0] * s + e[2] / 2 * t) * scene->axis_u[i] +
+                               (e[2] / 2 * s + e[1] * t) * scene->axis_v[i];
+    }
+    double energy = quadratic(&motion, field) / (scene->length * scene->width);
+    free(field);
+    spring_motion_clear(&motion);
+    return energy;
+}
+
+static double plane_stress_energy(const struct spring_law_stiffness *c, const double e[3])
+{
+    return c->c11 * e[0] * e[0] / 2 + c->c22 * e[1] * e[1] / 2 + c->c12 * e[0] * e[1] +
+           c->c33 * e[2] * e[2] / 2;
+}
+
+/* Sums over a few hundred springs, whose directions and rest lengths are rounded. */
+static const double sum_rounding = 1e-11;
+
+static const struct {
+    const char *name;
+    double e[3];
+} STRAINS[] = {{"stretch along u", {1, 0, 0}},
+               {"stretch along v", {0, 1, 0}},
+               {"uniaxial stress", {1, -1. / 3, 0}},
+               {"biaxial stretch", {1, 1, 0}},
+               {"shear", {0, 0, 1}},
+               {"all", {0.3, -0.8, 0.5}}};
+
+enum { STRAIN_COUNT = sizeof STRAINS / sizeof *STRAINS };
+
+/* nu = 1/3: plane stress for every strain, whatever the cells. */
+static void check_membrane(void)
+{
+    static const int nets[][2] = {{2, 2}, {9, 8}, {7, 9}};
+
+    for (size_t k = 0; k < sizeof nets / sizeof *nets; k++)
+        for (int n = 0; n < STRAIN_COUNT; n++) {
+            struct scene scene;
+            fill_askew(&scene, 1. / 3);
+            struct spring_law_stiffness c = spring_law_plane_stress(&scene);
+            double energy = membrane_energy(&scene, nets[k][0], nets[k][1], STRAINS[n].e);
+            if (!CHECK_RELATIVE(energy, plane_stress_energy(&c, STRAINS[n].e),
+                                sum_rounding))
+                printf("%s\n", STRAINS[n].name);
+            scene_clear(&scene);
+        }
+}
+
+/* Other nu: what spring_law_effective says is what the net does; C11, C22, C33 are plane
+ * stress's, C12 = C33. */
+static void check_misfit(void)
+{
+    static const double poisson[] = {0, 0.2, 0.3, 0.45};
+
+    for (size_t k = 0; k < sizeof poisson / sizeof *poisson; k++) {
+        struct scene scene;
+        struct spring_law law;
+        fill_askew(&scene, poisson[k]);
+        const double cell[2] = {scene.length / 8, scene.width / 7};
+        spring_law_make(&scene, PARAMETERS_MATCHED, cell, &law);
+        struct spring_law_stiffness net = spring_law_effective(&law, cell);
+        struct spring_law_stiffness sheet = spring_law_plane_stress(&scene);
+        CHECK_RELATIVE(net.c11, sheet.c11, sum_rounding);
+        CHECK_RELATIVE(net.c22, sheet.c22, sum_rounding);
+        CHECK_RELATIVE(net.c33, sheet.c33, sum_rounding);
+        CHECK_RELATIVE(net.c12, sheet.c33, sum_rounding);
+        printf("nu = %.2f: C12 of the net %.4f C11, of plane stress %.4f C11\n", poisson[k],
+               net.c12 / net.c11, sheet.c12 / sheet.c11);
+        for (int n = 0; n < STRAIN_COUNT; n++)
+            CHECK_RELATIVE(membrane_energy(&scene, 9, 8, STRAINS[n].e),
+                           plane_stress_energy(&net, STRAINS[n].e), sum_rounding);
+        scene_clear(&scene);
+    }
+}
+
+/* Cells too long for their width: no spring of negative strength, and the shear that is
+ * missing is owned up to. */
+static void check_oblong(void)
+{
+    struct scene scene;
+    struct spring_law law;
+
+    fill_askew(&scene, 1. / 3);
+    const double cell[2] = {0.3, 0.1};
+    spring_law_make(&scene, PARAMETERS_MATCHED, cell, &law);
+    struct spring_law_stiffness net = spring_law_effective(&law, cell);
+    struct spring_law_stiffness sheet = spring_law_plane_stress(&scene);
+    for (int n = 0; n < SPRING_DIRECTIONS; n++)
+        CHECK(law.stiffness[n] >= 0 && law.strut[n] >= 0);
+    CHECK_RELATIVE(net.c11, sheet.c11, sum_rounding);
+    CHECK_RELATIVE(net.c22, sheet.c22, sum_rounding);
+    CHECK(net.c33 < 0.5 * sheet.c33);
+    scene_clear(&scene);
+}
+
+/* w = (a s^2 + b t^2) / 2 + c s t: Kirchhoff's energy per area. A hinge stands for the area
+ * around its centre; those on the rim parallel to it for half of it. */
+static double bending_energy(const struct scene *scene, int n, int m, const double k[3])
+{
+    struct spring_motion motion;
+    struct discretization d = net_of(n, m);
+    double normal[3];
+    const double *u = scene->axis_u, *v = scene->axis_v;
+
+    for (int i = 0; i < 3; i++)
+        normal[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+    REQUIRE(spring_motion_init(&motion, scene, &d, NULL) == STATUS_OK);
+    double *field = malloc(3 * (size_t)motion.net.nodes * sizeof *field);
+    REQUIRE(field);
+    for (int a = 0; a < motion.net.nodes; a++) {
+        double s = motion.net.uvw[a][0] * scene->length;
+        double t = motion.net.uvw[a][1] * scene->width;
+        for (int i = 0; i < 3; i++)
+            field[3 * a + i] =
+                (k[0] * s * s / 2 + k[1] * t * t / 2 + k[2] * s * t) * normal[i];
+    }
+    double energy = quadratic(&motion, field);
+    free(field);
+    spring_motion_clear(&motion);
+    return energy;
+}
+
+/* Cylindrical bending: exact for every nu over the part that hinges cover. Any bending at
+ * nu = 1/3: exact per hinge, so first order for the strip they leave out. */
+static void check_bending(void)
+{
+    /* P / a against k: springs' own transverse stiffness is k times a rounded 1 - r/l */
+    const double spring_rounding = 1e-8;
+    const int n = 9, m = 8;
+    struct scene scene;
+
+    for (int step = 0; step < 4; step++) {
+        fill_askew(&scene, step / 9.);
+        double D = scene_bending_stiffness(&scene), L = scene.length, W = scene.width;
+        CHECK_RELATIVE(bending_energy(&scene, n, m, (double[]){1, 0, 0}),
+                       D / 2 * W * L * (n - 2) / (n - 1), spring_rounding);
+        CHECK_RELATIVE(bending_energy(&scene, n, m, (double[]){0, 1, 0}),
+                       D / 2 * L * W * (m - 2) / (m - 1), spring_rounding);
+        scene_clear(&scene);
+    }
+    fill_askew(&scene, 1. / 3);
+    double D = scene_bending_stiffness(&scene), nu = scene.poisson, error[3][3];
+    static const double curvatures[3][3] = {{1, 1, 0}, {1, -1, 0}, {0, 0, 1}};
+    for (int level = 0; level < 3; level++)
+        for (int k = 0; k < 3; k++) {
+            const double *c = curvatures[k];
+            int cells = 8 << level;
+            double want = D / 2 * scene.length * scene.width *
+                          (c[0] * c[0] + c[1] * c[1] + 2 * nu * c[0] * c[1] +
+                           2 * (1 - nu) * c[2] * c[2]);
+            error[level][k] = bending_energy(&scene, cells + 1, cells + 1, c) / want - 1;
+        }
+    for (int k = 0; k < 3; k++)
+        for (int level = 1; level < 3; level++) {
+            const double least_rate = 1.8; /* 2 and terms of second order */
+            double rate = error[level - 1][k] / error[level][k];
+            if (!CHECK(rate > least_rate &&
+                       fabs(error[level][k]) < 2. / (8 << level) * 1.2))
+                printf("curvature %d, level %d: error %g, rate %g\n", k, level,
+                       error[level][k], rate);
+        }
+    scene_clear(&scene);
+}
+
+/* A clamped strip under its own weight. One cell wide it has no springs that bend across
+ * it, and stays a cylinder: its stiffness is D for every nu. */
+static double elastica_error(int n, double gamma)
+{
+    struct scene scene;
+    struct spring_motion m;
+    struct discretization d = net_of(n, 2);
+    struct scene_support edge = {.hi = {0, 1, 1}, .fix = FIX_XYZ};
+    struct scene_support guide = {.hi = {1, 1, 1}, .fix = FIX_Y};
+    struct counters counters = {0};
+    struct message why = {{0}};
+    struct elastica truth;
+
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    scene.width = 1. / (n - 1);
+    scene.thickness = 1e-3; /* stretch by the weight: gamma h^2 / 12 L^2, below 1e-4 */
+    scene.young = 1e5;
+    scene.poisson = 0.3;
+    scene.gravity[2] = -9.81;
+    scene.density *= gamma / scene_gamma(&scene);
+    REQUIRE(scene_add_support(&scene, &edge) == STATUS_OK);
+    REQUIRE(scene_add_support(&scene, &guide) == STATUS_OK);
+    REQUIRE(spring_motion_init(&m, &scene, &d, &why) == STATUS_OK);
+    if (!CHECK(spring_rest_equilibrium(&m, &counters, &why) == STATUS_OK))
+        printf("Gamma %g, %d points: %s\n", gamma, n, why.text);
+    REQUIRE(elastica_solve(gamma, &truth) == STATUS_OK);
+    const double *tip = m.x + 3 * (size_t)(2 * (n - 1));
+    double drop = -tip[2] - truth.drop, reach = tip[0] - truth.reach;
+    spring_motion_clear(&m);
+    scene_clear(&scene);
+    return sqrt(drop * drop + reach * reach);
+}
+
+/* Clamped, bent by any load: second order in the cells' size. */
+static void check_elastica(void)
+{
+    static const double gammas[] = {0.1, 1, 10, 100, 1000};
+
+    for (size_t k = 0; k < sizeof gammas / sizeof *gammas; k++) {
+        double coarse = elastica_error(17, gammas[k]), fine = elastica_error(33, gammas[k]);
+        printf("heavy elastica, Gamma %6g: tip off by %.2e L with 16 cells, %.2e with 32\n",
+               gammas[k], coarse, fine);
+        CHECK(fine < 0.01);
+        CHECK(coarse > 2.5 * fine || fine < 1e-4);
+    }
+}
+
+int main(void)
+{
+    omp_set_num_threads(1);
+    check_membrane();
+    check_misfit();
+    check_oblong();
+    check_bending();
+    check_elastica();
+    return check_result();
+}

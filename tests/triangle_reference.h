@@ -1,9 +1,9 @@
 /* triangle_reference.h - do two triangles have a point in common that is not in the hull of
- * their first `shared` corners? By another way than models/triangle.c: linear programming in
- * integers. With weights l, m >= 0 summing to 1 each, the common points are
- * sum l_i p_i = sum m_j q_j; every vertex of that set of (l, m) is the one solution on some
- * set of independent columns. The common points are the hull of the vertices' points, so it
- * is enough to look at those. Exact for |coordinates| <= 1000.
+ * their first `shared` corners? By another way than models/triangle.c: linear programming
+ * in integers. With weights l, m >= 0 summing to 1 each, the common points are sum l_i p_i
+ * = sum m_j q_j; every vertex of that set of (l, m) is the one solution on some set of
+ * independent columns. The common points are the hull of the vertices' points, so it is
+ * enough to look at those. Exact for |coordinates| <= 1000.
  */
 #ifndef TRIANGLE_REFERENCE_H
 #define TRIANGLE_REFERENCE_H
@@ -15,8 +15,8 @@ typedef __int128 wide;
 
 enum { EQUATIONS = 5, COLUMNS = 6 };
 
-/* Solves the columns in `set` for the weights, as weight[i] / *divisor with *divisor > 0, by
- * elimination without fractions (Bareiss). False if they depend on each other, or do not
+/* Solves the columns in `set` for the weights, as weight[i] / *divisor with *divisor > 0,
+ * by elimination without fractions (Bareiss). False if they depend on each other, or do not
  * solve it. */
 static bool solve_columns(const int a[EQUATIONS][COLUMNS + 1], unsigned set,
                           wide weight[COLUMNS], wide *divisor)

@@ -1,0 +1,80 @@
+/* shell_element.h - strains, forces and tangent of one element of the rotation-free
+ * Kirchhoff-Love shell with a St. Venant-Kirchhoff law (Kiendl, Bletzinger, Linhard, Wuechner,
+ * CMAME 198, 2009), with exact first and second variations.
+ *
+ * Mid-surface x(u,v): a_1 = x_u, a_2 = x_v, unit normal n, a_ab = a_a . a_b,
+ * b_ab = x_ab . n; capitals at rest. With c = 11, 22, 12 (shear doubled):
+ *   membrane strain (a_ab - A_ab)/2,   bending strain B_ab - b_ab,
+ *   resultants h C e and h^3/12 C k,   C the plane-stress law in the metric A^ab.
+ * With phi_ab = N_ab - Gamma^c_ab N_c the variations are  d b_ab = phi_ab n  and
+ *   d d' b_ab = -(n.da_c)(a^c.phi'_ab) - (n.da'_c)(a^c.phi_ab) - b_ab a^cd (n.da_c)(n.da'_d).
+ */
+#ifndef SHELL_ELEMENT_H
+#define SHELL_ELEMENT_H
+
+#include "shell_ref/shell_space.h"
+
+/* Strains or resultants at Gauss points, rows of the padded points. */
+enum { SHELL_STRAINS = 6 };
+
+/* What the rest shape gives each Gauss point: area, metric, curvature, and C without h,
+ * entries (0,0) (0,1) (0,2) (1,1) (1,2) (2,2). */
+enum { REST_AREA, REST_METRIC, REST_CURVATURE = 4, REST_LAW = 7, SHELL_REST_ROWS = 13 };
+
+struct shell_material {
+    double young, poisson, density, thickness;
+};
+
+/* Positions to strains and forces of a step. Statics: strain 1, geometry 1, no `old`. In
+ * time: stress of s0 e_old + s1 e(x) on the geometry (1 - g1) x_old + g1 x. */
+struct shell_rule {
+    double s0, s1, g1;
+};
+
+/* Room for one element; one per thread. */
+struct shell_element {
+    int local, row, padded, gauss; /* functions, padded; Gauss points padded, and not  */
+    double *memory;                /*                                          owned   */
+    double *T;                     /* [SHELL_DERIVATIVES][local][padded]               */
+    double *X[3];                  /* [local][3]: present, geometry, last change       */
+    double *strain;                /* [SHELL_STRAINS][padded]                          */
+    double *f;                     /* [local][3]                                       */
+    double *left, *right;          /* [gauss][rows][row], see the kernel               */
+    double *K;                     /* [local][9][row], columns b >= a filled           */
+};
+
+enum status shell_element_init(struct shell_element *e, const struct shell_space *space);
+void shell_element_clear(struct shell_element *e);
+
+/* Loads the element's functions; before the other calls. */
+void shell_element_load(struct shell_element *e, const struct shell_space *space,
+                        int element);
+
+/* rest[SHELL_REST_ROWS][padded] from the element's control points e->X[0]. STATUS_INPUT if
+ * the surface has no normal there. */
+enum status shell_element_rest(struct shell_element *e, const struct shell_material *material,
+                               const double *parametric, double *rest);
+
+/* e->strain on the control points e->X[0]. False if they are not finite or the surface has
+ * no normal. */
+bool shell_element_strain(struct shell_element *e, const double *rest);
+
+/* Elastic energy of e->strain [J]. */
+double shell_element_energy(const struct shell_element *e,
+                            const struct shell_material *material, const double *rest);
+
+/* e->f: forces of the stress of e->strain on the geometry e->X[1]. */
+void shell_element_force(struct shell_element *e, const struct shell_material *material,
+                         const double *rest);
+
+/* e->K: `stiff` times the material part plus `geometric` times the geometric part with the
+ * stress of e->strain, both on the geometry e->X[1]. */
+void shell_element_tangent(struct shell_element *e, const struct shell_material *material,
+                           const double *rest, double stiff, double geometric);
+
+/* e->strain -= half the membrane strain that the change e->X[2] makes in second order: what
+ * is left is the strain as the tangent foresaw it. Magisano, Leonetti, Garcea 2017 base the
+ * geometric part on it: Newton's method on thin shells then needs far fewer steps. */
+void shell_element_foresee(struct shell_element *e);
+
+#endif

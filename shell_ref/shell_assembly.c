@@ -132,7 +132,8 @@ size_t shell_assembly_strains(const struct shell_assembly *s)
 struct task {
     const struct shell_assembly *s;
     const struct shell_path *path;
-    const double *x, *change;
+    const double *x;
+    struct shell_foresight foresight;
     double *strain, *force; /* outputs; NULL: not wanted                               */
     double (*K)[9];
 };
@@ -198,11 +199,14 @@ static bool do_element(const struct task *t, struct shell_element *e, int elemen
         memcpy(t->strain + (size_t)element * strains, e->strain, strains * sizeof(double));
         return true;
     }
-    if (t->change) {
-        gather(s->space, element, t->change, e->X[2]);
+    if (t->foresight.change) {
+        gather(s->space, element, t->foresight.change, e->X[2]);
         shell_element_foresee(e);
     }
     follow_path(t, e, element);
+    if (t->foresight.strain)
+        memcpy(e->strain, t->foresight.strain + (size_t)element * strains,
+               strains * sizeof(double));
     if (t->force) {
         shell_element_force(e, &s->material, rest);
         scatter_force(t, e, element);
@@ -268,8 +272,9 @@ enum status shell_assembly_force(const struct shell_assembly *s,
 
 enum status shell_assembly_tangent(const struct shell_assembly *s,
                                    const struct shell_path *path, const double *x,
-                                   const double *change, double (*K)[9])
+                                   struct shell_foresight foresight, double (*K)[9])
 {
     memset(K, 0, (size_t)s->graph.start[s->space->nodes] * sizeof *K);
-    return do_all(&(struct task){.s = s, .path = path, .x = x, .change = change, .K = K});
+    return do_all(
+        &(struct task){.s = s, .path = path, .x = x, .foresight = foresight, .K = K});
 }

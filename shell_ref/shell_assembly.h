@@ -49,12 +49,19 @@ enum status shell_assembly_energy(const struct shell_assembly *s, const double *
 enum status shell_assembly_force(const struct shell_assembly *s, const struct shell_path *path,
                                  const double *x, double *force);
 
-/* K[pairs], symmetric: exact in statics with `change` NULL; in time, where the derivative of
- * the force is not symmetric, with the geometry's strain variations on both sides. With
- * change[nodes][3], the step that led to x, the geometric part is that of the stress foreseen
- * for it (shell_element_foresee). */
+/* Which stress the geometric part of a tangent takes; both NULL: that of x. A thin shell whose
+ * step has turned it has spurious membrane stress to second order in the step, enormous beside
+ * the true one; Newton's method then takes an order of magnitude more iterations. */
+struct shell_foresight {
+    const double *strain; /* these strains, such as those at the step's start          */
+    const double *change; /* [nodes][3] the change that led to x: the strains that its
+                             linearisation foresaw (shell_element_foresee)             */
+};
+
+/* K[pairs], symmetric: exact in statics without foresight; in time, where the derivative of
+ * the force is not symmetric, with the geometry's strain variations on both sides. */
 enum status shell_assembly_tangent(const struct shell_assembly *s,
                                    const struct shell_path *path, const double *x,
-                                   const double *change, double (*K)[9]);
+                                   struct shell_foresight foresight, double (*K)[9]);
 
 #endif

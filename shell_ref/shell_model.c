@@ -1,0 +1,279 @@
+#include "shell_ref/shell_model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/grid.h"
+#include "shell_ref/shell_rest.h"
+
+/* A direction of the material grid: values and slopes at its samples, [count][2][order]. */
+struct samples {
+    int count, order;
+    int *first;    /* first function alive                                     owned   */
+    double *value; /*                                                          owned   */
+};
+
+struct shell {
+    struct shell_motion motion; /* first: tests reach it                               */
+    struct shell_space space;
+    struct samples grid[2];
+};
+
+static void defaults(struct discretization *d)
+{
+    *d = (struct discretization){
+        .points = {10, 10, 1}, .degree = {2, 2, 1}, .kinematics = KINEMATICS_NONLINEAR};
+}
+
+static enum status refuse(const struct scene *scene, const struct discretization *d,
+                          struct message *why)
+{
+    const unsigned serves = shell_model.serves;
+    char text[256];
+
+    if (scene_needs(scene) & ~serves) {
+        scene_needs_text(scene_needs(scene) & ~serves, text, sizeof text);
+        return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no %s", text);
+    }
+    if (d->points[2] > 1 || d->knot_count[2] || d->gauss[2])
+        return status_fail(why, STATUS_INPUT,
+                           "a shell has one point through the thickness: use "
+                           "discretization.points=[%d,%d]",
+                           d->points[0], d->points[1]);
+    if (d->remedy != REMEDY_NONE)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "shell has no remedy=%s; use remedy=none",
+                           remedy_name(d->remedy));
+    if (d->unknowns == UNKNOWNS_THICKNESS)
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "shell has no unknowns through the thickness; use unknowns=auto");
+    if (d->weight_count)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "shell takes no weights: a flat sheet has no use for them");
+    return STATUS_OK;
+}
+
+static enum status make_basis(const struct discretization *d, int i, struct bspline *b,
+                              struct message *why)
+{
+    if (!d->knot_count[i])
+        return bspline_init_uniform(b, d->degree[i], d->points[i], why);
+    if (d->knot_count[i] != d->points[i] + d->degree[i] + 1)
+        return status_fail(why, STATUS_INPUT,
+                           "knots_%c: %d knots given, but %d points of degree %d need %d",
+                           "uv"[i], d -> knot_count[i], d -> points[i], d -> degree[i],
+                           d -> points[i] + d -> degree[i] + 1);
+    return bspline_init(b, d->degree[i], d->knot_count[i], d->knots[i], why);
+}
+
+/* The flat sheet: control points at Greville abscissae, so that parameter = coordinate. */
+static enum status make_space(const struct scene *scene, const struct discretization *d,
+                              struct shell_space *space, struct message *why)
+{
+    enum status st;
+    struct bspline basis[2] = {{0}};
+    double *point = NULL;
+
+    for (int i = 0; i < 2; i++)
+        TRY(make_basis(d, i, &basis[i], why));
+    int n = basis[0].n, m = basis[1].n;
+    point = malloc(3 * (size_t)(n * m) * sizeof *point);
+    if (!point)
+        TRY(STATUS_MEMORY);
+    for (int a = 0; a < n * m; a++) {
+        const double uvw[3] = {bspline_greville(&basis[0], a / m),
+                               bspline_greville(&basis[1], a % m), 0.5};
+        scene_rest_point(scene, uvw, point + 3 * (size_t)a);
+    }
+    TRY(shell_space_init(space, basis, point, NULL, d->gauss, why));
+out:
+    bspline_clear(&basis[0]);
+    bspline_clear(&basis[1]);
+    free(point);
+    return st;
+}
+
+/* Functions alive at x in direction i. */
+static int alive(const struct shell *s, int i, double x, double *value)
+{
+    const struct bspline *b = &s->space.basis[i];
+    int span = bspline_span(b, x);
+
+    bspline_eval(b, span, x, 1, value);
+    return span - b->p;
+}
+
+static enum status make_samples(struct shell *s, int i, int count)
+{
+    struct samples *g = &s->grid[i];
+
+    *g = (struct samples){.count = count, .order = s->space.basis[i].p + 1};
+    g->first = malloc((size_t)count * sizeof *g->first);
+    g->value = malloc((size_t)(count * 2 * g->order) * sizeof *g->value);
+    if (!g->first || !g->value)
+        return STATUS_MEMORY;
+    for (int n = 0; n < count; n++)
+        g->first[n] = alive(s, i, (double)n / (count - 1), g->value + n * 2 * g->order);
+    return STATUS_OK;
+}
+
+static void destroy(void *state)
+{
+    struct shell *s = state;
+
+    if (!s)
+        return;
+    shell_motion_clear(&s->motion);
+    shell_space_clear(&s->space);
+    for (int i = 0; i < 2; i++) {
+        free(s->grid[i].first);
+        free(s->grid[i].value);
+    }
+    free(s);
+}
+
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
+{
+    enum status st;
+    struct shell *s = NULL;
+
+    TRY(refuse(scene, d, why));
+    s = calloc(1, sizeof *s);
+    if (!s)
+        TRY(STATUS_MEMORY);
+    TRY(make_space(scene, d, &s->space, why));
+    TRY(make_samples(s, 0, GRID_U));
+    TRY(make_samples(s, 1, GRID_V));
+    TRY(shell_motion_init(&s->motion, scene, &s->space, d, why));
+    *state = s, s = NULL;
+out:
+    destroy(s);
+    return st;
+}
+
+/* Mid-surface and half a thickness along its normal at one point; N: values and slopes. */
+static void evaluate(const struct shell *s, const int first[2], const double *const N[2],
+                     double middle[3], double offset[3])
+{
+    int m = s->space.basis[1].n, p = s->space.basis[0].p + 1, q = s->space.basis[1].p + 1;
+    double along[2][3] = {{0}};
+
+    memset(middle, 0, 3 * sizeof *middle);
+    for (int a = 0; a < p; a++) {
+        const double *x =
+            s->motion.x + 3 * ((size_t)(first[0] + a) * (size_t)m + (size_t)first[1]);
+        double line[2][3] = {{0}}; /* value and slope along v */
+        for (int b = 0; b < q; b++)
+            for (int i = 0; i < 3; i++) {
+                line[0][i] += N[1][b] * x[3 * b + i];
+                line[1][i] += N[1][q + b] * x[3 * b + i];
+            }
+        for (int i = 0; i < 3; i++) {
+            middle[i] += N[0][a] * line[0][i];
+            along[0][i] += N[0][p + a] * line[0][i];
+            along[1][i] += N[0][a] * line[1][i];
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        offset[i] = along[0][j] * along[1][k] - along[0][k] * along[1][j];
+    }
+    double length =
+        sqrt(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]);
+    for (int i = 0; i < 3; i++)
+        offset[i] *= s->motion.scene->thickness / 2 / length;
+}
+
+/* w = 0 and 1 lie at minus and plus half a thickness. */
+static void place(const double middle[3], const double offset[3], double w, double *xyz)
+{
+    for (int i = 0; i < 3; i++)
+        xyz[i] = middle[i] + (2 * w - 1) * offset[i];
+}
+
+static void sample(const void *state, double *xyz)
+{
+    const struct shell *s = state;
+    const struct samples *g = s->grid;
+
+    for (int j = 0; j < GRID_V; j++)
+        for (int i = 0; i < GRID_U; i++) {
+            const int first[2] = {g[0].first[i], g[1].first[j]};
+            const double *const N[2] = {g[0].value + i * 2 * g[0].order,
+                                        g[1].value + j * 2 * g[1].order};
+            double middle[3], offset[3];
+            evaluate(s, first, N, middle, offset);
+            for (int k = 0; k < GRID_W; k++)
+                place(middle, offset, k / (GRID_W - 1.0),
+                      xyz + 3 * ((k * GRID_V + j) * GRID_U + i));
+        }
+}
+
+static void probe(const void *state, int n, const double *uvw, double *xyz)
+{
+    const struct shell *s = state;
+
+    for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
+        double N[2][2 * BSPLINE_MAX_ORDER], middle[3], offset[3];
+        int first[2];
+        for (int i = 0; i < 2; i++)
+            first[i] = alive(s, i, uvw[i], N[i]);
+        evaluate(s, first, (const double *const[2]){N[0], N[1]}, middle, offset);
+        place(middle, offset, uvw[2], xyz);
+    }
+}
+
+static enum status advance(void *state, struct counters *counters)
+{
+    return shell_motion_step(state, counters);
+}
+
+static void size(const void *state, struct model_size *out)
+{
+    shell_motion_size(state, out);
+}
+
+static void energy(const void *state, struct energy *out)
+{
+    shell_motion_energy(state, out);
+}
+
+static enum status equilibrium(void *state, struct counters *counters, struct message *why)
+{
+    return shell_rest_equilibrium(state, counters, why);
+}
+
+static enum status modes(void *state, int count, double *omega, struct message *why)
+{
+    return shell_rest_modes(state, count, omega, why);
+}
+
+static enum status matrices(const void *state, struct matrix *K, struct matrix *M)
+{
+    return shell_rest_matrices(state, K, M);
+}
+
+const struct model shell_model = {
+    .name = "shell",
+    .title = "isogeometric Kirchhoff-Love shell",
+    .source =
+        "Kiendl, Bletzinger, Linhard, Wuechner, Comput. Methods Appl. Mech. Engrg. 198 "
+        "(2009) 3902-3914; Simo, Tarnow, ZAMP 43 (1992) 757-792",
+    .serves = SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
+              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
+              SCENE_NEED_DRAG,
+    .defaults = defaults,
+    .create = create,
+    .advance = advance,
+    .sample = sample,
+    .probe = probe,
+    .size = size,
+    .energy = energy,
+    .equilibrium = equilibrium,
+    .modes = modes,
+    .matrices = matrices,
+    .destroy = destroy,
+};

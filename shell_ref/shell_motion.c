@@ -1,0 +1,358 @@
+#include "shell_ref/shell_motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "shell_ref/shell_dynamics.h"
+
+/* Mass damping that the scene amounts to: body drag c is C = (c / rho) M. */
+static double mass_damping(const struct scene *scene)
+{
+    const struct scene_damping *damping = &scene->damping;
+    double alpha = scene->drag / scene->density;
+
+    if (damping->kind == DAMPING_MASS)
+        alpha += damping->value;
+    if (damping->kind == DAMPING_RAYLEIGH)
+        alpha += damping->alpha;
+    return alpha;
+}
+
+double shell_motion_stiffness_damping(const struct scene *scene)
+{
+    return scene->damping.kind == DAMPING_RAYLEIGH ? scene->damping.beta : 0;
+}
+
+/* Factor on the velocity after each step. */
+static double velocity_factor(const struct scene *scene)
+{
+    switch (scene->damping.kind) {
+    case DAMPING_VELOCITY_SCALE:
+        return scene->damping.value;
+    case DAMPING_VELOCITY_RATE:
+        return 1 - scene->damping.value * scene->step;
+    default:
+        return 1;
+    }
+}
+
+static void compute_load(struct shell_motion *m)
+{
+    const struct scene *s = m->scene;
+
+    for (int i = 0; i < 3; i++) {
+        double force = (s->density * s->gravity[i] + s->drag * s->wind[i]) * s->thickness;
+        for (int a = 0; a < m->space->nodes; a++)
+            m->load[3 * a + i] = force * m->assembly.area[a];
+    }
+}
+
+/* Widens an edge in direction d to the second row of control points, at either end. */
+static void clamp_edge(struct scene_support *s, int d, const struct bspline *b)
+{
+    if (s->lo[d] == 0)
+        s->hi[d] = bspline_greville(b, 1);
+    else if (s->hi[d] == 1)
+        s->lo[d] = bspline_greville(b, b->n - 2);
+}
+
+/* The scene's supports, borrowed paths and all, with clamped edges two rows wide. */
+static enum status clamp_edges(struct shell_motion *m, struct message *why)
+{
+    const struct scene *scene = m->scene;
+    size_t bytes = (size_t)scene->support_count * sizeof *scene->supports;
+
+    m->held_scene = *scene;
+    m->held_scene.supports = malloc(bytes + 1);
+    if (!m->held_scene.supports)
+        return STATUS_MEMORY;
+    if (bytes)
+        memcpy(m->held_scene.supports, scene->supports, bytes);
+    for (int n = 0; n < scene->support_count; n++) {
+        struct scene_support *s = &m->held_scene.supports[n];
+        if (s->lo[2] > 0.5 || s->hi[2] < 0.5)
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "support %d misses the mid-surface w = 1/2, and a shell has "
+                               "nothing else to hold",
+                               n);
+        if (s->fix != FIX_XYZ || s->lo[2] == s->hi[2])
+            continue;
+        for (int d = 0; d < 2; d++)
+            if (s->lo[d] == s->hi[d] && s->lo[1 - d] < s->hi[1 - d])
+                clamp_edge(s, d, &m->space->basis[d]);
+    }
+    return STATUS_OK;
+}
+
+static enum status hold(struct shell_motion *m, struct message *why)
+{
+    int nodes = m->space->nodes, rows = m->space->basis[1].n;
+    double(*uvw)[3] = malloc((size_t)nodes * sizeof *uvw);
+    enum status st = STATUS_MEMORY;
+
+    if (!uvw)
+        goto out;
+    for (int a = 0; a < nodes; a++) {
+        uvw[a][0] = bspline_greville(&m->space->basis[0], a / rows);
+        uvw[a][1] = bspline_greville(&m->space->basis[1], a % rows);
+        uvw[a][2] = 0.5;
+    }
+    TRY(clamp_edges(m, why));
+    st = supports_init(&m->supports, &m->held_scene, nodes, uvw, why);
+out:
+    free(uvw);
+    return st;
+}
+
+/* Linear kinematics of a flat sheet whose normal is a coordinate axis: bending and
+ * stretching do not couple; 1 for components along the normal. NULL elsewhere, or without
+ * memory. */
+static unsigned char *find_parity(const struct shell_motion *m)
+{
+    const double *rest = m->space->rest, *u = m->scene->axis_u, *v = m->scene->axis_v;
+    int nodes = m->space->nodes, normal = -1;
+
+    for (int i = 0; i < 3; i++) {
+        bool flat = u[i] == 0 && v[i] == 0;
+        for (int a = 0; flat && a < nodes; a++)
+            flat = rest[3 * a + i] == rest[i];
+        if (flat)
+            normal = i;
+    }
+    unsigned char *parity = normal < 0 ? NULL : malloc(3 * (size_t)nodes);
+    for (int t = 0; parity && t < 3 * nodes; t++)
+        parity[t] = t % 3 == normal;
+    return parity;
+}
+
+/* Node order with v slowest for nets wider than long: a narrower band. NULL otherwise. */
+static int *find_order(const struct shell_space *space)
+{
+    int n = space->basis[0].n, m = space->basis[1].n, count = 0;
+    int *order = m > n ? malloc((size_t)space->nodes * sizeof *order) : NULL;
+
+    for (int j = 0; order && j < m; j++)
+        for (int i = 0; i < n; i++)
+            order[count++] = i * m + j;
+    return order;
+}
+
+static enum status make_room(struct shell_motion *m)
+{
+    size_t nodes = (size_t)m->space->nodes, bytes = 3 * nodes * sizeof(double);
+
+    m->x = malloc(bytes);
+    m->load = malloc(bytes);
+    m->held = calloc(4 * (size_t)m->supports.held_count + 1, sizeof *m->held);
+    m->K = malloc((size_t)m->assembly.graph.start[nodes] * sizeof *m->K);
+    if (!m->x || !m->load || !m->held || !m->K)
+        return STATUS_MEMORY;
+    memcpy(m->x, m->space->rest, bytes);
+    if (m->kinematics == KINEMATICS_LINEAR)
+        return STATUS_OK;
+    m->room = malloc(6 * bytes);
+    m->strain_old = malloc(shell_assembly_strains(&m->assembly) * sizeof *m->strain_old);
+    return m->room && m->strain_old ? STATUS_OK : STATUS_MEMORY;
+}
+
+static enum status build(struct shell_motion *m, const struct discretization *d,
+                         struct message *why)
+{
+    const struct scene *scene = m->scene;
+    const struct shell_material material = {scene->young, scene->poisson, scene->density,
+                                            scene->thickness};
+    const struct shell_path rest = {.rule = {.s1 = 1, .g1 = 1}};
+    int *order = NULL;
+    enum status st;
+
+    TRY(shell_assembly_init(&m->assembly, m->space, &material, why));
+    TRY(hold(m, why));
+    TRY(newmark_init(&m->newmark, m->space->nodes, scene->step, mass_damping(scene),
+                     shell_motion_stiffness_damping(scene)));
+    TRY(make_room(m));
+    compute_load(m);
+    TRY(shell_assembly_tangent(&m->assembly, &rest, m->x, (struct shell_foresight){0},
+                               m->K));
+    if (m->kinematics == KINEMATICS_LINEAR)
+        m->parity = find_parity(m);
+    order = find_order(m->space);
+    TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order,
+                    d->solver));
+out:
+    free(order);
+    return st;
+}
+
+enum status shell_motion_init(struct shell_motion *m, const struct scene *scene,
+                              const struct shell_space *space,
+                              const struct discretization *d, struct message *why)
+{
+    enum status st;
+
+    if (d->kinematics != KINEMATICS_LINEAR && d->kinematics != KINEMATICS_NONLINEAR)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "shell has no %s kinematics; use linear or nonlinear",
+                           kinematics_name(d->kinematics));
+    *m = (struct shell_motion){
+        .scene = scene, .space = space, .kinematics = d->kinematics, .factored = -1};
+    st = build(m, d, why);
+    if (st != STATUS_OK)
+        shell_motion_clear(m);
+    return st;
+}
+
+void shell_motion_clear(struct shell_motion *m)
+{
+    if (!m)
+        return;
+    system_clear(&m->system);
+    newmark_clear(&m->newmark);
+    supports_clear(&m->supports);
+    shell_assembly_clear(&m->assembly);
+    free(m->held_scene.supports);
+    free(m->parity);
+    free(m->K);
+    free(m->x);
+    free(m->load);
+    free(m->held);
+    free(m->strain_old);
+    free(m->room);
+    memset(m, 0, sizeof *m);
+}
+
+struct newmark_held shell_motion_path(struct shell_motion *m, double t, double dt)
+{
+    int count = m->supports.held_count;
+    double *d = m->held, *v = d + count, *a = v + count, *work = a + count;
+
+    supports_shift(&m->supports, m->scene, t, d);
+    supports_shift(&m->supports, m->scene, t + dt, v);
+    supports_shift(&m->supports, m->scene, t - dt, work);
+    for (int h = 0; h < count; h++) {
+        double ahead = v[h], behind = work[h];
+        v[h] = (ahead - behind) / (2 * dt);
+        a[h] = (ahead - 2 * d[h] + behind) / (dt * dt);
+    }
+    return (struct newmark_held){d, v, a};
+}
+
+static const double (*stiffness(const struct shell_motion *m))[9]
+{
+    return (const double(*)[9])m->K;
+}
+
+/* M a = load - M alpha v - K (d + beta v) at the start, held unknowns following their
+ * paths; then the constant system of the steps. */
+static enum status start_linear(struct shell_motion *m, struct counters *counters)
+{
+    enum status st;
+    struct newmark *n = &m->newmark;
+    struct newmark_held held = {0};
+    int held_count = m->supports.moving ? m->supports.held_count : 0;
+    size_t count = 3 * (size_t)m->space->nodes;
+    double *x = n->work, *y = n->work + count;
+
+    if (m->supports.moving)
+        held = shell_motion_path(m, m->time, n->dt);
+    for (int h = 0; h < held_count; h++) {
+        int u = m->supports.held[h];
+        n->d[u] = held.d[h], n->v[u] = held.v[h];
+    }
+    for (size_t t = 0; t < count; t++)
+        x[t] = n->alpha * n->v[t];
+    for (int h = 0; h < held_count; h++)
+        x[m->supports.held[h]] += held.a[h];
+    blocks_multiply_mass(&m->assembly.graph, m->assembly.M, x, y);
+    for (size_t t = 0; t < count; t++) {
+        n->a[t] = m->load[t] - y[t];
+        x[t] = n->d[t] + n->beta * n->v[t];
+    }
+    blocks_multiply(&m->assembly.graph, stiffness(m), x, y);
+    for (size_t t = 0; t < count; t++)
+        n->a[t] -= y[t];
+    TRY(system_factor(&m->system, 0, stiffness(m), 1, m->assembly.M));
+    TRY(system_solve(&m->system, n->a));
+    for (int h = 0; h < held_count; h++)
+        n->a[m->supports.held[h]] = held.a[h];
+    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
+    counters->factorisations += 2;
+    counters->solves++;
+    m->started = true;
+out:
+    return st;
+}
+
+static enum status step_linear(struct shell_motion *m, struct counters *counters)
+{
+    enum status st;
+    struct newmark_held held;
+    size_t count = 3 * (size_t)m->space->nodes;
+
+    if (!m->started)
+        TRY(start_linear(m, counters));
+    if (m->supports.moving)
+        held = shell_motion_path(m, m->time + m->newmark.dt, m->newmark.dt);
+    TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
+                     m->supports.moving ? &held : NULL));
+    counters->solves++;
+    for (size_t t = 0; t < count; t++)
+        m->x[t] = m->space->rest[t] + m->newmark.d[t];
+out:
+    return st;
+}
+
+enum status shell_motion_step(struct shell_motion *m, struct counters *counters)
+{
+    enum status st = m->kinematics == KINEMATICS_LINEAR ? step_linear(m, counters)
+                                                        : shell_dynamics_step(m, counters);
+    double factor = velocity_factor(m->scene);
+    size_t count = 3 * (size_t)m->space->nodes;
+
+    if (st != STATUS_OK)
+        return st;
+    for (size_t t = 0; factor != 1 && t < count; t++)
+        m->newmark.v[t] *= factor;
+    m->time += m->newmark.dt;
+    counters->steps++;
+    return STATUS_OK;
+}
+
+void shell_motion_energy(const struct shell_motion *m, struct energy *energy)
+{
+    const struct newmark *n = &m->newmark;
+    const struct blocks *graph = &m->assembly.graph;
+    const struct scene *s = m->scene;
+    size_t count = 3 * (size_t)m->space->nodes;
+    double *y = n->work, sheet = s->density * s->thickness;
+
+    *energy = (struct energy){0};
+    blocks_multiply_mass(graph, m->assembly.M, n->v, y);
+    for (size_t t = 0; t < count; t++) {
+        energy->kinetic += n->v[t] * y[t] / 2;
+        energy->potential -= sheet * s->gravity[t % 3] * m->assembly.area[t / 3] *
+                             (m->x[t] - m->space->rest[t]);
+    }
+    if (m->kinematics == KINEMATICS_NONLINEAR) {
+        if (shell_assembly_energy(&m->assembly, m->x, &energy->elastic) != STATUS_OK)
+            energy->elastic = NAN;
+        return;
+    }
+    blocks_multiply(graph, stiffness(m), n->d, y);
+    for (size_t t = 0; t < count; t++)
+        energy->elastic += n->d[t] * y[t] / 2;
+}
+
+void shell_motion_size(const struct shell_motion *m, struct model_size *size)
+{
+    struct factor_info info;
+
+    factor_describe(m->system.factor, &info);
+    *size = (struct model_size){
+        .nodes = m->space->nodes,
+        .unknowns = m->supports.free_count,
+        .factor_entries = info.entries,
+        .solver = info.method,
+        .unknown_basis = "control points",
+    };
+}

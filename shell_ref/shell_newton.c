@@ -1,0 +1,186 @@
+#include "shell_ref/shell_newton.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Steps below this part of the length end the iteration. */
+static const double STEP_TOLERANCE = 1e-7;
+/* Halvings of a step that leads to a surface without normals or to numbers that are none.
+ */
+enum { HALVINGS = 6 };
+
+static size_t count_of(const struct shell_motion *m)
+{
+    return 3 * (size_t)m->space->nodes;
+}
+
+/* Right-hand side at x into r; work[nodes][3]. */
+static enum status residual(struct shell_motion *m, const struct shell_equation *q,
+                            const double *x, double *r, double *work)
+{
+    size_t count = count_of(m);
+    enum status st = shell_assembly_force(&m->assembly, &q->path, x, r);
+
+    if (st != STATUS_OK)
+        return st;
+    for (size_t t = 0; t < count; t++)
+        r[t] = q->load * m->load[t] - r[t];
+    if (m->follower.add)
+        m->follower.add(m->follower.context, &m->assembly, x, q->load, r, NULL);
+    if (q->mass == 0)
+        return STATUS_OK;
+    double *inertia = m->newmark.work;
+    for (size_t t = 0; t < count; t++)
+        work[t] = q->mass * (x[t] - q->hat[t]);
+    blocks_multiply_mass(&m->assembly.graph, m->assembly.M, work, inertia);
+    for (size_t t = 0; t < count; t++)
+        r[t] -= inertia[t];
+    return STATUS_OK;
+}
+
+/* Where the tangent is not positive definite, mass is added until it is: a shorter step
+ * towards less energy. */
+static enum status factor(struct shell_motion *m, double mass, struct counters *counters)
+{
+    const struct blocks *g = &m->assembly.graph;
+    const double(*K)[9] = (const double(*)[9])m->K;
+    double stiff = 0, heavy = 0, more = 0;
+    enum status st;
+
+    for (int a = 0; a < g->nodes; a++) {
+        const double *k = K[g->start[a]];
+        stiff += fabs(k[0]) + fabs(k[4]) + fabs(k[8]);
+        heavy += 3 * m->assembly.M[g->start[a]];
+    }
+    for (int attempt = 0; attempt < 8; attempt++) {
+        st = system_factor(&m->system, 1, K, mass + more, m->assembly.M);
+        counters->factorisations++;
+        if (st != STATUS_INDEFINITE)
+            return st;
+        more = more > 0 ? 8 * more : mass > 0 ? mass : 1e-8 * stiff / heavy;
+    }
+    return st;
+}
+
+static enum status refresh(struct shell_motion *m, const struct shell_equation *q,
+                           const double *x, struct shell_foresight foresight,
+                           struct counters *counters)
+{
+    enum status st;
+
+    m->factored = -1;
+    TRY(shell_assembly_tangent(&m->assembly, &q->path, x, foresight, m->K));
+    counters->assemblies++;
+    if (m->follower.add)
+        m->follower.add(m->follower.context, &m->assembly, x, q->load, m->newmark.work,
+                        m->K);
+    TRY(factor(m, q->mass, counters));
+    m->factored = q->mass;
+out:
+    return st;
+}
+
+static double largest(size_t count, const double *x)
+{
+    double most = 0;
+
+    for (size_t t = 0; t < count; t++)
+        if (!(fabs(x[t]) <= most))
+            most = fabs(x[t]);
+    return most;
+}
+
+/* The state of an iteration; vectors [nodes][3]. */
+struct iteration {
+    double *x;        /* present points                                                */
+    double *d, size;  /* the last step and its largest component [m]                   */
+    double *r, *next; /* right-hand side at x; the step from there                     */
+    double *work;
+    double tolerance; /* [m]                                                           */
+};
+
+/* i->next from i->r with the factored tangent. */
+static enum status solve(struct shell_motion *m, struct iteration *i, double *size,
+                         struct counters *counters)
+{
+    size_t count = count_of(m);
+
+    memcpy(i->next, i->r, count * sizeof *i->next);
+    enum status st = system_solve(&m->system, i->next);
+    counters->solves++;
+    *size = largest(count, i->next);
+    return st != STATUS_OK ? st : isfinite(*size) ? STATUS_OK : STATUS_NAN;
+}
+
+/* x += d and the right-hand side there; d is halved while there is none. */
+static enum status take_step(struct shell_motion *m, const struct shell_equation *q,
+                             struct iteration *i)
+{
+    size_t count = count_of(m);
+    enum status st = STATUS_OK;
+
+    for (size_t t = 0; t < count; t++)
+        i->x[t] += i->d[t];
+    for (int n = 0; n <= HALVINGS; n++) {
+        st = residual(m, q, i->x, i->r, i->work);
+        if (st == STATUS_OK)
+            break;
+        for (size_t t = 0; t < count; t++) {
+            i->d[t] /= 2;
+            i->x[t] -= i->d[t];
+        }
+    }
+    return st;
+}
+
+/* The next step, with the old tangent if that still does well. */
+static enum status next_step(struct shell_motion *m, const struct shell_equation *q,
+                             struct iteration *i, struct counters *counters)
+{
+    enum status st;
+    double size = INFINITY, *swap;
+
+    if (q->chord > 0)
+        TRY(solve(m, i, &size, counters));
+    if (!(size <= q->chord * i->size)) {
+        TRY(refresh(m, q, i->x, (struct shell_foresight){.change = i->d}, counters));
+        TRY(solve(m, i, &size, counters));
+    }
+    swap = i->d;
+    i->d = i->next, i->next = swap, i->size = size;
+out:
+    return st;
+}
+
+enum status shell_newton_solve(struct shell_motion *m, const struct shell_equation *q,
+                               double *x, struct counters *counters)
+{
+    enum status st = STATUS_OK;
+    size_t count = count_of(m);
+    double *room = m->room + 2 * count, *swap;
+    struct iteration i = {.x = x,
+                          .d = room,
+                          .r = room + count,
+                          .next = room + 2 * count,
+                          .work = room + 3 * count,
+                          .tolerance = STEP_TOLERANCE * m->scene->length};
+
+    TRY(residual(m, q, x, i.r, i.work));
+    if (q->chord == 0 || m->factored != q->mass)
+        TRY(refresh(m, q, x, (struct shell_foresight){.strain = m->strain_old}, counters));
+    TRY(solve(m, &i, &i.size, counters));
+    swap = i.d, i.d = i.next, i.next = swap;
+    for (int n = 0; n < q->limit; n++) {
+        counters->iterations++;
+        if (i.size <= i.tolerance) {
+            for (size_t t = 0; t < count; t++)
+                x[t] += i.d[t];
+            return STATUS_OK;
+        }
+        TRY(take_step(m, q, &i));
+        TRY(next_step(m, q, &i, counters));
+    }
+    st = STATUS_DIVERGED;
+out:
+    return st;
+}

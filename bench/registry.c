@@ -7,19 +7,15 @@
 #include "iga/plate_model.h"
 #include "mass_spring/spring_model.h"
 #include "projective_dynamics/projective_dynamics_model.h"
+#include "shell_ref/shell_model.h"
 
 const struct model *const registry[] = {
     &plate_model,
     &hex_model,
+    &shell_model,
     &spring_model,
     &projective_dynamics_model,
     NULL,
-};
-
-static const struct {
-    const char *name, *title;
-} planned[] = {
-    {"shell", "the isogeometric Kirchhoff-Love shell"},
 };
 
 void registry_names(char *text, int size)
@@ -42,11 +38,6 @@ enum status registry_find(const char *name, const struct model **model, struct m
             return STATUS_OK;
         }
     registry_names(names, sizeof names);
-    for (size_t n = 0; n < sizeof planned / sizeof *planned; n++)
-        if (!strcmp(planned[n].name, name))
-            return status_fail(why, STATUS_INPUT,
-                               "the model '%s' (%s) is not built yet; models: %s", name,
-                               planned[n].title, names);
     return status_fail(why, STATUS_INPUT, "there is no model '%s'; models: %s", name,
                        names);
 }

@@ -7,8 +7,7 @@
 /* All that are built, in the order of the tables; ends with NULL. */
 extern const struct model *const registry[];
 
-/* By its name. STATUS_INPUT with a sentence that lists the names: no such model, or one that
- * is planned but not built. */
+/* By its name. STATUS_INPUT with a sentence that lists the names: no such model. */
 enum status registry_find(const char *name, const struct model **model, struct message *why);
 
 /* "iga, hex" into text[size]. */

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "shell_ref/shell_tangent.h"
+
 static int runs_of(const struct shell_space *space)
 {
     return space->direction[0].order;
@@ -212,7 +214,7 @@ static bool do_element(const struct task *t, struct shell_element *e, int elemen
         scatter_force(t, e, element);
     }
     if (t->K) {
-        shell_element_tangent(e, &s->material, rest, t->path->rule.s1, t->path->rule.g1);
+        shell_tangent_compute(e, &s->material, rest, t->path->rule.s1, t->path->rule.g1);
         scatter_tangent(t, e, element);
     }
     return true;

@@ -67,11 +67,6 @@ double shell_element_energy(const struct shell_element *e,
 void shell_element_force(struct shell_element *e, const struct shell_material *material,
                          const double *rest);
 
-/* e->K: `stiff` times the material part plus `geometric` times the geometric part with the
- * stress of e->strain, both on the geometry e->X[1]. */
-void shell_element_tangent(struct shell_element *e, const struct shell_material *material,
-                           const double *rest, double stiff, double geometric);
-
 /* e->strain -= half the membrane strain that the change e->X[2] makes in second order: what
  * is left is the strain as the tangent foresaw it. Magisano, Leonetti, Garcea 2017 base the
  * geometric part on it: Newton's method on thin shells then needs far fewer steps. */

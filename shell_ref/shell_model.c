@@ -50,7 +50,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
             why, STATUS_UNSUPPORTED,
             "shell has no unknowns through the thickness; use unknowns=auto");
     if (d->weight_count)
-        return status_fail(why, STATUS_UNSUPPORTED,
+        return status_fail(why, STATUS_INPUT,
                            "shell takes no weights: a flat sheet has no use for them");
     return STATUS_OK;
 }

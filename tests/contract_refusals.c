@@ -84,8 +84,8 @@ static void check_nets(const struct model *model, const struct scene *scene)
     }
 }
 
-/* A scene with one need more than the plain one. */
-static void add_need(struct scene *scene, unsigned need)
+/* A scene with one need more than the plain one; w: where a part of the thickness is held. */
+static void add_need(struct scene *scene, unsigned need, double w)
 {
     static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.1}};
     struct scene_obstacle floor = {
@@ -109,10 +109,27 @@ static void add_need(struct scene *scene, unsigned need)
         s.fix = FIX_Z;
         break;
     case SCENE_NEED_THICKNESS_SUPPORTS:
-        s.hi[2] = 0;
+        s.lo[2] = s.hi[2] = w;
         break;
     }
     REQUIRE(scene_add_support(scene, &s) == STATUS_OK);
+}
+
+/* Which part of the thickness a model can hold: layers have a lower face, surfaces only the
+ * middle. It must refuse the other with a sentence. */
+static double part_of_thickness(const struct model *model, const struct discretization *d)
+{
+    struct message why = {{0}};
+    struct scene scene;
+    void *state = NULL;
+
+    fill_scene(&scene);
+    add_need(&scene, SCENE_NEED_THICKNESS_SUPPORTS, 0);
+    enum status st = model->create(&scene, d, &state, &why);
+    CHECK(st == STATUS_OK || (st == STATUS_UNSUPPORTED && *why.text && !state));
+    model->destroy(state);
+    scene_clear(&scene);
+    return st == STATUS_OK ? 0 : 0.5;
 }
 
 /* Every need is either served, or said not to be. */
@@ -126,7 +143,7 @@ static void check_needs(const struct model *model)
         struct discretization d = small_net(model);
         struct scene scene;
         fill_scene(&scene);
-        add_need(&scene, needs[n]);
+        add_need(&scene, needs[n], part_of_thickness(model, &d));
         if (!CHECK(scene_needs(&scene) & needs[n]))
             printf("need %u is not in the scene made for it\n", needs[n]);
         if (model->serves & needs[n]) {

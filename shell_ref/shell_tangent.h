@@ -1,0 +1,15 @@
+/* shell_tangent.h - the tangent of one shell element (formulas: shell_element.h). */
+#ifndef SHELL_TANGENT_H
+#define SHELL_TANGENT_H
+
+#include "shell_ref/shell_element.h"
+
+/* Rows over an element's functions that the kernel needs at each Gauss point. */
+enum { SHELL_TANGENT_LEFT = 22, SHELL_TANGENT_RIGHT = 18 };
+
+/* e->K: `stiff` times the material part plus `geometric` times the geometric part with the
+ * stress of e->strain, both on the geometry e->X[1]. */
+void shell_tangent_compute(struct shell_element *e, const struct shell_material *material,
+                           const double *rest, double stiff, double geometric);
+
+#endif

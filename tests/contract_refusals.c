@@ -143,7 +143,7 @@ static void check_needs(const struct model *model)
         struct discretization d = small_net(model);
         struct scene scene;
         fill_scene(&scene);
-        add_need(&scene, needs[n], part_of_thickness(model, &d));
+        add_need(&scene, needs[n], model->serves & needs[n] ? part_of_thickness(model, &d) : 0);
         if (!CHECK(scene_needs(&scene) & needs[n]))
             printf("need %u is not in the scene made for it\n", needs[n]);
         if (model->serves & needs[n]) {

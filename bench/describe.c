@@ -42,6 +42,16 @@ static void describe_discretization(const struct discretization *d, FILE *file)
     fprintf(file, "%s\n", d->weight_count ? ", weights as given" : "");
 }
 
+static void describe_note(const struct model *model, const void *state, FILE *file)
+{
+    struct message line = {{0}};
+
+    if (model->describe)
+        model->describe(state, &line);
+    if (*line.text)
+        fprintf(file, "note            %s\n", line.text);
+}
+
 void describe_setup(const struct scene *scene, const struct model *model,
                     const struct discretization *d, const void *state, double seconds,
                     FILE *file)
@@ -69,6 +79,7 @@ void describe_setup(const struct scene *scene, const struct model *model,
         "unknowns        %ld of %ld nodes, as %s; solver %s, %ld numbers in its factor\n",
         size.unknowns, size.nodes, size.unknown_basis ? size.unknown_basis : "-",
         size.solver ? size.solver : "none", size.factor_entries);
+    describe_note(model, state, file);
     fprintf(file, "set-up          %.3f ms\n", 1e3 * seconds);
 }
 

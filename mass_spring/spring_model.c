@@ -194,6 +194,31 @@ static void size(const void *state, struct model_size *size)
     };
 }
 
+/* The misfit of springs to plane stress, and the explicit method's limit. */
+static void describe(const void *state, struct message *line)
+{
+    const struct spring_motion *m = state;
+    struct spring_law_stiffness net = spring_law_effective(&m->net.law, m->net.cell);
+    struct spring_law_stiffness sheet = spring_law_plane_stress(m->scene);
+    char limit[128] = "";
+
+    if (m->integrator == INTEGRATOR_EXPLICIT)
+        snprintf(limit, sizeof limit,
+                 "; explicit steps of %.3g s, stable below %.3g s about rest", m->dt,
+                 m->limit);
+    snprintf(
+        line->text, sizeof line->text,
+        "the net has C11 %.4g, C22 %.4g, C33 %.4g of plane stress's, and C12 = %.4g C11 "
+        "for "
+        "%.4g C11 (springs have C12 = C33, plane stress only at nu = 1/3)%s%s",
+        net.c11 / sheet.c11, net.c22 / sheet.c22, net.c33 / sheet.c33, net.c12 / net.c11,
+        sheet.c12 / sheet.c11,
+        m->parameters == PARAMETERS_PAPER
+            ? "; the paper's springs: no bending, own mass and damping, not the scene's"
+            : "",
+        limit);
+}
+
 static void energy(const void *state, struct energy *energy)
 {
     spring_motion_energy(state, energy);
@@ -216,6 +241,7 @@ const struct model spring_model = {
     .sample = sample,
     .probe = probe,
     .size = size,
+    .describe = describe,
     .energy = energy,
     .equilibrium = equilibrium,
     .destroy = destroy,

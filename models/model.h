@@ -68,6 +68,10 @@ struct model {
 
     void (*size)(const void *state, struct model_size *size);
 
+    /* optional: what people should know of what was built and could not guess (a misfit, a
+     * limit), as sentences in one line; empty if there is nothing. */
+    void (*describe)(const void *state, struct message *line);
+
     /* optional */ void (*energy)(const void *state, struct energy *energy);
 
     /* optional: moves the state to static equilibrium under the scene's loads. */

@@ -24,6 +24,8 @@ struct table1_variant table1_variant(int n)
 {
     if (n == 0)
         return (struct table1_variant){"iga", 10, false};
+    if (n == TABLE1_SHELL)
+        return (struct table1_variant){"shell", 10, false};
     return (struct table1_variant){"hex", table1_density[(n - 1) % TABLE1_DENSITIES],
                                    n > TABLE1_DENSITIES};
 }
@@ -69,7 +71,9 @@ static enum status set_up(enum table1_part part, int variant, const struct model
         return st;
     (*model)->defaults(d);
     d->points[0] = d->points[1] = v.side;
-    d->kinematics = kinematics[part];
+    d->kinematics = variant == TABLE1_SHELL && kinematics[part] != KINEMATICS_LINEAR
+                        ? KINEMATICS_NONLINEAR
+                        : kinematics[part];
     if (v.incompatible)
         d->remedy = REMEDY_INCOMPATIBLE;
     return STATUS_OK;
@@ -77,6 +81,7 @@ static enum status set_up(enum table1_part part, int variant, const struct model
 
 struct run {
     const struct model *model;
+    const struct scene *scene; /* borrowed */
     struct discretization d;
     struct store *store;
     struct timing_case timing;
@@ -93,9 +98,10 @@ static enum status keep(struct run *r, void *state, double t,
     return store_frame(r->store, t, xyz, &energy, counters, why);
 }
 
-static enum status follow(struct run *r, const struct scene *scene, enum table1_part part,
-                          double *xyz, struct message *why)
+static enum status follow(struct run *r, enum table1_part part, double *xyz,
+                          struct message *why)
 {
+    const struct scene *scene = r->scene;
     void *state = NULL;
     struct counters counters = {0};
     struct model_size size;
@@ -139,7 +145,7 @@ static void report(void *context, int done, int total)
 }
 
 static enum status time_part(const struct table1_options *options, enum table1_part part,
-                             const struct scene *scene, struct run *runs,
+                             struct run *runs,
                              struct message *why)
 {
     struct timing_case cases[TABLE1_VARIANTS];
@@ -153,7 +159,7 @@ static enum status time_part(const struct table1_options *options, enum table1_p
 
     for (int n = 0; n < TABLE1_VARIANTS; n++)
         cases[n] = (struct timing_case){
-            .model = runs[n].model, .scene = scene, .discretization = &runs[n].d};
+            .model = runs[n].model, .scene = runs[n].scene, .discretization = &runs[n].d};
     st = timing_run(&plan, TABLE1_VARIANTS, cases, why);
     for (int n = 0; n < TABLE1_VARIANTS && st == STATUS_OK; n++) {
         st = store_seconds(runs[n].store, "create", cases[n].create, plan.repeats, 0, why);
@@ -171,25 +177,27 @@ static enum status measure_part(const struct table1_options *options, enum table
                                 struct message *why)
 {
     struct run runs[TABLE1_VARIANTS] = {{0}};
-    struct scene scene = {0};
+    struct scene scene = {0}, undamped = {0};
     enum status st;
     char path[4096];
 
     TRY(read_scene(part, &scene, why));
+    TRY(read_scene(TABLE1_LINEAR, &undamped, why));
     for (int n = 0; n < TABLE1_VARIANTS; n++) {
         struct run *r = &runs[n];
         TRY(set_up(part, n, &r->model, &r->d, why));
-        struct store_run what = {.scene = &scene,
+        r->scene = n == TABLE1_SHELL ? &undamped : &scene;
+        struct store_run what = {.scene = r->scene,
                                  .model = r->model,
                                  .discretization = &r->d,
                                  .provenance = provenance,
                                  .single = true};
         table1_path(options->folder, part, n, path, sizeof path);
         TRY(store_create(path, &what, &r->store, why));
-        TRY(follow(r, &scene, part, xyz, why));
+        TRY(follow(r, part, xyz, why));
     }
     if (part != TABLE1_STATIC)
-        TRY(time_part(options, part, &scene, runs, why));
+        TRY(time_part(options, part, runs, why));
     for (int n = 0; n < TABLE1_VARIANTS; n++) {
         struct store *store = runs[n].store;
         runs[n].store = NULL;
@@ -199,6 +207,7 @@ out:
     for (int n = 0; n < TABLE1_VARIANTS; n++)
         store_discard(runs[n].store);
     scene_clear(&scene);
+    scene_clear(&undamped);
     return st;
 }
 

@@ -11,7 +11,7 @@ static void name_cells(struct table *t, const struct table1_cell *c, int variant
     struct table1_variant v = table1_variant(variant);
 
     table_text(t, "%s%s", v.model, v.incompatible ? " incompatible" : "");
-    table_text(t, "%dx%dx2", v.side, v.side);
+    table_text(t, variant == TABLE1_SHELL ? "%dx%d" : "%dx%dx2", v.side, v.side);
     table_integer(t, lround(c->unknowns));
 }
 
@@ -87,7 +87,7 @@ static void note_first(struct table *t, const struct table1_cell *cells, bool in
 static void note_away(struct table *t, const struct table1_cell *cells)
 {
     const struct table1_cell *coarse = &cells[1 + TABLE1_DENSITIES];
-    const struct table1_cell *fine = &cells[TABLE1_VARIANTS - 1];
+    const struct table1_cell *fine = &cells[TABLE1_SHELL - 1];
     double from = coarse->rmse[TABLE1_TIMES - 1], to = fine->rmse[TABLE1_TIMES - 1];
 
     if (to > from)
@@ -121,13 +121,6 @@ static void paper_rows(struct table *t)
     }
 }
 
-static void shell_row(struct table *t)
-{
-    table_row(t);
-    table_text(t, "shell");
-    table_text(t, "not built yet");
-}
-
 static enum status print_part(const struct table1_data *d, enum table1_part part,
                               enum table_format format, FILE *file)
 {
@@ -156,7 +149,7 @@ static enum status print_part(const struct table1_data *d, enum table1_part part
     enum status st;
 
     for (int n = 0; n < TABLE1_VARIANTS; n++) {
-        if (n == 1 || n == 1 + TABLE1_DENSITIES)
+        if (n == 1 || n == 1 + TABLE1_DENSITIES || n == TABLE1_SHELL)
             table_rule(t);
         table_row(t);
         name_cells(t, &cells[n], n);
@@ -168,7 +161,6 @@ static enum status print_part(const struct table1_data *d, enum table1_part part
     }
     if (part == TABLE1_PRINTED) {
         table_rule(t);
-        shell_row(t);
         paper_rows(t);
     }
     note_first(t, cells, false);
@@ -199,7 +191,7 @@ static enum status print_truth(const struct table1_data *d, enum table_format fo
     for (int n = 0; n < TABLE1_VARIANTS; n++) {
         const struct table1_cell *rest = &d->cell[TABLE1_STATIC][n],
                                  *move = &d->cell[TABLE1_LINEAR][n];
-        if (n == 1 || n == 1 + TABLE1_DENSITIES)
+        if (n == 1 || n == 1 + TABLE1_DENSITIES || n == TABLE1_SHELL)
             table_rule(t);
         table_row(t);
         name_cells(t, rest, n);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/fig6.h"
 #include "bench/folder.h"
 #include "bench/progress.h"
 #include "bench/timing.h"
@@ -195,6 +196,9 @@ static enum status run(const struct command_line *line, struct message *why)
     TRY(folder_make(j.folder, why));
     omp_set_num_threads(1);
     timing_pin();
+    if (!strcmp(j.scene.name, "corners_drop"))
+        TRY(fig6_compare(j.path, j.given, j.set, j.folder, j.read_only, format, stdout,
+                         why));
     TRY(truth_find(j.path, settings_of(&j, NULL, false, all), all, TIMES, j.time, j.folder,
                    j.quick, &truth, why));
     j.compare.truth = truth;

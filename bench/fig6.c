@@ -62,12 +62,13 @@ struct figures {
     int frames;
     char outcome[128];
     double stretch[TIMES], roughness[TIMES], drop[TIMES];
-    long intersections[TIMES];
+    double intersections[TIMES]; /* pairs of triangles; NaN if a position is none      */
     double most_stretch, most_roughness;
-    long most_intersections;
+    double most_intersections;
 };
 
-static void measure(const struct scene *scene, const struct rung_result *r, struct figures *f)
+static void measure(const struct scene *scene, const struct rung_result *r,
+                    struct figures *f)
 {
     f->ran = true;
     f->frames = r->frames;
@@ -79,8 +80,7 @@ static void measure(const struct scene *scene, const struct rung_result *r, stru
         f->intersections[n] = metric_intersections(r->xyz[n]);
         f->most_stretch = fmax(f->most_stretch, f->stretch[n]);
         f->most_roughness = fmax(f->most_roughness, f->roughness[n]);
-        if (f->intersections[n] > f->most_intersections)
-            f->most_intersections = f->intersections[n];
+        f->most_intersections = fmax(f->most_intersections, f->intersections[n]);
     }
 }
 
@@ -119,7 +119,8 @@ static enum status run_case(const struct figure_case *c, const struct rung_plan 
     return STATUS_OK;
 }
 
-static void figure_row(struct table *t, const struct figure_case *c, const struct figures *f)
+static void figure_row(struct table *t, const struct figure_case *c,
+                       const struct figures *f)
 {
     table_row(t);
     table_text(t, "%s", c->title);
@@ -129,7 +130,7 @@ static void figure_row(struct table *t, const struct figure_case *c, const struc
     }
     table_number(t, f->most_stretch, 4);
     table_number(t, f->most_roughness, 3);
-    table_integer(t, f->most_intersections);
+    table_integer(t, lround(f->most_intersections));
     for (int n = 1; n < TIMES; n += 2)
         if (n < f->frames) {
             table_fixed(t, f->drop[n], 3);
@@ -146,10 +147,10 @@ static enum status print_table(const struct figures *figures, enum table_format 
                                FILE *file)
 {
     static const struct table_column columns[] = {
-        {"case", NULL, TABLE_LEFT}, {"stretch", "most", 0},   {"roughness", "most", 0},
-        {"crossings", "most", 0},   {"drop 0.5 s", "L", 0},   {"stretch", NULL, 0},
-        {"drop 1 s", "L", 0},       {"stretch", NULL, 0},     {"drop 1.5 s", "L", 0},
-        {"stretch", NULL, 0},       {"drop 2 s", "L", 0},     {"stretch", NULL, 0}};
+        {"case", NULL, TABLE_LEFT}, {"stretch", "most", 0}, {"roughness", "most", 0},
+        {"crossings", "most", 0},   {"drop 0.5 s", "L", 0}, {"stretch", NULL, 0},
+        {"drop 1 s", "L", 0},       {"stretch", NULL, 0},   {"drop 1.5 s", "L", 0},
+        {"stretch", NULL, 0},       {"drop 2 s", "L", 0},   {"stretch", NULL, 0}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Fig. 6: two corners held, 10x10 points unless said");
     enum status st;
@@ -159,9 +160,11 @@ static enum status print_table(const struct figures *figures, enum table_format 
             table_rule(t);
         figure_row(t, &cases[n], &figures[n]);
     }
-    table_note(t, "Most: over %d times from %g to %g s. Stretch: largest principal stretch of "
+    table_note(t,
+               "Most: over %d times from %g to %g s. Stretch: largest principal stretch of "
                "the mid-surface. Crossings: pairs of intersecting triangles of the sampled "
-               "mid-surface.", TIMES, times[0], times[TIMES - 1]);
+               "mid-surface.",
+               TIMES, times[0], times[TIMES - 1]);
     st = table_print(t, format, file);
     table_destroy(t);
     return st;
@@ -190,8 +193,8 @@ static bool is_rough(const struct figures *all, int n)
 static bool is_smooth(const struct figures *all, int n)
 {
     return all[n].frames == TIMES && !is_rough(all, n) &&
-           all[n].most_roughness * ROUGH < fmax(all[SPRINGS].most_roughness,
-                                                all[PROJECTIVE].most_roughness);
+           all[n].most_roughness * ROUGH <
+               fmax(all[SPRINGS].most_roughness, all[PROJECTIVE].most_roughness);
 }
 
 static const struct sentence {
@@ -230,7 +233,8 @@ static void judge(const struct sentence *s, const struct figures *figures, FILE 
         fprintf(file, "- \"%s\": %s, here and in all variants.\n", s->says,
                 paper ? "holds" : "does not hold");
     else
-        fprintf(file, "- \"%s\": depends. It %s with the paper's settings, but not so: %s.\n",
+        fprintf(file,
+                "- \"%s\": depends. It %s with the paper's settings, but not so: %s.\n",
                 s->says, paper ? "holds" : "does not hold", others);
 }
 
@@ -259,8 +263,10 @@ enum status fig6_compare(const char *path, int setting_count, const char *const 
     for (int n = 0; n < CASES; n++)
         TRY(run_case(&cases[n], &plan, &scene, read_only, &figures[n], why));
     TRY(print_table(figures, format, file));
-    fprintf(file, "\nThe paper's sentences (over-stretched: beyond %.2f; rough: more than "
-                  "%.1f times the IGA plate)\n\n", OVER_STRETCHED, ROUGH);
+    fprintf(file,
+            "\nThe paper's sentences (over-stretched: beyond %.2f; rough: more than "
+            "%.1f times the IGA plate)\n\n",
+            OVER_STRETCHED, ROUGH);
     for (size_t n = 0; n < sizeof sentences / sizeof *sentences; n++)
         judge(&sentences[n], figures, file);
     fprintf(file, "\n");

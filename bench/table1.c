@@ -145,8 +145,7 @@ static void report(void *context, int done, int total)
 }
 
 static enum status time_part(const struct table1_options *options, enum table1_part part,
-                             struct run *runs,
-                             struct message *why)
+                             struct run *runs, struct message *why)
 {
     struct timing_case cases[TABLE1_VARIANTS];
     struct reporter reporter = {options, part};

@@ -41,8 +41,9 @@ static void worth(const struct table1_data *d, FILE *file)
             shell->step.median / printed[0].step.median,
             paper_table1[2].seconds / paper_table1[0].seconds,
             100 * table1_truth_error(&d->truth, TABLE1_TIMES, rest[TABLE1_SHELL].xyz[0]),
-            shell->step.median > printed[0].step.median ? "cheaper a frame, as the paper has it"
-                                                        : "not the cheaper one here",
+            shell->step.median > printed[0].step.median
+                ? "cheaper a frame, as the paper has it"
+                : "not the cheaper one here",
             table1_truth_error(&d->truth, TABLE1_TIMES, rest[TABLE1_SHELL].xyz[0]) < iga
                 ? "the less accurate one"
                 : "the more accurate one");

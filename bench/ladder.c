@@ -31,9 +31,9 @@ static const struct family {
      {"discretization.kinematics=linear", "discretization.remedy=incompatible"},
      false, {10, 20, 40}, {1, 4}, {0}},
     {"shell", "shell p=2", "shell_2", {"discretization.degree=[2,2]"},
-     true, {6, 10, 20}, {1, 4}, {0}},
+     true, {6, 10, 16}, {1, 4}, {0}},
     {"shell", "shell p=3", "shell_3", {"discretization.degree=[3,3]"},
-     true, {6, 10, 20}, {1, 4}, {0}},
+     true, {6, 10, 16}, {1, 4}, {0}},
     {"mass_spring", "mass-spring matched", "mass_spring",
      {"discretization.parameters=matched"}, true, {10, 20, 40}, {1, 4, 16}, {0}},
     {"projective_dynamics", "projective dynamics matched", "projective_dynamics",
@@ -115,6 +115,8 @@ enum status ladder_make(const char *models, double step, bool quick,
                         struct ladder_rung **rungs, int *count, struct message *why)
 {
     enum { FAMILIES = sizeof families / sizeof *families };
+    if (models && !strcmp(models, "all"))
+        models = NULL;
     enum status st = check_words(models, why);
     struct ladder_rung *new;
 

@@ -21,7 +21,8 @@ struct ladder_rung {
     char settings[LADDER_SETTINGS][LADDER_TEXT];    /* KEY=VALUE                       */
 };
 
-/* All rungs of the models named in `models` ("iga,hex"; NULL: all that are built), with
+/* All rungs of the models named in `models` ("iga,hex"; "all" or NULL: all that
+ * are built), with
  * frames of `step` seconds. *rungs is freed by the receiver. STATUS_INPUT with a sentence for
  * an unknown name. `quick` leaves out the dear half. */
 enum status ladder_make(const char *models, double step, bool quick,

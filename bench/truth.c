@@ -91,7 +91,7 @@ out:
 struct level {
     int side, divisor;
 };
-static const struct level fine[2] = {{28, 8}, {20, 4}}, coarse[2] = {{16, 4}, {12, 2}};
+static const struct level fine[2] = {{24, 8}, {16, 4}}, coarse[2] = {{16, 4}, {12, 2}};
 
 enum { MORE = 4, TEXT = 96 };
 

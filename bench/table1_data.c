@@ -21,22 +21,30 @@ void table1_data_clear(struct table1_data *d)
     free(d);
 }
 
-/* Summary of the numbers there are; a death leaves some out. */
+/* Summary over the repeats of the mean over each one's frames; a death leaves some out. */
 static enum status load_seconds(const struct store_read *file, const char *name,
                                 struct clock_summary *summary, struct message *why)
 {
     enum status st;
     double *seconds = NULL;
-    int rows, columns, count = 0;
+    int rows, columns, repeats = 0;
 
     if (!store_read_has(file, name))
         return STATUS_OK;
     TRY(store_read_array(file, name, &seconds, &rows, &columns, why));
-    for (int n = 0; n < rows * columns; n++)
-        if (!isnan(seconds[n]))
-            seconds[count++] = seconds[n];
-    if (count)
-        *summary = clock_summarise(seconds, count);
+    for (int r = 0; r < rows; r++) {
+        double sum = 0;
+        int frames = 0;
+        for (int n = 0; n < columns; n++)
+            if (!isnan(seconds[r * columns + n])) {
+                sum += seconds[r * columns + n];
+                frames++;
+            }
+        if (frames)
+            seconds[repeats++] = sum / frames;
+    }
+    if (repeats)
+        *summary = clock_summarise(seconds, repeats);
 out:
     free(seconds);
     return st;

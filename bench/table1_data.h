@@ -13,7 +13,7 @@ struct table1_cell {
     double *xyz[TABLE1_TIMES]; /* owned                                                */
     double rmse[TABLE1_TIMES]; /* against the baseline, NaN if not reached        [m]  */
     double unknowns;
-    struct clock_summary create, step; /* [s]; count = 0 for statics                   */
+    struct clock_summary create, step; /* [s] over repeats; count = 0 for statics      */
     char *outcome; /* owned                                                */
 };
 

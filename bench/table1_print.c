@@ -163,6 +163,13 @@ static enum status print_part(const struct table1_data *d, enum table1_part part
         table_rule(t);
         paper_rows(t);
     }
+    table_note(t,
+               "Milliseconds a frame: mean over the frames of a repeat, then median, least "
+               "and quartiles of %d repeats, all cases in turn.%s",
+               cells[0].step.count,
+               part == TABLE1_LINEAR ? ""
+                                     : " The shell moves by its own nonlinear scheme, "
+                                       "undamped.");
     note_first(t, cells, false);
     note_first(t, cells, true);
     note_away(t, cells);

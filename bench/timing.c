@@ -33,18 +33,19 @@ void timing_clear(struct timing_case *c)
 static enum status run_once(const struct timing_plan *plan, const struct timing_case *c,
                             int repeat, struct message *why)
 {
+    int frames = c->frames, warmup = c->frames == plan->frames ? plan->warmup : 0;
     void *state = NULL;
     struct counters counters = {0};
-    double *advance = c->advance + (size_t)repeat * (size_t)plan->frames;
+    double *advance = c->advance + (size_t)repeat * (size_t)frames;
     double start = clock_now();
     enum status st = c->model->create(c->scene, c->discretization, &state, why);
 
     c->create[repeat] = clock_now() - start;
     if (st != STATUS_OK)
         return st;
-    for (int n = 0; n < plan->frames; n++)
+    for (int n = 0; n < frames; n++)
         advance[n] = NAN;
-    for (int n = -plan->warmup; n < plan->frames && st == STATUS_OK; n++) {
+    for (int n = -warmup; n < frames && st == STATUS_OK; n++) {
         start = clock_now();
         st = c->model->advance(state, &counters);
         if (n >= 0 && st == STATUS_OK)
@@ -58,11 +59,13 @@ enum status timing_run(const struct timing_plan *plan, int count, struct timing_
                        struct message *why)
 {
     enum status st = STATUS_OK;
-    size_t repeats = (size_t)plan->repeats, frames = (size_t)plan->frames;
+    size_t repeats = (size_t)plan->repeats;
 
     for (int n = 0; n < count; n++) {
+        if (!cases[n].frames)
+            cases[n].frames = plan->frames;
         cases[n].create = malloc(repeats * sizeof(double));
-        cases[n].advance = malloc(repeats * frames * sizeof(double));
+        cases[n].advance = malloc(repeats * (size_t)cases[n].frames * sizeof(double));
         if (!cases[n].create || !cases[n].advance)
             st = STATUS_MEMORY;
     }

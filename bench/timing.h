@@ -10,6 +10,8 @@ struct timing_case {
     const struct model *model;
     const struct scene *scene;              /* borrowed                                */
     const struct discretization *discretization; /* borrowed                           */
+    int frames;      /* of a repeat, where a frame's cost changes along the motion; 0: the
+                        plan's, after its warm-up                                      */
     double *create;  /* [repeats]           set-up                    [s]      owned   */
     double *advance; /* [repeats][frames]   one time step each; NaN after a death  owned */
 };

@@ -13,7 +13,7 @@ fail() {
 }
 
 rm -rf "$folder"
-light=(compare cantilever_transient --models iga,hex --quick --until 0.005
+light=(compare cantilever_transient --models "iga,hex" --quick --until 0.005
     --set material.density=1e-4 --set time.step=5e-4)
 "$program" "${light[@]}" --out "$folder" >"$folder.txt" 2>"$folder.log" ||
     { cat "$folder.log"; fail "exit $?"; }

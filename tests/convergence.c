@@ -174,7 +174,7 @@ static struct errors vibrate(const struct solid *s)
     solve(s, &supports, lambda, &Z);
     for (int k = 0; k < m; k++) {
         double overlap;
-        if (fabs(lambda[k] / want - 1) > 0.5)
+        if (fabs(lambda[k] / want - 1) > 0.1)
             continue;
         for (int t = 0; t < n; t++)
             d[t] = supports.free_index[t] < 0 ? 0 : Z[k * m + supports.free_index[t]];

@@ -88,7 +88,7 @@ int main(int argc, char **argv)
     REQUIRE(argc == 2);
     if (!strcmp(argv[1], "iga")) {
         static const int nets[][2][3] = {
-            {{2, 2, 1}, {10, 10, 2}}, {{2, 2, 1}, {40, 30, 2}}, {{3, 2, 2}, {12, 9, 4}}};
+            {{2, 2, 1}, {10, 10, 2}}, {{2, 2, 1}, {26, 20, 2}}, {{3, 2, 2}, {12, 9, 4}}};
         for (size_t n = 0; n < sizeof nets / sizeof *nets; n++) {
             const int *p = nets[n][0], *points = nets[n][1];
             d = plate_degrees(p[0], p[1], p[2], points[0], points[1], points[2]);
@@ -97,7 +97,7 @@ int main(int argc, char **argv)
         }
         return check_result();
     }
-    for (int n = 16; n <= 40; n += 24) {
+    for (int n = 16; n <= 32; n += 16) {
         d = plate_degrees(1, 1, 1, n, n, 2);
         d.kinematics = KINEMATICS_PRINTED;
         check_threads(&hex_model, &d);

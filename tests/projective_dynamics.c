@@ -1,0 +1,312 @@
+/* The energy of projective dynamics: distances that are the least, local steps that are its
+ * gradient, strains that cost what plane stress costs, bending that is Kirchhoff's. */
+#include <float.h>
+
+#include "fem_ref/kirchhoff.h"
+#include "tests/pd_fixture.h"
+
+/* --- nearest points ----------------------------------------------------------------------
+ */
+
+/* A turn with a growth (z[0] + i z[1]) and a mirrored one (z[2] + i z[3]), then turned
+ * about x by z[4]. Singular values |z0 + i z1| +- |z2 + i z3|. */
+static void compose(const double z[5], double F[3][2])
+{
+    double plane[2][2] = {{z[0] + z[2], z[3] - z[1]}, {z[1] + z[3], z[0] - z[2]}};
+
+    for (int j = 0; j < 2; j++) {
+        F[0][j] = plane[0][j];
+        F[1][j] = cos(z[4]) * plane[1][j];
+        F[2][j] = sin(z[4]) * plane[1][j];
+    }
+}
+
+static double distance2(double A[3][2], double B[3][2])
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 2; j++)
+            sum += (A[i][j] - B[i][j]) * (A[i][j] - B[i][j]);
+    return sum;
+}
+
+enum set { CONFORMAL, MEAN_ONE };
+
+/* A member of the set for any four numbers. */
+static void member(enum set set, const double at[4], double F[3][2])
+{
+    double z[5] = {1 + at[0], at[1], 0, 0, at[3]};
+
+    if (set == MEAN_ONE) {
+        z[0] = cos(at[0]), z[1] = sin(at[0]);
+        z[2] = at[1], z[3] = at[2];
+    }
+    compose(z, F);
+}
+
+/* Least squared distance of F to a set, by random search from several starts, whose steps
+ * grow when one in five pays and shrink when fewer do. */
+static double searched(double F[3][2], enum set set)
+{
+    enum { STARTS = 8, STEPS = 2000 };
+    double least = INFINITY;
+    unsigned seed = 7;
+
+    for (int start = 0; start < STARTS; start++) {
+        double best[4] = {0}, width = 2, own = INFINITY;
+        for (int n = 0; n < STEPS; n++) {
+            double at[4], G[3][2];
+            for (int t = 0; t < 4; t++)
+                at[t] = best[t] + width * pd_fixture_random(&seed);
+            member(set, at, G);
+            double d = distance2(F, G);
+            width *= d < own ? 1.5 : 0.9036; /* 1.5^(-1/4)                             */
+            if (d < own)
+                own = d, memcpy(best, at, sizeof best);
+        }
+        least = fmin(least, own);
+    }
+    return least;
+}
+
+/* One cell of 1 m x 1 m, both triangles with the same F: their energies, deviator = trace =
+ * 1, against the sets searched. */
+static void check_nearest_points(void)
+{
+    /* The search ends with steps below 1e-7 about a quadratic minimum. */
+    const double tol_search = 1e-12;
+    unsigned seed = 3;
+    struct scene scene;
+    struct pd_energy e;
+    bool clamped[4] = {false};
+
+    pd_fixture_scene(&scene, 0.3);
+    REQUIRE(pd_energy_init(&e, &scene, 2, 2, CONSTRAINT_TRIANGLES, PARAMETERS_MATCHED,
+                           clamped) == STATUS_OK);
+    e.row_count = 0;
+    for (int n = 0; n < 8; n++) {
+        double z[5], F[3][2], *x = pd_net_fields(&e.net, 3);
+        for (int t = 0; t < 5; t++)
+            z[t] = (t == 0) + 0.4 * pd_fixture_random(&seed);
+        compose(z, F);
+        for (int k = 0; k < 4; k++)
+            for (int c = 0; c < 3; c++)
+                x[c * pd_net_stride(&e.net) + k] = F[c][0] * (k / 2) + F[c][1] * (k % 2);
+        for (enum set set = CONFORMAL; set <= MEAN_ONE; set++) {
+            e.deviator = set == CONFORMAL, e.trace = set == MEAN_ONE;
+            CHECK_NEAR(pd_energy_value(&e, x), searched(F, set), tol_search);
+        }
+        pd_net_free_fields(&e.net, x);
+    }
+    pd_energy_clear(&e);
+    scene_clear(&scene);
+}
+
+/* --- gradients ---------------------------------------------------------------------------
+ */
+
+/* A x - M x - local step - constant, over dt^2: dE/dx. */
+static void gradient(const struct pd_motion *m, const double *x, double *g)
+{
+    const struct pd_net *net = &m->energy.net;
+    double *pulled = pd_net_fields(net, 3);
+
+    pd_system_multiply(&m->system, x, g);
+    pd_local_step(&m->local, x, m->system.constant, pulled);
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < net->nodes; k++) {
+            ptrdiff_t at = c * pd_net_stride(net) + k;
+            g[at] = (g[at] - m->energy.mass[k] * x[at] - pulled[at]) / (m->dt * m->dt);
+        }
+    pd_net_free_fields(net, pulled);
+}
+
+/* The best of a sweep of steps: error of (E(x+s) - E(x-s)) / 2s against the gradient. */
+static void check_gradient(enum constraint constraint, enum parameters parameters,
+                           double nu)
+{
+    /* At the best step truncation and rounding meet near eps^(2/3) = 4e-11 of the largest
+     * entry, times the sum's length over one term's. */
+    const double tol_gradient = 1e-7;
+    struct scene scene;
+    struct pd_motion m;
+    struct pd_options o = pd_fixture_options(7, 5, constraint);
+    double largest = 0, worst = 0, force[3] = {0}, torque[3] = {0};
+
+    o.parameters = parameters;
+    pd_fixture_scene(&scene, nu);
+    scene.width = 0.7;
+    pd_fixture_hold(&scene, 0, 0, 0, 1, FIX_XYZ); /* clamps have a gradient too */
+    pd_fixture_motion(&m, &scene, &o);
+    const struct pd_net *net = &m.energy.net;
+    double *g = pd_net_fields(net, 3);
+    pd_fixture_shake(net, m.x, 0.04, 11);
+    gradient(&m, m.x, g);
+    for (int k = 0; k < net->nodes; k++)
+        for (int c = 0; c < 3; c++)
+            largest = fmax(largest, fabs(g[c * pd_net_stride(net) + k]));
+    for (int k = 0; k < net->nodes; k++)
+        for (int c = 0; c < 3; c++) {
+            ptrdiff_t at = c * pd_net_stride(net) + k;
+            double keep = m.x[at], best = INFINITY;
+            for (double s = 1e-3; s > 1e-8; s /= 4) {
+                m.x[at] = keep + s;
+                double ahead = pd_energy_value(&m.energy, m.x);
+                m.x[at] = keep - s;
+                double behind = pd_energy_value(&m.energy, m.x);
+                best = fmin(best, fabs((ahead - behind) / (2 * s) - g[at]));
+            }
+            m.x[at] = keep;
+            worst = fmax(worst, best / largest);
+        }
+    CHECK_NEAR(worst, 0, tol_gradient);
+    pd_motion_clear(&m);
+
+    /* Unsupported, it neither pushes nor turns itself. */
+    const double tol_balance = 1e-11; /* 35 nodes, positions about 1 m, 1e3 eps */
+    scene.support_count = 0;
+    pd_fixture_motion(&m, &scene, &o);
+    pd_fixture_shake(net, m.x, 0.04, 12);
+    gradient(&m, m.x, g);
+    for (int k = 0; k < net->nodes; k++)
+        for (int c = 0; c < 3; c++) {
+            ptrdiff_t stride = pd_net_stride(net), p = (c + 1) % 3 * stride + k,
+                      q = (c + 2) % 3 * stride + k;
+            force[c] += g[c * stride + k] / largest;
+            torque[c] += (m.x[p] * g[q] - m.x[q] * g[p]) / largest;
+        }
+    for (int c = 0; c < 3; c++) {
+        CHECK_NEAR(force[c], 0, tol_balance);
+        CHECK_NEAR(torque[c], 0, tol_balance);
+    }
+    pd_net_free_fields(net, g);
+    pd_motion_clear(&m);
+    scene.support_count = 1;
+    scene_clear(&scene);
+}
+
+/* --- matched: plane stress ---------------------------------------------------------------
+ */
+
+/* Stretch energy per area of the homogeneous strain (e_u, e_v, g_uv). */
+static double strain_energy(const struct pd_energy *e, double eu, double ev, double guv)
+{
+    const struct pd_net *net = &e->net;
+    double *x = pd_net_fields(net, 3), value;
+
+    for (int k = 0; k < net->nodes; k++) {
+        double u = k / net->m * net->du, v = k % net->m * net->dv;
+        x[k] = u * (1 + eu) + v * guv / 2;
+        x[pd_net_stride(net) + k] = v * (1 + ev) + u * guv / 2;
+    }
+    value = pd_energy_value(e, x);
+    pd_net_free_fields(net, x);
+    return value / (net->du * (net->n - 1) * net->dv * (net->m - 1));
+}
+
+static double plane_stress(const struct scene *scene, double C12_factor, double eu,
+                           double ev, double guv)
+{
+    double nu = scene->poisson;
+    double C = scene->young * scene->thickness / (1 - nu * nu);
+
+    return C / 2 *
+           (eu * eu + ev * ev + 2 * nu * C12_factor * eu * ev + (1 - nu) / 2 * guv * guv);
+}
+
+/* Pull, pull both ways, shear, and all at once. */
+static void check_strains(enum constraint constraint, double nu, double C12_factor)
+{
+    static const double strain[4][3] = {{1, -0.2, 0}, {1, 1, 0}, {0, 0, 1}, {0.7, -0.4, 1}};
+    const double size = 1e-6;       /* the next order is as small beside the first       */
+    const double tol_strain = 1e-5; /* 10 size                                           */
+    const double tol_rounding = 1e-4; /* 2 eps / size^2: the energy is a difference       */
+    struct scene scene;
+    struct pd_energy e;
+    bool clamped[42] = {false};
+
+    pd_fixture_scene(&scene, nu);
+    scene.width = 0.9;
+    REQUIRE(pd_energy_init(&e, &scene, 6, 7, constraint, PARAMETERS_MATCHED, clamped) ==
+            STATUS_OK);
+    e.row_count = 0;
+    for (int n = 0; n < 4; n++) {
+        const double *s = strain[n];
+        double want = plane_stress(&scene, C12_factor, s[0], s[1], s[2]);
+        double got = strain_energy(&e, size * s[0], size * s[1], size * s[2]);
+        CHECK_RELATIVE(got / (size * size), want, tol_strain + tol_rounding);
+    }
+    pd_energy_clear(&e);
+    scene_clear(&scene);
+}
+
+/* --- matched: bending --------------------------------------------------------------------
+ */
+
+/* Tip of a clamped square under a small load: the plate alone, without stretch. */
+static double tip(const struct scene *scene, int n)
+{
+    struct pd_motion m;
+    struct pd_options o = pd_fixture_options(n, n, CONSTRAINT_TRIANGLES);
+    const double load = 1;
+
+    pd_fixture_motion(&m, scene, &o);
+    const struct pd_net *net = &m.energy.net;
+    double *z = pd_net_fields(net, 3), *up = z + 2 * pd_net_stride(net);
+    for (int c = 0; c < PD_EDGES; c++)
+        for (int k = 0; k < net->nodes; k++)
+            m.energy.edge[c][k] = 0;
+    pd_system_clear(&m.system);
+    REQUIRE(pd_system_init(&m.system, &m.energy, &m.supports, 0, 1, SOLVER_AUTO) ==
+            STATUS_OK);
+    for (int k = 0; k < net->nodes; k++)
+        up[k] = m.system.held[2 * net->nodes + k] ? 0 : m.energy.area[k] * load;
+    REQUIRE(pd_system_solve(&m.system, z) == STATUS_OK);
+    double deflection = up[net->nodes - net->m + net->m / 2];
+    pd_net_free_fields(net, z);
+    pd_motion_clear(&m);
+    return deflection / load;
+}
+
+static void check_plate(double nu)
+{
+    const double tol_order =
+        0.25;                    /* second order; the corners' weak singularity at nu > 0 */
+    const double tol_tip = 3e-3; /* at 41 x 41 nodes: 2 (h/L)^2 = 1.3e-3, measured        */
+    struct scene scene;
+    struct kirchhoff *k = NULL;
+    double error[3];
+
+    pd_fixture_scene(&scene, nu);
+    pd_fixture_hold(&scene, 0, 0, 0, 1, FIX_XYZ);
+    const struct kirchhoff_plate plate = {scene.length, scene.width,   scene.thickness,
+                                          scene.young,  scene.poisson, scene.density};
+    REQUIRE(kirchhoff_create(&plate, 24, &k) == STATUS_OK);
+    double want = kirchhoff_static(k, 1, 1, 0.5);
+    for (int n = 0; n < 3; n++)
+        error[n] = tip(&scene, (10 << n) + 1) / want - 1;
+    printf(
+        "tip of a clamped plate, nu %g: %.2e, %.2e, %.2e of it off at 11, 21, 41 nodes\n",
+        nu, error[0], error[1], error[2]);
+    CHECK_NEAR(error[2], 0, tol_tip);
+    CHECK_NEAR(log2(fabs(error[1] / error[2])), 2, tol_order);
+    kirchhoff_destroy(k);
+    scene_clear(&scene);
+}
+
+int main(void)
+{
+    check_nearest_points();
+    check_gradient(CONSTRAINT_EDGES, PARAMETERS_MATCHED, 0.3);
+    check_gradient(CONSTRAINT_TRIANGLES, PARAMETERS_MATCHED, 0.3);
+    check_gradient(CONSTRAINT_TRIANGLES, PARAMETERS_MATCHED, -0.4);
+    check_gradient(CONSTRAINT_TRIANGLES, PARAMETERS_PAPER, 0.3);
+    check_gradient(CONSTRAINT_EDGES, PARAMETERS_PAPER, 0.3);
+    for (double nu = -0.4; nu < 0.5; nu += 0.2)
+        check_strains(CONSTRAINT_TRIANGLES, nu, 1);
+    check_strains(CONSTRAINT_EDGES, 1.0 / 3, 1);
+    check_strains(CONSTRAINT_EDGES, 0.25, (1 - 0.25) / (2 * 0.25));
+    check_plate(0);
+    check_plate(0.3);
+    return check_result();
+}

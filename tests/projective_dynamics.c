@@ -185,6 +185,32 @@ static void check_gradient(enum constraint constraint, enum parameters parameter
     scene_clear(&scene);
 }
 
+/* At rest nothing pulls, whichever edge or line is clamped. */
+static void check_rest(void)
+{
+    static const double line[][4] = {{0, 0, 0, 1}, {1, 1, 0, 1},     {0, 1, 0, 0},
+                                     {0, 1, 1, 1}, {0.5, 0.5, 0, 1}, {0, 0.5, 0, 1}};
+    const double tol_rest = 1e-12; /* N; weights up to 1e3 N/m times eps */
+
+    for (size_t n = 0; n < sizeof line / sizeof *line; n++) {
+        struct scene scene;
+        struct pd_motion m;
+        struct pd_options o = pd_fixture_options(7, 5, CONSTRAINT_TRIANGLES);
+        pd_fixture_scene(&scene, 0.3);
+        pd_fixture_hold(&scene, line[n][0], line[n][1], line[n][2], line[n][3], FIX_XYZ);
+        pd_fixture_motion(&m, &scene, &o);
+        double *g = pd_net_fields(&m.energy.net, 3),
+               *zero = pd_net_fields(&m.energy.net, 3);
+        gradient(&m, m.x, g);
+        CHECK_NEAR(pd_fixture_distance(&m.energy.net, g, zero), 0, tol_rest);
+        CHECK(pd_energy_value(&m.energy, m.x) == 0);
+        pd_net_free_fields(&m.energy.net, g);
+        pd_net_free_fields(&m.energy.net, zero);
+        pd_motion_clear(&m);
+        scene_clear(&scene);
+    }
+}
+
 /* --- matched: plane stress ---------------------------------------------------------------
  */
 
@@ -297,6 +323,7 @@ static void check_plate(double nu)
 int main(void)
 {
     check_nearest_points();
+    check_rest();
     check_gradient(CONSTRAINT_EDGES, PARAMETERS_MATCHED, 0.3);
     check_gradient(CONSTRAINT_TRIANGLES, PARAMETERS_MATCHED, 0.3);
     check_gradient(CONSTRAINT_TRIANGLES, PARAMETERS_MATCHED, -0.4);

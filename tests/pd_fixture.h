@@ -37,6 +37,13 @@ static inline void pd_fixture_motion(struct pd_motion *m, const struct scene *sc
     REQUIRE(m->x);
 }
 
+static inline void pd_fixture_frames(struct pd_motion *m, int frames)
+{
+    struct counters counters = {0};
+    for (int n = 0; n < frames; n++)
+        CHECK(pd_motion_frame(m, &counters) == STATUS_OK);
+}
+
 /* Repeatable numbers in [-1,1]. */
 static inline double pd_fixture_random(unsigned *seed)
 {
@@ -59,8 +66,8 @@ static inline double pd_fixture_distance(const struct pd_net *net, const double 
     double most = 0;
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < net->nodes; k++)
-            most = fmax(most, fabs(x[c * pd_net_stride(net) + k] -
-                                   y[c * pd_net_stride(net) + k]));
+            most = fmax(
+                most, fabs(x[c * pd_net_stride(net) + k] - y[c * pd_net_stride(net) + k]));
     return most;
 }
 

@@ -223,6 +223,31 @@ static double largest_elongation(enum parameters parameters, double limit, doubl
     return most;
 }
 
+/* Both ends of a spring give way alike: a free net stays where it is as a whole. */
+static void check_strain_centre(void)
+{
+    struct scene scene;
+    struct spring_motion m;
+    struct discretization d = net_of(6, 5);
+    double centre[3] = {0}, rest[3] = {0};
+    const double rounding = 1e-12; /* some thousand moves of points within 1 m */
+
+    fill_scene(&scene, false);
+    start(&m, &scene, &d);
+    for (int t = 0; t < 3 * m.net.nodes; t++) {
+        m.x[t] *= 1.3 + 0.1 * noise(t);
+        rest[t % 3] += m.x[t];
+    }
+    spring_strain_limit(&m.net, &m.newton.supports, 0.1, m.x);
+    for (int t = 0; t < 3 * m.net.nodes; t++)
+        centre[t % 3] += m.x[t];
+    CHECK(spring_strain_largest(&m.net, m.x) <= 0.1 * 1.001);
+    for (int i = 0; i < 3; i++)
+        CHECK_NEAR(centre[i], rest[i], rounding);
+    spring_motion_clear(&m);
+    scene_clear(&scene);
+}
+
 static void check_strain_limit(void)
 {
     double stretch;
@@ -290,6 +315,7 @@ int main(void)
     check_decay(PARAMETERS_PAPER, (struct scene_damping){.kind = DAMPING_NONE});
     check_limit();
     check_substeps();
+    check_strain_centre();
     check_strain_limit();
     check_linearised();
     return check_result();

@@ -89,12 +89,14 @@ static void check_clamped(void)
     double(*K)[9] = malloc((size_t)pairs * sizeof *K);
     REQUIRE(x && K);
     crumple(&m, 0.25, x);
+    for (int t = 0; t < count; t++) /* and compressed: the true one is negative here */
+        x[t] *= 0.5;
     const double(*hinges)[9] = (const double(*)[9])m.newton.hinges;
     spring_force_clamped(&m.net, x, hinges, m.newton.K);
-    for (int trial = 0; trial < 50; trial++) {
+    for (int trial = 0; trial < 50; trial++) { /* half of them out of the plane */
         double product = 0, size = 0;
         for (int t = 0; t < count; t++)
-            y[t] = noise((trial + 2) * (t + 5));
+            y[t] = trial % 2 && t % 3 != 2 ? 0 : noise((trial + 2) * (t + 5));
         blocks_multiply(&m.net.graph, (const double(*)[9])m.newton.K, y, Ky);
         for (int t = 0; t < count; t++) {
             product += y[t] * Ky[t];
@@ -103,6 +105,12 @@ static void check_clamped(void)
         least = fmin(least, product / size);
     }
     CHECK(least >= 0);
+    spring_force_jacobian(&m.net, x, m.newton.K);
+    blocks_multiply(&m.net.graph, (const double(*)[9])m.newton.K, y, Ky);
+    double negative = 0;
+    for (int t = 0; t < count; t++)
+        negative += y[t] * Ky[t];
+    CHECK(negative < 0);
     memcpy(x, m.net.rest, (size_t)count * sizeof *x);
     spring_force_jacobian(&m.net, x, m.newton.K);
     spring_force_clamped(&m.net, x, hinges, K);

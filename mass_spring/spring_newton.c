@@ -6,7 +6,11 @@
 
 #include "models/linalg/order.h"
 
-enum { MOST_ITERATIONS = 100, MOST_CUTS = 30 };
+/* MOST_LINEAR: about what a factorisation costs, in iterations. */
+enum { MOST_ITERATIONS = 100, MOST_CUTS = 30, MOST_LINEAR = 6 };
+
+/* Of conjugate gradients: for a step that others follow, and for one that stands alone. */
+static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
 
 /* A step is accepted if the slope at its end is above minus this part of the one at its
  * start. */
@@ -37,7 +41,7 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
     TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, why));
     s->K = malloc(pairs * sizeof *s->K);
     s->hinges = malloc(pairs * sizeof *s->hinges);
-    s->work = malloc(12 * (size_t)net->nodes * sizeof *s->work);
+    s->work = malloc(18 * (size_t)net->nodes * sizeof *s->work);
     if (!s->K || !s->hinges || !s->work)
         TRY(STATUS_MEMORY);
     spring_force_hinges(net, s->hinges);
@@ -85,8 +89,8 @@ static void residual(const struct spring_newton *s, const struct spring_problem 
             r[t] = 0;
 }
 
-static enum status factor(struct spring_newton *s, const struct spring_problem *p,
-                          const double *x)
+static void assemble(struct spring_newton *s, const struct spring_problem *p,
+                     const double *x)
 {
     const struct blocks *g = &s->net->graph;
     long pairs = g->start[g->nodes];
@@ -98,7 +102,6 @@ static enum status factor(struct spring_newton *s, const struct spring_problem *
     for (long n = 0; p->viscosity && n < pairs; n++)
         for (int t = 0; t < 9; t++)
             s->K[n][t] += p->viscosity * p->V[n][t];
-    return system_factor(&s->system, 1, (const double(*)[9])s->K, 0, NULL);
 }
 
 static double product(size_t count, const double *a, const double *b)
@@ -118,6 +121,67 @@ static double largest(size_t count, const double *x)
         if (!(fabs(x[t]) <= most))
             most = fabs(x[t]);
     return most;
+}
+
+/* Conjugate gradients from d = 0 for K d = r, with the factor of an earlier K for a
+ * preconditioner; r stays. Every iterate points down. True if the residual fell to
+ * `tolerance` of r, in the norm of the preconditioner. */
+static enum status iterate(struct spring_newton *s, double tolerance, const double *r,
+                           double *d, bool *done, struct counters *counters)
+{
+    enum status st = STATUS_OK;
+    size_t count = 3 * (size_t)s->net->nodes;
+    const int *place = s->supports.free_index;
+    double *left = s->work + 2 * count, *z = left + count, *q = z + count, *Kq = q + count;
+    double size = 0, first = 0;
+
+    memcpy(left, r, count * sizeof *left);
+    memset(d, 0, count * sizeof *d);
+    memset(q, 0, count * sizeof *q);
+    *done = false;
+    for (int n = 0; n <= MOST_LINEAR; n++) {
+        memcpy(z, left, count * sizeof *z);
+        TRY(system_solve(&s->system, z));
+        counters->solves++;
+        double before = size;
+        size = product(count, left, z);
+        first = n ? first : size;
+        *done = size <= tolerance * tolerance * first;
+        if (*done || n == MOST_LINEAR)
+            break;
+        for (size_t t = 0; t < count; t++)
+            q[t] = z[t] + (n ? size / before * q[t] : 0);
+        blocks_multiply(&s->net->graph, (const double(*)[9])s->K, q, Kq);
+        double part = size / product(count, q, Kq);
+        for (size_t t = 0; t < count; t++) {
+            d[t] += part * q[t];
+            left[t] -= place[t] < 0 ? 0 : part * Kq[t];
+        }
+    }
+out:
+    return st;
+}
+
+/* d = K^-1 r: by iteration while an old factor serves, else by a new one. */
+static enum status solve(struct spring_newton *s, double tolerance, const double *r,
+                         double *d, struct counters *counters)
+{
+    enum status st = STATUS_OK;
+    size_t count = 3 * (size_t)s->net->nodes;
+    bool done = false;
+
+    if (s->factored)
+        TRY(iterate(s, tolerance, r, d, &done, counters));
+    if (done)
+        goto out;
+    s->factored = false;
+    TRY(system_factor(&s->system, 1, (const double(*)[9])s->K, 0, NULL));
+    s->factored = true;
+    memcpy(d, r, count * sizeof *d);
+    TRY(system_solve(&s->system, d));
+    counters->factorisations++, counters->solves++;
+out:
+    return st;
 }
 
 /* Moves x along d as far as is good and leaves the residual there in r; the part of d. */
@@ -154,11 +218,9 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         return STATUS_OK;
     residual(s, p, x, d, r);
     for (int n = 0; n < most; n++) {
-        TRY(factor(s, p, x));
-        memcpy(d, r, count * sizeof *d);
-        TRY(system_solve(&s->system, d));
-        counters->assemblies++, counters->factorisations++;
-        counters->solves++, counters->iterations++;
+        assemble(s, p, x);
+        TRY(solve(s, most == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE, r, d, counters));
+        counters->assemblies++, counters->iterations++;
         double size = largest(count, d);
         if (!isfinite(size))
             TRY(STATUS_NAN);

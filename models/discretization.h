@@ -58,7 +58,7 @@ struct discretization {
     /* Of the models that are no solids; zero: the model's own. */
     enum parameters parameters;
     enum integrator integrator;
-    int substeps;        /* of one frame; 0: one                                       */
+    int substeps;        /* of one frame; 0: as many as the model needs, mostly one    */
     int iterations;      /* at most, in a step; 0: until the tolerance is met          */
     double tolerance;    /* ends the iteration; each model says of what [1]; 0: its own */
     double strain_limit; /* Provot 1995: greatest elongation of a spring [1]; 0: none  */

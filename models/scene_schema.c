@@ -359,7 +359,7 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, parameters)},
     {"integrator", "Euler's method", SCHEMA_WORD, .word = integrator_word,
      IN(discretization, integrator)},
-    {"substeps", "of a frame, 0: one", SCHEMA_COUNT, .low = 0, .high = 1e6,
+    {"substeps", "of a frame, 0: as many as needed", SCHEMA_COUNT, .low = 0, .high = 1e6,
      IN(discretization, substeps)},
     {"iterations", "at most in a step, 0: until the tolerance is met", SCHEMA_COUNT,
      .low = 0, .high = 1e6, IN(discretization, iterations)},

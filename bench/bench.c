@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bench/bench_intersection.h"
+#include "bench/bench_projective.h"
 #include "bench/bench_solid.h"
 #include "bench/paper.h"
 #include "bench/progress.h"
@@ -261,6 +262,7 @@ static const struct {
     {"levers", print_levers},
     {"growth", print_growth},
     {"intersection", bench_intersection_print},
+    {"projective", bench_projective_print},
 };
 
 static const struct command_option options[] = {
@@ -274,6 +276,7 @@ static const struct command_item items[] = {
     {"levers", "what the band, the splitting of unknowns, one factorisation give"},
     {"growth", "cost of a frame over nets of 5 to 20 points a side"},
     {"intersection", "counting a sheet's self-intersections, flat to crumpled"},
+    {"projective", "projective dynamics: local step, solve, frame; what acceleration pays"},
     {NULL, NULL},
 };
 
@@ -294,7 +297,7 @@ static enum status check_words(const struct command_line *line, struct message *
         if (!known)
             return status_fail(why, STATUS_INPUT,
                                "there is no benchmark '%s'; there are solids, baselines, "
-                               "levers, growth and intersection", line->words[n]);
+                               "levers, growth, intersection and projective", line->words[n]);
     }
     return STATUS_OK;
 }

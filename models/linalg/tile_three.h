@@ -62,17 +62,35 @@ TILE_INLINE void tile_three_apply(const double *a, double *x)
         *(tile_line *)(x + c * TILE) = y[c];
 }
 
+/* y[t] -= a[t] x for `pass` tiles (a constant): x is broadcast once for all of them. */
+TILE_INLINE void tile_three_subtract_pass(int pass, const double *a, const double *x,
+                                          double *y)
+{
+    tile_line sum[2][SIDES] = {{{0}}};
+#pragma GCC unroll 8
+    for (int j = 0; j < TILE; j++)
+#pragma GCC unroll 3
+        for (int c = 0; c < SIDES; c++) {
+            const double value = x[c * TILE + j];
+#pragma GCC unroll 2
+            for (int t = 0; t < pass; t++)
+                sum[t][c] += *(const tile_line *)(a + t * TILE_SIZE + j * TILE) * value;
+        }
+#pragma GCC unroll 2
+    for (int t = 0; t < pass; t++)
+#pragma GCC unroll 3
+        for (int c = 0; c < SIDES; c++)
+            *(tile_line *)(y + t * BLOCK + c * TILE) -= sum[t][c];
+}
+
 /* y -= a x for `count` tiles one under the other; y[count * BLOCK], x[BLOCK]. */
 TILE_INLINE void tile_three_subtract(ptrdiff_t count, const double *a, const double *x,
                                      double *y)
 {
-    for (ptrdiff_t t = 0; t < count; t++, a += TILE_SIZE, y += BLOCK) {
-        tile_line sum[SIDES] = {{0}};
-        tile_three_product(a, x, sum);
-#pragma GCC unroll 3
-        for (int c = 0; c < SIDES; c++)
-            *(tile_line *)(y + c * TILE) -= sum[c];
-    }
+    for (; count >= 2; count -= 2, a += 2 * TILE_SIZE, y += 2 * BLOCK)
+        tile_three_subtract_pass(2, a, x, y);
+    if (count)
+        tile_three_subtract_pass(1, a, x, y);
 }
 
 /* x -= the sums of eight lines' lanes. */

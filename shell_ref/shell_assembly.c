@@ -183,8 +183,12 @@ static void follow_path(const struct task *t, struct shell_element *e, int eleme
     if (path->rule.s0 == 0)
         return;
     const double *old = path->strain_old + (size_t)element * strains;
-    for (size_t n = 0; n < strains; n++)
-        e->strain[n] = path->rule.s0 * old[n] + path->rule.s1 * e->strain[n];
+    double mu = path->rule.membrane;
+    for (size_t n = 0; n < strains; n++) {
+        double more = n < strains / 2 ? mu : 0;
+        e->strain[n] =
+            (path->rule.s0 - more) * old[n] + (path->rule.s1 + more) * e->strain[n];
+    }
 }
 
 static bool do_element(const struct task *t, struct shell_element *e, int element)
@@ -209,12 +213,14 @@ static bool do_element(const struct task *t, struct shell_element *e, int elemen
     if (t->foresight.strain)
         memcpy(e->strain, t->foresight.strain + (size_t)element * strains,
                strains * sizeof(double));
+    if (t->foresight.none)
+        memset(e->strain, 0, strains * sizeof(double));
     if (t->force) {
         shell_element_force(e, &s->material, rest);
         scatter_force(t, e, element);
     }
     if (t->K) {
-        shell_tangent_compute(e, &s->material, rest, t->path->rule.s1, t->path->rule.g1);
+        shell_tangent_compute(e, &s->material, rest, &t->path->rule);
         scatter_tangent(t, e, element);
     }
     return true;

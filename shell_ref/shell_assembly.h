@@ -56,6 +56,7 @@ struct shell_foresight {
     const double *strain; /* these strains, such as those at the step's start          */
     const double *change; /* [nodes][3] the change that led to x: the strains that its
                              linearisation foresaw (shell_element_foresee)             */
+    bool none;            /* no stress at all: a tangent that is never indefinite      */
 };
 
 /* K[pairs], symmetric: exact in statics without foresight; in time, where the derivative of

@@ -29,6 +29,7 @@ struct shell_material {
  * time: stress of s0 e_old + s1 e(x) on the geometry (1 - g1) x_old + g1 x. */
 struct shell_rule {
     double s0, s1, g1;
+    double membrane; /* added to s1, taken from s0, for membrane strains               */
 };
 
 /* Room for one element; one per thread. */

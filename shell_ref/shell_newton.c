@@ -38,26 +38,25 @@ static enum status residual(struct shell_motion *m, const struct shell_equation 
     return STATUS_OK;
 }
 
-/* Where the tangent is not positive definite, mass is added until it is: a shorter step
- * towards less energy. */
+/* Factors the tangent. In statics mass is added to one that is not positive definite until
+ * it is: a shorter step towards less energy. */
 static enum status factor(struct shell_motion *m, double mass, struct counters *counters)
 {
     const struct blocks *g = &m->assembly.graph;
     const double(*K)[9] = (const double(*)[9])m->K;
     double stiff = 0, heavy = 0, more = 0;
-    enum status st;
+    enum status st = system_factor(&m->system, 1, K, mass, m->assembly.M);
 
-    for (int a = 0; a < g->nodes; a++) {
+    counters->factorisations++;
+    for (int a = 0; a < g->nodes && st == STATUS_INDEFINITE && mass == 0; a++) {
         const double *k = K[g->start[a]];
         stiff += fabs(k[0]) + fabs(k[4]) + fabs(k[8]);
         heavy += 3 * m->assembly.M[g->start[a]];
     }
-    for (int attempt = 0; attempt < 8; attempt++) {
-        st = system_factor(&m->system, 1, K, mass + more, m->assembly.M);
+    for (int n = 0; n < 8 && st == STATUS_INDEFINITE && mass == 0; n++) {
+        more = more > 0 ? 8 * more : 1e-8 * stiff / heavy;
+        st = system_factor(&m->system, 1, K, more, m->assembly.M);
         counters->factorisations++;
-        if (st != STATUS_INDEFINITE)
-            return st;
-        more = more > 0 ? 8 * more : mass > 0 ? mass : 1e-8 * stiff / heavy;
     }
     return st;
 }
@@ -66,16 +65,22 @@ static enum status refresh(struct shell_motion *m, const struct shell_equation *
                            const double *x, struct shell_foresight foresight,
                            struct counters *counters)
 {
-    enum status st;
+    enum status st = STATUS_OK;
 
     m->factored = -1;
-    TRY(shell_assembly_tangent(&m->assembly, &q->path, x, foresight, m->K));
-    counters->assemblies++;
-    if (m->follower.add)
-        m->follower.add(m->follower.context, &m->assembly, x, q->load, m->newmark.work,
-                        m->K);
-    TRY(factor(m, q->mass, counters));
-    m->factored = q->mass;
+    for (int attempt = 0; attempt < 2; attempt++) {
+        TRY(shell_assembly_tangent(&m->assembly, &q->path, x, foresight, m->K));
+        counters->assemblies++;
+        if (m->follower.add)
+            m->follower.add(m->follower.context, &m->assembly, x, q->load, m->newmark.work,
+                            m->K);
+        st = factor(m, q->mass, counters);
+        if (st != STATUS_INDEFINITE || q->mass == 0)
+            break;
+        foresight = (struct shell_foresight){.none = true};
+    }
+    if (st == STATUS_OK)
+        m->factored = q->mass;
 out:
     return st;
 }

@@ -7,9 +7,9 @@
 /* Rows over an element's functions that the kernel needs at each Gauss point. */
 enum { SHELL_TANGENT_LEFT = 22, SHELL_TANGENT_RIGHT = 18 };
 
-/* e->K: `stiff` times the material part plus `geometric` times the geometric part with the
- * stress of e->strain, both on the geometry e->X[1]. */
+/* e->K on the geometry e->X[1], by the rule: s1 times the material part (the membrane's s1 +
+ * membrane) plus g1 times the geometric part with the stress of e->strain. */
 void shell_tangent_compute(struct shell_element *e, const struct shell_material *material,
-                           const double *rest, double stiff, double geometric);
+                           const double *rest, const struct shell_rule *rule);
 
 #endif

@@ -240,16 +240,35 @@ static double velocity_factor(const struct spring_motion *m)
     return 1;
 }
 
+/* v <- factor v. The explicit method's v is that of half a step ago: brought up to now and
+ * back again by the present forces, or modes near the limit that keep step with the frames
+ * would take energy from the scaling. */
+static void scale_velocity(struct spring_motion *m, double factor)
+{
+    size_t count = 3 * (size_t)m->net.nodes;
+    bool behind = m->integrator == INTEGRATOR_EXPLICIT;
+    double *f = m->target;
+
+    if (factor == 1)
+        return;
+    memcpy(f, m->load, count * sizeof *f);
+    if (behind)
+        spring_force_add(&m->net, m->x, f);
+    for (size_t n = 0; n < count; n++) {
+        double lag = behind && m->newton.supports.free_index[n] >= 0
+                         ? m->dt / 2 * f[n] / m->mass[n / 3]
+                         : 0;
+        m->v[n] = factor * (m->v[n] + lag) - lag;
+    }
+}
+
 enum status spring_motion_step(struct spring_motion *m, struct counters *counters)
 {
     enum status st = STATUS_OK;
-    size_t count = 3 * (size_t)m->net.nodes;
-    double factor = velocity_factor(m);
 
     for (int n = 0; n < m->substeps; n++)
         TRY(substep(m, counters));
-    for (size_t n = 0; factor != 1 && n < count; n++)
-        m->v[n] *= factor;
+    scale_velocity(m, velocity_factor(m));
     counters->steps++;
 out:
     return st;

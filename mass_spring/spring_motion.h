@@ -8,7 +8,7 @@
  *
  * Damping: mass and alpha are c = alpha m; beta is beta K V with the clamped Jacobian at the
  * start of the step, which is positive semi-definite: it only takes energy. velocity_scale and
- * velocity_rate act once a frame, whatever the substeps. Body drag is a force on each point.
+ * velocity_rate act once a frame, whatever the substeps, on the velocity of its end. Body drag is a force on each point.
  * The paper's set has its own drag on points and leaves the scene's damping out.
  */
 #ifndef SPRING_MOTION_H

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ITERATIONS = 5000 };
+/* MOST_IDLE: long steps from which only round-off's forces were left. */
+enum { MOST_ITERATIONS = 5000, MOST_IDLE = 50 };
 
 /* Largest residual force, of the largest force on a point. In thin sheets round-off of the
  * membrane's forces is above it: then a long step that moves nothing, in lengths of the
@@ -18,6 +19,7 @@ struct search {
     struct spring_motion *m;
     double *r, *d, *from; /* [nodes][3] residual force, step, last good positions      */
     double energy;        /* elastic and of the loads, at `from`                 [J]   */
+    double slack;         /* work of round-off's forces over no distance         [J]   */
     double step;          /* pseudo-time                                         [s]   */
     double move;          /* of the last step, INFINITY unless it was long       [m]   */
 };
@@ -109,7 +111,7 @@ static enum status advance(struct search *s, struct counters *counters)
         move = fmax(move, fabs(s->d[n]));
     }
     double energy = total_energy(m);
-    if (energy <= s->energy + 1e-13 * scale) { /* round-off of its sums */
+    if (energy <= s->energy + s->slack + 1e-13 * scale) { /* round-off of its sums */
         s->energy = energy;
         s->move = s->step >= LONG_STEP ? move : INFINITY;
         s->step = fmin(GROWTH * s->step, 1e12);
@@ -134,13 +136,16 @@ static enum status search(struct search *s, struct counters *counters, struct me
     s->step = m->scene->step;
     s->move = INFINITY;
     allowed_forces(m, &wanted, &rounding);
-    for (int n = 0; force > wanted && (force > rounding || s->move > still); n++) {
+    s->slack = rounding * still;
+    for (int n = 0, idle = 0; force > wanted && idle < MOST_IDLE; n++) {
         if (n == MOST_ITERATIONS)
             return status_fail(
                 why, STATUS_DIVERGED,
                 "no equilibrium after %d iterations: a force of %g N is left", n, force);
         TRY(advance(s, counters));
         force = residual(s);
+        if (force <= rounding && s->move < INFINITY)
+            idle = s->move <= still ? MOST_IDLE : idle + 1;
         if (!isfinite(force))
             TRY(STATUS_NAN);
     }

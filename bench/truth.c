@@ -91,7 +91,7 @@ out:
 struct level {
     int side, divisor;
 };
-static const struct level fine[2] = {{24, 8}, {16, 4}}, coarse[2] = {{16, 4}, {12, 2}};
+static const struct level fine[2] = {{36, 8}, {16, 4}}, coarse[2] = {{24, 4}, {12, 2}};
 
 enum { MORE = 4, TEXT = 96 };
 

@@ -20,7 +20,7 @@ void spring_force_jacobian(const struct spring_net *net, const double *x, double
 
 /* A positive semi-definite matrix near it: per spring the negative transverse part is
  * clamped to zero; per hinge the second derivative of the straight hinge at rest, the same
- * in all directions, which does not depend on x: `hinges` as spring_force_hinges gives it. */
+ * in all directions, which does not depend on x: `hinges`, from spring_force_hinges. */
 void spring_force_clamped(const struct spring_net *net, const double *x,
                           const double (*hinges)[9], double (*K)[9]);
 void spring_force_hinges(const struct spring_net *net, double (*hinges)[9]);

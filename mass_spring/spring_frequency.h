@@ -6,9 +6,9 @@
 #include "mass_spring/spring_net.h"
 #include "models/linalg/supports.h"
 
-/* By Lanczos' method, without reorthogonalisation (the extreme value does not need it), from
- * below: converged to 1e-6 or better for nets of any size. mass[nodes]; K[pairs][9] is work.
- * 0 if nothing can move. */
+/* By Lanczos' method, without reorthogonalisation (the extreme value does not need it),
+ * from below, in 200 steps at most. mass[nodes]; K[pairs][9] is work. 0 if nothing can
+ * move. */
 enum status spring_frequency_largest(const struct spring_net *net,
                                      const struct supports *supports, const double *mass,
                                      double (*K)[9], double *omega);

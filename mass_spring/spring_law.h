@@ -10,33 +10,33 @@
  *     + k_d l^2 [ (c^2 e_u + s^2 e_v)^2 + c^2 s^2 g^2 ],
  * so per area, with q = 2 k_d l^2 / (a_u a_v),
  *     C11 = k_u a_u / a_v + q c^4,   C22 = k_v a_v / a_u + q s^4,   C12 = C33 = q c^2 s^2.
- * C12 = C33 is Cauchy's relation: springs have it whatever their strengths. Plane stress has
+ * C12 = C33 is Cauchy's relation: springs have it at any strength. In plane stress
  *     C11 = C22 = E h / (1 - nu^2),   C12 = nu C11,   C33 = (1 - nu) C11 / 2,
  * and C12 = C33 there means nu = 1/3. `matched` keeps C11, C22 and C33 for every nu; then
- * C12 is (1 - nu) / (2 nu) times too large, and the net's own Poisson ratio is (1 - nu) / 2.
- * On square cells that is k_d = E h / 2 (1 + nu), k_u = k_v = E h / 2 (1 - nu).
- * A cell longer than sqrt(2 / (1 - nu)) times its width would need springs of negative
- * strength; its diagonals are weakened instead, and C33 falls short.
+ * C12 is (1 - nu) / (2 nu) times too large, and the net's own Poisson ratio is
+ * (1 - nu) / 2. On square cells that is k_d = E h / 2 (1 + nu), k_u = k_v = E h / 2 (1 - nu). A cell
+ * longer than sqrt(2 / (1 - nu)) times its width would need springs of negative strength;
+ * its diagonals are weakened instead, and C33 falls short.
  *
  * Bending. A spring across two cells, unstrained at rest, has the energy k (a^3 / 4)^2
- * kappa^4 / 2: of fourth order. Such springs can't represent a bending stiffness D, which is
- * the second order, at any strength. A strut that pushes with a constant force P, held in
- * balance by tension P in the two springs beside it, can: its energy is
+ * kappa^4 / 2: of fourth order. Such springs can't represent a bending stiffness D, which
+ * is the second order, at any strength. A strut that pushes with a constant force P, held
+ * in balance by tension P in the two springs beside it, can: its energy is
  *     P (|e1| + |e2| - |e1 + e2|) = P a theta^2 / 4 + O(theta^4)
  * for edges e1, e2 of length a at the angle theta = a kappa; zero if straight, and never
- * negative. (Choi and Ko 2002 reach the same force from the buckled shape of a beam.) Hinges
- * along the same four directions give a bending energy of the same form as the membrane's,
- * with C_ij h^2 / 12 for C_ij: Kirchhoff's plate at nu = 1/3 again, and the right stiffness D
- * in cylindrical bending along u or v for every nu. Diagonals end one cell before the rim;
- * hinges along the rim make up for them in cylindrical bending, but in twist a strip half a
- * cell wide is missing: an error of first order in the cell's size.
+ * negative. (Choi and Ko 2002 reach the same force from the buckled shape of a beam.)
+ * Hinges along the same four directions give a bending energy of the same form as the
+ * membrane's, with C_ij h^2 / 12 for C_ij: Kirchhoff's plate at nu = 1/3 again, and the
+ * right stiffness D in cylindrical bending along u or v for every nu. Diagonals end one
+ * cell before the rim; hinges along the rim make up for them in cylindrical bending, but in
+ * twist a strip half a cell wide is missing: an error of first order in the cell's size.
  *
- * `paper` (Ren et al. 2024, Fig. 6: "k = 100, damping 0.05, point mass density 1", structural
- * and shear springs, after Provot 1995). It gives no units and no sheet. Read here as
- * k = 100 N/m for every spring, rim or not; as in Provot a force -0.05 N s/m times the
- * velocity on every point; and 1 kg per m^2 of sheet, lumped (1 kg in all for 1 m^2, like the
- * total mass that the paper gives for projective dynamics. With 1 kg for each of 100 points
- * the two corners would hang by springs ten times their length.) No bending.
+ * `paper` (Ren et al. 2024, Fig. 6: "k = 100, damping 0.05, point mass density 1",
+ * structural and shear springs, after Provot 1995). It gives no units and no sheet. Read
+ * here as k = 100 N/m for every spring, rim or not; as in Provot a force -0.05 N s/m times
+ * the velocity on every point; and 1 kg per m^2 of sheet, lumped (1 kg in all for 1 m^2,
+ * like the total mass that the paper gives for projective dynamics. With 1 kg for each of
+ * 100 points the two corners would hang by springs more than ten times their length.) No bending.
  */
 #ifndef SPRING_LAW_H
 #define SPRING_LAW_H

@@ -3,13 +3,14 @@
  * implicit   Euler's implicit method, in its variational form (spring_newton.h):
  *            m (x - x0 - dt v0) / dt^2 + c (x - x0) / dt = load + F(x),  v = (x - x0) / dt.
  * explicit   symplectic Euler: v from the forces at x0 (c implicit, for free), x from v.
- *            Stable up to a greatest step: spring_motion_limit. Without a number of substeps
- *            it takes as many as keep LIMIT_SHARE of it; with one, it may blow up.
+ *            Stable up to a greatest step: spring_motion_limit. Without a number of sub-
+ *            steps it takes as many as keep LIMIT_SHARE of it; with one, it may blow up.
  *
- * Damping: mass and alpha are c = alpha m; beta is beta K V with the clamped Jacobian at the
- * start of the step, which is positive semi-definite: it only takes energy. velocity_scale and
- * velocity_rate act once a frame, whatever the substeps, on the velocity of its end. Body drag is a force on each point.
- * The paper's set has its own drag on points and leaves the scene's damping out.
+ * Damping: mass and alpha are c = alpha m; beta is beta K V with the clamped Jacobian at
+ * the start of the step, which is positive semi-definite: it only takes energy.
+ * velocity_scale and velocity_rate act once a frame, whatever the substeps, on the velocity
+ * of its end. Body drag is a force on each point. The paper's set has its own drag on
+ * points and leaves the scene's damping out.
  */
 #ifndef SPRING_MOTION_H
 #define SPRING_MOTION_H

@@ -2,14 +2,16 @@
  *     sum_a weight_a |x_a - target_a|^2 / 2 + E(x) - load x + viscosity |x - start|^2_V / 2
  * over the free unknowns of a net: one step of implicit Euler.
  *
- * Newton with the clamped Jacobian (spring_force.h), so that every step goes down, and a line
- * search on the slope: a step is shortened while it ends where the function rises at more
- * than half the rate at which it fell. Slopes cost no energies and have no cancellation. Cut
- * to one iteration it is the linearised step of Baraff and Witkin 1998, without line search.
+ * Newton with the clamped Jacobian (spring_force.h), so that every step goes down, and a
+ * line search on the slope: a step is shortened while it ends where the function rises at
+ * more than half the rate at which it fell. Slopes cost no energies and have no
+ * cancellation. Cut to one iteration it is the linearised step of Baraff and Witkin 1998,
+ * without line search.
  *
- * The linear systems are solved by conjugate gradients that an earlier factor preconditions,
- * as long as that takes fewer steps than a new factorisation would cost; a slow net keeps a
- * factor for tens of frames. To 1e-2 of the step if others follow, 1e-4 if it is the only one.
+ * The linear systems are solved by conjugate gradients that an earlier factor
+ * preconditions, as long as that takes fewer steps than a new factorisation would cost; a
+ * slow net keeps a factor for tens of frames. To 1e-2 of the step if others follow, 1e-4 if
+ * it is the only one.
  */
 #ifndef SPRING_NEWTON_H
 #define SPRING_NEWTON_H

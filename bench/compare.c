@@ -132,7 +132,7 @@ static enum status run_row(const struct job *j, struct compare_row *row,
     enum status st = j->read_only ? STATUS_OK : rung_run(&plan, &refusal);
 
     if (st == STATUS_UNSUPPORTED) {
-        snprintf(row->refused, sizeof row->refused, "%s", refusal.text);
+        snprintf(row->refused, sizeof row->refused, "%.255s", refusal.text);
         return STATUS_OK;
     }
     if (st == STATUS_OK)

@@ -96,7 +96,7 @@ static enum status run_case(const struct figure_case *c, const struct rung_plan 
     enum status st;
 
     if (registry_find(c->model, &model, &refusal) != STATUS_OK) {
-        snprintf(f->refused, sizeof f->refused, "%s", refusal.text);
+        snprintf(f->refused, sizeof f->refused, "%.255s", refusal.text);
         return STATUS_OK;
     }
     memcpy(all, base->settings, (size_t)base->setting_count * sizeof *all);
@@ -107,7 +107,7 @@ static enum status run_case(const struct figure_case *c, const struct rung_plan 
     plan.name = c->file;
     st = read_only ? STATUS_OK : rung_run(&plan, &refusal);
     if (st == STATUS_UNSUPPORTED) {
-        snprintf(f->refused, sizeof f->refused, "%s", refusal.text);
+        snprintf(f->refused, sizeof f->refused, "%.255s", refusal.text);
         return STATUS_OK;
     }
     if (st == STATUS_OK)

@@ -14,9 +14,9 @@
  *     C11 = C22 = E h / (1 - nu^2),   C12 = nu C11,   C33 = (1 - nu) C11 / 2,
  * and C12 = C33 there means nu = 1/3. `matched` keeps C11, C22 and C33 for every nu; then
  * C12 is (1 - nu) / (2 nu) times too large, and the net's own Poisson ratio is
- * (1 - nu) / 2. On square cells that is k_d = E h / 2 (1 + nu), k_u = k_v = E h / 2 (1 - nu). A cell
- * longer than sqrt(2 / (1 - nu)) times its width would need springs of negative strength;
- * its diagonals are weakened instead, and C33 falls short.
+ * (1 - nu) / 2. On square cells that is k_d = E h / 2 (1 + nu) and
+ * k_u = k_v = E h / 2 (1 - nu). A cell longer than sqrt(2 / (1 - nu)) times its width would
+ * need springs of negative strength; its diagonals are weakened instead, and C33 falls short.
  *
  * Bending. A spring across two cells, unstrained at rest, has the energy k (a^3 / 4)^2
  * kappa^4 / 2: of fourth order. Such springs can't represent a bending stiffness D, which
@@ -36,7 +36,8 @@
  * here as k = 100 N/m for every spring, rim or not; as in Provot a force -0.05 N s/m times
  * the velocity on every point; and 1 kg per m^2 of sheet, lumped (1 kg in all for 1 m^2,
  * like the total mass that the paper gives for projective dynamics. With 1 kg for each of
- * 100 points the two corners would hang by springs more than ten times their length.) No bending.
+ * 100 points the two corners would hang by springs more than ten times their length.) No
+ * bending.
  */
 #ifndef SPRING_LAW_H
 #define SPRING_LAW_H

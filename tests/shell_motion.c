@@ -3,14 +3,16 @@
  * refusals. */
 #include "tests/shell_sheet.h"
 
-/* Mid-point rule on v' = -g - r v: phase error (r dt)^2 / 12 of the terminal velocity's
- * distance, r = 5 / s, dt = 5 ms. */
-static const double FALL = 6e-5;
-/* The damped sheet of 0.4 Hz has e^-12 of its swing left; measured 4e-6. */
-static const double AT_REST = 1e-4;
-/* Newton's tolerance, 1e-7 L a step, against a swing of 1e-3 L: the two kinematics are one
- * rule there, but for the square of the slope. */
-static const double SMALL_SWING = 1e-3;
+/* Mid-point rule on v' = -g - r v: an error (r dt)^2/12 of the rate, r t (r dt)^2/12 e^-rt
+ * of the way, is 2.4e-8 of v_end / r at r = 5 / s, dt = 5 ms, t = 2 s. */
+static const double FALL = 1e-8;
+/* Mass damping of 8 / s leaves e^-16 of a swing, but average acceleration (linear) damps
+ * modes far above 1/dt hardly at all: the path's kinks leave 1e-4 m of ringing in the
+ * sheet's plane. Nonlinear, with the membrane's lag: 3e-6, in bending. */
+static const double AT_REST[] = {[KINEMATICS_LINEAR] = 2e-4, [KINEMATICS_NONLINEAR] = 1e-5};
+/* Slopes of 1e-4 differ by their square between the kinematics, which then are one rule;
+ * measured 2e-9. */
+static const double SMALL_SWING = 1e-7;
 /* Newton's tolerance in equilibrium sets the sheet moving by as much. */
 static const double STILL = 1e-6;
 
@@ -98,9 +100,9 @@ static void check_moved_edge(enum kinematics kinematics)
         CHECK_NEAR(by[2], 0.1, 1e-12);
     }
     sheet_moved(&s, 1, 1, by);
-    CHECK_NEAR(by[0], 0, AT_REST);
-    CHECK_NEAR(by[1], 0.05, AT_REST);
-    CHECK_NEAR(by[2], 0.1, AT_REST);
+    CHECK_NEAR(by[0], 0, AT_REST[kinematics]);
+    CHECK_NEAR(by[1], 0.05, AT_REST[kinematics]);
+    CHECK_NEAR(by[2], 0.1, AT_REST[kinematics]);
     sheet_clear(&s);
 }
 
@@ -143,11 +145,7 @@ static void check_damping(void)
         double linear = small_tip(KINEMATICS_LINEAR, kind[n]);
         double nonlinear = small_tip(KINEMATICS_NONLINEAR, kind[n]);
         CHECK(linear < -1e-5 && fabs(linear - last) > 1e-3 * fabs(linear)); /* it matters */
-        if (n <
-            3) /* with scaled velocities Newmark's accelerations are not the mid-point's */
-            CHECK_RELATIVE(nonlinear, linear, SMALL_SWING);
-        else
-            CHECK_RELATIVE(nonlinear, linear, 0.2);
+        CHECK_RELATIVE(nonlinear, linear, SMALL_SWING);
         last = linear;
     }
 }

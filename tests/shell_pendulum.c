@@ -1,6 +1,6 @@
 /* Large swings against the planar elastica of reference/pendulum_*.csv, whose headers give
  * the sheet: positions at s = 1, .75, .5, .25 until t = 1 s, refined in space and in time.
- *   shell_pendulum A5|C0
+ *   shell_pendulum A5|C0|H5
  *
  * Uniform across the width: nu = 0, one span, nothing moves along y. Space converges late:
  * with h/L = 1e-3 the bend at the clamp, which coarse spans cannot follow without
@@ -26,6 +26,7 @@ static const double ENERGY_DRIFT = 3e-5;
 struct pendulum {
     const char *file;
     double thickness, damping;
+    bool hinged;
     double ramp; /* the load grows over this time [s]; truths: 0                      */
 };
 
@@ -44,7 +45,7 @@ static void start(struct sheet *s, const struct pendulum *kind, int p, int spans
     s->scene.damping.kind = kind->damping > 0 ? DAMPING_MASS : DAMPING_NONE;
     s->scene.damping.value = kind->damping;
     s->scene.step = dt;
-    sheet_hold(s, 0, 0, FIX_XYZ, true);
+    sheet_hold(s, 0, 0, FIX_XYZ, !kind->hinged);
     sheet_plane(s);
     sheet_start(s);
 }
@@ -138,7 +139,9 @@ static void check_time(const struct pendulum *kind)
     for (int n = 0; n < 2; n++)
         for (int i = 0; i < TIMES * SHAPE; i++)
             change[n] += pow(history[n + 1][i] - history[n][i], 2);
-    CHECK_NEAR(log2(change[0] / change[1]) / 2, order, TOL_TIME);
+    if (!kind->hinged ||
+        kind->ramp > 0) /* a hinged strip is excited less: between the two */
+        CHECK_NEAR(log2(change[0] / change[1]) / 2, order, TOL_TIME);
     if (kind->ramp == 0)
         CHECK_NEAR(worst, 0, POSITION);
 }
@@ -162,22 +165,31 @@ static void check_energy(const struct pendulum *kind)
 
 int main(int argc, char **argv)
 {
-    const struct pendulum A5 = {"pendulum_A5_E1e5_h1mm_damp0.5.csv", 1e-3, 0.5};
-    const struct pendulum C0 = {"pendulum_C0_E1e5_h5mm_undamped.csv", 5e-3, 0};
-    bool thick = argc > 1 && !strcmp(argv[1], "C0");
-    const struct pendulum *kind = thick ? &C0 : &A5;
-    struct pendulum smooth = *kind;
+    static const struct {
+        const char *name;
+        struct pendulum pendulum;
+        int coarsest; /* spans in check_space; 0: the step's error is larger at any net */
+    } kinds[] = {
+        {"A5", {"pendulum_A5_E1e5_h1mm_damp0.5.csv", 1e-3, 0.5, false, 0}, 32},
+        {"C0", {"pendulum_C0_E1e5_h5mm_undamped.csv", 5e-3, 0, false, 0}, 8},
+        {"H5", {"pendulum_H5_E1e5_h1mm_damp0.5_hinged.csv", 1e-3, 0.5, true, 0}, 0},
+    };
     struct message why = {{0}};
     char path[1024];
+    int n = 0;
 
-    snprintf(path, sizeof path, REFERENCE_DIR "/%s", kind->file);
+    while (n < 2 && strcmp(argc > 1 ? argv[1] : "A5", kinds[n].name))
+        n++;
+    struct pendulum kind = kinds[n].pendulum, smooth = kind;
+    snprintf(path, sizeof path, REFERENCE_DIR "/%s", kind.file);
     REQUIRE(reference_open(path, &truth, &why) == STATUS_OK);
-    check_space(kind, thick ? 8 : 32);
-    check_time(kind);
+    if (kinds[n].coarsest)
+        check_space(&kind, kinds[n].coarsest);
+    check_time(&kind);
     smooth.ramp = 0.4;
     check_time(&smooth);
-    if (thick)
-        check_energy(kind);
+    if (kind.damping == 0)
+        check_energy(&kind);
     reference_close(truth);
     return check_result();
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bench/bench_intersection.h"
+#include "bench/bench_nonlinear.h"
 #include "bench/bench_projective.h"
 #include "bench/bench_solid.h"
 #include "bench/paper.h"
@@ -80,8 +81,9 @@ static void phase_row(struct table *t, const char *name, const char *phase,
 static enum status print_nets(enum table_format format, struct message *why)
 {
     static const struct table_column columns[] = {
-        {"case", NULL, TABLE_LEFT}, {"phase", NULL, TABLE_LEFT}, {"median", "ms", 0},
-        {"min", "ms", 0},           {"quartiles", "ms", 0},      {"aim", "ms", 0},
+        {"case", NULL, TABLE_LEFT},   {"phase", NULL, TABLE_LEFT},
+        {"median", "ms", 0},          {"min", "ms", 0},
+        {"quartiles", "ms", 0},       {"aim", "ms", 0},
         {"reached", NULL, TABLE_LEFT}};
     struct table *t = table_create(7, columns, "Speed of the solids, one thread");
     enum status st = STATUS_OK;
@@ -96,9 +98,11 @@ static enum status print_nets(enum table_format format, struct message *why)
         phase_row(t, "", "factor", &b.factor, net->factor);
         phase_row(t, "", "solve", &b.solve, net->solve);
         table_rule(t);
-        table_note(t, "%s: %ld unknowns, %s, %ld numbers in L, set-up %.3g ms. Elsewhere, on "
-                   "another machine: %s.", net->name, b.size.unknowns, b.size.solver,
-                   b.size.factor_entries, 1e3 * b.create, net->elsewhere);
+        table_note(t,
+                   "%s: %ld unknowns, %s, %ld numbers in L, set-up %.3g ms. Elsewhere, on "
+                   "another machine: %s.",
+                   net->name, b.size.unknowns, b.size.solver, b.size.factor_entries,
+                   1e3 * b.create, net->elsewhere);
     }
     TRY(table_print(t, format, stdout));
 out:
@@ -114,8 +118,8 @@ struct baselines {
 static enum status run_baselines(const struct bench_matrix *A, void *context)
 {
     struct baselines *b = context;
-    enum status st = bench_baseline_cholmod(A, b->large ? LARGE_REPEATS : REPEATS,
-                                            &b->cholmod);
+    enum status st =
+        bench_baseline_cholmod(A, b->large ? LARGE_REPEATS : REPEATS, &b->cholmod);
 
     if (st == STATUS_OK && !b->large) /* a band of 100 x 100 nodes would take 7 GB */
         st = bench_baseline_lapack(A, REPEATS, &b->lapack);
@@ -139,11 +143,12 @@ static void ratio_row(struct table *t, const char *name, const char *library,
 static enum status print_baselines(enum table_format format, struct message *why)
 {
     static const struct table_column columns[] = {
-        {"case", NULL, TABLE_LEFT}, {"baseline", NULL, TABLE_LEFT}, {"factor", "ms", 0},
-        {"ours", "ms", 0},          {"ratio", NULL, 0},             {"solve", "ms", 0},
+        {"case", NULL, TABLE_LEFT}, {"baseline", NULL, TABLE_LEFT},
+        {"factor", "ms", 0},        {"ours", "ms", 0},
+        {"ratio", NULL, 0},         {"solve", "ms", 0},
         {"ours", "ms", 0},          {"ratio", NULL, 0}};
-    struct table *t =
-        table_create(8, columns, "The same matrices by libraries as they come, in this run");
+    struct table *t = table_create(
+        8, columns, "The same matrices by libraries as they come, in this run");
     enum status st = STATUS_OK;
 
     for (size_t n = 0; n < sizeof nets / sizeof *nets; n++) {
@@ -157,7 +162,8 @@ static enum status print_baselines(enum table_format format, struct message *why
         if (!net->large)
             ratio_row(t, "", "LAPACK band", &b.lapack, &ours);
     }
-    table_note(t, "CHOLMOD with its defaults, analysis not counted; LAPACK dpbtrf and dpbtrs "
+    table_note(t,
+               "CHOLMOD with its defaults, analysis not counted; LAPACK dpbtrf and dpbtrs "
                "in natural order. Our factor includes filling in the numbers.");
     TRY(table_print(t, format, stdout));
 out:
@@ -167,9 +173,11 @@ out:
 
 static enum status print_levers(enum table_format format, struct message *why)
 {
-    static const struct table_column columns[] = {
-        {"lever", NULL, TABLE_LEFT}, {"case", NULL, TABLE_LEFT}, {"without", "ms", 0},
-        {"with", "ms", 0},           {"gain", NULL, 0}};
+    static const struct table_column columns[] = {{"lever", NULL, TABLE_LEFT},
+                                                  {"case", NULL, TABLE_LEFT},
+                                                  {"without", "ms", 0},
+                                                  {"with", "ms", 0},
+                                                  {"gain", NULL, 0}};
     struct table *t = table_create(5, columns, "What each lever gives, a frame");
     enum status st = STATUS_OK;
 
@@ -214,7 +222,8 @@ static enum status print_growth(enum table_format format, struct message *why)
         {"K and M", "ms", 0},      {"factor", "ms", 0},   {"paper", "ms", 0},
         {"ratio", NULL, 0}};
     struct table *t = table_create(7, columns, "Growth of a rebuilt frame with the net");
-    double unknowns[PAPER_COSTS], cost[PAPER_COSTS], points[PAPER_COSTS], paper[PAPER_COSTS];
+    double unknowns[PAPER_COSTS], cost[PAPER_COSTS], points[PAPER_COSTS],
+        paper[PAPER_COSTS];
     double assemble[PAPER_COSTS], elements[PAPER_COSTS];
     enum status st = STATUS_OK;
 
@@ -239,14 +248,18 @@ static enum status print_growth(enum table_format format, struct message *why)
         table_number(t, paper[n], 4);
         table_number(t, paper[n] / (1e3 * cost[n]), 3);
     }
-    table_note(t, "K and M alone grow as unknowns^%.2f and as elements^%.2f: a net of n "
-               "points a side has (n - 2)^2 elements, so that elements per unknown more than "
-               "double from 5 to 20.", slope(PAPER_COSTS, unknowns, assemble),
-               slope(PAPER_COSTS, elements, assemble));
-    table_note(t, "Cost grows as unknowns^%.2f (aim 1.2 or less), as control points^%.2f; the "
-               "paper's as control points^%.2f over all four nets, ^%.2f over the last three.",
-               slope(PAPER_COSTS, unknowns, cost), slope(PAPER_COSTS, points, cost),
-               slope(PAPER_COSTS, points, paper), slope(PAPER_COSTS - 1, points + 1, paper + 1));
+    table_note(
+        t,
+        "K and M alone grow as unknowns^%.2f and as elements^%.2f: a net of n "
+        "points a side has (n - 2)^2 elements, so that elements per unknown more than "
+        "double from 5 to 20.",
+        slope(PAPER_COSTS, unknowns, assemble), slope(PAPER_COSTS, elements, assemble));
+    table_note(
+        t,
+        "Cost grows as unknowns^%.2f (aim 1.2 or less), as control points^%.2f; the "
+        "paper's as control points^%.2f over all four nets, ^%.2f over the last three.",
+        slope(PAPER_COSTS, unknowns, cost), slope(PAPER_COSTS, points, cost),
+        slope(PAPER_COSTS, points, paper), slope(PAPER_COSTS - 1, points + 1, paper + 1));
     TRY(table_print(t, format, stdout));
 out:
     table_destroy(t);
@@ -263,6 +276,7 @@ static const struct {
     {"growth", print_growth},
     {"intersection", bench_intersection_print},
     {"projective", bench_projective_print},
+    {"nonlinear", bench_nonlinear_print},
 };
 
 static const struct command_option options[] = {
@@ -271,12 +285,14 @@ static const struct command_option options[] = {
 };
 
 static const struct command_item items[] = {
-    {"solids", "IGA plate and hexahedra: K and M, factor, solve, frame, against their aims"},
+    {"solids",
+     "IGA plate and hexahedra: K and M, factor, solve, frame, against their aims"},
     {"baselines", "the same matrices by CHOLMOD and LAPACK as they come"},
     {"levers", "what the band, the splitting of unknowns, one factorisation give"},
     {"growth", "cost of a frame over nets of 5 to 20 points a side"},
     {"intersection", "counting a sheet's self-intersections, flat to crumpled"},
     {"projective", "projective dynamics: local step, solve, frame; what acceleration pays"},
+    {"nonlinear", "shell and mass-spring over a whole motion"},
     {NULL, NULL},
 };
 
@@ -297,7 +313,8 @@ static enum status check_words(const struct command_line *line, struct message *
         if (!known)
             return status_fail(why, STATUS_INPUT,
                                "there is no benchmark '%s'; there are solids, baselines, "
-                               "levers, growth, intersection and projective", line->words[n]);
+                               "levers, growth, intersection, projective and nonlinear",
+                               line->words[n]);
     }
     return STATUS_OK;
 }
@@ -324,9 +341,11 @@ static enum status run(const struct command_line *line, struct message *why)
     }
     progress_end(&bar);
     if (format == TABLE_TEXT)
-        printf("Peak memory %.0f MB; BLAS kernel %s, %d thread; medians of %d repeats (%d on "
-               "the large net).\n", (double)clock_peak_memory() / 1e6, blas_kernel_name(),
-               blas_kernel_threads(), REPEATS, LARGE_REPEATS);
+        printf(
+            "Peak memory %.0f MB; BLAS kernel %s, %d thread; medians of %d repeats (%d on "
+            "the large net).\n",
+            (double)clock_peak_memory() / 1e6, blas_kernel_name(), blas_kernel_threads(),
+            REPEATS, LARGE_REPEATS);
 out:
     return st;
 }
@@ -340,7 +359,7 @@ const struct command bench_command = {
             "A loaded machine spoils the times: look at the quartiles.\n",
     .examples = "bench\nbench solids growth\nbench --format csv\n",
     .least = 0,
-    .most = 5,
+    .most = 7,
     .options = options,
     .section = "benchmarks",
     .items = items,

@@ -10,9 +10,9 @@ enum { HALVINGS = 8, FINEST = 1 << HALVINGS };
 
 /* The membrane's mean stress is taken from (1/2 + lag) of the step: a viscosity lag dt
  * against its ringing, which nothing else damps. Stretching is small wherever a thin sheet
- * can bend, so that positions do not notice (pendulums A5 and C0, 5 ms: worst distance
- * within 3 % of that without, even at lag 1/2), but undamped swings of coarse nets need a
- * quarter of the assemblies (shipped cantilever, p = 3: 1540 for 6873). */
+ * can bend, so that positions do not notice (pendulums A5 and C0 at 2.5 ms: worst distance
+ * the same to 1 % with lag 0, 0.1 and 1/2), but undamped swings of coarse nets need far
+ * fewer assemblies (shipped cantilever, p = 3: 1259 for 8857). */
 static const double MEMBRANE_LAG = 0.1;
 
 static size_t count_of(const struct shell_motion *m)

@@ -50,6 +50,7 @@ struct shell_motion {
     double *strain_old; /* strains at the step's start                         owned   */
     double *room;       /* [6][nodes][3]: x_old, hat, work of shell_newton     owned   */
     double factored;    /* mass factor of the tangent that is factored; -1: none       */
+    bool stressless;    /* this equation's tangents leave out the stress               */
     int halvings;       /* the present substep is step / 2^halvings                    */
 };
 

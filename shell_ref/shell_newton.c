@@ -69,6 +69,7 @@ static enum status refresh(struct shell_motion *m, const struct shell_equation *
 
     m->factored = -1;
     for (int attempt = 0; attempt < 2; attempt++) {
+        foresight.none = m->stressless;
         TRY(shell_assembly_tangent(&m->assembly, &q->path, x, foresight, m->K));
         counters->assemblies++;
         if (m->follower.add)
@@ -77,7 +78,7 @@ static enum status refresh(struct shell_motion *m, const struct shell_equation *
         st = factor(m, q->mass, counters);
         if (st != STATUS_INDEFINITE || q->mass == 0)
             break;
-        foresight = (struct shell_foresight){.none = true};
+        m->stressless = true;
     }
     if (st == STATUS_OK)
         m->factored = q->mass;
@@ -170,6 +171,7 @@ enum status shell_newton_solve(struct shell_motion *m, const struct shell_equati
                           .work = room + 3 * count,
                           .tolerance = STEP_TOLERANCE * m->scene->length};
 
+    m->stressless = false;
     TRY(residual(m, q, x, i.r, i.work));
     if (q->chord == 0 || m->factored != q->mass)
         TRY(refresh(m, q, x, (struct shell_foresight){.strain = m->strain_old}, counters));

@@ -9,6 +9,8 @@
  * cantilever of 32 cubic spans, h/L = 1e-3, at Gamma = 1000: 29 iterations in 4 increments
  * of the load; with a line search 478. Steps are halved only where the surface they lead to
  * is none. A factored tangent is kept while its steps shrink fast.
+ * In time, a tangent that is not positive definite (a sheet about to buckle) is replaced by
+ * one without stress, for the rest of that equation.
  */
 #ifndef SHELL_NEWTON_H
 #define SHELL_NEWTON_H

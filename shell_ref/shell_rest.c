@@ -103,6 +103,37 @@ out:
     return st;
 }
 
+/* Where growing loads do not lead: a sheet that hangs from a hinge or from corners has no
+ * stiffness at first. Backward Euler steps that forget their velocity go downhill instead,
+ * in growing steps, until one without mass arrives (pseudo-transient continuation). */
+static enum status relax(struct shell_motion *m, struct counters *counters)
+{
+    enum { STEPS = 400 };
+    enum status st = STATUS_DIVERGED;
+    size_t count = 3 * (size_t)m->space->nodes;
+    double *last = m->room, first = 1 / (m->scene->step * m->scene->step), mass = first;
+
+    for (int n = 0; n < STEPS; n++) {
+        bool final = mass < 1e-8 * first;
+        const struct shell_equation q = {
+            .path = statics, .mass = final ? 0 : mass, .hat = last, .load = 1, .limit = 30};
+        memcpy(last, m->x, count * sizeof *last);
+        TRY(shell_assembly_strain(&m->assembly, last, m->strain_old));
+        m->factored = -1;
+        st = shell_newton_solve(m, &q, m->x, counters);
+        if (st == STATUS_OK && final)
+            break;
+        if (st != STATUS_OK && !status_is_death(st))
+            break;
+        if (st != STATUS_OK)
+            memcpy(m->x, last, count * sizeof *last);
+        mass *= st == STATUS_OK ? 0.5 : final ? 1e3 : 8;
+    }
+out:
+    m->factored = -1;
+    return st;
+}
+
 enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *counters,
                                    struct message *why)
 {
@@ -113,6 +144,12 @@ enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *coun
                            "static equilibrium needs supports, and the scene has none");
     begin(m);
     st = m->kinematics == KINEMATICS_LINEAR ? linear(m, counters) : nonlinear(m, counters);
+    if (m->kinematics == KINEMATICS_NONLINEAR && status_is_death(st)) {
+        begin(m);
+        for (int h = 0; h < m->supports.held_count; h++)
+            m->x[m->supports.held[h]] += m->held[h];
+        st = relax(m, counters);
+    }
     if (st == STATUS_INDEFINITE)
         status_fail(why, st,
                     "the stiffness is singular to working accuracy: the supports "

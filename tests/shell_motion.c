@@ -13,6 +13,8 @@ static const double AT_REST[] = {[KINEMATICS_LINEAR] = 2e-4, [KINEMATICS_NONLINE
 /* Slopes of 1e-4 differ by their square between the kinematics, which then are one rule;
  * measured 2e-9. */
 static const double SMALL_SWING = 1e-7;
+/* Newton's tolerance, and the square of a strain of 1.5e-5. */
+static const double HANGING = 1e-7;
 /* Newton's tolerance in equilibrium sets the sheet moving by as much. */
 static const double STILL = 1e-6;
 
@@ -176,6 +178,29 @@ static void check_rest(enum kinematics kinematics)
     sheet_clear(&s);
 }
 
+/* A strip hinged at u = 0, flat at rest, has no stiffness against falling: it ends up
+ * hanging, longer by rho g L^2 / 2 E. */
+static void check_hanging(void)
+{
+    struct sheet s;
+    double by[3];
+
+    sheet_init(&s, 2, 8, 2);
+    s.scene.width = 0.3;
+    s.scene.thickness = 1e-3;
+    s.scene.young = 1e5;
+    s.scene.density = 0.3;
+    s.scene.gravity[2] = -9.81;
+    sheet_hold(&s, 0, 0, FIX_XYZ, false);
+    sheet_start(&s);
+    sheet_settle(&s);
+    sheet_moved(&s, 1, 0.5, by);
+    double strain = s.scene.density * 9.81 / (2 * s.scene.young);
+    CHECK_NEAR(by[0], -1, HANGING);
+    CHECK_NEAR(by[2], -1 - strain, HANGING);
+    sheet_clear(&s);
+}
+
 /* A square of cloth held by one edge, undamped, at the paper's step and net: never dies. */
 static void check_swing(int p)
 {
@@ -244,6 +269,7 @@ int main(void)
         check_rest(kinematics);
     }
     check_damping();
+    check_hanging();
     check_swing(2);
     check_swing(3);
     check_refused();

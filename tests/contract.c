@@ -1,5 +1,5 @@
-/* What models/model.h promises, held against every model of the registry: a model that is
- * registered is tested. */
+/* What models/model.h promises, held against every model of the registry and the toy
+ * model: a model that is registered is tested. */
 #include <math.h>
 #include <omp.h>
 
@@ -51,7 +51,8 @@ static void check_fields(const struct model *model)
     CHECK(model->defaults && model->create && model->advance && model->sample);
     CHECK(model->probe && model->size && model->destroy);
     CHECK(strspn(model->name, "abcdefghijklmnopqrstuvwxyz_") == strlen(model->name));
-    CHECK(registry_find(model->name, &found, &why) == STATUS_OK && found == model);
+    if (model != &toy_model)
+        CHECK(registry_find(model->name, &found, &why) == STATUS_OK && found == model);
     model->destroy(NULL);
 }
 
@@ -309,7 +310,7 @@ static void check_model(const struct model *model)
 
 int main(void)
 {
-    for (int n = 0; registry[n]; n++)
-        check_model(registry[n]);
+    for (int n = 0; contract_model(n); n++)
+        check_model(contract_model(n));
     return check_result();
 }

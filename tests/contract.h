@@ -4,8 +4,20 @@
 
 #include "bench/registry.h"
 #include "tests/check.h"
+#include "tests/toy_model.h"
 
 enum { FRAMES = 12 };
+
+/* The models held to the contract: those of the registry, then the toy of
+ * doc/adding_a_model.md; NULL after the last. */
+static inline const struct model *contract_model(int n)
+{
+    int registered = 0;
+
+    while (registry[registered])
+        registered++;
+    return n < registered ? registry[n] : n == registered ? &toy_model : NULL;
+}
 
 /* A small sheet held along u = 0, undamped. */
 static inline void fill_scene(struct scene *scene)

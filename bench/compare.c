@@ -10,6 +10,7 @@
 #include "bench/folder.h"
 #include "bench/progress.h"
 #include "bench/timing.h"
+#include "models/damping.h"
 #include "models/metric.h"
 #include "models/scene_file.h"
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "bench/table.h"
+#include "models/damping.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/linalg/blas_kernel.h"

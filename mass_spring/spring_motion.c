@@ -6,6 +6,7 @@
 
 #include "mass_spring/spring_frequency.h"
 #include "mass_spring/spring_strain.h"
+#include "models/damping.h"
 
 /* Of the explicit method's greatest step, where it chooses: springs that turn and stretch
  * are a little stiffer than at rest. */
@@ -22,12 +23,8 @@ static bool uses_scene_damping(const struct spring_motion *m)
 static void set_masses(struct spring_motion *m)
 {
     const struct scene *s = m->scene;
-    double alpha = 0;
+    double alpha = uses_scene_damping(m) ? damping_mass(s) : 0;
 
-    if (uses_scene_damping(m) && s->damping.kind == DAMPING_MASS)
-        alpha = s->damping.value;
-    if (uses_scene_damping(m) && s->damping.kind == DAMPING_RAYLEIGH)
-        alpha = s->damping.alpha;
     for (int a = 0; a < m->net.nodes; a++) {
         double volume = m->net.area[a] * s->thickness;
         m->mass[a] = m->net.law.area_mass * m->net.area[a];
@@ -111,8 +108,8 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
                                 .parameters = d->parameters,
                                 .integrator = d->integrator,
                                 .strain_limit = d->strain_limit};
-    if (uses_scene_damping(m) && scene->damping.kind == DAMPING_RAYLEIGH)
-        m->beta = scene->damping.beta;
+    if (uses_scene_damping(m))
+        m->beta = damping_stiffness(scene);
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters));
     TRY(spring_newton_init(&m->newton, scene, &m->net, d->solver, why));
     TRY(allocate(m));
@@ -229,15 +226,7 @@ out:
 
 static double velocity_factor(const struct spring_motion *m)
 {
-    const struct scene_damping *damping = &m->scene->damping;
-
-    if (!uses_scene_damping(m))
-        return 1;
-    if (damping->kind == DAMPING_VELOCITY_SCALE)
-        return damping->value;
-    if (damping->kind == DAMPING_VELOCITY_RATE)
-        return 1 - damping->value * m->scene->step;
-    return 1;
+    return uses_scene_damping(m) ? damping_velocity(m->scene) : 1;
 }
 
 /* v <- factor v. The explicit method's v is that of half a step ago: brought up to now and

@@ -149,15 +149,3 @@ const char *acceleration_name(enum acceleration a)
     };
     return WORD(words, a);
 }
-
-const char *damping_name(int kind)
-{
-    static const char *const words[] = {
-        [DAMPING_NONE] = "none",
-        [DAMPING_VELOCITY_SCALE] = "velocity_scale",
-        [DAMPING_VELOCITY_RATE] = "velocity_rate",
-        [DAMPING_MASS] = "mass",
-        [DAMPING_RAYLEIGH] = "rayleigh",
-    };
-    return WORD(words, kind);
-}

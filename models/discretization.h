@@ -97,6 +97,5 @@ const char *parameters_name(enum parameters p);
 const char *integrator_name(enum integrator i);
 const char *constraint_name(enum constraint c);
 const char *acceleration_name(enum acceleration a);
-const char *damping_name(int kind);
 
 #endif

@@ -1,5 +1,6 @@
 /* scene_check.c - values of a scene that must fit together. */
 #include "models/scene_check.h"
+#include "models/damping.h"
 
 #include <math.h>
 

@@ -1,5 +1,6 @@
 /* scene_schema.c - the keys of a scene. */
 #include "models/scene_schema.h"
+#include "models/damping.h"
 
 #include <math.h>
 #include <stdlib.h>

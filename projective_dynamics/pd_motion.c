@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/damping.h"
+
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
 
 /* --- life --------------------------------------------------------------------------------
@@ -12,28 +14,18 @@ static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame
 static double mass_damping(const struct scene *scene, const struct pd_energy *e,
                            enum parameters parameters)
 {
-    const struct scene_damping *damping = &scene->damping;
     double alpha = scene->drag * scene->thickness * e->area[0] / e->mass[0];
 
-    if (parameters == PARAMETERS_MATCHED && damping->kind == DAMPING_MASS)
-        alpha += damping->value;
-    if (parameters == PARAMETERS_MATCHED && damping->kind == DAMPING_RAYLEIGH)
-        alpha += damping->alpha;
+    if (parameters == PARAMETERS_MATCHED)
+        alpha += damping_mass(scene);
     return alpha;
 }
 
 /* Factor on the velocity after each frame. */
 static double velocity_factor(const struct pd_motion *m)
 {
-    const struct scene_damping *damping = &m->scene->damping;
-
-    if (m->options.parameters == PARAMETERS_PAPER)
-        return 1 - PAPER_DAMPING;
-    if (damping->kind == DAMPING_VELOCITY_SCALE)
-        return damping->value;
-    if (damping->kind == DAMPING_VELOCITY_RATE)
-        return 1 - damping->value * m->scene->step;
-    return 1;
+    return m->options.parameters == PARAMETERS_PAPER ? 1 - PAPER_DAMPING
+                                                     : damping_velocity(m->scene);
 }
 
 /* A support that takes part of the thickness holds the mid-surface if that is in the part:

@@ -4,38 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/damping.h"
 #include "shell_ref/shell_dynamics.h"
-
-/* Mass damping that the scene amounts to: body drag c is C = (c / rho) M. */
-static double mass_damping(const struct scene *scene)
-{
-    const struct scene_damping *damping = &scene->damping;
-    double alpha = scene->drag / scene->density;
-
-    if (damping->kind == DAMPING_MASS)
-        alpha += damping->value;
-    if (damping->kind == DAMPING_RAYLEIGH)
-        alpha += damping->alpha;
-    return alpha;
-}
-
-double shell_motion_stiffness_damping(const struct scene *scene)
-{
-    return scene->damping.kind == DAMPING_RAYLEIGH ? scene->damping.beta : 0;
-}
-
-/* Factor on the velocity after each step. */
-static double velocity_factor(const struct scene *scene)
-{
-    switch (scene->damping.kind) {
-    case DAMPING_VELOCITY_SCALE:
-        return scene->damping.value;
-    case DAMPING_VELOCITY_RATE:
-        return 1 - scene->damping.value * scene->step;
-    default:
-        return 1;
-    }
-}
 
 static void compute_load(struct shell_motion *m)
 {
@@ -168,8 +138,8 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
 
     TRY(shell_assembly_init(&m->assembly, m->space, &material, why));
     TRY(hold(m, why));
-    TRY(newmark_init(&m->newmark, m->space->nodes, scene->step, mass_damping(scene),
-                     shell_motion_stiffness_damping(scene)));
+    TRY(newmark_init(&m->newmark, m->space->nodes, scene->step,
+                     damping_mass(scene) + damping_drag(scene), damping_stiffness(scene)));
     TRY(make_room(m));
     compute_load(m);
     TRY(shell_assembly_tangent(&m->assembly, &rest, m->x, (struct shell_foresight){0},
@@ -306,7 +276,7 @@ enum status shell_motion_step(struct shell_motion *m, struct counters *counters)
 {
     enum status st = m->kinematics == KINEMATICS_LINEAR ? step_linear(m, counters)
                                                         : shell_dynamics_step(m, counters);
-    double factor = velocity_factor(m->scene);
+    double factor = damping_velocity(m->scene);
     size_t count = 3 * (size_t)m->space->nodes;
 
     if (st != STATUS_OK)

@@ -72,7 +72,4 @@ void shell_motion_size(const struct shell_motion *m, struct model_size *size);
  * differences over +-dt; borrowed from m->held. */
 struct newmark_held shell_motion_path(struct shell_motion *m, double t, double dt);
 
-/* beta of a Rayleigh damping C = alpha M + beta K [s]; 0 without. */
-double shell_motion_stiffness_damping(const struct scene *scene);
-
 #endif

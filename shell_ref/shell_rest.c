@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/linalg/eigen.h"
+#include "models/linalg/pencil.h"
 #include "shell_ref/shell_newton.h"
 
 static const struct shell_path statics = {.rule = {.s1 = 1, .g1 = 1}};
@@ -159,90 +159,41 @@ enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *coun
     return st;
 }
 
-enum status shell_rest_modes(struct shell_motion *m, int count, double *omega,
-                             struct message *why)
+/* K of the rest shape into *K, owned by the caller. */
+static enum status make_stiffness(const struct shell_motion *m, double (**K)[9])
 {
-    enum status st;
     const struct blocks *graph = &m->assembly.graph;
-    struct eigen_matrix k = {.n = m->supports.free_count}, mass = k;
-    long *start[2] = {NULL};
-    int *row[2] = {NULL};
-    double *value[2] = {NULL};
-    double(*K)[9] = NULL;
+    double(*new)[9] = malloc((size_t)graph->start[graph->nodes] * sizeof *new);
+    enum status st = new ? rest_stiffness(m, new) : STATUS_MEMORY;
 
-    if (count < 1 || count > m->supports.free_count)
-        return status_fail(why, STATUS_INPUT, "modes: 1 to %d can be had, not %d",
-                           m->supports.free_count, count);
-    K = malloc((size_t)graph->start[graph->nodes] * sizeof *K);
-    if (!K)
-        TRY(STATUS_MEMORY);
-    TRY(rest_stiffness(m, K));
-    TRY(system_columns(graph, &m->supports, m->parity, 1, (const double(*)[9])K, 0, NULL,
-                       &start[0], &row[0], &value[0]));
-    TRY(system_columns(graph, &m->supports, m->parity, 0, (const double(*)[9])K, 1,
-                       m->assembly.M, &start[1], &row[1], &value[1]));
-    k.start = start[0], k.row = row[0], k.value = value[0];
-    mass.start = start[1], mass.row = row[1], mass.value = value[1];
-    TRY(eigen_lowest(&k, &mass, count, omega, NULL, why));
-    for (int n = 0; n < count;
-         n++) /* a zero mode's eigenvalue is round-off of either sign */
-        omega[n] = omega[n] > 0 ? sqrt(omega[n]) : 0;
-out:
-    free(K);
-    for (int n = 0; n < 2; n++) {
-        free(start[n]);
-        free(row[n]);
-        free(value[n]);
-    }
+    *K = new;
     return st;
 }
 
-static enum status matrix_make(struct matrix *A, int rows, long entries)
+enum status shell_rest_modes(struct shell_motion *m, int count, double *omega,
+                             struct message *why)
 {
-    *A = (struct matrix){.rows = rows};
-    A->row = malloc((size_t)entries * sizeof *A->row);
-    A->column = malloc((size_t)entries * sizeof *A->column);
-    A->value = malloc((size_t)entries * sizeof *A->value);
-    return A->row && A->column && A->value ? STATUS_OK : STATUS_MEMORY;
-}
+    double(*K)[9];
+    enum status st = make_stiffness(m, &K);
 
-static void matrix_add(struct matrix *A, int row, int column, double value)
-{
-    if (row < column)
-        return;
-    A->row[A->entries] = row;
-    A->column[A->entries] = column;
-    A->value[A->entries++] = value;
+    if (st == STATUS_OK)
+        st = pencil_modes(
+            &(struct pencil){&m->assembly.graph, (const double(*)[9])K, m->assembly.M},
+            &m->supports, m->parity, count, omega, why);
+    free(K);
+    return st;
 }
 
 enum status shell_rest_matrices(const struct shell_motion *m, struct matrix *K,
                                 struct matrix *M)
 {
-    enum status st;
-    const struct blocks *g = &m->assembly.graph;
-    long pairs = g->start[g->nodes];
-    struct matrix k = {0}, mass = {0};
-    double(*block)[9] = malloc((size_t)pairs * sizeof *block);
+    double(*block)[9];
+    enum status st = make_stiffness(m, &block);
 
-    if (!block)
-        TRY(STATUS_MEMORY);
-    TRY(rest_stiffness(m, block));
-    TRY(matrix_make(&k, 3 * g->nodes, 9 * pairs));
-    TRY(matrix_make(&mass, 3 * g->nodes, 3 * pairs));
-    for (int a = 0; a < g->nodes; a++)
-        for (long n = g->start[a]; n < g->start[a + 1]; n++)
-            for (int t = 0; t < 9; t++) {
-                int row = 3 * g->node[n] + t % 3, column = 3 * a + t / 3;
-                matrix_add(&k, row, column, block[n][t]);
-                if (t % 4 == 0)
-                    matrix_add(&mass, row, column, m->assembly.M[n]);
-            }
-    *K = k;
-    *M = mass;
-    k = mass = (struct matrix){0};
-out:
+    if (st == STATUS_OK)
+        st = pencil_matrices(
+            &(struct pencil){&m->assembly.graph, (const double(*)[9])block, m->assembly.M},
+            K, M);
     free(block);
-    matrix_clear(&k);
-    matrix_clear(&mass);
     return st;
 }

@@ -5,10 +5,6 @@
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" LIBRARIES "${LIBRARIES}")
 
-# FILE:prefix; each must be needed.
-set(exceptions
-  discretization:damping) # one word table per choice of the user, with the others'
-set(unused ${exceptions})
 set(faults 0)
 set(names "")
 
@@ -51,11 +47,6 @@ foreach(library IN LISTS LIBRARIES)
     if(name STREQUAL "${folder}_model")
       set(known TRUE)
     endif()
-    string(REGEX REPLACE "_.*" "" first ${name})
-    if(NOT known AND "${file}:${first}" IN_LIST exceptions)
-      list(REMOVE_ITEM unused "${file}:${first}")
-      set(known TRUE)
-    endif()
     if(NOT known)
       message("${folder}/${file}.c exports ${name}: its names begin with ${file}_")
       math(EXPR faults "${faults} + 1")
@@ -68,10 +59,6 @@ foreach(library IN LISTS LIBRARIES)
   endforeach()
 endforeach()
 
-foreach(exception IN LISTS unused)
-  message("exception ${exception} is no longer needed")
-  math(EXPR faults "${faults} + 1")
-endforeach()
 list(LENGTH names count)
 message("${count} exported names, ${faults} faults")
 if(faults OR NOT count)

@@ -1,5 +1,6 @@
 /* Scenes and discretizations made in memory: geometry, needs, paths, copies, words. */
 #include "models/discretization.h"
+#include "models/damping.h"
 #include "models/scene.h"
 #include "tests/check.h"
 

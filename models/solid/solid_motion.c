@@ -5,43 +5,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Mass damping that the scene amounts to. Body drag c is C = (c / rho) M, but not under
- * `printed`, whose v is not the sheet's velocity: there d / dt is, see drag_on_d. */
+#include "models/damping.h"
+
+/* Body drag is C = (c / rho) M, but not under `printed`, whose v is not the sheet's
+ * velocity: there d / dt is, see drag_on_d. */
 static double mass_damping(const struct scene *scene, enum kinematics kinematics)
 {
-    const struct scene_damping *damping = &scene->damping;
-    double alpha = kinematics == KINEMATICS_PRINTED ? 0 : scene->drag / scene->density;
+    double drag = kinematics == KINEMATICS_PRINTED ? 0 : damping_drag(scene);
 
-    if (damping->kind == DAMPING_MASS)
-        alpha += damping->value;
-    if (damping->kind == DAMPING_RAYLEIGH)
-        alpha += damping->alpha;
-    return alpha;
+    return damping_mass(scene) + drag;
 }
 
 /* Drag c d / dt under `printed`, as a multiple of M d. */
 static double drag_on_d(const struct scene *scene, enum kinematics kinematics)
 {
-    return kinematics == KINEMATICS_PRINTED ? scene->drag / (scene->density * scene->step)
-                                            : 0;
-}
-
-static double stiffness_damping(const struct scene *scene)
-{
-    return scene->damping.kind == DAMPING_RAYLEIGH ? scene->damping.beta : 0;
-}
-
-/* Factor on the velocity after each step. */
-static double velocity_factor(const struct scene *scene)
-{
-    switch (scene->damping.kind) {
-    case DAMPING_VELOCITY_SCALE:
-        return scene->damping.value;
-    case DAMPING_VELOCITY_RATE:
-        return 1 - scene->damping.value * scene->step;
-    default:
-        return 1;
-    }
+    return kinematics == KINEMATICS_PRINTED ? damping_drag(scene) / scene->step : 0;
 }
 
 static void compute_load(struct solid_motion *m)
@@ -72,7 +50,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     TRY(solid_assembly_init(&new.assembly, space, &material));
     TRY(supports_init(&new.supports, scene, space->nodes, space->uvw, why));
     TRY(newmark_init(&new.newmark, space->nodes, scene->step,
-                     mass_damping(scene, d->kinematics), stiffness_damping(scene)));
+                     mass_damping(scene, d->kinematics), damping_stiffness(scene)));
     new.newmark.gamma = drag_on_d(scene, d->kinematics);
     st = STATUS_MEMORY;
     new.x = malloc(bytes);
@@ -215,7 +193,7 @@ out:
 
 static void damp_velocity(struct solid_motion *m)
 {
-    double factor = velocity_factor(m->scene);
+    double factor = damping_velocity(m->scene);
     size_t count = 3 * (size_t)m->space->nodes;
 
     for (size_t t = 0; factor != 1 && t < count; t++)

@@ -216,7 +216,7 @@ static const struct sentence {
 /* holds, does not hold, or holds for the paper's case and not for all of its variants. */
 static void judge(const struct sentence *s, const struct figures *figures, FILE *file)
 {
-    char others[256] = "";
+    char others[512] = "";
     bool paper;
 
     if (!figures[s->about].ran || !figures[PLATE].ran || !figures[SPRINGS].ran ||

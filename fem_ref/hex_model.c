@@ -29,7 +29,7 @@ static enum status refuse(const struct discretization *d, struct message *why)
                                d->degree[i]);
         if (d->points[i] < 2)
             return status_fail(why, STATUS_INPUT, "points: at least 2 along %c, not %d",
-                               "uvw"[i], d -> points[i]);
+                               'u' + i, d->points[i]);
         if (d->gauss[i] != 0 && d->gauss[i] != 2)
             return status_fail(why, STATUS_INPUT, "gauss: hexahedra use [2,2,2]");
         if (d->knot_count[i])

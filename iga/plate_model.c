@@ -38,8 +38,8 @@ static enum status make_basis(const struct discretization *d, int i, struct bspl
     if (d->knot_count[i] != d->points[i] + d->degree[i] + 1)
         return status_fail(why, STATUS_INPUT,
                            "knots_%c: %d knots given, but %d points of degree %d need %d",
-                           "uvw"[i], d -> knot_count[i], d -> points[i], d -> degree[i],
-                           d -> points[i] + d -> degree[i] + 1);
+                           'u' + i, d->knot_count[i], d->points[i], d->degree[i],
+                           d->points[i] + d->degree[i] + 1);
     return bspline_init(b, d->degree[i], d->knot_count[i], d->knots[i], why);
 }
 

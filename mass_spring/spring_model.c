@@ -37,44 +37,12 @@ static enum status refuse_scene(const struct scene *scene, struct message *why)
         missing & SCENE_NEED_THICKNESS_SUPPORTS ? " that leave out the mid-surface" : "");
 }
 
-static enum status refuse(const struct discretization *d, struct message *why)
-{
-    for (int i = 0; i < 2; i++)
-        if (d->points[i] < 2)
-            return status_fail(why, STATUS_INPUT, "points: at least 2 along %c, not %d",
-                               "uv"[i], d -> points[i]);
-    if (d->points[2] != 1)
-        return status_fail(why, STATUS_INPUT,
-                           "points: a net of springs has 1 point through the thickness, "
-                           "points=[n,m,1], not %d",
-                           d->points[2]);
-    for (int i = 0; i < 3; i++) {
-        if (d->degree[i] != 1)
-            return status_fail(why, STATUS_INPUT, "degree: springs have none");
-        if (d->gauss[i])
-            return status_fail(why, STATUS_INPUT, "gauss: springs have no quadrature");
-        if (d->knot_count[i])
-            return status_fail(why, STATUS_INPUT, "knots_%c: springs have no knots",
-                               "uvw"[i]);
-    }
-    if (d->weight_count)
-        return status_fail(why, STATUS_INPUT, "weights: springs have none");
-    if (d->unknowns == UNKNOWNS_THICKNESS)
-        return status_fail(why, STATUS_INPUT,
-                           "unknowns: springs have none through the thickness");
-    if (d->kinematics != KINEMATICS_NONLINEAR)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "springs move with kinematics=nonlinear only, not %s",
-                           kinematics_name(d->kinematics));
-    if (d->remedy != REMEDY_NONE)
-        return status_fail(why, STATUS_UNSUPPORTED, "mass_spring has no remedy=%s",
-                           remedy_name(d->remedy));
-    return discretization_refuse(d,
-                                 DISCRETIZATION_PARAMETERS | DISCRETIZATION_INTEGRATOR |
-                                     DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
-                                     DISCRETIZATION_TOLERANCE | DISCRETIZATION_STRAIN_LIMIT,
-                                 why);
-}
+/* Keys it has a use for. */
+enum {
+    USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_INTEGRATOR | DISCRETIZATION_SUBSTEPS |
+           DISCRETIZATION_ITERATIONS | DISCRETIZATION_TOLERANCE |
+           DISCRETIZATION_STRAIN_LIMIT
+};
 
 static void destroy(void *state)
 {
@@ -89,7 +57,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct spring_motion *m = NULL;
 
     TRY(refuse_scene(scene, why));
-    TRY(refuse(d, why));
+    TRY(discretization_refuse_net(d, USED, "mass_spring", why));
     m = calloc(1, sizeof *m);
     if (!m)
         TRY(STATUS_MEMORY);

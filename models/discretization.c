@@ -70,6 +70,54 @@ enum status discretization_refuse(const struct discretization *d, unsigned used,
     return STATUS_OK;
 }
 
+static enum status refuse_points(const struct discretization *d, const char *model,
+                                 struct message *why)
+{
+    const int *points = d->points;
+
+    if (points[0] < 2 || points[1] < 2)
+        return status_fail(why, STATUS_INPUT, "points: at least 2 along %c, not %d",
+                           points[0] < 2 ? 'u' : 'v',
+                           points[0] < 2 ? points[0] : points[1]);
+    if (points[2] != 1)
+        return status_fail(why, STATUS_INPUT,
+                           "points: %s has 1 point through the thickness, points=[n,m,1], "
+                           "not %d",
+                           model, points[2]);
+    return STATUS_OK;
+}
+
+enum status discretization_refuse_net(const struct discretization *d, unsigned used,
+                                      const char *model, struct message *why)
+{
+    enum status st = refuse_points(d, model, why);
+
+    if (st != STATUS_OK)
+        return st;
+    for (int i = 0; i < 3; i++) {
+        if (d->degree[i] != 1)
+            return status_fail(why, STATUS_INPUT, "degree: %s has none", model);
+        if (d->gauss[i])
+            return status_fail(why, STATUS_INPUT, "gauss: %s has no quadrature", model);
+        if (d->knot_count[i])
+            return status_fail(why, STATUS_INPUT, "knots_%c: %s has no knots", "uvw"[i],
+                               model);
+    }
+    if (d->weight_count)
+        return status_fail(why, STATUS_INPUT, "weights: %s has none", model);
+    if (d->unknowns == UNKNOWNS_THICKNESS)
+        return status_fail(why, STATUS_INPUT, "unknowns: %s has none through the thickness",
+                           model);
+    if (d->kinematics != KINEMATICS_NONLINEAR)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "%s moves with kinematics=nonlinear only, not %s", model,
+                           kinematics_name(d->kinematics));
+    if (d->remedy != REMEDY_NONE)
+        return status_fail(why, STATUS_UNSUPPORTED, "%s has no remedy=%s", model,
+                           remedy_name(d->remedy));
+    return discretization_refuse(d, used, why);
+}
+
 /* The word at `value`, or "unknown" for a value that no enum has. */
 #define WORD(words, value)                                                                 \
     ((size_t)(value) < sizeof(words) / sizeof *(words) ? (words)[value] : "unknown")

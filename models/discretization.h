@@ -82,6 +82,12 @@ enum {
 enum status discretization_refuse(const struct discretization *d, unsigned used,
                                   struct message *why);
 
+/* The same for a model that is a net of points over the mid-surface, points=[n,m,1], and
+ * turns with the sheet: no degree, quadrature, knots, weights, thickness unknowns, remedy or
+ * other kinematics than nonlinear. `model` is its name in the sentences. */
+enum status discretization_refuse_net(const struct discretization *d, unsigned used,
+                                      const char *model, struct message *why);
+
 /* Frees what it owns; accepts all-zero and leaves all-zero. */
 void discretization_clear(struct discretization *d);
 

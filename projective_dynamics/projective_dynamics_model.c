@@ -46,55 +46,12 @@ static enum status refuse_scene(const struct scene *scene, enum parameters param
     return STATUS_OK;
 }
 
-static enum status refuse_numbers(const struct discretization *d, struct message *why)
-{
-    for (int i = 0; i < 2; i++)
-        if (d->points[i] < 2)
-            return status_fail(why, STATUS_INPUT, "points: at least 2 along %c, not %d",
-                               "uv"[i], d -> points[i]);
-    if (d->points[2] != 1)
-        return status_fail(why, STATUS_INPUT,
-                           "points: the net has 1 point through the thickness, "
-                           "points=[n,m,1], not %d",
-                           d->points[2]);
-    for (int i = 0; i < 3; i++) {
-        if (d->degree[i] != 1)
-            return status_fail(why, STATUS_INPUT, "degree: a net of points has none");
-        if (d->gauss[i])
-            return status_fail(why, STATUS_INPUT, "gauss: constraints need no quadrature");
-        if (d->knot_count[i])
-            return status_fail(why, STATUS_INPUT, "knots_%c: a net of points has no knots",
-                               "uvw"[i]);
-    }
-    if (d->weight_count)
-        return status_fail(why, STATUS_INPUT, "weights: a net of points has none");
-    return STATUS_OK;
-}
-
-static enum status refuse(const struct discretization *d, struct message *why)
-{
-    enum status st = refuse_numbers(d, why);
-
-    if (st != STATUS_OK)
-        return st;
-    if (d->unknowns == UNKNOWNS_THICKNESS)
-        return status_fail(why, STATUS_INPUT,
-                           "unknowns: a net has none through the thickness");
-    if (d->kinematics != KINEMATICS_NONLINEAR)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "projective dynamics moves with kinematics=nonlinear only, "
-                           "not %s",
-                           kinematics_name(d->kinematics));
-    if (d->remedy != REMEDY_NONE)
-        return status_fail(why, STATUS_UNSUPPORTED, "projective_dynamics has no remedy=%s",
-                           remedy_name(d->remedy));
-    return discretization_refuse(d,
-                                 DISCRETIZATION_PARAMETERS | DISCRETIZATION_SUBSTEPS |
-                                     DISCRETIZATION_ITERATIONS | DISCRETIZATION_TOLERANCE |
-                                     DISCRETIZATION_CONSTRAINT |
-                                     DISCRETIZATION_ACCELERATION,
-                                 why);
-}
+/* Keys it has a use for. */
+enum {
+    USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
+           DISCRETIZATION_TOLERANCE | DISCRETIZATION_CONSTRAINT |
+           DISCRETIZATION_ACCELERATION
+};
 
 static struct pd_options options_of(const struct discretization *d)
 {
@@ -128,7 +85,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct pd_options options;
 
     TRY(refuse_scene(scene, d->parameters, why));
-    TRY(refuse(d, why));
+    TRY(discretization_refuse_net(d, USED, "projective_dynamics", why));
     m = calloc(1, sizeof *m);
     if (!m)
         TRY(STATUS_MEMORY);

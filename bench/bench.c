@@ -20,8 +20,8 @@ enum { REPEATS = 15, LARGE_REPEATS = 5 };
 #define PRINTED "discretization.kinematics=printed"
 #define LINEAR  "discretization.kinematics=linear", "damping={kind: none}"
 
-/* A net with what to reach [ms] and what others took for the same work, on a two-core
- * machine of 2024-2026 but not this one: named, never in a ratio. */
+/* A net with what to reach [ms] and what others took for the same work, on another
+ * two-core machine: named, never in a ratio. */
 struct net {
     const char *name, *model;
     const char *settings[6];
@@ -48,9 +48,9 @@ struct lever {
     const char *with[6], *without[6];
 };
 static const struct lever levers[] = {
-    {"band instead of CHOLMOD", "iga 10x10x2 rebuilt", "iga",
+    {"band instead of supernodes", "iga 10x10x2 rebuilt", "iga",
      {PRINTED, "discretization.solver=banded"}, {PRINTED, "discretization.solver=cholmod"}},
-    {"band instead of CHOLMOD", "hex 32x32x2 rebuilt", "hex",
+    {"band instead of supernodes", "hex 32x32x2 rebuilt", "hex",
      {PRINTED, "discretization.solver=banded"}, {PRINTED, "discretization.solver=cholmod"}},
     {"membrane and bending apart", "iga 10x10x2 prefactored", "iga",
      {LINEAR}, {LINEAR, "discretization.unknowns=points"}},

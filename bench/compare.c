@@ -1,6 +1,5 @@
 #include "bench/compare.h"
 
-#include <errno.h>
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>

@@ -16,9 +16,6 @@ extern const struct paper_table1_row paper_table1[PAPER_TABLE1_ROWS];
 /* "RMSE <= 0.04" against the IGA result [m for a sheet of 1 m: the paper gives no unit]. */
 #define PAPER_TABLE1_RMSE 0.04
 
-/* Thickness given to the shell in Table 1 [m]. */
-#define PAPER_THICKNESS 0.001177
-
 /* Table 2, last column against control points: 82, 408, 1281 ms at 200, 450, 800. */
 struct paper_cost {
     int control_points;

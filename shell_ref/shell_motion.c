@@ -218,33 +218,12 @@ static enum status start_linear(struct shell_motion *m, struct counters *counter
 {
     enum status st;
     struct newmark *n = &m->newmark;
-    struct newmark_held held = {0};
-    int held_count = m->supports.moving ? m->supports.held_count : 0;
-    size_t count = 3 * (size_t)m->space->nodes;
-    double *x = n->work, *y = n->work + count;
+    struct newmark_held held;
 
     if (m->supports.moving)
         held = shell_motion_path(m, m->time, n->dt);
-    for (int h = 0; h < held_count; h++) {
-        int u = m->supports.held[h];
-        n->d[u] = held.d[h], n->v[u] = held.v[h];
-    }
-    for (size_t t = 0; t < count; t++)
-        x[t] = n->alpha * n->v[t];
-    for (int h = 0; h < held_count; h++)
-        x[m->supports.held[h]] += held.a[h];
-    blocks_multiply_mass(&m->assembly.graph, m->assembly.M, x, y);
-    for (size_t t = 0; t < count; t++) {
-        n->a[t] = m->load[t] - y[t];
-        x[t] = n->d[t] + n->beta * n->v[t];
-    }
-    blocks_multiply(&m->assembly.graph, stiffness(m), x, y);
-    for (size_t t = 0; t < count; t++)
-        n->a[t] -= y[t];
-    TRY(system_factor(&m->system, 0, stiffness(m), 1, m->assembly.M));
-    TRY(system_solve(&m->system, n->a));
-    for (int h = 0; h < held_count; h++)
-        n->a[m->supports.held[h]] = held.a[h];
+    TRY(newmark_start(n, &m->system, stiffness(m), m->assembly.M, m->load,
+                      m->supports.moving ? &held : NULL));
     TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
     counters->factorisations += 2;
     counters->solves++;

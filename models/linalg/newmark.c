@@ -58,6 +58,40 @@ static void subtract_held(struct newmark *n, struct system *s, const double (*K)
         rhs[t] -= y[t];
 }
 
+enum status newmark_start(struct newmark *n, struct system *s, const double (*K)[9],
+                          const double *M, const double *load,
+                          const struct newmark_held *held)
+{
+    enum status st;
+    const int *unknown = s->held->held;
+    int held_count = held ? s->held->held_count : 0;
+    size_t count = 3 * (size_t)s->graph->nodes;
+    double *x = n->work, *y = n->work + count;
+
+    for (int h = 0; h < held_count; h++) {
+        n->d[unknown[h]] = held->d[h];
+        n->v[unknown[h]] = held->v[h];
+    }
+    for (size_t t = 0; t < count; t++)
+        x[t] = n->alpha * n->v[t];
+    for (int h = 0; h < held_count; h++)
+        x[unknown[h]] += held->a[h];
+    blocks_multiply_mass(s->graph, M, x, y);
+    for (size_t t = 0; t < count; t++) {
+        n->a[t] = load[t] - y[t];
+        x[t] = n->d[t] + n->beta * n->v[t];
+    }
+    blocks_multiply(s->graph, K, x, y);
+    for (size_t t = 0; t < count; t++)
+        n->a[t] -= y[t];
+    TRY(system_factor(s, 0, K, 1, M));
+    TRY(system_solve(s, n->a));
+    for (int h = 0; h < held_count; h++)
+        n->a[unknown[h]] = held->a[h];
+out:
+    return st;
+}
+
 enum status newmark_step(struct newmark *n, struct system *s, const double (*K)[9],
                          const double *M, const double *load,
                          const struct newmark_held *held)

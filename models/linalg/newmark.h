@@ -31,6 +31,13 @@ struct newmark_held {
     const double *d, *v, *a;
 };
 
+/* The acceleration of the present d and v (rest, static equilibrium, any start):
+ *   M a = load - M alpha v - K (d + beta v),
+ * held unknowns taking the motion given (NULL: at rest). Leaves the factor of M in `s`. */
+enum status newmark_start(struct newmark *n, struct system *s, const double (*K)[9],
+                          const double *M, const double *load,
+                          const struct newmark_held *held);
+
 /* One step. `s` holds the factor of newmark_k K + newmark_m M; load[nodes][3] [N] at the
  * end of the step. `held` NULL: held unknowns stay as they are (at rest), and K is not
  * read; it may then be NULL. */

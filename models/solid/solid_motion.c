@@ -138,54 +138,20 @@ static const double (*stiffness(const struct solid_motion *m))[9]
     return (const double(*)[9])m->assembly.K;
 }
 
-/* M a = load - M alpha v - K (d + beta v) at the start, from whatever d and v there are
- * (rest, static equilibrium), held unknowns following their paths. */
-static enum status start_acceleration(struct solid_motion *m, struct counters *counters)
-{
-    enum status st;
-    struct newmark *n = &m->newmark;
-    struct newmark_held held = {0};
-    int held_count = m->supports.moving ? m->supports.held_count : 0;
-    size_t count = 3 * (size_t)m->space->nodes;
-    double *x = n->work, *y = n->work + count;
-
-    if (m->supports.moving)
-        held = path_motion(m, m->time);
-    for (int h = 0; h < held_count; h++) {
-        int u = m->supports.held[h];
-        n->d[u] = held.d[h], n->v[u] = held.v[h];
-    }
-    for (size_t t = 0; t < count; t++)
-        x[t] = n->alpha * n->v[t];
-    for (int h = 0; h < held_count; h++)
-        x[m->supports.held[h]] += held.a[h];
-    blocks_multiply_mass(&m->assembly.graph, m->assembly.M, x, y);
-    for (size_t t = 0; t < count; t++) {
-        n->a[t] = m->load[t] - y[t];
-        x[t] = n->d[t] + n->beta * n->v[t];
-    }
-    blocks_multiply(&m->assembly.graph, stiffness(m), x, y);
-    for (size_t t = 0; t < count; t++)
-        n->a[t] -= y[t];
-    TRY(system_factor(&m->system, 0, stiffness(m), 1, m->assembly.M));
-    TRY(system_solve(&m->system, n->a));
-    for (int h = 0; h < held_count; h++)
-        n->a[m->supports.held[h]] = held.a[h];
-    counters->factorisations++;
-    counters->solves++;
-out:
-    return st;
-}
-
 /* The first acceleration, then the constant system of the steps. */
 static enum status start_linear(struct solid_motion *m, struct counters *counters)
 {
     enum status st;
-    const struct newmark *n = &m->newmark;
+    struct newmark *n = &m->newmark;
+    struct newmark_held held;
 
-    TRY(start_acceleration(m, counters));
+    if (m->supports.moving)
+        held = path_motion(m, m->time);
+    TRY(newmark_start(n, &m->system, stiffness(m), m->assembly.M, m->load,
+                      m->supports.moving ? &held : NULL));
     TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
-    counters->factorisations++;
+    counters->factorisations += 2;
+    counters->solves++;
     m->started = true;
 out:
     return st;

@@ -18,7 +18,7 @@
 enum { SOLID_LANES = 4 };
 #define SOLID_PADDED(columns) (((columns) + SOLID_LANES - 1) / SOLID_LANES * SOLID_LANES)
 
-/* Basis functions of one element; rows padded as above and 64-byte aligned. */
+/* Basis functions of one element; rows padded as above, each aligned to its lanes. */
 struct solid_functions {
     double *N;      /* [gauss][padded]    values                                       */
     double *G;      /* [gauss][3][padded] parametric gradients                         */

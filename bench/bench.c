@@ -284,16 +284,22 @@ static const struct command_option options[] = {
     {NULL, NULL, false, NULL},
 };
 
-static const struct command_item items[] = {
-    {"solids",
-     "IGA plate and hexahedra: K and M, factor, solve, frame, against their aims"},
-    {"baselines", "the same matrices by CHOLMOD and LAPACK as they come"},
-    {"levers", "what the band, the splitting of unknowns, one factorisation give"},
-    {"growth", "cost of a frame over nets of 5 to 20 points a side"},
-    {"intersection", "counting a sheet's self-intersections, flat to crumpled"},
-    {"projective", "projective dynamics: local step, solve, frame; what acceleration pays"},
-    {"nonlinear", "shell and mass-spring over a whole motion"},
-    {NULL, NULL},
+#define ITEM(name, text)                                                                   \
+    &(const struct command_item)                                                           \
+    {                                                                                      \
+        name, text                                                                         \
+    }
+static const struct command_item *const items[] = {
+    ITEM("solids",
+         "IGA plate and hexahedra: K and M, factor, solve, frame, against their aims"),
+    ITEM("baselines", "the same matrices by CHOLMOD and LAPACK as they come"),
+    ITEM("levers", "what the band, the splitting of unknowns, one factorisation give"),
+    ITEM("growth", "cost of a frame over nets of 5 to 20 points a side"),
+    ITEM("intersection", "counting a sheet's self-intersections, flat to crumpled"),
+    ITEM("projective",
+         "projective dynamics: local step, solve, frame; what acceleration pays"),
+    ITEM("nonlinear", "shell and mass-spring over a whole motion"),
+    NULL,
 };
 
 static bool wanted(const struct command_line *line, const char *name)

@@ -36,7 +36,7 @@ struct command {
     int least, most;       /* words it takes                                           */
     const struct command_option *options; /* NULL: none                                */
     const char *section;                  /* of `list` for its items; NULL: none       */
-    const struct command_item *items;     /* ends with a NULL name                     */
+    const struct command_item *const *items; /* ends with NULL; or NULL                */
 
     /* STATUS_INPUT: bad usage. Sentences go to *why, tables and data to standard output,
      * the rest for people to standard error. */

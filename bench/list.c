@@ -42,8 +42,8 @@ static bool list_items(const char *section)
         if (!c->section || strcmp(c->section, section))
             continue;
         found = true;
-        for (int i = 0; c->items && c->items[i].name; i++)
-            print_item(c->items[i].name, c->items[i].text);
+        for (int i = 0; c->items && c->items[i]; i++)
+            print_item(c->items[i]->name, c->items[i]->text);
     }
     return found;
 }

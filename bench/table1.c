@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/folder.h"
 #include "bench/registry.h"
 #include "bench/store.h"
 #include "bench/timing.h"
@@ -133,7 +132,7 @@ out:
 }
 
 struct reporter {
-    const struct table1_options *options;
+    const struct exhibit_options *options;
     enum table1_part part;
 };
 
@@ -141,11 +140,10 @@ static void report(void *context, int done, int total)
 {
     const struct reporter *r = context;
 
-    if (r->options->progress)
-        r->options->progress(r->options->context, table1_part_name[r->part], done, total);
+    exhibit_progress(r->options, table1_part_name[r->part], done, total);
 }
 
-static enum status time_part(const struct table1_options *options, enum table1_part part,
+static enum status time_part(const struct exhibit_options *options, enum table1_part part,
                              struct run *runs, struct message *why)
 {
     struct timing_case cases[TABLE1_VARIANTS];
@@ -177,9 +175,9 @@ static enum status time_part(const struct table1_options *options, enum table1_p
     return st;
 }
 
-static enum status measure_part(const struct table1_options *options, enum table1_part part,
-                                const struct provenance *provenance, double *xyz,
-                                struct message *why)
+static enum status measure_part(const struct exhibit_options *options,
+                                enum table1_part part, const struct provenance *provenance,
+                                double *xyz, struct message *why)
 {
     struct run runs[TABLE1_VARIANTS] = {{0}};
     struct scene scene = {0}, undamped = {0};
@@ -216,7 +214,7 @@ out:
     return st;
 }
 
-enum status table1_measure(const struct table1_options *options, struct message *why)
+enum status table1_measure(const struct exhibit_options *options, struct message *why)
 {
     enum status st = STATUS_OK;
     struct provenance provenance;
@@ -224,7 +222,6 @@ enum status table1_measure(const struct table1_options *options, struct message 
 
     if (!xyz)
         return STATUS_MEMORY;
-    TRY(folder_make(options->folder, why));
     provenance_collect(&provenance);
     for (int part = 0; part < TABLE1_PARTS; part++)
         TRY(measure_part(options, part, &provenance, xyz, why));
@@ -232,3 +229,11 @@ out:
     free(xyz);
     return st;
 }
+
+const struct exhibit table1_exhibit = {
+    .item = {"1",
+             "Ren et al. 2024, Table 1: IGA plate against trilinear hexahedra, at equal "
+             "looks and against truth"},
+    .measure = table1_measure,
+    .print = table1_print,
+};

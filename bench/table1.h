@@ -7,23 +7,12 @@
 #ifndef TABLE1_H
 #define TABLE1_H
 
-#include <stdio.h>
+#include "bench/exhibit.h"
 
-#include "bench/table.h"
-
-struct table1_options {
-    const char *folder; /* result files go here, made if missing                       */
-    bool quick;         /* fewer repeats and densities                                 */
-    void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
-    void *context;
-};
-
-/* Runs all cases. STATUS_FILE, STATUS_MEMORY with a sentence; deaths are results. */
-enum status table1_measure(const struct table1_options *options, struct message *why);
-
-/* Prints the tables and what they say, from the files of table1_measure. */
+extern const struct exhibit table1_exhibit;
+enum status table1_measure(const struct exhibit_options *options, struct message *why);
 enum status table1_print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why);
+                         struct message *why); /* table1_print.c */
 
 /* The cases, shared by the two stages. */
 enum {

@@ -22,9 +22,13 @@ enum { METRICS = sizeof metrics / sizeof *metrics };
 struct record {
     const struct scene *scene;
     const struct model *model;
-    struct store *store;    /* NULL once closed                             owned      */
-    int room, frames;       /* kept                                                    */
-    double *xyz;            /* [GRID_POINTS][3] work                        owned      */
+    struct store *store; /* NULL once closed                             owned      */
+    int room, frames;    /* kept                                                    */
+    int every, seen;     /* frames                                                  */
+    bool waits;          /* the last frame seen is not kept yet                     */
+    double t;            /* of the last frame seen, as the next two             [s] */
+    struct counters counters;
+    double *xyz;            /* [GRID_POINTS][3]                             owned      */
     double *value[METRICS]; /* [room]                                       owned      */
     struct energy *energy;  /* [room], if the model has any                 owned      */
     double *sample_seconds; /* [room]                                       owned      */
@@ -44,17 +48,19 @@ void record_discard(struct record *r)
 }
 
 enum status record_create(const char *path, const struct store_run *run, int frame_count,
-                          struct record **record, struct message *why)
+                          int every, struct record **record, struct message *why)
 {
     enum status st = STATUS_OK;
-    size_t size = (size_t)(frame_count + 1) * sizeof(double);
+    int room = frame_count / every + 2;
+    size_t size = (size_t)room * sizeof(double);
     struct record *r = calloc(1, sizeof *r);
 
     if (!r)
         return STATUS_MEMORY;
     r->scene = run->scene;
     r->model = run->model;
-    r->room = frame_count + 1;
+    r->room = room;
+    r->every = every;
     r->xyz = malloc(GRID_POINTS * 3 * sizeof *r->xyz);
     r->sample_seconds = malloc(size);
     r->energy = malloc((size_t)r->room * sizeof *r->energy);
@@ -70,21 +76,31 @@ out:
     return st;
 }
 
+static enum status keep(struct record *r, struct message *why)
+{
+    struct energy *energy = r->model->energy ? &r->energy[r->frames] : NULL;
+
+    for (int n = 0; n < METRICS; n++)
+        r->value[n][r->frames] = metrics[n].value(r->scene, r->xyz);
+    r->frames++;
+    r->waits = false;
+    return store_frame(r->store, r->t, r->xyz, energy, &r->counters, why);
+}
+
 enum status record_frame(struct record *r, const void *state, double t,
                          const struct counters *counters, struct message *why)
 {
-    struct energy *energy = r->model->energy ? &r->energy[r->frames] : NULL;
     double start = clock_now();
 
     assert(r->frames < r->room);
     r->model->sample(state, r->xyz);
     r->sample_seconds[r->frames] = clock_now() - start;
-    for (int n = 0; n < METRICS; n++)
-        r->value[n][r->frames] = metrics[n].value(r->scene, r->xyz);
-    if (energy)
-        r->model->energy(state, energy);
-    r->frames++;
-    return store_frame(r->store, t, r->xyz, energy, counters, why);
+    if (r->model->energy)
+        r->model->energy(state, &r->energy[r->frames]);
+    r->t = t;
+    r->counters = counters ? *counters : (struct counters){0};
+    r->waits = true;
+    return r->seen++ % r->every == 0 ? keep(r, why) : STATUS_OK;
 }
 
 static enum status store_drift(const struct record *r, struct message *why)
@@ -107,6 +123,8 @@ enum status record_close(struct record *r, const void *state, double create_seco
     struct model_size size = {0};
     struct store *store = r->store;
 
+    if (r->waits)
+        TRY(keep(r, why));
     r->model->size(state, &size);
     TRY(store_size(store, &size, why));
     for (int n = 0; n < METRICS; n++)

@@ -1,4 +1,4 @@
-/* record.h - a motion into a result file (store.h): every frame, with its metrics. */
+/* record.h - a motion into a result file (store.h): its frames, with their metrics. */
 #ifndef RECORD_H
 #define RECORD_H
 
@@ -7,11 +7,13 @@
 
 struct record;
 
-/* Opens the file aside, for a motion of at most frame_count + 1 frames kept. */
+/* Opens the file aside, for a motion of at most frame_count + 1 frames, of which each
+ * `every`-th is kept (1: all), the first and the last always: where a run dies, the last one
+ * that it lived through. */
 enum status record_create(const char *path, const struct store_run *run, int frame_count,
-                          struct record **record, struct message *why);
+                          int every, struct record **record, struct message *why);
 
-/* Keeps the present state. */
+/* The next frame: the present state. */
 enum status record_frame(struct record *r, const void *state, double t,
                          const struct counters *counters, struct message *why);
 

@@ -1,5 +1,6 @@
 #include "bench/run.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,6 +21,7 @@ struct run {
     enum task task;
     bool quiet;
     long mode_count;
+    long every; /* frames: which of them a file keeps */
     enum table_format format;
     const struct model *model;
     struct scene scene;
@@ -49,6 +51,12 @@ static enum status read_options(struct run *r, const struct command_line *line,
         r->task = TASK_MODES;
         TRY(command_integer(line, "--modes", 1, MODES_MOST, &r->mode_count, why));
     }
+    r->every = 1;
+    TRY(command_integer(line, "--every", 1, INT_MAX, &r->every, why));
+    if (command_given(line, "--every") &&
+        (r->task != TASK_MOTION || !command_given(line, "--out")))
+        TRY(status_fail(why, STATUS_INPUT,
+                        "--every is for the frames of a motion that --out keeps"));
     if (r->task == TASK_MODES && (count || command_given(line, "--out")))
         TRY(status_fail(why, STATUS_INPUT, "--modes has no positions: %s makes no sense",
                         count ? "--probe" : "--out"));
@@ -63,8 +71,8 @@ out:
     return st;
 }
 
-/* Scene and settings. Statics and modes of solids are linear unless the user says otherwise:
- * the setting comes first, later ones win. */
+/* Scene and settings. Statics and modes of solids are linear unless the user says
+ * otherwise: the setting comes first, later ones win. */
 static enum status read_scene(struct run *r, const struct command_line *line,
                               struct message *why)
 {
@@ -112,7 +120,7 @@ static enum status open_record(struct run *r, const char *path, struct message *
     provenance_collect(&r->provenance);
     enum status st = motion_init(&m, r->model, &r->scene, r->state);
     if (st == STATUS_OK)
-        st = record_create(path, &kept, m.frame_count, &r->record, why);
+        st = record_create(path, &kept, m.frame_count, (int)r->every, &r->record, why);
     motion_clear(&m);
     return st;
 }
@@ -234,6 +242,8 @@ static const struct command_option options[] = {
      "t,u,v,w,x,y,z with 17 digits on standard output"},
     {"--out", "FILE.h5", false,
      "keep every frame in an HDF5 file, and a FILE.xdmf\nbeside it that opens in ParaView"},
+    {"--every", "N", false,
+     "keep only each N-th frame in --out; the first and the\nlast always"},
     {"--matrices", "FOLDER", false,
      "also write stiffness and mass of the rest shape to\n"
      "FOLDER/K.mtx and M.mtx, in Matrix Market form"},
@@ -251,14 +261,15 @@ const struct command run_command = {
         "milliseconds a frame, work done, metrics of the last frame. Positions and tables\n"
         "go to standard output.\n",
     .options = options,
-    .examples = "run edge_drop\n"
-                "run edge_drop --model hex --set discretization.points=[16,16,2]\n"
-                "run edge_drop --set material.young=5e4 --set time.end=1 --out drop.h5\n"
-                "run edge_drop --probe 1,0.5,0.5 --probe 1,0,0.5 > tips.csv\n"
-                "run cantilever --static --set discretization.degree=[3,3,2]"
-                " --set discretization.points=[10,10,3]\n"
-                "run cantilever --modes 4 --format csv\n"
-                "run cantilever --static --matrices matrices\n",
+    .examples =
+        "run edge_drop\n"
+        "run edge_drop --model hex --set discretization.points=[16,16,2]\n"
+        "run edge_drop --set material.young=5e4 --set time.end=1 --out drop.h5 --every 10\n"
+        "run edge_drop --probe 1,0.5,0.5 --probe 1,0,0.5 > tips.csv\n"
+        "run cantilever --static --set discretization.degree=[3,3,2]"
+        " --set discretization.points=[10,10,3]\n"
+        "run cantilever --modes 4 --format csv\n"
+        "run cantilever --static --matrices matrices\n",
     .least = 1,
     .most = 1,
     .run = run,

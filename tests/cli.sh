@@ -124,6 +124,9 @@ refused 'whole number from 1' run edge_drop --modes many
 refused 'modes: 1 to 540' run edge_drop --modes 541 --quiet
 refused '--probe makes no sense' run edge_drop --modes 1 --probe 0,0,0
 refused '--out makes no sense' run edge_drop --modes 1 --out a.h5
+refused 'whole number from 1' run edge_drop --out a.h5 --every 0
+refused '--every is for the frames' run edge_drop --every 2
+refused '--every is for the frames' run edge_drop --static --out a.h5 --every 2
 refused 'is for the tables' run edge_drop --format csv
 refused 'text, csv, markdown or latex' run edge_drop --static --format html
 for point in 1 1,1 1,1,1,1 1,1,x 1,1,1.5 -1,0,0 nan,0,0 ',,' '' '1,1,1 '; do
@@ -186,6 +189,13 @@ for name in K M; do
     grep -q '^600 600 ' matrices/$name.mtx || fail "$name.mtx: not 600 x 600"
     grep -q 'row = 3 node' matrices/$name.mtx || fail "$name.mtx: order not told"
 done
+times() { # FILE.xdmf: the times of its frames [s]
+    sed -n 's/^<Time Value="\(.*\)".*/\1/p' "$1" | awk '{ printf "%s%g", n++ ? " " : "", $1 }'
+}
+good run edge_drop "${short[@]}" --out some.h5 --every 4
+[ "$(times some.xdmf)" = '0 0.02 0.04 0.05' ] || fail "--every 4 keeps $(times some.xdmf)"
+good run edge_drop "${short[@]}" --out some.h5 --every 5
+[ "$(times some.xdmf)" = '0 0.025 0.05' ] || fail "--every 5 keeps $(times some.xdmf)"
 good run edge_drop "${short[@]}" --matrices matrices # the folder may be there
 refuse_file() { # TEXT ARGUMENT...: exit 1 and a sentence
     local text=$1
@@ -208,6 +218,10 @@ run run edge_drop "${row7[@]}" --probe 1,0.5,0.5 --out dead.h5
 [ "$(wc -l <err)" -eq 1 ] || fail "a dead run says more than one line: $err"
 [ "$(wc -l <out)" -gt 40 ] || fail 'a dead run: its life is not printed'
 [ -s dead.h5 ] || fail 'a dead run: nothing is kept'
+last=$(times dead.xdmf | awk '{ print $NF }')
+run run edge_drop "${row7[@]}" --out dead.h5 --every 1000
+[ "$(times dead.xdmf)" = "0 $last" ] ||
+    fail "a dead run, --every 1000: keeps $(times dead.xdmf), want 0 and $last"
 
 # --- nobody listens ---------------------------------------------------------------------
 "$program" run edge_drop --quiet --probe 1,0.5,0.5 2>err | head -n 1 >/dev/null

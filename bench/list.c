@@ -11,15 +11,15 @@ static void print_item(const char *name, const char *text)
     printf("%-24s%s%s\n", name, strlen(name) < 24 ? "" : "  ", text);
 }
 
-static enum status list_scenes(struct message *why)
+static enum status list_files(const struct named_file_kind *kind, struct message *why)
 {
-    struct scene_file_entry *entries = NULL;
+    struct named_file_entry *entries = NULL;
     int count = 0;
-    enum status st = scene_file_list(&entries, &count, why);
+    enum status st = named_file_list(kind, &entries, &count, why);
 
     for (int n = 0; n < count; n++)
-        print_item(entries[n].name, entries[n].source);
-    scene_file_list_free(entries, count);
+        print_item(entries[n].name, entries[n].text);
+    named_file_list_free(entries, count);
     return st;
 }
 
@@ -66,7 +66,7 @@ static bool section_filled(const char *section)
 static enum status list_section(const char *section, struct message *why)
 {
     if (!strcmp(section, "scenes"))
-        return list_scenes(why);
+        return list_files(&scene_file_kind, why);
     if (!strcmp(section, "models"))
         list_models();
     else

@@ -15,14 +15,15 @@
 #include <stddef.h>
 
 #include "models/discretization.h"
+#include "models/named_file.h"
 #include "models/scene.h"
 
-/* Reads a scene. *scene is overwritten, not freed; free with scene_clear. *d holds a model's
- * defaults on entry and is overridden key by key. On failure *scene is all-zero and *d as it
- * was. */
-enum status scene_file_read(const char *path, int setting_count, const char *const *settings,
-                            struct scene *scene, struct discretization *d,
-                            struct message *why);
+/* Reads a scene. *scene is overwritten, not freed; free with scene_clear. *d holds a
+ * model's defaults on entry and is overridden key by key. On failure *scene is all-zero and
+ * *d as it was. */
+enum status scene_file_read(const char *path, int setting_count,
+                            const char *const *settings, struct scene *scene,
+                            struct discretization *d, struct message *why);
 
 /* The same for text[size] in memory (any bytes), called `name` in sentences. */
 enum status scene_file_parse(const char *name, const char *text, size_t size,
@@ -30,22 +31,11 @@ enum status scene_file_parse(const char *name, const char *text, size_t size,
                              struct scene *scene, struct discretization *d,
                              struct message *why);
 
-/* The file of a SCENE argument: one with a '/' or ending in .yaml is a path already; another
- * is the NAME of NAME.yaml in the folder $CLOTHBENCH_SCENES, else in the one installed with
- * the program, else in the source tree. *path is freed by the receiver. STATUS_INPUT: no
- * such name, with a sentence that lists the known ones. */
+/* Where scenes with names are (named_file.h): $CLOTHBENCH_SCENES first. */
+extern const struct named_file_kind scene_file_kind;
+
+/* named_file_find of a SCENE argument. */
 enum status scene_file_find(const char *argument, char **path, struct message *why);
-
-/* A scene that scene_file_find finds by name. */
-struct scene_file_entry {
-    char *name;   /* owned                                                             */
-    char *source; /* the scene's source line, or what is wrong with the file   owned   */
-};
-
-/* All of them, sorted by name; *entries is freed with scene_file_list_free. */
-enum status scene_file_list(struct scene_file_entry **entries, int *count,
-                            struct message *why);
-void scene_file_list_free(struct scene_file_entry *entries, int count);
 
 /* Calls line() for every key that a scene or a setting may have, with what it may be. */
 void scene_file_keys(void (*line)(void *context, const char *key, const char *text),

@@ -177,11 +177,11 @@ static void check_failure(void)
 
 static void check_shipped(void)
 {
-    struct scene_file_entry *entries = NULL;
+    struct named_file_entry *entries = NULL;
     int count = 0;
     struct message why;
 
-    REQUIRE(scene_file_list(&entries, &count, &why) == STATUS_OK);
+    REQUIRE(named_file_list(&scene_file_kind, &entries, &count, &why) == STATUS_OK);
     CHECK(count >= 9);
     for (int i = 0; i < count; i++) {
         struct scene s = {NULL};
@@ -192,14 +192,14 @@ static void check_shipped(void)
         CHECK(scene_file_find(entries[i].name, &path, &why) == STATUS_OK);
         if (path && CHECK(scene_file_read(path, 0, NULL, &s, &d, &why) == STATUS_OK)) {
             CHECK(!strcmp(s.name, entries[i].name));
-            CHECK(!strcmp(s.source, entries[i].source));
+            CHECK(!strcmp(s.source, entries[i].text));
         } else
             printf("%s\n", why.text);
         scene_clear(&s);
         discretization_clear(&d);
         free(path);
     }
-    scene_file_list_free(entries, count);
+    named_file_list_free(entries, count);
 }
 
 static void check_names(void)

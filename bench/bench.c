@@ -9,6 +9,7 @@
 #include "bench/bench_nonlinear.h"
 #include "bench/bench_projective.h"
 #include "bench/bench_solid.h"
+#include "bench/fit.h"
 #include "bench/paper.h"
 #include "bench/progress.h"
 #include "bench/table.h"
@@ -60,8 +61,6 @@ static const struct lever levers[] = {
     {"one factorisation for all steps", "iga 10x10x2", "iga", {LINEAR}, {PRINTED}},
 };
 /* clang-format on */
-
-static const int growth[PAPER_COSTS] = {5, 10, 15, 20};
 
 static void phase_row(struct table *t, const char *name, const char *phase,
                       const struct clock_summary *s, double reach)
@@ -199,22 +198,6 @@ out:
     return st;
 }
 
-/* Least-squares slope of log cost over log size. */
-static double slope(int count, const double *size, const double *cost)
-{
-    double x = 0, y = 0, xx = 0, xy = 0;
-
-    for (int n = 0; n < count; n++) {
-        x += log(size[n]) / count;
-        y += log(cost[n]) / count;
-    }
-    for (int n = 0; n < count; n++) {
-        xx += (log(size[n]) - x) * (log(size[n]) - x);
-        xy += (log(size[n]) - x) * (log(cost[n]) - y);
-    }
-    return xy / xx;
-}
-
 static enum status print_growth(enum table_format format, struct message *why)
 {
     static const struct table_column columns[] = {
@@ -222,25 +205,26 @@ static enum status print_growth(enum table_format format, struct message *why)
         {"K and M", "ms", 0},      {"factor", "ms", 0},   {"paper", "ms", 0},
         {"ratio", NULL, 0}};
     struct table *t = table_create(7, columns, "Growth of a rebuilt frame with the net");
-    double unknowns[PAPER_COSTS], cost[PAPER_COSTS], points[PAPER_COSTS],
-        paper[PAPER_COSTS];
-    double assemble[PAPER_COSTS], elements[PAPER_COSTS];
+    double unknowns[PAPER_GROWTH_ROWS], cost[PAPER_GROWTH_ROWS], points[PAPER_GROWTH_ROWS],
+        paper[PAPER_GROWTH_ROWS];
+    double assemble[PAPER_GROWTH_ROWS], elements[PAPER_GROWTH_ROWS];
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < PAPER_COSTS; n++) {
+    for (int n = 0; n < PAPER_GROWTH_ROWS; n++) {
+        int side = paper_table2[PAPER_GROWTH + n].points[0];
         char net[64];
         const char *settings[] = {PRINTED, net, NULL};
         struct bench_solid b;
-        snprintf(net, sizeof net, "discretization.points=[%d,%d,2]", growth[n], growth[n]);
+        snprintf(net, sizeof net, "discretization.points=[%d,%d,2]", side, side);
         TRY(bench_solid_measure("iga", settings, REPEATS, &b, why));
         unknowns[n] = (double)b.size.unknowns;
         cost[n] = b.frame.median;
         assemble[n] = b.assemble.median;
-        elements[n] = (growth[n] - 2) * (growth[n] - 2);
-        points[n] = paper_cost[n].control_points;
-        paper[n] = paper_cost[n].milliseconds;
+        elements[n] = (side - 2) * (side - 2);
+        points[n] = 2.0 * side * side;
+        paper[n] = paper_table2[PAPER_GROWTH + n].milliseconds;
         table_row(t);
-        table_text(t, "%dx%dx2", growth[n], growth[n]);
+        table_text(t, "%dx%dx2", side, side);
         table_integer(t, b.size.unknowns);
         table_number(t, 1e3 * cost[n], 3);
         table_number(t, 1e3 * b.assemble.median, 3);
@@ -253,13 +237,16 @@ static enum status print_growth(enum table_format format, struct message *why)
         "K and M alone grow as unknowns^%.2f and as elements^%.2f: a net of n "
         "points a side has (n - 2)^2 elements, so that elements per unknown more than "
         "double from 5 to 20.",
-        slope(PAPER_COSTS, unknowns, assemble), slope(PAPER_COSTS, elements, assemble));
+        fit_exponent(PAPER_GROWTH_ROWS, unknowns, assemble),
+        fit_exponent(PAPER_GROWTH_ROWS, elements, assemble));
     table_note(
         t,
         "Cost grows as unknowns^%.2f (aim 1.2 or less), as control points^%.2f; the "
         "paper's as control points^%.2f over all four nets, ^%.2f over the last three.",
-        slope(PAPER_COSTS, unknowns, cost), slope(PAPER_COSTS, points, cost),
-        slope(PAPER_COSTS, points, paper), slope(PAPER_COSTS - 1, points + 1, paper + 1));
+        fit_exponent(PAPER_GROWTH_ROWS, unknowns, cost),
+        fit_exponent(PAPER_GROWTH_ROWS, points, cost),
+        fit_exponent(PAPER_GROWTH_ROWS, points, paper),
+        fit_exponent(PAPER_GROWTH_ROWS - 1, points + 1, paper + 1));
     TRY(table_print(t, format, stdout));
 out:
     table_destroy(t);

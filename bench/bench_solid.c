@@ -45,45 +45,54 @@ out:
     return st;
 }
 
-enum phase { ASSEMBLE, FACTOR, SOLVE, FRAME };
-
-static enum status run_phase(struct made *m, enum phase phase)
+static enum status run_phase(const struct model *model, void *state,
+                             enum bench_solid_phase phase)
 {
-    struct solid_motion *motion = m->state; /* solid_model.h */
+    struct solid_motion *motion = state; /* solid_model.h */
     const double(*K)[9] = (const double(*)[9])motion->assembly.K;
     struct counters counters = {0};
 
     switch (phase) {
-    case ASSEMBLE:
+    case BENCH_SOLID_ASSEMBLE:
         return solid_assembly_compute(&motion->assembly, motion->space->rest);
-    case FACTOR:
+    case BENCH_SOLID_FACTOR:
         return system_factor(&motion->system, newmark_k(&motion->newmark), K,
                              newmark_m(&motion->newmark), motion->assembly.M);
-    case SOLVE: /* of zeros: the same work, and no denormals */
+    case BENCH_SOLID_SOLVE: /* of zeros: the same work, and no denormals */
         return system_solve(&motion->system, motion->newmark.work);
     default:
-        return m->model->advance(m->state, &counters);
+        return model->advance(state, &counters);
     }
 }
 
 /* Phases are short: one sample is as many calls as make up SAMPLE seconds. */
 static const double SAMPLE = 1e-3;
 
-static enum status time_phase(struct made *m, enum phase phase, int repeats,
-                              struct clock_summary *summary)
+enum status bench_solid_time(const struct model *model, void *state,
+                             enum bench_solid_phase phase, int repeats, double *seconds)
 {
-    double *seconds = malloc((size_t)repeats * sizeof *seconds), start = clock_now();
-    enum status st = seconds ? run_phase(m, phase) : STATUS_MEMORY;
+    double start = clock_now();
+    enum status st = run_phase(model, state, phase);
     int calls = (int)fmin(100, ceil(SAMPLE / fmax(clock_now() - start, 1e-7)));
 
-    if (phase == FRAME)
+    if (phase == BENCH_SOLID_FRAME)
         calls = 1; /* frames move the sheet: few of them */
     for (int r = 0; r < repeats && st == STATUS_OK; r++) {
         start = clock_now();
         for (int n = 0; n < calls && st == STATUS_OK; n++)
-            st = run_phase(m, phase);
+            st = run_phase(model, state, phase);
         seconds[r] = (clock_now() - start) / calls;
     }
+    return st;
+}
+
+static enum status time_phase(struct made *m, enum bench_solid_phase phase, int repeats,
+                              struct clock_summary *summary)
+{
+    double *seconds = malloc((size_t)repeats * sizeof *seconds);
+    enum status st = seconds ? bench_solid_time(m->model, m->state, phase, repeats, seconds)
+                             : STATUS_MEMORY;
+
     if (st == STATUS_OK)
         *summary = clock_summarise(seconds, repeats);
     free(seconds);
@@ -98,10 +107,10 @@ enum status bench_solid_measure(const char *model, const char *const *settings, 
 
     TRY(make(model, settings, &m, &b->create, why));
     m.model->size(m.state, &b->size);
-    TRY(time_phase(&m, FRAME, repeats, &b->frame));
-    TRY(time_phase(&m, ASSEMBLE, repeats, &b->assemble));
-    TRY(time_phase(&m, FACTOR, repeats, &b->factor));
-    TRY(time_phase(&m, SOLVE, repeats, &b->solve));
+    TRY(time_phase(&m, BENCH_SOLID_FRAME, repeats, &b->frame));
+    TRY(time_phase(&m, BENCH_SOLID_ASSEMBLE, repeats, &b->assemble));
+    TRY(time_phase(&m, BENCH_SOLID_FACTOR, repeats, &b->factor));
+    TRY(time_phase(&m, BENCH_SOLID_SOLVE, repeats, &b->solve));
 out:
     unmake(&m);
     return st;

@@ -16,12 +16,23 @@ extern const struct paper_table1_row paper_table1[PAPER_TABLE1_ROWS];
 /* "RMSE <= 0.04" against the IGA result [m for a sheet of 1 m: the paper gives no unit]. */
 #define PAPER_TABLE1_RMSE 0.04
 
-/* Table 2, last column against control points: 82, 408, 1281 ms at 200, 450, 800. */
+/* Tables 2 and 3: milliseconds a frame. Nets and degrees in the order printed; the thickness
+ * is the direction with two points: w in most rows, u in nets 2 x n x n. */
 struct paper_cost {
-    int control_points;
+    const char *figure;    /* what the row shows; Table 3: empty                        */
+    int degree[3], points[3];
+    double young, poisson; /* [Pa], -; 0 in Table 3: not printed there, as the next two */
+    double density, damping; /* [kg/m^3], mu                                            */
     double milliseconds;
 };
-enum { PAPER_COSTS = 4 };
-extern const struct paper_cost paper_cost[PAPER_COSTS];
+enum {
+    PAPER_TABLE2_ROWS = 10,
+    PAPER_TABLE2_CONTACT = 2, /* the row that falls onto the ground                     */
+    PAPER_GROWTH = 3,         /* first of the rows that differ in their net alone ...   */
+    PAPER_GROWTH_ROWS = 4,    /* ... 5, 10, 15 and 20 points a side                     */
+    PAPER_TABLE3_ROWS = 4
+};
+extern const struct paper_cost paper_table2[PAPER_TABLE2_ROWS];
+extern const struct paper_cost paper_table3[PAPER_TABLE3_ROWS];
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "bench/paper.h"
 #include "bench/store_scene.h"
+#include "bench/timed.h"
 #include "models/metric.h"
 
 void table1_data_clear(struct table1_data *d)
@@ -19,35 +20,6 @@ void table1_data_clear(struct table1_data *d)
         }
     table1_truth_clear(&d->truth);
     free(d);
-}
-
-/* Summary over the repeats of the mean over each one's frames; a death leaves some out. */
-static enum status load_seconds(const struct store_read *file, const char *name,
-                                struct clock_summary *summary, struct message *why)
-{
-    enum status st;
-    double *seconds = NULL;
-    int rows, columns, repeats = 0;
-
-    if (!store_read_has(file, name))
-        return STATUS_OK;
-    TRY(store_read_array(file, name, &seconds, &rows, &columns, why));
-    for (int r = 0; r < rows; r++) {
-        double sum = 0;
-        int frames = 0;
-        for (int n = 0; n < columns; n++)
-            if (!isnan(seconds[r * columns + n])) {
-                sum += seconds[r * columns + n];
-                frames++;
-            }
-        if (frames)
-            seconds[repeats++] = sum / frames;
-    }
-    if (repeats)
-        *summary = clock_summarise(seconds, repeats);
-out:
-    free(seconds);
-    return st;
 }
 
 static enum status load_cell(const char *path, struct table1_cell *c, struct message *why)
@@ -70,8 +42,8 @@ static enum status load_cell(const char *path, struct table1_cell *c, struct mes
             TRY(STATUS_MEMORY);
         TRY(store_read_frame(file, t, c->xyz[t], why));
     }
-    TRY(load_seconds(file, "seconds/create", &c->create, why));
-    TRY(load_seconds(file, "seconds/advance", &c->step, why));
+    TRY(timed_seconds(file, "create", &c->create, why));
+    TRY(timed_seconds(file, "advance", &c->step, why));
 out:
     store_read_close(file);
     return st;

@@ -2,8 +2,8 @@
 #include <stdlib.h>
 
 #include "bench/paper.h"
-#include "bench/store_read.h"
 #include "bench/table1_data.h"
+#include "bench/timed.h"
 
 /* The claim of Table 1 at equal error against truth. */
 static void worth(const struct table1_data *d, FILE *file)
@@ -90,31 +90,11 @@ static void summary(const struct table1_data *d, FILE *file)
             d->truth.gamma);
 }
 
-/* Where the numbers were measured. */
-static void machine(const char *folder, FILE *file)
-{
-    static const char *const keys[] = {
-        "commit",      "changed_files", "compiler",    "flags",        "cpu",
-        "blas_kernel", "cholmod",       "omp_threads", "blas_threads", "date"};
-    struct store_read *run = NULL;
-    char path[4096];
-
-    table1_path(folder, TABLE1_PRINTED, 0, path, sizeof path);
-    if (store_read_open(path, &run, NULL) != STATUS_OK)
-        return;
-    fprintf(file, "\nMeasured:");
-    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
-        char *text = NULL;
-        if (store_read_text(run, "provenance", keys[n], &text, NULL) == STATUS_OK)
-            fprintf(file, "%s%s %s", n ? "; " : " ", keys[n], text);
-        free(text);
-    }
-    fprintf(file, "\n");
-    store_read_close(run);
-}
-
 void table1_text(const struct table1_data *d, const char *folder, FILE *file)
 {
+    char path[TIMED_PATH];
+
     summary(d, file);
-    machine(folder, file);
+    table1_path(folder, TABLE1_PRINTED, 0, path, sizeof path);
+    timed_machine(path, file);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "models/contact.h"
 #include "models/grid.h"
 #include "models/intersection.h"
 
@@ -140,27 +141,11 @@ double metric_roughness(const struct scene *scene, const double *xyz)
     return scene->length * sqrt(sum / ((GRID_U - 2) * (GRID_V - 2)));
 }
 
-static double depth_below(const struct scene_obstacle *obstacle, const double x[3])
-{
-    double d[3];
-    for (int c = 0; c < 3; c++)
-        d[c] = x[c] - obstacle->point[c];
-    if (obstacle->kind == OBSTACLE_SPHERE)
-        return obstacle->radius - sqrt(dot(d, d));
-    return -dot(d, obstacle->normal) / sqrt(dot(obstacle->normal, obstacle->normal));
-}
-
 double metric_penetration(const struct scene *scene, const double *xyz)
 {
-    double deepest = 0;
-    for (int o = 0; o < scene->obstacle_count; o++)
-        for (int n = 0; n < GRID_POINTS; n++) {
-            double depth = depth_below(&scene->obstacles[o], xyz + 3 * n);
-            if (isnan(depth))
-                return NAN;
-            deepest = fmax(deepest, depth);
-        }
-    return deepest;
+    double gap = contact_least_gap(scene, GRID_POINTS, xyz);
+
+    return isnan(gap) ? NAN : fmax(0, -gap);
 }
 
 /* Squared distance [m^2] of x from the rest points of the box [lo, hi]. */

@@ -29,6 +29,14 @@ struct model_size {
     const char *unknown_basis; /* "control points", "thickness"; static storage        */
 };
 
+/* How a sheet touches the scene's obstacles, after the last step. */
+struct model_contact {
+    int nodes;        /* control points or nodes that an obstacle carries              */
+    double least_gap; /* of the net, where the model keeps its distance; INFINITY without
+                         obstacles                                               [m]   */
+    double force[3];  /* on the sheet, mean over the last step                   [N]   */
+};
+
 /* Sparse symmetric matrix handed out for inspection; coordinates, lower triangle, 0-based,
  * both arrays [entries], owned by the receiver (free with matrix_clear). */
 struct matrix {
@@ -73,6 +81,9 @@ struct model {
     void (*describe)(const void *state, struct message *line);
 
     /* optional */ void (*energy)(const void *state, struct energy *energy);
+
+    /* optional: where SCENE_NEED_CONTACT is served. */
+    void (*contact)(const void *state, struct model_contact *contact);
 
     /* optional: moves the state to static equilibrium under the scene's loads. */
     enum status (*equilibrium)(void *state, struct counters *counters, struct message *why);

@@ -1,0 +1,19 @@
+/* contact.h - the geometry of obstacles. Model-free; all of them convex (half-spaces and
+ * balls), so that the tangent plane at the nearest point keeps a point outside.
+ */
+#ifndef CONTACT_H
+#define CONTACT_H
+
+#include "models/scene.h"
+
+/* Signed distance of x from the obstacle's surface [m], negative inside, and the outward
+ * unit normal at the nearest point, which is the gap's gradient. At a sphere's centre,
+ * where every direction is as good, the normal is z. `normal` may be NULL. */
+double contact_gap(const struct scene_obstacle *obstacle, const double x[3],
+                   double normal[3]);
+
+/* Least gap of the points x[count][3] to any obstacle of the scene [m]: INFINITY without
+ * obstacles or points, NaN if a coordinate is none. */
+double contact_least_gap(const struct scene *scene, long count, const double *x);
+
+#endif

@@ -3,21 +3,10 @@
 #include <assert.h>
 #include <stdlib.h>
 
+#include "bench/series.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric.h"
-
-static const struct {
-    const char *name, *unit;
-    double (*value)(const struct scene *scene, const double *xyz);
-} metrics[] = {
-    {"drop", "1", metric_drop},
-    {"angle", "degrees", metric_angle},
-    {"stretch", "1", metric_stretch},
-    {"roughness", "1", metric_roughness},
-    {"penetration", "m", metric_penetration},
-};
-enum { METRICS = sizeof metrics / sizeof *metrics };
 
 struct record {
     const struct scene *scene;
@@ -28,8 +17,8 @@ struct record {
     bool waits;          /* the last frame seen is not kept yet                     */
     double t;            /* of the last frame seen, as the next two             [s] */
     struct counters counters;
-    double *xyz;            /* [GRID_POINTS][3]                             owned      */
-    double *value[METRICS]; /* [room]                                       owned      */
+    double *xyz; /* [GRID_POINTS][3]                             owned      */
+    double *value[SERIES_METRICS]; /* [room]                                       owned */
     struct energy *energy;  /* [room], if the model has any                 owned      */
     double *sample_seconds; /* [room]                                       owned      */
 };
@@ -39,7 +28,7 @@ void record_discard(struct record *r)
     if (!r)
         return;
     store_discard(r->store);
-    for (int n = 0; n < METRICS; n++)
+    for (int n = 0; n < SERIES_METRICS; n++)
         free(r->value[n]);
     free(r->energy);
     free(r->sample_seconds);
@@ -66,7 +55,7 @@ enum status record_create(const char *path, const struct store_run *run, int fra
     r->energy = malloc((size_t)r->room * sizeof *r->energy);
     if (!r->xyz || !r->sample_seconds || !r->energy)
         TRY(STATUS_MEMORY);
-    for (int n = 0; n < METRICS; n++)
+    for (int n = 0; n < SERIES_METRICS; n++)
         if (!(r->value[n] = malloc(size)))
             TRY(STATUS_MEMORY);
     TRY(store_create(path, run, &r->store, why));
@@ -80,8 +69,8 @@ static enum status keep(struct record *r, struct message *why)
 {
     struct energy *energy = r->model->energy ? &r->energy[r->frames] : NULL;
 
-    for (int n = 0; n < METRICS; n++)
-        r->value[n][r->frames] = metrics[n].value(r->scene, r->xyz);
+    for (int n = 0; n < SERIES_METRICS; n++)
+        r->value[n][r->frames] = series_metric[n].value(r->scene, r->xyz);
     r->frames++;
     r->waits = false;
     return store_frame(r->store, r->t, r->xyz, energy, &r->counters, why);
@@ -127,9 +116,9 @@ enum status record_close(struct record *r, const void *state, double create_seco
         TRY(keep(r, why));
     r->model->size(state, &size);
     TRY(store_size(store, &size, why));
-    for (int n = 0; n < METRICS; n++)
-        TRY(store_metric(store, metrics[n].name, metrics[n].unit, r->value[n], r->frames,
-                         why));
+    for (int n = 0; n < SERIES_METRICS; n++)
+        TRY(store_metric(store, series_metric[n].name, series_metric[n].unit, r->value[n],
+                         r->frames, why));
     if (r->model->energy)
         TRY(store_drift(r, why));
     TRY(store_seconds(store, "create", &create_seconds, 1, 0, why));

@@ -6,12 +6,10 @@
 #include <string.h>
 
 #include "bench/motion.h"
-#include "bench/registry.h"
 #include "bench/store.h"
 #include "bench/store_read.h"
-#include "models/clock.h"
+#include "bench/trial.h"
 #include "models/grid.h"
-#include "models/scene_file.h"
 
 static void file_of(const struct rung_plan *plan, char *path, int size)
 {
@@ -41,54 +39,36 @@ static enum status keep(void *context, const struct motion *m, struct message *w
                        &m->counters, why);
 }
 
-static enum status read_scene(const struct rung_plan *plan, const struct model *model,
-                              struct scene *scene, struct discretization *d,
-                              struct message *why)
-{
-    enum status st;
-
-    model->defaults(d);
-    st = scene_file_read(plan->path, plan->setting_count, plan->settings, scene, d, why);
-    if (st == STATUS_OK)
-        scene->end = plan->time[plan->times - 1];
-    return st;
-}
-
 enum status rung_run(const struct rung_plan *plan, struct message *why)
 {
     enum status st;
-    const struct model *model = NULL;
-    struct scene scene = {0};
-    struct discretization d = {0};
+    struct trial trial;
     struct provenance provenance;
     struct motion m = {0};
     struct keeper k = {.plan = plan};
     struct model_size size;
-    void *state = NULL;
     char path[4096];
 
-    TRY(registry_find(plan->model, &model, why));
-    TRY(read_scene(plan, model, &scene, &d, why));
-    double start = clock_now();
-    TRY(model->create(&scene, &d, &state, why));
-    double create = clock_now() - start;
+    TRY(trial_open(&trial, plan->path, plan->setting_count, plan->settings, plan->model,
+                   why));
+    trial.scene.end = plan->time[plan->times - 1];
     k.xyz = malloc(3 * GRID_POINTS * sizeof *k.xyz);
     if (!k.xyz)
         TRY(STATUS_MEMORY);
     provenance_collect(&provenance);
     file_of(plan, path, sizeof path);
     TRY(store_create(path,
-                     &(struct store_run){.scene = &scene,
-                                         .model = model,
-                                         .discretization = &d,
+                     &(struct store_run){.scene = &trial.scene,
+                                         .model = trial.model,
+                                         .discretization = &trial.discretization,
                                          .provenance = &provenance,
                                          .single = true},
                      &k.store, why));
-    model->size(state, &size);
+    trial.model->size(trial.state, &size);
     TRY(store_size(k.store, &size, why));
-    TRY(motion_init(&m, model, &scene, state));
+    TRY(motion_init(&m, trial.model, &trial.scene, trial.state));
     TRY(motion_run(&m, keep, &k, true, why));
-    TRY(store_seconds(k.store, "create", &create, 1, 0, why));
+    TRY(store_seconds(k.store, "create", &trial.create_seconds, 1, 0, why));
     TRY(store_seconds(k.store, "advance", m.seconds, 1, m.steps, why));
     if (m.death)
         store_death(k.store, m.death, m.death_time);
@@ -99,10 +79,7 @@ out:
     store_discard(k.store);
     motion_clear(&m);
     free(k.xyz);
-    if (model)
-        model->destroy(state);
-    scene_clear(&scene);
-    discretization_clear(&d);
+    trial_close(&trial);
     return st;
 }
 

@@ -28,8 +28,9 @@ enum { SERIES = sizeof series_name / sizeof *series_name };
 struct store {
     struct aside aside;
     hid_t file, xyz;
-    int frames, room;
+    int frames, fields, room;
     double *time;           /* [room]         owned; written at the end                  */
+    double *field_time;     /* [room]         owned; of the frames that have a field     */
     double *series[SERIES]; /* [room] each    owned                                      */
     bool single, packed;
     enum status outcome;
@@ -146,8 +147,8 @@ static enum status make_room(struct store *s)
     if (s->frames < s->room)
         return STATUS_OK;
     int room = s->room ? 2 * s->room : 64;
-    for (int i = -1; i < SERIES; i++) {
-        double **array = i < 0 ? &s->time : &s->series[i];
+    for (int i = -2; i < SERIES; i++) {
+        double **array = i == -2 ? &s->field_time : i == -1 ? &s->time : &s->series[i];
         double *grown = realloc(*array, (size_t)room * sizeof *grown);
         if (!grown)
             return STATUS_MEMORY;
@@ -159,8 +160,8 @@ static enum status make_room(struct store *s)
 
 static bool write_field(struct store *s, const double *xyz)
 {
-    hsize_t size[5] = {(hsize_t)s->frames + 1, GRID_W, GRID_V, GRID_U, 3};
-    hsize_t start[5] = {(hsize_t)s->frames, 0, 0, 0, 0};
+    hsize_t size[5] = {(hsize_t)s->fields + 1, GRID_W, GRID_V, GRID_U, 3};
+    hsize_t start[5] = {(hsize_t)s->fields, 0, 0, 0, 0};
     hsize_t count[5] = {1, GRID_W, GRID_V, GRID_U, 3};
 
     if (H5Dset_extent(s->xyz, size) < 0)
@@ -194,8 +195,11 @@ enum status store_frame(struct store *s, double t, const double *xyz,
     enum status st = STATUS_OK;
 
     TRY(make_room(s));
-    if (!write_field(s, xyz))
-        TRY(fail(s, why));
+    if (xyz) {
+        if (!write_field(s, xyz))
+            TRY(fail(s, why));
+        s->field_time[s->fields++] = t;
+    }
     s->time[s->frames] = t;
     for (int i = 0; i < SERIES; i++)
         s->series[i][s->frames] = value[i];
@@ -241,6 +245,11 @@ enum status store_size(struct store *s, const struct model_size *size, struct me
     return STATUS_OK;
 }
 
+enum status store_note(struct store *s, const char *text, struct message *why)
+{
+    return hdf5_file_put_text(s->file, "note", text) < 0 ? fail(s, why) : STATUS_OK;
+}
+
 void store_death(struct store *s, enum status death, double t)
 {
     s->outcome = death;
@@ -277,8 +286,8 @@ static enum status put_views(struct store *s, struct message *why)
     hid_t group = H5Gcreate2(s->file, "frame", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     bool good = group >= 0;
 
-    for (int n = 0; good && n < s->frames; n++)
-        good = put_view(group, n, s->frames);
+    for (int n = 0; good && n < s->fields; n++)
+        good = put_view(group, n, s->fields);
     if (group >= 0 && H5Gclose(group) < 0)
         good = false;
     return good ? STATUS_OK : fail(s, why);
@@ -286,7 +295,8 @@ static enum status put_views(struct store *s, struct message *why)
 
 static enum status put_end(struct store *s, struct message *why)
 {
-    if (hdf5_file_put_array(s->file, "time", s->time, s->frames, 0) < 0)
+    if (hdf5_file_put_array(s->file, "time", s->time, s->frames, 0) < 0 ||
+        hdf5_file_put_array(s->file, "xyz_time", s->field_time, s->fields, 0) < 0)
         return fail(s, why);
     for (int i = 0; i < SERIES; i++)
         if (hdf5_file_put_array(s->file, series_name[i], s->series[i], s->frames, 0) < 0)
@@ -321,7 +331,8 @@ enum status store_close(struct store *s, struct message *why)
     TRY(put_end(s, why));
     TRY(close_file(s, why));
     TRY(aside_commit(&s->aside, why));
-    TRY(xdmf_write(path, s->time, s->frames, why));
+    if (s->fields)
+        TRY(xdmf_write(path, s->field_time, s->fields, why));
 out:
     free(path);
     store_discard(s);
@@ -354,6 +365,7 @@ void store_discard(struct store *s)
         H5Fclose(s->file);
     aside_discard(&s->aside);
     free(s->time);
+    free(s->field_time);
     for (int i = 0; i < SERIES; i++)
         free(s->series[i]);
     free(s);

@@ -1,15 +1,16 @@
 /* store.h - the result file of one run: scene, model, discretization, motion, seconds.
  *
- * HDF5, in /, F = frames kept, R = repeats:
+ * HDF5, in /, F = frames kept, K <= F = those of them with their field, R = repeats:
  *
  *   attributes        format, scene (its YAML text), scene_name, scene_source, model,
  *                     model_title, model_source, discretization (lines `key=value` as
  *                     --set takes them), outcome ("done" or the sentence of a death),
- *                     death_time [s] (only then), length, width, thickness [m], nodes,
+ *                     death_time [s] (only then), note (if there is one), length, width, thickness [m], nodes,
  *                     unknowns, factor_entries, solver, unknown_basis
  *   provenance        a group whose attributes are provenance.h's keys
  *   time              [F]                          double [s]
- *   xyz               [F][w 2][v 100][u 100][3]    double [m] (or float, if asked for)
+ *   xyz               [K][w 2][v 100][u 100][3]    double [m] (or float, if asked for)
+ *   xyz_time          [K]                          double [s]
  *   frame/0, frame/1, ...                          views of xyz[0], xyz[1], for XDMF
  *   energy/kinetic, energy/elastic, energy/potential   [F]   double [J], NaN if not known
  *   counters/steps, ...                            [F]   work done up to the frame
@@ -17,8 +18,8 @@
  *   seconds/create, seconds/sample                 [R]            raw, every repeat
  *   seconds/advance                                [R][steps]     raw, every step
  *
- * Beside FILE.h5 stands FILE.xdmf, which opens in ParaView (path with a slash in it). Both
- * are written aside and renamed (aside.h): a run that fails leaves neither.
+ * Beside FILE.h5 stands FILE.xdmf, if there are fields, which opens in ParaView (path with a
+ * slash in it). Both are written aside and renamed (aside.h): a run that fails leaves neither.
  */
 #ifndef STORE_H
 #define STORE_H
@@ -45,8 +46,8 @@ struct store_run {
 enum status store_create(const char *path, const struct store_run *run,
                          struct store **store, struct message *why);
 
-/* Appends a frame: field xyz (grid.h) at time t. energy and counters may be NULL: NaN and
- * zeros are stored. */
+/* Appends a frame: field xyz (grid.h) at time t; NULL: a frame without its field, as numbers
+ * alone. energy and counters may be NULL: NaN and zeros are stored. */
 enum status store_frame(struct store *store, double t, const double *xyz,
                         const struct energy *energy, const struct counters *counters,
                         struct message *why);
@@ -64,6 +65,9 @@ enum status store_metric(struct store *store, const char *name, const char *unit
 /* What was built. */
 enum status store_size(struct store *store, const struct model_size *size,
                        struct message *why);
+
+/* A sentence on the run that its outcome does not say. Once. */
+enum status store_note(struct store *store, const char *text, struct message *why);
 
 /* The run died at t with this status: kept, and written by store_close. */
 void store_death(struct store *store, enum status death, double t);

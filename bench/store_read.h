@@ -14,10 +14,10 @@ enum status store_read_open(const char *path, struct store_read **file,
                             struct message *why);
 void store_read_close(struct store_read *file); /* NULL is allowed */
 
-/* Frames in the file. */
+/* Frames with a field in the file; their times are its array "xyz_time". */
 int store_read_frames(const struct store_read *file);
 
-/* Field of frame n, 0 <= n < frames, into xyz (grid.h) [m]. */
+/* The n-th field, 0 <= n < frames, into xyz (grid.h) [m]. */
 enum status store_read_frame(const struct store_read *file, int n, double *xyz,
                              struct message *why);
 

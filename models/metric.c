@@ -1,5 +1,6 @@
 #include "models/metric.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -222,21 +223,28 @@ double metric_angle(const struct scene *scene, const double *xyz)
     return atan2(fall, reach) * (45 / atan(1));
 }
 
-double metric_intersections(const double *xyz)
+double metric_intersections_every(const double *xyz, int step)
 {
-    double *surface = malloc(LAYER * 3 * sizeof *surface);
+    const int n_u = (GRID_U - 1) / step + 1, n_v = (GRID_V - 1) / step + 1;
+    double *surface = malloc((size_t)(n_u * n_v * 3) * sizeof *surface);
     struct intersection work = {0};
     enum status st = STATUS_MEMORY;
     long count = 0;
 
+    assert((GRID_U - 1) % step == 0 && (GRID_V - 1) % step == 0);
     if (surface) {
-        for (int n = 0; n < LAYER; n++)
-            middle(xyz, n % GRID_U, n / GRID_U, surface + 3 * n);
-        st = intersection_count(&work, GRID_U, GRID_V, surface, &count);
+        for (int n = 0; n < n_u * n_v; n++)
+            middle(xyz, step * (n % n_u), step * (n / n_u), surface + 3 * n);
+        st = intersection_count(&work, n_u, n_v, surface, &count);
     }
     intersection_clear(&work);
     free(surface);
     return st ? NAN : (double)count;
+}
+
+double metric_intersections(const double *xyz)
+{
+    return metric_intersections_every(xyz, 1);
 }
 
 static double total(const struct energy *energy)

@@ -1,0 +1,32 @@
+#include "bench/trial.h"
+
+#include <string.h>
+
+#include "bench/registry.h"
+#include "models/clock.h"
+#include "models/scene_file.h"
+
+enum status trial_open(struct trial *t, const char *path, int setting_count,
+                       const char *const *settings, const char *model, struct message *why)
+{
+    enum status st;
+
+    memset(t, 0, sizeof *t);
+    TRY(registry_find(model, &t->model, why));
+    t->model->defaults(&t->discretization);
+    TRY(scene_file_read(path, setting_count, settings, &t->scene, &t->discretization, why));
+    double start = clock_now();
+    st = t->model->create(&t->scene, &t->discretization, &t->state, why);
+    t->create_seconds = clock_now() - start;
+out:
+    return st;
+}
+
+void trial_close(struct trial *t)
+{
+    if (t->model)
+        t->model->destroy(t->state);
+    scene_clear(&t->scene);
+    discretization_clear(&t->discretization);
+    memset(t, 0, sizeof *t);
+}

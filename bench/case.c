@@ -13,7 +13,9 @@
 #include "models/metric.h"
 
 /* Every third grid point: three or four to a span of a net of 10 x 10 control points, where
- * a quadratic spline has no folds to hide; a tenth of the time of the whole grid. */
+ * a quadratic spline has no folds to hide, at a tenth of the time of the whole grid. Of
+ * 1,098 looks at 18 runs of the flag (Table 4) none was judged otherwise than by the whole
+ * grid. */
 enum { INTERSECTION_STEP = 3 };
 
 static const struct {

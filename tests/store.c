@@ -216,6 +216,40 @@ static void test_single(struct fixture *f)
     free(xyz);
 }
 
+/* Frames as numbers alone, one with its field, none. */
+static void test_without_fields(const struct fixture *f)
+{
+    struct message why = {""};
+    const char *path = in_folder("few.h5");
+    double *xyz = malloc(COUNT * sizeof *xyz);
+
+    REQUIRE(xyz);
+    for (int kept = 0; kept < 2; kept++) {
+        struct store *store = NULL;
+        struct store_read *file = NULL;
+        REQUIRE(store_create(path, &f->run, &store, &why) == STATUS_OK);
+        for (int n = 0; n < FRAMES; n++)
+            CHECK(store_frame(store, 0.1 * n, kept && n == 1 ? f->xyz + n * COUNT : NULL,
+                              NULL, NULL, &why) == STATUS_OK);
+        CHECK(store_note(store, "a note", &why) == STATUS_OK);
+        CHECK(store_close(store, &why) == STATUS_OK);
+        CHECK(files_in(folder) == 3 + kept); /* XDMF only where there is something to see */
+        REQUIRE(store_read_open(path, &file, &why) == STATUS_OK);
+        CHECK(store_read_frames(file) == kept);
+        check_array(file, "time", FRAMES, 1, (double[]){0.0, 0.1, 0.2});
+        check_array(file, "xyz_time", kept, 1, (double[]){0.1});
+        check_text(file, "/", "note", "a note");
+        if (kept) {
+            CHECK(store_read_frame(file, 0, xyz, &why) == STATUS_OK);
+            CHECK(!memcmp(xyz, f->xyz + COUNT, COUNT * sizeof *xyz));
+        }
+        store_read_close(file);
+    }
+    unlink(path);
+    unlink(in_folder("few.xdmf"));
+    free(xyz);
+}
+
 static void test_xdmf(void)
 {
     char text[4096] = "";
@@ -359,6 +393,7 @@ int main(int count, char **arguments)
     test_provenance(&f.provenance);
     test_round_trip(&f);
     test_single(&f);
+    test_without_fields(&f);
     test_xdmf();
     test_reading_what_is_none();
     test_bad_targets(&f);

@@ -5,8 +5,9 @@
  *   attributes        format, scene (its YAML text), scene_name, scene_source, model,
  *                     model_title, model_source, discretization (lines `key=value` as
  *                     --set takes them), outcome ("done" or the sentence of a death),
- *                     death_time [s] (only then), note (if there is one), length, width, thickness [m], nodes,
- *                     unknowns, factor_entries, solver, unknown_basis
+ *                     death_time [s] (only then), note (a sentence, if there is one),
+ *                     length, width, thickness [m], nodes, unknowns, factor_entries,
+ *                     solver, unknown_basis
  *   provenance        a group whose attributes are provenance.h's keys
  *   time              [F]                          double [s]
  *   xyz               [K][w 2][v 100][u 100][3]    double [m] (or float, if asked for)

@@ -1,0 +1,65 @@
+/* solid_green.h - strains, internal forces, tangents and energy of a whole solid at large
+ * displacements (solid_green_element.h), on the pattern of its solid_assembly.
+ *
+ * What the rest shape gives each Gauss point is computed once. Assembly runs over slabs in
+ * parallel; sums are made in an order that does not depend on the number of threads.
+ */
+#ifndef SOLID_GREEN_H
+#define SOLID_GREEN_H
+
+#include <stddef.h>
+
+#include "models/solid/solid_assembly.h"
+#include "models/solid/solid_green_element.h"
+
+struct solid_green {
+    const struct solid_assembly *assembly; /* pattern, places, material      borrowed  */
+    double *g;    /* [elements][gauss][3][row]                               owned     */
+    double *dV;   /* [elements][gauss]                                       owned     */
+    double *mode; /* [elements][gauss][modes][3] or NULL                     owned     */
+    double *A;    /* [elements][INTERNAL][INTERNAL] or NULL                  owned     */
+    int threads;
+    struct solid_green_element *work; /* [threads]                           owned     */
+};
+
+/* `assembly` stays where it is until solid_green_clear. STATUS_INVERTED if the rest shape
+ * is folded. */
+enum status solid_green_init(struct solid_green *s, const struct solid_assembly *assembly);
+void solid_green_clear(struct solid_green *s);
+
+/* Numbers in an array of strains. */
+size_t solid_green_strains(const struct solid_green *s);
+
+/* Where the stress and the geometry of an equation come from: stress of s0 e_old + s1 e(x)
+ * on the geometry (1 - g1) x_old + g1 x. Statics: s1 = g1 = 1. */
+struct solid_green_path {
+    double s0, s1, g1;
+    const double *x_old;      /* [nodes][3]; NULL if g1 == 1                  borrowed */
+    const double *strain_old; /* NULL if s0 == 0                              borrowed */
+};
+
+/* Which stress the geometric part of a tangent takes; all unset: that of the path. */
+struct solid_green_foresight {
+    const double *strain; /* these strains                                             */
+    const double *change; /* [nodes][3] the change that led to x: the strains that its
+                             linearisation foresaw                                     */
+    bool none;            /* no stress at all: a tangent that is never indefinite      */
+};
+
+/* All on coefficients x[nodes][3]. STATUS_NAN, or STATUS_INVERTED where det F <= 0; results
+ * are then of no use. */
+enum status solid_green_strain(const struct solid_green *s, const double *x,
+                               double *strain);
+enum status solid_green_energy(const struct solid_green *s, const double *x,
+                               double *energy);
+enum status solid_green_force(const struct solid_green *s,
+                              const struct solid_green_path *path, const double *x,
+                              double *force);
+
+/* K[pairs]: exact in statics without foresight; in time, where the derivative of the force
+ * is not symmetric, with the geometry's strain variations on both sides. */
+enum status solid_green_tangent(const struct solid_green *s,
+                                const struct solid_green_path *path, const double *x,
+                                struct solid_green_foresight foresight, double (*K)[9]);
+
+#endif

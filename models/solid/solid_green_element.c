@@ -1,0 +1,398 @@
+#include "models/solid/solid_green_element.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* This file is compiled with -ffp-contract=fast, as solid_element.c is, and for the same
+ * reason. */
+
+typedef double lanes __attribute__((vector_size(SOLID_LANES * sizeof(double))));
+
+/* Place of the tensor component (i, j) among the strains. */
+static const int PLACE[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+
+enum status solid_green_element_init(struct solid_green_element *e,
+                                     const struct solid_space *space)
+{
+    size_t row = SOLID_PADDED((size_t)space->local), gauss = (size_t)space->gauss;
+    const struct {
+        double **part;
+        size_t count;
+    } room[] = {
+        {&e->X[0], 4 * row},
+        {&e->X[1], 4 * row},
+        {&e->X[2], 4 * row},
+        {&e->f, 4 * row},
+        {&e->p, gauss * 3 * row},
+        {&e->wp, gauss * 3 * row},
+        {&e->Sg, 3 * row},
+        {&e->H, row * 9 * row},
+        {&e->C, row * 6 * row},
+        {&e->Y, 3 * (size_t)space->modes * 3 * row},
+        {&e->strain, (6 * gauss + 7) / 8 * 8},
+    };
+    size_t total = 0, parts = sizeof room / sizeof *room;
+
+    memset(e, 0, sizeof *e);
+    for (size_t t = 0; t < parts; t++)
+        total += room[t].count;
+    total = (total + 7) / 8 * 8;
+    e->memory = aligned_alloc(64, total * sizeof(double));
+    if (!e->memory)
+        return STATUS_MEMORY;
+    memset(e->memory, 0, total * sizeof(double));
+    double *next = e->memory;
+    for (size_t t = 0; t < parts; next += room[t++].count)
+        *room[t].part = next;
+    e->local = space->local;
+    e->row = (int)row;
+    e->gauss = space->gauss;
+    e->modes = space->modes;
+    return STATUS_OK;
+}
+
+void solid_green_element_clear(struct solid_green_element *e)
+{
+    if (!e)
+        return;
+    free(e->memory);
+    memset(e, 0, sizeof *e);
+}
+
+/* sum_a X_ai g_j[a] into D[i][j]. */
+static void gradient(const struct solid_green_element *e, const double *X, const double *g,
+                     double D[3][3])
+{
+    lanes column[3] = {{0}};
+
+    for (int a = 0; a < e->local; a++) {
+        lanes x = *(const lanes *)(X + SOLID_LANES * a);
+        column[0] += g[a] * x;
+        column[1] += g[e->row + a] * x;
+        column[2] += g[2 * e->row + a] * x;
+    }
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            D[i][j] = column[j][i];
+}
+
+/* E += factor D^T D / 2. */
+static void add_square(double D[3][3], double factor, double *E)
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = i; j < 3; j++)
+            E[PLACE[i][j]] +=
+                factor / 2 * (D[0][i] * D[0][j] + D[1][i] * D[1][j] + D[2][i] * D[2][j]);
+}
+
+static double determinant(double F[3][3])
+{
+    return F[0][0] * (F[1][1] * F[2][2] - F[1][2] * F[2][1]) +
+           F[0][1] * (F[1][2] * F[2][0] - F[1][0] * F[2][2]) +
+           F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]);
+}
+
+static void stress_of(const double *E, const struct solid_material *m, double S[6])
+{
+    double pressure = m->lambda * (E[0] + E[1] + E[2]);
+
+    for (int t = 0; t < 6; t++)
+        S[t] = 2 * m->mu * E[t] + (t < 3 ? pressure : 0);
+}
+
+static const double *gradients_at(const struct solid_green_element *e,
+                                  const struct solid_green_rest *rest, int q)
+{
+    return rest->g + (size_t)q * 3 * (size_t)e->row;
+}
+
+static const double *mode_at(const struct solid_green_element *e,
+                             const struct solid_green_rest *rest, int q, int m)
+{
+    return rest->mode + 3 * (q * e->modes + m);
+}
+
+/* b <- A^-1 b with the Cholesky factor A; A^-T A^-1 b if `both`. */
+static void solve_modes(int n, const double *A, double *b, bool both)
+{
+    for (int s = 0; s < n; s++) {
+        for (int k = 0; k < s; k++)
+            b[s] -= A[SOLID_GREEN_INTERNAL * s + k] * b[k];
+        b[s] /= A[SOLID_GREEN_INTERNAL * s + s];
+    }
+    for (int s = n - 1; both && s >= 0; s--) {
+        for (int k = s + 1; k < n; k++)
+            b[s] -= A[SOLID_GREEN_INTERNAL * k + s] * b[k];
+        b[s] /= A[SOLID_GREEN_INTERNAL * s + s];
+    }
+}
+
+/* Stress of sym(e_i m^T) . */
+static void mode_stress(const double *m, int i, const struct solid_material *material,
+                        double S[6])
+{
+    double E[6] = {0};
+
+    for (int j = 0; j < 3; j++)
+        E[PLACE[i][j]] += i == j ? m[j] : m[j] / 2;
+    stress_of(E, material, S);
+}
+
+/* (S m)_i */
+static double traction(const double *S, const double *m, int i)
+{
+    return S[PLACE[i][0]] * m[0] + S[PLACE[i][1]] * m[1] + S[PLACE[i][2]] * m[2];
+}
+
+void solid_green_element_modes(const struct solid_green_element *e,
+                               const struct solid_material *material,
+                               const struct solid_green_rest *rest, double *A)
+{
+    enum { N = SOLID_GREEN_INTERNAL };
+    int n = 3 * e->modes;
+    double S[6];
+
+    assert(n <= N);
+    memset(A, 0, N * N * sizeof *A);
+    for (int q = 0; q < e->gauss; q++)
+        for (int s = 0; s < n; s++) {
+            mode_stress(mode_at(e, rest, q, s / 3), s % 3, material, S);
+            for (int t = 0; t <= s; t++)
+                A[N * s + t] +=
+                    rest->dV[q] * traction(S, mode_at(e, rest, q, t / 3), t % 3);
+        }
+    for (int s = 0; s < n; s++)
+        for (int t = 0; t <= s; t++) {
+            double v = A[N * s + t];
+            for (int k = 0; k < t; k++)
+                v -= A[N * s + k] * A[N * t + k];
+            A[N * s + t] = s == t ? sqrt(v) : v / A[N * t + t];
+        }
+}
+
+/* Adds the modes' strains that leave them without stress on average. */
+static void add_modes(struct solid_green_element *e, const struct solid_material *material,
+                      const struct solid_green_rest *rest)
+{
+    int n = 3 * e->modes;
+    double alpha[SOLID_GREEN_INTERNAL] = {0}, S[6];
+
+    for (int q = 0; q < e->gauss; q++) {
+        stress_of(e->strain + 6 * q, material, S);
+        for (int s = 0; s < n; s++)
+            alpha[s] -= rest->dV[q] * traction(S, mode_at(e, rest, q, s / 3), s % 3);
+    }
+    solve_modes(n, rest->A, alpha, true);
+    for (int q = 0; q < e->gauss; q++)
+        for (int s = 0; s < n; s++)
+            for (int j = 0; j < 3; j++)
+                e->strain[6 * q + PLACE[s % 3][j]] +=
+                    (s % 3 == j ? 1 : 0.5) * alpha[s] * mode_at(e, rest, q, s / 3)[j];
+}
+
+bool solid_green_element_strain(struct solid_green_element *e,
+                                const struct solid_material *material,
+                                const struct solid_green_rest *rest, bool change)
+{
+    for (int q = 0; q < e->gauss; q++) {
+        const double *g = gradients_at(e, rest, q);
+        double F[3][3], *E = e->strain + 6 * q;
+
+        gradient(e, e->X[0], g, F);
+        if (!(determinant(F) > 0))
+            return false;
+        for (int t = 0; t < 6; t++)
+            E[t] = t < 3 ? -0.5 : 0;
+        add_square(F, 1, E);
+        if (change) {
+            gradient(e, e->X[2], g, F);
+            add_square(F, -1, E);
+        }
+    }
+    if (e->modes)
+        add_modes(e, material, rest);
+    return true;
+}
+
+double solid_green_element_energy(const struct solid_green_element *e,
+                                  const struct solid_material *material,
+                                  const struct solid_green_rest *rest)
+{
+    double energy = 0, S[6];
+
+    for (int q = 0; q < e->gauss; q++) {
+        const double *E = e->strain + 6 * q;
+        stress_of(E, material, S);
+        for (int t = 0; t < 6; t++)
+            energy += rest->dV[q] * (t < 3 ? 0.5 : 1) * S[t] * E[t];
+    }
+    return energy;
+}
+
+void solid_green_element_force(struct solid_green_element *e,
+                               const struct solid_material *material,
+                               const struct solid_green_rest *rest)
+{
+    lanes *f = (lanes *)e->f;
+
+    memset(e->f, 0, SOLID_LANES * (size_t)e->row * sizeof *e->f);
+    for (int q = 0; q < e->gauss; q++) {
+        const double *g = gradients_at(e, rest, q);
+        double F[3][3], S[6];
+        lanes P[3] = {{0}}; /* columns of dV F S */
+
+        gradient(e, e->X[1], g, F);
+        stress_of(e->strain + 6 * q, material, S);
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                P[j][i] = rest->dV[q] * traction(S, F[i], j);
+        for (int a = 0; a < e->local; a++)
+            f[a] += g[a] * P[0] + g[e->row + a] * P[1] + g[2 * e->row + a] * P[2];
+    }
+}
+
+/* p = F g and wp = w F g over the functions. */
+static void push(const struct solid_green_element *e, double F[3][3], const double *g,
+                 double w, double *restrict p, double *restrict wp)
+{
+    for (int i = 0; i < 3; i++)
+        for (int a = 0; a < e->row; a++) {
+            double s =
+                F[i][0] * g[a] + F[i][1] * g[e->row + a] + F[i][2] * g[2 * e->row + a];
+            p[i * e->row + a] = s;
+            wp[i * e->row + a] = w * s;
+        }
+}
+
+/* C[a][.][b] += weight mu g_a.g_b F F^T + (g_a.S g_b) I, from Sg = S g and B = F F^T, both
+ * with their weights. */
+static void add_symmetric(struct solid_green_element *e, const double *g, const double B[6])
+{
+    int row = e->row;
+
+    for (int a = 0; a < e->local; a++)
+        for (int c = a / SOLID_LANES * SOLID_LANES; c < row; c += SOLID_LANES) {
+            double *C = e->C + (size_t)a * 6 * (size_t)row + c;
+            lanes metric = g[a] * *(const lanes *)(g + c) +
+                           g[row + a] * *(const lanes *)(g + row + c) +
+                           g[2 * row + a] * *(const lanes *)(g + 2 * row + c);
+            lanes load = g[a] * *(const lanes *)(e->Sg + c) +
+                         g[row + a] * *(const lanes *)(e->Sg + row + c) +
+                         g[2 * row + a] * *(const lanes *)(e->Sg + 2 * row + c);
+            for (int t = 0; t < 6; t++) {
+                lanes *to = (lanes *)(C + t * row);
+                *to += t < 3 ? B[t] * metric + load : B[t] * metric;
+            }
+        }
+}
+
+/* H[a][3 i + j][b] = sum_q wp_i[a] p_j[b], two rows a at a time. */
+static void outer_rows(const struct solid_green_element *e, int a, int first)
+{
+    size_t stride = 3 * (size_t)e->row;
+    const double *w = e->wp + a, *p = e->p + first;
+    double *H = e->H + (size_t)a * 9 * (size_t)e->row + first;
+    lanes s[9] = {{0}}, r[9] = {{0}};
+
+    for (int q = 0; q < e->gauss; q++, w += stride, p += stride)
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) {
+                lanes pj = *(const lanes *)(p + j * e->row);
+                s[3 * i + j] += w[i * e->row] * pj;
+                r[3 * i + j] += w[i * e->row + 1] * pj;
+            }
+    for (int n = 0; n < 9; n++) {
+        *(lanes *)(H + n * e->row) = s[n];
+        *(lanes *)(H + (9 + n) * e->row) = r[n];
+    }
+}
+
+/* Y = L^-1 of the modes' coupling with the functions, A = L L^T. */
+static void couple_modes(struct solid_green_element *e,
+                         const struct solid_material *material,
+                         const struct solid_green_rest *rest)
+{
+    int n = 3 * e->modes, columns = 3 * e->row;
+    double F[3][3], S[6], P[3][3], column[SOLID_GREEN_INTERNAL];
+
+    memset(e->Y, 0, (size_t)(n * columns) * sizeof *e->Y);
+    for (int q = 0; q < e->gauss; q++) {
+        const double *g = gradients_at(e, rest, q);
+        gradient(e, e->X[1], g, F);
+        for (int s = 0; s < n; s++) {
+            mode_stress(mode_at(e, rest, q, s / 3), s % 3, material, S);
+            for (int i = 0; i < 3; i++)
+                for (int j = 0; j < 3; j++)
+                    P[i][j] = rest->dV[q] * traction(S, F[i], j);
+            for (int b = 0; b < e->local; b++)
+                for (int i = 0; i < 3; i++)
+                    e->Y[s * columns + 3 * b + i] += P[i][0] * g[b] +
+                                                     P[i][1] * g[e->row + b] +
+                                                     P[i][2] * g[2 * e->row + b];
+        }
+    }
+    for (int c = 0; c < 3 * e->local; c++) {
+        for (int s = 0; s < n; s++)
+            column[s] = e->Y[s * columns + c];
+        solve_modes(n, rest->A, column, false);
+        for (int s = 0; s < n; s++)
+            e->Y[s * columns + c] = column[s];
+    }
+}
+
+void solid_green_element_tangent(struct solid_green_element *e,
+                                 const struct solid_material *material,
+                                 const struct solid_green_rest *rest, double stress_share,
+                                 double geometry_share)
+{
+    size_t row = (size_t)e->row;
+
+    memset(e->C, 0, row * 6 * row * sizeof *e->C);
+    for (int q = 0; q < e->gauss; q++) {
+        const double *g = gradients_at(e, rest, q);
+        double F[3][3], S[6], B[6], w = rest->dV[q];
+
+        gradient(e, e->X[1], g, F);
+        stress_of(e->strain + 6 * q, material, S);
+        push(e, F, g, w, e->p + (size_t)q * 3 * row, e->wp + (size_t)q * 3 * row);
+        for (int i = 0; i < 3; i++)
+            for (int j = i; j < 3; j++)
+                B[PLACE[i][j]] =
+                    stress_share * w * material->mu *
+                    (F[i][0] * F[j][0] + F[i][1] * F[j][1] + F[i][2] * F[j][2]);
+        for (int i = 0; i < 3; i++)
+            for (size_t a = 0; a < row; a++)
+                e->Sg[(size_t)i * row + a] =
+                    geometry_share * w *
+                    (S[PLACE[i][0]] * g[a] + S[PLACE[i][1]] * g[row + a] +
+                     S[PLACE[i][2]] * g[2 * row + a]);
+        add_symmetric(e, g, B);
+    }
+    for (int a = 0; a < e->local; a += 2)
+        for (int c = a / SOLID_LANES * SOLID_LANES; c < e->row; c += SOLID_LANES)
+            outer_rows(e, a, c);
+    if (e->modes)
+        couple_modes(e, material, rest);
+}
+
+void solid_green_element_blocks(const struct solid_green_element *e,
+                                const struct solid_material *material, double stress_share,
+                                int a, int first, int last, double (*K)[9])
+{
+    const double *H = e->H + (size_t)a * 9 * (size_t)e->row;
+    const double *C = e->C + (size_t)a * 6 * (size_t)e->row;
+    double lambda = stress_share * material->lambda, mu = stress_share * material->mu;
+    int n = 3 * e->row;
+
+    for (int b = first; b < last; b++)
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) {
+                double k = lambda * H[(3 * i + j) * e->row + b] +
+                           mu * H[(3 * j + i) * e->row + b] + C[PLACE[i][j] * e->row + b];
+                for (int s = 0; s < 3 * e->modes; s++)
+                    k -= stress_share * e->Y[s * n + 3 * a + i] * e->Y[s * n + 3 * b + j];
+                K[b - first][3 * i + j] += k;
+            }
+}

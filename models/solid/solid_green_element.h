@@ -1,0 +1,80 @@
+/* solid_green_element.h - strains, forces and tangent of one solid element at large
+ * displacements: total Lagrangian, Green strain, St. Venant-Kirchhoff law.
+ *
+ * Displacement functions have rest gradients g_a. With F = sum x_a g_a^T, dE its variation:
+ *   E = (F^T F - I)/2,   S = lambda tr(E) I + 2 mu E,   f_a = int F S g_a dV,
+ *   K_ab = int lambda p_a p_b^T + mu p_b p_a^T + mu (g_a.g_b) F F^T + (g_a.S g_b) I dV,
+ * p_a = F g_a (Holzapfel 2000, sec. 8.4, with the isotropic law written out).
+ *
+ * Internal modes (solid_space.h) are strains sym(alpha_m g_m^T) added to E: with this law
+ * alpha is a linear function of E, so that nothing has to be iterated or remembered
+ * (Klinkel, Wagner 1997); at small displacements it is the incompatible element.
+ */
+#ifndef SOLID_GREEN_ELEMENT_H
+#define SOLID_GREEN_ELEMENT_H
+
+#include "models/solid/solid_element.h"
+
+/* Strains at a Gauss point: xx, yy, zz, xy, yz, zx, shear not doubled. */
+enum { SOLID_GREEN_STRAINS = 6, SOLID_GREEN_INTERNAL = 9 };
+
+/* What the rest shape gives an element; rows padded as in solid_space.h. */
+struct solid_green_rest {
+    const double *g;    /* [gauss][3][row] gradients                              [1/m] */
+    const double *mode; /* [gauss][modes][3] of the internal modes                [1/m] */
+    const double *dV;   /* [gauss]                                                [m^3] */
+    const double
+        *A; /* [INTERNAL][INTERNAL] Cholesky factor of the modes' stiffness [N/m] */
+};
+
+/* Room for one element; one per thread. */
+struct solid_green_element {
+    int local, row, gauss, modes;
+    double *X[3];   /* [row][4]: present, geometry, last change; fourth zero      [m]   */
+    double *strain; /* [gauss][6]                                                       */
+    double *f;      /* [row][4]                                                   [N]   */
+    double *p, *wp; /* [gauss][3][row] F g and dV F g                                   */
+    double *Sg;     /* [3][row] at one point                                            */
+    double *H;      /* [row][9][row] int p_ai p_bj; valid for b >= a                    */
+    double *C;      /* [row][6][row] xx, yy, zz, xy, yz, zx of what is symmetric        */
+    double *Y; /* [3 modes][3 row] coupling of the modes, L^-1 applied                  */
+    double *memory;
+};
+
+enum status solid_green_element_init(struct solid_green_element *e,
+                                     const struct solid_space *space);
+void solid_green_element_clear(struct solid_green_element *e);
+
+/* Stiffness of the internal modes into A, factored. For set-up. */
+void solid_green_element_modes(const struct solid_green_element *e,
+                               const struct solid_material *material,
+                               const struct solid_green_rest *rest, double *A);
+
+/* e->strain of the positions e->X[0]. False if it is no number or det F <= 0 somewhere.
+ * With `change`, less the part of second order in e->X[2]: the strain as a linearisation
+ * foresaw it (Magisano, Leonetti, Garcea, CMAME 313, 2017). Modes included. */
+bool solid_green_element_strain(struct solid_green_element *e,
+                                const struct solid_material *material,
+                                const struct solid_green_rest *rest, bool change);
+
+/* Elastic energy of e->strain [J]. */
+double solid_green_element_energy(const struct solid_green_element *e,
+                                  const struct solid_material *material,
+                                  const struct solid_green_rest *rest);
+
+/* e->f of the stress of e->strain on the geometry e->X[1]. */
+void solid_green_element_force(struct solid_green_element *e,
+                               const struct solid_material *material,
+                               const struct solid_green_rest *rest);
+
+/* K_ab = stress_share material part + geometry_share geometric part with the stress of
+ * e->strain, both on e->X[1], for b = first .. last - 1 >= a, row-major, into K[][9]. */
+void solid_green_element_tangent(struct solid_green_element *e,
+                                 const struct solid_material *material,
+                                 const struct solid_green_rest *rest, double stress_share,
+                                 double geometry_share);
+void solid_green_element_blocks(const struct solid_green_element *e,
+                                const struct solid_material *material, double stress_share,
+                                int a, int first, int last, double (*K)[9]);
+
+#endif

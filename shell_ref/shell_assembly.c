@@ -133,9 +133,9 @@ size_t shell_assembly_strains(const struct shell_assembly *s)
 /* What one pass over the elements is to do. */
 struct task {
     const struct shell_assembly *s;
-    const struct shell_path *path;
+    const struct large_path *path;
     const double *x;
-    struct shell_foresight foresight;
+    struct large_foresight foresight;
     double *strain, *force; /* outputs; NULL: not wanted                               */
     double (*K)[9];
 };
@@ -170,9 +170,9 @@ static void scatter_tangent(const struct task *t, const struct shell_element *e,
 /* e->strain and e->X[1] become the strain and the geometry of the path. */
 static void follow_path(const struct task *t, struct shell_element *e, int element)
 {
-    const struct shell_path *path = t->path;
+    const struct large_path *path = t->path;
     size_t strains = SHELL_STRAINS * (size_t)e->padded;
-    double g1 = path->rule.g1;
+    double g1 = path->g1;
 
     memcpy(e->X[1], e->X[0], 3 * (size_t)e->local * sizeof(double));
     if (g1 != 1) {
@@ -180,14 +180,13 @@ static void follow_path(const struct task *t, struct shell_element *e, int eleme
         for (int n = 0; n < 3 * e->local; n++)
             e->X[1][n] = (1 - g1) * e->X[1][n] + g1 * e->X[0][n];
     }
-    if (path->rule.s0 == 0)
+    if (path->s0 == 0)
         return;
     const double *old = path->strain_old + (size_t)element * strains;
-    double mu = path->rule.membrane;
+    double mu = path->lag;
     for (size_t n = 0; n < strains; n++) {
         double more = n < strains / 2 ? mu : 0;
-        e->strain[n] =
-            (path->rule.s0 - more) * old[n] + (path->rule.s1 + more) * e->strain[n];
+        e->strain[n] = (path->s0 - more) * old[n] + (path->s1 + more) * e->strain[n];
     }
 }
 
@@ -220,7 +219,7 @@ static bool do_element(const struct task *t, struct shell_element *e, int elemen
         scatter_force(t, e, element);
     }
     if (t->K) {
-        shell_tangent_compute(e, &s->material, rest, &t->path->rule);
+        shell_tangent_compute(e, &s->material, rest, t->path);
         scatter_tangent(t, e, element);
     }
     return true;
@@ -271,7 +270,7 @@ enum status shell_assembly_energy(const struct shell_assembly *s, const double *
 }
 
 enum status shell_assembly_force(const struct shell_assembly *s,
-                                 const struct shell_path *path, const double *x,
+                                 const struct large_path *path, const double *x,
                                  double *force)
 {
     memset(force, 0, 3 * (size_t)s->space->nodes * sizeof *force);
@@ -279,8 +278,8 @@ enum status shell_assembly_force(const struct shell_assembly *s,
 }
 
 enum status shell_assembly_tangent(const struct shell_assembly *s,
-                                   const struct shell_path *path, const double *x,
-                                   struct shell_foresight foresight, double (*K)[9])
+                                   const struct large_path *path, const double *x,
+                                   struct large_foresight foresight, double (*K)[9])
 {
     memset(K, 0, (size_t)s->graph.start[s->space->nodes] * sizeof *K);
     return do_all(

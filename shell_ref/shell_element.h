@@ -1,13 +1,14 @@
 /* shell_element.h - strains, forces and tangent of one element of the rotation-free
- * Kirchhoff-Love shell with a St. Venant-Kirchhoff law (Kiendl, Bletzinger, Linhard, Wuechner,
- * CMAME 198, 2009), with exact first and second variations.
+ * Kirchhoff-Love shell with a St. Venant-Kirchhoff law (Kiendl, Bletzinger, Linhard,
+ * Wuechner, CMAME 198, 2009), with exact first and second variations.
  *
  * Mid-surface x(u,v): a_1 = x_u, a_2 = x_v, unit normal n, a_ab = a_a . a_b,
  * b_ab = x_ab . n; capitals at rest. With c = 11, 22, 12 (shear doubled):
  *   membrane strain (a_ab - A_ab)/2,   bending strain B_ab - b_ab,
  *   resultants h C e and h^3/12 C k,   C the plane-stress law in the metric A^ab.
  * With phi_ab = N_ab - Gamma^c_ab N_c the variations are  d b_ab = phi_ab n  and
- *   d d' b_ab = -(n.da_c)(a^c.phi'_ab) - (n.da'_c)(a^c.phi_ab) - b_ab a^cd (n.da_c)(n.da'_d).
+ *   d d' b_ab = -(n.da_c)(a^c.phi'_ab) - (n.da'_c)(a^c.phi_ab) - b_ab a^cd
+ * (n.da_c)(n.da'_d).
  */
 #ifndef SHELL_ELEMENT_H
 #define SHELL_ELEMENT_H
@@ -23,13 +24,6 @@ enum { REST_AREA, REST_METRIC, REST_CURVATURE = 4, REST_LAW = 7, SHELL_REST_ROWS
 
 struct shell_material {
     double young, poisson, density, thickness;
-};
-
-/* Positions to strains and forces of a step. Statics: strain 1, geometry 1, no `old`. In
- * time: stress of s0 e_old + s1 e(x) on the geometry (1 - g1) x_old + g1 x. */
-struct shell_rule {
-    double s0, s1, g1;
-    double membrane; /* added to s1, taken from s0, for membrane strains               */
 };
 
 /* Room for one element; one per thread. */
@@ -53,7 +47,8 @@ void shell_element_load(struct shell_element *e, const struct shell_space *space
 
 /* rest[SHELL_REST_ROWS][padded] from the element's control points e->X[0]. STATUS_INPUT if
  * the surface has no normal there. */
-enum status shell_element_rest(struct shell_element *e, const struct shell_material *material,
+enum status shell_element_rest(struct shell_element *e,
+                               const struct shell_material *material,
                                const double *parametric, double *rest);
 
 /* e->strain on the control points e->X[0]. False if they are not finite or the surface has

@@ -1,30 +1,22 @@
-/* shell_motion.h - the shell of a scene: supports, loads and damping, and its motion in time.
+/* shell_motion.h - the shell of a scene: supports, loads and damping, and its motion in
+ * time.
  *
  *   linear     small strain about the rest shape; K, M constant, one factorisation, average
  *              acceleration (newmark.h).
- *   nonlinear  shell_dynamics.c: mid-point geometry with averaged stress, Newton.
+ *   nonlinear  large_motion.h: mid-point geometry with averaged stress, Newton.
  *
  * Supports. A rotation-free shell has no slopes to hold: its edge is clamped by holding two
- * rows of control points. An edge that a scene fixes in xyz over a stretch of the thickness is
- * clamped that way; an edge of which only some components or only the line w = 1/2 is held is
- * a hinge, its first row alone. A corner is a point: it holds one control point and no slope
- * (a slope held at one point has no limit under refinement). An area holds the control points
- * inside it, and so its border's slopes as well.
+ * rows of control points. An edge that a scene fixes in xyz over a stretch of the thickness
+ * is clamped that way; an edge of which only some components or only the line w = 1/2 is
+ * held is a hinge, its first row alone. A corner is a point: it holds one control point and
+ * no slope (a slope held at one point has no limit under refinement). An area holds the
+ * control points inside it, and so its border's slopes as well.
  */
 #ifndef SHELL_MOTION_H
 #define SHELL_MOTION_H
 
-#include "models/linalg/newmark.h"
-#include "models/model.h"
+#include "models/linalg/large_motion.h"
 #include "shell_ref/shell_assembly.h"
-
-/* Loads that follow the shape, for tests: adds `factor` times the load to force[nodes][3] and,
- * unless K is NULL, minus its derivative to K. */
-struct shell_follower {
-    void (*add)(void *context, const struct shell_assembly *s, const double *x, double factor,
-                double *force, double (*K)[9]);
-    void *context;
-};
 
 struct shell_motion {
     const struct scene *scene;       /* borrowed                                       */
@@ -36,8 +28,7 @@ struct shell_motion {
     struct supports supports;
     struct system system;
     struct newmark newmark; /* nonlinear: v and the last acceleration a                */
-    struct shell_follower follower;
-    unsigned char *parity; /* [nodes][3] or NULL: which components couple      owned   */
+    unsigned char *parity;  /* [nodes][3] or NULL: which components couple      owned   */
     double (*K)[9]; /* [pairs] linear: of the rest shape               [N/m]   owned   */
     double *x;      /* [nodes][3] present control points               [m]     owned   */
     double *load;   /* [nodes][3] gravity and wind                     [N]     owned   */
@@ -46,12 +37,7 @@ struct shell_motion {
     bool started;   /* linear: the constant system is factored; nonlinear: strain_old
                        belongs to x                                                    */
 
-    /* nonlinear only */
-    double *strain_old; /* strains at the step's start                         owned   */
-    double *room;       /* [6][nodes][3]: x_old, hat, work of shell_newton     owned   */
-    double factored;    /* mass factor of the tangent that is factored; -1: none       */
-    bool stressless;    /* this equation's tangents leave out the stress               */
-    int halvings;       /* the present substep is step / 2^halvings                    */
+    struct large_motion large; /* nonlinear only                                       */
 };
 
 /* `space` must have been made for the scene's sheet; kinematics and solver from d.
@@ -67,9 +53,5 @@ enum status shell_motion_step(struct shell_motion *m, struct counters *counters)
 
 void shell_motion_energy(const struct shell_motion *m, struct energy *energy);
 void shell_motion_size(const struct shell_motion *m, struct model_size *size);
-
-/* Displacement, velocity and acceleration that the supports' paths give at time t, by central
- * differences over +-dt; borrowed from m->held. */
-struct newmark_held shell_motion_path(struct shell_motion *m, double t, double dt);
 
 #endif

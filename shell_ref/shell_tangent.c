@@ -151,7 +151,7 @@ static void sum_blocks(struct shell_element *e, double (*normal)[3])
 }
 
 void shell_tangent_compute(struct shell_element *e, const struct shell_material *material,
-                           const double *rest, const struct shell_rule *rule)
+                           const double *rest, const struct large_path *path)
 {
     double h = material->thickness, D[5 * SHELL_PADDED(SHELL_MAX_LOCAL)] = {0};
     double normal[SHELL_MAX_POINTS][3];
@@ -175,7 +175,7 @@ void shell_tangent_compute(struct shell_element *e, const struct shell_material 
                 D[k * e->row + a] =
                     e->T[(size_t)(k + 1) * stride + (size_t)(a * e->padded + q)];
         fill_right(&p, e->row, D, R);
-        fill_left(&p, (rule->s1 + rule->membrane) * h, rule->s1 * h * h * h / 12, rule->g1,
+        fill_left(&p, (path->s1 + path->lag) * h, path->s1 * h * h * h / 12, path->g1,
                   e->row, R, L);
         memcpy(normal[q], p.n, sizeof normal[q]);
     }

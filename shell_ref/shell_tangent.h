@@ -2,14 +2,15 @@
 #ifndef SHELL_TANGENT_H
 #define SHELL_TANGENT_H
 
+#include "models/linalg/large_motion.h"
 #include "shell_ref/shell_element.h"
 
 /* Rows over an element's functions that the kernel needs at each Gauss point. */
 enum { SHELL_TANGENT_LEFT = 22, SHELL_TANGENT_RIGHT = 18 };
 
-/* e->K on the geometry e->X[1], by the rule: s1 times the material part (the membrane's s1 +
- * membrane) plus g1 times the geometric part with the stress of e->strain. */
+/* e->K on the geometry e->X[1], by the path's shares: s1 times the material part (the
+ * membrane's s1 + lag) plus g1 times the geometric part with the stress of e->strain. */
 void shell_tangent_compute(struct shell_element *e, const struct shell_material *material,
-                           const double *rest, const struct shell_rule *rule);
+                           const double *rest, const struct large_path *path);
 
 #endif

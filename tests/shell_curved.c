@@ -92,7 +92,7 @@ static void problem_init(struct problem *p, const struct bspline basis[2],
                          const double *point, const double *weight,
                          const struct shell_material *material)
 {
-    const struct shell_path statics = {.rule = {.s1 = 1, .g1 = 1}};
+    const struct large_path statics = {.s1 = 1, .g1 = 1};
     const int gauss[2] = {0, 0};
     struct message why = {{0}};
 
@@ -107,7 +107,7 @@ static void problem_init(struct problem *p, const struct bspline basis[2],
     p->held.free_index = calloc(3 * (size_t)p->space.nodes, sizeof(int));
     REQUIRE(p->K && p->load && p->held.free_index);
     CHECK(shell_assembly_tangent(&p->s, &statics, p->space.rest,
-                                 (struct shell_foresight){0}, p->K) == STATUS_OK);
+                                 (struct large_foresight){0}, p->K) == STATUS_OK);
 }
 
 static int node_of(const struct problem *p, int i, int j)

@@ -3,7 +3,7 @@
  * rational sheets of every degree. */
 #include "tests/shell_fixture.h"
 
-static const struct shell_path statics = {.rule = {.s1 = 1, .g1 = 1}};
+static const struct large_path statics = {.s1 = 1, .g1 = 1};
 
 /* Best of a sweep of steps: truncation falls as step^2, rounding grows as eps/step. For
  * values of size 1 and smooth functions the minimum is some 1e-10 to 1e-11; a wrong term is
@@ -58,7 +58,7 @@ static void check_tangent(const struct shell_assembly *s, const double *x, const
     double(*K)[9] = malloc((size_t)s->graph.start[s->graph.nodes] * sizeof *K);
 
     REQUIRE(want && K);
-    CHECK(shell_assembly_tangent(s, &statics, x, (struct shell_foresight){0}, K) == STATUS_OK);
+    CHECK(shell_assembly_tangent(s, &statics, x, (struct large_foresight){0}, K) == STATUS_OK);
     blocks_multiply(&s->graph, (const double(*)[9])K, d, want);
     for (double step = 1e-3; step > 1e-8; step /= 4) {
         for (int side = 0; side < 2; side++) {

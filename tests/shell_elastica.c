@@ -71,14 +71,16 @@ static void check_all_heavy(void)
 struct end_moment {
     double moment; /* [N]                                                              */
     double width;
+    const struct shell_assembly *sheet;
 };
 
 /* On the edge N_u is not zero for the last two rows only; f = M int N_u / |a_1| n dv, with
  * derivative -M int N_u N_u' (n t^T + t n^T) / |a_1|^2 dv for motions in the plane. */
-static void add_moment(void *context, const struct shell_assembly *s, const double *x,
-                       double factor, double *force, double (*K)[9])
+static void add_moment(void *context, const double *x, double factor, double *force,
+                       double (*K)[9])
 {
     const struct end_moment *load = context;
+    const struct shell_assembly *s = load->sheet;
     const struct shell_space *space = s->space;
     enum { POINTS = 4 };
     double T[SHELL_DERIVATIVES * SHELL_MAX_LOCAL];
@@ -149,7 +151,8 @@ static void check_end_moment(const struct reference *table, int row)
     load.moment = 50 * acos(-1) / 3 * reference_number(table, row, "P_over_Pmax");
     sze_strip(&s, 12);
     struct shell_motion *m = sheet_start(&s);
-    m->follower = (struct shell_follower){add_moment, &load};
+    load.sheet = &m->assembly;
+    m->large.follower = (struct large_follower){add_moment, &load};
     sheet_settle(&s);
     sheet_moved(&s, 1, 0.5, by);
     double exact2 = reference_number(table, row, "exact2");

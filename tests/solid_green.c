@@ -1,18 +1,18 @@
-/* The large-displacement solid: forces are the derivative of its energy and the tangent that
- * of its forces, by central differences at swept steps; rigid motions cost nothing; at rest
- * the tangent is the linear stiffness. B-splines of every degree, hexahedra with and without
- * internal modes, distorted, in both bases through the thickness.
+/* The large-displacement solid: forces are the derivative of its energy and the tangent
+ * that of its forces, by central differences at swept steps; rigid motions cost nothing; at
+ * rest the tangent is the linear stiffness. B-splines of every degree, hexahedra with and
+ * without internal modes, distorted, in both bases through the thickness.
  */
 #include "models/solid/solid_green.h"
 #include "tests/solid_fixture.h"
 
-static const struct solid_green_path statics = {.s1 = 1, .g1 = 1};
+static const struct large_path statics = {.s1 = 1, .g1 = 1};
 
 /* Best of a sweep of steps: truncation falls as step^2, rounding grows as eps/step. For
  * values of size 1 and smooth functions the minimum is some 1e-10; a wrong term is 1e-3. */
 static const double DIFFERENCE = 2e-9;
-/* Energy of a turned rest shape against that of a deformed one: squares of strains that are a
- * few hundred roundings; and its forces. */
+/* Energy of a turned rest shape against that of a deformed one: squares of strains that are
+ * a few hundred roundings; and its forces. */
 static const double RIGID_ENERGY = 1e-24, RIGID_FORCE = 1e-11;
 /* Sums of a few hundred products in another order, against the largest. */
 static const double REORDERED = 1e-12;
@@ -64,8 +64,7 @@ static void check_tangent(const struct solid_green *g, const double *x, const do
     double(*K)[9] = malloc((size_t)graph->start[graph->nodes] * sizeof *K);
 
     REQUIRE(want && K);
-    CHECK(solid_green_tangent(g, &statics, x, (struct solid_green_foresight){0}, K) ==
-          STATUS_OK);
+    CHECK(solid_green_tangent(g, &statics, x, (struct large_foresight){0}, K) == STATUS_OK);
     blocks_multiply(graph, (const double(*)[9])K, d, want);
     for (double step = 1e-3; step > 1e-8; step /= 4) {
         for (int side = 0; side < 2; side++) {
@@ -91,7 +90,7 @@ static void check_rest(const struct solid_green *g)
 
     REQUIRE(K);
     CHECK(solid_green_tangent(g, &statics, g->assembly->space->rest,
-                              (struct solid_green_foresight){0}, K) == STATUS_OK);
+                              (struct large_foresight){0}, K) == STATUS_OK);
     for (long n = 0; n < pairs; n++)
         for (int t = 0; t < 9; t++) {
             most = fmax(most, fabs(g->assembly->K[n][t]));
@@ -128,8 +127,7 @@ static void check_rigid(const struct solid_green *g, double deformed)
 
 static void check_solid(enum solid_kind kind, int p, int q, int r, bool thickness)
 {
-    const struct solid_case box = {
-        kind, {p, q, r}, {p + 2, q + 3, r + 1}, {1.0, 0.8, 0.3}};
+    const struct solid_case box = {kind, {p, q, r}, {p + 2, q + 3, r + 1}, {1.0, 0.8, 0.3}};
     const struct solid_material material = solid_element_material(3, 0.3, 2);
     struct patch patch;
     struct solid s;

@@ -38,7 +38,25 @@ double newmark_m(const struct newmark *n)
     return 1 + n->alpha * n->dt / 2 + n->gamma * n->dt * n->dt / 4;
 }
 
-/* rhs -= M (a + alpha v + gamma d) + K (d + beta v) of the held unknowns, whose motion is given. */
+struct newmark_held newmark_follow(const struct supports *s, const struct scene *scene,
+                                   double t, double dt, double *room)
+{
+    int count = s->held_count;
+    double *d = room, *v = d + count, *a = v + count, *work = a + count;
+
+    supports_shift(s, scene, t, d);
+    supports_shift(s, scene, t + dt, v);
+    supports_shift(s, scene, t - dt, work);
+    for (int h = 0; h < count; h++) {
+        double ahead = v[h], behind = work[h];
+        v[h] = (ahead - behind) / (2 * dt);
+        a[h] = (ahead - 2 * d[h] + behind) / (dt * dt);
+    }
+    return (struct newmark_held){d, v, a};
+}
+
+/* rhs -= M (a + alpha v + gamma d) + K (d + beta v) of the held unknowns, whose motion is
+ * given. */
 static void subtract_held(struct newmark *n, struct system *s, const double (*K)[9],
                           const double *M, const struct newmark_held *held, double *rhs)
 {

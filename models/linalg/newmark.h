@@ -1,5 +1,6 @@
 /* newmark.h - one step of M a + C v + K d = f by Newmark's average acceleration
- * (beta = 1/4, gamma = 1/2; Newmark 1959; Ren et al. 2024, eq. 18-19), C = alpha M + beta K.
+ * (beta = 1/4, gamma = 1/2; Newmark 1959; Ren et al. 2024, eq. 18-19), C = alpha M + beta
+ * K.
  *
  * The paper solves (M + dt^2/4 K) a = f - K (d + dt v + dt^2/4 a_old). With the predictor
  * p = d + dt v + dt^2/4 a_old the same equation reads (M + c K)(a + p/c) = f + M p/c,
@@ -19,7 +20,8 @@ struct newmark {
 };
 
 /* All zero at the start. */
-enum status newmark_init(struct newmark *n, int nodes, double dt, double alpha, double beta);
+enum status newmark_init(struct newmark *n, int nodes, double dt, double alpha,
+                         double beta);
 void newmark_clear(struct newmark *n);
 
 /* The factors of K and M in the step's system: k K + m M. */
@@ -30,6 +32,11 @@ double newmark_m(const struct newmark *n);
 struct newmark_held {
     const double *d, *v, *a;
 };
+
+/* What the supports' paths give at time t, by central differences over +-dt; borrowed from
+ * room[4][held_count]. */
+struct newmark_held newmark_follow(const struct supports *s, const struct scene *scene,
+                                   double t, double dt, double *room);
 
 /* The acceleration of the present d and v (rest, static equilibrium, any start):
  *   M a = load - M alpha v - K (d + beta v),

@@ -125,9 +125,9 @@ static void gather(const struct solid_space *space, int element, const double *x
 /* What one pass over the elements is to do. */
 struct task {
     const struct solid_green *s;
-    const struct solid_green_path *path;
+    const struct large_path *path;
     const double *x;
-    struct solid_green_foresight foresight;
+    struct large_foresight foresight;
     double *strain, *force; /* outputs; NULL: not wanted                               */
     double (*K)[9];
 };
@@ -152,15 +152,15 @@ static void scatter_tangent(const struct task *t, const struct solid_green_eleme
     for (int a = 0; a < local; a++)
         for (int r = a / run; r < runs; r++) {
             int first = r * run > a ? r * run : a;
-            solid_green_element_blocks(e, &s->material, t->path->s1, a, first,
-                                       (r + 1) * run, t->K + place[a * runs + r]);
+            solid_green_element_blocks(e, &s->material, t->path->s1 + t->path->lag, a,
+                                       first, (r + 1) * run, t->K + place[a * runs + r]);
         }
 }
 
 /* e->strain and e->X[1] become the strain and the geometry of the path. */
 static void follow_path(const struct task *t, struct solid_green_element *e, int element)
 {
-    const struct solid_green_path *path = t->path;
+    const struct large_path *path = t->path;
     size_t strains = strains_of(t->s->assembly->space);
     double g1 = path->g1;
 
@@ -174,7 +174,8 @@ static void follow_path(const struct task *t, struct solid_green_element *e, int
         return;
     const double *old = path->strain_old + (size_t)element * strains;
     for (size_t n = 0; n < strains; n++)
-        e->strain[n] = path->s0 * old[n] + path->s1 * e->strain[n];
+        e->strain[n] =
+            (path->s0 - path->lag) * old[n] + (path->s1 + path->lag) * e->strain[n];
 }
 
 static bool do_element(const struct task *t, struct solid_green_element *e, int element)
@@ -204,7 +205,8 @@ static bool do_element(const struct task *t, struct solid_green_element *e, int 
         scatter_force(t, e, element);
     }
     if (t->K) {
-        solid_green_element_tangent(e, material, &rest, t->path->s1, t->path->g1);
+        solid_green_element_tangent(e, material, &rest, t->path->s1 + t->path->lag,
+                                    t->path->g1);
         scatter_tangent(t, e, element);
     }
     return true;
@@ -254,17 +256,16 @@ enum status solid_green_energy(const struct solid_green *s, const double *x, dou
     return STATUS_OK;
 }
 
-enum status solid_green_force(const struct solid_green *s,
-                              const struct solid_green_path *path, const double *x,
-                              double *force)
+enum status solid_green_force(const struct solid_green *s, const struct large_path *path,
+                              const double *x, double *force)
 {
     memset(force, 0, 3 * (size_t)s->assembly->space->nodes * sizeof *force);
     return do_all(&(struct task){.s = s, .path = path, .x = x, .force = force});
 }
 
-enum status solid_green_tangent(const struct solid_green *s,
-                                const struct solid_green_path *path, const double *x,
-                                struct solid_green_foresight foresight, double (*K)[9])
+enum status solid_green_tangent(const struct solid_green *s, const struct large_path *path,
+                                const double *x, struct large_foresight foresight,
+                                double (*K)[9])
 {
     const struct solid_assembly *a = s->assembly;
 

@@ -9,6 +9,7 @@
 
 #include <stddef.h>
 
+#include "models/linalg/large_motion.h"
 #include "models/solid/solid_assembly.h"
 #include "models/solid/solid_green_element.h"
 
@@ -30,36 +31,18 @@ void solid_green_clear(struct solid_green *s);
 /* Numbers in an array of strains. */
 size_t solid_green_strains(const struct solid_green *s);
 
-/* Where the stress and the geometry of an equation come from: stress of s0 e_old + s1 e(x)
- * on the geometry (1 - g1) x_old + g1 x. Statics: s1 = g1 = 1. */
-struct solid_green_path {
-    double s0, s1, g1;
-    const double *x_old;      /* [nodes][3]; NULL if g1 == 1                  borrowed */
-    const double *strain_old; /* NULL if s0 == 0                              borrowed */
-};
-
-/* Which stress the geometric part of a tangent takes; all unset: that of the path. */
-struct solid_green_foresight {
-    const double *strain; /* these strains                                             */
-    const double *change; /* [nodes][3] the change that led to x: the strains that its
-                             linearisation foresaw                                     */
-    bool none;            /* no stress at all: a tangent that is never indefinite      */
-};
-
-/* All on coefficients x[nodes][3]. STATUS_NAN, or STATUS_INVERTED where det F <= 0; results
- * are then of no use. */
+/* The parts of a large_body (large_motion.h), on coefficients x[nodes][3]; the lag is for
+ * all strains. STATUS_NAN, or STATUS_INVERTED where det F <= 0; results are then of no use.
+ */
 enum status solid_green_strain(const struct solid_green *s, const double *x,
                                double *strain);
 enum status solid_green_energy(const struct solid_green *s, const double *x,
                                double *energy);
-enum status solid_green_force(const struct solid_green *s,
-                              const struct solid_green_path *path, const double *x,
-                              double *force);
+enum status solid_green_force(const struct solid_green *s, const struct large_path *path,
+                              const double *x, double *force);
 
-/* K[pairs]: exact in statics without foresight; in time, where the derivative of the force
- * is not symmetric, with the geometry's strain variations on both sides. */
-enum status solid_green_tangent(const struct solid_green *s,
-                                const struct solid_green_path *path, const double *x,
-                                struct solid_green_foresight foresight, double (*K)[9]);
+enum status solid_green_tangent(const struct solid_green *s, const struct large_path *path,
+                                const double *x, struct large_foresight foresight,
+                                double (*K)[9]);
 
 #endif

@@ -1,4 +1,4 @@
-#include "shell_ref/shell_newton.h"
+#include "models/linalg/large_newton.h"
 
 #include <math.h>
 #include <string.h>
@@ -9,30 +9,30 @@ static const double STEP_TOLERANCE = 1e-7;
  */
 enum { HALVINGS = 6 };
 
-static size_t count_of(const struct shell_motion *m)
+static size_t count_of(const struct large_motion *m)
 {
-    return 3 * (size_t)m->space->nodes;
+    return 3 * (size_t)m->graph->nodes;
 }
 
 /* Right-hand side at x into r; work[nodes][3]. */
-static enum status residual(struct shell_motion *m, const struct shell_equation *q,
+static enum status residual(struct large_motion *m, const struct large_equation *q,
                             const double *x, double *r, double *work)
 {
     size_t count = count_of(m);
-    enum status st = shell_assembly_force(&m->assembly, &q->path, x, r);
+    enum status st = m->body.force(m->body.self, &q->path, x, r);
 
     if (st != STATUS_OK)
         return st;
     for (size_t t = 0; t < count; t++)
         r[t] = q->load * m->load[t] - r[t];
     if (m->follower.add)
-        m->follower.add(m->follower.context, &m->assembly, x, q->load, r, NULL);
+        m->follower.add(m->follower.context, x, q->load, r, NULL);
     if (q->mass == 0)
         return STATUS_OK;
-    double *inertia = m->newmark.work;
+    double *inertia = m->newmark->work;
     for (size_t t = 0; t < count; t++)
         work[t] = q->mass * (x[t] - q->hat[t]);
-    blocks_multiply_mass(&m->assembly.graph, m->assembly.M, work, inertia);
+    blocks_multiply_mass(m->graph, m->M, work, inertia);
     for (size_t t = 0; t < count; t++)
         r[t] -= inertia[t];
     return STATUS_OK;
@@ -40,29 +40,29 @@ static enum status residual(struct shell_motion *m, const struct shell_equation 
 
 /* Factors the tangent. In statics mass is added to one that is not positive definite until
  * it is: a shorter step towards less energy. */
-static enum status factor(struct shell_motion *m, double mass, struct counters *counters)
+static enum status factor(struct large_motion *m, double mass, struct counters *counters)
 {
-    const struct blocks *g = &m->assembly.graph;
+    const struct blocks *g = m->graph;
     const double(*K)[9] = (const double(*)[9])m->K;
     double stiff = 0, heavy = 0, more = 0;
-    enum status st = system_factor(&m->system, 1, K, mass, m->assembly.M);
+    enum status st = system_factor(m->system, 1, K, mass, m->M);
 
     counters->factorisations++;
     for (int a = 0; a < g->nodes && st == STATUS_INDEFINITE && mass == 0; a++) {
         const double *k = K[g->start[a]];
         stiff += fabs(k[0]) + fabs(k[4]) + fabs(k[8]);
-        heavy += 3 * m->assembly.M[g->start[a]];
+        heavy += 3 * m->M[g->start[a]];
     }
     for (int n = 0; n < 8 && st == STATUS_INDEFINITE && mass == 0; n++) {
         more = more > 0 ? 8 * more : 1e-8 * stiff / heavy;
-        st = system_factor(&m->system, 1, K, more, m->assembly.M);
+        st = system_factor(m->system, 1, K, more, m->M);
         counters->factorisations++;
     }
     return st;
 }
 
-static enum status refresh(struct shell_motion *m, const struct shell_equation *q,
-                           const double *x, struct shell_foresight foresight,
+static enum status refresh(struct large_motion *m, const struct large_equation *q,
+                           const double *x, struct large_foresight foresight,
                            struct counters *counters)
 {
     enum status st = STATUS_OK;
@@ -70,11 +70,10 @@ static enum status refresh(struct shell_motion *m, const struct shell_equation *
     m->factored = -1;
     for (int attempt = 0; attempt < 2; attempt++) {
         foresight.none = m->stressless;
-        TRY(shell_assembly_tangent(&m->assembly, &q->path, x, foresight, m->K));
+        TRY(m->body.tangent(m->body.self, &q->path, x, foresight, m->K));
         counters->assemblies++;
         if (m->follower.add)
-            m->follower.add(m->follower.context, &m->assembly, x, q->load, m->newmark.work,
-                            m->K);
+            m->follower.add(m->follower.context, x, q->load, m->newmark->work, m->K);
         st = factor(m, q->mass, counters);
         if (st != STATUS_INDEFINITE || q->mass == 0)
             break;
@@ -106,20 +105,20 @@ struct iteration {
 };
 
 /* i->next from i->r with the factored tangent. */
-static enum status solve(struct shell_motion *m, struct iteration *i, double *size,
+static enum status solve(struct large_motion *m, struct iteration *i, double *size,
                          struct counters *counters)
 {
     size_t count = count_of(m);
 
     memcpy(i->next, i->r, count * sizeof *i->next);
-    enum status st = system_solve(&m->system, i->next);
+    enum status st = system_solve(m->system, i->next);
     counters->solves++;
     *size = largest(count, i->next);
     return st != STATUS_OK ? st : isfinite(*size) ? STATUS_OK : STATUS_NAN;
 }
 
 /* x += d and the right-hand side there; d is halved while there is none. */
-static enum status take_step(struct shell_motion *m, const struct shell_equation *q,
+static enum status take_step(struct large_motion *m, const struct large_equation *q,
                              struct iteration *i)
 {
     size_t count = count_of(m);
@@ -140,7 +139,7 @@ static enum status take_step(struct shell_motion *m, const struct shell_equation
 }
 
 /* The next step, with the old tangent if that still does well. */
-static enum status next_step(struct shell_motion *m, const struct shell_equation *q,
+static enum status next_step(struct large_motion *m, const struct large_equation *q,
                              struct iteration *i, struct counters *counters)
 {
     enum status st;
@@ -149,7 +148,7 @@ static enum status next_step(struct shell_motion *m, const struct shell_equation
     if (q->chord > 0)
         TRY(solve(m, i, &size, counters));
     if (!(size <= q->chord * i->size)) {
-        TRY(refresh(m, q, i->x, (struct shell_foresight){.change = i->d}, counters));
+        TRY(refresh(m, q, i->x, (struct large_foresight){.change = i->d}, counters));
         TRY(solve(m, i, &size, counters));
     }
     swap = i->d;
@@ -158,7 +157,7 @@ out:
     return st;
 }
 
-enum status shell_newton_solve(struct shell_motion *m, const struct shell_equation *q,
+enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
                                double *x, struct counters *counters)
 {
     enum status st = STATUS_OK;
@@ -174,7 +173,7 @@ enum status shell_newton_solve(struct shell_motion *m, const struct shell_equati
     m->stressless = false;
     TRY(residual(m, q, x, i.r, i.work));
     if (q->chord == 0 || m->factored != q->mass)
-        TRY(refresh(m, q, x, (struct shell_foresight){.strain = m->strain_old}, counters));
+        TRY(refresh(m, q, x, (struct large_foresight){.strain = m->strain_old}, counters));
     TRY(solve(m, &i, &i.size, counters));
     swap = i.d, i.d = i.next, i.next = swap;
     for (int n = 0; n < q->limit; n++) {

@@ -1,9 +1,10 @@
-/* shell_newton.h - Newton's method for one equation of the shell, in statics and in a step:
+/* large_newton.h - Newton's method for one equation of a body at large displacements, in
+ * statics and in a step:
  *
  *   load F + follower - M mass (x - hat) - f(x) = 0   at the free unknowns.
  *
  * The stress in the tangent's geometric part is what the last step's linearisation foresaw,
- * at first that of m->strain_old (shell_foresight; "mixed integration point" Newton of
+ * at first that of m->strain_old (large_foresight; "mixed integration point" Newton of
  * Magisano, Leonetti, Garcea, CMAME 313, 2017). Full steps then converge from afar where a
  * line search on energy or residuals creeps: they judge a step by its spurious stress. The
  * cantilever of 32 cubic spans, h/L = 1e-3, at Gamma = 1000: 29 iterations in 4 increments
@@ -12,13 +13,13 @@
  * In time, a tangent that is not positive definite (a sheet about to buckle) is replaced by
  * one without stress, for the rest of that equation.
  */
-#ifndef SHELL_NEWTON_H
-#define SHELL_NEWTON_H
+#ifndef LARGE_NEWTON_H
+#define LARGE_NEWTON_H
 
-#include "shell_ref/shell_motion.h"
+#include "models/linalg/large_motion.h"
 
-struct shell_equation {
-    struct shell_path path;
+struct large_equation {
+    struct large_path path;
     double mass;       /* >= 0                                                [1/s^2]  */
     const double *hat; /* [nodes][3]; NULL if mass == 0                       borrowed */
     double load;       /* factor on m->load and the follower                           */
@@ -28,8 +29,9 @@ struct shell_equation {
 
 /* x[nodes][3]: predictor on entry, with held unknowns where they shall be; solution on
  * return. Stops when a step is below 1e-7 of the sheet's length. STATUS_DIVERGED if that
- * takes too many iterations; the codes of assembly and factor. */
-enum status shell_newton_solve(struct shell_motion *m, const struct shell_equation *equation,
-                               double *x, struct counters *counters);
+ * takes too many iterations; the codes of body and factor. */
+enum status large_newton_solve(struct large_motion *m,
+                               const struct large_equation *equation, double *x,
+                               struct counters *counters);
 
 #endif

@@ -6,14 +6,16 @@
 #include "bench/compare.h"
 #include "bench/list.h"
 #include "bench/run.h"
+#include "bench/studies.h"
 #include "bench/tables.h"
 
 const struct command *const commands[] = {
-    &list_command, &run_command, &compare_command, &tables_command, &bench_command, NULL,
+    &list_command,  &run_command, &compare_command, &tables_command, &studies_command,
+    &bench_command, NULL,
 };
 
-static const char *const planned[] = {"study", "sweep",  "verify", "stress",
-                                      "score", "advise", "report", NULL};
+static const char *const planned[] = {"sweep",  "verify", "stress", "score",
+                                      "advise", "report", NULL};
 
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why)

@@ -200,7 +200,7 @@ static enum status run(const struct command_line *line, struct message *why)
         TRY(fig6_compare(j.path, j.given, j.set, j.folder, j.read_only, format, stdout,
                          why));
     TRY(truth_find(j.path, settings_of(&j, NULL, false, all), all, TIMES, j.time, j.folder,
-                   j.quick, &truth, why));
+                   j.quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why));
     j.compare.truth = truth;
     TRY(run_all(&j, command_value(line, "--models"), why));
     TRY(compare_print(&j.compare, format, stdout));

@@ -9,6 +9,7 @@
 #include "bench/store.h"
 #include "bench/timing.h"
 #include "models/grid.h"
+#include "models/metric.h"
 
 /* At least nine repeats (fair timing). A solid's frame costs the same all along the motion,
  * so twenty frames a repeat do; where it does not, a case says how many it takes. */
@@ -16,13 +17,13 @@ enum { REPEATS = 9, FRAMES = 20, QUICK_REPEATS = 3, QUICK_FRAMES = 5, WARMUP = 2
 
 static const char *const phase_name[BENCH_SOLID_FRAME] = {"assemble", "factor", "solve"};
 
-/* One state on its way: what is stored of it. */
+/* One state on its way, sampled: what is stored of it. */
 static enum status keep(struct timed_case *c, void *state, double t,
-                        const struct counters *counters, double *xyz, struct message *why)
+                        const struct counters *counters, const double *xyz,
+                        struct message *why)
 {
     struct energy energy;
 
-    c->model->sample(state, xyz);
     if (c->model->energy)
         c->model->energy(state, &energy);
     return store_frame(c->store, t, xyz, c->model->energy ? &energy : NULL, counters, why);
@@ -37,11 +38,15 @@ static enum status follow(struct timed_case *c, void *state, double *xyz,
 
     if (!c->times) {
         TRY(c->model->equilibrium(state, &counters, why));
+        c->model->sample(state, xyz);
         TRY(keep(c, state, 0, &counters, xyz, why));
     }
     for (int n = 0; n < c->times; n++) {
         for (; st == STATUS_OK && frame < lround(c->time[n] / c->scene->step); frame++)
             st = c->model->advance(state, &counters);
+        c->model->sample(state, xyz);
+        if (st == STATUS_OK)
+            st = metric_blowup(c->scene, xyz);
         if (status_is_death(st)) {
             store_death(c->store, st, frame * c->scene->step);
             return STATUS_OK;

@@ -97,7 +97,8 @@ enum { MORE = 4, TEXT = 96 };
 
 static enum status shell_run(const char *path, int count, const char *const *settings,
                              double step, struct level level, const struct truth *t,
-                             const char *folder, struct rung_result *r, struct message *why)
+                             const char *folder, bool read_only, struct rung_result *r,
+                             struct message *why)
 {
     char text[MORE][TEXT], name[TEXT];
     const char **all = malloc((size_t)(count + MORE) * sizeof *all);
@@ -126,7 +127,8 @@ static enum status shell_run(const char *path, int count, const char *const *set
         return STATUS_OK;
     }
     rung_clear(r);
-    TRY(rung_run(&plan, why));
+    if (!read_only)
+        TRY(rung_run(&plan, why));
     TRY(rung_read(&plan, r, why));
 out:
     free(all);
@@ -134,14 +136,16 @@ out:
 }
 
 static enum status from_shell(const char *path, int count, const char *const *settings,
-                              double step, const char *folder, bool quick, struct truth *t,
-                              struct message *why)
+                              double step, const char *folder, bool quick, bool read_only,
+                              struct truth *t, struct message *why)
 {
     enum status st;
     struct rung_result best = {0}, check = {0};
 
-    TRY(shell_run(path, count, settings, step, coarse[quick], t, folder, &check, why));
-    TRY(shell_run(path, count, settings, step, fine[quick], t, folder, &best, why));
+    TRY(shell_run(path, count, settings, step, coarse[quick], t, folder, read_only, &check,
+                  why));
+    TRY(shell_run(path, count, settings, step, fine[quick], t, folder, read_only, &best,
+                  why));
     if (best.frames < t->times || check.frames < t->times)
         TRY(status_fail(why, STATUS_DIVERGED, "the shell that was to be the truth: %s",
                         best.frames < t->times ? best.outcome : check.outcome));
@@ -161,9 +165,22 @@ out:
     return st;
 }
 
+static enum status find_shell(const char *path, int count, const char *const *settings,
+                              double step, const char *folder, enum truth_effort effort,
+                              struct truth *t, struct message *why)
+{
+    bool read_only = effort == TRUTH_READ;
+
+    if (read_only &&
+        from_shell(path, count, settings, step, folder, false, true, t, NULL) == STATUS_OK)
+        return STATUS_OK;
+    return from_shell(path, count, settings, step, folder, effort != TRUTH_FULL, read_only,
+                      t, why);
+}
+
 enum status truth_find(const char *path, int setting_count, const char *const *settings,
-                       int times, const double *time, const char *folder, bool quick,
-                       struct truth **truth, struct message *why)
+                       int times, const double *time, const char *folder,
+                       enum truth_effort effort, struct truth **truth, struct message *why)
 {
     enum status st;
     struct scene scene = {0};
@@ -178,7 +195,7 @@ enum status truth_find(const char *path, int setting_count, const char *const *s
         kirchhoff_field_plate(&scene, &plate, NULL) == STATUS_OK)
         TRY(from_kirchhoff(&scene, t, why));
     else
-        TRY(from_shell(path, setting_count, settings, scene.step, folder, quick, t, why));
+        TRY(find_shell(path, setting_count, settings, scene.step, folder, effort, t, why));
     *truth = t, t = NULL;
 out:
     truth_destroy(t);

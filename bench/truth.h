@@ -21,11 +21,18 @@ struct truth {
     char source[256];    /* a sentence                                                 */
 };
 
+enum truth_effort {
+    TRUTH_FULL,
+    TRUTH_QUICK, /* a coarser shell                                                    */
+    TRUTH_READ,  /* runs nothing: the best that an earlier call left; else STATUS_FILE */
+};
+
 /* Truth of `path` with the settings at time[times]. The shell's motions are kept as result
- * files in `folder` and found again there. STATUS_UNSUPPORTED with a sentence: none. */
+ * files in `folder` and found again there: a folder for each scene, settings and times.
+ * STATUS_UNSUPPORTED with a sentence: none. */
 enum status truth_find(const char *path, int setting_count, const char *const *settings,
-                       int times, const double *time, const char *folder, bool quick,
-                       struct truth **truth, struct message *why);
+                       int times, const double *time, const char *folder,
+                       enum truth_effort effort, struct truth **truth, struct message *why);
 void truth_destroy(struct truth *t); /* NULL is allowed */
 
 #endif

@@ -1,0 +1,28 @@
+#include "bench/studies.h"
+
+#include "bench/exhibit.h"
+#include "bench/study_mesh.h"
+
+static const struct command_item *const items[] = {
+    &study_mesh_exhibit.item,
+    NULL,
+};
+
+const struct command studies_command = {
+    .name = "study",
+    .summary = "what a net, a degree or a parameter does to a scene's motion",
+    .arguments = "NAME [OPTION]...",
+    .text =
+        "Runs a scene at several levels of one parameter, keeps a result file of each and\n"
+        "prints from these files: what differs between the levels, the error against\n"
+        "truth where there is one, the cost, and whether the paper's sentence holds.\n"
+        "CSV, plots and pictures go into the folder.\n",
+    .examples = "study mesh\nstudy mesh --quick --out mesh\n"
+                "study mesh --from results/study_mesh --format csv\n",
+    .least = 1,
+    .most = 1,
+    .options = exhibit_command_options,
+    .section = "studies",
+    .items = items,
+    .run = exhibit_run,
+};

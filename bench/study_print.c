@@ -1,0 +1,244 @@
+#include "bench/study_print.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include "bench/output.h"
+#include "bench/picture.h"
+#include "bench/plot.h"
+
+enum { PATH = 4096 };
+
+static void cell(struct table *t, double value, int digits)
+{
+    if (isnan(value))
+        table_dash(t);
+    else
+        table_number(t, value, digits);
+}
+
+static enum status print_cost(const struct study *study, const struct study_result *r,
+                              enum table_format format, FILE *file)
+{
+    static const struct table_column columns[] = {
+        {"level", NULL, TABLE_LEFT},  {"unknowns", NULL, 0}, {"factor", "entries", 0},
+        {"a frame", "ms", 0},         {"paper", "ms", 0},    {"stepping", "s", 0},
+        {"outcome", NULL, TABLE_LEFT}};
+    char caption[256];
+    struct table *t;
+    enum status st;
+
+    snprintf(caption, sizeof caption, "%s: cost", study->caption);
+    t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    for (int n = 0; n < study->count; n++) {
+        const struct study_row *row = &r->row[n];
+        table_row(t);
+        table_text(t, "%s", study->levels[n].label);
+        if (*row->refused) {
+            table_note(t, "%s: %s.", study->levels[n].label, row->refused);
+            continue;
+        }
+        table_integer(t, lround(row->unknowns));
+        table_integer(t, lround(row->factor_entries));
+        cell(t, row->milliseconds, 3);
+        cell(t, study->levels[n].paper > 0 ? study->levels[n].paper : NAN, 4);
+        cell(t, row->seconds, 3);
+        table_text(t, "%s", row->outcome);
+    }
+    table_note(t,
+               "A frame: median over repeats, one thread; factor: numbers stored in it; "
+               "stepping: all frames to %g s at that price.",
+               study->time[study->times - 1]);
+    st = table_print(t, format, file);
+    table_destroy(t);
+    return st;
+}
+
+static void motion_row(struct table *t, const struct study *study,
+                       const struct study_result *r, int n, int time)
+{
+    const struct study_frame *f = &r->row[n].frame[time];
+
+    table_row(t);
+    table_fixed(t, study->time[time], 3);
+    table_text(t, "%s", study->levels[n].label);
+    if (!f->xyz)
+        return;
+    cell(t, f->next, 3);
+    cell(t, f->finest, 3);
+    if (r->truth) {
+        cell(t, f->error, 3);
+        cell(t, r->truth->error[time] / r->length, 2);
+    }
+    cell(t, f->roughness, 3);
+    cell(t, f->stretch, 4);
+    cell(t, f->drop, 4);
+}
+
+static enum status print_motion(const struct study *study, const struct study_result *r,
+                                enum table_format format, FILE *file)
+{
+    static const struct table_column with[] = {
+        {"t", "s", 0},          {"level", NULL, TABLE_LEFT}, {"to next", "L", 0},
+        {"to finest", "L", 0},  {"error", "L", 0},           {"error bar", "L", 0},
+        {"roughness", NULL, 0}, {"stretch", NULL, 0},        {"drop", "L", 0}};
+    struct table_column without[7];
+    struct table *t;
+    enum status st;
+
+    memcpy(without, with, 4 * sizeof *with);
+    memcpy(without + 4, with + 6, 3 * sizeof *with);
+    t = table_create(r->truth ? 9 : 7, r->truth ? with : without, study->caption);
+    for (int time = 0; time < study->times; time++) {
+        double order = study_order(study, r, time);
+        if (time)
+            table_rule(t);
+        for (int n = 0; n < study->count; n++)
+            motion_row(t, study, r, n, time);
+        if (!isnan(order))
+            table_note(t, "Observed order at %g s: %.2g, of the %s.", study->time[time],
+                       order, r->truth ? "error" : "difference from the finest");
+    }
+    table_note(t,
+               "To next, to finest: RMSE on the material grid to the next level and to the "
+               "last. Roughness: L times the rms curvature. Gamma = %.4g.",
+               r->gamma);
+    if (r->truth)
+        table_note(t, "Truth: %s.", r->truth->source);
+    st = table_print(t, format, file);
+    table_destroy(t);
+    return st;
+}
+
+enum status study_print(const struct study *study, const struct study_result *r,
+                        enum table_format format, FILE *file)
+{
+    enum status st;
+
+    TRY(print_cost(study, r, format, file));
+    fprintf(file, "\n");
+    TRY(print_motion(study, r, format, file));
+    fprintf(file, "\n");
+out:
+    return st;
+}
+
+static enum status write_csv(const struct study *study, const struct study_result *r,
+                             const char *folder, struct message *why)
+{
+    struct output *out = NULL;
+    char path[PATH];
+    enum status st;
+
+    snprintf(path, sizeof path, "%s/%s.csv", folder, study->name);
+    TRY(output_create(path, &out, why));
+    output_print(out,
+                 "level,size,time_s,unknowns,factor_entries,frame_ms,paper_ms,stepping_s,"
+                 "to_next_over_length,to_finest_over_length,error_over_length,"
+                 "error_bar_over_length,roughness,stretch,drop_over_length\n");
+    for (int time = 0; time < study->times; time++) {
+        if (time)
+            output_print(out, "\n\n"); /* gnuplot's next block */
+        for (int n = 0; n < study->count; n++) {
+            const struct study_level *level = &study->levels[n];
+            const struct study_row *row = &r->row[n];
+            const struct study_frame *f = &row->frame[time];
+            output_print(out,
+                         "\"%s\",%.9g,%.9g,%.0f,%.0f,%.6g,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,"
+                         "%.9g,%.9g,%.9g\n",
+                         level->label, level->size, study->time[time], row->unknowns,
+                         row->factor_entries, row->milliseconds,
+                         level->paper > 0 ? level->paper : NAN, row->seconds, f->next,
+                         f->finest, f->error,
+                         r->truth ? r->truth->error[time] / r->length : NAN, f->roughness,
+                         f->stretch, f->drop);
+        }
+    }
+    return output_close(out, why);
+out:
+    return st;
+}
+
+static enum status write_plot(const struct study *study, const struct study_result *r,
+                              const char *folder, struct message *why)
+{
+    struct output *out = NULL;
+    char path[PATH];
+    enum status st;
+
+    snprintf(path, sizeof path, "%s/%s.gp", folder, study->name);
+    TRY(output_create(path, &out, why));
+    output_print(out,
+                 "set terminal pngcairo noenhanced size 900,650\nset output '%s.png'\n"
+                 "set datafile separator ','\nset datafile missing 'nan'\nset logscale xy\n"
+                 "set grid\nset format '%%g'\nset key outside right\n"
+                 "set xlabel 'seconds of stepping'\nset ylabel '%s'\nset title \"%s\"\n"
+                 "plot \\\n",
+                 study->name,
+                 r->truth ? "RMSE to truth / L" : "RMSE to the finest level / L",
+                 study->caption);
+    for (int time = 0; time < study->times; time++)
+        output_print(out,
+                     "%s'%s.csv' index %d using 8:%d with linespoints lw 2 pt %d title "
+                     "'%g s', \\\n'' index %d using 8:%d:1 with labels offset 0,0.8 "
+                     "font ',8' notitle",
+                     time ? ", \\\n" : "", study->name, time, r->truth ? 11 : 10, time + 4,
+                     study->time[time], time, r->truth ? 11 : 10);
+    output_print(out, "\n");
+    return output_close(out, why);
+out:
+    return st;
+}
+
+static enum status draw_sheets(const struct study *study, const struct study_result *r,
+                               const char *folder, struct message *why)
+{
+    struct picture_panel panels[STUDY_TIMES * STUDY_LEVELS];
+    char titles[STUDY_TIMES * STUDY_LEVELS][96], name[PATH];
+    int count = 0;
+
+    for (int time = 0; time < study->times; time++)
+        for (int n = 0; n < study->count; n++, count++) {
+            snprintf(titles[count], sizeof titles[count], "%s\nt = %g s",
+                     study->levels[n].label, study->time[time]);
+            panels[count] =
+                (struct picture_panel){titles[count], r->row[n].frame[time].xyz};
+        }
+    snprintf(name, sizeof name, "%s_sheets", study->name);
+    return picture_surfaces(folder, name, study->count, count, panels, why);
+}
+
+enum status study_print_files(const struct study *study, const struct study_result *r,
+                              const char *folder, struct message *why)
+{
+    struct message plot = {""};
+    char script[PATH];
+    enum status st;
+
+    TRY(write_csv(study, r, folder, why));
+    TRY(write_plot(study, r, folder, why));
+    snprintf(script, sizeof script, "%s.gp", study->name);
+    st = plot_run(folder, script, &plot);
+    if (st == STATUS_OK)
+        st = draw_sheets(study, r, folder, &plot);
+    if (st == STATUS_OK)
+        fprintf(stderr, "%s.png and %s_sheets.png beside %s.csv in %s\n", study->name,
+                study->name, study->name, folder);
+    else
+        fprintf(stderr, "%s\n", plot.text);
+    st = STATUS_OK;
+out:
+    return st;
+}
+
+void study_print_verdict(FILE *file, const char *quote, bool holds, const char *format, ...)
+{
+    va_list words;
+
+    fprintf(file, "- \"%s\": %s. ", quote, holds ? "holds" : "does not hold");
+    va_start(words, format);
+    vfprintf(file, format, words);
+    va_end(words);
+    fprintf(file, "\n");
+}

@@ -64,19 +64,17 @@ static void sentence_path(const char *path, char text[TIMED_PATH])
     snprintf(text, TIMED_PATH, "%.*s.txt", (int)(strlen(path) - strlen(".h5")), path);
 }
 
-/* Says why there is no run; a file of an earlier one goes. */
-static enum status refuse(const struct timed_case *c, const char *sentence,
-                          struct message *why)
+enum status timed_refuse(const char *path, const char *sentence, struct message *why)
 {
     struct output *out = NULL;
-    char path[TIMED_PATH];
+    char text[TIMED_PATH];
     enum status st;
 
-    sentence_path(c->path, path);
-    TRY(output_create(path, &out, why));
+    sentence_path(path, text);
+    TRY(output_create(text, &out, why));
     output_print(out, "%s\n", sentence);
     TRY(output_close(out, why));
-    remove(c->path);
+    remove(path); /* of an earlier run */
 out:
     return st;
 }
@@ -96,7 +94,7 @@ static enum status open_case(struct timed_case *c, const struct provenance *prov
     enum status st = c->model->create(c->scene, &c->d, &state, &sentence);
 
     if (st == STATUS_UNSUPPORTED)
-        return refuse(c, sentence.text, why);
+        return timed_refuse(c->path, sentence.text, why);
     if (st != STATUS_OK)
         return status_fail(why, st, "%s", sentence.text);
     sentence_path(c->path, path);
@@ -189,7 +187,8 @@ enum status timed_measure(const struct exhibit_options *options, const char *wha
 
     TRY(st);
     for (int n = 0; n < count; n++)
-        TRY(open_case(&cases[n], provenance, xyz, why));
+        if (cases[n].scene)
+            TRY(open_case(&cases[n], provenance, xyz, why));
     TRY(time_cases(&plan, count, cases, why));
     for (int n = 0; n < count; n++) {
         struct store *store = cases[n].store;

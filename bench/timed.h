@@ -17,7 +17,7 @@ enum { TIMED_PATH = 4096 };
 
 struct timed_case {
     const struct model *model;
-    const struct scene *scene; /*                                            borrowed  */
+    const struct scene *scene; /* NULL: the case is left out                 borrowed  */
     struct discretization d;   /* owns nothing                                         */
     char path[TIMED_PATH];     /* of the result file, NAME.h5                          */
     int times;                 /* 0: static equilibrium is kept, and nothing timed     */
@@ -34,6 +34,9 @@ struct timed_case {
 enum status timed_measure(const struct exhibit_options *options, const char *what,
                           const struct provenance *provenance, int count,
                           struct timed_case *cases, struct message *why);
+
+/* Leaves a sentence in NAME.txt instead of a run in NAME.h5. */
+enum status timed_refuse(const char *path, const char *sentence, struct message *why);
 
 /* What a table needs of such a file. */
 struct timed_result {

@@ -12,6 +12,7 @@ struct hex {
     struct solid_space space;
     struct hex_tables tables;
     int points[3];
+    double misfit; /* solid_model.h                                                    */
 };
 
 static void defaults(struct discretization *d)
@@ -84,41 +85,6 @@ static enum status set_parity(struct hex *h, const struct scene *scene)
     return STATUS_OK;
 }
 
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
-{
-    enum status st;
-    bool thickness;
-    double *x = NULL;
-    int *order = NULL;
-    struct hex *h = NULL;
-
-    TRY(solid_model_refuse(scene, SOLID_MODEL_SERVES, why));
-    TRY(discretization_refuse(d, 0, why));
-    TRY(refuse(d, why));
-    TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));
-    h = aligned_alloc(64, (sizeof *h + 63) / 64 * 64);
-    if (!h)
-        TRY(STATUS_MEMORY);
-    memset(h, 0, sizeof *h);
-    x = rest_points(scene, d->points);
-    if (!x)
-        TRY(STATUS_MEMORY);
-    memcpy(h->points, d->points, sizeof h->points);
-    TRY(hex_space_init(&h->space, &h->tables, d->points, x, thickness,
-                       d->remedy == REMEDY_INCOMPATIBLE));
-    if (thickness)
-        TRY(set_parity(h, scene));
-    order = solid_model_order(d->points[0], d->points[1], d->points[2]);
-    TRY(solid_motion_init(&h->motion, scene, &h->space, d, order, why));
-    *state = h, h = NULL;
-out:
-    destroy(h);
-    free(x);
-    free(order);
-    return st;
-}
-
 /* Cell of x among `points` nodes on [0,1], and the two weights there. */
 static int cell(int points, double x, double weight[2])
 {
@@ -166,6 +132,49 @@ static void sample(const void *state, double *xyz)
     }
 }
 
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
+{
+    enum status st;
+    bool thickness;
+    double *x = NULL;
+    int *order = NULL;
+    struct hex *h = NULL;
+
+    TRY(solid_model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(discretization_refuse(d, 0, why));
+    TRY(refuse(d, why));
+    TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));
+    h = aligned_alloc(64, (sizeof *h + 63) / 64 * 64);
+    if (!h)
+        TRY(STATUS_MEMORY);
+    memset(h, 0, sizeof *h);
+    x = rest_points(scene, d->points);
+    if (!x)
+        TRY(STATUS_MEMORY);
+    memcpy(h->points, d->points, sizeof h->points);
+    TRY(hex_space_init(&h->space, &h->tables, d->points, x, thickness,
+                       d->remedy == REMEDY_INCOMPATIBLE));
+    if (thickness)
+        TRY(set_parity(h, scene));
+    order = solid_model_order(d->points[0], d->points[1], d->points[2]);
+    TRY(solid_motion_init(&h->motion, scene, &h->space, d, order, why));
+    TRY(solid_model_misfit(scene, sample, h, &h->misfit));
+    *state = h, h = NULL;
+out:
+    destroy(h);
+    free(x);
+    free(order);
+    return st;
+}
+
+static void describe(const void *state, struct message *line)
+{
+    const struct hex *h = state;
+
+    solid_model_describe(h->misfit, line);
+}
+
 static enum status matrices(const void *state, struct matrix *K, struct matrix *M)
 {
     const struct hex *h = state;
@@ -187,6 +196,7 @@ const struct model hex_model = {
     .sample = sample,
     .probe = probe,
     .size = solid_model_size,
+    .describe = describe,
     .energy = solid_model_energy,
     .equilibrium = solid_model_equilibrium,
     .modes = solid_model_modes,

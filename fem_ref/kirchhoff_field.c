@@ -3,14 +3,6 @@
 
 #include <math.h>
 
-static void normal(const struct scene *scene, double n[3])
-{
-    const double *u = scene->axis_u, *v = scene->axis_v;
-    n[0] = u[1] * v[2] - u[2] * v[1];
-    n[1] = u[2] * v[0] - u[0] * v[2];
-    n[2] = u[0] * v[1] - u[1] * v[0];
-}
-
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -28,6 +20,9 @@ enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_pl
     /* Rounding of axes given with 16 digits. */
     const double in_plane = 1e-14 * sqrt(dot(scene->gravity, scene->gravity));
 
+    if (scene->shape != SCENE_FLAT)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "the Kirchhoff truth knows flat sheets only");
     if (scene->support_count != 1 || !is_clamped_edge(&scene->supports[0]))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth knows one support, the whole edge u = 0");
@@ -63,7 +58,7 @@ enum status kirchhoff_field_sample(const struct kirchhoff *k, const struct scene
     struct kirchhoff_plate plate;
 
     TRY(kirchhoff_field_plate(scene, &plate, why));
-    normal(scene, n);
+    scene_normal(scene, n);
     const double q = plate.density * plate.thickness * dot(scene->gravity, n);
     const double alpha = scene->damping.kind == DAMPING_MASS ? scene->damping.value : 0;
     for (int i = 0; i < GRID_U; i++)

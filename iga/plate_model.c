@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/cloak_net.h"
 #include "iga/plate_space.h"
 #include "models/grid.h"
 #include "models/solid/solid_model.h"
@@ -21,7 +22,8 @@ struct plate {
     struct plate_tables tables;
     struct patch patch;
     struct samples grid[3];
-    double (*uvw)[3]; /* with weights: parameters of the grid's material points; owned */
+    double (*uvw)[3]; /* with weights given: parameters of the grid's points    owned  */
+    double misfit;    /* solid_model.h                                                 */
 };
 
 static void defaults(struct discretization *d)
@@ -43,16 +45,10 @@ static enum status make_basis(const struct discretization *d, int i, struct bspl
     return bspline_init(b, d->degree[i], d->knot_count[i], d->knots[i], why);
 }
 
-static enum status make_patch(const struct scene *scene, const struct discretization *d,
-                              struct patch *patch, struct message *why)
+static void make_box(const struct scene *scene, struct patch *patch)
 {
-    enum status st = STATUS_OK;
-    struct bspline basis[3] = {{0}};
     double corner[3][3], at[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, origin[3];
 
-    for (int i = 0; i < 3; i++)
-        TRY(make_basis(d, i, &basis[i], why));
-    TRY(patch_init(patch, basis));
     scene_rest_point(scene, (double[3]){0, 0, 0}, origin);
     for (int i = 0; i < 3; i++) {
         scene_rest_point(scene, at[i], corner[i]);
@@ -60,17 +56,62 @@ static enum status make_patch(const struct scene *scene, const struct discretiza
             corner[i][j] -= origin[j];
     }
     patch_set_box(patch, origin, corner[0], corner[1], corner[2]);
-    if (!d->weight_count)
+}
+
+static enum status make_cloak(const struct scene *scene, struct patch *patch,
+                              struct message *why)
+{
+    const struct bspline *b = patch->basis;
+    double *w = malloc((size_t)b[2].n * sizeof *w);
+    enum status st = STATUS_MEMORY;
+
+    patch->weight = malloc((size_t)patch_nodes(patch) * sizeof *patch->weight);
+    if (!w || !patch->weight)
         goto out;
-    if (d->weight_count != patch_nodes(patch)) {
-        st = status_fail(why, STATUS_INPUT, "weights: %d given, but the net has %d points",
-                         d->weight_count, patch_nodes(patch));
-        goto out;
-    }
-    patch->weight = malloc((size_t)d->weight_count * sizeof *patch->weight);
+    for (int k = 0; k < b[2].n; k++)
+        w[k] = bspline_greville(&b[2], k);
+    st = cloak_net(scene, &b[0], &b[1], b[2].n, w, patch->point, patch->weight, why);
+    if (!cloak_net_exact(&b[1]))
+        free(patch->weight), patch->weight = NULL;
+out:
+    free(w);
+    return st;
+}
+
+static enum status give_weights(const struct discretization *d, struct patch *patch,
+                                struct message *why)
+{
+    size_t bytes = (size_t)d->weight_count * sizeof *patch->weight;
+
+    if (d->weight_count != patch_nodes(patch))
+        return status_fail(why, STATUS_INPUT,
+                           "weights: %d given, but the net has %d points", d->weight_count,
+                           patch_nodes(patch));
+    patch->weight = malloc(bytes);
     if (!patch->weight)
-        TRY(STATUS_MEMORY);
-    memcpy(patch->weight, d->weights, (size_t)d->weight_count * sizeof *patch->weight);
+        return STATUS_MEMORY;
+    memcpy(patch->weight, d->weights, bytes);
+    return STATUS_OK;
+}
+
+static enum status make_patch(const struct scene *scene, const struct discretization *d,
+                              struct patch *patch, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct bspline basis[3] = {{0}};
+
+    if (scene->shape != SCENE_FLAT && d->weight_count)
+        return status_fail(why, STATUS_INPUT,
+                           "weights: a curved rest shape brings its own; give none");
+    for (int i = 0; i < 3; i++)
+        TRY(make_basis(d, i, &basis[i], why));
+    TRY(patch_init(patch, basis));
+    if (scene->shape == SCENE_CLOAK)
+        TRY(make_cloak(scene, patch, why));
+    else
+        make_box(scene, patch);
+    if (d->weight_count)
+        TRY(give_weights(d, patch, why));
 out:
     for (int i = 0; i < 3; i++)
         bspline_clear(&basis[i]);
@@ -104,8 +145,9 @@ static enum status make_samples(struct plate *p, int i, int count)
     return STATUS_OK;
 }
 
-/* With weights the parameter is no longer the material coordinate: look it up. */
-static enum status find_material_points(struct plate *p, const struct scene *scene,
+/* With weights given to a flat sheet the parameter is no longer the material coordinate:
+ * look it up. */
+static enum status find_material_points(const struct plate *p, const struct scene *scene,
                                         int count, const double *material, double (*uvw)[3])
 {
     double tolerance = 1e-12 * (scene->length + scene->width);
@@ -126,7 +168,7 @@ static enum status make_grid(struct plate *p, const struct scene *scene)
     enum status st = STATUS_OK;
     double(*material)[3] = NULL;
 
-    if (!p->patch.weight) {
+    if (!p->patch.weight || scene->shape != SCENE_FLAT) {
         TRY(make_samples(p, 0, GRID_U));
         TRY(make_samples(p, 1, GRID_V));
         TRY(make_samples(p, 2, GRID_W));
@@ -142,6 +184,75 @@ static enum status make_grid(struct plate *p, const struct scene *scene)
 out:
     free(material);
     return st;
+}
+
+/* Position at one tensor-product point: sums over u, then v, then w, so that a grid point
+ * comes out the same from wherever it is asked. Rational if the patch has weights; the sum
+ * of the functions through the thickness is then that of all or, in the thickness basis,
+ * the first. */
+static void evaluate(const struct plate *p, const int first[3], const double *const N[3],
+                     double *xyz)
+{
+    const double *weight = p->patch.weight;
+    int m = p->patch.basis[1].n, l = p->patch.basis[2].n;
+    int orders[3] = {p->patch.basis[0].p + 1, p->patch.basis[1].p + 1,
+                     p->patch.basis[2].p + 1};
+    double sum[3] = {0}, total = 0;
+
+    for (int c = 0; c < orders[2]; c++) {
+        double over_v[3] = {0}, weight_v = 0;
+        for (int b = 0; b < orders[1]; b++) {
+            double over_u[3] = {0}, weight_u = 0;
+            for (int a = 0; a < orders[0]; a++) {
+                int node = ((first[0] + a) * m + first[1] + b) * l + first[2] + c;
+                double share = weight ? N[0][a] * weight[node] : N[0][a];
+                weight_u += share;
+                for (int i = 0; i < 3; i++)
+                    over_u[i] += share * p->motion.x[3 * (size_t)node + i];
+            }
+            weight_v += N[1][b] * weight_u;
+            for (int i = 0; i < 3; i++)
+                over_v[i] += N[1][b] * over_u[i];
+        }
+        if (c == 0 || !p->space.thickness_basis)
+            total += N[2][c] * weight_v;
+        for (int i = 0; i < 3; i++)
+            sum[i] += N[2][c] * over_v[i];
+    }
+    for (int i = 0; i < 3; i++)
+        xyz[i] = weight ? sum[i] / total : sum[i];
+}
+
+/* Position at parameters of the patch. */
+static void evaluate_at(const struct plate *p, const double uvw[3], double *xyz)
+{
+    double N[3][BSPLINE_MAX_ORDER];
+    int first[3];
+
+    for (int i = 0; i < 3; i++)
+        first[i] = alive(p, i, uvw[i], N[i]);
+    evaluate(p, first, (const double *const[3]){N[0], N[1], N[2]}, xyz);
+}
+
+static void sample(const void *state, double *xyz)
+{
+    const struct plate *p = state;
+
+    if (p->uvw) {
+        for (int n = 0; n < GRID_POINTS; n++)
+            evaluate_at(p, p->uvw[n], xyz + 3 * (size_t)n);
+        return;
+    }
+    for (int k = 0; k < GRID_W; k++)
+        for (int j = 0; j < GRID_V; j++)
+            for (int i = 0; i < GRID_U; i++, xyz += 3) {
+                const struct samples *g = p->grid;
+                const int first[3] = {g[0].first[i], g[1].first[j], g[2].first[k]};
+                const double *const N[3] = {g[0].value + i * g[0].order,
+                                            g[1].value + j * g[1].order,
+                                            g[2].value + k * g[2].order};
+                evaluate(p, first, N, xyz);
+            }
 }
 
 static int *thickness_degrees(const struct solid_space *space, int l)
@@ -188,7 +299,7 @@ static enum status create(const struct scene *scene, const struct discretization
         TRY(STATUS_MEMORY);
     TRY(make_patch(scene, d, &p->patch, why));
     TRY(solid_model_basis(
-        scene, d, p->patch.basis[2].n == p->patch.basis[2].p + 1 && !p->patch.weight,
+        scene, d, p->patch.basis[2].n == p->patch.basis[2].p + 1 && !d->weight_count,
         &thickness, why));
     TRY(plate_space_init(&p->space, &p->tables, &p->patch, d->gauss, thickness));
     if (thickness) {
@@ -201,6 +312,7 @@ static enum status create(const struct scene *scene, const struct discretization
         solid_model_order(p->patch.basis[0].n, p->patch.basis[1].n, p->patch.basis[2].n);
     TRY(make_grid(p, scene));
     TRY(solid_motion_init(&p->motion, scene, &p->space, d, order, why));
+    TRY(solid_model_misfit(scene, sample, p, &p->misfit));
     *state = p, p = NULL;
 out:
     destroy(p);
@@ -209,81 +321,23 @@ out:
     return st;
 }
 
-/* Position at one tensor-product point: sums over u, then v, then w, so that a grid point
- * comes out the same from wherever it is asked. */
-static void evaluate(const struct plate *p, const int first[3], const double *const N[3],
-                     double *xyz)
-{
-    int m = p->patch.basis[1].n, l = p->patch.basis[2].n;
-    int orders[3] = {p->patch.basis[0].p + 1, p->patch.basis[1].p + 1,
-                     p->patch.basis[2].p + 1};
-    double sum[3] = {0};
-
-    for (int c = 0; c < orders[2]; c++) {
-        double over_v[3] = {0};
-        for (int b = 0; b < orders[1]; b++) {
-            double over_u[3] = {0};
-            for (int a = 0; a < orders[0]; a++) {
-                int node = ((first[0] + a) * m + first[1] + b) * l + first[2] + c;
-                for (int i = 0; i < 3; i++)
-                    over_u[i] += N[0][a] * p->motion.x[3 * (size_t)node + i];
-            }
-            for (int i = 0; i < 3; i++)
-                over_v[i] += N[1][b] * over_u[i];
-        }
-        for (int i = 0; i < 3; i++)
-            sum[i] += N[2][c] * over_v[i];
-    }
-    memcpy(xyz, sum, sizeof sum);
-}
-
-/* Positions at parameters of the rational patch. */
-static void evaluate_rational(const struct plate *p, int n, double (*uvw)[3], double *xyz)
-{
-    struct patch now = p->patch; /* same bases and weights, present points */
-
-    now.point = p->motion.x;
-    for (int t = 0; t < n; t++)
-        patch_point(&now, uvw[t], xyz + 3 * (size_t)t, NULL);
-}
-
-static void sample(const void *state, double *xyz)
-{
-    const struct plate *p = state;
-
-    if (p->uvw) {
-        evaluate_rational(p, GRID_POINTS, p->uvw, xyz);
-        return;
-    }
-    for (int k = 0; k < GRID_W; k++)
-        for (int j = 0; j < GRID_V; j++)
-            for (int i = 0; i < GRID_U; i++, xyz += 3) {
-                const struct samples *g = p->grid;
-                const int first[3] = {g[0].first[i], g[1].first[j], g[2].first[k]};
-                const double *const N[3] = {g[0].value + i * g[0].order,
-                                            g[1].value + j * g[1].order,
-                                            g[2].value + k * g[2].order};
-                evaluate(p, first, N, xyz);
-            }
-}
-
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct plate *p = state;
 
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
-        double N[3][BSPLINE_MAX_ORDER], at[1][3];
-        int first[3];
-        if (p->uvw) {
-            if (find_material_points((struct plate *)p, p->motion.scene, 1, uvw, at))
-                at[0][0] = NAN; /* cannot be: the rest shape was inverted at create */
-            evaluate_rational(p, 1, at, xyz);
-            continue;
-        }
-        for (int i = 0; i < 3; i++)
-            first[i] = alive(p, i, uvw[i], N[i]);
-        evaluate(p, first, (const double *const[3]){N[0], N[1], N[2]}, xyz);
+        double at[1][3] = {{uvw[0], uvw[1], uvw[2]}};
+        if (p->uvw && find_material_points(p, p->motion.scene, 1, uvw, at))
+            at[0][0] = NAN; /* cannot be: the rest shape was inverted at create */
+        evaluate_at(p, at[0], xyz);
     }
+}
+
+static void describe(const void *state, struct message *line)
+{
+    const struct plate *p = state;
+
+    solid_model_describe(p->misfit, line);
 }
 
 static enum status matrices(const void *state, struct matrix *K, struct matrix *M)
@@ -306,6 +360,7 @@ const struct model plate_model = {
     .sample = sample,
     .probe = probe,
     .size = solid_model_size,
+    .describe = describe,
     .energy = solid_model_energy,
     .equilibrium = solid_model_equilibrium,
     .modes = solid_model_modes,

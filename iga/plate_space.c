@@ -122,19 +122,22 @@ static enum status make_products(struct plate_tables *t)
     return STATUS_OK;
 }
 
-/* R_a = w_a N_a / W and its gradient at one Gauss point, in place. */
+/* R_a = w_a N_a / W and its gradient at one Gauss point, in place. In the thickness basis,
+ * weights are equal through a column and its first function, 1, stands for the sum of all.
+ */
 static void make_rational(const struct solid_space *space, int element, double *N,
                           double *G, int row)
 {
     const struct plate_tables *t = space->tables;
     const int *node = space->ien + (size_t)element * (size_t)space->local;
+    int column = space->thickness_basis ? t->direction[2].order : 1;
     double W[4] = {0};
 
     for (int a = 0; a < space->local; a++) {
-        double w = t->point_weight[node[a]];
-        W[0] += N[a] *= w;
+        double w = t->point_weight[node[a]], counts = a % column == 0;
+        W[0] += counts * (N[a] *= w);
         for (int i = 0; i < 3; i++)
-            W[i + 1] += G[i * row + a] *= w;
+            W[i + 1] += counts * (G[i * row + a] *= w);
     }
     for (int a = 0; a < space->local; a++) {
         N[a] /= W[0];

@@ -26,8 +26,8 @@ struct plate_tables {
 };
 
 /* Builds *space and *tables of the patch's present shape; gauss[3] points per span, 0: p+1.
- * `thickness` asks for the Legendre basis through w: one span there and no weights. The
- * patch is borrowed for its weights. Parity is left NULL. */
+ * `thickness` asks for the Legendre basis through w: one span there, and weights, if any, that
+ * do not vary through it. The patch is borrowed for its weights. Parity is left NULL. */
 enum status plate_space_init(struct solid_space *space, struct plate_tables *tables,
                              const struct patch *patch, const int gauss[3], bool thickness);
 void plate_space_clear(struct solid_space *space, struct plate_tables *tables);

@@ -3,10 +3,12 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/contact.h"
 #include "models/grid.h"
 #include "models/intersection.h"
+#include "models/metric_rest.h"
 
 enum { LAYER = GRID_U * GRID_V, ROW = GRID_U * 3 };
 
@@ -44,33 +46,36 @@ double metric_rmse(const double *a, const double *b)
 }
 
 /* Largest singular value of the 3x2 gradient at mid-surface point (i,j). */
-static double largest_stretch(const struct scene *scene, const double *xyz, int i, int j)
+static double largest_stretch(const struct metric_rest *rest, const double *xyz, int i,
+                              int j)
 {
     int i0 = i > 0 ? i - 1 : i, i1 = i < GRID_U - 1 ? i + 1 : i;
     int j0 = j > 0 ? j - 1 : j, j1 = j < GRID_V - 1 ? j + 1 : j;
-    double da = (i1 - i0) * scene->length / (GRID_U - 1);
-    double db = (j1 - j0) * scene->width / (GRID_V - 1);
     double west[3], east[3], south[3], north[3], fa[3], fb[3];
+    struct metric_rest_step s = metric_rest_step(rest, i, j, i0, i1, j0, j1);
 
     middle(xyz, i0, j, west);
     middle(xyz, i1, j, east);
     middle(xyz, i, j0, south);
     middle(xyz, i, j1, north);
     for (int c = 0; c < 3; c++) {
-        fa[c] = (east[c] - west[c]) / da;
-        fb[c] = (north[c] - south[c]) / db;
+        fa[c] = (east[c] - west[c]) / s.a;
+        fb[c] = north[c] - south[c];
+        if (s.shear != 0)
+            fb[c] -= s.shear * fa[c];
+        fb[c] /= s.b;
     }
     /* eigenvalue of the right Cauchy-Green tensor */
     double aa = dot(fa, fa), bb = dot(fb, fb), ab = dot(fa, fb);
     return sqrt(0.5 * (aa + bb + hypot(aa - bb, 2 * ab)));
 }
 
-double metric_stretch(const struct scene *scene, const double *xyz)
+static double most_stretched(const struct metric_rest *rest, const double *xyz)
 {
     double largest = 0;
     for (int j = 0; j < GRID_V; j++)
         for (int i = 0; i < GRID_U; i++) {
-            double stretch = largest_stretch(scene, xyz, i, j);
+            double stretch = largest_stretch(rest, xyz, i, j);
             if (isnan(stretch))
                 return NAN;
             largest = fmax(largest, stretch);
@@ -78,17 +83,14 @@ double metric_stretch(const struct scene *scene, const double *xyz)
     return largest;
 }
 
-/* Highest rest point of the mid-surface inside the box [lo, hi]: at one of its corners. */
-static double highest(const struct scene *scene, const double lo[3], const double hi[3],
-                      const double direction[3])
+double metric_stretch(const struct scene *scene, const double *xyz)
 {
-    double top = -INFINITY;
-    for (int corner = 0; corner < 4; corner++) {
-        double uvw[3] = {corner & 1 ? hi[0] : lo[0], corner & 2 ? hi[1] : lo[1], 0.5}, x[3];
-        scene_rest_point(scene, uvw, x);
-        top = fmax(top, -dot(x, direction));
-    }
-    return top;
+    struct metric_rest rest;
+    enum status st = metric_rest_init(&rest, scene);
+    double stretch = st == STATUS_OK ? most_stretched(&rest, xyz) : NAN;
+
+    metric_rest_clear(&rest);
+    return stretch;
 }
 
 double metric_drop(const struct scene *scene, const double *xyz)
@@ -98,10 +100,10 @@ double metric_drop(const struct scene *scene, const double *xyz)
 
     down(scene, direction);
     for (int s = 0; s < scene->support_count; s++)
-        top = fmax(top,
-                   highest(scene, scene->supports[s].lo, scene->supports[s].hi, direction));
+        top = fmax(top, metric_rest_highest(scene, scene->supports[s].lo,
+                                            scene->supports[s].hi, direction));
     if (scene->support_count == 0)
-        top = highest(scene, zero, one, direction);
+        top = metric_rest_highest(scene, zero, one, direction);
     for (int j = 0; j < GRID_V; j++)
         for (int i = 0; i < GRID_U; i++) {
             double x[3];
@@ -114,13 +116,17 @@ double metric_drop(const struct scene *scene, const double *xyz)
     return (top - bottom) / scene->length;
 }
 
-/* |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 at an interior point; da, db: the grid's steps [m]. */
-static double squared_bending(const double *xyz, int i, int j, double da, double db)
+/* |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 at an interior point; da, db: a flat grid's steps [m].
+ */
+static double squared_bending(const struct metric_rest *rest, const double *xyz, int i,
+                              int j, double da, double db)
 {
     double x[3][3][3], sum = 0; /* x[row][column][component] around (i,j) */
     for (int q = 0; q < 3; q++)
         for (int p = 0; p < 3; p++)
             middle(xyz, i + p - 1, j + q - 1, x[q][p]);
+    if (rest->xyz)
+        return metric_rest_bending(rest, i, j, x);
     for (int c = 0; c < 3; c++) {
         double aa = (x[1][2][c] - 2 * x[1][1][c] + x[1][0][c]) / (da * da);
         double bb = (x[2][1][c] - 2 * x[1][1][c] + x[0][1][c]) / (db * db);
@@ -133,12 +139,17 @@ static double squared_bending(const double *xyz, int i, int j, double da, double
 double metric_roughness(const struct scene *scene, const double *xyz)
 {
     double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1), sum = 0;
+    struct metric_rest rest;
+
+    if (metric_rest_init(&rest, scene) != STATUS_OK)
+        return NAN;
     for (int j = 1; j < GRID_V - 1; j++) {
         double part = 0;
         for (int i = 1; i < GRID_U - 1; i++)
-            part += squared_bending(xyz, i, j, da, db);
+            part += squared_bending(&rest, xyz, i, j, da, db);
         sum += part;
     }
+    metric_rest_clear(&rest);
     return scene->length * sqrt(sum / ((GRID_U - 2) * (GRID_V - 2)));
 }
 
@@ -149,39 +160,17 @@ double metric_penetration(const struct scene *scene, const double *xyz)
     return isnan(gap) ? NAN : fmax(0, -gap);
 }
 
-/* Squared distance [m^2] of x from the rest points of the box [lo, hi]. */
-static double squared_distance(const struct scene *scene, const double lo[3],
-                               const double hi[3], const double x[3])
-{
-    const double *u = scene->axis_u, *v = scene->axis_v;
-    double w[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                   u[0] * v[1] - u[1] * v[0]};
-    double size[3] = {scene->length, scene->width, scene->thickness}, d[3], local[3];
-    double sum = 0;
-
-    for (int c = 0; c < 3; c++)
-        d[c] = x[c] - scene->origin[c];
-    local[0] = dot(d, u);
-    local[1] = dot(d, v);
-    local[2] = dot(d, w) + 0.5 * scene->thickness;
-    for (int c = 0; c < 3; c++) {
-        double nearest = fmin(fmax(local[c], lo[c] * size[c]), hi[c] * size[c]);
-        sum += (local[c] - nearest) * (local[c] - nearest);
-    }
-    return sum;
-}
-
 static bool escaped(const struct scene *scene, int n, const double x[3])
 {
     double limit = 10 * scene->length, nearest = INFINITY;
     if (scene->support_count == 0) {
         double uvw[3];
         grid_point(n, uvw);
-        nearest = squared_distance(scene, uvw, uvw, x);
+        nearest = metric_rest_distance(scene, uvw, uvw, limit, x);
     }
     for (int s = 0; s < scene->support_count; s++)
-        nearest = fmin(nearest, squared_distance(scene, scene->supports[s].lo,
-                                                 scene->supports[s].hi, x));
+        nearest = fmin(nearest, metric_rest_distance(scene, scene->supports[s].lo,
+                                                     scene->supports[s].hi, limit, x));
     return nearest > limit * limit;
 }
 
@@ -206,9 +195,24 @@ static void middle_line(const double *xyz, int i, double x[3])
         x[c] = 0.5 * (south[c] + north[c]);
 }
 
+/* Of the line that metric_angle follows. */
+static void rest_direction(const struct scene *scene, double line[3])
+{
+    const double start[3] = {0, 0.5, 0.5}, end[3] = {1, 0.5, 0.5};
+    double x[3];
+
+    memcpy(line, scene->axis_u, 3 * sizeof *line);
+    if (scene->shape == SCENE_FLAT)
+        return;
+    scene_rest_point(scene, start, x);
+    scene_rest_point(scene, end, line);
+    for (int c = 0; c < 3; c++)
+        line[c] -= x[c];
+}
+
 double metric_angle(const struct scene *scene, const double *xyz)
 {
-    double start[3], end[3], line[3], level[3], direction[3];
+    double start[3], end[3], line[3], level[3], direction[3], rest[3];
     down(scene, direction);
     middle_line(xyz, 0, start);
     middle_line(xyz, GRID_U - 1, end);
@@ -218,7 +222,8 @@ double metric_angle(const struct scene *scene, const double *xyz)
     for (int c = 0; c < 3; c++)
         level[c] = line[c] - fall * direction[c];
     double reach = sqrt(dot(level, level));
-    if (dot(level, scene->axis_u) < 0)
+    rest_direction(scene, rest);
+    if (dot(level, rest) < 0)
         reach = -reach;
     return atan2(fall, reach) * (45 / atan(1));
 }

@@ -15,7 +15,8 @@
 double metric_rmse(const double *a, const double *b);
 
 /* Largest principal stretch of the mid-surface [1], >= 0: largest singular value of the
- * gradient by central differences (one-sided on the edges). Exact for an affine map. */
+ * gradient by central differences (one-sided on the edges), measured against those of the rest
+ * shape. Exact for an affine map of a flat sheet; 1 for a curved one at rest. */
 double metric_stretch(const struct scene *scene, const double *xyz);
 
 /* How far the lowest mid-surface point lies below the highest mid-surface rest point of the
@@ -26,8 +27,11 @@ double metric_drop(const struct scene *scene, const double *xyz);
 /* L times the root mean square, over the interior points of the mid-surface, of
  *     sqrt( |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 )                                [1],
  * second derivatives by central differences in the arc lengths a = u L, b = v W of the rest
- * shape. Zero for any affine map; L/R for a cylinder of radius R whatever its axis, less a
- * share of (s/R)^2/12 for the grid's step s. Noise of one grid step is magnified by 1/s^2. */
+ * shape; of a curved one its covariant second derivatives in an orthonormal frame: normal to
+ * the surface at rest and in every shape without strain, the square root that of the sum of
+ * squared principal curvatures. Zero for any affine map of a flat sheet; L/R for a cylinder of
+ * radius R whatever its axis, less a share of (s/R)^2/12 for the grid's step s. Noise of one
+ * grid step is magnified by 1/s^2. */
 double metric_roughness(const struct scene *scene, const double *xyz);
 
 /* Greatest depth of a grid point below any obstacle's surface [m]; 0 without obstacles. */

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/cloak.h"
+
 enum status scene_init(struct scene *scene)
 {
     *scene = (struct scene){
@@ -101,6 +103,8 @@ unsigned scene_needs(const struct scene *scene)
         needs |= SCENE_NEED_CONTACT;
     if (scene->drag > 0)
         needs |= SCENE_NEED_DRAG;
+    if (scene->shape != SCENE_FLAT)
+        needs |= SCENE_NEED_CURVED_REST;
     return needs;
 }
 
@@ -123,18 +127,33 @@ void scene_needs_text(unsigned needs, char *text, int size)
     }
 }
 
-void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3])
+const char *scene_shape_name(int shape)
+{
+    return shape == SCENE_FLAT ? "flat" : shape == SCENE_CLOAK ? "cloak" : "unknown";
+}
+
+void scene_normal(const struct scene *scene, double e_w[3])
 {
     const double *e_u = scene->axis_u, *e_v = scene->axis_v;
-    const double e_w[3] = {
-        e_u[1] * e_v[2] - e_u[2] * e_v[1],
-        e_u[2] * e_v[0] - e_u[0] * e_v[2],
-        e_u[0] * e_v[1] - e_u[1] * e_v[0],
-    };
 
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        e_w[i] = e_u[j] * e_v[k] - e_u[k] * e_v[j];
+    }
+}
+
+void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3])
+{
+    double e_w[3];
+
+    if (scene->shape == SCENE_CLOAK) {
+        cloak_point(scene, uvw, xyz);
+        return;
+    }
+    scene_normal(scene, e_w);
     for (int i = 0; i < 3; i++)
-        xyz[i] = scene->origin[i] + uvw[0] * scene->length * e_u[i] +
-                 uvw[1] * scene->width * e_v[i] +
+        xyz[i] = scene->origin[i] + uvw[0] * scene->length * scene->axis_u[i] +
+                 uvw[1] * scene->width * scene->axis_v[i] +
                  (uvw[2] - 0.5) * scene->thickness * e_w[i];
 }
 

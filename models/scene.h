@@ -1,8 +1,9 @@
 /* scene.h - a scene: physics only, SI units. No numerics (those are discretization.h).
  *
- * A sheet of length L (u), width W (v) and thickness h (w) lies flat in its rest pose:
+ * A sheet of length L (u), width W (v) and thickness h (w), with (u,v,w) in [0,1]^3, lies
+ * flat at rest,
  *   X(u,v,w) = origin + u L e_u + v W e_v + (w - 1/2) h e_w,   e_w = e_u x e_v,
- * with (u,v,w) in [0,1]^3, so that `origin` is the mid-surface corner.
+ * so that `origin` is the mid-surface corner; or it has the curved rest shape of cloak.h.
  */
 #ifndef SCENE_H
 #define SCENE_H
@@ -18,6 +19,11 @@ enum damping_kind {
     DAMPING_VELOCITY_RATE,  /* v <- (1 - value dt) v after each step          [1/s]   */
     DAMPING_MASS,           /* C = value M                                    [1/s]   */
     DAMPING_RAYLEIGH,       /* C = alpha M + beta K                      [1/s], [s]   */
+};
+
+enum scene_shape {
+    SCENE_FLAT,
+    SCENE_CLOAK, /* cloak.h */
 };
 
 struct scene_damping {
@@ -54,6 +60,8 @@ struct scene {
 
     double length, width, thickness; /*                                       [m] > 0 */
     double origin[3], axis_u[3], axis_v[3]; /* axes orthonormal                       */
+    enum scene_shape shape;          /* at rest                                       */
+    double opening, flare;           /* of a cloak                              [deg] */
 
     double young;   /* E                                                     [Pa] > 0 */
     double poisson; /* nu                                                  (-1, 0.5)  */
@@ -81,7 +89,8 @@ struct scene {
     X(PATCH_SUPPORTS, "supports on an area")                                            \
     X(COMPONENT_SUPPORTS, "supports that hold single components")                       \
     X(THICKNESS_SUPPORTS, "supports on part of the thickness")                          \
-    X(DRAG, "body drag")
+    X(DRAG, "body drag")                                                                \
+    X(CURVED_REST, "curved rest shape")
 
 enum scene_need_bit {
 #define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
@@ -111,6 +120,12 @@ enum status scene_add_support(struct scene *scene, const struct scene_support *s
 
 /* Adds a copy of *obstacle. */
 enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle *obstacle);
+
+/* "flat", "cloak"; "unknown" beyond the last. Static storage. */
+const char *scene_shape_name(int shape);
+
+/* e_w = e_u x e_v. */
+void scene_normal(const struct scene *scene, double e_w[3]);
 
 /* Rest position of a material point [m]. */
 void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3]);

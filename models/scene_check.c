@@ -1,5 +1,6 @@
 /* scene_check.c - values of a scene that must fit together. */
 #include "models/scene_check.h"
+#include "models/cloak.h"
 #include "models/damping.h"
 
 #include <math.h>
@@ -39,7 +40,65 @@ static enum status check_axis(const struct yaml_tree *node, const char *name,
                             axis[2] / length);
 }
 
-static enum status check_pose(const struct yaml_tree *root, const struct scene *scene,
+/* One number of a section (damping, pose), which its `kind` either takes or does not. */
+static enum status check_taken(const struct yaml_tree *section, const char *kind_name,
+                               const char *name, bool taken, double *number,
+                               struct message *why)
+{
+    const struct yaml_tree *node = yaml_tree_find(section, name);
+    const struct yaml_tree *kind = yaml_tree_find(section, "kind");
+
+    if (!node || taken)
+        return STATUS_OK;
+    if (!kind || !is_setting(kind) || is_setting(node))
+        return yaml_tree_refuse(node, why, "%s of kind '%s' takes no '%s'; leave it out",
+                                section->key, kind_name, name);
+    *number = 0;
+    return STATUS_OK;
+}
+
+/* A cloak's inner face must not reach its axis, at either end. */
+static enum status check_radius(const struct yaml_tree *root, const struct scene *scene,
+                                struct message *why)
+{
+    const char *const end[2] = {"upper edge", "hem"};
+
+    for (int u = 0; u < 2; u++) {
+        double r, z;
+
+        cloak_meridian(scene, u, 0, &r, &z);
+        if (!(r > 0))
+            return yaml_tree_refuse(
+                yaml_tree_find(root, "pose"), why,
+                "the cloak's %s has an inner radius of %.4g m, but must "
+                "stay clear of the axis: it needs more width, less "
+                "opening, or another flare",
+                end[u], r);
+    }
+    return STATUS_OK;
+}
+
+static enum status check_shape(const struct yaml_tree *root, struct scene *scene,
+                               struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *pose = yaml_tree_find(root, "pose");
+    const bool cloak = scene->shape == SCENE_CLOAK;
+    const char *kind = scene_shape_name((int)scene->shape);
+
+    if (!pose)
+        return STATUS_OK;
+    TRY(check_taken(pose, kind, "opening", cloak, &scene->opening, why));
+    TRY(check_taken(pose, kind, "flare", cloak, &scene->flare, why));
+    if (cloak && !yaml_tree_find(pose, "opening"))
+        return yaml_tree_refuse(pose, why, "pose of kind 'cloak' lacks the key 'opening'");
+    if (cloak)
+        TRY(check_radius(root, scene, why));
+out:
+    return st;
+}
+
+static enum status check_pose(const struct yaml_tree *root, struct scene *scene,
                               struct message *why)
 {
     enum status st = STATUS_OK;
@@ -57,25 +116,9 @@ static enum status check_pose(const struct yaml_tree *root, const struct scene *
                                 "pose axes u and v have the product %.10g, but must be at "
                                 "right angles",
                                 cosine);
+    TRY(check_shape(root, scene, why));
 out:
     return st;
-}
-
-/* One number of the damping, which its kind either takes or does not. */
-static enum status check_damping_number(const struct yaml_tree *damping, const char *name,
-                                        bool taken, double *number, struct message *why)
-{
-    const struct yaml_tree *node = yaml_tree_find(damping, name);
-    const struct yaml_tree *kind = yaml_tree_find(damping, "kind");
-
-    if (!node || taken)
-        return STATUS_OK;
-    if (!is_setting(kind) || is_setting(node))
-        return yaml_tree_refuse(node, why,
-                                "damping of kind '%s' takes no '%s'; leave it out",
-                                kind->text, name);
-    *number = 0;
-    return STATUS_OK;
 }
 
 static enum status check_damping(const struct yaml_tree *root, struct scene *scene,
@@ -85,13 +128,14 @@ static enum status check_damping(const struct yaml_tree *root, struct scene *sce
     const struct yaml_tree *damping = yaml_tree_find(root, "damping"), *value;
     struct scene_damping *d = &scene->damping;
     const bool rayleigh = d->kind == DAMPING_RAYLEIGH;
+    const char *kind = damping_name((int)d->kind);
     const bool one_value = d->kind != DAMPING_NONE && !rayleigh;
 
     if (!damping)
         return STATUS_OK;
-    TRY(check_damping_number(damping, "value", one_value, &d->value, why));
-    TRY(check_damping_number(damping, "alpha", rayleigh, &d->alpha, why));
-    TRY(check_damping_number(damping, "beta", rayleigh, &d->beta, why));
+    TRY(check_taken(damping, kind, "value", one_value, &d->value, why));
+    TRY(check_taken(damping, kind, "alpha", rayleigh, &d->alpha, why));
+    TRY(check_taken(damping, kind, "beta", rayleigh, &d->beta, why));
     value = yaml_tree_find(damping, "value");
     if (one_value && !value)
         return yaml_tree_refuse(damping, why, "damping of kind '%s' lacks the key 'value'",

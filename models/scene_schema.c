@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/cloak.h"
 #include "models/scene_check.h"
 
 /* Limits of what doubles and people can handle; physics asks for less. */
@@ -19,6 +20,11 @@
 static const char *damping_word(int value)
 {
     return damping_name(value);
+}
+
+static const char *shape_word(int value)
+{
+    return scene_shape_name(value);
 }
 
 static const char *kinematics_word(int value)
@@ -274,9 +280,15 @@ static const struct schema_key SHEET[] = {
     {NULL}};
 
 static const struct schema_key POSE[] = {
-    {"origin", "mid-surface corner u = v = 0 [m]", SCHEMA_VECTOR, PLACE, IN(scene, origin)},
+    {"origin", "mid-surface corner u = v = 0; cloak: upper edge's centre [m]",
+     SCHEMA_VECTOR, PLACE, IN(scene, origin)},
     {"u", "unit vector along the length", SCHEMA_VECTOR, PLACE, IN(scene, axis_u)},
     {"v", "unit vector along the width, across u", SCHEMA_VECTOR, PLACE, IN(scene, axis_v)},
+    {"kind", "rest shape", SCHEMA_WORD, .word = shape_word, IN(scene, shape)},
+    {"opening", "cloak: angle around the axis u [deg]", SCHEMA_NUMBER, .low = 1,
+     .high = CLOAK_MAX_OPENING, IN(scene, opening)},
+    {"flare", "cloak: angle of its generators to the axis [deg]", SCHEMA_NUMBER, .low = -90,
+     .high = 90, IN(scene, flare)},
     {NULL}};
 
 static const struct schema_key MATERIAL[] = {

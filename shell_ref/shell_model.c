@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/cloak_net.h"
 #include "models/grid.h"
 #include "shell_ref/shell_rest.h"
 
@@ -51,7 +52,8 @@ static enum status refuse(const struct scene *scene, const struct discretization
             "shell has no unknowns through the thickness; use unknowns=auto");
     if (d->weight_count)
         return status_fail(why, STATUS_INPUT,
-                           "shell takes no weights: a flat sheet has no use for them");
+                           "shell takes no weights: a flat sheet has no use for them, and "
+                           "a curved one brings its own");
     return STATUS_OK;
 }
 
@@ -69,29 +71,44 @@ static enum status make_basis(const struct discretization *d, int i, struct bspl
 }
 
 /* The flat sheet: control points at Greville abscissae, so that parameter = coordinate. */
-static enum status make_space(const struct scene *scene, const struct discretization *d,
-                              struct shell_space *space, struct message *why)
+static void make_flat(const struct scene *scene, const struct bspline basis[2],
+                      double *point)
 {
-    enum status st;
-    struct bspline basis[2] = {{0}};
-    double *point = NULL;
+    int m = basis[1].n;
 
-    for (int i = 0; i < 2; i++)
-        TRY(make_basis(d, i, &basis[i], why));
-    int n = basis[0].n, m = basis[1].n;
-    point = malloc(3 * (size_t)(n * m) * sizeof *point);
-    if (!point)
-        TRY(STATUS_MEMORY);
-    for (int a = 0; a < n * m; a++) {
+    for (int a = 0; a < basis[0].n * m; a++) {
         const double uvw[3] = {bspline_greville(&basis[0], a / m),
                                bspline_greville(&basis[1], a % m), 0.5};
         scene_rest_point(scene, uvw, point + 3 * (size_t)a);
     }
-    TRY(shell_space_init(space, basis, point, NULL, d->gauss, why));
+}
+
+static enum status make_space(const struct scene *scene, const struct discretization *d,
+                              struct shell_space *space, struct message *why)
+{
+    enum status st;
+    const bool curved = scene->shape != SCENE_FLAT;
+    const double middle = 0.5;
+    struct bspline basis[2] = {{0}};
+    double *point = NULL, *weight = NULL;
+
+    for (int i = 0; i < 2; i++)
+        TRY(make_basis(d, i, &basis[i], why));
+    size_t nodes = (size_t)(basis[0].n * basis[1].n);
+    point = malloc(3 * nodes * sizeof *point);
+    weight = malloc(nodes * sizeof *weight);
+    if (!point || !weight)
+        TRY(STATUS_MEMORY);
+    if (curved)
+        TRY(cloak_net(scene, &basis[0], &basis[1], 1, &middle, point, weight, why));
+    else
+        make_flat(scene, basis, point);
+    TRY(shell_space_init(space, basis, point, curved ? weight : NULL, d->gauss, why));
 out:
     bspline_clear(&basis[0]);
     bspline_clear(&basis[1]);
     free(point);
+    free(weight);
     return st;
 }
 
@@ -154,6 +171,19 @@ out:
     return st;
 }
 
+/* Half a thickness along the normal of two tangents. */
+static void make_offset(const struct shell *s, double along[2][3], double offset[3])
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        offset[i] = along[0][j] * along[1][k] - along[0][k] * along[1][j];
+    }
+    double length =
+        sqrt(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]);
+    for (int i = 0; i < 3; i++)
+        offset[i] *= s->motion.scene->thickness / 2 / length;
+}
+
 /* Mid-surface and half a thickness along its normal at one point; N: values and slopes. */
 static void evaluate(const struct shell *s, const int first[2], const double *const N[2],
                      double middle[3], double offset[3])
@@ -177,14 +207,26 @@ static void evaluate(const struct shell *s, const int first[2], const double *co
             along[1][i] += N[0][a] * line[1][i];
         }
     }
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        offset[i] = along[0][j] * along[1][k] - along[0][k] * along[1][j];
-    }
-    double length =
-        sqrt(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]);
-    for (int i = 0; i < 3; i++)
-        offset[i] *= s->motion.scene->thickness / 2 / length;
+    make_offset(s, along, offset);
+}
+
+/* The same at parameters of a rational surface. */
+static void evaluate_rational(const struct shell *s, double u, double v, double middle[3],
+                              double offset[3])
+{
+    double T[SHELL_DERIVATIVES * SHELL_MAX_LOCAL], along[2][3] = {{0}};
+    int node[SHELL_MAX_LOCAL], local = s->space.local;
+
+    memset(middle, 0, 3 * sizeof *middle);
+    shell_space_at(&s->space, u, v, node, T);
+    for (int a = 0; a < local; a++)
+        for (int i = 0; i < 3; i++) {
+            double x = s->motion.x[3 * (size_t)node[a] + (size_t)i];
+            middle[i] += T[a] * x;
+            along[0][i] += T[local + a] * x;
+            along[1][i] += T[2 * local + a] * x;
+        }
+    make_offset(s, along, offset);
 }
 
 /* w = 0 and 1 lie at minus and plus half a thickness. */
@@ -194,24 +236,6 @@ static void place(const double middle[3], const double offset[3], double w, doub
         xyz[i] = middle[i] + (2 * w - 1) * offset[i];
 }
 
-static void sample(const void *state, double *xyz)
-{
-    const struct shell *s = state;
-    const struct samples *g = s->grid;
-
-    for (int j = 0; j < GRID_V; j++)
-        for (int i = 0; i < GRID_U; i++) {
-            const int first[2] = {g[0].first[i], g[1].first[j]};
-            const double *const N[2] = {g[0].value + i * 2 * g[0].order,
-                                        g[1].value + j * 2 * g[1].order};
-            double middle[3], offset[3];
-            evaluate(s, first, N, middle, offset);
-            for (int k = 0; k < GRID_W; k++)
-                place(middle, offset, k / (GRID_W - 1.0),
-                      xyz + 3 * ((k * GRID_V + j) * GRID_U + i));
-        }
-}
-
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct shell *s = state;
@@ -219,10 +243,35 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double N[2][2 * BSPLINE_MAX_ORDER], middle[3], offset[3];
         int first[2];
-        for (int i = 0; i < 2; i++)
+        for (int i = 0; i < 2 && !s->space.weight; i++)
             first[i] = alive(s, i, uvw[i], N[i]);
-        evaluate(s, first, (const double *const[2]){N[0], N[1]}, middle, offset);
+        if (s->space.weight)
+            evaluate_rational(s, uvw[0], uvw[1], middle, offset);
+        else
+            evaluate(s, first, (const double *const[2]){N[0], N[1]}, middle, offset);
         place(middle, offset, uvw[2], xyz);
+    }
+}
+
+static void sample(const void *state, double *xyz)
+{
+    const struct shell *s = state;
+    const struct samples *g = s->grid;
+
+    for (int n = 0; n < GRID_U * GRID_V; n++) {
+        int i = n % GRID_U, j = n / GRID_U;
+        const int first[2] = {g[0].first[i], g[1].first[j]};
+        const double *const N[2] = {g[0].value + i * 2 * g[0].order,
+                                    g[1].value + j * 2 * g[1].order};
+        double middle[3], offset[3], uvw[3];
+        grid_point(n, uvw);
+        if (s->space.weight)
+            evaluate_rational(s, uvw[0], uvw[1], middle, offset);
+        else
+            evaluate(s, first, N, middle, offset);
+        for (int k = 0; k < GRID_W; k++)
+            place(middle, offset, k / (GRID_W - 1.0),
+                  xyz + 3 * (size_t)(k * GRID_U * GRID_V + n));
     }
 }
 
@@ -264,7 +313,7 @@ const struct model shell_model = {
         "(2009) 3902-3914; Simo, Tarnow, ZAMP 43 (1992) 757-792",
     .serves = SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
-              SCENE_NEED_DRAG,
+              SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST,
     .defaults = defaults,
     .create = create,
     .advance = advance,

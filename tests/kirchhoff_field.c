@@ -111,6 +111,7 @@ static void check_refusals(void)
     REFUSED(s.drag = 1, "drag");
     REFUSED(s.damping.kind = DAMPING_VELOCITY_SCALE, "damping");
     REFUSED(s.poisson = -0.2, "nu");
+    REFUSED((s.shape = SCENE_CLOAK, s.opening = 90), "flat");
 }
 
 int main(void)

@@ -1,7 +1,10 @@
 #include "models/solid/solid_model.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+
+#include "models/grid.h"
 
 enum status solid_model_advance(void *state, struct counters *counters)
 {
@@ -57,13 +60,13 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
 unsigned char *solid_model_parity(const struct scene *scene, int nodes, const int *degree)
 {
     const double *u = scene->axis_u, *v = scene->axis_v;
+    double w[3];
     int normal = -1;
 
-    for (int i = 0; i < 3; i++) {
-        double w = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
-        if (fabs(w) == 1 && u[i] == 0 && v[i] == 0)
+    scene_normal(scene, w);
+    for (int i = 0; i < 3 && scene->shape == SCENE_FLAT; i++)
+        if (fabs(w[i]) == 1 && u[i] == 0 && v[i] == 0)
             normal = i;
-    }
     if (normal < 0)
         return NULL;
     unsigned char *parity = malloc(3 * (size_t)nodes);
@@ -71,6 +74,42 @@ unsigned char *solid_model_parity(const struct scene *scene, int nodes, const in
         for (int i = 0; i < 3; i++)
             parity[3 * a + i] = (unsigned char)((degree[a] + (i == normal)) % 2);
     return parity;
+}
+
+enum status solid_model_misfit(const struct scene *scene,
+                               void (*sample)(const void *state, double *xyz),
+                               const void *state, double *misfit)
+{
+    double *xyz = NULL;
+
+    *misfit = 0;
+    if (scene->shape == SCENE_FLAT)
+        return STATUS_OK;
+    xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
+    if (!xyz)
+        return STATUS_MEMORY;
+    sample(state, xyz);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3], rest[3], *x = xyz + 3 * (size_t)n;
+
+        grid_point(n, uvw);
+        scene_rest_point(scene, uvw, rest);
+        *misfit =
+            fmax(*misfit, hypot(hypot(x[0] - rest[0], x[1] - rest[1]), x[2] - rest[2]));
+    }
+    free(xyz);
+    return STATUS_OK;
+}
+
+void solid_model_describe(double misfit, struct message *line)
+{
+    const double round_off = 1e-12; /* [m] */
+
+    *line->text = '\0';
+    if (misfit > round_off)
+        snprintf(line->text, sizeof line->text,
+                 "the curved rest shape is met to %.2g m: straight pieces stand for arcs",
+                 misfit);
 }
 
 int *solid_model_order(int n, int m, int l)

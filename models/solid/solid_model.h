@@ -9,7 +9,8 @@
 /* What solid_motion can serve; bits of scene_need. */
 #define SOLID_MODEL_SERVES                                                              \
     (SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |                           \
-     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG)
+     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG |  \
+     SCENE_NEED_CURVED_REST)
 
 enum status solid_model_advance(void *state, struct counters *counters);
 void solid_model_size(const void *state, struct model_size *size);
@@ -32,6 +33,15 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
  * Legendre degree through the thickness. NULL unless the normal is a coordinate axis. Owned
  * by the caller. */
 unsigned char *solid_model_parity(const struct scene *scene, int nodes, const int *degree);
+
+/* How far the model's rest shape (`sample` of its state) lies from the scene's, at most over
+ * the grid [m]: of curved ones; 0 for flat ones, unasked. */
+enum status solid_model_misfit(const struct scene *scene,
+                               void (*sample)(const void *state, double *xyz),
+                               const void *state, double *misfit);
+
+/* A sentence on a misfit above round-off; empty otherwise. */
+void solid_model_describe(double misfit, struct message *line);
 
 /* Node order with v slowest, for nets n x m x l wider than long (a narrower band); NULL
  * otherwise or without memory. Owned by the caller. */

@@ -1,0 +1,273 @@
+/* The curved rest shape `cloak`: points, volume and centroid against the closed forms of a
+ * cone, what the models make of it, rigid motions, metrics, and a benchmark of curved
+ * shells through all three models that serve it.
+ */
+#include "models/cloak.h"
+
+#include <unistd.h>
+
+#include "bench/rung.h"
+#include "bench/store_read.h"
+#include "bench/store_scene.h"
+#include "models/scene_file.h"
+#include "models/solid/solid_model.h"
+#include "tests/cloak_fixture.h"
+
+/* Sums and quotients of a dozen numbers of size 1. */
+#define TOL_POINT (64 * DBL_EPSILON)
+/* Eight Gauss points a span integrate these quotients to round-off of sums over 10^4
+ * entries of the mass matrix. */
+#define TOL_INTEGRAL 1e-12
+
+/* Height along the axis and distance from it, from the point alone. */
+static void to_cylinder(const struct scene *s, const double x[3], double *z, double *r,
+                        double *phi)
+{
+    double d[3], w[3];
+
+    scene_normal(s, w);
+    for (int i = 0; i < 3; i++)
+        d[i] = x[i] - s->origin[i];
+    *z = dot(d, s->axis_u);
+    *phi = atan2(dot(d, s->axis_v), dot(d, w));
+    *r = hypot(dot(d, s->axis_v), dot(d, w));
+}
+
+static void test_points(double opening, double flare)
+{
+    const double alpha = opening * PI / 180, beta = flare * PI / 180;
+    double z, r, phi, last = -INFINITY;
+    struct scene s;
+
+    init_cloak(&s, opening, flare);
+    for (int j = 0; j <= 16; j++)
+        for (int i = 0; i <= 4; i++) {
+            double u = i / 4.0, v = j / 16.0, face[2][3], x[3], along = 0, across = 0;
+            scene_rest_point(&s, (double[]){u, v, 0.5}, x);
+            to_cylinder(&s, x, &z, &r, &phi);
+            CHECK_NEAR(z, u * s.length * cos(beta), TOL_POINT);
+            CHECK_NEAR(r, s.width / alpha + u * s.length * sin(beta), TOL_POINT);
+            if (j == 0 || j == 8 || j == 16)
+                CHECK_NEAR(phi, alpha * (v - 0.5), TOL_POINT);
+            for (int k = 0; k < 2; k++)
+                scene_rest_point(&s, (double[]){u, v, k}, face[k]);
+            for (int c = 0; c < 3; c++) { /* a thickness, normal to generators, outward */
+                double h = face[1][c] - face[0][c], start[3], end[3];
+                scene_rest_point(&s, (double[]){0, v, 0.5}, start);
+                scene_rest_point(&s, (double[]){1, v, 0.5}, end);
+                across += h * h;
+                along += h * (end[c] - start[c]);
+            }
+            CHECK_NEAR(sqrt(across), s.thickness, TOL_POINT);
+            CHECK_NEAR(along, 0, TOL_POINT);
+            to_cylinder(&s, face[1], &z, &across, &phi);
+            CHECK_NEAR(across - r, s.thickness / 2 * cos(beta), TOL_POINT);
+            if (i == 0)
+                CHECK(phi > last), last = phi;
+        }
+    scene_clear(&s);
+}
+
+/* Largest distance of a model's rest shape from the scene's [m]. */
+static double off(const struct model *model, const struct scene *s,
+                  const struct discretization *d)
+{
+    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz), most = 0, at[3] = {0.37, 0.81, 1};
+    void *state = create(model, s, d);
+
+    REQUIRE(xyz);
+    model->sample(state, xyz);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3], x[3], again[3];
+        grid_point(n, uvw);
+        scene_rest_point(s, uvw, x);
+        if (n % 997 == 0) {
+            model->probe(state, 1, uvw, again);
+            CHECK(!memcmp(again, xyz + 3 * n, sizeof again));
+        }
+        for (int c = 0; c < 3; c++)
+            most = fmax(most, fabs(xyz[3 * n + c] - x[c]));
+    }
+    double x[3], there[3];
+    model->probe(state, 1, at, x);
+    scene_rest_point(s, at, there);
+    for (int c = 0; c < 3; c++)
+        most = fmax(most, fabs(x[c] - there[c]));
+    model->destroy(state);
+    free(xyz);
+    return most;
+}
+
+static void test_exactness(double opening, double flare)
+{
+    static double knots[] = {0, 0, 0, 0.2, 0.2, 0.7, 1, 1, 1};
+    const struct model *iga = find("iga"), *shell = find("shell");
+    const int points = opening > 180 ? 14 : 7;
+    struct scene s;
+
+    init_cloak(&s, opening, flare);
+    for (int unknowns = UNKNOWNS_AUTO; unknowns <= UNKNOWNS_POINTS; unknowns++)
+        for (int q = 2; q <= 5; q++) {
+            struct discretization d = net(iga, 4, points, q == 3 ? 1 : 2, q);
+            d.unknowns = (enum unknowns)unknowns;
+            CHECK_NEAR(off(iga, &s, &d), 0, TOL_POINT);
+            d.points[2] = 4, d.degree[2] = q - 1;
+            if (q <= 4)
+                CHECK_NEAR(off(iga, &s, &d), 0, TOL_POINT);
+        }
+    struct discretization d = net(iga, 4, 6, 2, 2);
+    d.knots[1] = knots, d.knot_count[1] = 9;
+    if (opening < 180)
+        CHECK_NEAR(off(iga, &s, &d), 0, TOL_POINT);
+    for (int q = 2; q <= 5; q++) {
+        d = net(shell, 6, points, 2, q);
+        CHECK_NEAR(off(shell, &s, &d), 0, TOL_POINT);
+    }
+    scene_clear(&s);
+}
+
+/* Straight pieces between nodes leave the sagitta of the widest arc at the hem's outer
+ * face; the sentence says so. */
+static void test_misfit(const char *name, int degree)
+{
+    const struct model *model = find(name);
+    struct discretization d = net(model, 5, 9, 1, degree);
+    struct message line;
+    struct scene s;
+    double said = 0;
+
+    init_cloak(&s, 120, 30);
+    double middle = 2 * atan(2.0 / 8 * tan(30 * PI / 180)), r, z;
+    cloak_meridian(&s, 1, 1, &r, &z);
+    void *state = create(model, &s, &d);
+    model->describe(state, &line);
+    CHECK(sscanf(line.text, "the curved rest shape is met to %lg m", &said) == 1);
+    /* At equal parameters: the sagitta, and up to a tenth more along the arc. */
+    CHECK_RELATIVE(said, r * (1 - cos(middle / 2)), 0.1);
+    model->destroy(state);
+    scene_clear(&s);
+}
+
+/* Volume, centroid and weight of the solid, from its mass matrix. */
+static void test_integrals(double opening, double flare)
+{
+    const double alpha = opening * PI / 180, beta = flare * PI / 180;
+    const struct model *iga = find("iga");
+    struct discretization d = net(iga, 4, 10, 2, 3);
+    struct matrix K, M;
+    struct scene s;
+
+    init_cloak(&s, opening, flare);
+    d.unknowns = UNKNOWNS_POINTS;
+    d.gauss[0] = 3, d.gauss[1] = 10, d.gauss[2] = 2;
+    void *state = create(iga, &s, &d);
+    const struct solid_motion *m = state;
+    REQUIRE(iga->matrices(state, &K, &M) == STATUS_OK);
+    double mass = 0, moment[3] = {0}, weight = 0;
+    for (long e = 0; e < M.entries; e++) {
+        int a = M.row[e] / 3, b = M.column[e] / 3, c = M.row[e] % 3;
+        mass += c == 0 ? (a == b ? 1 : 2) * M.value[e] : 0;
+        moment[c] += M.value[e] * (m->x[3 * a + c] + (a == b ? 0 : m->x[3 * b + c]));
+    }
+    for (int a = 0; a < m->space->nodes; a++)
+        weight += m->load[3 * a + 2];
+
+    /* Pappus and Guldin; r = mean + L sin beta (u - 1/2) + h cos beta (w - 1/2). */
+    double L = s.length, h = s.thickness, mean = s.width / alpha + L * sin(beta) / 2;
+    double volume = alpha * mean * L * h;
+    double rr = mean * mean + (pow(L * sin(beta), 2) + pow(h * cos(beta), 2)) / 12;
+    double rz = mean * L * cos(beta) / 2 + (L * L - h * h) * sin(beta) * cos(beta) / 12;
+    double out = rr / mean * sin(alpha / 2) / (alpha / 2), down = rz / mean, w[3];
+    scene_normal(&s, w);
+    CHECK_RELATIVE(mass / s.density, volume, TOL_INTEGRAL);
+    CHECK_RELATIVE(weight, s.density * volume * s.gravity[2], TOL_INTEGRAL);
+    for (int c = 0; c < 3; c++)
+        CHECK_NEAR(moment[c] / mass, s.origin[c] + down * s.axis_u[c] + out * w[c],
+                   TOL_INTEGRAL);
+    matrix_clear(&K);
+    matrix_clear(&M);
+    iga->destroy(state);
+    scene_clear(&s);
+}
+
+static void test_refusals(void)
+{
+    const char *const cannot[] = {"mass_spring", "projective_dynamics"};
+    struct discretization d;
+    struct message why = {{0}};
+    struct scene s;
+    void *state = NULL;
+
+    init_cloak(&s, 200, 25);
+    CHECK(scene_needs(&s) & SCENE_NEED_CURVED_REST);
+    for (int n = 0; n < 2; n++) {
+        find(cannot[n])->defaults(&d);
+        CHECK(find(cannot[n])->create(&s, &d, &state, &why) == STATUS_UNSUPPORTED);
+        CHECK(strstr(why.text, "no curved rest shape"));
+    }
+    d = net(find("iga"), 5, 3, 2, 2); /* one rational arc of 200 degrees */
+    CHECK(find("iga")->create(&s, &d, &state, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "more than 3 points along v"));
+    d = net(find("iga"), 5, 5, 2, 2);
+    d.weight_count = 1;
+    CHECK(find("iga")->create(&s, &d, &state, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "brings its own"));
+    s.shape = SCENE_FLAT;
+    CHECK(!(scene_needs(&s) & SCENE_NEED_CURVED_REST));
+    scene_clear(&s);
+}
+
+/* The scene of the list: settings reach its shape, and a result file gives it back. */
+static void test_file(void)
+{
+    const char *const settings[] = {"pose.opening=150", "time.end=0.01", "snapshots=[]"};
+    const double time = 0.01;
+    char folder[] = "/tmp/clothbench_XXXXXX", path[64];
+    const struct rung_plan plan = {.path = SOURCE_DIR "/models/scenes/cloak.yaml",
+                                   .setting_count = 3,
+                                   .settings = settings,
+                                   .model = "iga",
+                                   .times = 1,
+                                   .time = &time,
+                                   .folder = folder,
+                                   .name = "run"};
+    struct store_read *file = NULL;
+    struct discretization unused = {0};
+    struct scene s, again;
+
+    REQUIRE(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/run.h5", folder);
+    REQUIRE(scene_file_read(plan.path, 3, settings, &s, &unused, NULL) == STATUS_OK);
+    CHECK(s.shape == SCENE_CLOAK && s.opening == 150 && s.flare == 25);
+    CHECK(rung_run(&plan, NULL) == STATUS_OK);
+    REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
+    REQUIRE(store_scene(file, path, &again, NULL) == STATUS_OK);
+    CHECK(again.shape == s.shape && again.opening == s.opening && again.flare == s.flare);
+    store_read_close(file);
+    scene_clear(&s), scene_clear(&again);
+
+    const char *const flat[] = {
+        "pose.kind=flat"}; /* a setting outranks the file's numbers */
+    CHECK(scene_file_read(plan.path, 1, flat, &s, &unused, NULL) == STATUS_OK);
+    CHECK(s.shape == SCENE_FLAT && s.opening == 0 && s.flare == 0);
+    scene_clear(&s);
+    CHECK(!unlink(path));
+    snprintf(path, sizeof path, "%s/run.xdmf", folder);
+    CHECK(!unlink(path) && !rmdir(folder));
+}
+
+int main(void)
+{
+    static const double shape[][2] = {{60, 0}, {120, 30}, {200, 25}, {270, -5}, {90, 90}};
+
+    for (size_t n = 0; n < sizeof shape / sizeof *shape; n++) {
+        test_points(shape[n][0], shape[n][1]);
+        test_exactness(shape[n][0], shape[n][1]);
+        test_integrals(shape[n][0], shape[n][1]);
+    }
+    test_misfit("hex", 1);
+    test_misfit("iga", 1);
+    test_refusals();
+    test_file();
+    return check_result();
+}

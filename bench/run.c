@@ -231,7 +231,7 @@ static const struct command_option options[] = {
     {"--set", "KEY=VALUE", true,
      "a key of the scene (material.young=5e4) or of the\n"
      "discretization (discretization.points=[20,20,2],\n"
-     ".degree=[3,3,1], .kinematics=linear|printed|incremental);\n"
+     ".degree=[3,3,1], .kinematics=linear|printed|incremental|nonlinear);\n"
      "all keys: clothbench help scene"},
     {"--static", NULL, false, "static equilibrium instead of motion (linear kinematics)"},
     {"--modes", "N", false, "the N lowest natural frequencies instead of motion"},

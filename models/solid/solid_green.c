@@ -113,13 +113,17 @@ static const int *nodes_of(const struct solid_space *space, int element)
     return space->ien + (size_t)element * (size_t)space->local;
 }
 
-static void gather(const struct solid_space *space, int element, const double *x, double *X)
+/* x less `from` (NULL: nothing) of an element's nodes. */
+static void gather(const struct solid_space *space, int element, const double *x,
+                   const double *from, double *U)
 {
     const int *node = nodes_of(space, element);
 
     for (int a = 0; a < space->local; a++)
-        for (int i = 0; i < 3; i++)
-            X[SOLID_LANES * a + i] = x[3 * (size_t)node[a] + (size_t)i];
+        for (int i = 0; i < 3; i++) {
+            size_t n = 3 * (size_t)node[a] + (size_t)i;
+            U[SOLID_LANES * a + i] = from ? x[n] - from[n] : x[n];
+        }
 }
 
 /* What one pass over the elements is to do. */
@@ -157,18 +161,19 @@ static void scatter_tangent(const struct task *t, const struct solid_green_eleme
         }
 }
 
-/* e->strain and e->X[1] become the strain and the geometry of the path. */
+/* e->strain and e->U[1] become the strain and the geometry of the path. */
 static void follow_path(const struct task *t, struct solid_green_element *e, int element)
 {
     const struct large_path *path = t->path;
     size_t strains = strains_of(t->s->assembly->space);
     double g1 = path->g1;
 
-    memcpy(e->X[1], e->X[0], SOLID_LANES * (size_t)e->local * sizeof(double));
+    memcpy(e->U[1], e->U[0], SOLID_LANES * (size_t)e->local * sizeof(double));
     if (g1 != 1) {
-        gather(t->s->assembly->space, element, path->x_old, e->X[1]);
+        gather(t->s->assembly->space, element, path->x_old, t->s->assembly->space->rest,
+               e->U[1]);
         for (int n = 0; n < SOLID_LANES * e->local; n++)
-            e->X[1][n] = (1 - g1) * e->X[1][n] + g1 * e->X[0][n];
+            e->U[1][n] = (1 - g1) * e->U[1][n] + g1 * e->U[0][n];
     }
     if (path->s0 == 0)
         return;
@@ -186,9 +191,9 @@ static bool do_element(const struct task *t, struct solid_green_element *e, int 
     const struct solid_green_rest rest = rest_of(s, element);
     size_t bytes = strains_of(space) * sizeof(double);
 
-    gather(space, element, t->x, e->X[0]);
+    gather(space, element, t->x, space->rest, e->U[0]);
     if (t->foresight.change)
-        gather(space, element, t->foresight.change, e->X[2]);
+        gather(space, element, t->foresight.change, NULL, e->U[2]);
     if (!solid_green_element_strain(e, material, &rest, t->foresight.change))
         return false;
     if (t->strain) {
@@ -248,7 +253,7 @@ enum status solid_green_energy(const struct solid_green *s, const double *x, dou
     *energy = 0;
     for (int n = 0; n < a->space->elements; n++) {
         const struct solid_green_rest rest = rest_of(s, n);
-        gather(a->space, n, x, e->X[0]);
+        gather(a->space, n, x, a->space->rest, e->U[0]);
         if (!solid_green_element_strain(e, &a->material, &rest, false))
             return STATUS_INVERTED;
         *energy += solid_green_element_energy(e, &a->material, &rest);

@@ -21,9 +21,9 @@ enum status solid_green_element_init(struct solid_green_element *e,
         double **part;
         size_t count;
     } room[] = {
-        {&e->X[0], 4 * row},
-        {&e->X[1], 4 * row},
-        {&e->X[2], 4 * row},
+        {&e->U[0], 4 * row},
+        {&e->U[1], 4 * row},
+        {&e->U[2], 4 * row},
         {&e->f, 4 * row},
         {&e->p, gauss * 3 * row},
         {&e->wp, gauss * 3 * row},
@@ -61,17 +61,17 @@ void solid_green_element_clear(struct solid_green_element *e)
     memset(e, 0, sizeof *e);
 }
 
-/* sum_a X_ai g_j[a] into D[i][j]. */
-static void gradient(const struct solid_green_element *e, const double *X, const double *g,
+/* sum_a U_ai g_j[a] into D[i][j]. */
+static void gradient(const struct solid_green_element *e, const double *U, const double *g,
                      double D[3][3])
 {
     lanes column[3] = {{0}};
 
     for (int a = 0; a < e->local; a++) {
-        lanes x = *(const lanes *)(X + SOLID_LANES * a);
-        column[0] += g[a] * x;
-        column[1] += g[e->row + a] * x;
-        column[2] += g[2 * e->row + a] * x;
+        lanes u = *(const lanes *)(U + SOLID_LANES * a);
+        column[0] += g[a] * u;
+        column[1] += g[e->row + a] * u;
+        column[2] += g[2 * e->row + a] * u;
     }
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -85,6 +85,20 @@ static void add_square(double D[3][3], double factor, double *E)
         for (int j = i; j < 3; j++)
             E[PLACE[i][j]] +=
                 factor / 2 * (D[0][i] * D[0][j] + D[1][i] * D[1][j] + D[2][i] * D[2][j]);
+}
+
+static void add_unit(double D[3][3])
+{
+    for (int i = 0; i < 3; i++)
+        D[i][i] += 1;
+}
+
+/* F of the geometry. */
+static void deformation(const struct solid_green_element *e, const double *g,
+                        double F[3][3])
+{
+    gradient(e, e->U[1], g, F);
+    add_unit(F);
 }
 
 static double determinant(double F[3][3])
@@ -198,17 +212,19 @@ bool solid_green_element_strain(struct solid_green_element *e,
 {
     for (int q = 0; q < e->gauss; q++) {
         const double *g = gradients_at(e, rest, q);
-        double F[3][3], *E = e->strain + 6 * q;
+        double D[3][3], *E = e->strain + 6 * q;
 
-        gradient(e, e->X[0], g, F);
-        if (!(determinant(F) > 0))
+        gradient(e, e->U[0], g, D);
+        for (int i = 0; i < 3; i++)
+            for (int j = i; j < 3; j++)
+                E[PLACE[i][j]] = (D[i][j] + D[j][i]) / 2;
+        add_square(D, 1, E);
+        add_unit(D);
+        if (!(determinant(D) > 0))
             return false;
-        for (int t = 0; t < 6; t++)
-            E[t] = t < 3 ? -0.5 : 0;
-        add_square(F, 1, E);
         if (change) {
-            gradient(e, e->X[2], g, F);
-            add_square(F, -1, E);
+            gradient(e, e->U[2], g, D);
+            add_square(D, -1, E);
         }
     }
     if (e->modes)
@@ -243,7 +259,7 @@ void solid_green_element_force(struct solid_green_element *e,
         double F[3][3], S[6];
         lanes P[3] = {{0}}; /* columns of dV F S */
 
-        gradient(e, e->X[1], g, F);
+        deformation(e, g, F);
         stress_of(e->strain + 6 * q, material, S);
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++)
@@ -320,7 +336,7 @@ static void couple_modes(struct solid_green_element *e,
     memset(e->Y, 0, (size_t)(n * columns) * sizeof *e->Y);
     for (int q = 0; q < e->gauss; q++) {
         const double *g = gradients_at(e, rest, q);
-        gradient(e, e->X[1], g, F);
+        deformation(e, g, F);
         for (int s = 0; s < n; s++) {
             mode_stress(mode_at(e, rest, q, s / 3), s % 3, material, S);
             for (int i = 0; i < 3; i++)
@@ -354,7 +370,7 @@ void solid_green_element_tangent(struct solid_green_element *e,
         const double *g = gradients_at(e, rest, q);
         double F[3][3], S[6], B[6], w = rest->dV[q];
 
-        gradient(e, e->X[1], g, F);
+        deformation(e, g, F);
         stress_of(e->strain + 6 * q, material, S);
         push(e, F, g, w, e->p + (size_t)q * 3 * row, e->wp + (size_t)q * 3 * row);
         for (int i = 0; i < 3; i++)

@@ -1,8 +1,8 @@
 /* solid_green_element.h - strains, forces and tangent of one solid element at large
  * displacements: total Lagrangian, Green strain, St. Venant-Kirchhoff law.
  *
- * Displacement functions have rest gradients g_a. With F = sum x_a g_a^T, dE its variation:
- *   E = (F^T F - I)/2,   S = lambda tr(E) I + 2 mu E,   f_a = int F S g_a dV,
+ * Displacement functions have rest gradients g_a. With D = sum u_a g_a^T, F = I + D:
+ *   E = (D + D^T + D^T D)/2,   S = lambda tr(E) I + 2 mu E,   f_a = int F S g_a dV,
  *   K_ab = int lambda p_a p_b^T + mu p_b p_a^T + mu (g_a.g_b) F F^T + (g_a.S g_b) I dV,
  * p_a = F g_a (Holzapfel 2000, sec. 8.4, with the isotropic law written out).
  *
@@ -30,7 +30,8 @@ struct solid_green_rest {
 /* Room for one element; one per thread. */
 struct solid_green_element {
     int local, row, gauss, modes;
-    double *X[3];   /* [row][4]: present, geometry, last change; fourth zero      [m]   */
+    double *U[3];   /* [row][4]: displacement, present and of the geometry; last change;
+                       fourth zero                                            [m]   */
     double *strain; /* [gauss][6]                                                       */
     double *f;      /* [row][4]                                                   [N]   */
     double *p, *wp; /* [gauss][3][row] F g and dV F g                                   */
@@ -50,9 +51,10 @@ void solid_green_element_modes(const struct solid_green_element *e,
                                const struct solid_material *material,
                                const struct solid_green_rest *rest, double *A);
 
-/* e->strain of the positions e->X[0]. False if it is no number or det F <= 0 somewhere.
- * With `change`, less the part of second order in e->X[2]: the strain as a linearisation
- * foresaw it (Magisano, Leonetti, Garcea, CMAME 313, 2017). Modes included. */
+/* e->strain of the displacement e->U[0]: zero, to the bit, at rest. False if it is no
+ * number or det F <= 0 somewhere. With `change`, less the part of second order in e->U[2]:
+ * the strain as a linearisation foresaw it (Magisano, Leonetti, Garcea, CMAME 313, 2017).
+ * Modes included. */
 bool solid_green_element_strain(struct solid_green_element *e,
                                 const struct solid_material *material,
                                 const struct solid_green_rest *rest, bool change);
@@ -62,13 +64,13 @@ double solid_green_element_energy(const struct solid_green_element *e,
                                   const struct solid_material *material,
                                   const struct solid_green_rest *rest);
 
-/* e->f of the stress of e->strain on the geometry e->X[1]. */
+/* e->f of the stress of e->strain on the geometry e->U[1]. */
 void solid_green_element_force(struct solid_green_element *e,
                                const struct solid_material *material,
                                const struct solid_green_rest *rest);
 
 /* K_ab = stress_share material part + geometry_share geometric part with the stress of
- * e->strain, both on e->X[1], for b = first .. last - 1 >= a, row-major, into K[][9]. */
+ * e->strain, both on e->U[1], for b = first .. last - 1 >= a, row-major, into K[][9]. */
 void solid_green_element_tangent(struct solid_green_element *e,
                                  const struct solid_material *material,
                                  const struct solid_green_rest *rest, double stress_share,

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/solid/solid_large.h"
 
 /* Body drag is C = (c / rho) M, but not under `printed`, whose v is not the sheet's
  * velocity: there d / dt is, see drag_on_d. */
@@ -44,9 +45,6 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     struct solid_material material =
         solid_element_material(scene->young, scene->poisson, scene->density);
 
-    if (d->kinematics == KINEMATICS_NONLINEAR)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "no nonlinear kinematics; use linear, printed or incremental");
     TRY(solid_assembly_init(&new.assembly, space, &material));
     TRY(supports_init(&new.supports, scene, space->nodes, space->uvw, why));
     TRY(newmark_init(&new.newmark, space->nodes, scene->step,
@@ -70,6 +68,8 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     st = system_init(&m->system, &m->assembly.graph, &m->supports,
                      d->kinematics == KINEMATICS_LINEAR ? space->parity : NULL, order,
                      d->solver);
+    if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
+        st = solid_large_create(m, &m->large);
     if (st != STATUS_OK)
         solid_motion_clear(m);
 out:
@@ -81,6 +81,7 @@ void solid_motion_clear(struct solid_motion *m)
 {
     if (!m)
         return;
+    solid_large_destroy(m->large);
     system_clear(&m->system);
     newmark_clear(&m->newmark);
     supports_clear(&m->supports);
@@ -213,6 +214,7 @@ out:
 enum status solid_motion_step(struct solid_motion *m, struct counters *counters)
 {
     enum status st = m->kinematics == KINEMATICS_LINEAR ? step_linear(m, counters)
+                     : m->large                         ? solid_large_step(m, counters)
                                                         : step_rebuilt(m, counters);
     if (st != STATUS_OK)
         return st;
@@ -228,8 +230,8 @@ void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
     const struct blocks *graph = &m->assembly.graph;
     size_t count = 3 * (size_t)m->space->nodes;
     double *y = n->work, kinetic = 0, elastic = 0, potential = 0;
-    bool linear = m->kinematics == KINEMATICS_LINEAR;
-    const double *v = linear ? n->v : n->d; /* rebuilt: d is the last step's increment */
+    bool linear = m->kinematics == KINEMATICS_LINEAR, rebuilt = !linear && !m->large;
+    const double *v = rebuilt ? n->d : n->v; /* there d is the last step's increment */
 
     blocks_multiply_mass(graph, m->assembly.M, v, y);
     for (size_t t = 0; t < count; t++)
@@ -241,8 +243,8 @@ void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
         elastic += n->d[t] * y[t] / 2;
         potential -= weight * (m->x[t] - m->space->rest[t]);
     }
-    energy->kinetic = linear ? kinetic : kinetic / (n->dt * n->dt);
-    energy->elastic = linear ? elastic : NAN;
+    energy->kinetic = rebuilt ? kinetic / (n->dt * n->dt) : kinetic;
+    energy->elastic = linear ? elastic : m->large ? solid_large_energy(m) : NAN;
     energy->potential = potential;
 }
 

@@ -1,10 +1,10 @@
-/* solid_motion.h - the motion of a solid in time, in the kinematics that need no Newton
- * iteration:
+/* solid_motion.h - the motion of a solid in time:
  *
  *   linear       small strain about the rest shape; K, M constant, one factorisation.
  *   printed      Ren et al. 2024, eq. 18-22 to the letter: K, M, b rebuilt on the present
  *                control points each step, d += dt v + dt^2/4 (a + a_new), P += d.
  *   incremental  the same with d = 0 after each step.
+ *   nonlinear    total Lagrangian, Newton's method (solid_large.h).
  *
  * `printed` and `incremental` start at d = v = a = 0, `linear` with the acceleration that
  * the loads give. A free sheet under `printed` falls with g (1 + mu) / (2 (1 - mu)): d is
@@ -26,15 +26,16 @@ struct solid_motion {
     struct supports supports;
     struct system system;
     struct newmark newmark;
-    double *x;     /* [nodes][3] present coefficients                   [m]    owned   */
-    double *load;  /* [nodes][3] gravity and wind                       [N]    owned   */
-    double *held;  /* [4][held_count] target d, v, a; work              owned          */
-    double time;   /* [s]                                                              */
-    bool started;  /* the constant system is factored                                  */
+    double *x;    /* [nodes][3] present coefficients                   [m]    owned   */
+    double *load; /* [nodes][3] gravity and wind                       [N]    owned   */
+    double *held; /* [4][held_count] target d, v, a; work              owned          */
+    double time;  /* [s]                                                              */
+    bool started; /* the constant system is factored                                  */
+    struct solid_large *large; /* nonlinear only                                 owned */
 };
 
-/* `order`: node order for the factorisation or NULL. STATUS_UNSUPPORTED for nonlinear
- * kinematics. The assembled matrices of the rest shape are there after it. */
+/* `order`: node order for the factorisation or NULL. The assembled matrices of the rest
+ * shape are there after it. *m must stay where it is: it holds pointers into itself. */
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               const struct solid_space *space,
                               const struct discretization *d, const int *order,

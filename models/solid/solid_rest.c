@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/linalg/pencil.h"
+#include "models/solid/solid_large.h"
 
 /* r = load - K d, zero at held unknowns. */
 static void residual(const struct solid_motion *m, const double *d, double *r)
@@ -42,6 +43,8 @@ enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *coun
     if (!m->supports.held_count)
         return status_fail(why, STATUS_INPUT,
                            "static equilibrium needs supports, and the scene has none");
+    if (m->large)
+        return solid_large_equilibrium(m, counters, why);
     memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
     supports_shift(&m->supports, m->scene, 0, m->held);
     for (int h = 0; h < m->supports.held_count; h++)

@@ -1,0 +1,94 @@
+#include "models/solid/solid_large.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "models/linalg/large_rest.h"
+#include "models/solid/solid_green.h"
+
+struct solid_large {
+    struct solid_green green;
+    struct large_motion motion;
+    double (*K)[9]; /* [pairs] tangent; the assembly keeps the stiffness at rest       */
+};
+
+static enum status body_strain(const void *self, const double *x, double *strain)
+{
+    return solid_green_strain(self, x, strain);
+}
+
+static enum status body_force(const void *self, const struct large_path *path,
+                              const double *x, double *force)
+{
+    return solid_green_force(self, path, x, force);
+}
+
+static enum status body_tangent(const void *self, const struct large_path *path,
+                                const double *x, struct large_foresight foresight,
+                                double (*K)[9])
+{
+    return solid_green_tangent(self, path, x, foresight, K);
+}
+
+enum status solid_large_create(struct solid_motion *m, struct solid_large **large)
+{
+    enum status st;
+    const struct blocks *graph = &m->assembly.graph;
+    struct solid_large *new = calloc(1, sizeof *new);
+
+    if (!new)
+        TRY(STATUS_MEMORY);
+    TRY(solid_green_init(&new->green, &m->assembly));
+    new->K = malloc((size_t)graph->start[graph->nodes] * sizeof *new->K);
+    if (!new->K)
+        TRY(STATUS_MEMORY);
+    new->motion = (struct large_motion){
+        .body = {&new->green, solid_green_strains(&new->green), body_strain, body_force,
+                 body_tangent},
+        .scene = m->scene,
+        .graph = graph,
+        .M = m->assembly.M,
+        .rest = m->space->rest,
+        .load = m->load,
+        .supports = &m->supports,
+        .system = &m->system,
+        .newmark = &m->newmark,
+        .K = new->K,
+        .x = m->x,
+        .held = m->held,
+    };
+    TRY(large_motion_init(&new->motion));
+    *large = new, new = NULL;
+out:
+    solid_large_destroy(new);
+    return st;
+}
+
+void solid_large_destroy(struct solid_large *large)
+{
+    if (!large)
+        return;
+    large_motion_clear(&large->motion);
+    solid_green_clear(&large->green);
+    free(large->K);
+    free(large);
+}
+
+enum status solid_large_step(struct solid_motion *m, struct counters *counters)
+{
+    return large_motion_step(&m->large->motion, m->time, counters);
+}
+
+enum status solid_large_equilibrium(struct solid_motion *m, struct counters *counters,
+                                    struct message *why)
+{
+    m->time = 0;
+    return large_rest_equilibrium(&m->large->motion, counters, why);
+}
+
+double solid_large_energy(const struct solid_motion *m)
+{
+    double energy = NAN;
+
+    return solid_green_energy(&m->large->green, m->x, &energy) == STATUS_OK ? energy : NAN;
+}

@@ -1,0 +1,24 @@
+/* solid_large.h - a solid_motion at large displacements: `nonlinear` kinematics (DESIGN:
+ * total Lagrangian, Green strain, St. Venant-Kirchhoff), by solid_green.h and
+ * large_motion.h. Only motions of that kinematics pay for it.
+ */
+#ifndef SOLID_LARGE_H
+#define SOLID_LARGE_H
+
+#include "models/solid/solid_motion.h"
+
+/* After the rest of *m is there and in its place. STATUS_MEMORY, STATUS_INVERTED. */
+enum status solid_large_create(struct solid_motion *m, struct solid_large **large);
+void solid_large_destroy(struct solid_large *large); /* NULL is allowed */
+
+/* One step of the scene from m->time. */
+enum status solid_large_step(struct solid_motion *m, struct counters *counters);
+
+/* large_rest.h */
+enum status solid_large_equilibrium(struct solid_motion *m, struct counters *counters,
+                                    struct message *why);
+
+/* Elastic energy of the present shape [J]; NaN if it has none. */
+double solid_large_energy(const struct solid_motion *m);
+
+#endif

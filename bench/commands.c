@@ -7,14 +7,15 @@
 #include "bench/list.h"
 #include "bench/run.h"
 #include "bench/studies.h"
+#include "bench/sweep.h"
 #include "bench/tables.h"
 
 const struct command *const commands[] = {
-    &list_command,  &run_command, &compare_command, &tables_command, &studies_command,
-    &bench_command, NULL,
+    &list_command,    &run_command,   &compare_command, &tables_command,
+    &studies_command, &sweep_command, &bench_command,   NULL,
 };
 
-static const char *const planned[] = {"sweep",  "verify", "stress", "score",
+static const char *const planned[] = {"verify", "stress", "score",
                                       "advise", "report", NULL};
 
 enum status commands_find(const char *name, const struct command **command,

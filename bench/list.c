@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "bench/commands.h"
+#include "bench/plan.h"
 #include "bench/registry.h"
 #include "models/scene_file.h"
 
@@ -49,13 +50,14 @@ static bool list_items(const char *section)
 }
 
 /* All sections in their order; those that nothing fills yet are known but empty. */
-static const char *const sections[] = {"scenes", "models", "tables", "studies",
-                                       "benchmarks"};
+static const char *const sections[] = {"scenes",  "models", "tables",
+                                       "studies", "plans",  "benchmarks"};
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
 static bool section_filled(const char *section)
 {
-    if (!strcmp(section, "scenes") || !strcmp(section, "models"))
+    if (!strcmp(section, "scenes") || !strcmp(section, "models") ||
+        !strcmp(section, "plans"))
         return true;
     for (int n = 0; commands[n]; n++)
         if (commands[n]->section && !strcmp(commands[n]->section, section))
@@ -67,6 +69,8 @@ static enum status list_section(const char *section, struct message *why)
 {
     if (!strcmp(section, "scenes"))
         return list_files(&scene_file_kind, why);
+    if (!strcmp(section, "plans"))
+        return list_files(&plan_kind, why);
     if (!strcmp(section, "models"))
         list_models();
     else
@@ -87,8 +91,8 @@ static enum status run(const struct command_line *line, struct message *why)
             return list_section(sections[n], why);
         }
         return status_fail(why, STATUS_INPUT,
-                           "list: there are scenes, models, tables, studies, benchmarks, "
-                           "but no '%s'",
+                           "list: there are scenes, models, tables, studies, plans, "
+                           "benchmarks, but no '%s'",
                            line->words[0]);
     }
     for (int n = 0; n < SECTIONS; n++) {
@@ -103,8 +107,8 @@ out:
 
 const struct command list_command = {
     .name = "list",
-    .summary = "what there is: scenes, models, tables, studies, benchmarks",
-    .arguments = "[scenes|models|tables|studies|benchmarks]",
+    .summary = "what there is: scenes, models, tables, studies, plans, benchmarks",
+    .arguments = "[scenes|models|tables|studies|plans|benchmarks]",
     .text =
         "Prints names, one a line, each with a word on it. The names are those that the\n"
         "other commands take.\n",

@@ -1,0 +1,128 @@
+#include "bench/sweep_map_plot.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "bench/output.h"
+
+int sweep_map_names_add(struct sweep_map_names *names, const char *name)
+{
+    const int last = SWEEP_MAP_NAMES - 1;
+
+    for (int n = 0; n < names->count; n++)
+        if (!strncmp(names->name[n], name, SWEEP_MAP_NAME - 1))
+            return n;
+    if (names->count <= last) {
+        snprintf(names->name[names->count], SWEEP_MAP_NAME, "%s",
+                 names->count == last ? "other" : name);
+        names->count++;
+    }
+    return names->count - 1;
+}
+
+/* Feasible is green, what has no result grey; the rest are told apart by eyes of all kinds.
+ */
+static const char *colour_of(const char *class, int n)
+{
+    static const char *const palette[] = {
+        "#e15759", "#f28e2b", "#edc948", "#4e79a7", "#b07aa1", "#76b7b2", "#9c755f",
+        "#ff9da7", "#a0cbe8", "#d37295", "#b6992d", "#d4a6c8", "#fabfd2", "#79706e",
+    };
+    enum { COLOURS = sizeof palette / sizeof *palette };
+
+    if (!strcmp(class, "feasible"))
+        return "#8cd17d";
+    if (!strcmp(class, "no result") || !strcmp(class, "unsupported"))
+        return "#d9d9d9";
+    return palette[(n + COLOURS - 1) % COLOURS];
+}
+
+/* Point types of marks, told apart without colour. */
+static int type_of(int mark)
+{
+    static const int types[] = {7, 9, 5, 13, 11, 15, 6, 8, 4, 12};
+    return types[mark % 10];
+}
+
+static void write_side(struct output *out, char axis, const struct sweep_map_side *side)
+{
+    output_print(out, "set %clabel '%s'\n", axis, side->name);
+    if (side->log)
+        output_print(out, "set logscale %c\n", axis);
+    if (*side->tics)
+        output_print(out, "set %ctics %s\n", axis, side->tics);
+    else
+        output_print(out, "set format %c '%%g'\n", axis);
+}
+
+static void write_panel(struct output *out, const struct sweep_map_plot *p, int panel)
+{
+    if (p->panel)
+        output_print(out, "set title '%s = %s'\n", p->panel, p->panels->name[panel]);
+    else
+        output_print(out, "set title '%s'\n", p->title);
+    output_print(out, "plot \\\n");
+    for (int c = 0; c < p->classes->count; c++) {
+        const char *colour = colour_of(p->classes->name[c], c);
+        output_print(out, "'map.dat' using ($1 == %d && $2 == %d ? $3 : NaN):4", panel, c);
+        if (p->cells)
+            output_print(out,
+                         ":5:6:7:8 with boxxyerror fs solid 1 border lc rgb '%s' "
+                         "lc rgb '%s' notitle, \\\n",
+                         colour, colour);
+        else
+            output_print(out, " with points pt 7 ps 1.5 lc rgb '%s' notitle, \\\n", colour);
+    }
+    for (int m = 0; m < p->marks->count; m++)
+        output_print(out,
+                     "'marks.dat' using ($1 == %d ? $2 : NaN):3 with points pt %d ps 1.6 "
+                     "lc rgb 'black' notitle, \\\n",
+                     m, type_of(m));
+    if (p->marks->count)
+        output_print(out,
+                     "'marks.dat' using 2:3:4 with labels offset 1.4,0.6 notitle, \\\n");
+    output_print(out, "NaN notitle\n");
+}
+
+/* An empty plot that holds the key for all panels. */
+static void write_legend(struct output *out, const struct sweep_map_plot *p)
+{
+    output_print(out, "unset logscale\nunset border\nunset tics\nunset xlabel\n"
+                      "unset ylabel\nunset title\nset key center center Left reverse\n"
+                      "plot [0:1][0:1] \\\n");
+    for (int c = 0; c < p->classes->count; c++)
+        output_print(out, "NaN with points pt 5 ps 2.5 lc rgb '%s' title '%s', \\\n",
+                     colour_of(p->classes->name[c], c), p->classes->name[c]);
+    for (int m = 0; m < p->marks->count; m++)
+        output_print(out, "NaN with points pt %d ps 1.6 lc rgb 'black' title '%s', \\\n",
+                     type_of(m), p->marks->name[m]);
+    output_print(out, "NaN notitle\n");
+}
+
+enum status sweep_map_plot(const char *folder, const struct sweep_map_plot *p,
+                           struct message *why)
+{
+    const int plots = (p->panels->count ? p->panels->count : 1) + 1;
+    const int columns = plots < 4 ? plots : plots < 7 ? 3 : 4;
+    const int rows = (plots + columns - 1) / columns;
+    struct output *out = NULL;
+    char path[4096];
+    enum status st;
+
+    snprintf(path, sizeof path, "%s/map.gp", folder);
+    TRY(output_create(path, &out, why));
+    output_print(out,
+                 "set terminal pngcairo noenhanced size %d,%d\nset output 'map.png'\n"
+                 "set multiplot layout %d,%d title '%s'\nset datafile missing NaN\n"
+                 "set tics out nomirror\nset autoscale fix\nunset key\n",
+                 520 * columns, 460 * rows + 40, rows, columns, p->title);
+    write_side(out, 'x', &p->x);
+    write_side(out, 'y', &p->y);
+    for (int n = 0; n < plots - 1; n++)
+        write_panel(out, p, n);
+    write_legend(out, p);
+    output_print(out, "unset multiplot\n");
+    return output_close(out, why);
+out:
+    return st;
+}

@@ -137,6 +137,8 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     TRY(pd_system_init(&m->system, &m->energy, &m->supports, 1 + m->alpha * m->dt,
                        m->dt * m->dt, options->solver));
     TRY(pd_local_init(&m->local, &m->energy, m->dt * m->dt));
+    if (scene->obstacle_count)
+        TRY(pd_contact_init(&m->contact, scene, &m->system, m->energy.mass));
     TRY(allocate(m));
     if (options->chebyshev)
         TRY(find_radius(m));
@@ -161,6 +163,7 @@ void pd_motion_clear(struct pd_motion *m)
     for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
         pd_net_free_fields(net, fields[n]);
     free(m->shift);
+    pd_contact_clear(&m->contact);
     pd_local_clear(&m->local);
     pd_system_clear(&m->system);
     pd_energy_clear(&m->energy);
@@ -261,6 +264,10 @@ enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved)
     TRY(pd_system_solve(&m->system, m->next));
     if (m->options.chebyshev)
         overshoot(m, number);
+    if (m->options.chebyshev)
+        m->contact.scale = m->weight;
+    if (m->scene->obstacle_count)
+        TRY(pd_contact_apply(&m->contact, number ? m->x : m->start, m->start, m->next));
     if (moved)
         *moved = farthest(m, m->next, m->x);
     if (m->options.chebyshev) {
@@ -272,12 +279,20 @@ out:
     return st;
 }
 
+/* The step's share of the frame's mean force. */
+static void add_push(struct pd_motion *m)
+{
+    for (int c = 0; c < 3; c++)
+        m->push[c] += m->contact.force[c] / (m->dt * m->dt * m->options.substeps);
+}
+
 static enum status step(struct pd_motion *m, struct counters *counters)
 {
     enum status st;
     const struct pd_net *net = &m->energy.net;
     const struct pd_options *o = &m->options;
     double near = o->tolerance * m->scene->length, moved = INFINITY;
+    long pushes = m->contact.dual.solves;
 
     pd_motion_begin(m);
     for (int n = 0; n < o->iterations && !(o->tolerance > 0 && moved <= near); n++) {
@@ -285,6 +300,9 @@ static enum status step(struct pd_motion *m, struct counters *counters)
         counters->iterations++;
         counters->solves++;
     }
+    counters->solves += m->contact.dual.solves - pushes;
+    if (m->scene->obstacle_count)
+        add_push(m);
     for (int c = 0; c < 3; c++) {
         ptrdiff_t at = c * pd_net_stride(net);
         for (int k = 0; k < net->nodes; k++)
@@ -313,6 +331,7 @@ enum status pd_motion_frame(struct pd_motion *m, struct counters *counters)
 {
     enum status st = STATUS_OK;
 
+    memset(m->push, 0, sizeof m->push);
     for (int n = 0; n < m->options.substeps; n++)
         TRY(step(m, counters));
     counters->factorisations += m->counted ? 0 : m->system.group_count;
@@ -371,4 +390,11 @@ void pd_motion_size(const struct pd_motion *m, struct model_size *size)
         size->factor_entries += info.entries;
         size->solver = info.method;
     }
+}
+
+void pd_motion_contact(const struct pd_motion *m, struct model_contact *contact)
+{
+    *contact = (struct model_contact){.nodes = m->contact.pressed,
+                                      .least_gap = pd_contact_gap(&m->contact, m->x)};
+    memcpy(contact->force, m->push, sizeof contact->force);
 }

@@ -11,6 +11,7 @@
 #define PD_MOTION_H
 
 #include "models/model.h"
+#include "projective_dynamics/pd_contact.h"
 #include "projective_dynamics/pd_local.h"
 #include "projective_dynamics/pd_system.h"
 
@@ -35,6 +36,8 @@ struct pd_motion {
     struct supports supports;
     struct pd_system system;
     struct pd_local local;
+    struct pd_contact contact; /* all zero without obstacles                           */
+    double push[3];            /* of obstacles, mean over the last frame         [N]   */
     double dt, alpha; /* [s], [1/s]                                                    */
     double radius;    /* Chebyshev: of the iteration about the rest shape              */
     double weight;    /* of the last iteration                                         */
@@ -66,5 +69,7 @@ double pd_motion_objective(const struct pd_motion *m);
 
 void pd_motion_energy(const struct pd_motion *m, struct energy *energy);
 void pd_motion_size(const struct pd_motion *m, struct model_size *size);
+
+void pd_motion_contact(const struct pd_motion *m, struct model_contact *contact);
 
 #endif

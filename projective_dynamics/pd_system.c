@@ -274,3 +274,14 @@ enum status pd_system_solve(struct pd_system *s, double *b)
 out:
     return st;
 }
+
+enum status pd_system_column(struct pd_system *s, int group, int node, double *column)
+{
+    const struct pd_group *g = &s->group[group];
+
+    memset(column, 0, (size_t)s->net->nodes * sizeof *column);
+    if (s->held[g->first * s->net->nodes + node])
+        return STATUS_OK;
+    column[node] = 1;
+    return factor_solve(g->factor, column);
+}

@@ -10,8 +10,9 @@ enum { DEFAULT_ITERATIONS = 10, MOST_ITERATIONS = 1000000 };
 static const double DEFAULT_TOLERANCE = 1e-6; /* of the length; if iterations = 0        */
 
 /* A support on part of the thickness is served if the mid-surface is in that part. */
-static const unsigned SERVES = SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
-                               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG;
+#define SERVES                                                                             \
+    (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |         \
+     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG)
 
 static void defaults(struct discretization *d)
 {
@@ -128,13 +129,17 @@ static void energy(const void *state, struct energy *energy)
     pd_motion_energy(state, energy);
 }
 
+static void contact(const void *state, struct model_contact *contact)
+{
+    pd_motion_contact(state, contact);
+}
+
 const struct model projective_dynamics_model = {
     .name = "projective_dynamics",
     .title = "projective dynamics",
     .source = "Bouaziz, Martin, Liu, Kavan, Pauly 2014; on springs Liu et al. 2013; "
               "acceleration: Wang 2015",
-    .serves = SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
-              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG,
+    .serves = SERVES,
     .defaults = defaults,
     .create = create,
     .advance = advance,
@@ -142,5 +147,6 @@ const struct model projective_dynamics_model = {
     .probe = probe,
     .size = size,
     .energy = energy,
+    .contact = contact,
     .destroy = destroy,
 };

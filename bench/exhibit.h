@@ -14,6 +14,8 @@
 struct exhibit_options {
     const char *folder; /* result files go here; there already                         */
     bool quick;         /* a smaller job of the same shape, for trying out             */
+    int value_count;    /* levels of the parameter that an exhibit with `values` varies; */
+    const double *value; /* [value_count] > 0, increasing; 0 of them: its usual ones    */
     void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
     void *context;
 };
@@ -21,6 +23,7 @@ struct exhibit_options {
 struct exhibit {
     struct command_item item; /* name and a line on it; first: the command's items are
                                  pointers to these                                     */
+    const char *values; /* what --values gives, with its unit; NULL: the option is refused */
 
     /* Runs all cases, on the one thread it is called on. STATUS_FILE, STATUS_MEMORY with a
      * sentence; deaths of runs are results. */

@@ -18,6 +18,8 @@
  *   metrics/NAME      [F], attribute `unit`        double
  *   seconds/create, seconds/sample                 [R]            raw, every repeat
  *   seconds/advance                                [R][steps]     raw, every step
+ *   seconds/equilibrium                            [R][1]         raw
+ *   seconds/assemble, seconds/factor, seconds/solve  [R]          raw, phases of a step
  *
  * Beside FILE.h5 stands FILE.xdmf, if there are fields, which opens in ParaView (path with a
  * slash in it). Both are written aside and renamed (aside.h): a run that fails leaves neither.

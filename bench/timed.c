@@ -138,6 +138,11 @@ static enum status time_phases(struct timed_case *c, int repeats, struct message
     return status_is_death(st) ? STATUS_OK : st;
 }
 
+static bool is_timed(const struct timed_case *c)
+{
+    return c->store && (c->times || c->rest);
+}
+
 static enum status time_cases(const struct timing_plan *plan, int count,
                               struct timed_case *cases, struct message *why)
 {
@@ -148,19 +153,20 @@ static enum status time_cases(const struct timing_plan *plan, int count,
 
     TRY(st);
     for (int n = 0; n < count; n++)
-        if (cases[n].store && cases[n].times)
+        if (is_timed(&cases[n]))
             timing[timed++] = (struct timing_case){.model = cases[n].model,
                                                    .scene = cases[n].scene,
                                                    .discretization = &cases[n].d,
-                                                   .frames = cases[n].frames};
+                                                   .frames = cases[n].frames,
+                                                   .rest = cases[n].rest};
     TRY(timing_run(plan, timed, timing, why));
     for (int n = 0, k = 0; n < count; n++) {
-        if (!cases[n].store || !cases[n].times)
+        if (!is_timed(&cases[n]))
             continue;
         TRY(store_seconds(cases[n].store, "create", timing[k].create, plan->repeats, 0,
                           why));
-        TRY(store_seconds(cases[n].store, "advance", timing[k].advance, plan->repeats,
-                          timing[k].frames, why));
+        TRY(store_seconds(cases[n].store, cases[n].rest ? "equilibrium" : "advance",
+                          timing[k].advance, plan->repeats, timing[k].frames, why));
         if (cases[n].phases)
             TRY(time_phases(&cases[n], plan->repeats, why));
         k++;
@@ -293,6 +299,7 @@ enum status timed_read(const char *path, struct timed_result *r, struct message 
     TRY(read_work(file, &new.work, why));
     TRY(timed_seconds(file, "create", &new.create, why));
     TRY(timed_seconds(file, "advance", &new.step, why));
+    TRY(timed_seconds(file, "equilibrium", &new.step, why));
     for (int p = 0; p < BENCH_SOLID_FRAME; p++)
         TRY(timed_seconds(file, phase_name[p], &new.phase[p], why));
     *r = new;

@@ -20,7 +20,8 @@ struct timed_case {
     const struct scene *scene; /* NULL: the case is left out                 borrowed  */
     struct discretization d;   /* owns nothing                                         */
     char path[TIMED_PATH];     /* of the result file, NAME.h5                          */
-    int times;                 /* 0: static equilibrium is kept, and nothing timed     */
+    int times;                 /* 0: static equilibrium is kept, and timed if `rest`   */
+    bool rest;
     const double *time;        /* [times] kept, increasing                 [s] borrowed */
     int frames;                /* as in timing.h; 0: twenty, after two untimed          */
     bool phases;               /* a solid that is rebuilt: also its phases, apart       */
@@ -44,7 +45,8 @@ struct timed_result {
     char *outcome; /* "done" or the sentence of a death                          owned */
     double unknowns, factor_entries;
     struct counters work; /* up to the last frame kept                                 */
-    struct clock_summary create, step;                /* [s]; count = 0: not timed     */
+    struct clock_summary create, step;                /* [s]; count = 0: not timed; step: a
+                                                         frame, or the equilibrium      */
     struct clock_summary phase[BENCH_SOLID_FRAME];   /* [s]; count = 0: not timed     */
 };
 enum status timed_read(const char *path, struct timed_result *r, struct message *why);

@@ -33,7 +33,7 @@ void timing_clear(struct timing_case *c)
 static enum status run_once(const struct timing_plan *plan, const struct timing_case *c,
                             int repeat, struct message *why)
 {
-    int frames = c->frames, warmup = c->frames == plan->frames ? plan->warmup : 0;
+    int frames = c->frames, warmup = frames == plan->frames && !c->rest ? plan->warmup : 0;
     void *state = NULL;
     struct counters counters = {0};
     double *advance = c->advance + (size_t)repeat * (size_t)frames;
@@ -47,7 +47,8 @@ static enum status run_once(const struct timing_plan *plan, const struct timing_
         advance[n] = NAN;
     for (int n = -warmup; n < frames && st == STATUS_OK; n++) {
         start = clock_now();
-        st = c->model->advance(state, &counters);
+        st = c->rest ? c->model->equilibrium(state, &counters, why)
+                     : c->model->advance(state, &counters);
         if (n >= 0 && st == STATUS_OK)
             advance[n] = clock_now() - start;
     }
@@ -62,7 +63,9 @@ enum status timing_run(const struct timing_plan *plan, int count, struct timing_
     size_t repeats = (size_t)plan->repeats;
 
     for (int n = 0; n < count; n++) {
-        if (!cases[n].frames)
+        if (cases[n].rest)
+            cases[n].frames = 1;
+        else if (!cases[n].frames)
             cases[n].frames = plan->frames;
         cases[n].create = malloc(repeats * sizeof(double));
         cases[n].advance = malloc(repeats * (size_t)cases[n].frames * sizeof(double));

@@ -4,6 +4,8 @@
 #ifndef TIMING_H
 #define TIMING_H
 
+#include <stdbool.h>
+
 #include "models/model.h"
 
 struct timing_case {
@@ -12,6 +14,7 @@ struct timing_case {
     const struct discretization *discretization; /* borrowed                           */
     int frames;      /* of a repeat, where a frame's cost changes along the motion; 0: the
                         plan's, after its warm-up                                      */
+    bool rest;       /* static equilibrium is timed instead: frames = 1                */
     double *create;  /* [repeats]           set-up                    [s]      owned   */
     double *advance; /* [repeats][frames]   one time step each; NaN after a death  owned */
 };

@@ -198,6 +198,7 @@ const struct model hex_model = {
     .size = solid_model_size,
     .describe = describe,
     .energy = solid_model_energy,
+    .contact = solid_model_contact,
     .equilibrium = solid_model_equilibrium,
     .modes = solid_model_modes,
     .matrices = matrices,

@@ -362,6 +362,7 @@ const struct model plate_model = {
     .size = solid_model_size,
     .describe = describe,
     .energy = solid_model_energy,
+    .contact = solid_model_contact,
     .equilibrium = solid_model_equilibrium,
     .modes = solid_model_modes,
     .matrices = matrices,

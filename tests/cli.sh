@@ -142,7 +142,7 @@ refused 'young' run edge_drop --set material.young=-1
 refused 'points' run edge_drop --set 'discretization.points=[10000,10000,2]'
 refused 'degree' run edge_drop --set 'discretization.degree=[5,2,1]' \
     --set 'discretization.points=[5,5,2]'
-refused 'unsupported: no contact' run edge_drop \
+refused 'unsupported: no contact' run edge_drop --model shell \
     --set 'obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}}]'
 
 # --- what a run says --------------------------------------------------------------------

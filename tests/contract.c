@@ -50,6 +50,7 @@ static void check_fields(const struct model *model)
     CHECK(model->name && model->title && model->source);
     CHECK(model->defaults && model->create && model->advance && model->sample);
     CHECK(model->probe && model->size && model->destroy);
+    CHECK(!(model->serves & SCENE_NEED_CONTACT) || model->contact);
     CHECK(strspn(model->name, "abcdefghijklmnopqrstuvwxyz_") == strlen(model->name));
     if (model != &toy_model)
         CHECK(registry_find(model->name, &found, &why) == STATUS_OK && found == model);

@@ -110,15 +110,13 @@ out:
     return st;
 }
 
-enum status newmark_step(struct newmark *n, struct system *s, const double (*K)[9],
-                         const double *M, const double *load,
-                         const struct newmark_held *held)
+void newmark_predict(struct newmark *n, struct system *s, const double (*K)[9],
+                     const double *M, const double *load, const struct newmark_held *held)
 {
     const int *place = s->held->free_index;
     size_t count = 3 * (size_t)s->graph->nodes;
     double dt = n->dt, c = dt * dt / 4, k = newmark_k(n), m = newmark_m(n);
     double *w = n->work, *z = n->work + count;
-    enum status st;
 
     for (size_t t = 0; t < count; t++) {
         double p = n->d[t] + dt * n->v[t] + c * n->a[t];
@@ -130,9 +128,15 @@ enum status newmark_step(struct newmark *n, struct system *s, const double (*K)[
         w[t] = z[t] + load[t];
     if (held)
         subtract_held(n, s, K, M, held, w);
-    st = system_solve(s, w);
-    if (st != STATUS_OK)
-        return st;
+}
+
+void newmark_correct(struct newmark *n, const struct system *s, const double *w,
+                     const struct newmark_held *held)
+{
+    const int *place = s->held->free_index;
+    size_t count = 3 * (size_t)s->graph->nodes;
+    double dt = n->dt, c = dt * dt / 4, k = newmark_k(n);
+
     for (size_t t = 0; t < count; t++) {
         double p = n->d[t] + dt * n->v[t] + c * n->a[t];
         double q = n->v[t] + dt / 2 * n->a[t];
@@ -146,5 +150,17 @@ enum status newmark_step(struct newmark *n, struct system *s, const double (*K)[
         int t = s->held->held[h];
         n->d[t] = held->d[h], n->v[t] = held->v[h], n->a[t] = held->a[h];
     }
-    return STATUS_OK;
+}
+
+enum status newmark_step(struct newmark *n, struct system *s, const double (*K)[9],
+                         const double *M, const double *load,
+                         const struct newmark_held *held)
+{
+    enum status st;
+
+    newmark_predict(n, s, K, M, load, held);
+    TRY(system_solve(s, n->work));
+    newmark_correct(n, s, n->work, held);
+out:
+    return st;
 }

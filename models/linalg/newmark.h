@@ -52,4 +52,13 @@ enum status newmark_step(struct newmark *n, struct system *s, const double (*K)[
                          const double *M, const double *load,
                          const struct newmark_held *held);
 
+/* The two halves of a step, for those who solve between them: the right-hand side of
+ *   (newmark_k K + newmark_m M) w = rhs,   newmark_k w = d + beta v at the end of the step,
+ * is left in n->work[nodes][3], what held unknowns contribute taken off; then w (which may
+ * be n->work; held entries are not read) becomes the new d, v, a. */
+void newmark_predict(struct newmark *n, struct system *s, const double (*K)[9],
+                     const double *M, const double *load, const struct newmark_held *held);
+void newmark_correct(struct newmark *n, const struct system *s, const double *w,
+                     const struct newmark_held *held);
+
 #endif

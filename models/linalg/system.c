@@ -132,6 +132,61 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
     return factor_refactor(s->factor);
 }
 
+/* C = A B, 3x3; not aliased. */
+static void multiply(const double A[9], const double B[9], double C[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            C[3 * i + j] =
+                A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
+}
+
+/* B <- P_a B P_b, and on the diagonal what P_a takes out gets B's mean diagonal. */
+static void project_block(const double Pa[9], const double Pb[9], bool diagonal,
+                          double B[9])
+{
+    double work[9], mean = (B[0] + B[4] + B[8]) / 3;
+
+    multiply(Pa, B, work);
+    multiply(work, Pb, B);
+    for (int t = 0; diagonal && t < 9; t++)
+        B[t] += mean * ((t % 4 == 0) - Pa[t]);
+}
+
+enum status system_factor_projected(struct system *s, double k, const double (*K)[9],
+                                    double m, const double *M, const double (*P)[9],
+                                    const unsigned char *touched)
+{
+    const struct blocks *g = s->graph;
+    double *value = factor_values(s->factor), B[9];
+
+    factor_clear_values(s->factor);
+    for (int a = 0; a < g->nodes; a++)
+        for (long n = g->start[a]; n < g->start[a + 1]; n++) {
+            int b = g->node[n];
+            double mass = M ? m * M[n] : 0;
+            for (int t = 0; t < 9; t++)
+                B[t] = k * K[n][t] + (t % 4 ? 0 : mass);
+            if (touched[a] || touched[b])
+                project_block(P[a], P[b], a == b, B);
+            for (int t = 0; t < 9; t++)
+                value[s->slot[9 * n + t]] = B[t];
+        }
+    return factor_refactor(s->factor);
+}
+
+void system_multiply(const struct system *s, double k, const double (*K)[9], double m,
+                     const double *M, const double *x, double *y, double *work)
+{
+    size_t count = 3 * (size_t)s->graph->nodes;
+
+    blocks_multiply(s->graph, K, x, y);
+    if (M)
+        blocks_multiply_mass(s->graph, M, x, work);
+    for (size_t t = 0; t < count; t++)
+        y[t] = k * y[t] + (M ? m * work[t] : 0);
+}
+
 enum status system_solve(struct system *s, double *x)
 {
     const int *place = s->held->free_index;

@@ -16,6 +16,11 @@ void solid_model_size(const void *state, struct model_size *size)
     solid_motion_size(state, size);
 }
 
+void solid_model_contact(const void *state, struct model_contact *contact)
+{
+    solid_motion_contact(state, contact);
+}
+
 void solid_model_energy(const void *state, struct energy *energy)
 {
     solid_motion_energy(state, energy);
@@ -47,8 +52,12 @@ enum status solid_model_refuse(const struct scene *scene, unsigned serves,
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
                               bool possible, bool *thickness, struct message *why)
 {
-    bool can = possible && supports_whole_columns(scene);
+    bool can = possible && supports_whole_columns(scene) && !scene->obstacle_count;
 
+    if (d->unknowns == UNKNOWNS_THICKNESS && scene->obstacle_count)
+        return status_fail(why, STATUS_INPUT,
+                           "unknowns=thickness can't meet obstacles, which touch one face "
+                           "of the sheet; use points");
     if (d->unknowns == UNKNOWNS_THICKNESS && !can)
         return status_fail(why, STATUS_INPUT,
                            "unknowns=thickness needs one element through the thickness, no "

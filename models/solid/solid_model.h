@@ -8,12 +8,13 @@
 
 /* What solid_motion can serve; bits of scene_need. */
 #define SOLID_MODEL_SERVES                                                              \
-    (SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |                           \
+    (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |      \
      SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG |  \
      SCENE_NEED_CURVED_REST)
 
 enum status solid_model_advance(void *state, struct counters *counters);
 void solid_model_size(const void *state, struct model_size *size);
+void solid_model_contact(const void *state, struct model_contact *contact);
 void solid_model_energy(const void *state, struct energy *energy);
 enum status solid_model_equilibrium(void *state, struct counters *counters,
                                     struct message *why);
@@ -25,7 +26,8 @@ enum status solid_model_refuse(const struct scene *scene, unsigned serves,
                                struct message *why);
 
 /* Which basis through the thickness to use: what was asked, or the thickness basis where
- * `possible` and all supports take whole columns. STATUS_INPUT if it was asked but can't be. */
+ * `possible`, all supports take whole columns and there are no obstacles (which touch one
+ * face). STATUS_INPUT if it was asked but can't be. */
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
                               bool possible, bool *thickness, struct message *why);
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/solid/solid_contact.h"
 #include "models/solid/solid_large.h"
 
 /* Body drag is C = (c / rho) M, but not under `printed`, whose v is not the sheet's
@@ -32,6 +33,22 @@ static void compute_load(struct solid_motion *m)
         for (int a = 0; a < m->space->nodes; a++)
             m->load[3 * a + i] = force * m->assembly.volume[a];
     }
+}
+
+static enum status init_contact(struct solid_motion *m, const int *order,
+                                enum solver solver, struct message *why)
+{
+    enum status st;
+
+    if (m->scene->obstacle_count && m->kinematics == KINEMATICS_NONLINEAR)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "unsupported: no contact with nonlinear kinematics; use linear, "
+                           "printed or incremental");
+    TRY(contact_set_init(&m->contact, m->scene, &m->supports, m->x, 0, why));
+    if (contact_set_used(&m->contact) && m->kinematics == KINEMATICS_LINEAR)
+        TRY(system_init(&m->mass, &m->assembly.graph, &m->supports, NULL, order, solver));
+out:
+    return st;
 }
 
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
@@ -70,6 +87,8 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                      d->solver);
     if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
         st = solid_large_create(m, &m->large);
+    if (st == STATUS_OK)
+        st = init_contact(m, order, d->solver, why);
     if (st != STATUS_OK)
         solid_motion_clear(m);
 out:
@@ -83,6 +102,8 @@ void solid_motion_clear(struct solid_motion *m)
         return;
     solid_large_destroy(m->large);
     system_clear(&m->system);
+    system_clear(&m->mass);
+    contact_set_clear(&m->contact);
     newmark_clear(&m->newmark);
     supports_clear(&m->supports);
     solid_assembly_clear(&m->assembly);
@@ -158,6 +179,21 @@ out:
     return st;
 }
 
+/* With obstacles the steps need no acceleration and factor for themselves. */
+static void start_contact(struct solid_motion *m)
+{
+    struct newmark_held held;
+
+    if (m->supports.moving)
+        held = path_motion(m, m->time);
+    for (int h = 0; m->supports.moving && h < m->supports.held_count; h++) {
+        m->newmark.d[m->supports.held[h]] = held.d[h];
+        m->newmark.v[m->supports.held[h]] = held.v[h];
+    }
+    contact_set_forget(&m->contact);
+    m->started = true;
+}
+
 static void damp_velocity(struct solid_motion *m)
 {
     double factor = damping_velocity(m->scene);
@@ -173,10 +209,14 @@ static enum status step_linear(struct solid_motion *m, struct counters *counters
     struct newmark_held held;
     size_t count = 3 * (size_t)m->space->nodes;
 
-    if (!m->started)
+    if (!m->started && contact_set_used(&m->contact))
+        start_contact(m);
+    else if (!m->started)
         TRY(start_linear(m, counters));
     if (m->supports.moving)
         held = path_motion(m, m->time + m->newmark.dt);
+    if (contact_set_used(&m->contact))
+        return solid_contact_linear(m, m->supports.moving ? &held : NULL, counters);
     TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
                      m->supports.moving ? &held : NULL));
     counters->solves++;
@@ -198,10 +238,12 @@ static enum status step_rebuilt(struct solid_motion *m, struct counters *counter
     TRY(solid_assembly_compute(&m->assembly, m->x));
     counters->assemblies++;
     compute_load(m);
-    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
-    counters->factorisations++;
     if (m->supports.moving)
         held = step_motion(m, m->time + n->dt);
+    if (contact_set_used(&m->contact))
+        return solid_contact_rebuilt(m, m->supports.moving ? &held : NULL, counters);
+    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
+    counters->factorisations++;
     TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load,
                      m->supports.moving ? &held : NULL));
     counters->solves++;
@@ -246,6 +288,11 @@ void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
     energy->kinetic = rebuilt ? kinetic / (n->dt * n->dt) : kinetic;
     energy->elastic = linear ? elastic : m->large ? solid_large_energy(m) : NAN;
     energy->potential = potential;
+}
+
+void solid_motion_contact(const struct solid_motion *m, struct model_contact *contact)
+{
+    contact_set_report(&m->contact, m->x, m->force_unit, contact);
 }
 
 void solid_motion_size(const struct solid_motion *m, struct model_size *size)

@@ -14,6 +14,7 @@
 #ifndef SOLID_MOTION_H
 #define SOLID_MOTION_H
 
+#include "models/linalg/contact_solve.h"
 #include "models/linalg/newmark.h"
 #include "models/model.h"
 #include "models/solid/solid_assembly.h"
@@ -32,6 +33,12 @@ struct solid_motion {
     double time;  /* [s]                                                              */
     bool started; /* the constant system is factored                                  */
     struct solid_large *large; /* nonlinear only                                 owned */
+
+    /* with obstacles only: solid_contact.h */
+    struct contact_set contact;
+    double force_unit;  /* of the set's forces                                 [N]     */
+    struct system mass; /* linear: M alone, for impacts                                */
+    long mass_version;  /* of the contact set that it is factored for; 0: none         */
 };
 
 /* `order`: node order for the factorisation or NULL. The assembled matrices of the rest
@@ -48,6 +55,7 @@ enum status solid_motion_step(struct solid_motion *m, struct counters *counters)
 /* Energies; the elastic one is NaN where the kinematics has none (printed, incremental). */
 void solid_motion_energy(const struct solid_motion *m, struct energy *energy);
 
+void solid_motion_contact(const struct solid_motion *m, struct model_contact *contact);
 void solid_motion_size(const struct solid_motion *m, struct model_size *size);
 
 #endif

@@ -1,0 +1,304 @@
+#include "models/linalg/contact_solve.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    MOST_PASSES = 400,
+    PATIENCE = 6,    /* passes without progress before pairs change one at a time      */
+    MOST_RETURNS = 2 /* to sticking, of a node in a step: more would be a cycle        */
+};
+
+/* Friction forces are repeated to this share of the largest. */
+static const double FRICTION_SETTLED = 1e-11;
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static struct contact_pair *pairs_of(const struct contact_set *c, int a)
+{
+    return c->pair + (size_t)a * (size_t)c->obstacles;
+}
+
+/* What the pair asks of n . x: at least this. */
+static double target(const struct contact_problem *p, const struct contact_pair *pair,
+                     int a)
+{
+    double from = p->still ? dot(pair->normal, p->still + 3 * (size_t)a) : 0;
+
+    return from - p->scale * pair->gap;
+}
+
+/* The part of x that the active pairs give, y[nodes][3]; zero at held unknowns. */
+static void given_part(const struct contact_set *c, const struct contact_problem *p,
+                       const double *x, double *y)
+{
+    memset(y, 0, 3 * (size_t)c->nodes * sizeof *y);
+    for (int a = 0; a < c->nodes; a++) {
+        const struct contact_node *node = &c->node[a];
+        double *ya = y + 3 * (size_t)a;
+        if (!node->touches)
+            continue;
+        if (node->sticks && p->still) {
+            memcpy(ya, p->still + 3 * (size_t)a, 3 * sizeof *ya);
+            contact_set_along(c, a, ya);
+        }
+        for (int t = 0; t < node->touches; t++) {
+            const struct contact_pair *pair = &pairs_of(c, a)[node->obstacle[t]];
+            double size = target(p, pair, a);
+            for (int i = 0; i < 3; i++)
+                if (c->held->free_index[3 * a + i] < 0)
+                    size -= pair->normal[i] * x[3 * (size_t)a + i];
+            for (int i = 0; i < 3; i++)
+                ya[i] += size * node->dual[t][i];
+        }
+    }
+}
+
+/* Solution for the present set into x, and the forces that it takes. */
+static enum status solve_once(struct contact_set *c, struct system *s,
+                              const struct contact_problem *p, double *x)
+{
+    const int *place = c->held->free_index;
+    size_t count = 3 * (size_t)c->nodes;
+    double *given = c->work, *r = c->work + count, *product = c->work + 2 * count,
+           *work = c->work + 3 * count;
+    bool any = contact_set_any(c);
+    enum status st;
+
+    memcpy(r, p->b, count * sizeof *r);
+    if (any) {
+        given_part(c, p, x, given);
+        system_multiply(s, p->k, p->K, p->m, p->M, given, product, work);
+        for (size_t t = 0; t < count; t++)
+            r[t] += c->node[t / 3].friction[t % 3] - product[t];
+        contact_set_apply(c, r);
+    }
+    TRY(system_solve(s, r));
+    if (any) {
+        contact_set_apply(c, r);
+        for (size_t t = 0; t < count; t++)
+            r[t] += given[t];
+        system_multiply(s, p->k, p->K, p->m, p->M, r, product, work);
+    }
+    for (size_t t = 0; t < count; t++) {
+        c->node[t / 3].force[t % 3] =
+            c->touched[t / 3] && place[t] >= 0 ? product[t] - p->b[t] : 0;
+        if (place[t] >= 0)
+            x[t] = r[t];
+    }
+out:
+    return st;
+}
+
+static void find_multipliers(struct contact_set *c)
+{
+    for (int a = 0; a < c->nodes; a++) {
+        const struct contact_node *node = &c->node[a];
+        for (int o = 0; o < c->obstacles; o++)
+            pairs_of(c, a)[o].lambda = 0;
+        for (int t = 0; t < node->touches; t++)
+            pairs_of(c, a)[node->obstacle[t]].lambda = dot(node->dual[t], node->force);
+    }
+}
+
+/* Mean diagonal of A at node a. */
+static double stiffness(const struct system *s, const struct contact_problem *p, int a)
+{
+    long n = s->graph->start[a];
+    const double *K = p->K[n];
+
+    return p->k * (K[0] + K[4] + K[8]) / 3 + (p->M ? p->m * p->M[n] : 0);
+}
+
+/* Length of the pair's normal as far as supports leave it free and, in *beside, outside the
+ * span of the node's other normals. */
+static double free_normal(const struct contact_set *c, int a, int o, double *beside)
+{
+    double v[3], free[3];
+
+    memcpy(v, pairs_of(c, a)[o].normal, sizeof v);
+    for (int i = 0; i < 3; i++)
+        free[i] = c->held->free_index[3 * a + i] < 0 ? 0 : v[i];
+    contact_set_along(c, a, v);
+    *beside = sqrt(dot(v, v));
+    return sqrt(dot(free, free));
+}
+
+/* Should the pair change? An active one if it pulls, another if its node is too far; both by
+ * more than `slack`, as a value of x. An active one that adds no direction is let go. */
+static bool violated(const struct contact_set *c, const struct system *s,
+                     const struct contact_problem *p, const double *x, int a, int o,
+                     double slack)
+{
+    const struct contact_pair *pair = &pairs_of(c, a)[o];
+    const struct contact_node *node = &c->node[a];
+    bool counts = false;
+    double beside;
+
+    if (!pair->active)
+        return dot(pair->normal, x + 3 * (size_t)a) < target(p, pair, a) - slack &&
+               free_normal(c, a, o, &beside) > CONTACT_SET_INDEPENDENT;
+    for (int t = 0; t < node->touches; t++)
+        counts |= node->obstacle[t] == o;
+    return !counts || pair->lambda < -slack * stiffness(s, p, a);
+}
+
+/* Where a new pair adds no direction to the node's others, it takes their place. */
+static void change(struct contact_set *c, int a, int o)
+{
+    struct contact_pair *pair = &pairs_of(c, a)[o];
+    double beside;
+
+    pair->active = !pair->active;
+    free_normal(c, a, o, &beside);
+    for (int t = 0; pair->active && beside < CONTACT_SET_INDEPENDENT && t < c->obstacles;
+         t++)
+        if (t != o)
+            pairs_of(c, a)[t].active = false;
+    if (pair->active && c->scene->obstacles[o].friction > 0 && !c->node[a].touches)
+        c->node[a].sticks = true;
+}
+
+/* Changes all violated pairs, or the last one only. Returns their number before. */
+static long exchange(struct contact_set *c, const struct system *s,
+                     const struct contact_problem *p, const double *x, double slack,
+                     bool only_last)
+{
+    long count = 0;
+    int last_node = 0, last_obstacle = 0;
+
+    for (int a = 0; a < c->nodes; a++)
+        for (int o = 0; o < c->obstacles; o++) {
+            if (!violated(c, s, p, x, a, o, slack))
+                continue;
+            count++;
+            last_node = a, last_obstacle = o;
+            if (!only_last)
+                change(c, a, o);
+        }
+    if (count && only_last)
+        change(c, last_node, last_obstacle);
+    return count;
+}
+
+/* Greatest friction that node a can have. */
+static double friction_limit(const struct contact_set *c, int a)
+{
+    const struct contact_node *node = &c->node[a];
+    double limit = 0;
+
+    for (int t = 0; t < node->touches; t++)
+        limit += c->scene->obstacles[node->obstacle[t]].friction *
+                 fmax(0, pairs_of(c, a)[node->obstacle[t]].lambda);
+    return limit;
+}
+
+/* Friction of a node after a solve. Returns how much it changed; *size its size. */
+static double update_friction(struct contact_set *c, const struct contact_problem *p,
+                              const double *x, int a, double slack, double *size)
+{
+    struct contact_node *node = &c->node[a];
+    double limit = friction_limit(c, a), v[3], change_to[3] = {0}, length;
+
+    memcpy(v, node->sticks ? node->force : x + 3 * (size_t)a, sizeof v);
+    for (int i = 0; !node->sticks && p->still && i < 3; i++)
+        v[i] -= p->still[3 * (size_t)a + i];
+    contact_set_along(c, a, v);
+    length = sqrt(dot(v, v));
+    *size = limit;
+    if (node->sticks && length <= limit)
+        return 0;
+    if (!node->sticks && dot(v, node->friction) > 0 && length > slack &&
+        node->returns < MOST_RETURNS) {
+        node->returns++;
+        node->sticks = true;
+        memset(node->friction, 0, sizeof node->friction);
+        return INFINITY;
+    }
+    if (node->sticks || length > slack) {
+        double factor = (node->sticks ? limit : -limit) / length;
+        for (int i = 0; i < 3; i++)
+            change_to[i] = length > 0 ? factor * v[i] : 0;
+    } else { /* no direction to be seen: keep the last one */
+        double old = sqrt(dot(node->friction, node->friction));
+        for (int i = 0; i < 3; i++)
+            change_to[i] = old > 0 ? node->friction[i] * limit / old : 0;
+    }
+    double moved = 0;
+    for (int i = 0; i < 3; i++) {
+        moved = fmax(moved, fabs(change_to[i] - node->friction[i]));
+        node->friction[i] = change_to[i];
+    }
+    moved = node->sticks ? INFINITY : moved;
+    node->sticks = false;
+    return moved;
+}
+
+/* True if friction is where the solution wants it. */
+static bool settle_friction(struct contact_set *c, const struct contact_problem *p,
+                            const double *x, double slack)
+{
+    double most = 0, largest = 0;
+
+    for (int a = 0; a < c->nodes; a++) {
+        double size = 0;
+        if (!c->node[a].touches) {
+            memset(c->node[a].friction, 0, sizeof c->node[a].friction);
+            continue;
+        }
+        most = fmax(most, update_friction(c, p, x, a, slack, &size));
+        largest = fmax(largest, size);
+    }
+    return most <= FRICTION_SETTLED * largest;
+}
+
+static enum status factor_wanted(struct contact_set *c, struct system *s,
+                                 const struct contact_problem *p, struct counters *counters)
+{
+    enum status st;
+
+    if (!contact_set_project(c))
+        return STATUS_OK;
+    c->is_factored = false;
+    TRY(system_factor_projected(s, p->k, p->K, p->m, p->M, (const double(*)[9])c->projector,
+                                c->touched));
+    counters->factorisations++;
+    memcpy(c->factored, c->projector, (size_t)c->nodes * sizeof *c->factored);
+    c->is_factored = true;
+    c->version++;
+out:
+    return st;
+}
+
+enum status contact_solve(struct contact_set *c, struct system *s,
+                          const struct contact_problem *p, double *x,
+                          struct counters *counters)
+{
+    enum status st = STATUS_DIVERGED;
+    double slack = c->rounding * p->scale;
+    long fewest = -1;
+    int patience = PATIENCE;
+
+    for (int pass = 0; pass < MOST_PASSES; pass++) {
+        TRY(factor_wanted(c, s, p, counters));
+        TRY(solve_once(c, s, p, x));
+        counters->solves++;
+        find_multipliers(c);
+        bool settled = settle_friction(c, p, x, slack);
+        long count = exchange(c, s, p, x, slack, patience <= 0);
+        if (!count && settled)
+            return STATUS_OK;
+        if (fewest < 0 || count < fewest) {
+            fewest = count;
+            patience = PATIENCE;
+        } else if (count) {
+            patience--;
+        }
+        st = STATUS_DIVERGED;
+    }
+out:
+    return st;
+}

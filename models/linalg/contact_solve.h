@@ -1,0 +1,40 @@
+/* contact_solve.h - one linear step under contact: the x that minimises x'A x / 2 - b'x
+ * with no node beyond the tangent planes of contact_set.h, and friction.
+ *
+ * Primal-dual active set (Hintermueller, Ito, Kunisch 2003, SIAM J. Optim. 13): solve with
+ * the present set, then let go what pulls and take in what has gone too far, until nothing
+ * changes. Where that does not make progress, pairs change one at a time, the last one
+ * first, which always ends (Murty 1974, Math. Programming 7; the mixture: Judice and Pires
+ * 1994, Computers and Operations Research 21). A set that the last step has left costs a
+ * solve and, on planes, no factorisation.
+ *
+ * Friction is a fixed point inside that loop: a node that touches first sticks, slides
+ * where it would need more than mu lambda, with the friction that the last pass gives, and
+ * sticks again where it would be carried along with its friction.
+ */
+#ifndef CONTACT_SOLVE_H
+#define CONTACT_SOLVE_H
+
+#include "models/linalg/contact_set.h"
+#include "models/linalg/system.h"
+
+/* A = k K + m M. The unknown x and a node's displacement u over the step are related by
+ * x = still + scale u. */
+struct contact_problem {
+    double k;
+    const double (*K)[9];
+    double m;
+    const double *M;     /* NULL if m == 0                                             */
+    const double *b;     /* [nodes][3], without what held unknowns contribute          */
+    double scale;        /* > 0                                                        */
+    const double *still; /* [nodes][3], or NULL for zeros                              */
+};
+
+/* x[nodes][3]: on entry the held unknowns, on return the solution beside them. Gaps and
+ * normals from contact_set_detect. Factorises where the system's factor is not the one that
+ * the set wants (contact_set_forget). STATUS_DIVERGED if no set is found. */
+enum status contact_solve(struct contact_set *c, struct system *s,
+                          const struct contact_problem *p, double *x,
+                          struct counters *counters);
+
+#endif

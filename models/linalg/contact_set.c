@@ -6,8 +6,7 @@
 
 #include "models/contact.h"
 
-const double CONTACT_SET_ROUNDING = 1e-13;
-const double CONTACT_SET_INDEPENDENT = 1e-3;
+static const double ROUNDING = 1e-13;
 
 static double dot(const double a[3], const double b[3])
 {
@@ -52,7 +51,7 @@ enum status contact_set_init(struct contact_set *c, const struct scene *scene,
                               .nodes = held->nodes,
                               .obstacles = scene->obstacle_count,
                               .offset = offset,
-                              .rounding = CONTACT_SET_ROUNDING * scene_size(scene)};
+                              .rounding = ROUNDING * scene_size(scene)};
 
     if (!new.obstacles) {
         *c = new;

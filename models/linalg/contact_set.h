@@ -41,8 +41,8 @@ struct contact_set {
     const struct supports *held; /* borrowed                                           */
     int nodes, obstacles;
     double offset;   /* distance that nodes keep: 0, or h/2 of a mid-surface     [m]   */
-    double rounding; /* round-off of positions, CONTACT_SET_ROUNDING of the scene's size;
-                        gaps are closed to it                                    [m]   */
+    double rounding; /* round-off of positions, 1e-13 of the scene's size (sheet and
+                        obstacles): gaps are closed to it                        [m]   */
     struct contact_pair *pair; /* [nodes][obstacles]                           owned   */
     struct contact_node *node; /* [nodes]                                      owned   */
     double (*projector)[9];    /* [nodes] onto the directions left free        owned   */
@@ -53,11 +53,8 @@ struct contact_set {
     double *work; /* [4][nodes][3]                                             owned   */
 };
 
-/* Share of the scene's size (sheet and obstacles). */
-extern const double CONTACT_SET_ROUNDING;
-
 /* A normal adds a direction to others if the part of it outside their span is longer. */
-extern const double CONTACT_SET_INDEPENDENT;
+static const double CONTACT_SET_INDEPENDENT = 1e-3;
 
 /* Nothing is allocated for a scene without obstacles: contact_set_used says false.
  * STATUS_INPUT with a sentence if a rest node, x[nodes][3], lies in an obstacle. */

@@ -16,12 +16,12 @@ extern const struct paper_table1_row paper_table1[PAPER_TABLE1_ROWS];
 /* "RMSE <= 0.04" against the IGA result [m for a sheet of 1 m: the paper gives no unit]. */
 #define PAPER_TABLE1_RMSE 0.04
 
-/* Tables 2 and 3: milliseconds a frame. Nets and degrees in the order printed; the thickness
- * is the direction with two points: w in most rows, u in nets 2 x n x n. */
+/* Tables 2 and 3: milliseconds a frame. Nets and degrees in the order printed; the
+ * thickness is the direction with two points: w in most rows, u in nets 2 x n x n. */
 struct paper_cost {
-    const char *figure;    /* what the row shows; Table 3: empty                        */
+    const char *figure; /* what the row shows; Table 3: empty                        */
     int degree[3], points[3];
-    double young, poisson; /* [Pa], -; 0 in Table 3: not printed there, as the next two */
+    double young, poisson;   /* [Pa], -; 0 in Table 3: not printed there, as the next two */
     double density, damping; /* [kg/m^3], mu                                            */
     double milliseconds;
 };
@@ -34,5 +34,29 @@ enum {
 };
 extern const struct paper_cost paper_table2[PAPER_TABLE2_ROWS];
 extern const struct paper_cost paper_table3[PAPER_TABLE3_ROWS];
+
+/* Table 4, one end fixed, nu = 0.3: E as we read it (the paper has 1E-4, 5E-4, 1E-5), and
+ * what it says of each. */
+#define PAPER_LABEL_LIST(X)                                                                \
+    X(OVER_STRETCHED, "over-stretched")                                                    \
+    X(PENETRATION, "penetration")                                                          \
+    X(TOO_LIGHT, "too light")                                                              \
+    X(CHAOTIC, "chaotic")                                                                  \
+    X(FINE_WRINKLES, "wrinkles too fine")
+
+enum paper_label {
+#define PAPER_LABEL_CODE(code, words) PAPER_##code,
+    PAPER_LABEL_LIST(PAPER_LABEL_CODE)
+#undef PAPER_LABEL_CODE
+        PAPER_LABELS
+};
+extern const char *const paper_label[PAPER_LABELS];
+
+struct paper_table4_row {
+    double young, density, damping; /* [Pa], [kg/m^3], mu                              */
+    unsigned labels;                /* bit n: label n; feasible where there is none    */
+};
+enum { PAPER_TABLE4_ROWS = 18 };
+extern const struct paper_table4_row paper_table4[PAPER_TABLE4_ROWS];
 
 #endif

@@ -3,11 +3,13 @@
 #include "bench/exhibit.h"
 #include "bench/table1.h"
 #include "bench/table23.h"
+#include "bench/table4.h"
 
 static const struct command_item *const items[] = {
     &table1_exhibit.item,
     &table23_second.item,
     &table23_third.item,
+    &table4_exhibit.item,
     NULL,
 };
 

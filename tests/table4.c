@@ -1,0 +1,182 @@
+/* Table 4 on a quick run of all its cases: what its columns and sentences rest on. */
+#include "bench/table4_data.h"
+
+#include "bench/folder.h"
+#include "bench/interval.h"
+#include "bench/plan.h"
+#include "tests/check.h"
+
+static const char *folder;
+
+/* The paper's words as printed, and that its yes or no is a function of E/rho. */
+static void test_paper(void)
+{
+    static const int want[PAPER_LABELS] = {8, 7, 3, 1, 1};
+    bool yes[PAPER_TABLE4_ROWS];
+    double ratio[PAPER_TABLE4_ROWS];
+
+    for (int label = 0; label < PAPER_LABELS; label++)
+        CHECK(table4_data_paper(label, yes) == want[label]);
+    CHECK(table4_data_paper(-1, yes) == 2 && yes[13] && yes[14]);
+    for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
+        ratio[row] = paper_table4[row].young / paper_table4[row].density;
+    CHECK(interval_best(PAPER_TABLE4_ROWS, ratio, yes, INTERVAL_ANY).agree == 18);
+}
+
+/* Undamped runs are shared by rows of the same E/rho: 8 of them; others are not. */
+static void test_shared_runs(void)
+{
+    int runs[TABLE4_READINGS] = {0};
+
+    for (int r = 0; r < TABLE4_READINGS; r++)
+        for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
+            runs[r] += table4_run_of(r, row) == row;
+    for (int r = 0; r < TABLE4_READINGS; r++)
+        CHECK(runs[r] == (table4_reading[r].damping == TABLE4_UNDAMPED ? 8 : 18));
+    CHECK(table4_run_of(TABLE4_SHELL, 8) == 7 && table4_run_of(TABLE4_SOLID, 14) == 13);
+}
+
+static void test_runs(const struct table4_data *d)
+{
+    const struct case_result *row7 = &d->result[TABLE4_PRINTED][TABLE4_DROP][6];
+
+    /* the one row that the paper calls chaotic dies on the horizontal drop, and alone */
+    CHECK(status_is_death(row7->outcome));
+    CHECK(row7->value[CASE_BLOWUP_TIME] > 0.25 && row7->value[CASE_BLOWUP_TIME] < 0.3);
+    CHECK(table4_data_deaths(d, TABLE4_PRINTED, TABLE4_DROP) == 1);
+    CHECK(table4_data_deaths(d, TABLE4_PRINTED, TABLE4_FLAG) == 0);
+    CHECK(!d->feasible[TABLE4_PRINTED][TABLE4_DROP][6]);
+    for (int n = 0; n < TABLE4_SCALED; n++)
+        CHECK(!memcmp(d->scaled[n].value,
+                      d->result[TABLE4_PRINTED][TABLE4_FLAG][table4_scaled[n]].value,
+                      sizeof d->scaled[n].value));
+    for (int r = 0; r < TABLE4_READINGS; r++)
+        for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
+            const double *value = d->result[r][TABLE4_FLAG][row].value;
+            const struct paper_table4_row *p = &paper_table4[row];
+            CHECK_RELATIVE(value[CASE_YOUNG_OVER_DENSITY], p->young / p->density, 1e-15);
+        }
+    /* the same sheet with an elastic law does not stretch as the printed one does */
+    CHECK(row7->value[CASE_STRETCH_MAX] > 1.1);
+    for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
+        CHECK(d->result[TABLE4_SHELL][TABLE4_DROP][row].value[CASE_STRETCH_MAX] < 1.1);
+        CHECK(d->result[TABLE4_SOLID][TABLE4_DROP][row].value[CASE_STRETCH_MAX] < 1.1);
+    }
+}
+
+static void test_agreement(const struct table4_data *d)
+{
+    bool yes[PAPER_TABLE4_ROWS];
+
+    for (int r = 0; r < TABLE4_READINGS; r++)
+        for (int s = 0; s < TABLE4_SCENES; s++)
+            for (int label = -1; label < PAPER_LABELS; label++) {
+                struct table4_agreement a = table4_data_agree(d, r, s, label);
+                CHECK(a.hit + a.missed == table4_data_paper(label, yes));
+                CHECK(a.agree == PAPER_TABLE4_ROWS - a.missed - a.extra);
+            }
+    struct table4_agreement chaos =
+        table4_data_agree(d, TABLE4_PRINTED, TABLE4_DROP, PAPER_CHAOTIC);
+    CHECK(chaos.hit == 1 && chaos.missed == 0);
+}
+
+/* Every label of the rules is a word of the paper's, and the other way round. */
+static void test_rules(const struct table4_data *d)
+{
+    unsigned found = 0;
+
+    for (int n = 0; n < d->rules.count; n++) {
+        bool known = false;
+        for (int label = 0; label < PAPER_LABELS; label++)
+            if (!strcmp(d->rules.rule[n].label, paper_label[label]))
+                known = true, found |= 1u << label;
+        CHECK(known);
+        CHECK(strlen(d->rules.rule[n].why) > 10);
+    }
+    CHECK(found == (1u << PAPER_LABELS) - 1);
+}
+
+/* The plan that can be swept has the paper's rows. */
+static void test_plan(void)
+{
+    static const char *const key[3] = {"material.young", "material.density",
+                                       "damping.value"};
+    struct plan plan;
+    struct message why = {""};
+
+    REQUIRE(plan_read(SOURCE_DIR "/bench/plans/table4.yaml", &plan, &why) == STATUS_OK);
+    REQUIRE(plan.listed_count == PAPER_TABLE4_ROWS);
+    for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
+        const double want[3] = {paper_table4[row].young, paper_table4[row].density,
+                                paper_table4[row].damping};
+        for (int n = 0; n < 3; n++) {
+            const struct plan_setting *s =
+                plan_settings_find(&plan.listed[row].settings, key[n]);
+            CHECK(s && strtod(s->value, NULL) == want[n]);
+        }
+    }
+    plan_clear(&plan);
+}
+
+static void test_words(void)
+{
+    char text[64];
+
+    CHECK(!strcmp(table4_data_words(0, text, sizeof text), "-"));
+    CHECK(!strcmp(table4_data_words(3, text, sizeof text), "over-stretched, penetration"));
+    CHECK(!strcmp(table4_data_words(3, text, 6), "over-"));
+}
+
+static bool prints(enum table_format format, const char *part)
+{
+    struct message why = {""};
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = open_memstream(&text, &size);
+
+    REQUIRE(file);
+    CHECK(table4_print(folder, format, file, &why) == STATUS_OK);
+    fclose(file);
+    bool found = strstr(text, part) && size > 5000;
+    free(text);
+    return found;
+}
+
+static void test_print(void)
+{
+    struct message why = {""};
+
+    CHECK(prints(TABLE_TEXT, "in 18, with two bounds chosen in hindsight"));
+    CHECK(prints(TABLE_TEXT, "in 3 of 3 runs: the motion depends on"));
+    CHECK(prints(TABLE_CSV, "too light"));
+    CHECK(prints(TABLE_MARKDOWN, "over-stretched"));
+    CHECK(prints(TABLE_LATEX, "tabular"));
+    CHECK(table4_print("/nowhere", TABLE_TEXT, stdout, &why) == STATUS_FILE);
+    CHECK(strstr(why.text, "/nowhere/"));
+}
+
+int main(int argc, char **argv)
+{
+    struct message why = {""};
+    struct table4_data *d = NULL;
+
+    REQUIRE(argc == 2);
+    folder = argv[1];
+    struct exhibit_options options = {.folder = folder, .quick = true};
+    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    test_paper();
+    test_shared_runs();
+    test_words();
+    test_plan();
+    if (table4_exhibit.measure(&options, &why) != STATUS_OK ||
+        table4_data_load(folder, &d, &why) != STATUS_OK) {
+        printf("%s\n", why.text);
+        return 1;
+    }
+    test_runs(d);
+    test_agreement(d);
+    test_rules(d);
+    test_print();
+    table4_data_clear(d);
+    return check_result();
+}

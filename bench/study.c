@@ -25,13 +25,15 @@ static enum status read_level(const struct study *study, const struct study_leve
                               const struct model *model, struct scene *scene,
                               struct discretization *d, struct message *why)
 {
-    const char *all[2 * STUDY_SETTINGS];
+    const char *all[3 * STUDY_SETTINGS];
     int count = append(study->settings, all, 0);
     char *path = NULL;
     enum status st;
 
-    if (level)
+    if (level) {
+        count = append(study->numerics, all, count);
         count = append(level->settings, all, count);
+    }
     if (model)
         model->defaults(d);
     TRY(scene_file_find(study->scene, &path, why));
@@ -102,6 +104,15 @@ out:
     return st;
 }
 
+static void measure_frame(const struct scene *scene, const double *xyz,
+                          struct study_frame *f)
+{
+    f->roughness = metric_roughness(scene, xyz);
+    f->stretch = metric_stretch(scene, xyz);
+    f->drop = metric_drop(scene, xyz);
+    f->unevenness = metric_unevenness(scene, xyz);
+}
+
 static enum status read_frames(const struct study *study, const char *path,
                                const struct scene *scene, struct study_row *row,
                                struct message *why)
@@ -116,9 +127,7 @@ static enum status read_frames(const struct study *study, const char *path,
         if (!f->xyz)
             TRY(STATUS_MEMORY);
         TRY(store_read_frame(file, t, f->xyz, why));
-        f->roughness = metric_roughness(scene, f->xyz);
-        f->stretch = metric_stretch(scene, f->xyz);
-        f->drop = metric_drop(scene, f->xyz);
+        measure_frame(scene, f->xyz, f);
     }
 out:
     store_read_close(file);
@@ -136,7 +145,7 @@ static enum status read_row(const struct study *study, const struct study_level 
     enum status st;
 
     for (int t = 0; t < STUDY_TIMES; t++)
-        row->frame[t] = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN};
+        row->frame[t] = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     row->milliseconds = row->seconds = NAN;
     file_of(study, level, folder, path);
     TRY(timed_read(path, &timed, why));
@@ -195,8 +204,11 @@ enum status study_read(const struct study *study, const char *folder,
         TRY(read_row(study, &study->levels[n], folder, &r->row[n], why));
     if (study->truth)
         TRY(find_truth(study, folder, TRUTH_READ, &r->truth, why));
-    for (int t = 0; t < study->times; t++)
+    for (int t = 0; t < study->times; t++) {
+        if (r->truth)
+            measure_frame(&scene, r->truth->xyz[t], &r->true_frame[t]);
         compare(study, r, t);
+    }
 out:
     scene_clear(&scene);
     discretization_clear(&unused);

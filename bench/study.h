@@ -5,9 +5,7 @@
  *
  *     static const struct study printed = {.name = "printed", .scene = "edge_drop", ...};
  *     measure:  TRY(study_measure(&printed, options, why));
- *     print:    TRY(study_read(&printed, folder, &result, why));
- *               TRY(study_print(&printed, &result, format, file));     tables
- *               TRY(study_print_files(&printed, &result, folder, why)); CSV, plot, picture
+ *     print:    TRY(study_print_all(&printed, folder, format, file, &result, why));
  *               study_print_verdict(file, "more points, more wrinkles", holds, "...", ...);
  *               study_result_clear(&result);
  */
@@ -32,7 +30,9 @@ struct study {
     const char *name;    /* of its files, [a-z0-9_]+; unlike that of others in the folder */
     const char *caption; /* of its tables                                                */
     const char *scene;   /* name or path                                                 */
-    const char *settings[STUDY_SETTINGS]; /* of all levels; NULL ends                    */
+    const char *settings[STUDY_SETTINGS]; /* the physics: of all levels and the truth; NULL
+                                             ends                                        */
+    const char *numerics[STUDY_SETTINGS]; /* of all levels; NULL ends                    */
     int count;                            /* 1..STUDY_LEVELS                             */
     const struct study_level *levels;     /* [count], coarse to fine                     */
     int times;                            /* 1..STUDY_TIMES                              */
@@ -45,7 +45,7 @@ struct study_frame {
     double *xyz;         /* field (grid.h) [m]; NULL after a death               owned   */
     double next, finest; /* RMSE / L to the next level and to the finest that lives [1]  */
     double error;        /* RMSE / L to truth [1]                                        */
-    double roughness, stretch, drop; /* metric.h                                         */
+    double roughness, stretch, drop, unevenness; /* metric.h                             */
 };
 
 struct study_row {
@@ -60,6 +60,7 @@ struct study_row {
 struct study_result {
     double gamma, length; /* of the study's scene: [1], [m]                              */
     struct truth *truth;  /* owned, or NULL                                              */
+    struct study_frame true_frame[STUDY_TIMES]; /* the truth's own; xyz is NULL          */
     struct study_row row[STUDY_LEVELS];
 };
 

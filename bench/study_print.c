@@ -69,11 +69,30 @@ static void motion_row(struct table *t, const struct study *study,
     cell(t, f->finest, 3);
     if (r->truth) {
         cell(t, f->error, 3);
-        cell(t, r->truth->error[time] / r->length, 2);
+        table_text(t, "%s", "");
     }
     cell(t, f->roughness, 3);
     cell(t, f->stretch, 4);
     cell(t, f->drop, 4);
+    cell(t, f->unevenness, 3);
+}
+
+/* The truth's own numbers, below the levels. */
+static void true_row(struct table *t, const struct study *study,
+                     const struct study_result *r, int time)
+{
+    const struct study_frame *f = &r->true_frame[time];
+
+    table_row(t);
+    table_fixed(t, study->time[time], 3);
+    table_text(t, "truth");
+    for (int n = 0; n < 3; n++)
+        table_text(t, "%s", "");
+    cell(t, r->truth->error[time] / r->length, 2);
+    cell(t, f->roughness, 3);
+    cell(t, f->stretch, 4);
+    cell(t, f->drop, 4);
+    cell(t, f->unevenness, 3);
 }
 
 static enum status print_motion(const struct study *study, const struct study_result *r,
@@ -82,28 +101,33 @@ static enum status print_motion(const struct study *study, const struct study_re
     static const struct table_column with[] = {
         {"t", "s", 0},          {"level", NULL, TABLE_LEFT}, {"to next", "L", 0},
         {"to finest", "L", 0},  {"error", "L", 0},           {"error bar", "L", 0},
-        {"roughness", NULL, 0}, {"stretch", NULL, 0},        {"drop", "L", 0}};
-    struct table_column without[7];
+        {"roughness", NULL, 0}, {"stretch", NULL, 0},        {"drop", "L", 0},
+        {"unevenness", NULL, 0}};
+    struct table_column without[8];
     struct table *t;
     enum status st;
 
     memcpy(without, with, 4 * sizeof *with);
-    memcpy(without + 4, with + 6, 3 * sizeof *with);
-    t = table_create(r->truth ? 9 : 7, r->truth ? with : without, study->caption);
+    memcpy(without + 4, with + 6, 4 * sizeof *with);
+    t = table_create(r->truth ? 10 : 8, r->truth ? with : without, study->caption);
     for (int time = 0; time < study->times; time++) {
         double order = study_order(study, r, time);
         if (time)
             table_rule(t);
         for (int n = 0; n < study->count; n++)
             motion_row(t, study, r, n, time);
+        if (r->truth)
+            true_row(t, study, r, time);
         if (!isnan(order))
             table_note(t, "Observed order at %g s: %.2g, of the %s.", study->time[time],
                        order, r->truth ? "error" : "difference from the finest");
     }
-    table_note(t,
-               "To next, to finest: RMSE on the material grid to the next level and to the "
-               "last. Roughness: L times the rms curvature. Gamma = %.4g.",
-               r->gamma);
+    table_note(
+        t,
+        "To next, to finest: RMSE on the material grid to the next level and to the "
+        "last. Roughness: L times the rms curvature; unevenness: its rms change over "
+        "it, per length (metric.h). Gamma = %.4g.",
+        r->gamma);
     if (r->truth)
         table_note(t, "Truth: %s.", r->truth->source);
     st = table_print(t, format, file);
@@ -136,7 +160,7 @@ static enum status write_csv(const struct study *study, const struct study_resul
     output_print(out,
                  "level,size,time_s,unknowns,factor_entries,frame_ms,paper_ms,stepping_s,"
                  "to_next_over_length,to_finest_over_length,error_over_length,"
-                 "error_bar_over_length,roughness,stretch,drop_over_length\n");
+                 "error_bar_over_length,roughness,stretch,drop_over_length,unevenness\n");
     for (int time = 0; time < study->times; time++) {
         if (time)
             output_print(out, "\n\n"); /* gnuplot's next block */
@@ -146,13 +170,13 @@ static enum status write_csv(const struct study *study, const struct study_resul
             const struct study_frame *f = &row->frame[time];
             output_print(out,
                          "\"%s\",%.9g,%.9g,%.0f,%.0f,%.6g,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,"
-                         "%.9g,%.9g,%.9g\n",
+                         "%.9g,%.9g,%.9g,%.9g\n",
                          level->label, level->size, study->time[time], row->unknowns,
                          row->factor_entries, row->milliseconds,
                          level->paper > 0 ? level->paper : NAN, row->seconds, f->next,
                          f->finest, f->error,
                          r->truth ? r->truth->error[time] / r->length : NAN, f->roughness,
-                         f->stretch, f->drop);
+                         f->stretch, f->drop, f->unevenness);
         }
     }
     return output_close(out, why);
@@ -229,6 +253,21 @@ enum status study_print_files(const struct study *study, const struct study_resu
         fprintf(stderr, "%s\n", plot.text);
     st = STATUS_OK;
 out:
+    return st;
+}
+
+enum status study_print_all(const struct study *study, const char *folder,
+                            enum table_format format, FILE *file, struct study_result *r,
+                            struct message *why)
+{
+    enum status st;
+
+    TRY(study_read(study, folder, r, why));
+    TRY(study_print(study, r, format, file));
+    TRY(study_print_files(study, r, folder, why));
+out:
+    if (st != STATUS_OK)
+        study_result_clear(r);
     return st;
 }
 

@@ -16,6 +16,12 @@ enum status study_print(const struct study *study, const struct study_result *r,
 enum status study_print_files(const struct study *study, const struct study_result *r,
                               const char *folder, struct message *why);
 
+/* All of it: study_read, study_print, study_print_files. *r is there for verdicts, and
+ * freed by the receiver with study_result_clear. */
+enum status study_print_all(const struct study *study, const char *folder,
+                            enum table_format format, FILE *file, struct study_result *r,
+                            struct message *why);
+
 /* `- "QUOTE": holds. SENTENCE`, or `does not hold`; the sentence has the numbers. */
 void study_print_verdict(FILE *file, const char *quote, bool holds, const char *format, ...)
     __attribute__((format(printf, 4, 5)));

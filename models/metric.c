@@ -153,6 +153,48 @@ double metric_roughness(const struct scene *scene, const double *xyz)
     return scene->length * sqrt(sum / ((GRID_U - 2) * (GRID_V - 2)));
 }
 
+/* x_aa and x_bb of the mid-surface at an interior point; da, db: the grid's steps [m]. */
+static void second(const double *xyz, int i, int j, double da, double db, double aa[3],
+                   double bb[3])
+{
+    double here[3], before[3], after[3];
+
+    middle(xyz, i, j, here);
+    middle(xyz, i - 1, j, before);
+    middle(xyz, i + 1, j, after);
+    for (int c = 0; c < 3; c++)
+        aa[c] = (before[c] - 2 * here[c] + after[c]) / (da * da);
+    middle(xyz, i, j - 1, before);
+    middle(xyz, i, j + 1, after);
+    for (int c = 0; c < 3; c++)
+        bb[c] = (before[c] - 2 * here[c] + after[c]) / (db * db);
+}
+
+double metric_unevenness(const struct scene *scene, const double *xyz)
+{
+    double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1);
+    double bending = 0, change = 0;
+
+    for (int j = 1; j < GRID_V - 2; j++) {
+        double row_bending = 0, row_change = 0;
+        for (int i = 1; i < GRID_U - 2; i++) {
+            double aa[3][3], bb[3][3]; /* here, next along u, next along v */
+            second(xyz, i, j, da, db, aa[0], bb[0]);
+            second(xyz, i + 1, j, da, db, aa[1], bb[1]);
+            second(xyz, i, j + 1, da, db, aa[2], bb[2]);
+            row_bending += dot(aa[0], aa[0]) + dot(bb[0], bb[0]);
+            for (int c = 0; c < 3; c++)
+                row_change += pow((aa[1][c] - aa[0][c]) / da, 2) +
+                              3 * pow((aa[2][c] - aa[0][c]) / db, 2) +
+                              3 * pow((bb[1][c] - bb[0][c]) / da, 2) +
+                              pow((bb[2][c] - bb[0][c]) / db, 2);
+        }
+        bending += row_bending;
+        change += row_change;
+    }
+    return scene->length * sqrt(change / bending);
+}
+
 double metric_penetration(const struct scene *scene, const double *xyz)
 {
     double gap = contact_least_gap(scene, GRID_POINTS, xyz);

@@ -214,6 +214,48 @@ static void test_roughness(void)
     free(xyz);
 }
 
+static void test_unevenness(void)
+{
+    const double waves = 3, turn = 2 * acos(-1), tall = 0.05;
+    double *xyz = new_field(), smooth;
+    struct scene scene;
+
+    init_tilted(&scene);
+    for (int along = 0; along < 2; along++) {
+        double side = along ? scene.width : scene.length;
+        for (int n = 0; n < GRID_POINTS; n++) {
+            double uvw[3];
+            grid_point(n, uvw);
+            xyz[3 * n] = uvw[0] * scene.length;
+            xyz[3 * n + 1] = uvw[1] * scene.width;
+            xyz[3 * n + 2] = tall * sin(turn * waves * uvw[along]);
+        }
+        /* three of 99 columns are left out, where the second derivative of the sine is
+         * least and the third greatest */
+        double k = turn * waves / side;
+        CHECK_RELATIVE(metric_unevenness(&scene, xyz), scene.length * k, 3 / 99.);
+    }
+    smooth = metric_unevenness(&scene, xyz);
+    for (int n = 0; n < 3 * GRID_POINTS; n += 3) /* the height does not matter */
+        xyz[n + 2] *= 7;
+    CHECK_RELATIVE(metric_unevenness(&scene, xyz), smooth, 1e-9);
+
+    /* a kink: flat, then a parabola; curvature jumps once, by all it has */
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        xyz[3 * n + 2] = tall * pow(fmax(0, uvw[0] - 50 / 99.), 2);
+    }
+    /* interior columns 1..97: 47 curved and one half curved; two jumps of one half */
+    double s = scene.length / 99;
+    CHECK_RELATIVE(metric_unevenness(&scene, xyz),
+                   scene.length / s * sqrt((0.25 + 0.25) / (47 + 0.25)), 1e-6);
+    xyz[3 * (50 * GRID_U + 50)] = NAN;
+    CHECK(isnan(metric_unevenness(&scene, xyz)));
+    scene_clear(&scene);
+    free(xyz);
+}
+
 static void test_penetration(void)
 {
     double *xyz = new_field();
@@ -374,6 +416,7 @@ int main(void)
     test_stretch();
     test_drop();
     test_roughness();
+    test_unevenness();
     test_penetration();
     test_blowup();
     test_angle();

@@ -1,11 +1,13 @@
 #include "bench/studies.h"
 
 #include "bench/exhibit.h"
+#include "bench/study_degree.h"
 #include "bench/study_locking.h"
 #include "bench/study_mesh.h"
 
 static const struct command_item *const items[] = {
     &study_mesh_exhibit.item,
+    &study_degree_exhibit.item,
     &study_locking_exhibit.item,
     NULL,
 };

@@ -50,6 +50,15 @@ static void file_of(const struct study *study, const struct study_level *level,
     snprintf(path, TIMED_PATH, "%s/%s_%s.h5", folder, study->name, level->name);
 }
 
+/* Newton iterations are more in some frames than in others: then all are timed. */
+static int frames_timed(const struct timed_case *c)
+{
+    bool iterates =
+        c->d.kinematics == KINEMATICS_NONLINEAR || !strcmp(c->model->name, "shell");
+
+    return iterates ? (int)lround(c->scene->end / c->scene->step) : 0;
+}
+
 static enum status find_truth(const struct study *study, const char *folder,
                               enum truth_effort effort, struct truth **truth,
                               struct message *why)
@@ -89,6 +98,7 @@ enum status study_measure(const struct study *study, const struct exhibit_option
         c->d = d[n];
         c->times = study->times;
         c->time = study->time;
+        c->frames = frames_timed(c);
         file_of(study, level, options->folder, c->path);
     }
     TRY(timed_measure(options, study->name, &provenance, study->count, cases, why));

@@ -18,6 +18,14 @@ static void cell(struct table *t, double value, int digits)
         table_number(t, value, digits);
 }
 
+/* The paper's milliseconds are those of its own scheme, which has no truth. */
+static double paper_of(const struct study *study, int level)
+{
+    double paper = study->levels[level].paper;
+
+    return paper > 0 && !study->truth ? paper : NAN;
+}
+
 static enum status print_cost(const struct study *study, const struct study_result *r,
                               enum table_format format, FILE *file)
 {
@@ -42,7 +50,7 @@ static enum status print_cost(const struct study *study, const struct study_resu
         table_integer(t, lround(row->unknowns));
         table_integer(t, lround(row->factor_entries));
         cell(t, row->milliseconds, 3);
-        cell(t, study->levels[n].paper > 0 ? study->levels[n].paper : NAN, 4);
+        cell(t, paper_of(study, n), 4);
         cell(t, row->seconds, 3);
         table_text(t, "%s", row->outcome);
     }
@@ -172,9 +180,8 @@ static enum status write_csv(const struct study *study, const struct study_resul
                          "\"%s\",%.9g,%.9g,%.0f,%.0f,%.6g,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,"
                          "%.9g,%.9g,%.9g,%.9g\n",
                          level->label, level->size, study->time[time], row->unknowns,
-                         row->factor_entries, row->milliseconds,
-                         level->paper > 0 ? level->paper : NAN, row->seconds, f->next,
-                         f->finest, f->error,
+                         row->factor_entries, row->milliseconds, paper_of(study, n),
+                         row->seconds, f->next, f->finest, f->error,
                          r->truth ? r->truth->error[time] / r->length : NAN, f->roughness,
                          f->stretch, f->drop, f->unevenness);
         }

@@ -1,0 +1,132 @@
+#include "bench/study_degree.h"
+
+#include "bench/study_print.h"
+
+/* The paper speaks of k-refinement, but Table 2 has 200 control points at every degree: the
+ * net stays, and with it the spans become fewer. */
+static const struct study_level levels[] = {
+    {"p = q = 2", "2", NULL, {"discretization.degree=[2,2,1]"}, 0, 82},
+    {"p = q = 3", "3", NULL, {"discretization.degree=[3,3,1]"}, 0, 173},
+    {"p = q = 4", "4", NULL, {"discretization.degree=[4,4,1]"}, 0, 276},
+};
+enum { LEVELS = sizeof levels / sizeof *levels };
+
+static const double picture_time[] = {1.7}, early[] = {0.1, 0.2, 0.3, 0.4, 0.5};
+
+static const struct study corners = {
+    .name = "corners",
+    .caption = "Fig. 13, two corners held, 10x10x2, the paper's scheme",
+    .scene = "corners_drop",
+    .settings = {"material.young=5e4", "material.density=0.7"},
+    .numerics = {"discretization.kinematics=printed", "discretization.points=[10,10,2]"},
+    .count = LEVELS,
+    .levels = levels,
+    .times = 1,
+    .time = picture_time};
+
+static const struct study edge = {
+    .name = "edge",
+    .caption = "Fig. 13, one edge held, 10x10x2, the paper's scheme",
+    .scene = "edge_drop",
+    .settings = {"material.young=5e4", "material.density=0.7"},
+    .numerics = {"discretization.kinematics=printed", "discretization.points=[10,10,2]"},
+    .count = LEVELS,
+    .levels = levels,
+    .times = 1,
+    .time = picture_time};
+
+static const struct study physics = {
+    .name = "physics",
+    .caption = "The sheet of Fig. 13, one edge held, undamped, large displacements",
+    .scene = "edge_drop",
+    .settings = {"material.young=5e4", "material.density=0.7", "damping={kind: none}"},
+    .numerics = {"discretization.kinematics=nonlinear", "discretization.points=[10,10,2]",
+                 "time.step=0.0025"},
+    .count = LEVELS,
+    .levels = levels,
+    .times = sizeof early / sizeof *early,
+    .time = early,
+    .truth = true};
+
+static enum status measure(const struct exhibit_options *options, struct message *why)
+{
+    enum status st;
+
+    TRY(study_measure(&corners, options, why));
+    TRY(study_measure(&edge, options, why));
+    TRY(study_measure(&physics, options, why));
+out:
+    return st;
+}
+
+/* Whether a number of a frame grows (sign 1) or shrinks (-1) from each degree to the next.
+ */
+static bool ordered(const double value[LEVELS], int sign)
+{
+    for (int n = 1; n < LEVELS; n++)
+        if (!(sign * value[n] > sign * value[n - 1]))
+            return false;
+    return true;
+}
+
+static void judge(const struct study *study, const struct study_result *r, FILE *file)
+{
+    const int last = study->times - 1;
+    double roughness[LEVELS], unevenness[LEVELS];
+
+    for (int n = 0; n < LEVELS; n++) {
+        roughness[n] = r->row[n].frame[last].roughness;
+        unevenness[n] = r->row[n].frame[last].unevenness;
+    }
+    study_print_verdict(file, "the higher the degree, the more bending detail",
+                        ordered(roughness, 1), "%s, %s, %g s: roughness %.3g, %.3g, %.3g.",
+                        study->name, study->scene, study->time[last], roughness[0],
+                        roughness[1], roughness[2]);
+    study_print_verdict(
+        file, "the higher the degree, the smoother", ordered(unevenness, -1),
+        "%s, %s, %g s: unevenness %.3g, %.3g, %.3g.", study->name, study->scene,
+        study->time[last], unevenness[0], unevenness[1], unevenness[2]);
+}
+
+static void judge_truth(const struct study_result *r, FILE *file)
+{
+    const int last = physics.times - 1;
+    double error[LEVELS];
+
+    for (int n = 0; n < LEVELS; n++)
+        error[n] = r->row[n].frame[last].error;
+    study_print_verdict(
+        file, "elevation raises the accuracy", ordered(error, -1),
+        "Undamped, at %g s: error %.2g, %.2g, %.2g L (error bar %.1g) for %.3g, %.3g, %.3g "
+        "ms a frame; the truth's roughness is %.3g, its unevenness %.3g.",
+        physics.time[last], error[0], error[1], error[2], r->truth->error[last] / r->length,
+        r->row[0].milliseconds, r->row[1].milliseconds, r->row[2].milliseconds,
+        r->true_frame[last].roughness, r->true_frame[last].unevenness);
+}
+
+static enum status print(const char *folder, enum table_format format, FILE *file,
+                         struct message *why)
+{
+    struct study_result on_corners = {0}, on_edge = {0}, undamped = {0};
+    enum status st;
+
+    TRY(study_print_all(&corners, folder, format, file, &on_corners, why));
+    TRY(study_print_all(&edge, folder, format, file, &on_edge, why));
+    TRY(study_print_all(&physics, folder, format, file, &undamped, why));
+    fprintf(file, "The paper's sentences (it does not say which scene Fig. 13 shows)\n\n");
+    judge(&corners, &on_corners, file);
+    judge(&edge, &on_edge, file);
+    judge(&physics, &undamped, file);
+    judge_truth(&undamped, file);
+out:
+    study_result_clear(&on_corners);
+    study_result_clear(&on_edge);
+    study_result_clear(&undamped);
+    return st;
+}
+
+const struct exhibit study_degree_exhibit = {
+    .item = {"degree", "Ren et al. 2024, Fig. 13: p = q = 2, 3, 4 on 10x10x2 points"},
+    .measure = measure,
+    .print = print,
+};

@@ -30,6 +30,9 @@ enum {
     PAPER_TABLE2_CONTACT = 2, /* the row that falls onto the ground                     */
     PAPER_GROWTH = 3,         /* first of the rows that differ in their net alone ...   */
     PAPER_GROWTH_ROWS = 4,    /* ... 5, 10, 15 and 20 points a side                     */
+    PAPER_DEGREE2 = 4,        /* rows that differ in their degree alone                 */
+    PAPER_DEGREE3 = 7,
+    PAPER_DEGREE4 = 8,
     PAPER_TABLE3_ROWS = 4
 };
 extern const struct paper_cost paper_table2[PAPER_TABLE2_ROWS];

@@ -4,10 +4,12 @@
 #include "bench/study_degree.h"
 #include "bench/study_locking.h"
 #include "bench/study_mesh.h"
+#include "bench/study_mesh_degree.h"
 
 static const struct command_item *const items[] = {
     &study_mesh_exhibit.item,
     &study_degree_exhibit.item,
+    &study_mesh_degree_exhibit.item,
     &study_locking_exhibit.item,
     NULL,
 };

@@ -13,6 +13,7 @@
 #define STUDY_H
 
 #include "bench/exhibit.h"
+#include "bench/paper.h"
 #include "bench/truth.h"
 
 enum { STUDY_SETTINGS = 12, STUDY_LEVELS = 10, STUDY_TIMES = 8 };
@@ -22,8 +23,8 @@ struct study_level {
     const char *name;                     /* of its file, [a-z0-9_]+                     */
     const char *model;                    /* NULL: iga                                   */
     const char *settings[STUDY_SETTINGS]; /* KEY=VALUE on top of the study's; NULL ends  */
-    double size;  /* mesh width, step, ...: observed orders are over it; 0: no such thing */
-    double paper; /* the paper's ms a frame; 0: it has none                              */
+    double size; /* mesh width, step, ...: observed orders are over it; 0: no such thing */
+    const struct paper_cost *paper; /* what the paper says that it costs; NULL: nothing  */
 };
 
 struct study {

@@ -5,9 +5,24 @@
 /* The paper speaks of k-refinement, but Table 2 has 200 control points at every degree: the
  * net stays, and with it the spans become fewer. */
 static const struct study_level levels[] = {
-    {"p = q = 2", "2", NULL, {"discretization.degree=[2,2,1]"}, 0, 82},
-    {"p = q = 3", "3", NULL, {"discretization.degree=[3,3,1]"}, 0, 173},
-    {"p = q = 4", "4", NULL, {"discretization.degree=[4,4,1]"}, 0, 276},
+    {"p = q = 2",
+     "2",
+     NULL,
+     {"discretization.degree=[2,2,1]"},
+     0,
+     &paper_table2[PAPER_DEGREE2]},
+    {"p = q = 3",
+     "3",
+     NULL,
+     {"discretization.degree=[3,3,1]"},
+     0,
+     &paper_table2[PAPER_DEGREE3]},
+    {"p = q = 4",
+     "4",
+     NULL,
+     {"discretization.degree=[4,4,1]"},
+     0,
+     &paper_table2[PAPER_DEGREE4]},
 };
 enum { LEVELS = sizeof levels / sizeof *levels };
 

@@ -5,10 +5,30 @@
 /* Table 2 has the milliseconds. The size is the mesh width, one over the spans of a side.
  */
 static const struct study_level levels[] = {
-    {"5x5x2", "5", NULL, {"discretization.points=[5,5,2]"}, 1 / 3., 10},
-    {"10x10x2", "10", NULL, {"discretization.points=[10,10,2]"}, 1 / 8., 82},
-    {"15x15x2", "15", NULL, {"discretization.points=[15,15,2]"}, 1 / 13., 408},
-    {"20x20x2", "20", NULL, {"discretization.points=[20,20,2]"}, 1 / 18., 1281},
+    {"5x5x2",
+     "5",
+     NULL,
+     {"discretization.points=[5,5,2]"},
+     1 / 3.,
+     &paper_table2[PAPER_GROWTH]},
+    {"10x10x2",
+     "10",
+     NULL,
+     {"discretization.points=[10,10,2]"},
+     1 / 8.,
+     &paper_table2[PAPER_GROWTH + 1]},
+    {"15x15x2",
+     "15",
+     NULL,
+     {"discretization.points=[15,15,2]"},
+     1 / 13.,
+     &paper_table2[PAPER_GROWTH + 2]},
+    {"20x20x2",
+     "20",
+     NULL,
+     {"discretization.points=[20,20,2]"},
+     1 / 18.,
+     &paper_table2[PAPER_GROWTH + 3]},
 };
 enum { LEVELS = sizeof levels / sizeof *levels, FINEST = LEVELS - 1 };
 

@@ -21,9 +21,9 @@ static void cell(struct table *t, double value, int digits)
 /* The paper's milliseconds are those of its own scheme, which has no truth. */
 static double paper_of(const struct study *study, int level)
 {
-    double paper = study->levels[level].paper;
+    const struct paper_cost *paper = study->levels[level].paper;
 
-    return paper > 0 && !study->truth ? paper : NAN;
+    return paper && !study->truth ? paper->milliseconds : NAN;
 }
 
 static enum status print_cost(const struct study *study, const struct study_result *r,
@@ -280,11 +280,13 @@ out:
 
 void study_print_verdict(FILE *file, const char *quote, bool holds, const char *format, ...)
 {
+    char sentence[1024], text[1400];
     va_list words;
 
-    fprintf(file, "- \"%s\": %s. ", quote, holds ? "holds" : "does not hold");
     va_start(words, format);
-    vfprintf(file, format, words);
+    vsnprintf(sentence, sizeof sentence, format, words);
     va_end(words);
-    fprintf(file, "\n");
+    snprintf(text, sizeof text, "- \"%s\": %s. %s\n", quote,
+             holds ? "holds" : "does not hold", sentence);
+    table_print_wrapped(text, file);
 }

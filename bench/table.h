@@ -65,4 +65,7 @@ void table_note(struct table *t, const char *format, ...)
 /* STATUS_MEMORY, or STATUS_FILE if the stream does not take it (the stream is not flushed). */
 enum status table_print(const struct table *t, enum table_format format, FILE *file);
 
+/* Words as notes are printed in text: lines of at most its width, then a line end. */
+void table_print_wrapped(const char *text, FILE *file);
+
 #endif

@@ -28,7 +28,7 @@ static int screen_width(const char *text)
 
 /* --- text ---------------------------------------------------------------------------- */
 
-static void print_wrapped(const char *text, FILE *file)
+void table_print_wrapped(const char *text, FILE *file)
 {
     int column = 0;
 
@@ -121,7 +121,7 @@ static enum status print_text(const struct table *t, FILE *file)
         units = units || t->columns[n].unit;
     }
     if (t->caption) {
-        print_wrapped(t->caption, file);
+        table_print_wrapped(t->caption, file);
         fputc('\n', file);
     }
     print_cells(t, width, header_at, 0, file);
@@ -135,7 +135,7 @@ static enum status print_text(const struct table *t, FILE *file)
     }
     for (int n = 0; n < t->note_count; n++) {
         fputc('\n', file);
-        print_wrapped(t->notes[n], file);
+        table_print_wrapped(t->notes[n], file);
     }
     free(width);
     return STATUS_OK;

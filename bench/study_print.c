@@ -194,6 +194,7 @@ out:
 static enum status write_plot(const struct study *study, const struct study_result *r,
                               const char *folder, struct message *why)
 {
+    const int column = r->truth ? 11 : 10; /* of write_csv */
     struct output *out = NULL;
     char path[PATH];
     enum status st;
@@ -211,11 +212,13 @@ static enum status write_plot(const struct study *study, const struct study_resu
                  study->caption);
     for (int time = 0; time < study->times; time++)
         output_print(out,
-                     "%s'%s.csv' index %d using 8:%d with linespoints lw 2 pt %d title "
-                     "'%g s', \\\n'' index %d using 8:%d:1 with labels offset 0,0.8 "
-                     "font ',8' notitle",
-                     time ? ", \\\n" : "", study->name, time, r->truth ? 11 : 10, time + 4,
-                     study->time[time], time, r->truth ? 11 : 10);
+                     "%s'%s.csv' index %d using 8:%d with linespoints lw 2 lc %d pt %d "
+                     "title '%g s'",
+                     time ? ", \\\n" : "", study->name, time, column, time + 1, time + 4,
+                     study->time[time]);
+    output_print(
+        out, ", \\\n'' index 0 using 8:%d:1 with labels offset 0,-0.8 font ',9' notitle",
+        column);
     output_print(out, "\n");
     return output_close(out, why);
 out:

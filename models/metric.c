@@ -116,24 +116,45 @@ double metric_drop(const struct scene *scene, const double *xyz)
     return (top - bottom) / scene->length;
 }
 
-/* |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 at an interior point; da, db: a flat grid's steps [m].
- */
-static double squared_bending(const struct metric_rest *rest, const double *xyz, int i,
-                              int j, double da, double db)
+/* Mid-surface points around the interior grid point (i,j). */
+static void around(const double *xyz, int i, int j, double x[3][3][3])
 {
-    double x[3][3][3], sum = 0; /* x[row][column][component] around (i,j) */
     for (int q = 0; q < 3; q++)
         for (int p = 0; p < 3; p++)
             middle(xyz, i + p - 1, j + q - 1, x[q][p]);
-    if (rest->xyz)
-        return metric_rest_bending(rest, i, j, x);
+}
+
+/* x_aa, x_ab, x_bb of the mid-surface at an interior point; da, db: the grid's steps [m].
+ */
+static void second(const double *xyz, int i, int j, double da, double db, double d[3][3])
+{
+    double x[3][3][3];
+
+    around(xyz, i, j, x);
     for (int c = 0; c < 3; c++) {
-        double aa = (x[1][2][c] - 2 * x[1][1][c] + x[1][0][c]) / (da * da);
-        double bb = (x[2][1][c] - 2 * x[1][1][c] + x[0][1][c]) / (db * db);
-        double ab = (x[2][2][c] - x[2][0][c] - x[0][2][c] + x[0][0][c]) / (4 * da * db);
-        sum += aa * aa + 2 * ab * ab + bb * bb;
+        d[0][c] = (x[1][2][c] - 2 * x[1][1][c] + x[1][0][c]) / (da * da);
+        d[1][c] = (x[2][2][c] - x[2][0][c] - x[0][2][c] + x[0][0][c]) / (4 * da * db);
+        d[2][c] = (x[2][1][c] - 2 * x[1][1][c] + x[0][1][c]) / (db * db);
     }
-    return sum;
+}
+
+/* |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 */
+static double squared(double d[3][3])
+{
+    return dot(d[0], d[0]) + 2 * dot(d[1], d[1]) + dot(d[2], d[2]);
+}
+
+static double squared_bending(const struct metric_rest *rest, const double *xyz, int i,
+                              int j, double da, double db)
+{
+    double x[3][3][3], d[3][3];
+
+    if (rest->xyz) {
+        around(xyz, i, j, x);
+        return metric_rest_bending(rest, i, j, x);
+    }
+    second(xyz, i, j, da, db, d);
+    return squared(d);
 }
 
 double metric_roughness(const struct scene *scene, const double *xyz)
@@ -153,23 +174,6 @@ double metric_roughness(const struct scene *scene, const double *xyz)
     return scene->length * sqrt(sum / ((GRID_U - 2) * (GRID_V - 2)));
 }
 
-/* x_aa and x_bb of the mid-surface at an interior point; da, db: the grid's steps [m]. */
-static void second(const double *xyz, int i, int j, double da, double db, double aa[3],
-                   double bb[3])
-{
-    double here[3], before[3], after[3];
-
-    middle(xyz, i, j, here);
-    middle(xyz, i - 1, j, before);
-    middle(xyz, i + 1, j, after);
-    for (int c = 0; c < 3; c++)
-        aa[c] = (before[c] - 2 * here[c] + after[c]) / (da * da);
-    middle(xyz, i, j - 1, before);
-    middle(xyz, i, j + 1, after);
-    for (int c = 0; c < 3; c++)
-        bb[c] = (before[c] - 2 * here[c] + after[c]) / (db * db);
-}
-
 double metric_unevenness(const struct scene *scene, const double *xyz)
 {
     double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1);
@@ -178,16 +182,16 @@ double metric_unevenness(const struct scene *scene, const double *xyz)
     for (int j = 1; j < GRID_V - 2; j++) {
         double row_bending = 0, row_change = 0;
         for (int i = 1; i < GRID_U - 2; i++) {
-            double aa[3][3], bb[3][3]; /* here, next along u, next along v */
-            second(xyz, i, j, da, db, aa[0], bb[0]);
-            second(xyz, i + 1, j, da, db, aa[1], bb[1]);
-            second(xyz, i, j + 1, da, db, aa[2], bb[2]);
-            row_bending += dot(aa[0], aa[0]) + dot(bb[0], bb[0]);
+            double x[3][3], east[3][3], north[3][3];
+            second(xyz, i, j, da, db, x);
+            second(xyz, i + 1, j, da, db, east);
+            second(xyz, i, j + 1, da, db, north);
+            row_bending += squared(x);
             for (int c = 0; c < 3; c++)
-                row_change += pow((aa[1][c] - aa[0][c]) / da, 2) +
-                              3 * pow((aa[2][c] - aa[0][c]) / db, 2) +
-                              3 * pow((bb[1][c] - bb[0][c]) / da, 2) +
-                              pow((bb[2][c] - bb[0][c]) / db, 2);
+                row_change += pow((east[0][c] - x[0][c]) / da, 2) +
+                              3 * pow((north[0][c] - x[0][c]) / db, 2) +
+                              3 * pow((east[2][c] - x[2][c]) / da, 2) +
+                              pow((north[2][c] - x[2][c]) / db, 2);
         }
         bending += row_bending;
         change += row_change;

@@ -35,7 +35,7 @@ double metric_drop(const struct scene *scene, const double *xyz);
 double metric_roughness(const struct scene *scene, const double *xyz);
 
 /* How suddenly the mid-surface bends: L times the rms of its third derivatives over that of
- * its second ones, |x_aaa|^2 + 3 |x_aab|^2 + 3 |x_abb|^2 + |x_bbb|^2 over |x_aa|^2 + |x_bb|^2
+ * its second ones, |x_aaa|^2 + 3 |x_aab|^2 + 3 |x_abb|^2 + |x_bbb|^2 over those of roughness
  * (differences along a = u L, b = v W)                                            [1]. n waves
  * over the length give 2 pi n, whatever their height; jumps of curvature, as splines of degree
  * 2 have at their knots, give more than that. NaN for a flat sheet. */

@@ -221,18 +221,19 @@ static void test_unevenness(void)
     struct scene scene;
 
     init_tilted(&scene);
-    for (int along = 0; along < 2; along++) {
-        double side = along ? scene.width : scene.length;
+    for (int along = 0; along < 3; along++) { /* u, v, the diagonal */
         for (int n = 0; n < GRID_POINTS; n++) {
             double uvw[3];
             grid_point(n, uvw);
             xyz[3 * n] = uvw[0] * scene.length;
             xyz[3 * n + 1] = uvw[1] * scene.width;
-            xyz[3 * n + 2] = tall * sin(turn * waves * uvw[along]);
+            xyz[3 * n + 2] =
+                tall * sin(turn * waves * ((along != 1) * uvw[0] + (along != 0) * uvw[1]));
         }
         /* three of 99 columns are left out, where the second derivative of the sine is
          * least and the third greatest */
-        double k = turn * waves / side;
+        double k =
+            turn * waves * hypot((along != 1) / scene.length, (along != 0) / scene.width);
         CHECK_RELATIVE(metric_unevenness(&scene, xyz), scene.length * k, 3 / 99.);
     }
     smooth = metric_unevenness(&scene, xyz);

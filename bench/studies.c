@@ -5,12 +5,14 @@
 #include "bench/study_locking.h"
 #include "bench/study_mesh.h"
 #include "bench/study_mesh_degree.h"
+#include "bench/study_timestep.h"
 
 static const struct command_item *const items[] = {
     &study_mesh_exhibit.item,
     &study_degree_exhibit.item,
     &study_mesh_degree_exhibit.item,
     &study_locking_exhibit.item,
+    &study_timestep_exhibit.item,
     NULL,
 };
 

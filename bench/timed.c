@@ -282,6 +282,30 @@ static enum status read_work(const struct store_read *file, struct counters *wor
     return st;
 }
 
+static enum status read_outcome(const struct store_read *file, char **outcome,
+                                struct message *why)
+{
+    static const char format[] = "%s at %.6g s";
+    char *sentence = NULL;
+    double time;
+    enum status st;
+
+    TRY(store_read_text(file, "/", "outcome", &sentence, why));
+    if (!strcmp(sentence, "done")) {
+        *outcome = sentence;
+        return STATUS_OK;
+    }
+    TRY(store_read_number(file, "death_time", &time, why));
+    int size = snprintf(NULL, 0, format, sentence, time) + 1;
+    *outcome = malloc((size_t)size);
+    if (!*outcome)
+        TRY(STATUS_MEMORY);
+    snprintf(*outcome, (size_t)size, format, sentence, time);
+out:
+    free(sentence);
+    return st;
+}
+
 enum status timed_read(const char *path, struct timed_result *r, struct message *why)
 {
     struct store_read *file = NULL;
@@ -295,7 +319,7 @@ enum status timed_read(const char *path, struct timed_result *r, struct message 
     TRY(store_read_open(path, &file, why));
     TRY(store_read_number(file, "unknowns", &new.unknowns, why));
     TRY(store_read_number(file, "factor_entries", &new.factor_entries, why));
-    TRY(store_read_text(file, "/", "outcome", &new.outcome, why));
+    TRY(read_outcome(file, &new.outcome, why));
     TRY(read_work(file, &new.work, why));
     TRY(timed_seconds(file, "create", &new.create, why));
     TRY(timed_seconds(file, "advance", &new.step, why));

@@ -42,7 +42,7 @@ enum status timed_refuse(const char *path, const char *sentence, struct message 
 /* What a table needs of such a file. */
 struct timed_result {
     char *refused; /* the model's sentence; then nothing else is there           owned */
-    char *outcome; /* "done" or the sentence of a death                          owned */
+    char *outcome; /* "done" or the sentence of a death, with its time           owned */
     double unknowns, factor_entries;
     struct counters work; /* up to the last frame kept                                 */
     struct clock_summary create, step;                /* [s]; count = 0: not timed; step: a

@@ -30,7 +30,7 @@ enum { STUDY_TIMESTEP_LEVELS = 5, STUDY_TIMESTEP_TIMES = 4 };
 extern const struct study study_timestep_kind[STUDY_TIMESTEP_KINDS];
 extern const double study_timestep_time[STUDY_TIMESTEP_TIMES]; /* [s]                  */
 
-extern const double study_timestep_gravity; /* of the free sheets [m/s^2]               */
+extern const double study_timestep_viscous_gravity; /* of the free sheets [m/s^2]       */
 
 /* A free sheet under `printed` and `incremental`, v <- mu v, in units of what the header
  * says: acceleration over g (1 + mu) / (2 (1 - mu)), speed over dt times that. */

@@ -117,7 +117,7 @@ static enum status print_falls(const struct study_timestep *s, enum table_format
         {"printed", "m/s^2", 0}, {"g (1+mu)/2(1-mu)", "m/s^2", 0},
         {"ratio", NULL, 0},      {"incremental", "m/s", 0},
         {"that dt", "m/s", 0},   {"ratio", NULL, 0}};
-    const double g = study_timestep_gravity;
+    const double g = study_timestep_viscous_gravity;
     struct table *t = table_create(
         sizeof columns / sizeof *columns, columns,
         "A free sheet, v <- mu v: acceleration under printed, speed under incremental");

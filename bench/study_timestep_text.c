@@ -109,7 +109,8 @@ static void tell_viscous(const struct study_timestep *s, FILE *file)
     double step[STUDY_TIMESTEP_CREEPS], speed[STUDY_TIMESTEP_CREEPS], fall = 0, creep = 0;
 
     for (int n = 0; n < STUDY_TIMESTEP_FALLS; n++) {
-        double expected = study_timestep_gravity * study_timestep_factor(s->fall[n].mu);
+        double expected =
+            study_timestep_viscous_gravity * study_timestep_factor(s->fall[n].mu);
         fall = fmax(fall, fabs(s->fall[n].acceleration / expected - 1));
     }
     for (int n = 0; n < STUDY_TIMESTEP_CREEPS; n++) {

@@ -24,7 +24,7 @@ static const struct {
                                    {4e7, 0.00125}, {2e7, 0.005}, {8e7, 0.005}};
 
 /* Small: a second's fall is to stay within ten lengths. */
-const double study_timestep_gravity = 1;
+const double study_timestep_viscous_gravity = 1;
 
 enum {
     CASES = 2 * STUDY_TIMESTEP_FALLS + 2 * STUDY_TIMESTEP_CREEPS,
@@ -82,7 +82,8 @@ static enum status read_scene(int n, struct scene *scene, struct discretization 
     if (fall) {
         snprintf(text[count++], TEXT, "supports=[]");
         snprintf(text[count++], TEXT, "snapshots=[]");
-        snprintf(text[count++], TEXT, "gravity=[0, 0, %.17g]", -study_timestep_gravity);
+        snprintf(text[count++], TEXT, "gravity=[0, 0, %.17g]",
+                 -study_timestep_viscous_gravity);
         snprintf(text[count++], TEXT, "discretization.points=[4,4,2]");
     } else {
         snprintf(text[count++], TEXT, "material.young=%.17g", creeps[index].young);

@@ -35,7 +35,7 @@ static void viscous(const struct study_timestep *s)
     CHECK_NEAR(study_timestep_factor(1 / 3.), 1, TOL_ROUNDING);
     for (int n = 0; n < STUDY_TIMESTEP_FALLS; n++) {
         const struct study_timestep_fall *f = &s->fall[n];
-        double g = study_timestep_gravity * study_timestep_factor(f->mu);
+        double g = study_timestep_viscous_gravity * study_timestep_factor(f->mu);
         CHECK_RELATIVE(f->acceleration, g, TOL_FALL);
         CHECK_RELATIVE(f->speed, g * f->step, TOL_FALL);
     }

@@ -11,7 +11,7 @@
 /* A support that takes part of the thickness is served if it takes the mid-surface: it
  * holds the points, and the sheet may turn about them. */
 #define SERVES                                                                             \
-    (SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |                              \
+    (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |         \
      SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG)
 
 static void defaults(struct discretization *d)
@@ -192,6 +192,11 @@ static void energy(const void *state, struct energy *energy)
     spring_motion_energy(state, energy);
 }
 
+static void contact(const void *state, struct model_contact *contact)
+{
+    spring_motion_contact(state, contact);
+}
+
 static enum status equilibrium(void *state, struct counters *counters, struct message *why)
 {
     return spring_rest_equilibrium(state, counters, why);
@@ -211,6 +216,7 @@ const struct model spring_model = {
     .size = size,
     .describe = describe,
     .energy = energy,
+    .contact = contact,
     .equilibrium = equilibrium,
     .destroy = destroy,
 };

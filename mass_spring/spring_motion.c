@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mass_spring/spring_contact.h"
 #include "mass_spring/spring_frequency.h"
 #include "mass_spring/spring_strain.h"
 #include "models/damping.h"
@@ -201,6 +202,22 @@ static enum status step_explicit(struct spring_motion *m, double t,
     return STATUS_OK;
 }
 
+/* What obstacles did in an implicit step; then points that another kind of step has left in
+ * them, out of them. */
+static void meet_obstacles(struct spring_motion *m)
+{
+    struct model_contact c = {0};
+
+    if (m->integrator == INTEGRATOR_IMPLICIT)
+        contact_set_report(&m->newton.contact, m->x, 1, &c);
+    if (m->integrator == INTEGRATOR_EXPLICIT || m->strain_limit > 0)
+        c.nodes += spring_contact_push(m->scene, &m->newton.supports, m->weight, m->start,
+                                       m->x, c.force);
+    m->pushed = c.nodes;
+    for (int i = 0; i < 3; i++)
+        m->push[i] += c.force[i] / m->substeps;
+}
+
 static enum status substep(struct spring_motion *m, struct counters *counters)
 {
     enum status st;
@@ -214,6 +231,8 @@ static enum status substep(struct spring_motion *m, struct counters *counters)
         TRY(step_implicit(m, t, counters));
     if (m->strain_limit > 0)
         spring_strain_limit(&m->net, &m->newton.supports, m->strain_limit, m->x);
+    if (m->scene->obstacle_count)
+        meet_obstacles(m);
     for (size_t n = 0; n < count; n++) {
         m->v[n] = (m->x[n] - m->start[n]) / m->dt;
         if (!isfinite(m->v[n]))
@@ -255,12 +274,20 @@ enum status spring_motion_step(struct spring_motion *m, struct counters *counter
 {
     enum status st = STATUS_OK;
 
+    memset(m->push, 0, sizeof m->push);
     for (int n = 0; n < m->substeps; n++)
         TRY(substep(m, counters));
     scale_velocity(m, velocity_factor(m));
     counters->steps++;
 out:
     return st;
+}
+
+void spring_motion_contact(const struct spring_motion *m, struct model_contact *contact)
+{
+    *contact = (struct model_contact){
+        .nodes = m->pushed, .least_gap = spring_contact_gap(m->scene, m->net.nodes, m->x)};
+    memcpy(contact->force, m->push, sizeof contact->force);
 }
 
 void spring_motion_energy(const struct spring_motion *m, struct energy *energy)

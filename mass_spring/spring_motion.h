@@ -6,6 +6,10 @@
  *            Stable up to a greatest step: spring_motion_limit. Without a number of sub-
  *            steps it takes as many as keep LIMIT_SHARE of it; with one, it may blow up.
  *
+ * Obstacles: the implicit step is the minimum among the positions that they leave
+ * (spring_newton.h); after an explicit one, and after limiting strains, points are set back
+ * (spring_contact.h).
+ *
  * Damping: mass and alpha are c = alpha m; beta is beta K V with the clamped Jacobian at
  * the start of the step, which is positive semi-definite: it only takes energy.
  * velocity_scale and velocity_rate act once a frame, whatever the substeps, on the velocity
@@ -37,6 +41,8 @@ struct spring_motion {
     double *shift;        /* [held_count] work                               owned     */
     double (*V)[9];       /* [pairs] with beta, else NULL                    owned     */
     long substep;         /* taken so far                                              */
+    double push[3];       /* of obstacles, mean over the last frame              [N]   */
+    int pushed;           /* points that they bore in its last substep                 */
 };
 
 /* *m must stay where it is: it holds pointers into itself. */
@@ -49,6 +55,8 @@ enum status spring_motion_step(struct spring_motion *m, struct counters *counter
 
 /* Held points to where they are at time t. */
 void spring_motion_hold(struct spring_motion *m, double t);
+
+void spring_motion_contact(const struct spring_motion *m, struct model_contact *contact);
 
 void spring_motion_energy(const struct spring_motion *m, struct energy *energy);
 

@@ -47,6 +47,8 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
     spring_force_hinges(net, s->hinges);
     if (s->supports.free_count)
         TRY(make_system(s, solver));
+    TRY(contact_set_init(&s->contact, scene, &s->supports, net->rest, scene->thickness / 2,
+                         why));
 out:
     if (st != STATUS_OK)
         spring_newton_clear(s);
@@ -58,6 +60,7 @@ void spring_newton_clear(struct spring_newton *s)
     if (!s)
         return;
     system_clear(&s->system);
+    contact_set_clear(&s->contact);
     supports_clear(&s->supports);
     free(s->K);
     free(s->hinges);
@@ -184,21 +187,68 @@ out:
     return st;
 }
 
+/* True if d from x would take a point beyond an obstacle's plane. */
+static bool meets(const struct spring_newton *s, const double *start, const double *x,
+                  const double *d)
+{
+    const struct contact_set *c = &s->contact;
+
+    for (int a = 0; a < c->nodes; a++)
+        for (int o = 0; o < c->obstacles; o++) {
+            const struct contact_pair *pair = &c->pair[a * c->obstacles + o];
+            double gap = pair->gap;
+            for (int i = 3 * a; i < 3 * a + 3; i++)
+                gap += pair->normal[i % 3] * (x[i] + d[i] - start[i]);
+            if (gap < -c->rounding)
+                return true;
+        }
+    return false;
+}
+
+/* d that minimises the model of the function at x among what obstacles leave. */
+static enum status solve_contact(struct spring_newton *s, const struct spring_problem *p,
+                                 const double *x, const double *r, double *d,
+                                 struct counters *counters)
+{
+    size_t count = 3 * (size_t)s->net->nodes;
+    double *still = s->work + 2 * count;
+    const struct contact_problem problem = {
+        .k = 1, .K = (const double(*)[9])s->K, .b = r, .scale = 1, .still = still};
+
+    for (size_t t = 0; t < count; t++)
+        still[t] = p->start[t] - x[t];
+    memset(d, 0, count * sizeof *d);
+    s->factored = false;
+    contact_set_forget(&s->contact);
+    return contact_solve(&s->contact, &s->system, &problem, d, counters);
+}
+
+/* Of sliding points: forces that are no gradient, the same along d. */
+static double friction_work(const struct spring_newton *s, const double *d)
+{
+    double sum = 0;
+
+    for (int a = 0; contact_set_used(&s->contact) && a < s->contact.nodes; a++)
+        for (int i = 0; i < 3; i++)
+            sum += s->contact.node[a].friction[i] * d[3 * a + i];
+    return sum;
+}
+
 /* Moves x along d as far as is good and leaves the residual there in r; the part of d. */
 static double search(const struct spring_newton *s, const struct spring_problem *p,
                      const double *d, double *x, double *r)
 {
     size_t count = 3 * (size_t)s->net->nodes;
     double *from = s->work + 2 * count, *work = s->work + 3 * count;
-    double fall = product(count, r, d), part = 1;
+    double rub = friction_work(s, d), fall = product(count, r, d) + rub, part = 1;
 
     memcpy(from, x, count * sizeof *x);
     for (int cut = 0; cut <= MOST_CUTS; cut++) {
         for (size_t t = 0; t < count; t++)
             x[t] = from[t] + part * d[t];
         residual(s, p, x, work, r);
-        double rise = -product(count, r, d);
-        if (rise <= LARGEST_RISE * fall)
+        double rise = -product(count, r, d) - rub;
+        if (rise <= LARGEST_RISE * fall || fall < 0) /* that has just come to stick */
             break;
         part *= isfinite(rise) ? fall / (fall + rise) : 0.5;
     }
@@ -213,13 +263,20 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
     size_t count = 3 * (size_t)s->net->nodes;
     double *r = s->work, *d = s->work + count;
     int most = limits->iterations ? limits->iterations : MOST_ITERATIONS;
+    bool obstacles = contact_set_used(&s->contact);
 
     if (!s->supports.free_count)
         return STATUS_OK;
+    if (obstacles)
+        contact_set_detect(&s->contact, p->start);
     residual(s, p, x, d, r);
     for (int n = 0; n < most; n++) {
         assemble(s, p, x);
-        TRY(solve(s, most == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE, r, d, counters));
+        bool bears = obstacles && contact_set_any(&s->contact);
+        if (!bears)
+            TRY(solve(s, most == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE, r, d, counters));
+        if (bears || (obstacles && meets(s, p->start, x, d)))
+            TRY(solve_contact(s, p, x, r, d, counters));
         counters->assemblies++, counters->iterations++;
         double size = largest(count, d);
         if (!isfinite(size))

@@ -12,18 +12,23 @@
  * preconditions, as long as that takes fewer steps than a new factorisation would cost; a
  * slow net keeps a factor for tens of frames. To 1e-2 of the step if others follow, 1e-4 if
  * it is the only one.
+ *
+ * Obstacles are their tangent planes at `start`, half a thickness nearer. Every system is
+ * first solved as if there were none; if a point bore on one before, or would now be beyond
+ * one, contact_solve takes its place, with a factor of its own.
  */
 #ifndef SPRING_NEWTON_H
 #define SPRING_NEWTON_H
 
 #include "mass_spring/spring_force.h"
-#include "models/linalg/system.h"
+#include "models/linalg/contact_solve.h"
 #include "models/model.h"
 
 struct spring_newton {
     const struct spring_net *net; /* borrowed                                          */
     struct supports supports;
     struct system system;
+    struct contact_set contact;
     double (*K)[9];      /* [pairs]                                            owned   */
     double (*hinges)[9]; /* [pairs] spring_force_hinges                        owned   */
     double *work;        /* [6][nodes][3]                                      owned   */
@@ -33,9 +38,9 @@ struct spring_newton {
 struct spring_problem {
     const double *weight;        /* [nodes]                                   [N/m]    */
     const double *target, *load; /* [nodes][3]                                [m, N]   */
-    double viscosity;            /* 0: the next two are not read              [1]      */
+    double viscosity;            /* 0: V is not read                          [1]      */
     const double (*V)[9];        /* [pairs] positive semi-definite            [N/m]    */
-    const double *start;         /* [nodes][3]                                [m]      */
+    const double *start;         /* [nodes][3] where the step began           [m]      */
 };
 
 struct spring_limits {

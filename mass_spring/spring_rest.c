@@ -160,9 +160,7 @@ enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *co
     size_t count = 3 * (size_t)m->net.nodes;
     struct search s = {.m = m};
 
-    if (!m->newton.supports.held_count)
-        return status_fail(why, STATUS_INPUT,
-                           "static equilibrium needs supports, and the scene has none");
+    TRY(supports_allow_rest(&m->newton.supports, m->scene, why));
     s.r = m->start, s.d = m->target;
     s.from = malloc(count * sizeof *s.from);
     if (!s.from)

@@ -12,7 +12,8 @@
 enum { BLOCKS = 4, PASSES = 8, REFINEMENTS = 2 };
 
 enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
-                            struct pd_system *system, const double *mass)
+                            struct pd_system *system, const double *mass,
+                            const double *rest, struct message *why)
 {
     enum status st = STATUS_MEMORY;
     const struct pd_net *net = system->net;
@@ -32,6 +33,10 @@ enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
     if (!c->touch || !c->alone || !c->free || !c->way)
         goto out;
     TRY(pd_dual_init(&c->dual, system));
+    double gap = pd_contact_gap(c, rest);
+    if (gap < -PD_CONTACT_CLOSED * scene->length)
+        st = status_fail(why, STATUS_INPUT,
+                         "the sheet at rest reaches %.3g m into an obstacle", -gap);
 out:
     if (st != STATUS_OK)
         pd_contact_clear(c);

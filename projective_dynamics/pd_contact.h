@@ -68,8 +68,12 @@ struct pd_contact {
 /* Gaps are closed to this part of the sheet's length: round-off of solving with A. */
 #define PD_CONTACT_CLOSED 1e-12
 
+/* STATUS_INPUT with a sentence if a node of the rest shape, three fields, lies in an
+ * obstacle.
+ */
 enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
-                            struct pd_system *system, const double *mass);
+                            struct pd_system *system, const double *mass,
+                            const double *rest, struct message *why);
 void pd_contact_clear(struct pd_contact *c);
 
 /* x, three fields: the free result of a global step; moved out of the obstacles. from: the

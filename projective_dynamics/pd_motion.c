@@ -138,7 +138,8 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                        m->dt * m->dt, options->solver));
     TRY(pd_local_init(&m->local, &m->energy, m->dt * m->dt));
     if (scene->obstacle_count)
-        TRY(pd_contact_init(&m->contact, scene, &m->system, m->energy.mass));
+        TRY(pd_contact_init(&m->contact, scene, &m->system, m->energy.mass, m->energy.rest,
+                            why));
     TRY(allocate(m));
     if (options->chebyshev)
         TRY(find_radius(m));

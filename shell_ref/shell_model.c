@@ -290,6 +290,11 @@ static void energy(const void *state, struct energy *out)
     shell_motion_energy(state, out);
 }
 
+static void contact(const void *state, struct model_contact *out)
+{
+    shell_motion_contact(state, out);
+}
+
 static enum status equilibrium(void *state, struct counters *counters, struct message *why)
 {
     return shell_rest_equilibrium(state, counters, why);
@@ -311,7 +316,7 @@ const struct model shell_model = {
     .source =
         "Kiendl, Bletzinger, Linhard, Wuechner, Comput. Methods Appl. Mech. Engrg. 198 "
         "(2009) 3902-3914; Simo, Tarnow, ZAMP 43 (1992) 757-792",
-    .serves = SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
+    .serves = SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
               SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST,
     .defaults = defaults,
@@ -321,6 +326,7 @@ const struct model shell_model = {
     .probe = probe,
     .size = size,
     .energy = energy,
+    .contact = contact,
     .equilibrium = equilibrium,
     .modes = modes,
     .matrices = matrices,

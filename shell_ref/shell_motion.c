@@ -163,6 +163,7 @@ static enum status make_large(struct shell_motion *m)
         .x = m->x,
         .held = m->held,
         .lag = MEMBRANE_LAG,
+        .contact = m->scene->obstacle_count ? &m->contact : NULL,
     };
     return large_motion_init(&m->large);
 }
@@ -185,13 +186,15 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     compute_load(m);
     TRY(shell_assembly_tangent(&m->assembly, &statics, m->x, (struct large_foresight){0},
                                m->K));
-    if (m->kinematics == KINEMATICS_LINEAR)
-        m->parity = find_parity(m);
-    else
+    if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(make_large(m));
+    else if (!scene->obstacle_count)
+        m->parity = find_parity(m);
     order = find_order(m->space);
     TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order,
                     d->solver));
+    TRY(contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
+                          scene->thickness / 2, order, d->solver, why));
 out:
     free(order);
     return st;
@@ -229,6 +232,7 @@ void shell_motion_clear(struct shell_motion *m)
     free(m->load);
     free(m->held);
     large_motion_clear(&m->large);
+    contact_step_clear(&m->contact);
     memset(m, 0, sizeof *m);
 }
 
@@ -268,9 +272,15 @@ static enum status step_linear(struct shell_motion *m, struct counters *counters
     if (m->supports.moving)
         held = newmark_follow(&m->supports, m->scene, m->time + m->newmark.dt,
                               m->newmark.dt, m->held);
-    TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
-                     m->supports.moving ? &held : NULL));
-    counters->solves++;
+    if (m->scene->obstacle_count) {
+        TRY(contact_step_linear(&m->contact, &m->newmark, &m->system, stiffness(m),
+                                m->assembly.M, m->load, m->supports.moving ? &held : NULL,
+                                m->x, counters));
+    } else {
+        TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
+                         m->supports.moving ? &held : NULL));
+        counters->solves++;
+    }
     for (size_t t = 0; t < count; t++)
         m->x[t] = m->space->rest[t] + m->newmark.d[t];
 out:
@@ -317,6 +327,14 @@ void shell_motion_energy(const struct shell_motion *m, struct energy *energy)
     blocks_multiply(graph, stiffness(m), n->d, y);
     for (size_t t = 0; t < count; t++)
         energy->elastic += n->d[t] * y[t] / 2;
+}
+
+void shell_motion_contact(const struct shell_motion *m, struct model_contact *contact)
+{
+    if (m->kinematics == KINEMATICS_NONLINEAR && m->scene->obstacle_count)
+        large_motion_contact(&m->large, contact);
+    else
+        contact_set_report(&m->contact.set, m->x, 1 / m->newmark.dt, contact);
 }
 
 void shell_motion_size(const struct shell_motion *m, struct model_size *size)

@@ -11,6 +11,10 @@
  * held is a hinge, its first row alone. A corner is a point: it holds one control point and
  * no slope (a slope held at one point has no limit under refinement). An area holds the
  * control points inside it, and so its border's slopes as well.
+ *
+ * Obstacles: control points keep half a thickness off, on which the surfaces lie that are
+ * sampled; the mid-surface lies in their convex hull. linear steps as contact_step.h says,
+ * nonlinear as large_motion.h does.
  */
 #ifndef SHELL_MOTION_H
 #define SHELL_MOTION_H
@@ -37,7 +41,8 @@ struct shell_motion {
     bool started;   /* linear: the constant system is factored; nonlinear: strain_old
                        belongs to x                                                    */
 
-    struct large_motion large; /* nonlinear only                                       */
+    struct large_motion large;   /* nonlinear only                                       */
+    struct contact_step contact; /* with obstacles only                                */
 };
 
 /* `space` must have been made for the scene's sheet; kinematics and solver from d.
@@ -52,6 +57,7 @@ void shell_motion_clear(struct shell_motion *m);
 enum status shell_motion_step(struct shell_motion *m, struct counters *counters);
 
 void shell_motion_energy(const struct shell_motion *m, struct energy *energy);
+void shell_motion_contact(const struct shell_motion *m, struct model_contact *contact);
 void shell_motion_size(const struct shell_motion *m, struct model_size *size);
 
 #endif

@@ -49,9 +49,7 @@ enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *coun
 {
     enum status st;
 
-    if (!m->supports.held_count)
-        return status_fail(why, STATUS_INPUT,
-                           "static equilibrium needs supports, and the scene has none");
+    TRY(supports_allow_rest(&m->supports, m->scene, why));
     m->time = 0;
     m->started = false;
     if (m->kinematics == KINEMATICS_NONLINEAR)
@@ -61,6 +59,7 @@ enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *coun
         status_fail(why, st,
                     "the stiffness is singular to working accuracy: the supports "
                     "leave the sheet free to move");
+out:
     return st;
 }
 

@@ -237,7 +237,7 @@ static void refused(struct sheet *s, enum status want, const char *words)
 static void check_refused(void)
 {
     const struct scene_support face = {.hi = {0, 1, 0}, .fix = FIX_XYZ};
-    const struct scene_obstacle floor = {.normal = {0, 0, 1}, .point = {0, 0, -1}};
+    const struct scene_obstacle floor = {.normal = {0, 0, 1}, .point = {0, 0, 1}};
     struct sheet s;
 
     sheet_init(&s, 2, 4, 4);
@@ -256,7 +256,7 @@ static void check_refused(void)
     refused(&s, STATUS_UNSUPPORTED, "misses the mid-surface");
     sheet_init(&s, 2, 4, 4);
     REQUIRE(scene_add_obstacle(&s.scene, &floor) == STATUS_OK);
-    refused(&s, STATUS_UNSUPPORTED, "contact");
+    refused(&s, STATUS_INPUT, "into obstacle 0");
 }
 
 int main(void)

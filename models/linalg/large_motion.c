@@ -64,6 +64,28 @@ static void finish(struct large_motion *m, double dt, const double *x_old)
         n->v[m->supports->held[h]] = v_held[h];
 }
 
+/* The end of a substep under contact: its impact, and its share of the step's force. */
+static enum status meet_obstacles(struct large_motion *m, double dt,
+                                  struct counters *counters)
+{
+    enum status st;
+    struct model_contact contact;
+
+    TRY(contact_step_impact(m->contact, m->M, dt, 1 / dt, m->newmark->v, m->newmark->work,
+                            counters));
+    contact_set_report(&m->contact->set, m->x, dt / m->newmark->dt, &contact);
+    for (int i = 0; i < 3; i++)
+        m->push[i] += contact.force[i];
+out:
+    return st;
+}
+
+void large_motion_contact(const struct large_motion *m, struct model_contact *contact)
+{
+    contact_set_report(&m->contact->set, m->x, 1, contact);
+    memcpy(contact->force, m->push, sizeof contact->force);
+}
+
 static enum status substep(struct large_motion *m, double t, double dt,
                            struct counters *counters)
 {
@@ -92,8 +114,12 @@ static enum status substep(struct large_motion *m, double t, double dt,
         m->x[k] += dt * (n->v[k] + dt / 2 * n->a[k]);
     }
     move_supports(m, t, dt, mass, x_old, hat);
+    if (m->contact)
+        contact_set_detect(&m->contact->set, x_old);
     TRY(large_newton_solve(m, &equation, m->x, counters));
     finish(m, dt, x_old);
+    if (m->contact)
+        TRY(meet_obstacles(m, dt, counters));
     TRY(m->body.strain(m->body.self, m->x, m->strain_old));
     return STATUS_OK;
 out:
@@ -108,6 +134,7 @@ enum status large_motion_step(struct large_motion *m, double time,
     enum status st;
     int done = 0;
 
+    memset(m->push, 0, sizeof m->push);
     if (!m->started) {
         if (m->supports->moving) {
             struct newmark_held held =

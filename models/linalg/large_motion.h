@@ -10,11 +10,15 @@
  * is lost by the algorithmic viscosity `lag` alone; a shell's bending keeps it to third
  * order in the step. Stiffness damping is beta times the rate of stress, which knows no
  * rigid motion.
+ *
+ * Obstacles add a force r that is constant over the step; contact_step.h has its work, and
+ * the impact that ends the step. Newton's method meets them at the planes that touch at the
+ * step's start, by contact_solve in each iteration.
  */
 #ifndef LARGE_MOTION_H
 #define LARGE_MOTION_H
 
-#include "models/linalg/newmark.h"
+#include "models/linalg/contact_step.h"
 #include "models/model.h"
 
 /* Where the stress and the geometry of an equation come from: stress of s0 e_old + s1 e(x)
@@ -75,6 +79,7 @@ struct large_motion {
     double *x;               /* [nodes][3] present coefficients                [m]     */
     double *held;            /* [4][held_count] supports_motion                        */
     double lag;              /* algorithmic viscosity, in steps; see above             */
+    struct contact_step *contact; /* NULL: no obstacles                                */
 
     struct large_follower follower;
     double *strain_old; /* strains at the step's start                         owned   */
@@ -83,6 +88,7 @@ struct large_motion {
     bool stressless;    /* this equation's tangents leave out the stress               */
     bool started;       /* strain_old belongs to x                                     */
     int halvings;       /* the present substep is step / 2^halvings                    */
+    double push[3];     /* of obstacles, mean over the last step                 [N]   */
 };
 
 enum status large_motion_init(struct large_motion *m);
@@ -91,5 +97,8 @@ void large_motion_clear(struct large_motion *m);
 /* Advances x and v by scene->step from time t, in halved substeps where Newton's method
  * fails. STATUS_DIVERGED, _INDEFINITE, _INVERTED or _NAN if step / 256 fails too. */
 enum status large_motion_step(struct large_motion *m, double t, struct counters *counters);
+
+/* Present nodes and gap, mean force of the last step; m->contact is not NULL. */
+void large_motion_contact(const struct large_motion *m, struct model_contact *contact);
 
 #endif

@@ -61,6 +61,12 @@ static enum status factor(struct large_motion *m, double mass, struct counters *
     return st;
 }
 
+/* Statics know no obstacles. */
+static bool in_contact(const struct large_motion *m, const struct large_equation *q)
+{
+    return m->contact && q->mass > 0;
+}
+
 static enum status refresh(struct large_motion *m, const struct large_equation *q,
                            const double *x, struct large_foresight foresight,
                            struct counters *counters)
@@ -74,6 +80,11 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         counters->assemblies++;
         if (m->follower.add)
             m->follower.add(m->follower.context, x, q->load, m->newmark->work, m->K);
+        if (in_contact(m, q)) {
+            contact_set_forget(&m->contact->set);
+            m->factored = q->mass;
+            break;
+        }
         st = factor(m, q->mass, counters);
         if (st != STATUS_INDEFINITE || q->mass == 0)
             break;
@@ -104,15 +115,49 @@ struct iteration {
     double tolerance; /* [m]                                                           */
 };
 
-/* i->next from i->r with the factored tangent. */
-static enum status solve(struct large_motion *m, struct iteration *i, double *size,
-                         struct counters *counters)
+/* The same with obstacles, which factors as it needs. A tangent that is not positive
+ * definite is replaced by one without stress. */
+static enum status solve_contact(struct large_motion *m, const struct large_equation *q,
+                                 struct iteration *i, struct counters *counters)
 {
+    enum status st;
+    size_t count = count_of(m);
+    const struct contact_problem problem = {.k = 1,
+                                            .K = (const double(*)[9])m->K,
+                                            .m = q->mass,
+                                            .M = m->M,
+                                            .b = i->r,
+                                            .scale = 1,
+                                            .still = i->work};
+
+    for (size_t t = 0; t < count; t++)
+        i->work[t] = q->path.x_old[t] - i->x[t];
+    for (int attempt = 0; attempt < 2; attempt++) {
+        memset(i->next, 0, count * sizeof *i->next);
+        st = contact_solve(&m->contact->set, m->system, &problem, i->next, counters);
+        if (st != STATUS_INDEFINITE || m->stressless)
+            break;
+        m->stressless = true;
+        TRY(refresh(m, q, i->x, (struct large_foresight){.none = true}, counters));
+    }
+out:
+    return st;
+}
+
+/* i->next from i->r with the factored tangent. */
+static enum status solve(struct large_motion *m, const struct large_equation *q,
+                         struct iteration *i, double *size, struct counters *counters)
+{
+    enum status st;
     size_t count = count_of(m);
 
-    memcpy(i->next, i->r, count * sizeof *i->next);
-    enum status st = system_solve(m->system, i->next);
-    counters->solves++;
+    if (in_contact(m, q)) {
+        st = solve_contact(m, q, i, counters);
+    } else {
+        memcpy(i->next, i->r, count * sizeof *i->next);
+        st = system_solve(m->system, i->next);
+        counters->solves++;
+    }
     *size = largest(count, i->next);
     return st != STATUS_OK ? st : isfinite(*size) ? STATUS_OK : STATUS_NAN;
 }
@@ -146,10 +191,10 @@ static enum status next_step(struct large_motion *m, const struct large_equation
     double size = INFINITY, *swap;
 
     if (q->chord > 0)
-        TRY(solve(m, i, &size, counters));
+        TRY(solve(m, q, i, &size, counters));
     if (!(size <= q->chord * i->size)) {
         TRY(refresh(m, q, i->x, (struct large_foresight){.change = i->d}, counters));
-        TRY(solve(m, i, &size, counters));
+        TRY(solve(m, q, i, &size, counters));
     }
     swap = i->d;
     i->d = i->next, i->next = swap, i->size = size;
@@ -174,7 +219,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
     TRY(residual(m, q, x, i.r, i.work));
     if (q->chord == 0 || m->factored != q->mass)
         TRY(refresh(m, q, x, (struct large_foresight){.strain = m->strain_old}, counters));
-    TRY(solve(m, &i, &i.size, counters));
+    TRY(solve(m, q, &i, &i.size, counters));
     swap = i.d, i.d = i.next, i.next = swap;
     for (int n = 0; n < q->limit; n++) {
         counters->iterations++;

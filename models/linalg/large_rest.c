@@ -102,9 +102,6 @@ enum status large_rest_equilibrium(struct large_motion *m, struct counters *coun
 {
     enum status st;
 
-    if (!m->supports->held_count)
-        return status_fail(why, STATUS_INPUT,
-                           "static equilibrium needs supports, and the scene has none");
     begin(m);
     st = load_steps(m, counters);
     if (status_is_death(st)) {

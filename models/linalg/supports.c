@@ -92,6 +92,19 @@ out:
     return st;
 }
 
+enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
+                                struct message *why)
+{
+    if (scene->obstacle_count)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "unsupported: no static equilibrium with obstacles; a motion with "
+                           "damping comes to rest on them");
+    if (!s->held_count)
+        return status_fail(why, STATUS_INPUT,
+                           "static equilibrium needs supports, and the scene has none");
+    return STATUS_OK;
+}
+
 void supports_clear(struct supports *s)
 {
     if (!s)

@@ -28,6 +28,11 @@ enum status supports_init(struct supports *s, const struct scene *scene, int nod
                           double (*uvw)[3], struct message *why);
 void supports_clear(struct supports *s);
 
+/* STATUS_INPUT or STATUS_UNSUPPORTED with a sentence where a scene has no static equilibrium
+ * that models look for: nothing is held, or there are obstacles. */
+enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
+                                struct message *why);
+
 /* True if every support takes the full thickness: columns may be unknowns. */
 bool supports_whole_columns(const struct scene *scene);
 

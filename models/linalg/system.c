@@ -166,7 +166,7 @@ enum status system_factor_projected(struct system *s, double k, const double (*K
             int b = g->node[n];
             double mass = M ? m * M[n] : 0;
             for (int t = 0; t < 9; t++)
-                B[t] = k * K[n][t] + (t % 4 ? 0 : mass);
+                B[t] = (K ? k * K[n][t] : 0) + (t % 4 ? 0 : mass);
             if (touched[a] || touched[b])
                 project_block(P[a], P[b], a == b, B);
             for (int t = 0; t < 9; t++)

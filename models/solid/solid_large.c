@@ -56,6 +56,7 @@ enum status solid_large_create(struct solid_motion *m, struct solid_large **larg
         .K = new->K,
         .x = m->x,
         .held = m->held,
+        .contact = m->scene->obstacle_count ? &m->contact : NULL,
     };
     TRY(large_motion_init(&new->motion));
     *large = new, new = NULL;
@@ -84,6 +85,11 @@ enum status solid_large_equilibrium(struct solid_motion *m, struct counters *cou
 {
     m->time = 0;
     return large_rest_equilibrium(&m->large->motion, counters, why);
+}
+
+void solid_large_contact(const struct solid_motion *m, struct model_contact *contact)
+{
+    large_motion_contact(&m->large->motion, contact);
 }
 
 double solid_large_energy(const struct solid_motion *m)

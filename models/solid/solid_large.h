@@ -14,6 +14,9 @@ void solid_large_destroy(struct solid_large *large); /* NULL is allowed */
 /* One step of the scene from m->time. */
 enum status solid_large_step(struct solid_motion *m, struct counters *counters);
 
+/* In a scene with obstacles. */
+void solid_large_contact(const struct solid_motion *m, struct model_contact *contact);
+
 /* large_rest.h */
 enum status solid_large_equilibrium(struct solid_motion *m, struct counters *counters,
                                     struct message *why);

@@ -35,22 +35,6 @@ static void compute_load(struct solid_motion *m)
     }
 }
 
-static enum status init_contact(struct solid_motion *m, const int *order,
-                                enum solver solver, struct message *why)
-{
-    enum status st;
-
-    if (m->scene->obstacle_count && m->kinematics == KINEMATICS_NONLINEAR)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "unsupported: no contact with nonlinear kinematics; use linear, "
-                           "printed or incremental");
-    TRY(contact_set_init(&m->contact, m->scene, &m->supports, m->x, 0, why));
-    if (contact_set_used(&m->contact) && m->kinematics == KINEMATICS_LINEAR)
-        TRY(system_init(&m->mass, &m->assembly.graph, &m->supports, NULL, order, solver));
-out:
-    return st;
-}
-
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               const struct solid_space *space,
                               const struct discretization *d, const int *order,
@@ -88,7 +72,8 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
         st = solid_large_create(m, &m->large);
     if (st == STATUS_OK)
-        st = init_contact(m, order, d->solver, why);
+        st = contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
+                               0, order, d->solver, why);
     if (st != STATUS_OK)
         solid_motion_clear(m);
 out:
@@ -102,8 +87,7 @@ void solid_motion_clear(struct solid_motion *m)
         return;
     solid_large_destroy(m->large);
     system_clear(&m->system);
-    system_clear(&m->mass);
-    contact_set_clear(&m->contact);
+    contact_step_clear(&m->contact);
     newmark_clear(&m->newmark);
     supports_clear(&m->supports);
     solid_assembly_clear(&m->assembly);
@@ -190,7 +174,7 @@ static void start_contact(struct solid_motion *m)
         m->newmark.d[m->supports.held[h]] = held.d[h];
         m->newmark.v[m->supports.held[h]] = held.v[h];
     }
-    contact_set_forget(&m->contact);
+    contact_set_forget(&m->contact.set);
     m->started = true;
 }
 
@@ -209,13 +193,13 @@ static enum status step_linear(struct solid_motion *m, struct counters *counters
     struct newmark_held held;
     size_t count = 3 * (size_t)m->space->nodes;
 
-    if (!m->started && contact_set_used(&m->contact))
+    if (!m->started && contact_set_used(&m->contact.set))
         start_contact(m);
     else if (!m->started)
         TRY(start_linear(m, counters));
     if (m->supports.moving)
         held = path_motion(m, m->time + m->newmark.dt);
-    if (contact_set_used(&m->contact))
+    if (contact_set_used(&m->contact.set))
         return solid_contact_linear(m, m->supports.moving ? &held : NULL, counters);
     TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
                      m->supports.moving ? &held : NULL));
@@ -240,7 +224,7 @@ static enum status step_rebuilt(struct solid_motion *m, struct counters *counter
     compute_load(m);
     if (m->supports.moving)
         held = step_motion(m, m->time + n->dt);
-    if (contact_set_used(&m->contact))
+    if (contact_set_used(&m->contact.set))
         return solid_contact_rebuilt(m, m->supports.moving ? &held : NULL, counters);
     TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
     counters->factorisations++;
@@ -292,7 +276,10 @@ void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
 
 void solid_motion_contact(const struct solid_motion *m, struct model_contact *contact)
 {
-    contact_set_report(&m->contact, m->x, m->force_unit, contact);
+    if (m->large && contact_set_used(&m->contact.set))
+        solid_large_contact(m, contact);
+    else
+        contact_set_report(&m->contact.set, m->x, m->force_unit, contact);
 }
 
 void solid_motion_size(const struct solid_motion *m, struct model_size *size)

@@ -14,7 +14,7 @@
 #ifndef SOLID_MOTION_H
 #define SOLID_MOTION_H
 
-#include "models/linalg/contact_solve.h"
+#include "models/linalg/contact_step.h"
 #include "models/linalg/newmark.h"
 #include "models/model.h"
 #include "models/solid/solid_assembly.h"
@@ -35,10 +35,8 @@ struct solid_motion {
     struct solid_large *large; /* nonlinear only                                 owned */
 
     /* with obstacles only: solid_contact.h */
-    struct contact_set contact;
+    struct contact_step contact;
     double force_unit;  /* of the set's forces                                 [N]     */
-    struct system mass; /* linear: M alone, for impacts                                */
-    long mass_version;  /* of the contact set that it is factored for; 0: none         */
 };
 
 /* `order`: node order for the factorisation or NULL. The assembled matrices of the rest

@@ -40,9 +40,7 @@ enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *coun
     size_t count = 3 * (size_t)m->space->nodes;
     double *r = n->work, change = 0;
 
-    if (!m->supports.held_count)
-        return status_fail(why, STATUS_INPUT,
-                           "static equilibrium needs supports, and the scene has none");
+    TRY(supports_allow_rest(&m->supports, m->scene, why));
     if (m->large)
         return solid_large_equilibrium(m, counters, why);
     memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */

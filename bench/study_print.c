@@ -156,6 +156,35 @@ out:
     return st;
 }
 
+static void csv_row(struct output *out, const struct study *study,
+                    const struct study_result *r, int n, int time)
+{
+    const struct study_level *level = &study->levels[n];
+    const struct study_row *row = &r->row[n];
+    const struct study_frame *f = &row->frame[time];
+
+    output_print(out,
+                 "\"%s\",%.9g,%.9g,%.0f,%.0f,%.6g,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,"
+                 "%.9g,%.9g\n",
+                 level->label, level->size, study->time[time], row->unknowns,
+                 row->factor_entries, row->milliseconds, paper_of(study, n), row->seconds,
+                 f->next, f->finest, f->error,
+                 r->truth ? r->truth->error[time] / r->length : NAN, f->roughness,
+                 f->stretch, f->drop, f->unevenness);
+}
+
+static void csv_truth(struct output *out, const struct study *study,
+                      const struct study_result *r, int time)
+{
+    const struct study_frame *f = &r->true_frame[time];
+
+    output_print(out,
+                 "\"truth\",nan,%.9g,nan,nan,nan,nan,nan,nan,nan,0,%.9g,%.9g,%.9g,%.9g,"
+                 "%.9g\n",
+                 study->time[time], r->truth->error[time] / r->length, f->roughness,
+                 f->stretch, f->drop, f->unevenness);
+}
+
 static enum status write_csv(const struct study *study, const struct study_result *r,
                              const char *folder, struct message *why)
 {
@@ -172,19 +201,10 @@ static enum status write_csv(const struct study *study, const struct study_resul
     for (int time = 0; time < study->times; time++) {
         if (time)
             output_print(out, "\n\n"); /* gnuplot's next block */
-        for (int n = 0; n < study->count; n++) {
-            const struct study_level *level = &study->levels[n];
-            const struct study_row *row = &r->row[n];
-            const struct study_frame *f = &row->frame[time];
-            output_print(out,
-                         "\"%s\",%.9g,%.9g,%.0f,%.0f,%.6g,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,"
-                         "%.9g,%.9g,%.9g,%.9g\n",
-                         level->label, level->size, study->time[time], row->unknowns,
-                         row->factor_entries, row->milliseconds, paper_of(study, n),
-                         row->seconds, f->next, f->finest, f->error,
-                         r->truth ? r->truth->error[time] / r->length : NAN, f->roughness,
-                         f->stretch, f->drop, f->unevenness);
-        }
+        for (int n = 0; n < study->count; n++)
+            csv_row(out, study, r, n, time);
+        if (r->truth)
+            csv_truth(out, study, r, time);
     }
     return output_close(out, why);
 out:
@@ -225,22 +245,25 @@ out:
     return st;
 }
 
+/* A row for each time; the truth, if there is one, in the last column. */
 static enum status draw_sheets(const struct study *study, const struct study_result *r,
                                const char *folder, struct message *why)
 {
-    struct picture_panel panels[STUDY_TIMES * STUDY_LEVELS];
-    char titles[STUDY_TIMES * STUDY_LEVELS][96], name[PATH];
-    int count = 0;
+    enum { MOST = STUDY_TIMES * (STUDY_LEVELS + 1) };
+    struct picture_panel panels[MOST];
+    char titles[MOST][96], name[PATH];
+    int columns = study->count + (r->truth != NULL), count = 0;
 
     for (int time = 0; time < study->times; time++)
-        for (int n = 0; n < study->count; n++, count++) {
+        for (int n = 0; n < columns; n++, count++) {
+            bool level = n < study->count;
             snprintf(titles[count], sizeof titles[count], "%s\nt = %g s",
-                     study->levels[n].label, study->time[time]);
-            panels[count] =
-                (struct picture_panel){titles[count], r->row[n].frame[time].xyz};
+                     level ? study->levels[n].label : "truth", study->time[time]);
+            panels[count].title = titles[count];
+            panels[count].xyz = level ? r->row[n].frame[time].xyz : r->truth->xyz[time];
         }
     snprintf(name, sizeof name, "%s_sheets", study->name);
-    return picture_surfaces(folder, name, study->count, count, panels, why);
+    return picture_surfaces(folder, name, columns, count, panels, why);
 }
 
 enum status study_print_files(const struct study *study, const struct study_result *r,

@@ -11,8 +11,8 @@ enum status study_print(const struct study *study, const struct study_result *r,
 
 /* NAME.csv, a row for each level and time; NAME.gp and NAME.png, error (without truth: the
  * difference from the finest) against seconds; NAME_sheets.png with .gp and .dat
- * (picture.h), a row for each time and a column for each level. What is missing because
- * gnuplot is, is told on standard error. */
+ * (picture.h), a row for each time, a column for each level and one for the truth. What is
+ * missing because gnuplot is, is told on standard error. */
 enum status study_print_files(const struct study *study, const struct study_result *r,
                               const char *folder, struct message *why);
 

@@ -14,8 +14,7 @@ void table4_data_clear(struct table4_data *d)
     free(d);
 }
 
-/* Judged when it is printed, by the plan as it is then. */
-static enum status read_rules(struct verdict_rules *rules, struct message *why)
+enum status table4_data_rules(struct verdict_rules *rules, struct message *why)
 {
     struct plan plan = {0};
     char *path = NULL;
@@ -73,7 +72,7 @@ enum status table4_data_load(const char *folder, struct table4_data **d,
     enum status st = new ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
-    TRY(read_rules(&new->rules, why));
+    TRY(table4_data_rules(&new->rules, why));
     TRY(load(folder, new, why));
     *d = new, new = NULL;
 out:

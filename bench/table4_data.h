@@ -13,6 +13,9 @@ struct table4_data {
     bool feasible[TABLE4_READINGS][TABLE4_SCENES][PAPER_TABLE4_ROWS];
 };
 
+/* The rules of the plan `table4`, as it is now; free with verdict_clear. */
+enum status table4_data_rules(struct verdict_rules *rules, struct message *why);
+
 /* Reads all of FOLDER's files and the rules; *d is freed with table4_data_clear. */
 enum status table4_data_load(const char *folder, struct table4_data **d,
                              struct message *why);

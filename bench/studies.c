@@ -14,12 +14,9 @@ static const struct command_item *const items[] = {
     &study_degree_exhibit.item,
     &study_mesh_degree_exhibit.item,
     &study_locking_exhibit.item,
-<<<<<<< HEAD
     &study_timestep_exhibit.item,
-=======
     &study_flag_exhibit.item,
     &study_artefacts_exhibit.item,
->>>>>>> 07edc12 (Fig. 15 by several models and Fig. 16's artefacts, each with its pictures, numbers and what finds it)
     NULL,
 };
 

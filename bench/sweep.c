@@ -157,6 +157,7 @@ static enum status run(const struct command_line *line, struct message *why)
     char *path = NULL;
 
     omp_set_num_threads(1);
+    signal(SIGXFSZ, SIG_IGN); /* a limit on file sizes is a full disk, not a death */
     TRY(ranks_start(&ranks, why));
     if (ranks && ranks->rank) { /* rank 0 tells what is wrong, if something is */
         named_file_find(&plan_kind, line->words[0], &path, NULL);

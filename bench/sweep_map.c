@@ -24,6 +24,7 @@ struct sweep_map {
     struct output *data;
     struct dimension x, y, panel;
     struct sweep_map_names panels, classes;
+    bool seen[SWEEP_MAP_NAMES][SWEEP_MAP_NAMES]; /* [panel][class]                     */
 };
 
 static struct dimension find_dimension(const struct plan *plan, const char *name)
@@ -158,10 +159,11 @@ void sweep_map_row(struct sweep_map *m, const struct plan_case *c,
         find_cell(&m->x, x, &cell[0], &cell[1]);
         find_cell(&m->y, y, &cell[2], &cell[3]);
     }
-    output_print(m->data, "%d %d %.9g %.9g %.9g %.9g %.9g %.9g\n",
-                 sweep_map_names_add(&m->panels, panel),
-                 sweep_map_names_add(&m->classes, labels), x, y, cell[0], cell[1], cell[2],
-                 cell[3]);
+    const int p = sweep_map_names_add(&m->panels, panel);
+    const int class = sweep_map_names_add(&m->classes, labels);
+    m->seen[p][class] = true;
+    output_print(m->data, "%d %d %.9g %.9g %.9g %.9g %.9g %.9g\n", p, class, x, y, cell[0],
+                 cell[1], cell[2], cell[3]);
 }
 
 /* Where a mark lies in a direction. */
@@ -241,6 +243,7 @@ enum status sweep_map_close(struct sweep_map *m, struct message *why)
                                                 .y = side_of(&m->y),
                                                 .panel = m->panel.name,
                                                 .cells = m->x.axis && m->y.axis,
+                                                .seen = m->seen,
                                                 .panels = &m->panels,
                                                 .classes = &m->classes,
                                                 .marks = &marks},

@@ -64,6 +64,8 @@ static void write_panel(struct output *out, const struct sweep_map_plot *p, int 
     output_print(out, "plot \\\n");
     for (int c = 0; c < p->classes->count; c++) {
         const char *colour = colour_of(p->classes->name[c], c);
+        if (!p->seen[panel][c])
+            continue;
         output_print(out, "'map.dat' using ($1 == %d && $2 == %d ? $3 : NaN):4", panel, c);
         if (p->cells)
             output_print(out,

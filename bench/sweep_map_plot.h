@@ -27,6 +27,7 @@ struct sweep_map_plot {
     struct sweep_map_side x, y;
     const char *panel; /* what the panels differ in; NULL: there is one                */
     bool cells;        /* boxes that fill the map, else points                         */
+    const bool (*seen)[SWEEP_MAP_NAMES]; /* [panel][class]: there is such a case       */
     const struct sweep_map_names *panels, *classes, *marks;
 };
 

@@ -1,0 +1,180 @@
+#!/usr/bin/env bash
+# What `clothbench sweep` promises: the same bits for any number of jobs; cases that die, hang,
+# crash or are refused are rows; a disk that is full, a signal, another plan in the folder are
+# sentences, and resuming goes on.
+#   sweep.sh PROGRAM FOLDER
+program=$1
+folder=$2
+. "$(dirname "$0")/sweep_fixture.sh"
+scenes=$(cd "$(dirname "$0")/../models/scenes" && pwd)
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
+
+run() { # ARGUMENT...; fills $code, out and err
+    sweep "$@" >out 2>err
+    code=$?
+}
+
+ends() { # CODE TEXT: the last run ended so and said TEXT
+    [ "$code" -eq "$1" ] || fail "exit $code, want $1: $(<err)"
+    [[ $(<err) == *"$2"* ]] || fail "'$2' is not in: $(<err)"
+    [ "$(wc -l <err)" -eq 1 ] || fail "not one line: $(<err)"
+}
+
+# --- jobs -------------------------------------------------------------------------------
+write_plan plan.yaml 2
+run plan.yaml --out one --jobs 1
+[ "$code" -eq 0 ] || fail "exit $code: $(<err)"
+grep -q 'fast: 24 cases of edge_drop; 2 of damping.value x 4 of gamma' out || fail "$(<out)"
+grep -q '24 cases run now, 1 at a time' out || fail "no cost: $(<out)"
+run plan.yaml --out three --jobs 3 --quiet
+[ "$code" -eq 0 ] && [ ! -s out ] || fail "--quiet says $(<out)"
+cmp one/table.csv three/table.csv || fail 'the table depends on the number of jobs'
+run plan.yaml --out three --resume
+grep -q 'Nothing was left to run' out || fail "a finished sweep runs again: $(<out)"
+cmp one/table.csv three/table.csv || fail 'the table changes when made again'
+# Gamma of a row is what was asked for
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
+         NR > 1 { gsub(/"[^"]*"/, "quoted")
+                  off = $column["gamma_measured"] / $column["gamma"] - 1
+                  if (off > 1e-14 || off < -1e-14) { print; exit 1 } }' \
+    one/table.csv || fail 'gamma is not what the plan asks for'
+if command -v gnuplot >/dev/null; then
+    [ -s one/map.png ] || fail 'no map.png'
+    [ ! -s err ] || fail "drawing the map says: $(<err)"
+fi
+
+# --- the folder -------------------------------------------------------------------------
+run plan.yaml --out one
+ends 2 'one has a sweep already; --resume goes on with it'
+sed 's/0.45/0.4/' plan.yaml >other.yaml
+run other.yaml --out one --resume
+ends 2 "line 11 was '  - {key: material.poisson, values: [0, 0.3, 0.45]}' and is now"
+sed 's/scene: edge_drop/scene: .\/here.yaml/' plan.yaml >here_plan.yaml
+cp "$scenes/edge_drop.yaml" here.yaml
+run here_plan.yaml --out here --quiet
+[ "$code" -eq 0 ] || fail "a scene beside the plan: $(<err)"
+sed -i 's/density: .*}/density: 0.6}/' here.yaml
+run here_plan.yaml --out here --resume --quiet
+ends 2 'begun with another plan or scene'
+run plan.yaml --out plan.yaml
+ends 1 'plan.yaml'
+
+# --- a file that is not whole -----------------------------------------------------------
+head -c 3000 one/case_000005.h5 >cut
+cp cut three/case_000005.h5
+: >three/case_000007.h5
+rm three/case_000011.h5
+run plan.yaml --out three --resume
+grep -q '^3 cases run now' out || fail "broken files: $(<out) $(<err)"
+cmp one/table.csv three/table.csv || fail 'the table is another after broken files'
+
+# --- rows that are no runs --------------------------------------------------------------
+cat >rows.yaml <<'PLAN'
+name: rows
+source: a test
+settings: {discretization.kinematics: printed}
+cases:
+  - {name: fine, scene: edge_drop, time.end: 0.02}
+  - {name: dies, scene: edge_drop, time.end: 0.5, material.young: 5e4,
+     material.density: 0.1, damping.value: 0.9}
+  - {name: hangs, scene: edge_drop, time.end: 100, discretization.points: [40,40,2]}
+  - {name: refused, scene: edge_drop, discretization.degree: [5,2,1],
+     discretization.points: [5,5,2]}
+  - {name: unsupported, scene: edge_drop, model: mass_spring,
+     discretization.kinematics: nonlinear, "supports": [{at: {u: 0, w: 0}, fix: xyz}]}
+time_limit: 2
+verdicts:
+  - {label: chaotic, measure: blowup_time, below: 1e9, why: it died}
+PLAN
+run rows.yaml --out rows
+[ "$code" -eq 0 ] || fail "rows: exit $code: $(<err)"
+row() { # NAME TEXT
+    grep -q "^[0-9]*,$1,.*$2" rows/table.csv || fail "$1: $(grep ",$1," rows/table.csv)"
+}
+row fine 'feasible,feasible,done$'
+row dies 'infeasible,chaotic,.*died at t = 0.2'
+row hangs 'none,no result,timed out after 2 s$'
+row refused 'none,no result,.*degree'
+row unsupported 'none,unsupported,.*unsupported: no supports on part of the thickness'
+cp rows/table.csv rows.csv
+run rows.yaml --out rows --resume
+grep -q 'Nothing was left' out || fail 'a case that hung is run again'
+cmp rows/table.csv rows.csv || fail 'rows without result change when made again'
+
+# --- signals ----------------------------------------------------------------------------
+# A case that crashes is a row; Ctrl-C stops the sweep with a sentence, and no child is left.
+cat >long.yaml <<'PLAN'
+name: long
+source: a test
+scene: edge_drop
+settings: {time.end: 60, discretization.points: [30,30,2]}
+axes: [{key: damping.value, values: [0.1, 0.2]}]
+PLAN
+children() {
+    ps -o pid= --ppid "$1"
+}
+wait_for_children() { # PARENT
+    for ((i = 0; i < 500; i++)); do
+        [ "$(children "$1" | wc -l)" -eq 2 ] && return
+        sleep 0.02
+    done
+    fail 'the cases do not start'
+}
+set -m # background jobs then do not ignore SIGINT
+sweep long.yaml --out long --jobs 2 >out 2>err &
+parent=$!
+set +m
+# the function runs in a shell of its own; the program is its child
+program_of() {
+    local pid
+    pid=$(ps -o pid= --ppid "$1" | head -n 1)
+    echo "${pid:-$1}"
+}
+for ((i = 0; i < 500; i++)); do
+    leader=$(program_of "$parent")
+    [ "$leader" != "$parent" ] && break
+    sleep 0.02
+done
+wait_for_children "$leader"
+mapfile -t cases < <(children "$leader")
+kill -SEGV "${cases[0]}"
+for ((i = 0; i < 500; i++)); do
+    [ -s long/case_000001.txt ] || [ -s long/case_000002.txt ] && break
+    sleep 0.02
+done
+grep -hq 'killed by signal 11' long/case_00000?.txt || fail 'a crash is no row'
+kill -INT "$leader"
+wait "$parent" 2>/dev/null
+grep -q 'stopped by signal 2 after 1 cases; what is done is kept' err || fail "$(<err)"
+grep -q 'sweep long.yaml --resume goes on' err || fail "$(<err)"
+kill -0 "${cases[1]}" 2>/dev/null && fail 'a child outlives Ctrl-C'
+[ -z "$(find long -name '*.part')" ] || fail 'Ctrl-C leaves half a file'
+[ ! -e long/table.csv ] || fail 'Ctrl-C: a table of half the cases'
+
+# --- full disk --------------------------------------------------------------------------
+(
+    failures=0
+    ulimit -f 12 # kB a file: the manifest fits, a case does not
+    run plan.yaml --out full --jobs 2
+    ends 1 'case_00000'
+    ends 1 'what is done is kept, and clothbench sweep plan.yaml --resume goes on'
+    exit "$failures"
+) || fail 'a limit on file sizes'
+[ -z "$(find full -name '*.part' -o -name '*.h5')" ] || fail "left: $(ls full)"
+run plan.yaml --out full --resume --quiet
+[ "$code" -eq 0 ] || fail "after a full disk: exit $code: $(<err)"
+cmp one/table.csv full/table.csv || fail 'the table is another after a full disk'
+mkdir small
+if mount -t tmpfs -o size=300k none small 2>/dev/null; then
+    run plan.yaml --out small/full --jobs 2
+    ends 1 'No space left on device'
+    [ -n "$(find small -name '*.h5')" ] || fail 'nothing was kept before the disk was full'
+    mount -o remount,size=4m small
+    run plan.yaml --out small/full --resume --quiet
+    [ "$code" -eq 0 ] || fail "with room again: exit $code: $(<err)"
+    cmp one/table.csv small/full/table.csv || fail 'the table is another with room again'
+    umount small
+fi
+[ "$failures" -eq 0 ]

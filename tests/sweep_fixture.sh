@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# What the scripts that test `clothbench sweep` share: sourced, with $program set.
+set -uo pipefail
+export OMP_NUM_THREADS=1 LC_ALL=C
+failures=0
+
+fail() {
+    echo "$*"
+    ((++failures))
+}
+
+# A plan of 12 * $2 cases, milliseconds each, into FILE.
+write_plan() { # FILE COUNT
+    cat >"$1" <<PLAN
+name: fast
+source: a test
+scene: edge_drop
+settings:
+  discretization.points: [4,4,2]
+  time.end: 0.03
+axes:
+  - {key: damping.value, from: 0.1, to: 0.9, count: $2}
+  - {key: gamma, values: [10, 100, 1000, 1e4], scale: log}
+  - {key: material.poisson, values: [0, 0.3, 0.45]}
+look: 2
+time_limit: 120
+verdicts:
+  - {label: falls, measure: drop_max, above: 0.001, why: a test}
+map: {x: damping.value, y: gamma, panel: material.poisson}
+PLAN
+}
+
+sweep() { # ARGUMENT...
+    "$program" sweep "$@" </dev/null
+}

@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# `mpirun -n 4 clothbench sweep` gives the table of a single process, bit for bit; all ranks
+# work; what is wrong is said once. Skipped (77) without mpirun or without clothbench_mpi.so.
+#   sweep_mpi.sh PROGRAM FOLDER
+program=$1
+folder=$2
+. "$(dirname "$0")/sweep_fixture.sh"
+command -v mpirun >/dev/null && [ -e "$(dirname "$program")/clothbench_mpi.so" ] || exit 77
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export ASAN_OPTIONS=detect_leaks=0 # of MPI itself
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
+
+ranks() { # N ARGUMENT...
+    local count=$1
+    shift
+    mpirun --oversubscribe -n "$count" "$program" sweep "$@" </dev/null
+}
+
+write_plan plan.yaml 5
+sweep plan.yaml --out single --jobs 1 --quiet || fail "alone: exit $?"
+ranks 4 plan.yaml --out four >out 2>err || fail "four ranks: exit $?: $(<err)"
+grep -q '60 cases run now, 4 at a time' out || fail "four ranks: $(<out)"
+cmp single/table.csv four/table.csv || fail 'four ranks give another table'
+
+# a case that hangs and one that is refused, on whatever rank
+cat >rows.yaml <<'PLAN'
+name: rows
+source: a test
+scene: edge_drop
+cases:
+  - {name: hangs, time.end: 100, discretization.points: [40,40,2]}
+  - {name: refused, discretization.degree: [5,2,1], discretization.points: [5,5,2]}
+  - {name: fine, time.end: 0.02}
+  - {name: fine, time.end: 0.03}
+time_limit: 2
+PLAN
+ranks 4 rows.yaml --out rows --quiet 2>err || fail "rows: exit $?: $(<err)"
+sweep rows.yaml --out rows_single --jobs 1 --quiet || fail "rows alone: exit $?"
+cmp rows/table.csv rows_single/table.csv || fail 'rows without result are others'
+grep -q 'timed out after 2 s' rows/table.csv || fail "$(<rows/table.csv)"
+
+# a plan that is wrong is refused once, not by every rank
+sed 's/poisson/poison/' plan.yaml >wrong.yaml
+ranks 3 wrong.yaml 2>err && fail 'a wrong plan runs'
+[ "$(grep -c '^clothbench: wrong.yaml:' err)" -eq 1 ] || fail "a wrong plan: $(<err)"
+ranks 2 plan.yaml --out jobs --jobs 2 2>err && fail '--jobs under mpirun'
+grep -q 'say how many with mpirun -n' err || fail "--jobs: $(<err)"
+
+# all ranks killed at once in the middle, then resumed with other numbers of them
+setsid mpirun --oversubscribe -n 3 "$program" sweep plan.yaml --out killed --quiet \
+    </dev/null >/dev/null 2>&1 &
+group=$!
+for ((i = 0; i < 1000; i++)); do
+    [ "$(grep -cs '^end' killed/log.txt)" -ge 10 ] 2>/dev/null && break
+    sleep 0.01
+done
+kill -TERM "$group"
+wait "$group" 2>/dev/null
+[ ! -e killed/table.csv ] || fail 'it was not stopped'
+ranks 2 plan.yaml --out killed --resume --quiet 2>err || fail "resumed: exit $?: $(<err)"
+cmp single/table.csv killed/table.csv || fail 'another table after being stopped'
+awk '$1 == "start" && ended[$2] { print "case", $2, "is run again"; bad = 1 }
+     $1 == "end" { ended[$2] = 1 } END { exit bad }' killed/log.txt || fail 'the log'
+[ "$failures" -eq 0 ]

@@ -118,15 +118,10 @@ enum status plan_case_find_scene(const struct plan *plan, const char *argument, 
     return seen ? STATUS_OK : STATUS_MEMORY;
 }
 
-enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
-                            enum status st, struct message *why)
+/* The setting whose KEY=VALUE stands at the beginning of a text. */
+static const struct plan_setting *find_blamed(const struct plan *plan,
+                                              const struct plan_case *c, const char *text)
 {
-    static const char mark[] = "--set ";
-    const char *text = why->text + strlen(mark);
-    struct message old = *why;
-
-    if (st != STATUS_INPUT || strncmp(why->text, mark, strlen(mark)))
-        return st;
     for (int k = 0; k < plan->key_count; k++) {
         const struct plan_setting *s = c->given[k];
         if (!s)
@@ -134,9 +129,30 @@ enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
         const char *key = stand_in_is(s->key) ? plan_case_set_by(plan, s->key) : s->key;
         const size_t size = strlen(key);
         if (!strncmp(text, key, size) && text[size] == '=')
-            return refuse(plan, s->line, why, old.text + strlen(mark));
+            return s;
     }
-    return st;
+    return NULL;
+}
+
+enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
+                            enum status st, struct message *why)
+{
+    static const char mark[] = "--set ";
+    const struct message old = *why;
+    const struct plan_setting *s = NULL;
+    const char *text = old.text;
+
+    if ((st != STATUS_INPUT && st != STATUS_FILE) ||
+        !strncmp(text, plan->path, strlen(plan->path)))
+        return st;
+    if (!strncmp(text, mark, strlen(mark))) {
+        text += strlen(mark);
+        s = find_blamed(plan, c, text);
+    }
+    for (int k = 0; !s && k < plan->key_count; k++)
+        if (!strcmp(plan->keys[k], "scene"))
+            s = c->given[k]; /* the scene's file itself is wrong */
+    return refuse(plan, s ? s->line : 1, why, text);
 }
 
 /* Fills model, scene file and settings of a case whose `given` is there. */

@@ -37,8 +37,8 @@ enum status plan_case_scene(const struct plan_case *c, struct scene *scene,
 enum status plan_case_mark(const struct plan *plan, const struct plan_settings *settings,
                            struct scene *scene, struct message *why);
 
-/* Turns the sentence `--set KEY=VALUE: ...` of a case into `plan:line: KEY=VALUE: ...`;
- * others stay. Returns st. */
+/* Turns a sentence on a case's scene into `plan:line: ...` with the line of the setting
+ * that it blames, else that of the scene. STATUS_INPUT then, or st. */
 enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
                             enum status st, struct message *why);
 

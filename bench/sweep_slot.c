@@ -32,12 +32,28 @@ enum status sweep_slot_init(struct sweep_slot *slot)
     return slot->note ? STATUS_OK : STATUS_MEMORY;
 }
 
+static void pause_milliseconds(long count)
+{
+    nanosleep(&(struct timespec){.tv_nsec = 1000000 * count}, NULL);
+}
+
+/* SIGTERM, after which a child removes its temporary file; SIGKILL if that is ignored. */
+static void end_child(pid_t pid)
+{
+    kill(pid, SIGTERM);
+    for (int n = 0; n < 100; n++) {
+        if (waitpid(pid, NULL, WNOHANG) != 0)
+            return;
+        pause_milliseconds(10);
+    }
+    kill(pid, SIGKILL);
+    waitpid(pid, NULL, 0);
+}
+
 void sweep_slot_clear(struct sweep_slot *slot)
 {
-    if (slot->pid) {
-        kill(slot->pid, SIGTERM); /* removes its temporary file */
-        waitpid(slot->pid, NULL, 0);
-    }
+    if (slot->pid)
+        end_child(slot->pid);
     if (slot->note)
         munmap(slot->note, sizeof *slot->note);
     *slot = (struct sweep_slot){0};
@@ -64,13 +80,16 @@ static enum status run(const struct plan *plan, const struct sweep_folder *folde
     return case_run(&todo, &result, why);
 }
 
-static void be_child(struct sweep_slot *slot, pid_t parent, const struct plan *plan,
-                     const struct sweep_folder *folder, const struct plan_case *c)
+/* `mask`: of signals, once the child has its own way with them. */
+static void be_child(struct sweep_slot *slot, pid_t parent, const sigset_t *mask,
+                     const struct plan *plan, const struct sweep_folder *folder,
+                     const struct plan_case *c)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent)
         _exit(1); /* it died before that */
     aside_catch_signals();
+    sigprocmask(SIG_SETMASK, mask, NULL);
     omp_set_num_threads(1);
     slot->note->st = run(plan, folder, c, &slot->note->why);
     if (slot->note->st != STATUS_OK && !*slot->note->why.text)
@@ -83,6 +102,7 @@ enum status sweep_slot_start(struct sweep_slot *slot, const struct plan *plan,
                              struct message *why)
 {
     const pid_t parent = getpid();
+    sigset_t all, mask;
     struct plan_case c;
     enum status st;
 
@@ -92,9 +112,13 @@ enum status sweep_slot_start(struct sweep_slot *slot, const struct plan *plan,
     slot->number = number;
     slot->start = clock_now();
     slot->overdue = false;
+    sigfillset(&all);
+    sigprocmask(SIG_SETMASK, &all,
+                &mask); /* none may meet the parent's ways in the child */
     slot->pid = fork();
     if (slot->pid == 0)
-        be_child(slot, parent, plan, folder, &c);
+        be_child(slot, parent, &mask, plan, folder, &c);
+    sigprocmask(SIG_SETMASK, &mask, NULL);
     if (slot->pid < 0) {
         slot->pid = 0;
         st = status_fail(why, STATUS_LIBRARY, "no process can be started: %s",
@@ -108,12 +132,10 @@ out:
 /* Ended by a signal of somebody else's. */
 static enum sweep_slot_outcome read_signal(int number, struct message *why)
 {
-    static const struct timespec grace = {.tv_nsec = 200000000};
-
     if (number == SIGINT || number == SIGTERM || number == SIGHUP)
         return SWEEP_SLOT_ASKED;
     if (number == SIGKILL) /* whoever kills the whole sweep may come to us next */
-        nanosleep(&grace, NULL);
+        pause_milliseconds(200);
     snprintf(why->text, sizeof why->text, "killed by signal %d (%s)", number,
              strsignal(number));
     return SWEEP_SLOT_FAILED;

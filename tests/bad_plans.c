@@ -1,0 +1,208 @@
+#define _DEFAULT_SOURCE /* mkstemps */
+/* Malformed plans: each is refused with one sentence at the right line; and what a good one
+ * is taken apart into. */
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "bench/plan_case.h"
+#include "bench/stand_in.h"
+#include "tests/check.h"
+
+/* A good plan; the rows below replace one of its lines, counted from 1, or add one. */
+static const char *const GOOD[] = {
+    "name: good",
+    "source: a test",
+    "scene: edge_drop",
+    "model: iga",
+    "settings: {time.end: 0.5, discretization.points: [6,6,2]}",
+    "axes:",
+    "  - {key: gamma, from: 10, to: 1000, count: 3, scale: log, by: sheet.thickness}",
+    "  - {key: damping.value, values: [0.1, 0.5]}",
+    "cases: [{name: a, material.young: 1e5}, {material.poisson: 0.2}]",
+    "look: 5",
+    "intersections: true",
+    "keep: snapshots",
+    "time_limit: 10",
+    "verdicts: [{label: big, measure: drop_max, above: 1, why: a test}]",
+    "map: {x: gamma, y: damping.value}",
+};
+enum { LINES = sizeof GOOD / sizeof *GOOD };
+
+static const struct {
+    int line; /* replaced; LINES + 1: added */
+    const char *text, *part;
+} BAD[] = {
+    {1, "name: Good plan", "name is 'Good plan', but must be 1 to 64 of the characters"},
+    {1, "nam: good", "the plan has no key 'nam'; did you mean 'name'?"},
+    {1, "name: [good]", "name is a list of 1, but must be a line of text"},
+    {3, "scene: nowhere", "no scene 'nowhere'; give the path of a file, or one of"},
+    {3, "scene: ./nowhere.yaml", "cannot be read as a scene: No such file"},
+    {3, "scene: [edge_drop]", "scene is a list of 1, but must be the name or the path"},
+    {4, "model: ibm", "no model 'ibm'; models: iga"},
+    {5, "settings: 5", "settings is '5', but must be a map {KEY: VALUE, ...}"},
+    {5, "settings: {material.density: heavy}", "density is 'heavy', but must be a number"},
+    {5, "settings: {material.colour: red}", "has no key 'colour'"},
+    {5, "settings: {discretization.degree: [9,9,1]}", "degree holds '9', but must be"},
+    {5, "settings: [{time.end: 1}, {time.end: 2}]", "settings has 'time.end' already"},
+    {5, "settings: {look: 3}", "has no key 'look'"},
+    {5, "settings: {sheet.thickness: 0.01}", "also set by gamma in line 7"},
+    {7, "  - {from: 10, to: 1000, count: 3}",
+     "an axis lacks the key 'key', a line of text"},
+    {7, "  - {key: gamma, from: 10, to: 1000}", "needs either values or all of from, to"},
+    {7, "  - {key: gamma, from: 1, to: 2, count: 3, values: [1]}",
+     "needs either values or"},
+    {7, "  - {key: gamma, from: 1, to: 2, count: 1}", "count is '1', but must be a whole"},
+    {7, "  - {key: gamma, from: 0, to: 2, count: 3, scale: log}", "both must be above 0"},
+    {7, "  - {key: gamma, from: 1, to: 2, count: 3, scale: cubic}", "one of linear, log"},
+    {7, "  - {key: gamma, values: []}", "values is an empty list, but must be a list of 1"},
+    {7, "  - {key: gamma, values: [1, -1], by: sheet.thickness}",
+     "must be a number above 0"},
+    {7, "  - {key: gamma, values: [1, x], by: sheet.thickness}",
+     "gamma is 'x', but must be"},
+    {7, "  - {key: gamma, values: [1], by: sheet.width}", "gamma cannot be set by sheet.w"},
+    {7, "  - {key: gamma, values: [1e-30], by: sheet.thickness}", "thickness is '"},
+    {7, "  - {key: time.step, values: [1], by: time.end}",
+     "only gamma and young_over_dens"},
+    {8, "  - {key: damping.value, values: [0.1, -3]}",
+     "value is '-3', but must be a number"},
+    {8, "  - {key: damping.value, values: {a: 1}}",
+     "values is a section, but must be a list"},
+    {8, "  - {key: gamma, values: [3]}", "the key 'gamma' is given in line 7, too"},
+    {8, "  - {key: time.end, values: [3]}", "the key 'time.end' is given in line 5, too"},
+    {8, "  - {key: material.young, values: [1]}",
+     "'material.young' is given in line 9, too"},
+    {8, "  - {key: scene, values: [edge_drop]}", "the key 'scene' is given in line 3, too"},
+    {9, "cases: []", "cases is an empty list, but must be a list of 1 to 10000"},
+    {9, "cases: [5]", "a case is '5', but must be a map {KEY: VALUE}"},
+    {9, "cases: [{name: [a]}]", "name is a list of 1, but must be a line of text"},
+    {9, "cases: [{material.poisson: 0.2}, {material.poisson: 0.5}]", "poisson is '0.5'"},
+    {10, "look: 0", "look is '0', but must be a whole number from 1"},
+    {11, "intersections: maybe",
+     "intersections is 'maybe', but must be one of false, true"},
+    {12, "keep: all", "keep is 'all', but must be one of none, snapshots"},
+    {13, "time_limit: -1", "time_limit is '-1', but must be a number from 0.001"},
+    {14, "verdicts: []", "verdicts is an empty list, but must be a list of 1"},
+    {14, "verdicts: nowhere", "verdicts: no plan 'nowhere'; give the path"},
+    {14, "verdicts: [{label: big, measure: size, above: 1, why: x}]", "measure is 'size'"},
+    {15, "map: {x: gamma}", "map lacks the key 'y', a line of text"},
+    {15, "map: {x: gamma, y: weather}", "the map shows 'weather', which is neither a key"},
+    {15, "map: {x: gamma, y: drop_max, marks: [5]}",
+     "a mark is '5', but must be a section"},
+    {15, "map: {x: gamma, y: damping.value, marks: [{text: a, label: b, at: {}}]}",
+     "the mark 'a' lacks the key damping.value, which the map shows"},
+    {16, "look: 3", "key 'look' for the second time"},
+    {16, "- x", "not YAML"},
+};
+
+static char path[] = "bad_plans_XXXXXX.yaml";
+
+/* The good plan with another line. */
+static enum status read_plan(int line, const char *text, struct plan *plan,
+                             struct message *why)
+{
+    FILE *file = fopen(path, "w");
+
+    REQUIRE(file);
+    for (int n = 1; n <= LINES + 1; n++)
+        fprintf(file, "%s\n", n == line ? text : n <= LINES ? GOOD[n - 1] : "");
+    REQUIRE(fclose(file) == 0);
+    memset(plan, 'x', sizeof *plan);
+    return plan_read(path, plan, why);
+}
+
+static void check_bad(void)
+{
+    static const struct plan zero;
+
+    for (size_t n = 0; n < sizeof BAD / sizeof *BAD; n++) {
+        struct plan plan;
+        struct message why = {""};
+        char beginning[64];
+        enum status st = read_plan(BAD[n].line, BAD[n].text, &plan, &why);
+        size_t length = strlen(why.text);
+        bool fine = st == STATUS_INPUT && !memcmp(&plan, &zero, sizeof plan);
+
+        snprintf(beginning, sizeof beginning, "%s:%d: ", path, BAD[n].line);
+        fine = fine && !strncmp(why.text, beginning, strlen(beginning));
+        fine = fine && strstr(why.text, BAD[n].part) && length < sizeof why.text - 1;
+        for (size_t i = 0; i < length; i++)
+            fine = fine && (unsigned char)why.text[i] >= ' ';
+        if (!CHECK(fine))
+            printf("  '%s': wanted '%s...%s', got status %d '%s'\n", BAD[n].text, beginning,
+                   BAD[n].part, st, why.text);
+        plan_clear(&plan);
+    }
+}
+
+/* The combinations in their order, and Gamma through the thickness. */
+static void check_good(void)
+{
+    static const char *const dampings[] = {"0.1", "0.5"};
+    static const double gammas[] = {10, 100, 1000};
+    struct plan plan;
+    struct message why = {""};
+    const double tol_gamma = 1e-13; /* a square root and back */
+
+    if (!CHECK(read_plan(0, "", &plan, &why) == STATUS_OK)) {
+        printf("%s\n", why.text);
+        return;
+    }
+    CHECK(plan_case_count(&plan) == 12 && plan.look == 5 && plan.time_limit == 10);
+    CHECK(plan.intersections == 1 && plan.keep == PLAN_KEEP_SNAPSHOTS);
+    for (int n = 0; n < 12; n++) {
+        struct plan_case c;
+        struct scene scene;
+
+        REQUIRE(plan_case_open(&plan, n, &c, &why) == STATUS_OK);
+        REQUIRE(plan_case_scene(&c, &scene, &why) == STATUS_OK);
+        CHECK(n < 6 ? c.name && !strcmp(c.name, "a") : !c.name);
+        CHECK(scene.poisson == (n < 6 ? 0.3 : 0.2) && scene.end == 0.5);
+        CHECK_RELATIVE(scene_gamma(&scene), gammas[n / 2 % 3], tol_gamma);
+        CHECK(scene.damping.value == strtod(dampings[n % 2], NULL));
+        CHECK(scene.young == 1e5 && !strcmp(c.model, "iga"));
+        scene_clear(&scene);
+        plan_case_clear(&c);
+    }
+    plan_clear(&plan);
+}
+
+/* Each stand-in through each key it may be set by. */
+static void check_stand_ins(void)
+{
+    static const char *const by[] = {"material.young", "material.density",
+                                     "sheet.thickness", "sheet.length"};
+    const double tol_power = 1e-14; /* one rounding of pow each way */
+
+    for (int n = 0; n < 4; n++) {
+        struct scene scene;
+        double *const value[] = {&scene.young, &scene.density, &scene.thickness,
+                                 &scene.length};
+
+        REQUIRE(scene_init(&scene) == STATUS_OK);
+        scene.gravity[2] = -9.81;
+        scene.poisson = 0.3;
+        double solved = stand_in_solve("gamma", by[n], 123, &scene);
+        *value[n] = solved;
+        CHECK_RELATIVE(scene_gamma(&scene), 123.0, tol_power);
+        solved = stand_in_solve("young_over_density", by[n], 77, &scene);
+        CHECK(isnan(solved) == (n > 1));
+        *value[n] = solved;
+        if (n < 2)
+            CHECK_RELATIVE(scene.young / scene.density, 77.0, tol_power);
+        scene_clear(&scene);
+    }
+    CHECK(!stand_in_is("material.young") && stand_in_is("gamma"));
+}
+
+int main(void)
+{
+    int file = mkstemps(path, 5);
+
+    REQUIRE(file >= 0);
+    close(file);
+    check_good();
+    check_bad();
+    check_stand_ins();
+    unlink(path);
+    return check_result();
+}

@@ -6,6 +6,8 @@
 
 #include "bench/registry.h"
 #include "bench/store_scene.h"
+#include "models/contact.h"
+#include "models/grid.h"
 #include "models/scene_file.h"
 
 const char *const table23_kind_name[TABLE23_KINDS] = {"printed", "incremental", "linear"};
@@ -19,8 +21,9 @@ static const char *const scene_of[PAPER_TABLE2_ROWS] = {
 /* Kept besides the seconds: where the sheet is then, and the work done up to it [s]. */
 static const double kept[] = {0.5}, kept_quick[] = {0.1};
 
-/* Frames that a contact row is timed over: the fall, the landing and what follows it. */
-static const double contact_until = 1; /* [s] */
+/* A sheet that falls on an obstacle: its frames cost more once it lies there, so that all
+ * of them are timed, from the fall to well after the landing [s]. */
+static const double landed[] = {1}, landed_quick[] = {0.3};
 
 int table23_rows(enum table23 which)
 {
@@ -128,8 +131,10 @@ static enum status set_up(const struct exhibit_options *options,
     c->time = options->quick ? kept_quick : kept;
     c->times = 1;
     c->phases = kind == TABLE23_PRINTED;
-    if (scene_needs(scene) & SCENE_NEED_CONTACT)
-        c->frames = (int)lround(contact_until / scene->step);
+    if (scene_needs(scene) & SCENE_NEED_CONTACT) {
+        c->time = options->quick ? landed_quick : landed;
+        c->frames = (int)lround(*c->time / scene->step);
+    }
 out:
     free(path);
     return st;
@@ -160,7 +165,25 @@ out:
     return st;
 }
 
-static enum status load_gamma(const char *path, double *gamma, struct message *why)
+/* How far the sheet was from its obstacle at the last time kept. */
+static enum status load_gap(const struct store_read *file, const struct scene *scene,
+                            double *gap, struct message *why)
+{
+    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
+    enum status st = xyz ? STATUS_OK : STATUS_MEMORY;
+
+    TRY(st);
+    if (store_read_frames(file)) {
+        TRY(store_read_frame(file, store_read_frames(file) - 1, xyz, why));
+        *gap = contact_least_gap(scene, GRID_POINTS, xyz);
+    }
+out:
+    free(xyz);
+    return st;
+}
+
+static enum status load_scene(const char *path, double *gamma, double *gap,
+                              struct message *why)
 {
     struct store_read *file = NULL;
     struct scene scene = {0};
@@ -169,6 +192,8 @@ static enum status load_gamma(const char *path, double *gamma, struct message *w
     TRY(store_read_open(path, &file, why));
     TRY(store_scene(file, path, &scene, why));
     *gamma = scene_gamma(&scene);
+    if (scene_needs(&scene) & SCENE_NEED_CONTACT)
+        TRY(load_gap(file, &scene, gap, why));
 out:
     scene_clear(&scene);
     store_read_close(file);
@@ -181,14 +206,14 @@ static enum status load_row(struct table23_data *d, const char *folder, int n,
     enum status st = STATUS_OK;
     char path[TIMED_PATH];
 
-    d->gamma[n] = NAN;
+    d->gamma[n] = d->gap[n] = NAN;
     for (int kind = 0; kind < TABLE23_KINDS; kind++) {
         file_of(folder, &d->row[n], kind, path);
         TRY(timed_read(path, &d->cell[n][kind], why));
         if (d->cell[n][kind].refused)
             continue;
         if (isnan(d->gamma[n]))
-            TRY(load_gamma(path, &d->gamma[n], why));
+            TRY(load_scene(path, &d->gamma[n], &d->gap[n], why));
         if (!*d->machine)
             strcpy(d->machine, path);
     }

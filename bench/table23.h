@@ -45,6 +45,7 @@ struct table23_data {
     struct table23_row row[TABLE23_MOST_ROWS];
     struct timed_result cell[TABLE23_MOST_ROWS][TABLE23_KINDS];
     double gamma[TABLE23_MOST_ROWS]; /* NaN: no run                                    */
+    double gap[TABLE23_MOST_ROWS];   /* from the obstacle, when last kept [m]; NaN: none */
     char machine[TIMED_PATH];        /* a file whose provenance holds for all          */
 };
 enum status table23_load(enum table23 which, const char *folder, struct table23_data **d,

@@ -139,6 +139,7 @@ static void tell_same(const struct table23_data *d, FILE *file)
 static void tell_contact(const struct table23_data *d, FILE *file)
 {
     const int contact = PAPER_TABLE2_CONTACT, flag = PAPER_TABLE2_ROWS - 1;
+    const struct counters *work = &d->cell[contact][TABLE23_PRINTED].work;
     double ratio =
         table23_cost(d, contact, TABLE23_PRINTED) / table23_cost(d, flag, TABLE23_PRINTED);
 
@@ -150,12 +151,13 @@ static void tell_contact(const struct table23_data *d, FILE *file)
     if (isnan(ratio))
         fprintf(file, "Here it was not run, for the reason noted above.\n");
     else
-        fprintf(file,
-                "Here it costs %.2f times the flag, fall and contact together, %.2f "
-                "factorisations a frame.\n",
-                ratio,
-                (double)d->cell[contact][TABLE23_PRINTED].work.factorisations /
-                    (double)d->cell[contact][TABLE23_PRINTED].work.steps);
+        fprintf(
+            file,
+            "Here it costs %.2f times the flag, fall and landing together, at %.2f "
+            "factorisations a frame; at the\n  end of the %ld frames the sheet is %.2g mm "
+            "off the ground.\n",
+            ratio, (double)work->factorisations / (double)work->steps, work->steps,
+            1e3 * d->gap[contact]);
 }
 
 static void tell_degree(const struct table23_data *d, FILE *file)

@@ -281,6 +281,23 @@ static void destroy(void *state)
     free(p);
 }
 
+static enum status check_remedy(const struct discretization *d, struct message *why)
+{
+    if (d->remedy != REMEDY_NONE && d->remedy != REMEDY_REDUCED)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "iga has no remedy=%s; use none or reduced",
+                           remedy_name(d->remedy));
+    if (d->remedy == REMEDY_NONE)
+        return STATUS_OK;
+    if (d->degree[0] < 2 || d->degree[1] < 2)
+        return status_fail(why, STATUS_INPUT,
+                           "remedy=reduced needs degree 2 or more along u and v");
+    if (d->gauss[0] || d->gauss[1] || d->gauss[2])
+        return status_fail(why, STATUS_INPUT,
+                           "remedy=reduced has its own rule; leave gauss out");
+    return STATUS_OK;
+}
+
 static enum status create(const struct scene *scene, const struct discretization *d,
                           void **state, struct message *why)
 {
@@ -291,9 +308,7 @@ static enum status create(const struct scene *scene, const struct discretization
 
     TRY(solid_model_refuse(scene, SOLID_MODEL_SERVES, why));
     TRY(discretization_refuse(d, 0, why));
-    if (d->remedy != REMEDY_NONE)
-        return status_fail(why, STATUS_UNSUPPORTED, "iga has no remedy=%s; use remedy=none",
-                           remedy_name(d->remedy));
+    TRY(check_remedy(d, why));
     p = calloc(1, sizeof *p);
     if (!p)
         TRY(STATUS_MEMORY);
@@ -302,6 +317,8 @@ static enum status create(const struct scene *scene, const struct discretization
         scene, d, p->patch.basis[2].n == p->patch.basis[2].p + 1 && !d->weight_count,
         &thickness, why));
     TRY(plate_space_init(&p->space, &p->tables, &p->patch, d->gauss, thickness));
+    if (d->remedy == REMEDY_REDUCED)
+        TRY(plate_space_reduce(&p->space, &p->tables, &p->patch));
     if (thickness) {
         degree = thickness_degrees(&p->space, p->patch.basis[2].n);
         if (!degree)

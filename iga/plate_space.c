@@ -38,17 +38,20 @@ static void direction_clear(struct plate_direction *d)
     free(d->N);
     free(d->dN);
     free(d->weight);
+    free(d->points);
     memset(d, 0, sizeof *d);
 }
 
+/* `counts` of points a span, at most `gauss` and taken over, or NULL: all. */
 static enum status direction_init(struct plate_direction *d, const struct bspline *b,
-                                  int gauss, bool legendre)
+                                  int gauss, int *counts, bool legendre)
 {
     int *span = malloc((size_t)b->n * sizeof *span);
     double x[GAUSS_MAX], w[GAUSS_MAX], value[2 * BSPLINE_MAX_ORDER];
     size_t points;
 
-    *d = (struct plate_direction){.order = b->p + 1, .gauss = gauss ? gauss : b->p + 1};
+    *d = (struct plate_direction){
+        .order = b->p + 1, .gauss = gauss ? gauss : b->p + 1, .points = counts};
     if (!span)
         return STATUS_MEMORY;
     d->spans = bspline_spans(b, span);
@@ -61,11 +64,12 @@ static enum status direction_init(struct plate_direction *d, const struct bsplin
         free(span);
         return STATUS_MEMORY;
     }
-    gauss_rule(d->gauss, x, w);
     for (int e = 0; e < d->spans; e++) {
         double lo = b->U[span[e]], size = b->U[span[e] + 1] - lo;
+        int count = counts ? counts[e] : d->gauss;
+        gauss_rule(count, x, w);
         d->first[e] = span[e] - b->p;
-        for (int q = 0; q < d->gauss; q++) {
+        for (int q = 0; q < count; q++) {
             size_t row = (size_t)(e * d->gauss + q);
             if (legendre)
                 plate_space_legendre(b->p, lo + size * x[q], value, value + d->order);
@@ -180,6 +184,94 @@ static void functions(const struct solid_space *space, int element,
     }
 }
 
+/* N, G and weight of one point: rows of the three directions' tables. */
+static double one_point(const struct plate_direction *const d[3], const size_t at[3],
+                        double *N, double *G, int row)
+{
+    const double *value[3], *slope[3];
+    int n = 0;
+
+    for (int i = 0; i < 3; i++) {
+        value[i] = d[i]->N + at[i] * (size_t)d[i]->order;
+        slope[i] = d[i]->dN + at[i] * (size_t)d[i]->order;
+    }
+    for (int a = 0; a < d[0]->order; a++)
+        for (int b = 0; b < d[1]->order; b++)
+            for (int c = 0; c < d[2]->order; c++, n++) {
+                N[n] = value[0][a] * value[1][b] * value[2][c];
+                G[n] = slope[0][a] * value[1][b] * value[2][c];
+                G[row + n] = value[0][a] * slope[1][b] * value[2][c];
+                G[2 * row + n] = value[0][a] * value[1][b] * slope[2][c];
+            }
+    return d[0]->weight[at[0]] * d[1]->weight[at[1]] * d[2]->weight[at[2]];
+}
+
+static int reduced_functions(const struct solid_space *space, int element,
+                             struct solid_functions *out)
+{
+    const struct plate_tables *t = space->tables;
+    const struct plate_direction *const d[3] = {&t->reduced[0], &t->reduced[1],
+                                                &t->direction[2]};
+    int e[3] = {element / (d[1]->spans * d[2]->spans), element / d[2]->spans % d[1]->spans,
+                element % d[2]->spans};
+    int row = SOLID_PADDED(space->local), count = 0;
+    size_t at[3];
+
+    for (int q = 0; q < d[0]->points[e[0]]; q++)
+        for (int s = 0; s < d[1]->points[e[1]]; s++)
+            for (int r = 0; r < d[2]->gauss; r++, count++) {
+                double *N = out->N + count * row, *G = out->G + 3 * count * row;
+                at[0] = (size_t)(e[0] * d[0]->gauss + q);
+                at[1] = (size_t)(e[1] * d[1]->gauss + s);
+                at[2] = (size_t)(e[2] * d[2]->gauss + r);
+                out->weight[count] = one_point(d, at, N, G, row);
+                if (t->point_weight)
+                    make_rational(space, element, N, G, row);
+            }
+    return count;
+}
+
+/* Points a span: one, and one more for every function that the spans between two knots of
+ * full multiplicity have beyond their number, dealt out from both ends inwards. */
+static int *reduced_counts(const struct bspline *b)
+{
+    int *span = malloc((size_t)b->n * sizeof *span), *counts = NULL, spans;
+
+    if (!span)
+        return NULL;
+    spans = bspline_spans(b, span);
+    counts = malloc((size_t)spans * sizeof *counts);
+    for (int e = 0; counts && e < spans; e++) /* a knot that repeats adds functions */
+        counts[e] = e + 1 < spans ? span[e + 1] - span[e] : 1;
+    for (int k = 0; counts && k < b->p; k++) {
+        int e = k % 2 ? spans - 1 - k / 2 : k / 2;
+        counts[e < 0 ? 0 : e >= spans ? spans - 1 : e]++;
+    }
+    for (int e = 0; counts && e < spans; e++)
+        counts[e] = counts[e] > b->p + 1 ? b->p + 1 : counts[e];
+    free(span);
+    return counts;
+}
+
+enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch)
+{
+    for (int i = 0; i < 2; i++) {
+        const struct bspline *b = &patch->basis[i];
+        int *counts = reduced_counts(b), most = 1;
+        if (!counts)
+            return STATUS_MEMORY;
+        for (int e = 0; e < tables->direction[i].spans; e++)
+            most = counts[e] > most ? counts[e] : most;
+        enum status st = direction_init(&tables->reduced[i], b, most, counts, false);
+        if (st != STATUS_OK)
+            return st;
+    }
+    space->reduced = reduced_functions;
+    space->plane_stress = patch->basis[2].n == 2;
+    return STATUS_OK;
+}
+
 static void number_elements(struct solid_space *space, const struct plate_tables *t,
                             const struct patch *patch)
 {
@@ -249,7 +341,7 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
     struct solid_space new = {.nodes = patch_nodes(patch), .local = patch_local(patch)};
 
     for (int i = 0; i < 3; i++)
-        TRY(direction_init(&t.direction[i], &patch->basis[i], gauss[i],
+        TRY(direction_init(&t.direction[i], &patch->basis[i], gauss[i], NULL,
                            thickness && i == 2));
     TRY(make_products(&t));
     new.elements = d[0].spans *d[1].spans *d[2].spans;
@@ -279,6 +371,8 @@ void plate_space_clear(struct solid_space *space, struct plate_tables *tables)
         return;
     for (int i = 0; i < 3; i++)
         direction_clear(&tables->direction[i]);
+    for (int i = 0; i < 2; i++)
+        direction_clear(&tables->reduced[i]);
     free(tables->product);
     memset(tables, 0, sizeof *tables);
 }

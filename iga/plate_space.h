@@ -12,6 +12,7 @@
 /* Tables of one direction, per non-empty span and Gauss point: [spans][gauss][p + 1]. */
 struct plate_direction {
     int spans, order, gauss; /* order = p + 1 functions                                */
+    int *points;             /* [spans] of the gauss points in use; NULL: all  owned   */
     int *first;              /* [spans] first function alive                   owned   */
     double *N, *dN;          /* values and derivatives                         owned   */
     double *weight;          /* [spans][gauss]                                 owned   */
@@ -21,16 +22,29 @@ struct plate_tables {
     struct plate_direction direction[3];
     /* Products over v and w, [spans v][spans w][gauss v][gauss w][3][order v * order w]:
      * N N, N' N, N N'. */
-    double *product;     /*                                                    owned   */
+    double *product; /*                                                    owned   */
+    struct plate_direction reduced[2]; /* u, v of plate_space_reduce; else all zero    */
     const double *point_weight; /* [nodes] NURBS weights or NULL; borrowed from patch  */
 };
 
 /* Builds *space and *tables of the patch's present shape; gauss[3] points per span, 0: p+1.
- * `thickness` asks for the Legendre basis through w: one span there, and weights, if any, that
- * do not vary through it. The patch is borrowed for its weights. Parity is left NULL. */
+ * `thickness` asks for the Legendre basis through w: one span there, and weights, if any,
+ * that do not vary through it. The patch is borrowed for its weights. Parity is left NULL.
+ */
 enum status plate_space_init(struct solid_space *space, struct plate_tables *tables,
                              const struct patch *patch, const int gauss[3], bool thickness);
 void plate_space_clear(struct solid_space *space, struct plate_tables *tables);
+
+/* The stiffness of *space by as many points in u and in v as there are functions: one in
+ * the middle of each span, and one more in as many spans at the ends as the space has
+ * functions more than spans (at inner knots that repeat, likewise). Transverse shear and
+ * membrane strains can then vanish wherever bending asks them to, which cures locking at
+ * any thickness, and no mode goes unseen (patch-wise reduced integration: Adam,
+ * Bouabdallah, Zarroug, Maitournam, CMAME 284, 2015; the placing of the points is ours).
+ * With one linear function through the thickness, plane stress as well: that function
+ * cannot follow the strain nu asks of it. */
+enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch);
 
 /* Values of the functions through the thickness in use at w: N[order]. */
 void plate_space_thickness(const struct patch *patch, bool thickness, double w, double *N);

@@ -138,6 +138,7 @@ const char *remedy_name(enum remedy r)
     static const char *const words[] = {
         [REMEDY_NONE] = "none",
         [REMEDY_INCOMPATIBLE] = "incompatible",
+        [REMEDY_REDUCED] = "reduced",
     };
     return WORD(words, r);
 }

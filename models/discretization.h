@@ -18,6 +18,7 @@ enum kinematics {
 enum remedy {
     REMEDY_NONE,         /* the paper's                                                */
     REMEDY_INCOMPATIBLE, /* hex: Wilson-Taylor incompatible modes                      */
+    REMEDY_REDUCED,      /* iga: patch-wise reduced rule, plane stress (plate_space.h) */
 };
 
 /* Which coefficients through the thickness are unknowns. */

@@ -16,6 +16,8 @@ struct solid_material solid_element_material(double young, double poisson, doubl
     return (struct solid_material){
         .lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson)),
         .mu = young / (2 * (1 + poisson)),
+        .plane = young * poisson / (1 - poisson * poisson),
+        .across = young - young / (1 + poisson),
         .density = density,
     };
 }
@@ -25,6 +27,7 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
     size_t local = (size_t)space->local, gauss = (size_t)space->gauss;
     size_t columns = local + (size_t)space->modes;
     size_t padded = SOLID_PADDED(columns), row = SOLID_PADDED(local);
+    size_t plane = space->plane_stress;
     const struct {
         double **part;
         size_t count;
@@ -36,6 +39,10 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
         {&e->g, gauss * 3 * padded},
         {&e->wg, gauss * 3 * padded},
         {&e->dV, SOLID_PADDED(gauss)},
+        {&e->n, plane * SOLID_PADDED(3 * gauss)},
+        {&e->y, plane * 2 * gauss * 3 * padded},
+        {&e->wy, plane * 2 * gauss * 3 * padded},
+        {&e->L, plane * padded * 9 * padded},
         {&e->wN, gauss * row},
         {&e->H, padded * 9 * padded}, /* rows in pairs: one more than columns */
         {&e->M, local * row},
@@ -58,7 +65,7 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
     e->local = space->local;
     e->row = (int)row;
     e->padded = (int)padded;
-    e->gauss = space->gauss;
+    e->gauss = e->points = space->gauss;
     e->modes = space->modes;
     return STATUS_OK;
 }
@@ -78,9 +85,10 @@ static void cross(const double a[4], const double b[4], double out[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* T = J^-T with J_ij = sum_a X_ai N_a,j; G's rows are `row` apart. Returns det J. */
+/* T = J^-T with J_ij = sum_a X_ai N_a,j; G's rows are `row` apart. Returns det J; the unit
+ * normal of w = const into n[3], unless NULL. */
 static double inverse_jacobian(int local, int row, const double *X, const double *G,
-                               double T[3][3])
+                               double T[3][3], double *n)
 {
     lanes column[3] = {{0}}; /* J's columns */
     double J[3][SOLID_LANES], cofactor[3][3], det;
@@ -98,6 +106,10 @@ static double inverse_jacobian(int local, int row, const double *X, const double
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             T[i][j] = cofactor[j][i] / det;
+    for (int i = 0; n && i < 3; i++)
+        n[i] = cofactor[2][i] /
+               sqrt(cofactor[2][0] * cofactor[2][0] + cofactor[2][1] * cofactor[2][1] +
+                    cofactor[2][2] * cofactor[2][2]);
     return det;
 }
 
@@ -130,15 +142,16 @@ static enum status physical_gradients(struct solid_element *e,
 
     if (e->modes) {
         centre_det =
-            inverse_jacobian(e->local, e->row, e->X, space->centre_gradient, centre);
+            inverse_jacobian(e->local, e->row, e->X, space->centre_gradient, centre, NULL);
         if (!(centre_det > 0))
             return bad_jacobian(centre_det);
     }
-    for (int q = 0; q < e->gauss; q++) {
+    for (int q = 0; q < e->points; q++) {
         const double *G = e->shape.G + (size_t)q * 3 * (size_t)e->row;
         double *g = e->g + (size_t)q * 3 * (size_t)e->padded;
         double *wg = e->wg + (size_t)q * 3 * (size_t)e->padded;
-        double T[3][3], det = inverse_jacobian(e->local, e->row, e->X, G, T);
+        double *n = space->plane_stress ? e->n + 3 * q : NULL;
+        double T[3][3], det = inverse_jacobian(e->local, e->row, e->X, G, T, n);
 
         if (!(det > 0))
             return bad_jacobian(det);
@@ -152,16 +165,29 @@ static enum status physical_gradients(struct solid_element *e,
     return STATUS_OK;
 }
 
+/* dV alone. */
+static enum status volumes(struct solid_element *e)
+{
+    for (int q = 0; q < e->gauss; q++) {
+        double T[3][3], det = inverse_jacobian(e->local, e->row, e->X,
+                                               e->shape.G + q * 3 * e->row, T, NULL);
+        if (!(det > 0))
+            return bad_jacobian(det);
+        e->dV[q] = e->shape.weight[q] * det;
+    }
+    return STATUS_OK;
+}
+
 /* H[a][3 i + j][b] = sum_q wg_i[a] g_j[b] for rows a and a + 1 and the lanes from `first`
  * on: two rows share the loads of g. */
-static void outer_rows(const struct solid_element *e, int a, int first)
+static void outer_rows(const struct solid_element *e, int points, const double *wg,
+                       const double *g, double *H, int a, int first)
 {
     size_t stride = 3 * (size_t)e->padded;
-    const double *wg = e->wg + a, *g = e->g + first;
-    double *H = e->H + (size_t)a * 9 * (size_t)e->padded + first;
     lanes s[9] = {{0}}, r[9] = {{0}};
 
-    for (int q = 0; q < e->gauss; q++, wg += stride, g += stride) {
+    wg += a, g += first, H += (size_t)a * 9 * (size_t)e->padded + first;
+    for (int q = 0; q < points; q++, wg += stride, g += stride) {
         lanes g0 = *(const lanes *)g, g1 = *(const lanes *)(g + e->padded),
               g2 = *(const lanes *)(g + 2 * e->padded);
         const double *w1 = wg + e->padded, *w2 = wg + 2 * e->padded;
@@ -178,17 +204,44 @@ static void outer_rows(const struct solid_element *e, int a, int first)
     }
 }
 
-static void outer_gradients(struct solid_element *e)
+static void outer_products(struct solid_element *e, int points, const double *wg,
+                           const double *g, double *H)
 {
     for (int a = 0; a < e->local + e->modes; a += 2)
         for (int b = a / SOLID_LANES * SOLID_LANES; b < e->padded; b += SOLID_LANES)
-            outer_rows(e, a, b);
+            outer_rows(e, points, wg, g, H, a, b);
 }
 
-/* K_ab from H_ab, four b at a time. */
-static void stiffness(struct solid_element *e, const struct solid_material *material)
+/* What plane_stress has in place of lambda: y = P g and n (n.g) at every point. */
+static void split_gradients(struct solid_element *e, const struct solid_material *material)
 {
-    double lambda = material->lambda, mu = material->mu;
+    size_t size = 3 * (size_t)e->padded;
+
+    for (int q = 0; q < e->points; q++) {
+        const double *g = e->g + (size_t)q * size, *n = e->n + 3 * q;
+        double *along = e->y + (size_t)q * 2 * size, *across = along + size;
+        double *weighted = e->wy + (size_t)q * 2 * size;
+        double plane = e->dV[q] * material->plane, stiff = e->dV[q] * material->across;
+        for (int a = 0; a < e->padded; a++) {
+            double normal =
+                n[0] * g[a] + n[1] * g[e->padded + a] + n[2] * g[2 * e->padded + a];
+            for (int i = 0; i < 3; i++) {
+                int t = i * e->padded + a;
+                across[t] = n[i] * normal;
+                along[t] = g[t] - across[t];
+                weighted[t] = plane * along[t];
+                weighted[size + (size_t)t] = stiff * across[t];
+            }
+        }
+    }
+    outer_products(e, 2 * e->points, e->wy, e->y, e->L);
+}
+
+/* K_ab from H_ab, four b at a time. `plane`: what goes with lambda is in L. */
+static void stiffness(struct solid_element *e, const struct solid_material *material,
+                      bool plane)
+{
+    double lambda = plane ? 0 : material->lambda, mu = material->mu;
     int rows = e->local + e->modes, n = e->padded;
 
     for (int a = 0; a < rows; a++)
@@ -203,6 +256,9 @@ static void stiffness(struct solid_element *e, const struct solid_material *mate
                 k[t] = lambda * h[t] + mu * h[t % 3 * 3 + t / 3];
             lanes shear = mu * (h[0] + h[4] + h[8]);
             k[0] += shear, k[4] += shear, k[8] += shear;
+            const double *L = plane ? e->L + (H - e->H) : NULL;
+            for (int t = 0; L && t < 9; t++)
+                k[t] += *(const lanes *)(L + t * n);
             for (int b = 0; b < SOLID_LANES; b++)
                 for (int t = 0; t < 9; t++)
                     K[9 * b + t] = k[t][b];
@@ -293,13 +349,23 @@ enum status solid_element_compute(struct solid_element *e, const struct solid_sp
     for (int a = 0; a < e->local; a++)
         for (int i = 0; i < 3; i++)
             e->X[SOLID_LANES * a + i] = x[3 * (size_t)node[a] + (size_t)i];
+    if (space->reduced) {
+        st = volumes(e);
+        if (st != STATUS_OK)
+            return st;
+        mass(e, material->density);
+        e->points = space->reduced(space, element, &e->shape);
+    }
     st = physical_gradients(e, space);
     if (st != STATUS_OK)
         return st;
-    outer_gradients(e);
-    stiffness(e, material);
+    outer_products(e, e->points, e->wg, e->g, e->H);
+    if (space->plane_stress)
+        split_gradients(e, material);
+    stiffness(e, material, space->plane_stress);
     if (e->modes)
         condense(e);
-    mass(e, material->density);
+    if (!space->reduced)
+        mass(e, material->density);
     return STATUS_OK;
 }

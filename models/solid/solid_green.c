@@ -16,6 +16,9 @@ static struct solid_green_rest rest_of(const struct solid_green *s, int element)
     size_t e = (size_t)element, gauss = (size_t)space->gauss, modes = (size_t)space->modes;
 
     return (struct solid_green_rest){
+        .points = s->points[e],
+        .plane_stress = space->plane_stress,
+        .n = space->plane_stress ? s->n + e * gauss * 3 : NULL,
         .g = s->g + e * gauss * 3 * row_of(space),
         .dV = s->dV + e * gauss,
         .mode = modes ? s->mode + e * gauss * modes * 3 : NULL,
@@ -26,11 +29,14 @@ static struct solid_green_rest rest_of(const struct solid_green *s, int element)
 /* Copies what solid_element_compute found on the rest shape. */
 static void keep_rest(struct solid_green *s, const struct solid_element *from, int element)
 {
+    s->points[element] = from->points;
     struct solid_green_rest rest = rest_of(s, element);
     double *g = (double *)rest.g, *dV = (double *)rest.dV, *mode = (double *)rest.mode;
     int local = from->local, modes = from->modes;
 
-    for (int q = 0; q < from->gauss; q++) {
+    if (rest.plane_stress)
+        memcpy((double *)rest.n, from->n, 3 * (size_t)from->points * sizeof *from->n);
+    for (int q = 0; q < from->points; q++) {
         dV[q] = from->dV[q];
         for (int i = 0; i < 3; i++) {
             const double *row = from->g + (q * 3 + i) * from->padded;
@@ -62,13 +68,17 @@ enum status solid_green_init(struct solid_green *s, const struct solid_assembly 
 
     new.g = numbers(points * 3 * row_of(space));
     new.dV = numbers(points);
+    new.points = calloc((size_t)space->elements, sizeof *new.points);
+    if (space->plane_stress)
+        new.n = numbers(points * 3);
     new.work = calloc((size_t)omp_get_max_threads(), sizeof *new.work);
     if (space->modes) {
         new.mode = numbers(points * 3 * (size_t)space->modes);
         new.A =
             numbers((size_t)space->elements * SOLID_GREEN_INTERNAL * SOLID_GREEN_INTERNAL);
     }
-    if (!new.g || !new.dV || !new.work || (space->modes && (!new.mode || !new.A)))
+    if (!new.g || !new.dV || !new.points || !new.work || (space->plane_stress && !new.n) ||
+        (space->modes && (!new.mode || !new.A)))
         TRY(STATUS_MEMORY);
     for (; new.threads < omp_get_max_threads(); new.threads++)
         TRY(solid_green_element_init(&new.work[new.threads], space));
@@ -93,6 +103,8 @@ void solid_green_clear(struct solid_green *s)
     free(s->work);
     free(s->g);
     free(s->dV);
+    free(s->points);
+    free(s->n);
     free(s->mode);
     free(s->A);
     memset(s, 0, sizeof *s);

@@ -17,6 +17,8 @@ struct solid_green {
     const struct solid_assembly *assembly; /* pattern, places, material      borrowed  */
     double *g;    /* [elements][gauss][3][row]                               owned     */
     double *dV;   /* [elements][gauss]                                       owned     */
+    int *points;  /* [elements] of the stiffness                             owned     */
+    double *n;    /* [elements][gauss][3] or NULL                            owned     */
     double *mode; /* [elements][gauss][modes][3] or NULL                     owned     */
     double *A;    /* [elements][INTERNAL][INTERNAL] or NULL                  owned     */
     int threads;

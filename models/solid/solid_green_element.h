@@ -2,9 +2,10 @@
  * displacements: total Lagrangian, Green strain, St. Venant-Kirchhoff law.
  *
  * Displacement functions have rest gradients g_a. With D = sum u_a g_a^T, F = I + D:
- *   E = (D + D^T + D^T D)/2,   S = lambda tr(E) I + 2 mu E,   f_a = int F S g_a dV,
- *   K_ab = int lambda p_a p_b^T + mu p_b p_a^T + mu (g_a.g_b) F F^T + (g_a.S g_b) I dV,
- * p_a = F g_a (Holzapfel 2000, sec. 8.4, with the isotropic law written out).
+ *   E = (D + D^T + D^T D)/2,   S = lambda tr(E) I + 2 mu E (plane_stress: solid_element.h),
+ * f_a = int F S g_a dV, K_ab = int lambda p_a p_b^T + mu p_b p_a^T + mu (g_a.g_b) F F^T +
+ * (g_a.S g_b) I dV, p_a = F g_a (Holzapfel 2000, sec. 8.4, with the isotropic law written
+ * out).
  *
  * Internal modes (solid_space.h) are strains sym(alpha_m g_m^T) added to E: with this law
  * alpha is a linear function of E, so that nothing has to be iterated or remembered
@@ -20,6 +21,9 @@ enum { SOLID_GREEN_STRAINS = 6, SOLID_GREEN_INTERNAL = 9 };
 
 /* What the rest shape gives an element; rows padded as in solid_space.h. */
 struct solid_green_rest {
+    int points;         /* of the stiffness                                             */
+    bool plane_stress;  /* solid_element.h                                              */
+    const double *n;    /* [gauss][3] unit normals; plane_stress only                   */
     const double *g;    /* [gauss][3][row] gradients                              [1/m] */
     const double *mode; /* [gauss][modes][3] of the internal modes                [1/m] */
     const double *dV;   /* [gauss]                                                [m^3] */
@@ -30,11 +34,14 @@ struct solid_green_rest {
 /* Room for one element; one per thread. */
 struct solid_green_element {
     int local, row, gauss, modes;
-    double *U[3];   /* [row][4]: displacement, present and of the geometry; last change;
-                       fourth zero                                            [m]   */
+    bool plane;   /* space->plane_stress                                                  */
+    double *U[3]; /* [row][4]: displacement, present and of the geometry; last change;
+                     fourth zero                                            [m]   */
     double *strain; /* [gauss][6]                                                       */
     double *f;      /* [row][4]                                                   [N]   */
     double *p, *wp; /* [gauss][3][row] F g and dV F g                                   */
+    double *y, *wy; /* [2 gauss][3][row] F P g, F n (n.g); weighted; plane_stress only  */
+    double *L;      /* [row][9][row] as in solid_element.h                              */
     double *Sg;     /* [3][row] at one point                                            */
     double *H;      /* [row][9][row] int p_ai p_bj; valid for b >= a                    */
     double *C;      /* [row][6][row] xx, yy, zz, xy, yz, zx of what is symmetric        */

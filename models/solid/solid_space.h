@@ -54,6 +54,14 @@ struct solid_space {
                       struct solid_functions *out);
     void *tables; /* of the owner of `functions`                                       */
 
+    /* Cure for locking: the stiffness by fewer points than the mass (NULL: the same points).
+     * Fills `out` as `functions` does, returns the points used, at most `gauss`. */
+    int (*reduced)(const struct solid_space *space, int element,
+                   struct solid_functions *out);
+    /* Strain across the thickness is not coupled with those along the sheet: what one linear
+     * function through the thickness needs (solid_element.h). */
+    bool plane_stress;
+
     /* Element-internal displacement modes without mass, condensed out of the stiffness
      * (Wilson et al. 1973; Taylor, Beresford, Wilson 1976): parametric gradients
      * [gauss][3][modes], the same for all elements; pushed forward with the Jacobian at

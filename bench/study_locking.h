@@ -16,7 +16,7 @@
 
 extern const struct exhibit study_locking_exhibit;
 
-enum { STUDY_LOCKING_SPACES = 14, STUDY_LOCKING_MOST = 12, STUDY_LOCKING_PROTOTYPES = 3 };
+enum { STUDY_LOCKING_SPACES = 16, STUDY_LOCKING_MOST = 12, STUDY_LOCKING_PROTOTYPES = 3 };
 
 struct study_locking_space {
     const char *label, *name; /* of tables; of files, [a-z0-9_]+                       */

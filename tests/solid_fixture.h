@@ -11,7 +11,7 @@
 #include "tests/check.h"
 #include "tests/spline_fixture.h"
 
-enum solid_kind { SOLID_IGA, SOLID_HEX, SOLID_INCOMPATIBLE };
+enum solid_kind { SOLID_IGA, SOLID_REDUCED, SOLID_HEX, SOLID_INCOMPATIBLE };
 
 /* Not to be copied once made: the space points into it. */
 struct solid {
@@ -32,6 +32,8 @@ struct solid_case {
 
 static inline enum solid_kind solid_kind(const char *word)
 {
+    if (!strcmp(word, "reduced"))
+        return SOLID_REDUCED;
     if (!strcmp(word, "hex"))
         return SOLID_HEX;
     if (!strcmp(word, "incompatible"))
@@ -93,13 +95,15 @@ static inline void solid_make(struct solid *s, enum solid_kind kind, struct patc
     s->patch = *patch;
     memset(patch, 0, sizeof *patch);
     b = s->patch.basis;
-    if (kind == SOLID_IGA)
+    if (kind <= SOLID_REDUCED)
         REQUIRE(plate_space_init(&s->space, &s->tables, &s->patch, gauss, thickness) ==
                 STATUS_OK);
     else
         REQUIRE(hex_space_init(&s->space, &s->hex, (int[]){b[0].n, b[1].n, b[2].n},
                                s->patch.point, thickness,
                                kind == SOLID_INCOMPATIBLE) == STATUS_OK);
+    if (kind == SOLID_REDUCED)
+        REQUIRE(plate_space_reduce(&s->space, &s->tables, &s->patch) == STATUS_OK);
     REQUIRE(solid_assembly_init(&s->assembly, &s->space, material) == STATUS_OK);
     REQUIRE(solid_assembly_compute(&s->assembly, s->space.rest) == STATUS_OK);
 }
@@ -107,7 +111,7 @@ static inline void solid_make(struct solid *s, enum solid_kind kind, struct patc
 static inline void solid_clear(struct solid *s)
 {
     solid_assembly_clear(&s->assembly);
-    if (s->kind == SOLID_IGA)
+    if (s->kind <= SOLID_REDUCED)
         plate_space_clear(&s->space, &s->tables);
     else
         solid_space_clear(&s->space);

@@ -185,6 +185,9 @@ int main(void)
     for (int p = 1; p <= 4; p++)
         check_solid(SOLID_IGA, p, p < 4 ? p + 1 : 2, 1 + p % 2, p % 2);
     check_solid(SOLID_IGA, 2, 2, 1, true);
+    for (int p = 2; p <= 4; p++)
+        for (int r = 1; r <= 2; r++)
+            check_solid(SOLID_REDUCED, p, 2, r, p % 2);
     check_solid(SOLID_HEX, 1, 1, 1, false);
     check_solid(SOLID_HEX, 1, 1, 1, true);
     check_solid(SOLID_INCOMPATIBLE, 1, 1, 1, false);

@@ -97,7 +97,7 @@ static void without_shear(const struct study_locking *s)
 
 static void prints(const char *folder)
 {
-    char text[1 << 15];
+    char text[1 << 16];
     FILE *file = tmpfile();
 
     REQUIRE(file);

@@ -5,9 +5,10 @@
  * (Hughes 2000, sec. 2.7-2.9), by the space's Gauss rule; the stiffness by its reduced one,
  * if it has one. With plane_stress, n the normal of the surface w = const, P = I - n n^T:
  *   stress = plane tr(P eps) P + 2 mu eps + across (n.eps n) n n^T,
- * which gives plane stress along the sheet and Young's modulus across it. Gradients are with respect to
- * the geometry given, which is the rest shape or, in the kinematics that rebuild, the
- * present one.
+ * which gives plane stress along the sheet and Young's modulus across it.
+ *
+ * Gradients are with respect to the geometry given, which is the rest shape or, in the
+ * kinematics that rebuild, the present one.
  */
 #ifndef SOLID_ELEMENT_H
 #define SOLID_ELEMENT_H

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/solid/solid_green_stiffness.h"
+
 static size_t row_of(const struct solid_space *space)
 {
     return SOLID_PADDED((size_t)space->local);
@@ -168,8 +170,8 @@ static void scatter_tangent(const struct task *t, const struct solid_green_eleme
     for (int a = 0; a < local; a++)
         for (int r = a / run; r < runs; r++) {
             int first = r * run > a ? r * run : a;
-            solid_green_element_blocks(e, &s->material, t->path->s1 + t->path->lag, a,
-                                       first, (r + 1) * run, t->K + place[a * runs + r]);
+            solid_green_stiffness_blocks(e, &s->material, t->path->s1 + t->path->lag, a,
+                                         first, (r + 1) * run, t->K + place[a * runs + r]);
         }
 }
 
@@ -222,8 +224,8 @@ static bool do_element(const struct task *t, struct solid_green_element *e, int 
         scatter_force(t, e, element);
     }
     if (t->K) {
-        solid_green_element_tangent(e, material, &rest, t->path->s1 + t->path->lag,
-                                    t->path->g1);
+        solid_green_stiffness_compute(e, material, &rest, t->path->s1 + t->path->lag,
+                                      t->path->g1);
         scatter_tangent(t, e, element);
     }
     return true;

@@ -76,14 +76,4 @@ void solid_green_element_force(struct solid_green_element *e,
                                const struct solid_material *material,
                                const struct solid_green_rest *rest);
 
-/* K_ab = stress_share material part + geometry_share geometric part with the stress of
- * e->strain, both on e->U[1], for b = first .. last - 1 >= a, row-major, into K[][9]. */
-void solid_green_element_tangent(struct solid_green_element *e,
-                                 const struct solid_material *material,
-                                 const struct solid_green_rest *rest, double stress_share,
-                                 double geometry_share);
-void solid_green_element_blocks(const struct solid_green_element *e,
-                                const struct solid_material *material, double stress_share,
-                                int a, int first, int last, double (*K)[9]);
-
 #endif

@@ -7,12 +7,16 @@
 #include "bench/study_locking.h"
 #include "bench/study_mesh.h"
 #include "bench/study_mesh_degree.h"
+#include "bench/study_thickness.h"
+#include "bench/study_thickness_degree.h"
 #include "bench/study_timestep.h"
 
 static const struct command_item *const items[] = {
     &study_mesh_exhibit.item,
     &study_degree_exhibit.item,
     &study_mesh_degree_exhibit.item,
+    &study_thickness_exhibit.item,
+    &study_thickness_degree_exhibit.item,
     &study_locking_exhibit.item,
     &study_timestep_exhibit.item,
     &study_flag_exhibit.item,

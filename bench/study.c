@@ -38,7 +38,8 @@ static enum status read_level(const struct study *study, const struct study_leve
         model->defaults(d);
     TRY(scene_file_find(study->scene, &path, why));
     TRY(scene_file_read(path, count, all, scene, d, why));
-    scene->end = study->time[study->times - 1];
+    if (study->times)
+        scene->end = study->time[study->times - 1];
 out:
     free(path);
     return st;
@@ -127,11 +128,13 @@ static enum status read_frames(const struct study *study, const char *path,
                                const struct scene *scene, struct study_row *row,
                                struct message *why)
 {
+    const int frames =
+        study->times ? study->times : 1; /* of a motion, or the equilibrium */
     struct store_read *file = NULL;
     enum status st;
 
     TRY(store_read_open(path, &file, why));
-    for (int t = 0; t < study->times && t < store_read_frames(file); t++) {
+    for (int t = 0; t < frames && t < store_read_frames(file); t++) {
         struct study_frame *f = &row->frame[t];
         f->xyz = malloc(3 * GRID_POINTS * sizeof *f->xyz);
         if (!f->xyz)

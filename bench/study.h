@@ -36,7 +36,8 @@ struct study {
     const char *numerics[STUDY_SETTINGS]; /* of all levels; NULL ends                    */
     int count;                            /* 1..STUDY_LEVELS                             */
     const struct study_level *levels;     /* [count], coarse to fine                     */
-    int times;                            /* 1..STUDY_TIMES                              */
+    int times;          /* 1..STUDY_TIMES; 0: static equilibrium as frame 0, not timed,
+                           for whoever prints it: study_print tells motions              */
     const double *time; /* [times], multiples of every level's step, increasing     [s]  */
     bool truth;         /* hold it against truth.h's: for undamped physics, early times  */
 };

@@ -238,7 +238,7 @@ static void test_file(void)
     REQUIRE(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/run.h5", folder);
     REQUIRE(scene_file_read(plan.path, 3, settings, &s, &unused, NULL) == STATUS_OK);
-    CHECK(s.shape == SCENE_CLOAK && s.opening == 150 && s.flare == 25);
+    CHECK(s.shape == SCENE_CLOAK && s.opening == 150 && s.flare == 10);
     CHECK(rung_run(&plan, NULL) == STATUS_OK);
     REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
     REQUIRE(store_scene(file, path, &again, NULL) == STATUS_OK);

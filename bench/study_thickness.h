@@ -1,0 +1,43 @@
+/* study_thickness.h - Ren et al. 2024, Fig. 10: a cloak of 1 mm and one of 5 mm (and 2 mm), in
+ * the paper's scheme, in the one without memory, and as a nonlinear shell on two nets, whose
+ * difference is its error bar.
+ */
+#ifndef STUDY_THICKNESS_H
+#define STUDY_THICKNESS_H
+
+#include "bench/rung.h"
+#include "bench/study.h"
+
+extern const struct exhibit study_thickness_exhibit;
+
+enum {
+    STUDY_THICKNESS_LEVELS = 3, /* the first and the last are the paper's               */
+    STUDY_THICKNESS_NETS = 2,   /* of the shell, coarse and fine                        */
+    STUDY_THICKNESS_SCHEMES = 2 + STUDY_THICKNESS_NETS,
+    STUDY_THICKNESS_TIMES = 4,
+};
+
+extern const struct study study_thickness_printed, study_thickness_incremental;
+
+/* Thickness of a level [m]. */
+double study_thickness_of(int level);
+
+/* A swing is the largest turn, at any of the times, of the line from the neck's middle to
+ * the hem's, out of its angle at rest. */
+struct study_thickness {
+    struct study_result printed, incremental, linear;
+    struct rung_result shell[STUDY_THICKNESS_LEVELS][STUDY_THICKNESS_NETS];
+    double angle, length, gamma; /* at rest [degrees]; [m]; of the first level          */
+    double swing[STUDY_THICKNESS_SCHEMES][STUDY_THICKNESS_LEVELS]; /* printed, incremental,
+                                     shells; NaN: none                        [degrees] */
+    double sunk[STUDY_THICKNESS_LEVELS]; /* the hem in linear equilibrium, rms      [m] */
+};
+
+enum status study_thickness_read(const char *folder, struct study_thickness **s,
+                                 struct message *why);
+void study_thickness_destroy(struct study_thickness *s); /* NULL is allowed */
+
+enum status study_thickness_print(const char *folder, enum table_format format, FILE *file,
+                                  struct message *why); /* study_thickness_print.c       */
+
+#endif

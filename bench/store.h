@@ -19,6 +19,8 @@
  *   seconds/create, seconds/sample                 [R]            raw, every repeat
  *   seconds/advance                                [R][steps]     raw, every step
  *   seconds/equilibrium                            [R][1]         raw
+ *   seconds/timed, seconds/processor               [1]   all that was timed together with
+ *                     this run; of that, with a processor: less where others want it too
  *   seconds/assemble, seconds/factor, seconds/solve  [R]          raw, phases of a step
  *
  * Beside FILE.h5 stands FILE.xdmf, if there are fields, which opens in ParaView (path with a

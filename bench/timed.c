@@ -15,6 +15,9 @@
  * so twenty frames a repeat do; where it does not, a case says how many it takes. */
 enum { REPEATS = 9, FRAMES = 20, QUICK_REPEATS = 3, QUICK_FRAMES = 5, WARMUP = 2 };
 
+/* Share of the processor below which a machine counts as busy. */
+static const double ENOUGH = 0.95;
+
 static const char *const phase_name[BENCH_SOLID_FRAME] = {"assemble", "factor", "solve"};
 
 /* One state on its way, sampled: what is stored of it. */
@@ -159,7 +162,9 @@ static enum status time_cases(const struct timing_plan *plan, int count,
                                                    .discretization = &cases[n].d,
                                                    .frames = cases[n].frames,
                                                    .rest = cases[n].rest};
+    double start = clock_now(), processor = clock_processor();
     TRY(timing_run(plan, timed, timing, why));
+    double all = clock_now() - start, ours = clock_processor() - processor;
     for (int n = 0, k = 0; n < count; n++) {
         if (!is_timed(&cases[n]))
             continue;
@@ -167,6 +172,8 @@ static enum status time_cases(const struct timing_plan *plan, int count,
                           why));
         TRY(store_seconds(cases[n].store, cases[n].rest ? "equilibrium" : "advance",
                           timing[k].advance, plan->repeats, timing[k].frames, why));
+        TRY(store_seconds(cases[n].store, "timed", &all, 1, 0, why));
+        TRY(store_seconds(cases[n].store, "processor", &ours, 1, 0, why));
         if (cases[n].phases)
             TRY(time_phases(&cases[n], plan->repeats, why));
         k++;
@@ -341,6 +348,20 @@ void timed_clear(struct timed_result *r)
     memset(r, 0, sizeof *r);
 }
 
+/* Milliseconds of a busy machine are too long; a reader should know. */
+static void tell_share(const struct store_read *run, FILE *file)
+{
+    struct clock_summary all = {0}, ours = {0};
+
+    if (timed_seconds(run, "timed", &all, NULL) != STATUS_OK ||
+        timed_seconds(run, "processor", &ours, NULL) != STATUS_OK || !all.count ||
+        !ours.count)
+        return;
+    fprintf(file, "; a processor for %.0f %% of the time", 100 * ours.median / all.median);
+    if (ours.median < ENOUGH * all.median)
+        fprintf(file, ": the machine was busy, the milliseconds are too long");
+}
+
 void timed_machine(const char *path, FILE *file)
 {
     static const char *const keys[] = {
@@ -357,6 +378,7 @@ void timed_machine(const char *path, FILE *file)
             fprintf(file, "%s%s %s", n ? "; " : " ", keys[n], text);
         free(text);
     }
+    tell_share(run, file);
     fprintf(file, "\n");
     store_read_close(run);
 }

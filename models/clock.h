@@ -5,6 +5,10 @@
 /* Monotonic time [s]. */
 double clock_now(void);
 
+/* Time that this thread has had a processor [s]: less than clock_now's where others want it
+ * too. */
+double clock_processor(void);
+
 /* Quartiles of repeats, linear between order statistics (type 7 of Hyndman & Fan 1996). */
 struct clock_summary {
     int count;

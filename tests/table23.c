@@ -17,6 +17,9 @@ static const double TOL_PRINTED = 0.005;
 /* Median and mean of a few doubles, taken twice. */
 static const double TOL_ROUNDING = 1e-12;
 
+/* Grain of the clocks [s]. */
+static const double TOL_CLOCK = 0.01;
+
 enum { QUICK_REPEATS = 3, QUICK_STEPS = 20 };
 
 static struct table23_data *measured(enum table23 which, const char *folder)
@@ -132,6 +135,16 @@ static void raw_seconds(const struct table23_data *d)
     CHECK_RELATIVE(table23_cost(d, 0, TABLE23_PRINTED),
                    1e3 * (mean[0] + mean[1] + mean[2] - low - high), TOL_ROUNDING);
     free(seconds);
+
+    /* no thread has a processor longer than there is time, bar the clocks' grain */
+    double *all, *ours;
+    REQUIRE(store_read_array(file, "seconds/timed", &all, &repeats, &frames, NULL) ==
+                STATUS_OK &&
+            store_read_array(file, "seconds/processor", &ours, &repeats, &frames, NULL) ==
+                STATUS_OK);
+    CHECK(*ours > 0 && *ours < *all + TOL_CLOCK);
+    free(all);
+    free(ours);
     store_read_close(file);
 }
 

@@ -7,6 +7,7 @@
 #include "bench/aside.h"
 #include "bench/commands.h"
 #include "bench/output.h"
+#include "bench/plan.h"
 #include "bench/provenance.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/scene_file.h"
@@ -67,6 +68,22 @@ static void print_scene_help(FILE *file)
         file);
 }
 
+static void print_plan_help(FILE *file)
+{
+    fputs("A plan is a YAML file; clothbench list plans names those that come with the\n"
+          "program. Its keys:\n\n",
+          file);
+    plan_keys(print_key, file);
+    fputs(
+        "\nKEY is any that --set takes (clothbench help scene), scene, model, or gamma or\n"
+        "young_over_density, which set the key 'by' so that the number takes the value.\n"
+        "Measures of verdicts and maps:\n\n",
+        file);
+    for (int n = 0; n < CASE_MEASURES; n++)
+        fprintf(file, "  %-20s%-9s%s\n", case_measure_name(n), case_measure_unit(n),
+                case_measure_sentence(n));
+}
+
 static enum status print_version(void)
 {
     static struct provenance p;
@@ -110,6 +127,10 @@ static enum status run(int argc, char **argv, struct message *why)
     }
     if (help && !strcmp(argv[1], "scene")) {
         print_scene_help(stdout);
+        return STATUS_OK;
+    }
+    if (help && !strcmp(argv[1], "plan")) {
+        print_plan_help(stdout);
         return STATUS_OK;
     }
     TRY(commands_find(argv[help], &command, why));

@@ -194,23 +194,29 @@ static const struct schema_key MAP[] = {
     {NULL}};
 
 static const struct schema_key PLAN[] = {
-    {"name", "of the results' folder", SCHEMA_TEXT, .required = true, IN(plan, name)},
-    {"source", "what it is for", SCHEMA_TEXT, .required = true, IN(plan, source)},
-    {"scene", "name or path", SCHEMA_SPECIAL, .read = read_word,
+    {"name", "key in lists and of the results' folder", SCHEMA_TEXT, .required = true,
+     IN(plan, name)},
+    {"source", "what it is about", SCHEMA_TEXT, .required = true, IN(plan, source)},
+    {"scene", "of all cases", SCHEMA_SPECIAL, .read = read_word,
      .want = "the name or the path of a scene"},
-    {"model", "name", SCHEMA_SPECIAL, .read = read_word, .want = "the name of a model"},
-    {"settings", "of all cases", SCHEMA_SPECIAL, .read = read_settings},
-    {"axes", "every combination", SCHEMA_SPECIAL, .read = read_axes,
+    {"model", "of all cases", SCHEMA_SPECIAL, .read = read_word,
+     .want = "the name of a model"},
+    {"settings", "of all cases", SCHEMA_SPECIAL, .read = read_settings,
+     .want = "a map {KEY: VALUE, ...} of keys that --set takes"},
+    {"axes", "every combination", SCHEMA_SPECIAL, .read = read_axes, .keys = plan_axis_keys,
      .want = "a list of 1 to 16 axes {key: ..., values: [...]}"},
-    {"cases", "listed ones", SCHEMA_SPECIAL, .read = read_cases,
-     .want = "a list of 1 to 10000 cases {KEY: VALUE, ...}"},
-    {"look", "frames between looks", SCHEMA_COUNT, .low = 1, .high = 1e6, IN(plan, look)},
+    {"cases", "each with all combinations of the axes", SCHEMA_SPECIAL, .read = read_cases,
+     .want = "a list of 1 to 10000 maps {name: ..., KEY: VALUE, ...}"},
+    {"look", "frames from one reading of the metrics to the next", SCHEMA_COUNT, .low = 1,
+     .high = 1e6, IN(plan, look)},
     {"intersections", "count self-intersections", SCHEMA_WORD, .word = truth_word,
      IN(plan, intersections)},
-    {"keep", "fields", SCHEMA_WORD, .word = keep_word, IN(plan, keep)},
-    {"time_limit", "of a case [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
+    {"keep", "fields in the result files", SCHEMA_WORD, .word = keep_word, IN(plan, keep)},
+    {"time_limit", "of a case on the clock [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
      IN(plan, time_limit)},
-    {"verdicts", "rules", SCHEMA_SPECIAL, .read = read_verdicts},
+    {"verdicts", "when a case gets a label", SCHEMA_SPECIAL, .read = read_verdicts,
+     .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
+             "that has them"},
     {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
     {NULL}};
 /* clang-format on */
@@ -260,6 +266,12 @@ out:
     if (st != STATUS_OK)
         plan_clear(plan);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* what cannot be read is bad input */
+}
+
+void plan_keys(void (*line)(void *context, const char *key, const char *text),
+               void *context)
+{
+    schema_list(PLAN, "", line, context);
 }
 
 static char *describe(const char *path)

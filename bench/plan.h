@@ -87,4 +87,8 @@ extern const struct named_file_kind plan_kind;
 enum status plan_read(const char *path, struct plan *plan, struct message *why);
 void plan_clear(struct plan *plan);
 
+/* Calls line() for every key that a plan may have, with what it may be. */
+void plan_keys(void (*line)(void *context, const char *key, const char *text),
+               void *context);
+
 #endif

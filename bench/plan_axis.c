@@ -37,7 +37,7 @@ static enum status read_values(const struct schema_key *key, const struct yaml_t
 }
 
 /* clang-format off */
-static const struct schema_key AXIS[] = {
+const struct schema_key plan_axis_keys[] = {
     {"key", "what changes", SCHEMA_TEXT, .required = true, IN(axis_reading, axis.key)},
     {"by", "the key that a stand-in sets", SCHEMA_TEXT, IN(axis_reading, axis.by)},
     {"values", "its values", SCHEMA_SPECIAL, .read = read_values,
@@ -113,7 +113,7 @@ enum status plan_axis_read(const struct yaml_tree *node, struct plan_axis *axis,
                            struct message *why)
 {
     struct axis_reading r = {.axis.line = node->line, .from = NAN, .to = NAN};
-    enum status st = schema_read(AXIS, node, "an axis", &r, why);
+    enum status st = schema_read(plan_axis_keys, node, "an axis", &r, why);
 
     if (st == STATUS_OK)
         st = fill_axis(&r, node, why);

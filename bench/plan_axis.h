@@ -3,6 +3,7 @@
 #define PLAN_AXIS_H
 
 #include "bench/plan_settings.h"
+#include "models/schema.h"
 
 enum { PLAN_AXIS_MOST = 10000 }; /* values */
 
@@ -15,6 +16,9 @@ struct plan_axis {
     enum plan_axis_scale scale;  /* of from ... to, and of the map                     */
     struct plan_settings values; /* each with the axis's key                           */
 };
+
+/* Of an axis, for the list of a plan's keys. */
+extern const struct schema_key plan_axis_keys[];
 
 /* Reads `{key: ..., values: [...]}` or `{key: ..., from: ..., to: ..., count: ...}`. *axis
  * is overwritten; free it with plan_axis_clear after a failure, too. STATUS_INPUT with one

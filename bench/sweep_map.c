@@ -177,7 +177,19 @@ static double mark_place(const struct dimension *d, const struct plan_mark *mark
     return s ? strtod(s->value, NULL) : NAN;
 }
 
-/* marks.dat: label, x, y, text; `labels` in order of their numbers. */
+/* The number of the panel that a mark belongs to; -1: it is on all of them. */
+static int mark_panel(const struct sweep_map *m, const struct plan_mark *mark)
+{
+    const struct plan_setting *s =
+        m->panel.name ? plan_settings_find(&mark->settings, m->panel.name) : NULL;
+
+    for (int n = 0; s && n < m->panels.count; n++)
+        if (!strcmp(m->panels.name[n], s->value))
+            return n;
+    return -1;
+}
+
+/* marks.dat: panel, label, x, y, text; `labels` in order of their numbers. */
 static enum status write_marks(const struct sweep_map *m, struct sweep_map_names *labels,
                                struct message *why)
 {
@@ -192,7 +204,8 @@ static enum status write_marks(const struct sweep_map *m, struct sweep_map_names
         const struct plan_mark *mark = &m->plan->map.marks[n];
 
         TRY(plan_case_mark(m->plan, &mark->settings, &scene, why));
-        output_print(out, "%d %.9g %.9g \"%s\"\n", sweep_map_names_add(labels, mark->label),
+        output_print(out, "%d %d %.9g %.9g \"%s\"\n", mark_panel(m, mark),
+                     sweep_map_names_add(labels, mark->label),
                      mark_place(&m->x, mark, &scene), mark_place(&m->y, mark, &scene),
                      mark->text);
         scene_clear(&scene);

@@ -76,13 +76,16 @@ static void write_panel(struct output *out, const struct sweep_map_plot *p, int 
             output_print(out, " with points pt 7 ps 1.5 lc rgb '%s' notitle, \\\n", colour);
     }
     for (int m = 0; m < p->marks->count; m++)
-        output_print(out,
-                     "'marks.dat' using ($1 == %d ? $2 : NaN):3 with points pt %d ps 1.6 "
-                     "lc rgb 'black' notitle, \\\n",
-                     m, type_of(m));
+        output_print(
+            out,
+            "'marks.dat' using (($1 < 0 || $1 == %d) && $2 == %d ? $3 : NaN):4 with "
+            "points pt %d ps 1.6 lc rgb 'black' notitle, \\\n",
+            panel, m, type_of(m));
     if (p->marks->count)
         output_print(out,
-                     "'marks.dat' using 2:3:4 with labels offset 1.4,0.6 notitle, \\\n");
+                     "'marks.dat' using ($1 < 0 || $1 == %d ? $3 : NaN):4:5 with labels "
+                     "offset 1.4,0.6 notitle, \\\n",
+                     panel);
     output_print(out, "NaN notitle\n");
 }
 

@@ -81,6 +81,8 @@ good help version
 good help help
 good help scene
 says out material.young discretization.points supports
+good help plan
+says out 'axes[i].values' time_limit 'map.marks' stretch_max gamma
 
 # --- list -------------------------------------------------------------------------------
 good list

@@ -115,43 +115,46 @@ PLAN
 children() {
     ps -o pid= --ppid "$1"
 }
-wait_for_children() { # PARENT
+begin_long() { # fills $leader and ${cases[@]}
+    "$program" sweep long.yaml --out long --jobs 2 "$@" >out 2>err </dev/null &
+    leader=$!
     for ((i = 0; i < 500; i++)); do
-        [ "$(children "$1" | wc -l)" -eq 2 ] && return
+        mapfile -t cases < <(children "$leader")
+        [ "${#cases[@]}" -eq 2 ] && return
         sleep 0.02
     done
     fail 'the cases do not start'
 }
-set -m # background jobs then do not ignore SIGINT
-sweep long.yaml --out long --jobs 2 >out 2>err &
-parent=$!
-set +m
-# the function runs in a shell of its own; the program is its child
-program_of() {
-    local pid
-    pid=$(ps -o pid= --ppid "$1" | head -n 1)
-    echo "${pid:-$1}"
+gone() { # PROCESS
+    for ((i = 0; i < 500; i++)); do
+        kill -0 "$1" 2>/dev/null || return 0
+        sleep 0.02
+    done
+    return 1
 }
-for ((i = 0; i < 500; i++)); do
-    leader=$(program_of "$parent")
-    [ "$leader" != "$parent" ] && break
-    sleep 0.02
-done
-wait_for_children "$leader"
-mapfile -t cases < <(children "$leader")
+begin_long
 kill -SEGV "${cases[0]}"
 for ((i = 0; i < 500; i++)); do
     [ -s long/case_000001.txt ] || [ -s long/case_000002.txt ] && break
     sleep 0.02
 done
 grep -hq 'killed by signal 11' long/case_00000?.txt || fail 'a crash is no row'
-kill -INT "$leader"
-wait "$parent" 2>/dev/null
-grep -q 'stopped by signal 2 after 1 cases; what is done is kept' err || fail "$(<err)"
+kill -TERM "$leader" # SIGINT is ignored in the background
+wait "$leader" 2>/dev/null
+[ $? -eq $((128 + 15)) ] || fail 'a signal does not end it as a signal does'
+grep -q 'stopped by signal 15 after 1 cases; what is done is kept' err || fail "$(<err)"
 grep -q 'sweep long.yaml --resume goes on' err || fail "$(<err)"
-kill -0 "${cases[1]}" 2>/dev/null && fail 'a child outlives Ctrl-C'
-[ -z "$(find long -name '*.part')" ] || fail 'Ctrl-C leaves half a file'
-[ ! -e long/table.csv ] || fail 'Ctrl-C: a table of half the cases'
+gone "${cases[1]}" || fail 'a child outlives SIGTERM'
+[ -z "$(find long -name '*.part')" ] || fail 'SIGTERM leaves half a file'
+[ ! -e long/table.csv ] || fail 'SIGTERM: a table of half the cases'
+# two sweeps in one folder; the leader alone is killed
+rm -r long
+begin_long
+run long.yaml --out long --resume
+ends 1 'another sweep is at work in this folder'
+kill -KILL "$leader"
+wait "$leader" 2>/dev/null
+gone "${cases[0]}" && gone "${cases[1]}" || fail 'a child outlives its leader'
 
 # --- full disk --------------------------------------------------------------------------
 (

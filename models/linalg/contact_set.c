@@ -62,11 +62,12 @@ enum status contact_set_init(struct contact_set *c, const struct scene *scene,
     new.pair = calloc(nodes * (size_t) new.obstacles, sizeof *new.pair);
     new.node = calloc(nodes, sizeof *new.node);
     new.projector = calloc(nodes, sizeof *new.projector);
+    new.drag = calloc(nodes, sizeof *new.drag);
     new.factored = calloc(nodes, sizeof *new.factored);
     new.touched = calloc(nodes, sizeof *new.touched);
     new.work = calloc(12 * nodes, sizeof *new.work);
-    if (!new.pair || !new.node || !new.projector || !new.factored || !new.touched ||
-        !new.work)
+    if (!new.pair || !new.node || !new.projector || !new.drag || !new.factored ||
+        !new.touched || !new.work)
         goto out;
     *c = new;
     memset(&new, 0, sizeof new);
@@ -83,6 +84,7 @@ void contact_set_clear(struct contact_set *c)
     free(c->pair);
     free(c->node);
     free(c->projector);
+    free(c->drag);
     free(c->factored);
     free(c->touched);
     free(c->work);
@@ -103,7 +105,6 @@ void contact_set_detect(struct contact_set *c, const double *x)
 {
     for (int a = 0; a < c->nodes; a++) {
         struct contact_pair *pair = c->pair + (size_t)a * (size_t)c->obstacles;
-        c->node[a].returns = 0;
         for (int o = 0; o < c->obstacles; o++)
             pair[o].gap =
                 contact_gap(&c->scene->obstacles[o], x + 3 * (size_t)a, pair[o].normal) -
@@ -111,8 +112,8 @@ void contact_set_detect(struct contact_set *c, const double *x)
     }
 }
 
-/* Takes the normal, as far as supports leave it free, into the node's base, if it is
- * independent of what is there; low[i] are its components. */
+/* Takes the normal, as far as it is free, into the node's base, if it is independent of
+ * what is there; low[] are its components. */
 static bool extend_base(const struct contact_set *c, int a, const double normal[3],
                         double low[3])
 {
@@ -157,14 +158,13 @@ static void make_projector(const struct contact_set *c, int a)
             P[3 * i + j] = i == j;
             for (int t = 0; t < node->touches; t++)
                 P[3 * i + j] -= node->base[t][i] * node->base[t][j];
-            if (node->sticks && c->held->free_index[3 * a + i] >= 0 &&
-                c->held->free_index[3 * a + j] >= 0)
-                P[3 * i + j] = 0;
         }
 }
 
 bool contact_set_project(struct contact_set *c)
 {
+    bool same = c->is_factored;
+
     for (int a = 0; a < c->nodes; a++) {
         struct contact_node *node = &c->node[a];
         struct contact_pair *pair = c->pair + (size_t)a * (size_t)c->obstacles;
@@ -173,13 +173,22 @@ bool contact_set_project(struct contact_set *c)
         for (int o = 0; o < c->obstacles; o++)
             if (pair[o].active && extend_base(c, a, pair[o].normal, low[node->touches]))
                 node->obstacle[node->touches++] = o;
-        node->sticks = node->sticks && node->touches;
         make_dual(node, low);
         make_projector(c, a);
         c->touched[a] = node->touches > 0;
+        same = same && !memcmp(c->projector[a], c->factored[a], sizeof c->projector[a]) &&
+               !memcmp(c->drag[a], c->factored[a] + 9, sizeof c->drag[a]);
     }
-    return !c->is_factored ||
-           memcmp(c->projector, c->factored, (size_t)c->nodes * sizeof *c->factored);
+    return !same;
+}
+
+void contact_set_remember(struct contact_set *c)
+{
+    for (int a = 0; a < c->nodes; a++) {
+        memcpy(c->factored[a], c->projector[a], sizeof c->projector[a]);
+        memcpy(c->factored[a] + 9, c->drag[a], sizeof c->drag[a]);
+    }
+    c->is_factored = true;
 }
 
 bool contact_set_any(const struct contact_set *c)
@@ -190,15 +199,14 @@ bool contact_set_any(const struct contact_set *c)
     return false;
 }
 
-void contact_set_apply(const struct contact_set *c, double *v)
+void contact_set_apply(const struct contact_set *c, const double (*P)[9], double *v)
 {
     for (int a = 0; a < c->nodes; a++) {
-        const double *P = c->projector[a];
         double *va = v + 3 * (size_t)a, w[3];
         if (!c->touched[a])
             continue;
         for (int i = 0; i < 3; i++)
-            w[i] = dot(P + 3 * i, va);
+            w[i] = dot(P[a] + 3 * i, va);
         memcpy(va, w, sizeof w);
     }
 }
@@ -217,7 +225,8 @@ void contact_set_along(const struct contact_set *c, int a, double v[3])
     }
 }
 
-double contact_set_arrest(const struct contact_set *c, const double *v, double *change)
+double contact_set_arrest(const struct contact_set *c, const double *v, double *change,
+                          double (*P)[9])
 {
     double largest = 0;
 
@@ -226,13 +235,15 @@ double contact_set_arrest(const struct contact_set *c, const double *v, double *
         const struct contact_node *node = &c->node[a];
         const struct contact_pair *pair = c->pair + (size_t)a * (size_t)c->obstacles;
         const double *va = v + 3 * (size_t)a;
-        double *to = change + 3 * (size_t)a;
-        if (node->sticks && node->touches) {
-            memcpy(to, va, 3 * sizeof *to);
-            contact_set_along(c, a, to);
-            for (int i = 0; i < 3; i++)
-                to[i] = -to[i];
-        }
+        const int *place = c->held->free_index + 3 * (size_t)a;
+        double *to = change + 3 * (size_t)a, along[3] = {va[0], va[1], va[2]};
+        contact_set_along(c, a, along);
+        for (int t = 0; t < 9; t++)
+            P[a][t] = node->sticks && place[t / 3] >= 0 && place[t % 3] >= 0
+                          ? 0
+                          : c->projector[a][t];
+        for (int i = 0; node->sticks && i < 3; i++)
+            to[i] = -along[i];
         for (int t = 0; t < node->touches; t++)
             for (int i = 0; i < 3; i++)
                 to[i] -= dot(pair[node->obstacle[t]].normal, va) * node->dual[t][i];

@@ -8,8 +8,7 @@
  * the contact force. A node touches as many obstacles at once as have independent normals;
  * nodes whose components are all held by supports touch none.
  *
- * Friction is Coulomb's. A node that sticks keeps its place; one that slides feels
- * mu lambda against its motion, on the right-hand side (contact_solve.h).
+ * Friction is Coulomb's, as a drag on the motion along the surface (contact_solve.h).
  */
 #ifndef CONTACT_SET_H
 #define CONTACT_SET_H
@@ -25,14 +24,14 @@ struct contact_pair {
 };
 
 struct contact_node {
-    int touches;        /* independent active pairs                           0..3    */
-    int obstacle[3];    /* [touches] theirs                                           */
-    double base[3][3];  /* [touches] orthonormal, spans their normals                 */
-    double dual[3][3];  /* [touches] in that span, dual[i] . normal[j] = delta_ij     */
-    bool sticks;        /* held along the surface too                                 */
-    int returns;        /* from sliding to sticking in this step                      */
-    double friction[3]; /* while sliding                                              */
-    double force[3];    /* of all obstacles on the node, friction included            */
+    int touches;       /* independent active pairs                             0..3    */
+    int obstacle[3];   /* [touches] theirs                                             */
+    double base[3][3]; /* [touches] orthonormal, spans their normals                   */
+    double dual[3][3]; /* [touches] in that span, dual[i] . normal[j] = delta_ij       */
+    double drag;       /* friction is -drag times x - still along the surface          */
+    double friction[3]; /* the force of that                                           */
+    bool sticks;       /* it is below its limit                                        */
+    double force[3];   /* of all obstacles on the node, friction included              */
 };
 
 /* Multipliers and forces are in the units of the right-hand side. */
@@ -47,10 +46,11 @@ struct contact_set {
     struct contact_node *node; /* [nodes]                                      owned   */
     double (*projector)[9];    /* [nodes] onto the directions left free        owned   */
     unsigned char *touched;    /* [nodes] projector is not the identity        owned   */
-    double (*factored)[9];     /* [nodes] projectors of the present factor     owned   */
+    double (*drag)[9];         /* [nodes] friction's part of the matrix        owned   */
+    double (*factored)[18]; /* [nodes] projector and drag of the present factor owned  */
     bool is_factored;
-    long version; /* number of sets factored so far                       */
-    double *work; /* [4][nodes][3]                                             owned   */
+    long unsettled; /* steps whose friction was cut short (contact_solve.h)            */
+    double *work;   /* [4][nodes][3]                                           owned   */
 };
 
 /* A normal adds a direction to others if the part of it outside their span is longer. */
@@ -69,9 +69,12 @@ bool contact_set_used(const struct contact_set *c);
  * step's first guess. */
 void contact_set_detect(struct contact_set *c, const double *x);
 
-/* Bases and projectors from the active pairs. Returns whether a projector differs from
+/* Bases and projectors from the active pairs. Returns whether they or the drags differ from
  * those of the present factor. */
 bool contact_set_project(struct contact_set *c);
+
+/* The present projectors and drags are those of the factor. */
+void contact_set_remember(struct contact_set *c);
 
 /* The system's matrix is no longer the one that was factored. */
 void contact_set_forget(struct contact_set *c);
@@ -79,14 +82,16 @@ void contact_set_forget(struct contact_set *c);
 /* True if an obstacle carries any node. */
 bool contact_set_any(const struct contact_set *c);
 
-/* v <- P v, v[nodes][3]: what the set leaves free of it. */
-void contact_set_apply(const struct contact_set *c, double *v);
+/* v <- P v for P[nodes][9], c->projector or the like, v[nodes][3]. */
+void contact_set_apply(const struct contact_set *c, const double (*P)[9], double *v);
 
-/* The smallest change[nodes][3] that takes from the rates v what the set holds; returns its
- * largest component. */
-double contact_set_arrest(const struct contact_set *c, const double *v, double *change);
+/* The smallest change[nodes][3] that takes from the rates v what the set does not allow: motion
+ * along normals, and any motion of nodes that stick. Returns its largest component; the
+ * projectors P[nodes] leave what it may not touch. */
+double contact_set_arrest(const struct contact_set *c, const double *v, double *change,
+                          double (*P)[9]);
 
-/* v[3] of node a less its parts in the node's normals and in held components. */
+/* v[3] of node a less its parts in held components and in its normals. */
 void contact_set_along(const struct contact_set *c, int a, double v[3]);
 
 /* Fills *report; x[nodes][3] are present positions, and forces are multiplied by `unit`. */

@@ -4,13 +4,16 @@
 #include <string.h>
 
 enum {
-    MOST_PASSES = 400,
-    PATIENCE = 6,    /* passes without progress before pairs change one at a time      */
-    MOST_RETURNS = 2 /* to sticking, of a node in a step: more would be a cycle        */
+    MOST_PASSES = 600,
+    PATIENCE = 6, /* passes without progress before pairs change one at a time */
+    FRICTION_PASSES = 50
 };
 
 /* Friction forces are repeated to this share of the largest. */
-static const double FRICTION_SETTLED = 1e-11;
+static const double FRICTION_SETTLED = 1e-6;
+
+/* What sticks may creep by this share of what gravity moves in a step of rest. */
+static const double CREEP = 1e-7;
 
 static double dot(const double a[3], const double b[3])
 {
@@ -39,12 +42,6 @@ static void given_part(const struct contact_set *c, const struct contact_problem
     for (int a = 0; a < c->nodes; a++) {
         const struct contact_node *node = &c->node[a];
         double *ya = y + 3 * (size_t)a;
-        if (!node->touches)
-            continue;
-        if (node->sticks && p->still) {
-            memcpy(ya, p->still + 3 * (size_t)a, 3 * sizeof *ya);
-            contact_set_along(c, a, ya);
-        }
         for (int t = 0; t < node->touches; t++) {
             const struct contact_pair *pair = &pairs_of(c, a)[node->obstacle[t]];
             double size = target(p, pair, a);
@@ -57,6 +54,15 @@ static void given_part(const struct contact_set *c, const struct contact_problem
     }
 }
 
+/* r += drag still: friction is zero where nothing moves. */
+static void add_friction(const struct contact_set *c, const struct contact_problem *p,
+                         double *r)
+{
+    for (int a = 0; p->still && a < c->nodes; a++)
+        for (int i = 0; c->node[a].drag > 0 && i < 3; i++)
+            r[3 * (size_t)a + i] += dot(c->drag[a] + 3 * i, p->still + 3 * (size_t)a);
+}
+
 /* Solution for the present set into x, and the forces that it takes. */
 static enum status solve_once(struct contact_set *c, struct system *s,
                               const struct contact_problem *p, double *x)
@@ -66,19 +72,21 @@ static enum status solve_once(struct contact_set *c, struct system *s,
     double *given = c->work, *r = c->work + count, *product = c->work + 2 * count,
            *work = c->work + 3 * count;
     bool any = contact_set_any(c);
+    const double(*P)[9] = (const double(*)[9])c->projector;
     enum status st;
 
     memcpy(r, p->b, count * sizeof *r);
+    add_friction(c, p, r);
     if (any) {
         given_part(c, p, x, given);
         system_multiply(s, p->k, p->K, p->m, p->M, given, product, work);
         for (size_t t = 0; t < count; t++)
-            r[t] += c->node[t / 3].friction[t % 3] - product[t];
-        contact_set_apply(c, r);
+            r[t] -= product[t];
+        contact_set_apply(c, P, r);
     }
     TRY(system_solve(s, r));
     if (any) {
-        contact_set_apply(c, r);
+        contact_set_apply(c, P, r);
         for (size_t t = 0; t < count; t++)
             r[t] += given[t];
         system_multiply(s, p->k, p->K, p->m, p->M, r, product, work);
@@ -93,10 +101,17 @@ out:
     return st;
 }
 
-static void find_multipliers(struct contact_set *c)
+/* Multipliers and friction from the forces and x. */
+static void split_forces(struct contact_set *c, const struct contact_problem *p,
+                         const double *x)
 {
     for (int a = 0; a < c->nodes; a++) {
-        const struct contact_node *node = &c->node[a];
+        struct contact_node *node = &c->node[a];
+        double moved[3];
+        for (int i = 0; i < 3; i++)
+            moved[i] = x[3 * (size_t)a + i] - (p->still ? p->still[3 * (size_t)a + i] : 0);
+        for (int i = 0; i < 3; i++)
+            node->friction[i] = node->drag > 0 ? -dot(c->drag[a] + 3 * i, moved) : 0;
         for (int o = 0; o < c->obstacles; o++)
             pairs_of(c, a)[o].lambda = 0;
         for (int t = 0; t < node->touches; t++)
@@ -113,8 +128,8 @@ static double stiffness(const struct system *s, const struct contact_problem *p,
     return p->k * (K[0] + K[4] + K[8]) / 3 + (p->M ? p->m * p->M[n] : 0);
 }
 
-/* Length of the pair's normal as far as supports leave it free and, in *beside, outside the
- * span of the node's other normals. */
+/* Length of the pair's normal as far as supports leave it free and, in *beside, outside
+ * what else is held at the node. */
 static double free_normal(const struct contact_set *c, int a, int o, double *beside)
 {
     double v[3], free[3];
@@ -127,8 +142,8 @@ static double free_normal(const struct contact_set *c, int a, int o, double *bes
     return sqrt(dot(free, free));
 }
 
-/* Should the pair change? An active one if it pulls, another if its node is too far; both by
- * more than `slack`, as a value of x. An active one that adds no direction is let go. */
+/* Should the pair change? An active one if it pulls, another if its node is too far; both
+ * by more than `slack`, as a value of x. An active one that adds no direction is let go. */
 static bool violated(const struct contact_set *c, const struct system *s,
                      const struct contact_problem *p, const double *x, int a, int o,
                      double slack)
@@ -158,8 +173,6 @@ static void change(struct contact_set *c, int a, int o)
          t++)
         if (t != o)
             pairs_of(c, a)[t].active = false;
-    if (pair->active && c->scene->obstacles[o].friction > 0 && !c->node[a].touches)
-        c->node[a].sticks = true;
 }
 
 /* Changes all violated pairs, or the last one only. Returns their number before. */
@@ -196,61 +209,48 @@ static double friction_limit(const struct contact_set *c, int a)
     return limit;
 }
 
-/* Friction of a node after a solve. Returns how much it changed; *size its size. */
-static double update_friction(struct contact_set *c, const struct contact_problem *p,
-                              const double *x, int a, double slack, double *size)
+static void set_drag(struct contact_set *c, int a, double drag)
+{
+    const int *place = c->held->free_index + 3 * (size_t)a;
+
+    c->node[a].drag = drag;
+    for (int t = 0; t < 9; t++)
+        c->drag[a][t] =
+            place[t / 3] >= 0 && place[t % 3] >= 0 ? drag * c->projector[a][t] : 0;
+}
+
+/* The drag that gives node a its greatest friction at the speed of x. Returns by how much
+ * that changes its friction. */
+static double update_drag(struct contact_set *c, const struct contact_problem *p,
+                          const double *x, int a, double creep)
 {
     struct contact_node *node = &c->node[a];
-    double limit = friction_limit(c, a), v[3], change_to[3] = {0}, length;
+    double limit = friction_limit(c, a), old = node->drag, v[3], length;
 
-    memcpy(v, node->sticks ? node->force : x + 3 * (size_t)a, sizeof v);
-    for (int i = 0; !node->sticks && p->still && i < 3; i++)
+    memcpy(v, x + 3 * (size_t)a, sizeof v);
+    for (int i = 0; p->still && i < 3; i++)
         v[i] -= p->still[3 * (size_t)a + i];
     contact_set_along(c, a, v);
     length = sqrt(dot(v, v));
-    *size = limit;
-    if (node->sticks && length <= limit)
-        return 0;
-    if (!node->sticks && dot(v, node->friction) > 0 && length > slack &&
-        node->returns < MOST_RETURNS) {
-        node->returns++;
-        node->sticks = true;
-        memset(node->friction, 0, sizeof node->friction);
-        return INFINITY;
-    }
-    if (node->sticks || length > slack) {
-        double factor = (node->sticks ? limit : -limit) / length;
-        for (int i = 0; i < 3; i++)
-            change_to[i] = length > 0 ? factor * v[i] : 0;
-    } else { /* no direction to be seen: keep the last one */
-        double old = sqrt(dot(node->friction, node->friction));
-        for (int i = 0; i < 3; i++)
-            change_to[i] = old > 0 ? node->friction[i] * limit / old : 0;
-    }
-    double moved = 0;
-    for (int i = 0; i < 3; i++) {
-        moved = fmax(moved, fabs(change_to[i] - node->friction[i]));
-        node->friction[i] = change_to[i];
-    }
-    moved = node->sticks ? INFINITY : moved;
-    node->sticks = false;
-    return moved;
+    node->sticks = limit > 0 && length < creep;
+    set_drag(c, a, limit / fmax(length, creep));
+    return fabs(node->drag - old) * length;
 }
 
-/* True if friction is where the solution wants it. */
+/* True if friction is where the solution wants it; otherwise the drags are new. */
 static bool settle_friction(struct contact_set *c, const struct contact_problem *p,
-                            const double *x, double slack)
+                            const double *x)
 {
-    double most = 0, largest = 0;
+    const double *g = c->scene->gravity;
+    double most = 0, largest = 0, step = c->scene->step;
+    double creep = fmax(CREEP * sqrt(dot(g, g)) * step * step, c->rounding) * p->scale;
 
     for (int a = 0; a < c->nodes; a++) {
-        double size = 0;
-        if (!c->node[a].touches) {
-            memset(c->node[a].friction, 0, sizeof c->node[a].friction);
+        double limit = friction_limit(c, a);
+        if (limit == 0 && c->node[a].drag == 0)
             continue;
-        }
-        most = fmax(most, update_friction(c, p, x, a, slack, &size));
-        largest = fmax(largest, size);
+        most = fmax(most, update_drag(c, p, x, a, creep));
+        largest = fmax(largest, limit);
     }
     return most <= FRICTION_SETTLED * largest;
 }
@@ -263,12 +263,10 @@ static enum status factor_wanted(struct contact_set *c, struct system *s,
     if (!contact_set_project(c))
         return STATUS_OK;
     c->is_factored = false;
-    TRY(system_factor_projected(s, p->k, p->K, p->m, p->M, (const double(*)[9])c->projector,
-                                c->touched));
+    TRY(system_factor_projected(s, p->k, p->K, p->m, p->M, (const double(*)[9])c->drag,
+                                (const double(*)[9])c->projector, c->touched));
     counters->factorisations++;
-    memcpy(c->factored, c->projector, (size_t)c->nodes * sizeof *c->factored);
-    c->is_factored = true;
-    c->version++;
+    contact_set_remember(c);
 out:
     return st;
 }
@@ -280,24 +278,28 @@ enum status contact_solve(struct contact_set *c, struct system *s,
     enum status st = STATUS_DIVERGED;
     double slack = c->rounding * p->scale;
     long fewest = -1;
-    int patience = PATIENCE;
+    int patience = PATIENCE, friction_passes = 0;
 
     for (int pass = 0; pass < MOST_PASSES; pass++) {
         TRY(factor_wanted(c, s, p, counters));
         TRY(solve_once(c, s, p, x));
         counters->solves++;
-        find_multipliers(c);
-        bool settled = settle_friction(c, p, x, slack);
-        long count = exchange(c, s, p, x, slack, patience <= 0);
-        if (!count && settled)
-            return STATUS_OK;
-        if (fewest < 0 || count < fewest) {
-            fewest = count;
-            patience = PATIENCE;
-        } else if (count) {
-            patience--;
-        }
+        split_forces(c, p, x);
         st = STATUS_DIVERGED;
+        long count = exchange(c, s, p, x, slack, patience <= 0);
+        if (count) {
+            patience = fewest < 0 || count < fewest ? PATIENCE : patience - 1;
+            fewest = fewest < 0 || count < fewest ? count : fewest;
+            continue;
+        }
+        if (settle_friction(c, p, x))
+            return STATUS_OK;
+        if (++friction_passes == FRICTION_PASSES) {
+            c->unsettled++;
+            return STATUS_OK;
+        }
+        fewest = -1;
+        patience = PATIENCE;
     }
 out:
     return st;

@@ -8,9 +8,10 @@
  * 1994, Computers and Operations Research 21). A set that the last step has left costs a
  * solve and, on planes, no factorisation.
  *
- * Friction is a fixed point inside that loop: a node that touches first sticks, slides
- * where it would need more than mu lambda, with the friction that the last pass gives, and
- * sticks again where it would be carried along with its friction.
+ * Friction: along the surface a node feels -drag (x - still), in the matrix, with a drag that
+ * gives mu lambda at the speed of the last pass, until that repeats (Kacanov's method). It
+ * therefore never gains energy, settled or not. What sticks creeps, slower than 1e-7 of what
+ * gravity moves from rest in a step. Steps that did not settle are counted in contact_set.
  */
 #ifndef CONTACT_SOLVE_H
 #define CONTACT_SOLVE_H

@@ -1,5 +1,6 @@
 #include "models/linalg/contact_step.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum status contact_step_init(struct contact_step *c, const struct scene *scene,
@@ -11,8 +12,11 @@ enum status contact_step_init(struct contact_step *c, const struct scene *scene,
 
     memset(c, 0, sizeof *c);
     TRY(contact_set_init(&c->set, scene, supports, x, offset, why));
-    if (contact_set_used(&c->set))
-        TRY(system_init(&c->mass, graph, supports, NULL, order, solver));
+    if (!contact_set_used(&c->set))
+        return STATUS_OK;
+    TRY(system_init(&c->mass, graph, supports, NULL, order, solver));
+    c->arrest = malloc((size_t)supports->nodes * sizeof *c->arrest);
+    st = c->arrest ? STATUS_OK : STATUS_MEMORY;
 out:
     if (st != STATUS_OK)
         contact_step_clear(c);
@@ -25,6 +29,7 @@ void contact_step_clear(struct contact_step *c)
         return;
     contact_set_clear(&c->set);
     system_clear(&c->mass);
+    free(c->arrest);
     memset(c, 0, sizeof *c);
 }
 
@@ -35,24 +40,21 @@ enum status contact_step_impact(struct contact_step *c, const double *M, double 
     enum status st = STATUS_OK;
     struct contact_set *set = &c->set;
     const struct blocks *graph = c->mass.graph;
-    const double(*P)[9] = (const double(*)[9])set->projector;
+    const double(*P)[9] = (const double(*)[9])c->arrest;
     size_t count = 3 * (size_t)set->nodes;
     double *change = work, *r = work + count;
 
-    if (contact_set_arrest(set, v, change) <= 2 * set->rounding / dt)
+    if (contact_set_arrest(set, v, change, c->arrest) <= 2 * set->rounding / dt)
         return STATUS_OK;
-    if (c->mass_version != set->version) {
-        TRY(system_factor_projected(&c->mass, 0, NULL, 1, M, P, set->touched));
-        c->mass_version = set->version;
-        counters->factorisations++;
-    }
+    TRY(system_factor_projected(&c->mass, 0, NULL, 1, M, NULL, P, set->touched));
+    counters->factorisations++;
     blocks_multiply_mass(graph, M, change, r);
     for (size_t t = 0; t < count; t++)
         r[t] = -r[t];
-    contact_set_apply(set, r);
+    contact_set_apply(set, P, r);
     TRY(system_solve(&c->mass, r));
     counters->solves++;
-    contact_set_apply(set, r);
+    contact_set_apply(set, P, r);
     for (size_t t = 0; t < count; t++) {
         change[t] += r[t];
         v[t] += change[t];

@@ -16,7 +16,7 @@
 struct contact_step {
     struct contact_set set;
     struct system mass; /* M, for impacts                                              */
-    long mass_version;  /* of the set that it is factored for; 0: none                 */
+    double (*arrest)[9]; /* [nodes] projectors of the present impact           owned   */
 };
 
 /* Nothing is allocated for a scene without obstacles: contact_set_used says false.
@@ -28,8 +28,8 @@ enum status contact_step_init(struct contact_step *c, const struct scene *scene,
 void contact_step_clear(struct contact_step *c);
 
 /* Inelastic impact of the points in contact: v <- the velocity nearest to it in the norm of
- * M that has none along what the set holds. The impulse times `unit` joins the set's
- * forces; dt is the step [s]. work: 2 [nodes][3]. */
+ * M that has none along the set's normals, nor any where a point sticks. The impulse times
+ * `unit` joins the set's forces; dt is the step [s]. work: 2 [nodes][3]. */
 enum status contact_step_impact(struct contact_step *c, const double *M, double dt,
                                 double unit, double *v, double *work,
                                 struct counters *counters);

@@ -154,8 +154,8 @@ static void project_block(const double Pa[9], const double Pb[9], bool diagonal,
 }
 
 enum status system_factor_projected(struct system *s, double k, const double (*K)[9],
-                                    double m, const double *M, const double (*P)[9],
-                                    const unsigned char *touched)
+                                    double m, const double *M, const double (*D)[9],
+                                    const double (*P)[9], const unsigned char *touched)
 {
     const struct blocks *g = s->graph;
     double *value = factor_values(s->factor), B[9];
@@ -166,7 +166,8 @@ enum status system_factor_projected(struct system *s, double k, const double (*K
             int b = g->node[n];
             double mass = M ? m * M[n] : 0;
             for (int t = 0; t < 9; t++)
-                B[t] = (K ? k * K[n][t] : 0) + (t % 4 ? 0 : mass);
+                B[t] = (K ? k * K[n][t] : 0) + (t % 4 ? 0 : mass) +
+                       (D && a == b ? D[a][t] : 0);
             if (touched[a] || touched[b])
                 project_block(P[a], P[b], a == b, B);
             for (int t = 0; t < 9; t++)

@@ -56,10 +56,10 @@ enum status solid_contact_rebuilt(struct solid_motion *m, const struct newmark_h
     m->force_unit = 1;
     newmark_correct(n, &m->system, w, held);
     if (m->kinematics == KINEMATICS_INCREMENTAL && contact_set_any(c)) {
-        contact_set_arrest(c, n->v, w);
+        contact_set_arrest(c, n->v, w, m->contact.arrest);
         for (size_t t = 0; t < count; t++)
             n->v[t] += w[t];
-        contact_set_arrest(c, n->a, w);
+        contact_set_arrest(c, n->a, w, m->contact.arrest);
         for (size_t t = 0; t < count; t++)
             n->a[t] += w[t];
     }

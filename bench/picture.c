@@ -131,14 +131,15 @@ static enum status write_script(const char *folder, const char *name, int column
 
     snprintf(path, sizeof path, "%s/%s.gp", folder, name);
     TRY(output_create(path, &out, why));
-    output_print(out,
-                 "set terminal pngcairo noenhanced size %d,%d font ',10'\n"
-                 "set output '%s.png'\nset multiplot layout %d,%d\n"
-                 "set lmargin 0\nset rmargin 0\nset tmargin 2\nset bmargin 0\n"
-                 "set border 31 lc rgb '#909090'\nunset key\nunset colorbox\n"
-                 "set pm3d depthorder border lc rgb '#30405060' lw 0.3\n"
-                 "set pm3d lighting primary 0.55 specular 0.15\n",
-                 WIDTH * columns, HEIGHT * rows, name, rows, columns);
+    output_print(
+        out,
+        "set terminal pngcairo noenhanced size %d,%d font ',10'\n"
+        "set output '%s.png'\nset multiplot layout %d,%d\n"
+        "set lmargin 0\nset rmargin 0\nset tmargin 2\nset bmargin 0\n"
+        "set border 31 lc rgb '#909090'\nunset key\nunset colorbox\nset cbrange [0:1]\n"
+        "set pm3d depthorder border lc rgb '#30405060' lw 0.3\n"
+        "set pm3d lighting primary 0.55 specular 0.15\n",
+        WIDTH * columns, HEIGHT * rows, name, rows, columns);
     write_view(out, box);
     for (int n = 0; n < count; n++) {
         write_title(out, panels[n].title);

@@ -119,6 +119,7 @@ static void measure_frame(const struct scene *scene, const double *xyz,
                           struct study_frame *f)
 {
     f->roughness = metric_roughness(scene, xyz);
+    f->inner = metric_inner_roughness(scene, xyz);
     f->stretch = metric_stretch(scene, xyz);
     f->drop = metric_drop(scene, xyz);
     f->unevenness = metric_unevenness(scene, xyz);
@@ -158,7 +159,7 @@ static enum status read_row(const struct study *study, const struct study_level 
     enum status st;
 
     for (int t = 0; t < STUDY_TIMES; t++)
-        row->frame[t] = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+        row->frame[t] = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     row->milliseconds = row->seconds = NAN;
     file_of(study, level, folder, path);
     TRY(timed_read(path, &timed, why));

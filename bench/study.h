@@ -47,7 +47,7 @@ struct study_frame {
     double *xyz;         /* field (grid.h) [m]; NULL after a death               owned   */
     double next, finest; /* RMSE / L to the next level and to the finest that lives [1]  */
     double error;        /* RMSE / L to truth [1]                                        */
-    double roughness, stretch, drop, unevenness; /* metric.h                             */
+    double roughness, inner, stretch, drop, unevenness; /* metric.h; inner: roughness    */
 };
 
 struct study_row {

@@ -74,49 +74,48 @@ out:
     return st;
 }
 
-/* Whether a number of a frame grows (sign 1) or shrinks (-1) from each degree to the next.
- */
-static bool ordered(const double value[LEVELS], int sign)
+static struct study_trend trend(const struct study *study, const struct study_result *r,
+                                size_t member)
 {
-    for (int n = 1; n < LEVELS; n++)
-        if (!(sign * value[n] > sign * value[n - 1]))
-            return false;
-    return true;
+    return study_print_trend(study, r, study->times - 1, member);
 }
 
+/* By the roughness of the whole sheet; away from what holds it is told beside it. */
 static void judge(const struct study *study, const struct study_result *r, FILE *file)
 {
-    const int last = study->times - 1;
-    double roughness[LEVELS], unevenness[LEVELS];
+    const double t = study->time[study->times - 1];
+    struct study_trend rough = trend(study, r, offsetof(struct study_frame, roughness));
+    struct study_trend inner = trend(study, r, offsetof(struct study_frame, inner));
+    struct study_trend stretch = trend(study, r, offsetof(struct study_frame, stretch));
+    struct study_trend uneven = trend(study, r, offsetof(struct study_frame, unevenness));
 
-    for (int n = 0; n < LEVELS; n++) {
-        roughness[n] = r->row[n].frame[last].roughness;
-        unevenness[n] = r->row[n].frame[last].unevenness;
-    }
     study_print_verdict(file, "the higher the degree, the more bending detail",
-                        ordered(roughness, 1), "%s, %s, %g s: roughness %.3g, %.3g, %.3g.",
-                        study->name, study->scene, study->time[last], roughness[0],
-                        roughness[1], roughness[2]);
+                        rough.sign > 0,
+                        "%s, %g s: roughness %s; away from edges and corners it %s: %s. "
+                        "Largest stretch %s.",
+                        study->name, t, rough.text,
+                        inner.sign > 0 ? "grows, too" : "does not grow each time",
+                        inner.text, stretch.text);
     study_print_verdict(
-        file, "the higher the degree, the smoother", ordered(unevenness, -1),
-        "%s, %s, %g s: unevenness %.3g, %.3g, %.3g.", study->name, study->scene,
-        study->time[last], unevenness[0], unevenness[1], unevenness[2]);
+        file, "the higher the degree, the smoother", uneven.sign < 0,
+        "%s, %g s: unevenness %s; the curvature is continuous from p = 3 on "
+        "by construction.",
+        study->name, t, uneven.text);
 }
 
 static void judge_truth(const struct study_result *r, FILE *file)
 {
     const int last = physics.times - 1;
-    double error[LEVELS];
+    struct study_trend error = trend(&physics, r, offsetof(struct study_frame, error));
 
-    for (int n = 0; n < LEVELS; n++)
-        error[n] = r->row[n].frame[last].error;
-    study_print_verdict(
-        file, "elevation raises the accuracy", ordered(error, -1),
-        "Undamped, at %g s: error %.2g, %.2g, %.2g L (error bar %.1g) for %.3g, %.3g, %.3g "
-        "ms a frame; the truth's roughness is %.3g, its unevenness %.3g.",
-        physics.time[last], error[0], error[1], error[2], r->truth->error[last] / r->length,
-        r->row[0].milliseconds, r->row[1].milliseconds, r->row[2].milliseconds,
-        r->true_frame[last].roughness, r->true_frame[last].unevenness);
+    study_print_verdict(file, "elevation raises the accuracy", error.sign < 0,
+                        "Undamped, at %g s: error %s L (error bar %.1g) for %.3g, %.3g, "
+                        "%.3g ms a frame; the "
+                        "truth's roughness is %.3g, its unevenness %.3g.",
+                        physics.time[last], error.text, r->truth->error[last] / r->length,
+                        r->row[0].milliseconds, r->row[1].milliseconds,
+                        r->row[2].milliseconds, r->true_frame[last].roughness,
+                        r->true_frame[last].unevenness);
 }
 
 static enum status print(const char *folder, enum table_format format, FILE *file,

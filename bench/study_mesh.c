@@ -1,5 +1,7 @@
 #include "bench/study_mesh.h"
 
+#include <math.h>
+
 #include "bench/study_print.h"
 
 /* Table 2 has the milliseconds. The size is the mesh width, one over the spans of a side.
@@ -30,7 +32,7 @@ static const struct study_level levels[] = {
      1 / 18.,
      &paper_table2[PAPER_GROWTH + 3]},
 };
-enum { LEVELS = sizeof levels / sizeof *levels, FINEST = LEVELS - 1 };
+enum { LEVELS = sizeof levels / sizeof *levels };
 
 static const double picture_time[] = {1.025}, early[] = {0.1, 0.2, 0.3, 0.4, 0.5};
 
@@ -82,47 +84,48 @@ out:
     return st;
 }
 
-static void judge_wrinkles(const struct study *study, const struct study_result *r,
-                           FILE *file)
+static struct study_trend trend(const struct study *study, const struct study_result *r,
+                                size_t member)
 {
-    bool rougher = true;
+    return study_print_trend(study, r, study->times - 1, member);
+}
 
-    for (int n = 1; n < LEVELS; n++)
-        if (!(r->row[n].frame[0].roughness > r->row[n - 1].frame[0].roughness))
-            rougher = false;
+/* By the roughness of the whole sheet; away from what holds it is told beside it. */
+static void judge_wrinkles(const struct study *study, const struct study_result *r,
+                           const struct study_result *undamped, FILE *file)
+{
+    struct study_trend rough = trend(study, r, offsetof(struct study_frame, roughness));
+    struct study_trend inner = trend(study, r, offsetof(struct study_frame, inner));
+    struct study_trend stretch = trend(study, r, offsetof(struct study_frame, stretch));
+    const double next[] = {r->row[0].frame[0].next, r->row[1].frame[0].next,
+                           r->row[2].frame[0].next};
+    double true_stretch = 0;
+
+    for (int t = 0; t < physics.times; t++)
+        true_stretch = fmax(true_stretch, undamped->true_frame[t].stretch);
     study_print_verdict(
-        file, "the denser the control net, the more wrinkles", rougher,
-        "%s at %g s, from %s to %s: roughness %.3g, %.3g, %.3g, %.3g, largest stretch "
-        "%.3g, "
-        "%.3g, %.3g, %.3g. The motions do not %s: neighbouring levels differ by %.2g, %.2g "
-        "and %.2g L.",
-        study->scene, study->time[0], levels[0].label, levels[FINEST].label,
-        r->row[0].frame[0].roughness, r->row[1].frame[0].roughness,
-        r->row[2].frame[0].roughness, r->row[3].frame[0].roughness,
-        r->row[0].frame[0].stretch, r->row[1].frame[0].stretch, r->row[2].frame[0].stretch,
-        r->row[3].frame[0].stretch,
-        r->row[2].frame[0].next < r->row[0].frame[0].next ? "part" : "approach each other",
-        r->row[0].frame[0].next, r->row[1].frame[0].next, r->row[2].frame[0].next);
+        file, "the denser the control net, the more wrinkles", rough.sign > 0,
+        "%s at %g s: roughness %s; away from edges and corners it %s: %s. Largest stretch "
+        "%s; of the undamped truth, up to %g s, %.4g. The motions %s each other: "
+        "neighbouring levels differ by %.2g, %.2g and %.2g L.",
+        study->scene, study->time[0], rough.text,
+        inner.sign > 0 ? "grows, too" : "does not grow each time", inner.text, stretch.text,
+        physics.time[physics.times - 1], true_stretch,
+        next[1] < next[0] && next[2] < next[1] ? "approach" : "do not approach", next[0],
+        next[1], next[2]);
 }
 
 static void judge_truth(const struct study_result *r, FILE *file)
 {
     const int last = physics.times - 1;
-    const struct study_frame *truth = &r->true_frame[last];
-    bool nearer = true;
+    struct study_trend error = trend(&physics, r, offsetof(struct study_frame, error));
+    struct study_trend rough = trend(&physics, r, offsetof(struct study_frame, roughness));
 
-    for (int n = 1; n < LEVELS; n++)
-        if (!(r->row[n].frame[last].error < r->row[n - 1].frame[last].error))
-            nearer = false;
-    study_print_verdict(
-        file, "refinement raises the accuracy", nearer,
-        "Undamped, at %g s: error %.2g, %.2g, %.2g, %.2g L (error bar %.1g); roughness "
-        "%.3g, %.3g, %.3g, %.3g, of the truth %.3g.",
-        physics.time[last], r->row[0].frame[last].error, r->row[1].frame[last].error,
-        r->row[2].frame[last].error, r->row[3].frame[last].error,
-        r->truth->error[last] / r->length, r->row[0].frame[last].roughness,
-        r->row[1].frame[last].roughness, r->row[2].frame[last].roughness,
-        r->row[3].frame[last].roughness, truth->roughness);
+    study_print_verdict(file, "refinement raises the accuracy", error.sign < 0,
+                        "Undamped, at %g s: error %s L (error bar %.1g); roughness %s, of "
+                        "the truth %.3g.",
+                        physics.time[last], error.text, r->truth->error[last] / r->length,
+                        rough.text, r->true_frame[last].roughness);
 }
 
 static enum status print(const char *folder, enum table_format format, FILE *file,
@@ -135,8 +138,8 @@ static enum status print(const char *folder, enum table_format format, FILE *fil
     TRY(study_print_all(&edge, folder, format, file, &on_edge, why));
     TRY(study_print_all(&physics, folder, format, file, &undamped, why));
     fprintf(file, "The paper's sentences (it does not say which scene Fig. 12 shows)\n\n");
-    judge_wrinkles(&corners, &on_corners, file);
-    judge_wrinkles(&edge, &on_edge, file);
+    judge_wrinkles(&corners, &on_corners, &undamped, file);
+    judge_wrinkles(&edge, &on_edge, &undamped, file);
     judge_truth(&undamped, file);
 out:
     study_result_clear(&on_corners);

@@ -71,27 +71,31 @@ out:
     return st;
 }
 
-static void judge(const struct study *study, const struct study_result *r, FILE *file)
+/* By the roughness of the whole sheet; away from what holds it is told beside it. */
+static void judge_at(const struct study *study, const struct study_result *r, int t,
+                     FILE *file)
 {
-    for (int t = study->truth ? study->times - 1 : 0; t < study->times; t++) {
-        const struct study_frame *start = &r->row[START].frame[t];
-        const struct study_frame *refined = &r->row[REFINED].frame[t];
-        const struct study_frame *elevated = &r->row[ELEVATED].frame[t];
-        const struct study_frame *both = &r->row[BOTH].frame[t];
-        study_print_verdict(
-            file, "refinement and elevation both add wrinkle detail",
-            refined->roughness > start->roughness && elevated->roughness > start->roughness,
-            "%s, %g s: roughness %.3g at first, refined %.3g, elevated %.3g, both %.3g.",
-            study->name, study->time[t], start->roughness, refined->roughness,
-            elevated->roughness, both->roughness);
-        study_print_verdict(
-            file, "elevation makes the cloth smoother",
-            elevated->unevenness < start->unevenness &&
-                both->unevenness < refined->unevenness,
-            "%s, %g s: unevenness from %.3g to %.3g on 10x10, from %.3g to %.3g on 15x15.",
-            study->name, study->time[t], start->unevenness, elevated->unevenness,
-            refined->unevenness, both->unevenness);
-    }
+    const struct study_frame *start = &r->row[START].frame[t];
+    const struct study_frame *refined = &r->row[REFINED].frame[t];
+    const struct study_frame *elevated = &r->row[ELEVATED].frame[t];
+    const struct study_frame *both = &r->row[BOTH].frame[t];
+    struct study_trend rough =
+        study_print_trend(study, r, t, offsetof(struct study_frame, roughness));
+    struct study_trend inner =
+        study_print_trend(study, r, t, offsetof(struct study_frame, inner));
+
+    study_print_verdict(file, "refinement and elevation both add wrinkle detail",
+                        refined->roughness > start->roughness &&
+                            elevated->roughness > start->roughness,
+                        "%s, %g s, at first, refined, elevated, both: roughness %s; away "
+                        "from edges and corners %s.",
+                        study->name, study->time[t], rough.text, inner.text);
+    study_print_verdict(
+        file, "elevation makes the cloth smoother",
+        elevated->unevenness < start->unevenness && both->unevenness < refined->unevenness,
+        "%s, %g s: unevenness from %.3g to %.3g on 10x10, from %.3g to %.3g on 15x15.",
+        study->name, study->time[t], start->unevenness, elevated->unevenness,
+        refined->unevenness, both->unevenness);
 }
 
 static void judge_cost(const struct study_result *r, FILE *file)
@@ -152,8 +156,9 @@ static enum status print(const char *folder, enum table_format format, FILE *fil
     TRY(study_orders_print(&orders, format, file));
     fprintf(file,
             "\nThe paper's sentences (Fig. 14 has no time: those of Fig. 12 and 13)\n\n");
-    judge(&corners, &on_corners, file);
-    judge(&physics, &undamped, file);
+    for (int t = 0; t < corners.times; t++)
+        judge_at(&corners, &on_corners, t, file);
+    judge_at(&physics, &undamped, physics.times - 1, file);
     judge_cost(&undamped, file);
     judge_orders(&orders, file);
 out:

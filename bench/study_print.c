@@ -80,6 +80,7 @@ static void motion_row(struct table *t, const struct study *study,
         table_text(t, "%s", "");
     }
     cell(t, f->roughness, 3);
+    cell(t, f->inner, 3);
     cell(t, f->stretch, 4);
     cell(t, f->drop, 4);
     cell(t, f->unevenness, 3);
@@ -98,6 +99,7 @@ static void true_row(struct table *t, const struct study *study,
         table_text(t, "%s", "");
     cell(t, r->truth->error[time] / r->length, 2);
     cell(t, f->roughness, 3);
+    cell(t, f->inner, 3);
     cell(t, f->stretch, 4);
     cell(t, f->drop, 4);
     cell(t, f->unevenness, 3);
@@ -109,15 +111,15 @@ static enum status print_motion(const struct study *study, const struct study_re
     static const struct table_column with[] = {
         {"t", "s", 0},          {"level", NULL, TABLE_LEFT}, {"to next", "L", 0},
         {"to finest", "L", 0},  {"error", "L", 0},           {"error bar", "L", 0},
-        {"roughness", NULL, 0}, {"stretch", NULL, 0},        {"drop", "L", 0},
-        {"unevenness", NULL, 0}};
-    struct table_column without[8];
+        {"roughness", NULL, 0}, {"inner", NULL, 0},          {"stretch", NULL, 0},
+        {"drop", "L", 0},       {"unevenness", NULL, 0}};
+    struct table_column without[9];
     struct table *t;
     enum status st;
 
     memcpy(without, with, 4 * sizeof *with);
-    memcpy(without + 4, with + 6, 4 * sizeof *with);
-    t = table_create(r->truth ? 10 : 8, r->truth ? with : without, study->caption);
+    memcpy(without + 4, with + 6, 5 * sizeof *with);
+    t = table_create(r->truth ? 11 : 9, r->truth ? with : without, study->caption);
     for (int time = 0; time < study->times; time++) {
         double order = study_order(study, r, time);
         if (time)
@@ -165,11 +167,11 @@ static void csv_row(struct output *out, const struct study *study,
 
     output_print(out,
                  "\"%s\",%.9g,%.9g,%.0f,%.0f,%.6g,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,"
-                 "%.9g,%.9g\n",
+                 "%.9g,%.9g,%.9g\n",
                  level->label, level->size, study->time[time], row->unknowns,
                  row->factor_entries, row->milliseconds, paper_of(study, n), row->seconds,
                  f->next, f->finest, f->error,
-                 r->truth ? r->truth->error[time] / r->length : NAN, f->roughness,
+                 r->truth ? r->truth->error[time] / r->length : NAN, f->roughness, f->inner,
                  f->stretch, f->drop, f->unevenness);
 }
 
@@ -180,9 +182,9 @@ static void csv_truth(struct output *out, const struct study *study,
 
     output_print(out,
                  "\"truth\",nan,%.9g,nan,nan,nan,nan,nan,nan,nan,0,%.9g,%.9g,%.9g,%.9g,"
-                 "%.9g\n",
+                 "%.9g,%.9g\n",
                  study->time[time], r->truth->error[time] / r->length, f->roughness,
-                 f->stretch, f->drop, f->unevenness);
+                 f->inner, f->stretch, f->drop, f->unevenness);
 }
 
 static enum status write_csv(const struct study *study, const struct study_result *r,
@@ -197,7 +199,8 @@ static enum status write_csv(const struct study *study, const struct study_resul
     output_print(out,
                  "level,size,time_s,unknowns,factor_entries,frame_ms,paper_ms,stepping_s,"
                  "to_next_over_length,to_finest_over_length,error_over_length,"
-                 "error_bar_over_length,roughness,stretch,drop_over_length,unevenness\n");
+                 "error_bar_over_length,roughness,inner_roughness,stretch,drop_over_length,"
+                 "unevenness\n");
     for (int time = 0; time < study->times; time++) {
         if (time)
             output_print(out, "\n\n"); /* gnuplot's next block */
@@ -302,6 +305,27 @@ out:
     if (st != STATUS_OK)
         study_result_clear(r);
     return st;
+}
+
+struct study_trend study_print_trend(const struct study *study,
+                                     const struct study_result *r, int time, size_t member)
+{
+    struct study_trend trend = {"", 0};
+    int rises = 0, falls = 0;
+    double before = NAN;
+
+    for (int n = 0; n < study->count; n++) {
+        const char *frame = (const char *)&r->row[n].frame[time];
+        double value = *(const double *)(frame + member);
+        size_t used = strlen(trend.text);
+        snprintf(trend.text + used, sizeof trend.text - used, "%s%.3g", n ? ", " : "",
+                 value);
+        rises += value > before;
+        falls += value < before;
+        before = value;
+    }
+    trend.sign = (rises == study->count - 1) - (falls == study->count - 1);
+    return trend;
 }
 
 void study_print_verdict(FILE *file, const char *quote, bool holds, const char *format, ...)

@@ -2,6 +2,8 @@
 #ifndef STUDY_PRINT_H
 #define STUDY_PRINT_H
 
+#include <stddef.h>
+
 #include "bench/study.h"
 
 /* Two tables: cost of the levels; differences, error and metrics at every time, with
@@ -21,6 +23,16 @@ enum status study_print_files(const struct study *study, const struct study_resu
 enum status study_print_all(const struct study *study, const char *folder,
                             enum table_format format, FILE *file, struct study_result *r,
                             struct message *why);
+
+/* A number of every level at a time, for a verdict. */
+struct study_trend {
+    char text[160]; /* "2.1, 3.9, 5.6"                                                   */
+    int sign;       /* 1: larger from each level to the next; -1: smaller; 0: neither    */
+};
+
+/* Of a member of study_frame: offsetof(struct study_frame, roughness). */
+struct study_trend study_print_trend(const struct study *study,
+                                     const struct study_result *r, int time, size_t member);
 
 /* `- "QUOTE": holds. SENTENCE`, or `does not hold`; the sentence has the numbers. */
 void study_print_verdict(FILE *file, const char *quote, bool holds, const char *format, ...)

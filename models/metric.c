@@ -157,21 +157,32 @@ static double squared_bending(const struct metric_rest *rest, const double *xyz,
     return squared(d);
 }
 
-double metric_roughness(const struct scene *scene, const double *xyz)
+/* Over the grid points that lie at least `margin` steps from the edges. */
+static double roughness(const struct scene *scene, const double *xyz, int margin)
 {
     double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1), sum = 0;
     struct metric_rest rest;
 
     if (metric_rest_init(&rest, scene) != STATUS_OK)
         return NAN;
-    for (int j = 1; j < GRID_V - 1; j++) {
+    for (int j = margin; j < GRID_V - margin; j++) {
         double part = 0;
-        for (int i = 1; i < GRID_U - 1; i++)
+        for (int i = margin; i < GRID_U - margin; i++)
             part += squared_bending(&rest, xyz, i, j, da, db);
         sum += part;
     }
     metric_rest_clear(&rest);
-    return scene->length * sqrt(sum / ((GRID_U - 2) * (GRID_V - 2)));
+    return scene->length * sqrt(sum / ((GRID_U - 2 * margin) * (GRID_V - 2 * margin)));
+}
+
+double metric_roughness(const struct scene *scene, const double *xyz)
+{
+    return roughness(scene, xyz, 1);
+}
+
+double metric_inner_roughness(const struct scene *scene, const double *xyz)
+{
+    return roughness(scene, xyz, 20); /* 20/99 > 0.2 > 19/99 */
 }
 
 double metric_unevenness(const struct scene *scene, const double *xyz)

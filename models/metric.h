@@ -34,6 +34,10 @@ double metric_drop(const struct scene *scene, const double *xyz);
  * grid step is magnified by 1/s^2. */
 double metric_roughness(const struct scene *scene, const double *xyz);
 
+/* The same over the inner points 0.2 <= u, v <= 0.8 alone: away from edges, and from points
+ * that are held, around which a sheet has no limit under refinement. */
+double metric_inner_roughness(const struct scene *scene, const double *xyz);
+
 /* How suddenly the mid-surface bends: L times the rms of its third derivatives over that of
  * its second ones, |x_aaa|^2 + 3 |x_aab|^2 + 3 |x_abb|^2 + |x_bbb|^2 over those of roughness
  * (differences along a = u L, b = v W)                                            [1]. n waves

@@ -208,8 +208,19 @@ static void test_roughness(void)
     double squares = 0.01 * 0.01 * (8 + 4 + 4 * 2 / 16.0);
     CHECK_NEAR(metric_roughness(&scene, xyz), scene.length * sqrt(squares / (98 * 98)),
                TOL_ROUGHNESS);
+    /* inside, 60 x 60 points; one lifted at 0.19 is out, but for its neighbour in the first
+     * column: 1 and two diagonals 2 (1/4)^2 */
+    CHECK_NEAR(metric_inner_roughness(&scene, xyz),
+               scene.length * sqrt(squares / (60 * 60)), TOL_ROUGHNESS);
+    fill_rest(&scene, xyz);
+    for (int k = 0; k < GRID_W; k++)
+        xyz[3 * ((k * GRID_V + 50) * GRID_U + 19) + 2] += lift;
+    CHECK_NEAR(metric_inner_roughness(&scene, xyz),
+               scene.length * sqrt(0.01 * 0.01 * (1 + 2 * 2 / 16.0) / (60 * 60)),
+               TOL_ROUGHNESS);
     xyz[0] = NAN;
     CHECK(isnan(metric_roughness(&scene, xyz)));
+    CHECK(!isnan(metric_inner_roughness(&scene, xyz)));
     scene_clear(&scene);
     free(xyz);
 }

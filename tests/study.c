@@ -181,6 +181,27 @@ static void truth_again(void)
     free(path);
 }
 
+/* Words for verdicts: a number of every level, and whether it rises or falls throughout. */
+static void trends(void)
+{
+    struct study_result r = {0};
+    struct study study = {.count = 3, .levels = light_levels, .times = 2};
+    const size_t drop = offsetof(struct study_frame, drop);
+    struct study_trend trend;
+
+    for (int n = 0; n < 3; n++) {
+        r.row[n].frame[1].drop = 0.5 + n;
+        r.row[n].frame[0].drop = n == 1 ? 7 : 2 - n;
+    }
+    trend = study_print_trend(&study, &r, 1, drop);
+    CHECK(trend.sign == 1 && !strcmp(trend.text, "0.5, 1.5, 2.5"));
+    CHECK(study_print_trend(&study, &r, 0, drop).sign == 0);
+    r.row[1].frame[0].drop = 1;
+    CHECK(study_print_trend(&study, &r, 0, drop).sign == -1);
+    r.row[1].frame[1].drop = NAN; /* a level that died proves nothing */
+    CHECK(study_print_trend(&study, &r, 1, drop).sign == 0);
+}
+
 static void verdicts(void)
 {
     char text[256] = "";
@@ -201,6 +222,7 @@ int main(int argc, char **argv)
     REQUIRE(folder_make(folder, NULL) == STATUS_OK);
     orders();
     verdicts();
+    trends();
     truth_again();
     deaths_and_refusals();
     against_truth();

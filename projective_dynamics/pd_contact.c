@@ -9,7 +9,7 @@
 
 /* BLOCKS: swaps of all at once without progress before single ones; PASSES: of friction in
  * one iteration. */
-enum { BLOCKS = 4, PASSES = 8, REFINEMENTS = 2 };
+enum { BLOCKS = 4, PASSES = 2, REFINEMENTS = 2 };
 
 enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
                             struct pd_system *system, const double *mass,

@@ -11,6 +11,10 @@ static const double SAME = 1e-8;
  * iterations a step, and where they went on to the end. */
 static const double FEW = 0.3, CONVERGED = 1e-3;
 
+/* What bears force touches: planes are those of the iterate before, so that the gap to a
+ * ball is the square of the last iteration's way over its diameter. */
+static const double CLOSED = 1e-9;
+
 static void ball_scene(struct scene *scene, double friction)
 {
     struct scene_obstacle ball = {.kind = OBSTACLE_SPHERE,
@@ -138,6 +142,9 @@ static void check_converged(void)
     for (int frame = 0; frame < 30; frame++) {
         pd_fixture_frames(&m, 1);
         check_conditions(&m, CONVERGED);
+        for (int t = 0; t < m.contact.count; t++)
+            if (m.contact.touch[t].press > 0)
+                CHECK_NEAR(pd_contact_normal(&m.contact, t, m.x, NULL), 0, CLOSED);
     }
     pd_motion_clear(&m);
     scene_clear(&scene);

@@ -9,6 +9,10 @@
 /* MOST_LINEAR: about what a factorisation costs, in iterations. */
 enum { MOST_ITERATIONS = 100, MOST_CUTS = 30, MOST_LINEAR = 6 };
 
+/* Under contact a net may have to buckle within the step, away from a saddle that attracts
+ * at first. */
+enum { MOST_IN_CONTACT = 2000 };
+
 /* Of conjugate gradients: for a step that others follow, and for one that stands alone. */
 static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
 
@@ -212,8 +216,12 @@ static enum status solve_contact(struct spring_newton *s, const struct spring_pr
 {
     size_t count = 3 * (size_t)s->net->nodes;
     double *still = s->work + 2 * count;
-    const struct contact_problem problem = {
-        .k = 1, .K = (const double(*)[9])s->K, .b = r, .scale = 1, .still = still};
+    const struct contact_problem problem = {.k = 1,
+                                            .K = (const double(*)[9])s->K,
+                                            .b = r,
+                                            .scale = 1,
+                                            .still = still,
+                                            .one_pass = true};
 
     for (size_t t = 0; t < count; t++)
         still[t] = p->start[t] - x[t];
@@ -262,11 +270,14 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
     enum status st = STATUS_OK;
     size_t count = 3 * (size_t)s->net->nodes;
     double *r = s->work, *d = s->work + count;
-    int most = limits->iterations ? limits->iterations : MOST_ITERATIONS;
     bool obstacles = contact_set_used(&s->contact);
+    int most = obstacles ? MOST_IN_CONTACT : MOST_ITERATIONS;
+    int calm = 0;
 
     if (!s->supports.free_count)
         return STATUS_OK;
+    if (limits->iterations)
+        most = limits->iterations;
     if (obstacles)
         contact_set_detect(&s->contact, p->start);
     residual(s, p, x, d, r);
@@ -286,7 +297,8 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
                 x[t] += d[t];
             goto out;
         }
-        if (search(s, p, d, x, r) * size <= limits->tolerance)
+        calm = search(s, p, d, x, r) * size <= limits->tolerance ? calm + 1 : 0;
+        if (calm > bears) /* what friction makes of a step shows in the next */
             goto out;
     }
     st = limits->iterations ? STATUS_OK : STATUS_DIVERGED;

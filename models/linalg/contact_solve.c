@@ -1,12 +1,14 @@
 #include "models/linalg/contact_solve.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum {
     MOST_PASSES = 600,
     PATIENCE = 6, /* passes without progress before pairs change one at a time */
-    FRICTION_PASSES = 50
+    FRICTION_PASSES = 50,
+    MOST_DOUBLINGS = 5 /* see hurry                                                     */
 };
 
 /* Friction forces are repeated to this share of the largest. */
@@ -219,6 +221,22 @@ static void set_drag(struct contact_set *c, int a, double drag)
             place[t / 3] >= 0 && place[t % 3] >= 0 ? drag * c->projector[a][t] : 0;
 }
 
+/* From the drag `old` to one that is wanted, farther the longer it has gone the same way: that
+ * of a node which sticks grows without end, that of one which breaks loose falls, by the same
+ * small factor in each pass. */
+static double hurry(struct contact_node *node, double old, double want)
+{
+    if (!(old > 0 && want > 0))
+        return want;
+    int way = want > old ? 1 : -1;
+    node->trend = node->trend * way > 0 ? node->trend + way : way;
+    int doublings = abs(node->trend) - 2;
+    if (doublings <= 0)
+        return want;
+    return want * pow(want / old, ldexp(1, doublings < MOST_DOUBLINGS ? doublings
+                                                                      : MOST_DOUBLINGS) - 1);
+}
+
 /* The drag that gives node a its greatest friction at the speed of x. Returns by how much
  * that changes its friction. */
 static double update_drag(struct contact_set *c, const struct contact_problem *p,
@@ -233,8 +251,9 @@ static double update_drag(struct contact_set *c, const struct contact_problem *p
     contact_set_along(c, a, v);
     length = sqrt(dot(v, v));
     node->sticks = limit > 0 && length < creep;
-    set_drag(c, a, limit / fmax(length, creep));
-    return fabs(node->drag - old) * length;
+    double want = limit / fmax(length, creep);
+    set_drag(c, a, fmin(hurry(node, old, want), limit / creep));
+    return fabs(want - old) * length;
 }
 
 /* True if friction is where the solution wants it; otherwise the drags are new. */
@@ -292,7 +311,7 @@ enum status contact_solve(struct contact_set *c, struct system *s,
             fewest = fewest < 0 || count < fewest ? count : fewest;
             continue;
         }
-        if (settle_friction(c, p, x))
+        if (settle_friction(c, p, x) || p->one_pass)
             return STATUS_OK;
         if (++friction_passes == FRICTION_PASSES) {
             c->unsettled++;

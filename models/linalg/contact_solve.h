@@ -29,6 +29,7 @@ struct contact_problem {
     const double *b;     /* [nodes][3], without what held unknowns contribute          */
     double scale;        /* > 0                                                        */
     const double *still; /* [nodes][3], or NULL for zeros                              */
+    bool one_pass; /* of friction: an outer iteration goes on with it, call by call     */
 };
 
 /* x[nodes][3]: on entry the held unknowns, on return the solution beside them. Gaps and

@@ -128,7 +128,8 @@ static enum status solve_contact(struct large_motion *m, const struct large_equa
                                             .M = m->M,
                                             .b = i->r,
                                             .scale = 1,
-                                            .still = i->work};
+                                            .still = i->work,
+                                            .one_pass = true};
 
     for (size_t t = 0; t < count; t++)
         i->work[t] = q->path.x_old[t] - i->x[t];
@@ -206,6 +207,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                                double *x, struct counters *counters)
 {
     enum status st = STATUS_OK;
+    int calm = 0;
     size_t count = count_of(m);
     double *room = m->room + 2 * count, *swap;
     struct iteration i = {.x = x,
@@ -223,7 +225,8 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
     swap = i.d, i.d = i.next, i.next = swap;
     for (int n = 0; n < q->limit; n++) {
         counters->iterations++;
-        if (i.size <= i.tolerance) {
+        calm = i.size <= i.tolerance ? calm + 1 : 0;
+        if (calm > in_contact(m, q)) { /* what friction makes of a step shows in the next */
             for (size_t t = 0; t < count; t++)
                 x[t] += i.d[t];
             return STATUS_OK;

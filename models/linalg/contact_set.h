@@ -24,15 +24,15 @@ struct contact_pair {
 };
 
 struct contact_node {
-    int touches;       /* independent active pairs                             0..3    */
-    int obstacle[3];   /* [touches] theirs                                             */
-    double base[3][3]; /* [touches] orthonormal, spans their normals                   */
-    double dual[3][3]; /* [touches] in that span, dual[i] . normal[j] = delta_ij       */
-    double drag;       /* friction is -drag times x - still along the surface          */
+    int touches;        /* independent active pairs                             0..3    */
+    int obstacle[3];    /* [touches] theirs                                             */
+    double base[3][3];  /* [touches] orthonormal, spans their normals                   */
+    double dual[3][3];  /* [touches] in that span, dual[i] . normal[j] = delta_ij       */
+    double drag;        /* friction is -drag times x - still along the surface          */
     double friction[3]; /* the force of that                                           */
-    int trend; /* passes in which the drag has grown; shrunk: negative                 */
-    bool sticks;       /* it is below its limit                                        */
-    double force[3];   /* of all obstacles on the node, friction included              */
+    int trend;   /* passes in which the drag has grown; shrunk: negative                 */
+    bool sticks; /* it is below its limit                                        */
+    double force[3]; /* of all obstacles on the node, friction included              */
 };
 
 /* Multipliers and forces are in the units of the right-hand side. */
@@ -48,7 +48,7 @@ struct contact_set {
     double (*projector)[9];    /* [nodes] onto the directions left free        owned   */
     unsigned char *touched;    /* [nodes] projector is not the identity        owned   */
     double (*drag)[9];         /* [nodes] friction's part of the matrix        owned   */
-    double (*factored)[18]; /* [nodes] projector and drag of the present factor owned  */
+    double (*factored)[18];    /* [nodes] projector and drag of the present factor owned  */
     bool is_factored;
     long unsettled; /* steps whose friction was cut short (contact_solve.h)            */
     double *work;   /* [4][nodes][3]                                           owned   */
@@ -86,9 +86,9 @@ bool contact_set_any(const struct contact_set *c);
 /* v <- P v for P[nodes][9], c->projector or the like, v[nodes][3]. */
 void contact_set_apply(const struct contact_set *c, const double (*P)[9], double *v);
 
-/* The smallest change[nodes][3] that takes from the rates v what the set does not allow: motion
- * along normals, and any motion of nodes that stick. Returns its largest component; the
- * projectors P[nodes] leave what it may not touch. */
+/* The smallest change[nodes][3] that takes from the rates v what the set does not allow:
+ * motion along normals, and any motion of nodes that stick. Returns its largest component;
+ * the projectors P[nodes] leave what it may not touch. */
 double contact_set_arrest(const struct contact_set *c, const double *v, double *change,
                           double (*P)[9]);
 

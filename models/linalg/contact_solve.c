@@ -221,9 +221,9 @@ static void set_drag(struct contact_set *c, int a, double drag)
             place[t / 3] >= 0 && place[t % 3] >= 0 ? drag * c->projector[a][t] : 0;
 }
 
-/* From the drag `old` to one that is wanted, farther the longer it has gone the same way: that
- * of a node which sticks grows without end, that of one which breaks loose falls, by the same
- * small factor in each pass. */
+/* From the drag `old` to one that is wanted, farther the longer it has gone the same way:
+ * that of a node which sticks grows without end, that of one which breaks loose falls, by
+ * the same small factor in each pass. */
 static double hurry(struct contact_node *node, double old, double want)
 {
     if (!(old > 0 && want > 0))
@@ -233,8 +233,9 @@ static double hurry(struct contact_node *node, double old, double want)
     int doublings = abs(node->trend) - 2;
     if (doublings <= 0)
         return want;
-    return want * pow(want / old, ldexp(1, doublings < MOST_DOUBLINGS ? doublings
-                                                                      : MOST_DOUBLINGS) - 1);
+    return want *
+           pow(want / old,
+               ldexp(1, doublings < MOST_DOUBLINGS ? doublings : MOST_DOUBLINGS) - 1);
 }
 
 /* The drag that gives node a its greatest friction at the speed of x. Returns by how much

@@ -8,10 +8,11 @@
  * 1994, Computers and Operations Research 21). A set that the last step has left costs a
  * solve and, on planes, no factorisation.
  *
- * Friction: along the surface a node feels -drag (x - still), in the matrix, with a drag that
- * gives mu lambda at the speed of the last pass, until that repeats (Kacanov's method). It
- * therefore never gains energy, settled or not. What sticks creeps, slower than 1e-7 of what
- * gravity moves from rest in a step. Steps that did not settle are counted in contact_set.
+ * Friction: along the surface a node feels -drag (x - still), in the matrix, with a drag
+ * that gives mu lambda at the speed of the last pass, until that repeats (Kacanov's
+ * method). It therefore never gains energy, settled or not. What sticks creeps, slower than
+ * 1e-7 of what gravity moves from rest in a step. Steps that did not settle are counted in
+ * contact_set.
  */
 #ifndef CONTACT_SOLVE_H
 #define CONTACT_SOLVE_H

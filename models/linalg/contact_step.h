@@ -15,7 +15,7 @@
 
 struct contact_step {
     struct contact_set set;
-    struct system mass; /* M, for impacts                                              */
+    struct system mass;  /* M, for impacts                                              */
     double (*arrest)[9]; /* [nodes] projectors of the present impact           owned   */
 };
 

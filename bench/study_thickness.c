@@ -18,26 +18,34 @@ static const struct study_level levels[LEVELS] = {
 enum { TIMES = STUDY_THICKNESS_TIMES };
 static const double times[TIMES] = {0.2, 0.4, 0.6, 0.8};
 
-const struct study study_thickness_printed = {
-    .name = "printed",
-    .caption = "Fig. 10, a cloak of 1, 2 and 5 mm, the paper's scheme, mu = 0.5",
-    .scene = "cloak",
-    .numerics = {"discretization.kinematics=printed"},
-    .count = LEVELS,
-    .levels = levels,
-    .times = TIMES,
-    .time = times};
-
-const struct study study_thickness_incremental = {
-    .name = "incremental",
-    .caption = "The same without damping, incremental",
-    .scene = "cloak",
-    .settings = {"damping={kind: none}"},
-    .numerics = {"discretization.kinematics=incremental"},
-    .count = LEVELS,
-    .levels = levels,
-    .times = TIMES,
-    .time = times};
+const struct study study_thickness_solid[STUDY_THICKNESS_SOLIDS] = {
+    {.name = "printed",
+     .caption = "Fig. 10, a cloak of 1, 2 and 5 mm, the paper's scheme and net, mu = 0.5",
+     .scene = "cloak",
+     .numerics = {"discretization.kinematics=printed"},
+     .count = LEVELS,
+     .levels = levels,
+     .times = TIMES,
+     .time = times},
+    {.name = "printed_better",
+     .caption = "The same on a better net, (3,3,2) 16x16x3",
+     .scene = "cloak",
+     .numerics = {"discretization.kinematics=printed", "discretization.degree=[3,3,2]",
+                  "discretization.points=[16,16,3]"},
+     .count = LEVELS,
+     .levels = levels,
+     .times = TIMES,
+     .time = times},
+    {.name = "incremental",
+     .caption = "The paper's net, incremental, without damping",
+     .scene = "cloak",
+     .settings = {"damping={kind: none}"},
+     .numerics = {"discretization.kinematics=incremental"},
+     .count = LEVELS,
+     .levels = levels,
+     .times = TIMES,
+     .time = times},
+};
 
 /* What thickness does in linear theory. */
 static const struct study linear = {.name = "linear",
@@ -88,8 +96,8 @@ static enum status measure(const struct exhibit_options *options, struct message
     char *path = NULL;
     enum status st;
 
-    TRY(study_measure(&study_thickness_printed, options, why));
-    TRY(study_measure(&study_thickness_incremental, options, why));
+    for (int n = 0; n < STUDY_THICKNESS_SOLIDS; n++)
+        TRY(study_measure(&study_thickness_solid[n], options, why));
     TRY(study_measure(&linear, options, why));
     TRY(scene_file_find("cloak", &path, why));
     for (int n = 0; n < LEVELS * NETS; n++) {
@@ -149,9 +157,10 @@ static enum status read_level(struct study_thickness *s, int level, const char *
     s->sunk[level] = sunk ? hem_moved(rest, sunk) : NAN;
     for (int n = 0; n < STUDY_THICKNESS_SCHEMES; n++)
         s->swing[n][level] = NAN;
-    for (int t = 0; t < TIMES; t++) {
-        widen(&s->swing[0][level], scene, s->angle, s->printed.row[level].frame[t].xyz);
-        widen(&s->swing[1][level], scene, s->angle, s->incremental.row[level].frame[t].xyz);
+    for (int n = 0; n < STUDY_THICKNESS_SOLIDS * TIMES; n++) {
+        const int scheme = n / TIMES;
+        widen(&s->swing[scheme][level], scene, s->angle,
+              s->solid[scheme].row[level].frame[n % TIMES].xyz);
     }
     for (int net = 0; net < NETS; net++) {
         struct rung_result *r = &s->shell[level][net];
@@ -159,7 +168,8 @@ static enum status read_level(struct study_thickness *s, int level, const char *
         struct rung_plan plan = shell_plan(&run, path, folder, false, level, net);
         TRY(rung_read(&plan, r, why));
         for (int t = 0; t < r->frames; t++)
-            widen(&s->swing[2 + net][level], scene, s->angle, r->xyz[t]);
+            widen(&s->swing[STUDY_THICKNESS_SOLIDS + net][level], scene, s->angle,
+                  r->xyz[t]);
     }
 out:
     return st;
@@ -176,8 +186,8 @@ enum status study_thickness_read(const char *folder, struct study_thickness **s,
     enum status st = new ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
-    TRY(study_read(&study_thickness_printed, folder, &new->printed, why));
-    TRY(study_read(&study_thickness_incremental, folder, &new->incremental, why));
+    for (int n = 0; n < STUDY_THICKNESS_SOLIDS; n++)
+        TRY(study_read(&study_thickness_solid[n], folder, &new->solid[n], why));
     TRY(study_read(&linear, folder, &new->linear, why));
     TRY(scene_file_find("cloak", &path, why));
     TRY(scene_file_read(path, 1, levels[0].settings, &scene, &unused, why));
@@ -202,8 +212,8 @@ void study_thickness_destroy(struct study_thickness *s)
 {
     if (!s)
         return;
-    study_result_clear(&s->printed);
-    study_result_clear(&s->incremental);
+    for (int n = 0; n < STUDY_THICKNESS_SOLIDS; n++)
+        study_result_clear(&s->solid[n]);
     study_result_clear(&s->linear);
     for (int n = 0; n < LEVELS * NETS; n++)
         rung_clear(&s->shell[n / NETS][n % NETS]);

@@ -111,7 +111,8 @@ static void write_view(struct output *out, const struct box *box)
         floor = low; /* of z in the end */
         output_print(out, "set %crange [%.4g:%.4g]\nset %ctics %g offset %s\n", axis[d],
                      low, high, axis[d],
-                     side[d] > 1     ? 0.5
+                     side[d] > 3     ? 1.
+                     : side[d] > 1   ? 0.5
                      : side[d] > 0.4 ? 0.25
                                      : 0.1,
                      offset[d]);

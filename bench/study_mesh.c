@@ -4,8 +4,7 @@
 
 #include "bench/study_print.h"
 
-/* Table 2 has the milliseconds. The size is the mesh width, one over the spans of a side.
- */
+/* Table 2 has the milliseconds. Size: the mesh width, one over the spans of a side. */
 static const struct study_level levels[] = {
     {"5x5x2",
      "5",

@@ -97,6 +97,8 @@ static void judge_at(const struct study *study, const struct study_result *r, in
         study_print_trend(study, r, t, offsetof(struct study_frame, inner));
     struct study_trend stretch =
         study_print_trend(study, r, t, offsetof(struct study_frame, stretch));
+    struct study_trend uneven =
+        study_print_trend(study, r, t, offsetof(struct study_frame, unevenness));
 
     study_print_verdict(file, "refinement and elevation both add wrinkle detail",
                         refined->roughness > start->roughness &&
@@ -104,12 +106,11 @@ static void judge_at(const struct study *study, const struct study_result *r, in
                         "%s, %g s, at first, refined, elevated, both: roughness %s; away "
                         "from edges and corners %s; largest stretch %s.",
                         study->name, study->time[t], rough.text, inner.text, stretch.text);
-    study_print_verdict(
-        file, "elevation makes the cloth smoother",
-        elevated->unevenness < start->unevenness && both->unevenness < refined->unevenness,
-        "%s, %g s: unevenness from %.3g to %.3g on 10x10, from %.3g to %.3g on 15x15.",
-        study->name, study->time[t], start->unevenness, elevated->unevenness,
-        refined->unevenness, both->unevenness);
+    study_print_verdict(file, "elevation makes the cloth smoother",
+                        elevated->unevenness < start->unevenness &&
+                            both->unevenness < refined->unevenness,
+                        "%s, %g s, at first, refined, elevated, both: unevenness %s.",
+                        study->name, study->time[t], uneven.text);
 }
 
 static void judge_cost(const struct study_result *r, FILE *file)

@@ -260,10 +260,11 @@ static enum status draw_sheets(const struct study *study, const struct study_res
     for (int time = 0; time < study->times; time++)
         for (int n = 0; n < columns; n++, count++) {
             bool level = n < study->count;
-            snprintf(titles[count], sizeof titles[count], "%s\nt = %g s",
-                     level ? study->levels[n].label : "truth", study->time[time]);
-            panels[count].title = titles[count];
-            panels[count].xyz = level ? r->row[n].frame[time].xyz : r->truth->xyz[time];
+            const double *xyz = level ? r->row[n].frame[time].xyz : r->truth->xyz[time];
+            snprintf(titles[count], sizeof titles[count], "%s\n%st = %g s",
+                     level ? study->levels[n].label : "truth", xyz ? "" : "none left at ",
+                     study->time[time]);
+            panels[count] = (struct picture_panel){titles[count], xyz};
         }
     snprintf(name, sizeof name, "%s_sheets", study->name);
     return picture_surfaces(folder, name, columns, count, panels, why);
@@ -315,11 +316,15 @@ struct study_trend study_print_trend(const struct study *study,
     double before = NAN;
 
     for (int n = 0; n < study->count; n++) {
-        const char *frame = (const char *)&r->row[n].frame[time];
-        double value = *(const double *)(frame + member);
-        size_t used = strlen(trend.text);
-        snprintf(trend.text + used, sizeof trend.text - used, "%s%.3g", n ? ", " : "",
-                 value);
+        const struct study_frame *f = &r->row[n].frame[time];
+        double value = *(const double *)((const char *)f + member);
+        size_t used = strlen(trend.text), room = sizeof trend.text - used;
+        const char *comma = n ? ", " : "";
+        if (isnan(value) && !f->xyz)
+            snprintf(trend.text + used, room, "%s%s", comma,
+                     *r->row[n].refused ? "refused" : "died");
+        else
+            snprintf(trend.text + used, room, "%s%.3g", comma, value);
         rises += value > before;
         falls += value < before;
         before = value;

@@ -199,7 +199,8 @@ static void trends(void)
     r.row[1].frame[0].drop = 1;
     CHECK(study_print_trend(&study, &r, 0, drop).sign == -1);
     r.row[1].frame[1].drop = NAN; /* a level that died proves nothing */
-    CHECK(study_print_trend(&study, &r, 1, drop).sign == 0);
+    trend = study_print_trend(&study, &r, 1, drop);
+    CHECK(trend.sign == 0 && !strcmp(trend.text, "0.5, died, 2.5"));
 }
 
 static void verdicts(void)

@@ -24,7 +24,8 @@ struct sweep_map {
     struct output *data;
     struct dimension x, y, panel;
     struct sweep_map_names panels, classes;
-    bool seen[SWEEP_MAP_NAMES][SWEEP_MAP_NAMES]; /* [panel][class]                     */
+    bool seen[SWEEP_MAP_NAMES][SWEEP_MAP_NAMES];   /* [panel][class]                   */
+    bool marked[SWEEP_MAP_NAMES][SWEEP_MAP_NAMES]; /* [panel][label of a mark]         */
 };
 
 static struct dimension find_dimension(const struct plan *plan, const char *name)
@@ -130,7 +131,8 @@ enum status sweep_map_open(struct sweep_map **map, const struct plan *plan,
     m->y = find_dimension(plan, plan->map.y);
     m->panel = find_dimension(plan, plan->map.panel);
     snprintf(m->folder, sizeof m->folder, "%s", folder->path);
-    sweep_map_names_add(&m->classes, "feasible"); /* first in the legend */
+    sweep_map_names_add(&m->classes, "feasible"); /* first in the legend, even if none is */
+    m->classes.uses[0] = 0;
     snprintf(path, sizeof path, "%s/map.dat", folder->path);
     TRY(output_create(path, &m->data, why));
     output_print(m->data, "# panel label x y x_low x_high y_low y_high\n");
@@ -190,7 +192,7 @@ static int mark_panel(const struct sweep_map *m, const struct plan_mark *mark)
 }
 
 /* marks.dat: panel, label, x, y, text; `labels` in order of their numbers. */
-static enum status write_marks(const struct sweep_map *m, struct sweep_map_names *labels,
+static enum status write_marks(struct sweep_map *m, struct sweep_map_names *labels,
                                struct message *why)
 {
     enum status st;
@@ -204,8 +206,11 @@ static enum status write_marks(const struct sweep_map *m, struct sweep_map_names
         const struct plan_mark *mark = &m->plan->map.marks[n];
 
         TRY(plan_case_mark(m->plan, &mark->settings, &scene, why));
-        output_print(out, "%d %d %.9g %.9g \"%s\"\n", mark_panel(m, mark),
-                     sweep_map_names_add(labels, mark->label),
+        const int panel = mark_panel(m, mark);
+        const int label = sweep_map_names_add(labels, mark->label);
+        for (int p = 0; p < m->panels.count; p++)
+            m->marked[p][label] |= panel < 0 || panel == p;
+        output_print(out, "%d %d %.9g %.9g \"%s\"\n", panel, label,
                      mark_place(&m->x, mark, &scene), mark_place(&m->y, mark, &scene),
                      mark->text);
         scene_clear(&scene);
@@ -257,6 +262,7 @@ enum status sweep_map_close(struct sweep_map *m, struct message *why)
                                                 .panel = m->panel.name,
                                                 .cells = m->x.axis && m->y.axis,
                                                 .seen = m->seen,
+                                                .marked = m->marked,
                                                 .panels = &m->panels,
                                                 .classes = &m->classes,
                                                 .marks = &marks},

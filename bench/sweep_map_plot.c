@@ -5,18 +5,34 @@
 
 #include "bench/output.h"
 
+/* Whether a name kept is this one, as far as it was kept; quotes were not. */
+static bool is_name(const char *kept, const char *name)
+{
+    for (int n = 0; n < SWEEP_MAP_NAME - 1; n++) {
+        if (kept[n] != (strchr("'\"", name[n]) && name[n] ? ' ' : name[n]))
+            return false;
+        if (!name[n])
+            break;
+    }
+    return true;
+}
+
 int sweep_map_names_add(struct sweep_map_names *names, const char *name)
 {
     const int last = SWEEP_MAP_NAMES - 1;
 
     for (int n = 0; n < names->count; n++)
-        if (!strncmp(names->name[n], name, SWEEP_MAP_NAME - 1))
+        if (is_name(names->name[n], name)) {
+            names->uses[n]++;
             return n;
+        }
     if (names->count <= last) {
-        snprintf(names->name[names->count], SWEEP_MAP_NAME, "%s",
-                 names->count == last ? "other" : name);
-        names->count++;
+        char *text = names->name[names->count++];
+        snprintf(text, SWEEP_MAP_NAME, "%s", names->count > last ? "other" : name);
+        while ((text = strpbrk(text, "'\"")))
+            *text = ' '; /* they would end a string of gnuplot's */
     }
+    names->uses[names->count - 1]++;
     return names->count - 1;
 }
 
@@ -55,6 +71,18 @@ static void write_side(struct output *out, char axis, const struct sweep_map_sid
         output_print(out, "set format %c '%%g'\n", axis);
 }
 
+static void write_marks(struct output *out, const struct sweep_map_plot *p, int panel)
+{
+    for (int m = 0; m < p->marks->count; m++)
+        if (p->marked[panel][m])
+            output_print(out,
+                         "'marks.dat' using (($1 < 0 || $1 == %d) && $2 == %d ? $3 : "
+                         "NaN):4 with points pt %d ps 1.4 lc rgb 'black' notitle, \\\n"
+                         "'' using (($1 < 0 || $1 == %d) && $2 == %d ? $3 : NaN):4:5 with "
+                         "labels offset 0,0.8 font ',9' notitle, \\\n",
+                         panel, m, type_of(m), panel, m);
+}
+
 static void write_panel(struct output *out, const struct sweep_map_plot *p, int panel)
 {
     if (p->panel)
@@ -75,17 +103,7 @@ static void write_panel(struct output *out, const struct sweep_map_plot *p, int 
         else
             output_print(out, " with points pt 7 ps 1.5 lc rgb '%s' notitle, \\\n", colour);
     }
-    for (int m = 0; m < p->marks->count; m++)
-        output_print(
-            out,
-            "'marks.dat' using (($1 < 0 || $1 == %d) && $2 == %d ? $3 : NaN):4 with "
-            "points pt %d ps 1.6 lc rgb 'black' notitle, \\\n",
-            panel, m, type_of(m));
-    if (p->marks->count)
-        output_print(out,
-                     "'marks.dat' using ($1 < 0 || $1 == %d ? $3 : NaN):4:5 with labels "
-                     "offset 1.4,0.6 notitle, \\\n",
-                     panel);
+    write_marks(out, p, panel);
     output_print(out, "NaN notitle\n");
 }
 
@@ -93,14 +111,18 @@ static void write_panel(struct output *out, const struct sweep_map_plot *p, int 
 static void write_legend(struct output *out, const struct sweep_map_plot *p)
 {
     output_print(out, "unset logscale\nunset border\nunset tics\nunset xlabel\n"
-                      "unset ylabel\nunset title\nset key center center Left reverse\n"
+                      "unset ylabel\nunset title\nset key font ',10' Left reverse "
+                      "at graph -0.1, graph 1 left top\n"
                       "plot [0:1][0:1] \\\n");
     for (int c = 0; c < p->classes->count; c++)
-        output_print(out, "NaN with points pt 5 ps 2.5 lc rgb '%s' title '%s', \\\n",
-                     colour_of(p->classes->name[c], c), p->classes->name[c]);
+        output_print(out, "NaN with points pt 5 ps 2.5 lc rgb '%s' title '%s: %ld', \\\n",
+                     colour_of(p->classes->name[c], c), p->classes->name[c],
+                     p->classes->uses[c]);
     for (int m = 0; m < p->marks->count; m++)
-        output_print(out, "NaN with points pt %d ps 1.6 lc rgb 'black' title '%s', \\\n",
-                     type_of(m), p->marks->name[m]);
+        output_print(out,
+                     "NaN with points pt %d ps 1.4 lc rgb 'black' title '%s: %ld', "
+                     "\\\n",
+                     type_of(m), p->marks->name[m], p->marks->uses[m]);
     output_print(out, "NaN notitle\n");
 }
 

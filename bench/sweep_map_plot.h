@@ -10,6 +10,7 @@
 enum { SWEEP_MAP_NAMES = 24, SWEEP_MAP_NAME = 160 };
 struct sweep_map_names {
     int count;
+    long uses[SWEEP_MAP_NAMES]; /* how often each came                                 */
     char name[SWEEP_MAP_NAMES][SWEEP_MAP_NAME];
 };
 
@@ -27,7 +28,8 @@ struct sweep_map_plot {
     struct sweep_map_side x, y;
     const char *panel; /* what the panels differ in; NULL: there is one                */
     bool cells;        /* boxes that fill the map, else points                         */
-    const bool (*seen)[SWEEP_MAP_NAMES]; /* [panel][class]: there is such a case       */
+    const bool (*seen)[SWEEP_MAP_NAMES];   /* [panel][class]: there is such a case     */
+    const bool (*marked)[SWEEP_MAP_NAMES]; /* [panel][label of a mark], as well        */
     const struct sweep_map_names *panels, *classes, *marks;
 };
 

@@ -81,7 +81,7 @@ static enum status write_script(const struct table4_data *d, const char *folder,
     static const int shown[] = {TABLE4_PRINTED, TABLE4_SHELL};
     enum status st;
     struct output *out = NULL;
-    char path[4096], name[16];
+    char path[4096], name[32];
 
     snprintf(path, sizeof path, "%s/table4.gp", folder);
     TRY(output_create(path, &out, why));

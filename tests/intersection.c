@@ -5,6 +5,8 @@
 #include <omp.h>
 #include <stdint.h>
 
+#include "models/grid.h"
+#include "models/metric.h"
 #include "tests/check.h"
 #include "tests/triangle_reference.h"
 
@@ -338,6 +340,29 @@ static void test_reuse(void)
     intersection_clear(&s);
 }
 
+/* A sheet wound up in itself: every third point of its mid-surface, by hand. */
+static void test_every_third(void)
+{
+    enum { STEP = 3, SIDE = (GRID_U - 1) / STEP + 1 };
+    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz), surface[SIDE * SIDE][3];
+    long count = 0;
+
+    REQUIRE(xyz);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double u = n % GRID_U / 99.0, v = n / GRID_U % GRID_V / 99.0;
+        xyz[3 * n] = sin(7 * u + 2 * v), xyz[3 * n + 1] = sin(5 * v - u);
+        xyz[3 * n + 2] = u * v + 0.01 * (n / (GRID_U * GRID_V));
+    }
+    for (int n = 0; n < 3 * SIDE * SIDE; n++) {
+        int m = STEP * (n / 3 / SIDE * GRID_U + n / 3 % SIDE) * 3 + n % 3;
+        surface[n / 3][n % 3] = 0.5 * (xyz[m] + xyz[m + 3 * GRID_POINTS / 2]);
+    }
+    CHECK(intersection_count(&work, SIDE, SIDE, surface[0], &count) == STATUS_OK);
+    CHECK(count > 10);
+    CHECK(metric_intersections_every(xyz, STEP) == (double)count);
+    free(xyz);
+}
+
 int main(void)
 {
     test_flat();
@@ -351,6 +376,7 @@ int main(void)
     test_threads();
     test_not_finite();
     test_reuse();
+    test_every_third();
     intersection_clear(&work);
     return check_result();
 }

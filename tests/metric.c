@@ -6,7 +6,6 @@
 
 #include "models/clock.h"
 #include "models/grid.h"
-#include "models/intersection.h"
 #include "tests/check.h"
 
 /* A few operations on numbers of size 1, each a rounding off. */
@@ -386,34 +385,6 @@ static void test_intersections(void)
     free(xyz);
 }
 
-/* A sheet wound up in itself: every third point of its mid-surface, by hand. */
-static void test_coarse_intersections(void)
-{
-    enum { STEP = 3, SIDE = (GRID_U - 1) / STEP + 1 };
-    double *xyz = new_field(), surface[SIDE * SIDE][3];
-    struct intersection work = {0};
-    long count = 0;
-
-    for (int n = 0; n < GRID_POINTS; n++) {
-        double uvw[3];
-        grid_point(n, uvw);
-        xyz[3 * n] = sin(7 * uvw[0] + 2 * uvw[1]);
-        xyz[3 * n + 1] = sin(5 * uvw[1] - uvw[0]);
-        xyz[3 * n + 2] = uvw[0] * uvw[1] + 0.01 * uvw[2];
-    }
-    for (int j = 0; j < SIDE; j++)
-        for (int i = 0; i < SIDE; i++)
-            for (int c = 0; c < 3; c++) {
-                int n = 3 * (STEP * j * GRID_U + STEP * i) + c;
-                surface[j * SIDE + i][c] = 0.5 * (xyz[n] + xyz[n + COUNT / 2]);
-            }
-    CHECK(intersection_count(&work, SIDE, SIDE, surface[0], &count) == STATUS_OK);
-    CHECK(count > 10);
-    CHECK(metric_intersections_every(xyz, STEP) == (double)count);
-    intersection_clear(&work);
-    free(xyz);
-}
-
 static void test_energy_drift(void)
 {
     /* E = 2, 2, 1, 2.5; in play 2, 6, 7, 2.5 */
@@ -462,7 +433,6 @@ int main(void)
     test_blowup();
     test_angle();
     test_intersections();
-    test_coarse_intersections();
     test_energy_drift();
     test_clock();
     return check_result();

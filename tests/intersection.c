@@ -344,23 +344,23 @@ static void test_reuse(void)
 static void test_every_third(void)
 {
     enum { STEP = 3, SIDE = (GRID_U - 1) / STEP + 1 };
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz), surface[SIDE * SIDE][3];
+    double *field = malloc(3 * GRID_POINTS * sizeof *field), surface[SIDE * SIDE][3];
     long count = 0;
 
-    REQUIRE(xyz);
+    REQUIRE(field);
     for (int n = 0; n < GRID_POINTS; n++) {
         double u = n % GRID_U / 99.0, v = n / GRID_U % GRID_V / 99.0;
-        xyz[3 * n] = sin(7 * u + 2 * v), xyz[3 * n + 1] = sin(5 * v - u);
-        xyz[3 * n + 2] = u * v + 0.01 * (n / (GRID_U * GRID_V));
+        field[3 * n] = sin(7 * u + 2 * v), field[3 * n + 1] = sin(5 * v - u);
+        field[3 * n + 2] = u * v + 0.01 * (n / (GRID_U * GRID_V));
     }
     for (int n = 0; n < 3 * SIDE * SIDE; n++) {
         int m = STEP * (n / 3 / SIDE * GRID_U + n / 3 % SIDE) * 3 + n % 3;
-        surface[n / 3][n % 3] = 0.5 * (xyz[m] + xyz[m + 3 * GRID_POINTS / 2]);
+        surface[n / 3][n % 3] = 0.5 * (field[m] + field[m + 3 * GRID_POINTS / 2]);
     }
     CHECK(intersection_count(&work, SIDE, SIDE, surface[0], &count) == STATUS_OK);
     CHECK(count > 10);
-    CHECK(metric_intersections_every(xyz, STEP) == (double)count);
-    free(xyz);
+    CHECK(metric_intersections_every(field, STEP) == (double)count);
+    free(field);
 }
 
 int main(void)

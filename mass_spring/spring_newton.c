@@ -13,6 +13,9 @@ enum { MOST_ITERATIONS = 100, MOST_CUTS = 30, MOST_LINEAR = 6 };
  * at first. */
 enum { MOST_IN_CONTACT = 2000 };
 
+/* Friction that has not settled by then stays as it is for the rest of the step. */
+enum { FRICTION_ITERATIONS = 50 };
+
 /* Of conjugate gradients: for a step that others follow, and for one that stands alone. */
 static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
 
@@ -211,8 +214,8 @@ static bool meets(const struct spring_newton *s, const double *start, const doub
 
 /* d that minimises the model of the function at x among what obstacles leave. */
 static enum status solve_contact(struct spring_newton *s, const struct spring_problem *p,
-                                 const double *x, const double *r, double *d,
-                                 struct counters *counters)
+                                 const double *x, enum contact_friction friction,
+                                 const double *r, double *d, struct counters *counters)
 {
     size_t count = 3 * (size_t)s->net->nodes;
     double *still = s->work + 2 * count;
@@ -221,7 +224,7 @@ static enum status solve_contact(struct spring_newton *s, const struct spring_pr
                                             .b = r,
                                             .scale = 1,
                                             .still = still,
-                                            .one_pass = true};
+                                            .friction = friction};
 
     for (size_t t = 0; t < count; t++)
         still[t] = p->start[t] - x[t];
@@ -287,7 +290,10 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         if (!bears)
             TRY(solve(s, most == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE, r, d, counters));
         if (bears || (obstacles && meets(s, p->start, x, d)))
-            TRY(solve_contact(s, p, x, r, d, counters));
+            TRY(solve_contact(s, p, x,
+                              n < FRICTION_ITERATIONS ? CONTACT_FRICTION_ONCE
+                                                      : CONTACT_FRICTION_KEPT,
+                              r, d, counters));
         counters->assemblies++, counters->iterations++;
         double size = largest(count, d);
         if (!isfinite(size))

@@ -312,7 +312,8 @@ enum status contact_solve(struct contact_set *c, struct system *s,
             fewest = fewest < 0 || count < fewest ? count : fewest;
             continue;
         }
-        if (settle_friction(c, p, x) || p->one_pass)
+        if (p->friction == CONTACT_FRICTION_KEPT || settle_friction(c, p, x) ||
+            p->friction == CONTACT_FRICTION_ONCE)
             return STATUS_OK;
         if (++friction_passes == FRICTION_PASSES) {
             c->unsettled++;

@@ -20,6 +20,15 @@
 #include "models/linalg/contact_set.h"
 #include "models/linalg/system.h"
 
+/* How far a solve goes with friction: until it repeats; one pass, for an outer iteration
+ * that goes on with it from call to call; or none, with the drags as they are, which such
+ * an iteration that finds no end needs. */
+enum contact_friction {
+    CONTACT_FRICTION_SETTLES,
+    CONTACT_FRICTION_ONCE,
+    CONTACT_FRICTION_KEPT
+};
+
 /* A = k K + m M. The unknown x and a node's displacement u over the step are related by
  * x = still + scale u. */
 struct contact_problem {
@@ -30,7 +39,7 @@ struct contact_problem {
     const double *b;     /* [nodes][3], without what held unknowns contribute          */
     double scale;        /* > 0                                                        */
     const double *still; /* [nodes][3], or NULL for zeros                              */
-    bool one_pass; /* of friction: an outer iteration goes on with it, call by call     */
+    enum contact_friction friction;
 };
 
 /* x[nodes][3]: on entry the held unknowns, on return the solution beside them. Gaps and

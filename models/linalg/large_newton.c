@@ -8,6 +8,8 @@ static const double STEP_TOLERANCE = 1e-7;
 /* Halvings of a step that leads to a surface without normals or to numbers that are none.
  */
 enum { HALVINGS = 6 };
+/* Friction that has not settled by then stays as it is for the rest of the step. */
+enum { FRICTION_ITERATIONS = 20 };
 
 static size_t count_of(const struct large_motion *m)
 {
@@ -113,6 +115,7 @@ struct iteration {
     double *r, *next; /* right-hand side at x; the step from there                     */
     double *work;
     double tolerance; /* [m]                                                           */
+    enum contact_friction friction;
 };
 
 /* The same with obstacles, which factors as it needs. A tangent that is not positive
@@ -129,7 +132,7 @@ static enum status solve_contact(struct large_motion *m, const struct large_equa
                                             .b = i->r,
                                             .scale = 1,
                                             .still = i->work,
-                                            .one_pass = true};
+                                            .friction = i->friction};
 
     for (size_t t = 0; t < count; t++)
         i->work[t] = q->path.x_old[t] - i->x[t];
@@ -215,7 +218,8 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                           .r = room + count,
                           .next = room + 2 * count,
                           .work = room + 3 * count,
-                          .tolerance = STEP_TOLERANCE * m->scene->length};
+                          .tolerance = STEP_TOLERANCE * m->scene->length,
+                          .friction = CONTACT_FRICTION_ONCE};
 
     m->stressless = false;
     TRY(residual(m, q, x, i.r, i.work));
@@ -231,6 +235,8 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                 x[t] += i.d[t];
             return STATUS_OK;
         }
+        if (n == FRICTION_ITERATIONS)
+            i.friction = CONTACT_FRICTION_KEPT;
         TRY(take_step(m, q, &i));
         TRY(next_step(m, q, &i, counters));
     }

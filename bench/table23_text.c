@@ -136,6 +136,9 @@ static void tell_same(const struct table23_data *d, FILE *file)
         ours.high, 100 * (ours.high / ours.low - 1));
 }
 
+/* Farther from the ground than any sheet that lies on it [m]. */
+static const double CLEAR = 0.05;
+
 static void tell_contact(const struct table23_data *d, FILE *file)
 {
     const int contact = PAPER_TABLE2_CONTACT, flag = PAPER_TABLE2_ROWS - 1;
@@ -154,10 +157,11 @@ static void tell_contact(const struct table23_data *d, FILE *file)
         fprintf(
             file,
             "Here it costs %.2f times the flag, fall and landing together, at %.2f "
-            "factorisations a frame; at the\n  end of the %ld frames the sheet is %.2g mm "
-            "off the ground.\n",
+            "factorisations a frame; after\n  %ld frames its lowest point is %.2g m above "
+            "the ground%s.\n",
             ratio, (double)work->factorisations / (double)work->steps, work->steps,
-            1e3 * d->gap[contact]);
+            d->gap[contact],
+            d->gap[contact] > CLEAR ? ": the scheme has thrown it up again" : "");
 }
 
 static void tell_degree(const struct table23_data *d, FILE *file)

@@ -23,8 +23,8 @@ enum {
 };
 
 static const char *const scheme_name[SCHEMES] = {
-    "printed, mu = 0.5, the paper's net", "printed, mu = 0.5, (3,3,2) 16x16x3",
-    "incremental, undamped", "nonlinear shell, undamped, coarse net",
+    "printed, mu = 0.5, 10x10x2", "printed, mu = 0.5, better net",
+    "incremental, undamped, 10x10x2", "nonlinear shell, undamped, coarse net",
     "nonlinear shell, undamped, fine net"};
 
 /* Seconds of stepping, and unknowns. */
@@ -106,13 +106,14 @@ static enum status plot_swing(const struct study_thickness *s, const char *folde
     TRY(output_close(out, why));
     snprintf(path, sizeof path, "%s/thickness.gp", folder);
     TRY(output_create(path, &out, why));
-    output_print(out,
-                 "set terminal pngcairo noenhanced size 800,650\n"
-                 "set output 'thickness.png'\nset datafile separator ','\n"
-                 "set datafile missing 'nan'\nset grid\nset key below left\n"
-                 "set xlabel 'thickness [mm]'\nset xrange [0:6]\nset yrange [0:*]\n"
-                 "set ylabel 'swing by %g s [degrees]'\nplot ",
-                 study_thickness_solid[PAPER].time[LAST]);
+    output_print(
+        out,
+        "set terminal pngcairo noenhanced size 800,550\n"
+        "set output 'thickness.png'\nset datafile separator ','\n"
+        "set datafile missing 'nan'\nset grid\nset key inside bottom left Left reverse\n"
+        "set xlabel 'thickness [mm]'\nset xrange [0:6]\nset yrange [0:*]\n"
+        "set ylabel 'swing by %g s [degrees]'\nplot ",
+        study_thickness_solid[PAPER].time[LAST]);
     for (int n = 0; n < SCHEMES; n++)
         output_print(out,
                      "%s'thickness.csv' index %d %s using (1e3*$2):3 with linespoints lw 2 "

@@ -65,7 +65,7 @@ enum status contact_set_init(struct contact_set *c, const struct scene *scene,
     new.drag = calloc(nodes, sizeof *new.drag);
     new.factored = calloc(nodes, sizeof *new.factored);
     new.touched = calloc(nodes, sizeof *new.touched);
-    new.work = calloc(12 * nodes, sizeof *new.work);
+    new.work = calloc(15 * nodes, sizeof *new.work);
     if (!new.pair || !new.node || !new.projector || !new.drag || !new.factored ||
         !new.touched || !new.work)
         goto out;

@@ -51,7 +51,7 @@ struct contact_set {
     double (*factored)[18];    /* [nodes] projector and drag of the present factor owned  */
     bool is_factored;
     long unsettled; /* steps whose friction was cut short (contact_solve.h)            */
-    double *work;   /* [4][nodes][3]                                           owned   */
+    double *work;   /* [5][nodes][3]                                           owned   */
 };
 
 /* A normal adds a direction to others if the part of it outside their span is longer. */

@@ -1,18 +1,19 @@
 #include "models/linalg/contact_solve.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-    MOST_PASSES = 600,
-    PATIENCE = 6, /* passes without progress before pairs change one at a time */
+    MOST_PASSES = 2000,
+    PATIENCE = 5, /* passes without progress before pairs change one at a time */
     FRICTION_PASSES = 50,
     MOST_DOUBLINGS = 5 /* see hurry                                                     */
 };
 
 /* Friction forces are repeated to this share of the largest. */
-static const double FRICTION_SETTLED = 1e-6;
+static const double FRICTION_SETTLED = 1e-7;
 
 /* What sticks may creep by this share of what gravity moves in a step of rest. */
 static const double CREEP = 1e-7;
@@ -163,40 +164,103 @@ static bool violated(const struct contact_set *c, const struct system *s,
     return !counts || pair->lambda < -slack * stiffness(s, p, a);
 }
 
-/* Where a new pair adds no direction to the node's others, it takes their place. */
+/* Where a new pair adds no direction to the node's others, it takes the place of the one
+ * whose normal is nearest to its own. */
 static void change(struct contact_set *c, int a, int o)
 {
-    struct contact_pair *pair = &pairs_of(c, a)[o];
-    double beside;
+    struct contact_pair *pair = pairs_of(c, a);
+    double beside, nearest = -INFINITY;
+    int other = o;
 
-    pair->active = !pair->active;
+    pair[o].active = !pair[o].active;
     free_normal(c, a, o, &beside);
-    for (int t = 0; pair->active && beside < CONTACT_SET_INDEPENDENT && t < c->obstacles;
-         t++)
-        if (t != o)
-            pairs_of(c, a)[t].active = false;
+    if (!pair[o].active || beside > CONTACT_SET_INDEPENDENT)
+        return;
+    for (int t = 0; t < c->obstacles; t++)
+        if (t != o && pair[t].active && dot(pair[t].normal, pair[o].normal) > nearest) {
+            nearest = dot(pair[t].normal, pair[o].normal);
+            other = t;
+        }
+    if (other != o)
+        pair[other].active = false;
 }
 
-/* Changes all violated pairs, or the last one only. Returns their number before. */
+/* Changes all violated pairs. Returns their number before. */
 static long exchange(struct contact_set *c, const struct system *s,
-                     const struct contact_problem *p, const double *x, double slack,
-                     bool only_last)
+                     const struct contact_problem *p, const double *x, double slack)
 {
     long count = 0;
-    int last_node = 0, last_obstacle = 0;
+
+    for (int a = 0; a < c->nodes; a++)
+        for (int o = 0; o < c->obstacles; o++)
+            if (violated(c, s, p, x, a, o, slack)) {
+                change(c, a, o);
+                count++;
+            }
+    return count;
+}
+
+/* The primal method starts where nothing has moved, y[nodes][3], with the pairs that are
+ * closed there. */
+static void start_primal(struct contact_set *c, const struct contact_problem *p,
+                         const double *x, double slack, double *y)
+{
+    for (int a = 0; a < c->nodes; a++) {
+        for (int i = 3 * a; i < 3 * a + 3; i++)
+            y[i] = c->held->free_index[i] < 0 ? x[i] : p->still ? p->still[i] : 0;
+        for (int o = 0; o < c->obstacles; o++) {
+            struct contact_pair *pair = &pairs_of(c, a)[o];
+            pair->active &= dot(pair->normal, y + 3 * a) <= target(p, pair, a) + slack;
+        }
+    }
+}
+
+/* The active pair that pulls most, as a motion; false if none does. */
+static bool let_go(struct contact_set *c, const struct system *s,
+                   const struct contact_problem *p, double slack)
+{
+    struct contact_pair *worst = NULL;
+    double most = slack;
 
     for (int a = 0; a < c->nodes; a++)
         for (int o = 0; o < c->obstacles; o++) {
-            if (!violated(c, s, p, x, a, o, slack))
-                continue;
-            count++;
-            last_node = a, last_obstacle = o;
-            if (!only_last)
-                change(c, a, o);
+            struct contact_pair *pair = &pairs_of(c, a)[o];
+            double pull = -pair->lambda / stiffness(s, p, a);
+            if (pair->active && pull > most)
+                most = pull, worst = pair;
         }
-    if (count && only_last)
-        change(c, last_node, last_obstacle);
-    return count;
+    if (worst)
+        worst->active = false;
+    return worst;
+}
+
+/* One pass of the primal method from x, the solution for the present set: y goes towards it
+ * until the first pair closes, which joins; where none does, one that pulls is let go.
+ * Returns whether the set changed. */
+static bool primal_pass(struct contact_set *c, const struct system *s,
+                        const struct contact_problem *p, const double *x, double slack,
+                        double *y)
+{
+    double part = 1;
+    int node = -1, obstacle = 0;
+
+    for (int a = 0; a < c->nodes; a++)
+        for (int o = 0; o < c->obstacles; o++) {
+            const struct contact_pair *pair = &pairs_of(c, a)[o];
+            if (pair->active || !violated(c, s, p, x, a, o, slack))
+                continue;
+            double from = dot(pair->normal, y + 3 * a);
+            double room = fmax(0, from - target(p, pair, a));
+            double way = from - dot(pair->normal, x + 3 * a);
+            if (room < part * way || node < 0)
+                part = fmin(part, room / way), node = a, obstacle = o;
+        }
+    for (int t = 0; t < 3 * c->nodes; t++)
+        y[t] += part * (x[t] - y[t]);
+    if (node < 0)
+        return let_go(c, s, p, slack);
+    change(c, node, obstacle);
+    return true;
 }
 
 /* Greatest friction that node a can have. */
@@ -296,8 +360,8 @@ enum status contact_solve(struct contact_set *c, struct system *s,
                           struct counters *counters)
 {
     enum status st = STATUS_DIVERGED;
-    double slack = c->rounding * p->scale;
-    long fewest = -1;
+    double slack = c->rounding * p->scale, *y = c->work + 12 * (size_t)c->nodes;
+    long fewest = LONG_MAX;
     int patience = PATIENCE, friction_passes = 0;
 
     for (int pass = 0; pass < MOST_PASSES; pass++) {
@@ -306,11 +370,17 @@ enum status contact_solve(struct contact_set *c, struct system *s,
         counters->solves++;
         split_forces(c, p, x);
         st = STATUS_DIVERGED;
-        long count = exchange(c, s, p, x, slack, patience <= 0);
-        if (count) {
-            patience = fewest < 0 || count < fewest ? PATIENCE : patience - 1;
-            fewest = fewest < 0 || count < fewest ? count : fewest;
-            continue;
+        if (patience == 0) {
+            if (primal_pass(c, s, p, x, slack, y))
+                continue;
+        } else {
+            long count = exchange(c, s, p, x, slack);
+            patience = count < fewest ? PATIENCE : patience - 1;
+            fewest = count < fewest ? count : fewest;
+            if (count && patience == 0)
+                start_primal(c, p, x, slack, y);
+            if (count)
+                continue;
         }
         if (p->friction == CONTACT_FRICTION_KEPT || settle_friction(c, p, x) ||
             p->friction == CONTACT_FRICTION_ONCE)
@@ -319,7 +389,7 @@ enum status contact_solve(struct contact_set *c, struct system *s,
             c->unsettled++;
             return STATUS_OK;
         }
-        fewest = -1;
+        fewest = LONG_MAX;
         patience = PATIENCE;
     }
 out:

@@ -1,12 +1,12 @@
 /* contact_solve.h - one linear step under contact: the x that minimises x'A x / 2 - b'x
  * with no node beyond the tangent planes of contact_set.h, and friction.
  *
- * Primal-dual active set (Hintermueller, Ito, Kunisch 2003, SIAM J. Optim. 13): solve with
- * the present set, then let go what pulls and take in what has gone too far, until nothing
- * changes. Where that does not make progress, pairs change one at a time, the last one
- * first, which always ends (Murty 1974, Math. Programming 7; the mixture: Judice and Pires
- * 1994, Computers and Operations Research 21). A set that the last step has left costs a
- * solve and, on planes, no factorisation.
+ * Primal-dual active set (Hintermueller, Ito, Kunisch 2003, SIAM J. Optim. 13): solve with the
+ * present set, then let go what pulls and take in what has gone too far, until nothing
+ * changes. Where that stops making progress, as it may with thin sheets, whose matrix is no
+ * M-matrix, the primal active set method takes over (Nocedal, Wright 2006, alg. 16.3): from
+ * where nothing has moved, one pair a pass, downhill, so that it ends. A set that the last
+ * step has left costs a solve and, on planes, no factorisation.
  *
  * Friction: along the surface a node feels -drag (x - still), in the matrix, with a drag
  * that gives mu lambda at the speed of the last pass, until that repeats (Kacanov's

@@ -179,7 +179,8 @@ static enum status solve_rows(struct pd_contact *c, const double *from, double *
         closed += c->touch[t].closed;
     TRY(pd_contact_room(c, closed));
     double left = find_rows(c, from, c->free);
-    memset(c->row_value, 0, (size_t)c->row_count * sizeof *c->row_value);
+    for (int r = 0; r < c->row_count; r++)
+        c->row_value[r] = 0;
     add_field(c, c->free, 0, c->free, x);
     for (int n = 0; n <= REFINEMENTS && c->row_count; n++) {
         if (n && !(left > near))

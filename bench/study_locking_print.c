@@ -115,9 +115,17 @@ static int find(const struct study_locking *s, int n)
     return -1;
 }
 
+/* Nothing where none of its thicknesses was run. */
 static enum status print_prototype(const struct study_locking *s, enum table_format format,
                                    FILE *file)
 {
+    bool any = false;
+
+    for (int n = 0; n < STUDY_LOCKING_PROTOTYPES; n++)
+        any = any || find(s, n) >= 0;
+    if (!any)
+        return STATUS_OK;
+
     static const struct table_column columns[] = {
         {"space", NULL, TABLE_LEFT}, {"1 mm", "here", 0},      {"1 mm", "prototype", 0},
         {"5 mm", "here", 0},         {"5 mm", "prototype", 0}, {"20 mm", "here", 0},

@@ -79,12 +79,12 @@ cases:
   - {name: fine, scene: edge_drop, time.end: 0.02}
   - {name: dies, scene: edge_drop, time.end: 0.5, material.young: 5e4,
      material.density: 0.1, damping.value: 0.9}
-  - {name: hangs, scene: edge_drop, time.end: 100, discretization.points: [40,40,2]}
+  - {name: hangs, scene: edge_drop, time.end: 1000, discretization.points: [40,40,2]}
   - {name: refused, scene: edge_drop, discretization.degree: [5,2,1],
      discretization.points: [5,5,2]}
   - {name: unsupported, scene: edge_drop, model: mass_spring,
      discretization.kinematics: nonlinear, "supports": [{at: {u: 0, w: 0}, fix: xyz}]}
-time_limit: 2
+time_limit: 8
 verdicts:
   - {label: chaotic, measure: blowup_time, below: 1e9, why: it died}
 PLAN
@@ -95,7 +95,7 @@ row() { # NAME TEXT
 }
 row fine 'feasible,feasible,done$'
 row dies 'infeasible,chaotic,.*died at t = 0.2'
-row hangs 'none,no result,timed out after 2 s$'
+row hangs 'none,no result,timed out after 8 s$'
 row refused 'none,no result,.*degree'
 row unsupported 'none,unsupported,.*unsupported: no supports on part of the thickness'
 cp rows/table.csv rows.csv
@@ -133,12 +133,12 @@ gone() { # PROCESS
     return 1
 }
 begin_long
-kill -SEGV "${cases[0]}"
+kill -KILL "${cases[0]}"
 for ((i = 0; i < 500; i++)); do
     [ -s long/case_000001.txt ] || [ -s long/case_000002.txt ] && break
     sleep 0.02
 done
-grep -hq 'killed by signal 11' long/case_00000?.txt || fail 'a crash is no row'
+grep -hq 'killed by signal 9' long/case_00000?.txt || fail 'a crash is no row'
 kill -TERM "$leader" # SIGINT is ignored in the background
 wait "$leader" 2>/dev/null
 [ $? -eq $((128 + 15)) ] || fail 'a signal does not end it as a signal does'

@@ -30,7 +30,7 @@ name: rows
 source: a test
 scene: edge_drop
 cases:
-  - {name: hangs, time.end: 100, discretization.points: [40,40,2]}
+  - {name: hangs, time.end: 1000, discretization.points: [40,40,2]}
   - {name: refused, discretization.degree: [5,2,1], discretization.points: [5,5,2]}
   - {name: fine, time.end: 0.02}
   - {name: fine, time.end: 0.03}

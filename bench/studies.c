@@ -2,6 +2,7 @@
 
 #include "bench/exhibit.h"
 #include "bench/study_artefacts.h"
+#include "bench/study_contact.h"
 #include "bench/study_degree.h"
 #include "bench/study_flag.h"
 #include "bench/study_locking.h"
@@ -21,6 +22,7 @@ static const struct command_item *const items[] = {
     &study_timestep_exhibit.item,
     &study_flag_exhibit.item,
     &study_artefacts_exhibit.item,
+    &study_contact_exhibit.item,
     NULL,
 };
 

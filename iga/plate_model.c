@@ -380,6 +380,7 @@ const struct model plate_model = {
     .describe = describe,
     .energy = solid_model_energy,
     .contact = solid_model_contact,
+    .net = solid_model_net,
     .equilibrium = solid_model_equilibrium,
     .modes = solid_model_modes,
     .matrices = matrices,

@@ -85,6 +85,10 @@ struct model {
     /* optional: where SCENE_NEED_CONTACT is served. */
     void (*contact)(const void *state, struct model_contact *contact);
 
+    /* optional: the control points of a sheet that does not go through them, present
+     * positions into xyz[nodes][3], numbered as for `matrices`. In scenes with obstacles. */
+    void (*net)(const void *state, double *xyz);
+
     /* optional: moves the state to static equilibrium under the scene's loads. */
     enum status (*equilibrium)(void *state, struct counters *counters, struct message *why);
 

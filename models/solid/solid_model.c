@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/grid.h"
 
@@ -19,6 +20,13 @@ void solid_model_size(const void *state, struct model_size *size)
 void solid_model_contact(const void *state, struct model_contact *contact)
 {
     solid_motion_contact(state, contact);
+}
+
+void solid_model_net(const void *state, double *xyz)
+{
+    const struct solid_motion *m = state;
+
+    memcpy(xyz, m->x, 3 * (size_t)m->space->nodes * sizeof *xyz);
 }
 
 void solid_model_energy(const void *state, struct energy *energy)

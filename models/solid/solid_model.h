@@ -15,6 +15,7 @@
 enum status solid_model_advance(void *state, struct counters *counters);
 void solid_model_size(const void *state, struct model_size *size);
 void solid_model_contact(const void *state, struct model_contact *contact);
+void solid_model_net(const void *state, double *xyz);
 void solid_model_energy(const void *state, struct energy *energy);
 enum status solid_model_equilibrium(void *state, struct counters *counters,
                                     struct message *why);

@@ -48,7 +48,11 @@ ranks 3 wrong.yaml 2>err && fail 'a wrong plan runs'
 ranks 2 plan.yaml --out jobs --jobs 2 2>err && fail '--jobs under mpirun'
 grep -q 'say how many with mpirun -n' err || fail "--jobs: $(<err)"
 
-# all ranks killed at once in the middle, then resumed with other numbers of them
+# all ranks killed at once in the middle, then resumed with other numbers of them: cases
+# long enough that the middle is not over before it is seen
+write_plan plan.yaml 5
+sed -i 's/time.end: .*/time.end: 1/' plan.yaml
+sweep plan.yaml --out alone --quiet || fail "longer cases alone: exit $?"
 setsid mpirun --oversubscribe -n 3 "$program" sweep plan.yaml --out killed --quiet \
     </dev/null >/dev/null 2>&1 &
 group=$!
@@ -60,7 +64,7 @@ kill -TERM "$group"
 wait "$group" 2>/dev/null
 [ ! -e killed/table.csv ] || fail 'it was not stopped'
 ranks 2 plan.yaml --out killed --resume --quiet 2>err || fail "resumed: exit $?: $(<err)"
-cmp single/table.csv killed/table.csv || fail 'another table after being stopped'
+cmp alone/table.csv killed/table.csv || fail 'another table after being stopped'
 awk '$1 == "start" && ended[$2] { print "case", $2, "is run again"; bad = 1 }
      $1 == "end" { ended[$2] = 1 } END { exit bad }' killed/log.txt || fail 'the log'
 [ "$failures" -eq 0 ]

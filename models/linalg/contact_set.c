@@ -128,7 +128,7 @@ static bool extend_base(const struct contact_set *c, int a, const double normal[
             q[i] -= low[j] * node->base[j][i];
     }
     size = sqrt(dot(q, q));
-    if (node->touches == 3 || size < CONTACT_SET_INDEPENDENT)
+    if (size < CONTACT_SET_INDEPENDENT)
         return false;
     low[node->touches] = size;
     for (int i = 0; i < 3; i++)
@@ -171,7 +171,8 @@ bool contact_set_project(struct contact_set *c)
         double low[3][3] = {{0}};
         node->touches = 0;
         for (int o = 0; o < c->obstacles; o++)
-            if (pair[o].active && extend_base(c, a, pair[o].normal, low[node->touches]))
+            if (pair[o].active && node->touches < 3 &&
+                extend_base(c, a, pair[o].normal, low[node->touches]))
                 node->obstacle[node->touches++] = o;
         make_dual(node, low);
         make_projector(c, a);

@@ -127,7 +127,7 @@ refused 'modes: 1 to 540' run edge_drop --modes 541 --quiet
 refused '--probe makes no sense' run edge_drop --modes 1 --probe 0,0,0
 refused '--out makes no sense' run edge_drop --modes 1 --out a.h5
 refused 'no --values to choose' table 1 --values 1,2
-for values in '' 0 -1 x 1, ,1 2,1 1,1 nan 1e400 0.001x; do
+for values in '' 0 -1 x '1,' ',1' 2,1 1,1 nan 1e400 0.001x; do
     refused 'increasing positive numbers' study locking --values "$values"
 done
 refused 'not for --from' study locking --values 0.001 --from nowhere

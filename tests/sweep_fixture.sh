@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # What the scripts that test `clothbench sweep` share: sourced, with $program set.
+# shellcheck disable=SC2154 # program
 set -uo pipefail
 export OMP_NUM_THREADS=1 LC_ALL=C
 failures=0

@@ -5,6 +5,7 @@
 #   sweep_kill.sh PROGRAM FOLDER
 program=$1
 folder=$2
+# shellcheck source=tests/sweep_fixture.sh
 . "$(dirname "$0")/sweep_fixture.sh"
 kills=50
 cases=96

@@ -4,6 +4,7 @@
 #   sweep_mpi.sh PROGRAM FOLDER
 program=$1
 folder=$2
+# shellcheck source=tests/sweep_fixture.sh
 . "$(dirname "$0")/sweep_fixture.sh"
 command -v mpirun >/dev/null && [ -e "$(dirname "$program")/clothbench_mpi.so" ] || exit 77
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1

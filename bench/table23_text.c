@@ -139,29 +139,48 @@ static void tell_same(const struct table23_data *d, FILE *file)
 /* Farther from the ground than any sheet that lies on it [m]. */
 static const double CLEAR = 0.05;
 
+/* What contact costs by a kinematics, over the flag on the same net, and its factorisations
+ * a frame. */
+static double contact_ratio(const struct table23_data *d, int kinematics, double *factors)
+{
+    const int contact = PAPER_TABLE2_CONTACT, flag = PAPER_TABLE2_ROWS - 1;
+    const struct counters *work = &d->cell[contact][kinematics].work;
+
+    *factors = (double)work->factorisations / (double)work->steps;
+    return table23_cost(d, contact, kinematics) / table23_cost(d, flag, kinematics);
+}
+
 static void tell_contact(const struct table23_data *d, FILE *file)
 {
     const int contact = PAPER_TABLE2_CONTACT, flag = PAPER_TABLE2_ROWS - 1;
-    const struct counters *work = &d->cell[contact][TABLE23_PRINTED].work;
-    double ratio =
-        table23_cost(d, contact, TABLE23_PRINTED) / table23_cost(d, flag, TABLE23_PRINTED);
+    const struct timed_result *printed = &d->cell[contact][TABLE23_PRINTED];
+    double factors, ratio = contact_ratio(d, TABLE23_PRINTED, &factors);
 
     fprintf(
         file,
         "- Contact. In the paper the sheet on the ground costs %.2f times the flag on the "
         "same net: contact costs nothing\n  there. ",
         d->row[contact].paper->milliseconds / d->row[flag].paper->milliseconds);
-    if (isnan(ratio))
+    if (isnan(ratio)) {
         fprintf(file, "Here it was not run, for the reason noted above.\n");
-    else
-        fprintf(
-            file,
-            "Here it costs %.2f times the flag, fall and landing together, at %.2f "
-            "factorisations a frame; after\n  %ld frames its lowest point is %.2g m above "
-            "the ground%s.\n",
-            ratio, (double)work->factorisations / (double)work->steps, work->steps,
-            d->gap[contact],
-            d->gap[contact] > CLEAR ? ": the scheme has thrown it up again" : "");
+        return;
+    }
+    fprintf(file, "Here it costs %.2f times the flag, fall and landing together", ratio);
+    if (printed->work.steps) {
+        fprintf(file,
+                ", at %.2f factorisations a frame; after\n  %ld frames its lowest point is "
+                "%.2g m above the ground%s.\n",
+                factors, printed->work.steps, d->gap[contact],
+                d->gap[contact] > CLEAR ? ": the scheme has thrown it up again" : "");
+        return;
+    }
+    ratio = contact_ratio(d, TABLE23_INCREMENTAL, &factors);
+    fprintf(
+        file,
+        ", up to the death noted above: the\n  printed scheme throws it up again (study "
+        "contact). Incremental kinematics, which lives: %.2f times, at %.2f\n  "
+        "factorisations a frame.\n",
+        ratio, factors);
 }
 
 static void tell_degree(const struct table23_data *d, FILE *file)

@@ -240,6 +240,12 @@ out:
     return st;
 }
 
+/* Colours that are told apart on white; gnuplot's own run out after eight. */
+static const char *const colour[] = {"#7b3294", "#1b7837", "#56b4e9", "#e69f00", "#d62728",
+                                     "#1f4e9c", "#8c564b", "#17becf", "#e377c2", "#7f7f7f",
+                                     "#000000", "#9a9a00", "#00c060", "#ff7f50"};
+enum { COLOURS = sizeof colour / sizeof *colour };
+
 static enum status write_script(const struct compare *c, const char *folder,
                                 struct message *why)
 {
@@ -263,10 +269,11 @@ static enum status write_script(const struct compare *c, const char *folder,
     for (int n = 0; n < c->count; n += family_length(c, n), block++)
         output_print(out,
                      "%s'compare.csv' index %d using ($10 == 1 ? $7+$8 : NaN):9 smooth "
-                     "unique with linespoints lc %d pt %d lw 2 title '%s', \\\n"
-                     "'' index %d using ($7+$8):9 with points lc %d pt %d ps 0.6 notitle",
-                     block ? ", \\\n" : "", block, block + 1, block + 4,
-                     c->rows[n].rung.family, block, block + 1, block + 4);
+                     "unique with linespoints lc rgb '%s' pt %d lw 2 title '%s', \\\n"
+                     "'' index %d using ($7+$8):9 with points lc rgb '%s' pt %d ps 0.6 "
+                     "notitle",
+                     block ? ", \\\n" : "", block, colour[block % COLOURS], block + 4,
+                     c->rows[n].rung.family, block, colour[block % COLOURS], block + 4);
     output_print(out, "\n");
     return output_close(out, why);
 out:

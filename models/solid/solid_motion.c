@@ -102,22 +102,10 @@ static double *held_row(struct solid_motion *m, int row)
     return m->held + (size_t)row * (size_t)m->supports.held_count;
 }
 
-/* Displacement, velocity and acceleration that the paths give at time t, by central
- * differences over one step. */
+/* What the supports' paths give at time t, in m->held. */
 static struct newmark_held path_motion(struct solid_motion *m, double t)
 {
-    double dt = m->newmark.dt, *d = held_row(m, 0), *v = held_row(m, 1),
-           *a = held_row(m, 2), *work = held_row(m, 3);
-
-    supports_shift(&m->supports, m->scene, t, d);
-    supports_shift(&m->supports, m->scene, t + dt, v);
-    supports_shift(&m->supports, m->scene, t - dt, work);
-    for (int h = 0; h < m->supports.held_count; h++) {
-        double ahead = v[h], behind = work[h];
-        v[h] = (ahead - behind) / (2 * dt);
-        a[h] = (ahead - 2 * d[h] + behind) / (dt * dt);
-    }
-    return (struct newmark_held){d, v, a};
+    return newmark_follow(&m->supports, m->scene, t, m->newmark.dt, m->held);
 }
 
 /* Held motion for the kinematics that add d to the control points: d brings them to where

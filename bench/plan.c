@@ -289,6 +289,7 @@ static char *describe(const char *path)
 
 const struct named_file_kind plan_kind = {
     .what = "plan",
+    .ending = ".yaml",
     .environment = "CLOTHBENCH_PLANS",
     .from_program = PLANS_FROM_PROGRAM,
     .in_source = PLANS_IN_SOURCE,

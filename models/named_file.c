@@ -75,21 +75,21 @@ static struct folders find_folders(const struct named_file_kind *kind)
 }
 
 /* folder/name.yaml; NULL if memory is out. Free it. */
-static char *join(const char *folder, const char *name)
+static char *join(const struct named_file_kind *kind, const char *folder, const char *name)
 {
-    const size_t room = strlen(folder) + strlen(name) + sizeof "/.yaml";
+    const size_t room = strlen(folder) + strlen(name) + strlen(kind->ending) + 2;
     char *path = malloc(room);
 
     if (path)
-        snprintf(path, room, "%s/%s.yaml", folder, name);
+        snprintf(path, room, "%s/%s%s", folder, name, kind->ending);
     return path;
 }
 
-static bool ends_in_yaml(const char *text)
+static bool ends_well(const struct named_file_kind *kind, const char *text)
 {
-    const size_t length = strlen(text);
+    const size_t length = strlen(text), end = strlen(kind->ending);
 
-    return length > 5 && !strcmp(text + length - 5, ".yaml");
+    return length > end && !strcmp(text + length - end, kind->ending);
 }
 
 static bool is_known(const struct named_file_entry *entries, int count, const char *name)
@@ -103,14 +103,14 @@ static bool is_known(const struct named_file_entry *entries, int count, const ch
 static enum status describe(const struct named_file_kind *kind, const char *folder,
                             const char *name, char **text)
 {
-    char *path = join(folder, name);
+    char *path = join(kind, folder, name);
 
     *text = path ? kind->describe(path) : NULL;
     free(path);
     return *text ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* Adds what is in `file` of a folder, unless it is no YAML or has a known name. */
+/* Adds what is in `file` of a folder, unless it has another ending or a known name. */
 static enum status add_entry(const struct named_file_kind *kind, const char *folder,
                              const char *file, struct named_file_entry **entries,
                              int *count)
@@ -118,12 +118,12 @@ static enum status add_entry(const struct named_file_kind *kind, const char *fol
     enum status st = STATUS_OK;
     struct named_file_entry entry = {.name = NULL}, *grown;
 
-    if (!ends_in_yaml(file))
+    if (!ends_well(kind, file))
         return STATUS_OK;
     entry.name = strdup(file);
     if (!entry.name)
         return STATUS_MEMORY;
-    entry.name[strlen(file) - strlen(".yaml")] = '\0';
+    entry.name[strlen(file) - strlen(kind->ending)] = '\0';
     if (is_known(*entries, *count, entry.name))
         goto out;
     TRY(describe(kind, folder, entry.name, &entry.text));
@@ -214,12 +214,12 @@ enum status named_file_find(const struct named_file_kind *kind, const char *argu
 {
     const struct folders folders = find_folders(kind);
 
-    if (strchr(argument, '/') || ends_in_yaml(argument)) {
+    if (strchr(argument, '/') || ends_well(kind, argument)) {
         *path = strdup(argument);
         return *path ? STATUS_OK : STATUS_MEMORY;
     }
     for (int i = 0; *argument && i < FOLDERS; i++) {
-        char *candidate = join(folders.path[i], argument);
+        char *candidate = join(kind, folders.path[i], argument);
 
         if (!candidate)
             return STATUS_MEMORY;

@@ -1,6 +1,6 @@
-/* named_file.h - YAML files that have names: where they are looked for, and what is there.
+/* named_file.h - files that have names: where they are looked for, and what is there.
  *
- * NAME is NAME.yaml in the user's folder (an environment variable), else in the one
+ * NAME is NAME.yaml (or another ending) in the user's folder (an environment variable), else in the one
  * installed with the program (seen from the program, so that an installed tree may be
  * moved), else in the source tree.
  */
@@ -14,6 +14,7 @@
 /* Scenes are one kind, the plans of sweeps another. */
 struct named_file_kind {
     const char *what;         /* in sentences: "scene"                                 */
+    const char *ending;       /* ".yaml"                                               */
     const char *environment;  /* variable that may hold the user's folder              */
     const char *from_program; /* the installed folder, seen from the program's         */
     const char *in_source;    /* the source tree's                                     */
@@ -21,7 +22,7 @@ struct named_file_kind {
     char *(*describe)(const char *path);
 };
 
-/* The file of an argument: one with a '/' or ending in .yaml is a path already; another is
+/* The file of an argument: one with a '/' or its ending is a path already; another is
  * a name. *path is freed by the receiver. STATUS_INPUT: no such name, with a sentence that
  * lists the known ones. */
 enum status named_file_find(const struct named_file_kind *kind, const char *argument,

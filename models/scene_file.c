@@ -128,6 +128,7 @@ static char *describe(const char *path)
 
 const struct named_file_kind scene_file_kind = {
     .what = "scene",
+    .ending = ".yaml",
     .environment = "CLOTHBENCH_SCENES",
     .from_program = SCENES_FROM_PROGRAM,
     .in_source = SCENES_IN_SOURCE,

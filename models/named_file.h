@@ -1,8 +1,8 @@
 /* named_file.h - files that have names: where they are looked for, and what is there.
  *
- * NAME is NAME.yaml (or another ending) in the user's folder (an environment variable), else in the one
- * installed with the program (seen from the program, so that an installed tree may be
- * moved), else in the source tree.
+ * NAME is NAME.yaml (or another ending) in the user's folder (an environment variable),
+ * else in the one installed with the program (seen from the program, so that an installed
+ * tree may be moved), else in the source tree.
  */
 #ifndef NAMED_FILE_H
 #define NAMED_FILE_H

@@ -9,13 +9,15 @@
 #include "bench/studies.h"
 #include "bench/sweep.h"
 #include "bench/tables.h"
+#include "bench/verify.h"
 
 const struct command *const commands[] = {
     &list_command,    &run_command,   &compare_command, &tables_command,
-    &studies_command, &sweep_command, &bench_command,   NULL,
+    &studies_command, &sweep_command, &verify_command,  &bench_command,
+    NULL,
 };
 
-static const char *const planned[] = {"verify", "stress", "score",
+static const char *const planned[] = {"stress", "score",
                                       "advise", "report", NULL};
 
 enum status commands_find(const char *name, const struct command **command,

@@ -81,8 +81,11 @@ enum status output_close_standard(struct message *why)
 {
     bool failed = ferror(stdout);
 
-    /* glibc keeps what it could not write: flushing again gives the reason again */
+    /* glibc keeps what it could not write: flushing again gives the reason again; if it
+     * dropped it, a blank does */
     errno = 0;
+    if (failed)
+        fputc(' ', stdout);
     if (fflush(stdout) != 0)
         failed = true;
     int reason = errno;

@@ -104,7 +104,7 @@ says out mesh
 # --- bad usage --------------------------------------------------------------------------
 refused 'which command'
 refused "no command 'dance'" dance
-for command in verify stress score advise report; do
+for command in stress score advise report; do
     refused 'not built yet' "$command" edge_drop
     refused 'not built yet' help "$command"
 done

@@ -1,0 +1,12 @@
+#include "bench/verify.h"
+
+extern const struct verify_check verify_elastica;
+
+/* Statics first, then motions, frequencies, and what outside programs computed. */
+#define CHECKS(X) X(verify_elastica)
+
+#define CHECK_ADDRESS(name) &name,
+const struct verify_check *const verify_checks[] = {CHECKS(CHECK_ADDRESS) NULL};
+
+#define CHECK_ITEM(name) &name.item,
+const struct command_item *const verify_items[] = {CHECKS(CHECK_ITEM) NULL};

@@ -1,152 +1,150 @@
-#include "bench/verify_sheet.h"
-
 #include <math.h>
-#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-const char *verify_verdict_name(int verdict)
-{
-    static const char *const words[] = {
-#define VERIFY_WORD(code, word) word,
-        VERIFY_VERDICT_LIST(VERIFY_WORD)
-#undef VERIFY_WORD
-    };
+#include "bench/output.h"
+#include "bench/provenance.h"
+#include "bench/verify_sheet.h"
 
-    return verdict >= 0 && verdict < VERIFY_VERDICTS ? words[verdict] : "unknown";
+/* Numbers of a row, in the order of their columns. */
+static const struct number {
+    const char *name;
+    size_t place;
+} numbers[] = {
+    {"value", offsetof(struct verify_row, value)},
+    {"truth", offsetof(struct verify_row, truth)},
+    {"bar", offsetof(struct verify_row, bar)},
+    {"error", offsetof(struct verify_row, error)},
+    {"tolerance", offsetof(struct verify_row, tolerance)},
+    {"order", offsetof(struct verify_row, order)},
+    {"seconds", offsetof(struct verify_row, seconds)},
+};
+enum { NUMBERS = sizeof numbers / sizeof *numbers };
+
+static double *number_of(struct verify_row *row, int n)
+{
+    return (double *)((char *)row + numbers[n].place);
 }
 
-/* Whether `word` is one of a list divided by commas. */
-static bool listed(const char *list, const char *word)
+static void path_of(const struct verify_check *check, const char *folder, char *path,
+                    int size)
 {
-    const size_t length = strlen(word);
-
-    for (const char *at = list; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL)
-        if (!strncmp(at, word, length) && (at[length] == ',' || !at[length]))
-            return true;
-    return false;
+    snprintf(path, (size_t)size, "%s/%s.csv", folder, check->item.name);
 }
 
-bool verify_wanted(const struct verify_sheet *sheet, const struct verify_subject *subject)
+/* A cell holds no comma; in a row it reads as well with a semicolon. Line ends neither. */
+static void print_text(struct output *file, const char *text)
 {
-    return !sheet->models || !strcmp(sheet->models, "all") ||
-           listed(sheet->models, subject->model);
+    for (; *text; text++)
+        output_print(file, "%c", *text == ',' ? ';' : *text == '\n' ? ' ' : *text);
+    output_print(file, ",");
 }
 
-bool verify_quick(const struct verify_sheet *sheet)
+static void print_row(struct output *file, struct verify_row *row)
 {
-    return sheet->quick;
-}
-
-/* A place for one more row. */
-static struct verify_row *grow(struct verify_sheet *sheet)
-{
-    if (sheet->count == sheet->room) {
-        int room = sheet->room ? 2 * sheet->room : 32;
-        struct verify_row *rows = realloc(sheet->rows, (size_t)room * sizeof *rows);
-        if (!rows) {
-            sheet->failed = true;
-            return &sheet->spare;
-        }
-        sheet->rows = rows;
-        sheet->room = room;
+    print_text(file, row->quantity);
+    print_text(file, row->subject);
+    for (int n = 0; n < NUMBERS; n++) {
+        double x = *number_of(row, n);
+        if (isfinite(x))
+            output_print(file, "%.17g,", x);
+        else
+            output_print(file, ",");
     }
-    return &sheet->rows[sheet->count++];
+    print_text(file, verify_verdict_name((int)row->verdict));
+    size_t last = strlen(row->note);
+    while (last && row->note[last - 1] == ' ')
+        row->note[--last] = '\0';
+    for (const char *c = row->note; *c; c++)
+        output_print(file, "%c", *c == ',' ? ';' : *c == '\n' ? ' ' : *c);
+    output_print(file, "\n");
 }
 
-struct verify_row *verify_add(struct verify_sheet *sheet,
-                              const struct verify_subject *subject, const char *quantity,
-                              ...)
+enum status verify_sheet_write(const struct verify_sheet *sheet, const char *folder,
+                               struct message *why)
 {
-    struct verify_row *row = grow(sheet);
-    va_list arguments;
+    enum status st;
+    struct output *file = NULL;
+    struct provenance provenance;
+    char path[4096];
 
-    *row = (struct verify_row){.value = NAN,
-                               .truth = NAN,
-                               .bar = NAN,
-                               .error = NAN,
-                               .order = NAN,
-                               .tolerance = subject->tolerance,
-                               .verdict = VERIFY_NOT_APPLICABLE};
-    va_start(arguments, quantity);
-    vsnprintf(row->quantity, sizeof row->quantity, quantity, arguments);
-    va_end(arguments);
-    snprintf(row->subject, sizeof row->subject, "%s", subject->title);
-    if (subject->reason)
-        verify_note(row, "%s", subject->reason);
-    return row;
+    path_of(sheet->check, folder, path, sizeof path);
+    TRY(output_create(path, &file, why));
+    provenance_collect(&provenance);
+    output_print(file, "# clothbench verify %s\n", sheet->check->item.name);
+    for (int n = 0; n < provenance.count; n++)
+        output_print(file, "# %s: %s\n", provenance.entry[n].key,
+                     provenance.entry[n].value);
+    output_print(file, "quantity,subject");
+    for (int n = 0; n < NUMBERS; n++)
+        output_print(file, ",%s", numbers[n].name);
+    output_print(file, ",verdict,note\n");
+    for (int n = 0; n < sheet->count; n++)
+        print_row(file, &sheet->rows[n]);
+    struct output *whole = file;
+    file = NULL;
+    TRY(output_close(whole, why));
+out:
+    output_discard(file);
+    return st;
 }
 
-void verify_judge_error(struct verify_row *row, double error, double bar)
+/* STATUS_INPUT for a word that is none. */
+static enum status read_verdict(const char *word, enum verify_verdict *verdict,
+                                const char *path, struct message *why)
 {
-    row->error = error;
-    row->bar = bar;
-    if (isnan(row->tolerance))
-        row->verdict = VERIFY_NO_CLAIM;
-    else /* written so that an error that is no number misses */
-        row->verdict = error <= row->tolerance + bar ? VERIFY_MET : VERIFY_MISSED;
+    for (int n = 0; n < VERIFY_VERDICTS; n++)
+        if (!strcmp(word, verify_verdict_name(n))) {
+            *verdict = (enum verify_verdict)n;
+            return STATUS_OK;
+        }
+    return status_fail(why, STATUS_INPUT, "%s: '%s' is no verdict", path, word);
 }
 
-void verify_judge(struct verify_row *row, double value, double truth, double bar)
+static enum status require_columns(const struct reference *table, const char *path,
+                                   struct message *why)
 {
-    row->value = value;
-    row->truth = truth;
-    verify_judge_error(row, fabs(value - truth) / fabs(truth), bar);
+    static const char *const words[] = {"quantity", "subject", "verdict", "note"};
+
+    for (int n = 0; n < 4 + NUMBERS; n++) {
+        const char *name = n < 4 ? words[n] : numbers[n - 4].name;
+        if (reference_column(table, name) < 0)
+            return status_fail(why, STATUS_INPUT, "%s: no column '%s'", path, name);
+    }
+    return STATUS_OK;
 }
 
-static void add_note(struct verify_row *row, const char *note, va_list arguments)
+enum status verify_sheet_read(const struct verify_check *check, const char *folder,
+                              struct verify_sheet *sheet, struct message *why)
 {
-    size_t used = strlen(row->note);
+    enum status st;
+    struct reference *table = NULL;
+    const struct verify_subject nobody = {.title = "", .tolerance = NAN};
+    char path[4096];
 
-    if (used && used < sizeof row->note)
-        used += (size_t)snprintf(row->note + used, sizeof row->note - used, "; ");
-    if (used < sizeof row->note)
-        vsnprintf(row->note + used, sizeof row->note - used, note, arguments);
-}
-
-void verify_note(struct verify_row *row, const char *note, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, note);
-    add_note(row, note, arguments);
-    va_end(arguments);
-}
-
-void verify_out_of_range(struct verify_row *row, const char *note, ...)
-{
-    va_list arguments;
-
-    row->verdict = VERIFY_OUT_OF_RANGE;
-    va_start(arguments, note);
-    add_note(row, note, arguments);
-    va_end(arguments);
-}
-
-void verify_not_applicable(struct verify_row *row, const char *note, ...)
-{
-    va_list arguments;
-
-    row->verdict = VERIFY_NOT_APPLICABLE;
-    va_start(arguments, note);
-    add_note(row, note, arguments);
-    va_end(arguments);
-}
-
-void verify_died(struct verify_row *row, const char *note, ...)
-{
-    va_list arguments;
-
-    row->verdict = VERIFY_DIED;
-    va_start(arguments, note);
-    add_note(row, note, arguments);
-    va_end(arguments);
-}
-
-bool verify_failed(const struct verify_row *row)
-{
-    return row->verdict == VERIFY_MISSED ||
-           (row->verdict == VERIFY_DIED && !isnan(row->tolerance));
+    *sheet = (struct verify_sheet){.check = check};
+    path_of(check, folder, path, sizeof path);
+    TRY(reference_open(path, &table, why));
+    TRY(require_columns(table, path, why));
+    for (int n = 0; n < reference_rows(table); n++) {
+        struct verify_row *row =
+            verify_add(sheet, &nobody, "%s", reference_text(table, n, "quantity"));
+        snprintf(row->subject, sizeof row->subject, "%s",
+                 reference_text(table, n, "subject"));
+        for (int i = 0; i < NUMBERS; i++)
+            *number_of(row, i) = reference_number(table, n, numbers[i].name);
+        snprintf(row->note, sizeof row->note, "%s", reference_text(table, n, "note"));
+        TRY(read_verdict(reference_text(table, n, "verdict"), &row->verdict, path, why));
+    }
+    if (sheet->failed)
+        TRY(STATUS_MEMORY);
+out:
+    reference_close(table);
+    if (st != STATUS_OK)
+        verify_sheet_clear(sheet);
+    return st;
 }
 
 void verify_sheet_clear(struct verify_sheet *sheet)

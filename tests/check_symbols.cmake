@@ -1,18 +1,21 @@
 # Exported names say where they live. What FILE.c exports is called FILE or FILE_..., or
 # after a struct or enum that FILE.h declares (TYPE_...), or FOLDER_model; and no two
-# libraries export the same name.
+# libraries export the same name. A file without a header of its own, A_B.c, fills A.h and is
+# held to the names of that.
 #   cmake -D SOURCE=top -D NM=nm -D LIBRARIES=a,b,... -P check_symbols.cmake
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" LIBRARIES "${LIBRARIES}")
 
 set(faults 0)
 set(names "")
+set(stems "")
 
 # Types that FILE.h declares, for every header of the libraries.
 file(GLOB_RECURSE headers RELATIVE ${SOURCE} ${SOURCE}/*.h)
 list(FILTER headers EXCLUDE REGEX "^(build[^/]*|results|tests)/")
 foreach(header IN LISTS headers)
   get_filename_component(file ${header} NAME_WE)
+  list(APPEND stems ${file})
   file(STRINGS ${SOURCE}/${header} lines REGEX "^(struct|enum) [a-z_0-9]+ {")
   foreach(line IN LISTS lines)
     string(REGEX REPLACE "^[a-z]+ ([a-z_0-9]+) .*" "\\1" type "${line}")
@@ -39,7 +42,13 @@ foreach(library IN LISTS LIBRARIES)
       continue()
     endif()
     set(known FALSE)
-    foreach(prefix IN LISTS file types_${file})
+    set(stem ${file})
+    if(NOT stem IN_LIST stems)
+      while(stem MATCHES "_" AND NOT stem IN_LIST stems)
+        string(REGEX REPLACE "_[^_]*$" "" stem ${stem})
+      endwhile()
+    endif()
+    foreach(prefix IN LISTS stem types_${stem})
       if(name MATCHES "^${prefix}(_|$)")
         set(known TRUE)
       endif()
@@ -48,7 +57,7 @@ foreach(library IN LISTS LIBRARIES)
       set(known TRUE)
     endif()
     if(NOT known)
-      message("${folder}/${file}.c exports ${name}: its names begin with ${file}_")
+      message("${folder}/${file}.c exports ${name}: its names begin with ${stem}_")
       math(EXPR faults "${faults} + 1")
     endif()
     if(name IN_LIST names)

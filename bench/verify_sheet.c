@@ -34,31 +34,53 @@ static void path_of(const struct verify_check *check, const char *folder, char *
     snprintf(path, (size_t)size, "%s/%s.csv", folder, check->item.name);
 }
 
-/* A cell holds no comma; in a row it reads as well with a semicolon. Line ends neither. */
+/* A cell holds neither comma nor line end, nor blanks at its ends: written as in addresses
+ * of the web, %2C. */
+static bool is_plain(const char *text, const char *c)
+{
+    return !strchr(",%\n", *c) && (*c != ' ' || (c > text && c[1]));
+}
+
 static void print_text(struct output *file, const char *text)
 {
-    for (; *text; text++)
-        output_print(file, "%c", *text == ',' ? ';' : *text == '\n' ? ' ' : *text);
-    output_print(file, ",");
+    for (const char *c = text; *c; c++)
+        if (is_plain(text, c))
+            output_print(file, "%c", *c);
+        else
+            output_print(file, "%%%02X", (unsigned char)*c);
+}
+
+/* The text of a cell into text[size]. */
+static void read_text(const char *cell, char *text, size_t size)
+{
+    size_t length = 0;
+    unsigned code;
+
+    for (; *cell && length + 1 < size; cell++)
+        if (*cell == '%' && sscanf(cell, "%%%2X", &code) == 1) {
+            text[length++] = (char)code;
+            cell += 2;
+        } else
+            text[length++] = *cell;
+    text[length] = '\0';
 }
 
 static void print_row(struct output *file, struct verify_row *row)
 {
     print_text(file, row->quantity);
+    output_print(file, ",");
     print_text(file, row->subject);
     for (int n = 0; n < NUMBERS; n++) {
         double x = *number_of(row, n);
-        if (isfinite(x))
-            output_print(file, "%.17g,", x);
-        else
+        if (isnan(x))
             output_print(file, ",");
+        else
+            output_print(file, ",%.17g", x);
     }
+    output_print(file, ",");
     print_text(file, verify_verdict_name((int)row->verdict));
-    size_t last = strlen(row->note);
-    while (last && row->note[last - 1] == ' ')
-        row->note[--last] = '\0';
-    for (const char *c = row->note; *c; c++)
-        output_print(file, "%c", *c == ',' ? ';' : *c == '\n' ? ' ' : *c);
+    output_print(file, ",");
+    print_text(file, row->note);
     output_print(file, "\n");
 }
 
@@ -129,13 +151,13 @@ enum status verify_sheet_read(const struct verify_check *check, const char *fold
     TRY(reference_open(path, &table, why));
     TRY(require_columns(table, path, why));
     for (int n = 0; n < reference_rows(table); n++) {
-        struct verify_row *row =
-            verify_add(sheet, &nobody, "%s", reference_text(table, n, "quantity"));
-        snprintf(row->subject, sizeof row->subject, "%s",
-                 reference_text(table, n, "subject"));
+        struct verify_row *row = verify_add(sheet, &nobody, "%s", "");
+        read_text(reference_text(table, n, "quantity"), row->quantity,
+                  sizeof row->quantity);
+        read_text(reference_text(table, n, "subject"), row->subject, sizeof row->subject);
+        read_text(reference_text(table, n, "note"), row->note, sizeof row->note);
         for (int i = 0; i < NUMBERS; i++)
             *number_of(row, i) = reference_number(table, n, numbers[i].name);
-        snprintf(row->note, sizeof row->note, "%s", reference_text(table, n, "note"));
         TRY(read_verdict(reference_text(table, n, "verdict"), &row->verdict, path, why));
     }
     if (sheet->failed)

@@ -100,6 +100,16 @@ for name in $names; do
 done
 good list studies
 says out mesh
+good list checks
+says out elastica
+
+# --- verify: rows are printed again, the same, from their files -----------------------------
+for format in text csv markdown latex; do
+    good verify elastica --quick --models mass_spring --format "$format" --out rows_$format
+    printed=$out
+    good verify elastica --format "$format" --from rows_$format
+    [ "$out" = "$printed" ] || fail "verify --from prints another $format"
+done
 
 # --- bad usage --------------------------------------------------------------------------
 refused 'which command'
@@ -130,6 +140,11 @@ refused 'no --values to choose' table 1 --values 1,2
 for values in '' 0 -1 x '1,' ',1' 2,1 1,1 nan 1e400 0.001x; do
     refused 'increasing positive numbers' study locking --values "$values"
 done
+refused "no check 'dance'; there are elastica" verify dance
+refused "no model 'ibm'" verify elastica --models iga,ibm
+refused 'give one of the two' verify elastica --from a --out b
+refused 'are for a new run' verify elastica --from a --quick
+refused 'text, csv, markdown or latex' verify elastica --format html
 refused 'not for --from' study locking --values 0.001 --from nowhere
 refused 'whole number from 1' run edge_drop --out a.h5 --every 0
 refused '--every is for the frames' run edge_drop --every 2

@@ -64,7 +64,7 @@ static void check_file(const char *folder)
         verify_judge(row, 1 + n / 3000.0, 1, 1e-10);
         row->seconds = n / 7.0;
         if (n % 2)
-            verify_note(row, "a, b\nc ");
+            verify_note(row, "a, 5 %%2C b\nc ");
     }
     CHECK(folder_make(folder, &why) == STATUS_OK);
     CHECK(verify_sheet_write(&made, folder, &why) == STATUS_OK);
@@ -75,8 +75,8 @@ static void check_file(const char *folder)
         const struct verify_row *a = &made.rows[n], *b = &read.rows[n];
         CHECK(a->value == b->value && a->truth == b->truth && a->bar == b->bar);
         CHECK(a->error == b->error && a->seconds == b->seconds && isnan(b->order));
-        CHECK(a->verdict == b->verdict && !strcmp(a->subject + 4, b->subject + 4));
-        CHECK(!strcmp(b->note, n % 2 ? "asked; a; b c" : "asked"));
+        CHECK(a->verdict == b->verdict && !strcmp(a->subject, b->subject));
+        CHECK(!strcmp(a->quantity, b->quantity) && !strcmp(a->note, b->note));
     }
     verify_sheet_clear(&made);
     verify_sheet_clear(&read);

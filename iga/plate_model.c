@@ -283,18 +283,23 @@ static void destroy(void *state)
 
 static enum status check_remedy(const struct discretization *d, struct message *why)
 {
-    if (d->remedy != REMEDY_NONE && d->remedy != REMEDY_REDUCED)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "iga has no remedy=%s; use none or reduced",
-                           remedy_name(d->remedy));
+    const char *name = remedy_name(d->remedy);
+
     if (d->remedy == REMEDY_NONE)
         return STATUS_OK;
+    if (d->remedy != REMEDY_REDUCED && d->remedy != REMEDY_SELECTIVE)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "iga has no remedy=%s; use none, reduced or selective", name);
     if (d->degree[0] < 2 || d->degree[1] < 2)
         return status_fail(why, STATUS_INPUT,
-                           "remedy=reduced needs degree 2 or more along u and v");
+                           "remedy=%s needs degree 2 or more along u and v", name);
     if (d->gauss[0] || d->gauss[1] || d->gauss[2])
+        return status_fail(why, STATUS_INPUT, "remedy=%s has its own rule; leave gauss out",
+                           name);
+    if (d->remedy == REMEDY_SELECTIVE && (d->points[2] != 2 || d->weight_count))
         return status_fail(why, STATUS_INPUT,
-                           "remedy=reduced has its own rule; leave gauss out");
+                           "remedy=selective is for one layer of degree 1 through the "
+                           "thickness without weights; use reduced");
     return STATUS_OK;
 }
 
@@ -319,6 +324,8 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(plate_space_init(&p->space, &p->tables, &p->patch, d->gauss, thickness));
     if (d->remedy == REMEDY_REDUCED)
         TRY(plate_space_reduce(&p->space, &p->tables, &p->patch));
+    if (d->remedy == REMEDY_SELECTIVE)
+        TRY(plate_space_select(&p->space, &p->tables, &p->patch));
     if (thickness) {
         degree = thickness_degrees(&p->space, p->patch.basis[2].n);
         if (!degree)

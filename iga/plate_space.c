@@ -253,8 +253,7 @@ static int *reduced_counts(const struct bspline *b)
     return counts;
 }
 
-enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
-                               const struct patch *patch)
+static enum status reduce_directions(struct plate_tables *tables, const struct patch *patch)
 {
     for (int i = 0; i < 2; i++) {
         const struct bspline *b = &patch->basis[i];
@@ -267,9 +266,98 @@ enum status plate_space_reduce(struct solid_space *space, struct plate_tables *t
         if (st != STATUS_OK)
             return st;
     }
+    return STATUS_OK;
+}
+
+enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch)
+{
+    enum status st = reduce_directions(tables, patch);
+
+    if (st != STATUS_OK)
+        return st;
     space->reduced = reduced_functions;
     space->plane_stress = patch->basis[2].n == 2;
     return STATUS_OK;
+}
+
+/* Values and gradients of the functions of a surface at one point: N, N_u, N_v, [3][order u
+ * * order v]. */
+static double surface_point(const struct solid_space *space, int element,
+                            const struct plate_direction *u, size_t at_u,
+                            const struct plate_direction *v, size_t at_v, double *N)
+{
+    const struct plate_tables *t = space->tables;
+    const double *Nu = u->N + at_u * (size_t)u->order,
+                 *dNu = u->dN + at_u * (size_t)u->order;
+    const double *Nv = v->N + at_v * (size_t)v->order,
+                 *dNv = v->dN + at_v * (size_t)v->order;
+    const int *node = space->ien + (size_t)element * (size_t)space->local;
+    int count = u->order * v->order, n = 0;
+    double W[3] = {0};
+
+    for (int a = 0; a < u->order; a++)
+        for (int b = 0; b < v->order; b++, n++) {
+            double w = t->point_weight ? t->point_weight[node[2 * n]] : 1;
+            W[0] += N[n] = w * Nu[a] * Nv[b];
+            W[1] += N[count + n] = w * dNu[a] * Nv[b];
+            W[2] += N[2 * count + n] = w * Nu[a] * dNv[b];
+        }
+    for (n = 0; t->point_weight && n < count; n++) {
+        N[n] /= W[0];
+        N[count + n] = (N[count + n] - N[n] * W[1]) / W[0];
+        N[2 * count + n] = (N[2 * count + n] - N[n] * W[2]) / W[0];
+    }
+    return u->weight[at_u] * v->weight[at_v];
+}
+
+static int layer_functions(const struct solid_space *space, int element, bool bend,
+                           double *G, double *weight)
+{
+    const struct plate_tables *t = space->tables;
+    const struct plate_direction *u = bend ? &t->bend[0] : &t->reduced[0], *v = u + 1;
+    double N[3 * BSPLINE_MAX_ORDER * BSPLINE_MAX_ORDER];
+    int eu = element / v->spans, ev = element % v->spans, points = 0;
+    int surface = u->order * v->order, row = SOLID_PADDED(space->local);
+    int nu = u->points ? u->points[eu] : u->gauss,
+        nv = v->points ? v->points[ev] : v->gauss;
+
+    for (int q = 0; q < nu; q++)
+        for (int s = 0; s < nv; s++, G += 6 * row) {
+            weight[points++] = surface_point(space, element, u, (size_t)(eu * u->gauss + q),
+                                             v, (size_t)(ev * v->gauss + s), N);
+            for (int n = 0; n < surface; n++)
+                for (int c = 0; c < 2; c++) {
+                    int a = 2 * n + c;
+                    G[a] = N[surface + n] * t->layer[0][c];
+                    G[row + a] = N[2 * surface + n] * t->layer[0][c];
+                    G[2 * row + a] = N[n] * t->layer[1][c];
+                    G[3 * row + a] = N[surface + n] * t->layer[1][c];
+                    G[4 * row + a] = N[2 * surface + n] * t->layer[1][c];
+                }
+        }
+    return points;
+}
+
+enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch)
+{
+    double face[2][2];
+    enum status st = reduce_directions(tables, patch);
+
+    for (int i = 0; i < 2 && st == STATUS_OK; i++)
+        st = direction_init(&tables->bend[i], &patch->basis[i], patch->basis[i].p, NULL,
+                            false);
+    for (int k = 0; k < 2; k++)
+        plate_space_thickness(patch, space->thickness_basis, k, face[k]);
+    for (int c = 0; c < 2; c++) {
+        tables->layer[0][c] = (face[0][c] + face[1][c]) / 2;
+        tables->layer[1][c] = face[1][c] - face[0][c];
+    }
+    space->layer = layer_functions;
+    space->layer_points[0] = tables->reduced[0].gauss * tables->reduced[1].gauss;
+    space->layer_points[1] = tables->bend[0].gauss * tables->bend[1].gauss;
+    return st;
 }
 
 static void number_elements(struct solid_space *space, const struct plate_tables *t,
@@ -371,8 +459,10 @@ void plate_space_clear(struct solid_space *space, struct plate_tables *tables)
         return;
     for (int i = 0; i < 3; i++)
         direction_clear(&tables->direction[i]);
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++) {
         direction_clear(&tables->reduced[i]);
+        direction_clear(&tables->bend[i]);
+    }
     free(tables->product);
     memset(tables, 0, sizeof *tables);
 }

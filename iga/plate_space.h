@@ -23,7 +23,9 @@ struct plate_tables {
     /* Products over v and w, [spans v][spans w][gauss v][gauss w][3][order v * order w]:
      * N N, N' N, N N'. */
     double *product; /*                                                    owned   */
-    struct plate_direction reduced[2]; /* u, v of plate_space_reduce; else all zero    */
+    struct plate_direction reduced[2]; /* u, v of a cure; else all zero                */
+    struct plate_direction bend[2];    /* u, v of plate_space_select                   */
+    double layer[2][2]; /* its functions through the thickness at w = 1/2: N, dN/dw    */
     const double *point_weight; /* [nodes] NURBS weights or NULL; borrowed from patch  */
 };
 
@@ -44,6 +46,11 @@ void plate_space_clear(struct solid_space *space, struct plate_tables *tables);
  * With one linear function through the thickness, plane stress as well: that function
  * cannot follow the strain nu asks of it. */
 enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch);
+
+/* The stiffness of *space, one linear layer, by solid_layer.h: bending by p points a span,
+ * the other strains by the points of plate_space_reduce. Weights do not vary through w. */
+enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 
 /* Values of the functions through the thickness in use at w: N[order]. */

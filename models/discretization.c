@@ -139,6 +139,7 @@ const char *remedy_name(enum remedy r)
         [REMEDY_NONE] = "none",
         [REMEDY_INCOMPATIBLE] = "incompatible",
         [REMEDY_REDUCED] = "reduced",
+        [REMEDY_SELECTIVE] = "selective",
     };
     return WORD(words, r);
 }

@@ -19,6 +19,7 @@ enum remedy {
     REMEDY_NONE,         /* the paper's                                                */
     REMEDY_INCOMPATIBLE, /* hex: Wilson-Taylor incompatible modes                      */
     REMEDY_REDUCED,      /* iga: patch-wise reduced rule, plane stress (plate_space.h) */
+    REMEDY_SELECTIVE,    /* iga: the same, bending by its own rule (solid_layer.h)     */
 };
 
 /* Which coefficients through the thickness are unknowns. */
@@ -30,7 +31,8 @@ enum unknowns {
 
 enum solver { SOLVER_AUTO, SOLVER_BANDED, SOLVER_CHOLMOD };
 
-/* Where a spring's or constraint's strength comes from (mass_spring, projective_dynamics). */
+/* Where a spring's or constraint's strength comes from (mass_spring, projective_dynamics).
+ */
 enum parameters {
     PARAMETERS_MATCHED, /* the scene's E, nu, h and rho                                */
     PARAMETERS_PAPER,   /* Ren et al. 2024, Fig. 6                                     */
@@ -48,9 +50,9 @@ struct discretization {
     int degree[3]; /* p, q, r                                                 1..5     */
     int gauss[3];  /* Gauss points per span; 0: degree + 1                             */
     int knot_count[3];
-    double *knots[3];   /* open knot vectors over [0,1]; NULL: uniform        owned    */
-    int weight_count;   /* 0: all 1                                                    */
-    double *weights;    /* [points u][points v][points w], > 0                owned    */
+    double *knots[3]; /* open knot vectors over [0,1]; NULL: uniform        owned    */
+    int weight_count; /* 0: all 1                                                    */
+    double *weights;  /* [points u][points v][points w], > 0                owned    */
     enum kinematics kinematics;
     enum remedy remedy;
     enum unknowns unknowns;
@@ -84,8 +86,8 @@ enum status discretization_refuse(const struct discretization *d, unsigned used,
                                   struct message *why);
 
 /* The same for a model that is a net of points over the mid-surface, points=[n,m,1], and
- * turns with the sheet: no degree, quadrature, knots, weights, thickness unknowns, remedy or
- * other kinematics than nonlinear. `model` is its name in the sentences. */
+ * turns with the sheet: no degree, quadrature, knots, weights, thickness unknowns, remedy
+ * or other kinematics than nonlinear. `model` is its name in the sentences. */
 enum status discretization_refuse_net(const struct discretization *d, unsigned used,
                                       const char *model, struct message *why);
 
@@ -93,7 +95,8 @@ enum status discretization_refuse_net(const struct discretization *d, unsigned u
 void discretization_clear(struct discretization *d);
 
 /* Deep copy; *to is overwritten, not freed. */
-enum status discretization_copy(const struct discretization *from, struct discretization *to);
+enum status discretization_copy(const struct discretization *from,
+                                struct discretization *to);
 
 /* Words for the enums, as written on the command line. Static storage. */
 const char *kinematics_name(enum kinematics k);

@@ -159,7 +159,7 @@ static const struct {
     {"discretization.weights=[1,0]", "weights holds '0'"},
     {"discretization.weights=1", "weights is '1'"},
     {"discretization.kinematics=quantum", "one of linear, printed"},
-    {"discretization.remedy=unknown", "one of none, incompatible, reduced"},
+    {"discretization.remedy=unknown", "one of none, incompatible, reduced, selective"},
     {"discretization.solver=lu", "one of auto, banded"},
     {"discretization.unknowns=[points]", "one of auto, points"},
     {"discretization.parameters=mine", "one of matched, paper"},

@@ -11,7 +11,13 @@
 #include "tests/check.h"
 #include "tests/spline_fixture.h"
 
-enum solid_kind { SOLID_IGA, SOLID_REDUCED, SOLID_HEX, SOLID_INCOMPATIBLE };
+enum solid_kind {
+    SOLID_IGA,
+    SOLID_REDUCED,
+    SOLID_SELECTIVE,
+    SOLID_HEX,
+    SOLID_INCOMPATIBLE
+};
 
 /* Not to be copied once made: the space points into it. */
 struct solid {
@@ -34,6 +40,8 @@ static inline enum solid_kind solid_kind(const char *word)
 {
     if (!strcmp(word, "reduced"))
         return SOLID_REDUCED;
+    if (!strcmp(word, "selective"))
+        return SOLID_SELECTIVE;
     if (!strcmp(word, "hex"))
         return SOLID_HEX;
     if (!strcmp(word, "incompatible"))
@@ -95,7 +103,7 @@ static inline void solid_make(struct solid *s, enum solid_kind kind, struct patc
     s->patch = *patch;
     memset(patch, 0, sizeof *patch);
     b = s->patch.basis;
-    if (kind <= SOLID_REDUCED)
+    if (kind <= SOLID_SELECTIVE)
         REQUIRE(plate_space_init(&s->space, &s->tables, &s->patch, gauss, thickness) ==
                 STATUS_OK);
     else
@@ -104,6 +112,8 @@ static inline void solid_make(struct solid *s, enum solid_kind kind, struct patc
                                kind == SOLID_INCOMPATIBLE) == STATUS_OK);
     if (kind == SOLID_REDUCED)
         REQUIRE(plate_space_reduce(&s->space, &s->tables, &s->patch) == STATUS_OK);
+    if (kind == SOLID_SELECTIVE)
+        REQUIRE(plate_space_select(&s->space, &s->tables, &s->patch) == STATUS_OK);
     REQUIRE(solid_assembly_init(&s->assembly, &s->space, material) == STATUS_OK);
     REQUIRE(solid_assembly_compute(&s->assembly, s->space.rest) == STATUS_OK);
 }
@@ -111,7 +121,7 @@ static inline void solid_make(struct solid *s, enum solid_kind kind, struct patc
 static inline void solid_clear(struct solid *s)
 {
     solid_assembly_clear(&s->assembly);
-    if (s->kind <= SOLID_REDUCED)
+    if (s->kind <= SOLID_SELECTIVE)
         plate_space_clear(&s->space, &s->tables);
     else
         solid_space_clear(&s->space);

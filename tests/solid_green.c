@@ -188,6 +188,9 @@ int main(void)
     for (int p = 2; p <= 4; p++)
         for (int r = 1; r <= 2; r++)
             check_solid(SOLID_REDUCED, p, 2, r, p % 2);
+    for (int p = 2; p <= 4; p++)
+        for (int thickness = 0; thickness < 2; thickness++)
+            check_solid(SOLID_SELECTIVE, p, 2, 1, thickness);
     check_solid(SOLID_HEX, 1, 1, 1, false);
     check_solid(SOLID_HEX, 1, 1, 1, true);
     check_solid(SOLID_INCOMPATIBLE, 1, 1, 1, false);

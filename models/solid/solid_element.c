@@ -5,10 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/solid/solid_layer.h"
+#include "models/solid/solid_outer.h"
+
 /* This file is compiled with -ffp-contract=fast (see CMakeLists.txt): its loops are nothing
  * but multiply-adds, and fused ones are twice as fast. */
 
-typedef double lanes __attribute__((vector_size(SOLID_LANES * sizeof(double))));
+typedef solid_lanes lanes;
 _Static_assert(SOLID_LANES == 4, "a gathered position is one vector: x, y, z, 0");
 
 struct solid_material solid_element_material(double young, double poisson, double density)
@@ -67,13 +70,18 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
     e->padded = (int)padded;
     e->gauss = e->points = space->gauss;
     e->modes = space->modes;
-    return STATUS_OK;
+    if (!space->layer)
+        return STATUS_OK;
+    e->layer = calloc(1, sizeof *e->layer);
+    return e->layer ? solid_layer_init(e->layer, space) : STATUS_MEMORY;
 }
 
 void solid_element_clear(struct solid_element *e)
 {
     if (!e)
         return;
+    solid_layer_clear(e->layer);
+    free(e->layer);
     free(e->memory);
     memset(e, 0, sizeof *e);
 }
@@ -178,40 +186,6 @@ static enum status volumes(struct solid_element *e)
     return STATUS_OK;
 }
 
-/* H[a][3 i + j][b] = sum_q wg_i[a] g_j[b] for rows a and a + 1 and the lanes from `first`
- * on: two rows share the loads of g. */
-static void outer_rows(const struct solid_element *e, int points, const double *wg,
-                       const double *g, double *H, int a, int first)
-{
-    size_t stride = 3 * (size_t)e->padded;
-    lanes s[9] = {{0}}, r[9] = {{0}};
-
-    wg += a, g += first, H += (size_t)a * 9 * (size_t)e->padded + first;
-    for (int q = 0; q < points; q++, wg += stride, g += stride) {
-        lanes g0 = *(const lanes *)g, g1 = *(const lanes *)(g + e->padded),
-              g2 = *(const lanes *)(g + 2 * e->padded);
-        const double *w1 = wg + e->padded, *w2 = wg + 2 * e->padded;
-        s[0] += wg[0] * g0, s[1] += wg[0] * g1, s[2] += wg[0] * g2;
-        s[3] += w1[0] * g0, s[4] += w1[0] * g1, s[5] += w1[0] * g2;
-        s[6] += w2[0] * g0, s[7] += w2[0] * g1, s[8] += w2[0] * g2;
-        r[0] += wg[1] * g0, r[1] += wg[1] * g1, r[2] += wg[1] * g2;
-        r[3] += w1[1] * g0, r[4] += w1[1] * g1, r[5] += w1[1] * g2;
-        r[6] += w2[1] * g0, r[7] += w2[1] * g1, r[8] += w2[1] * g2;
-    }
-    for (int n = 0; n < 9; n++) {
-        *(lanes *)(H + n * e->padded) = s[n];
-        *(lanes *)(H + (9 + n) * e->padded) = r[n];
-    }
-}
-
-static void outer_products(struct solid_element *e, int points, const double *wg,
-                           const double *g, double *H)
-{
-    for (int a = 0; a < e->local + e->modes; a += 2)
-        for (int b = a / SOLID_LANES * SOLID_LANES; b < e->padded; b += SOLID_LANES)
-            outer_rows(e, points, wg, g, H, a, b);
-}
-
 /* What plane_stress has in place of lambda: y = P g and n (n.g) at every point. */
 static void split_gradients(struct solid_element *e, const struct solid_material *material)
 {
@@ -234,7 +208,7 @@ static void split_gradients(struct solid_element *e, const struct solid_material
             }
         }
     }
-    outer_products(e, 2 * e->points, e->wy, e->y, e->L);
+    solid_outer(e->local + e->modes, e->padded, 2 * e->points, e->wy, e->y, e->L);
 }
 
 /* K_ab from H_ab, four b at a time. `plane`: what goes with lambda is in L. */
@@ -338,6 +312,30 @@ static void condense(struct solid_element *e)
         }
 }
 
+/* K of one layer as a plate. */
+static enum status layer_stiffness(struct solid_element *e, const struct solid_space *space,
+                                   int element, const struct solid_material *material)
+{
+    struct solid_layer *s = e->layer;
+    enum status st = solid_layer_place(s, space, element, e->X);
+    const struct solid_layer_rest rest = solid_layer_placed(s);
+    double c[SOLID_LAYER_VECTORS][3];
+    int strains = 0, n = e->padded;
+
+    if (st != STATUS_OK)
+        return st;
+    for (int q = 0; q < rest.points[0] + rest.points[1]; q++) {
+        memcpy(c, rest.t + q * SOLID_LAYER_VECTORS * 3, sizeof c);
+        strains += solid_layer_vary(s, &rest, q, c, material, strains);
+    }
+    solid_outer(e->local, n, strains, s->wb, s->b, e->H);
+    for (int a = 0; a < e->local; a++)
+        for (int b = a; b < e->local; b++)
+            for (int t = 0; t < 9; t++)
+                e->K[(a * n + b) * 9 + t] = e->H[(a * 9 + t) * n + b];
+    return STATUS_OK;
+}
+
 enum status solid_element_compute(struct solid_element *e, const struct solid_space *space,
                                   int element, const struct solid_material *material,
                                   const double *x)
@@ -349,17 +347,19 @@ enum status solid_element_compute(struct solid_element *e, const struct solid_sp
     for (int a = 0; a < e->local; a++)
         for (int i = 0; i < 3; i++)
             e->X[SOLID_LANES * a + i] = x[3 * (size_t)node[a] + (size_t)i];
-    if (space->reduced) {
+    if (space->reduced || space->layer) {
         st = volumes(e);
         if (st != STATUS_OK)
             return st;
         mass(e, material->density);
+        if (space->layer)
+            return layer_stiffness(e, space, element, material);
         e->points = space->reduced(space, element, &e->shape);
     }
     st = physical_gradients(e, space);
     if (st != STATUS_OK)
         return st;
-    outer_products(e, e->points, e->wg, e->g, e->H);
+    solid_outer(e->local + e->modes, e->padded, e->points, e->wg, e->g, e->H);
     if (space->plane_stress)
         split_gradients(e, material);
     stiffness(e, material, space->plane_stress);

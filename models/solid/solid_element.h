@@ -6,6 +6,7 @@
  * if it has one. With plane_stress, n the normal of the surface w = const, P = I - n n^T:
  *   stress = plane tr(P eps) P + 2 mu eps + across (n.eps n) n n^T,
  * which gives plane stress along the sheet and Young's modulus across it.
+ * A space with a `layer` has the stiffness of solid_layer.h instead.
  *
  * Gradients are with respect to the geometry given, which is the rest shape or, in the
  * kinematics that rebuild, the present one.
@@ -42,6 +43,7 @@ struct solid_element {
     double *M;      /* [local][row]        valid for b >= a                      [kg]  */
     double *volume; /* [row]                                                     [m^3] */
     double *K;      /* [columns][padded][9] K_ab row-major, valid for b >= a     [N/m] */
+    struct solid_layer *layer; /* of a space that has one; else NULL                   */
     void *memory;
 };
 

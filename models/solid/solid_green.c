@@ -12,13 +12,26 @@ static size_t row_of(const struct solid_space *space)
     return SOLID_PADDED((size_t)space->local);
 }
 
+static size_t layer_points(const struct solid_space *space)
+{
+    return (size_t)(space->layer_points[0] + space->layer_points[1]);
+}
+
 static struct solid_green_rest rest_of(const struct solid_green *s, int element)
 {
     const struct solid_space *space = s->assembly->space;
     size_t e = (size_t)element, gauss = (size_t)space->gauss, modes = (size_t)space->modes;
 
+    if (space->layer) {
+        size_t first = e * layer_points(space);
+        return (struct solid_green_rest){
+            .layer = {.points = {s->points[2 * e], s->points[2 * e + 1]},
+                      .q = s->g + first * SOLID_LAYER_VECTORS * row_of(space),
+                      .t = s->n + first * SOLID_LAYER_VECTORS * 3,
+                      .dV = s->dV + first}};
+    }
     return (struct solid_green_rest){
-        .points = s->points[e],
+        .points = s->points[2 * e],
         .plane_stress = space->plane_stress,
         .n = space->plane_stress ? s->n + e * gauss * 3 : NULL,
         .g = s->g + e * gauss * 3 * row_of(space),
@@ -28,10 +41,22 @@ static struct solid_green_rest rest_of(const struct solid_green *s, int element)
     };
 }
 
+static void keep_layer(struct solid_green *s, const struct solid_layer *from, int element)
+{
+    size_t points = (size_t)(from->points[0] + from->points[1]);
+
+    memcpy(s->points + 2 * element, from->points, sizeof from->points);
+    const struct solid_layer_rest rest = rest_of(s, element).layer;
+    memcpy((double *)rest.q, from->q,
+           points * SOLID_LAYER_VECTORS * (size_t)from->row * sizeof *rest.q);
+    memcpy((double *)rest.t, from->t, points * SOLID_LAYER_VECTORS * 3 * sizeof *rest.t);
+    memcpy((double *)rest.dV, from->dV, points * sizeof *rest.dV);
+}
+
 /* Copies what solid_element_compute found on the rest shape. */
 static void keep_rest(struct solid_green *s, const struct solid_element *from, int element)
 {
-    s->points[element] = from->points;
+    s->points[2 * element] = from->points;
     struct solid_green_rest rest = rest_of(s, element);
     double *g = (double *)rest.g, *dV = (double *)rest.dV, *mode = (double *)rest.mode;
     int local = from->local, modes = from->modes;
@@ -61,33 +86,44 @@ static double *numbers(size_t count)
     return room;
 }
 
+/* Room for what the rest shape gives. */
+static enum status make_room(struct solid_green *s, const struct solid_space *space)
+{
+    size_t elements = (size_t)space->elements, modes = (size_t)space->modes;
+    size_t points = elements * (space->layer ? layer_points(space) : (size_t)space->gauss);
+    size_t rows = space->layer ? SOLID_LAYER_VECTORS : 3;
+    size_t axes = space->layer ? SOLID_LAYER_VECTORS * 3 : space->plane_stress ? 3 : 0;
+
+    s->g = numbers(points * rows * row_of(space));
+    s->dV = numbers(points);
+    s->points = calloc(2 * elements, sizeof *s->points);
+    s->n = axes ? numbers(points * axes) : NULL;
+    s->mode = modes ? numbers(points * 3 * modes) : NULL;
+    s->A = modes ? numbers(elements * SOLID_GREEN_INTERNAL * SOLID_GREEN_INTERNAL) : NULL;
+    return s->g && s->dV && s->points && (s->n || !axes) && (!modes || (s->mode && s->A))
+               ? STATUS_OK
+               : STATUS_MEMORY;
+}
+
 enum status solid_green_init(struct solid_green *s, const struct solid_assembly *assembly)
 {
     enum status st;
     const struct solid_space *space = assembly->space;
     struct solid_green new = {.assembly = assembly};
-    size_t points = (size_t)space->elements * (size_t)space->gauss;
 
-    new.g = numbers(points * 3 * row_of(space));
-    new.dV = numbers(points);
-    new.points = calloc((size_t)space->elements, sizeof *new.points);
-    if (space->plane_stress)
-        new.n = numbers(points * 3);
+    TRY(make_room(&new, space));
     new.work = calloc((size_t)omp_get_max_threads(), sizeof *new.work);
-    if (space->modes) {
-        new.mode = numbers(points * 3 * (size_t)space->modes);
-        new.A =
-            numbers((size_t)space->elements * SOLID_GREEN_INTERNAL * SOLID_GREEN_INTERNAL);
-    }
-    if (!new.g || !new.dV || !new.points || !new.work || (space->plane_stress && !new.n) ||
-        (space->modes && (!new.mode || !new.A)))
+    if (!new.work)
         TRY(STATUS_MEMORY);
     for (; new.threads < omp_get_max_threads(); new.threads++)
         TRY(solid_green_element_init(&new.work[new.threads], space));
     for (int e = 0; e < space->elements; e++) {
         TRY(solid_element_compute(&assembly->work[0], space, e, &assembly->material,
                                   space->rest));
-        keep_rest(&new, &assembly->work[0], e);
+        if (space->layer)
+            keep_layer(&new, assembly->work[0].layer, e);
+        else
+            keep_rest(&new, &assembly->work[0], e);
     }
     *s = new;
     memset(&new, 0, sizeof new);
@@ -114,7 +150,8 @@ void solid_green_clear(struct solid_green *s)
 
 static size_t strains_of(const struct solid_space *space)
 {
-    return SOLID_GREEN_STRAINS * (size_t)space->gauss;
+    return space->layer ? (size_t)solid_layer_strains(space->layer_points)
+                        : SOLID_GREEN_STRAINS * (size_t)space->gauss;
 }
 
 size_t solid_green_strains(const struct solid_green *s)

@@ -15,9 +15,10 @@
 
 struct solid_green {
     const struct solid_assembly *assembly; /* pattern, places, material      borrowed  */
+    /* of a space with a layer, g, n and dV are solid_layer_rest's q, t and dV         */
     double *g;    /* [elements][gauss][3][row]                               owned     */
     double *dV;   /* [elements][gauss]                                       owned     */
-    int *points;  /* [elements] of the stiffness                             owned     */
+    int *points;  /* [elements][2] of the stiffness; of a layer              owned     */
     double *n;    /* [elements][gauss][3] or NULL                            owned     */
     double *mode; /* [elements][gauss][modes][3] or NULL                     owned     */
     double *A;    /* [elements][INTERNAL][INTERNAL] or NULL                  owned     */

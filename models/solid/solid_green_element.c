@@ -1,3 +1,4 @@
+#include "models/solid/solid_green_layer.h"
 #include "models/solid/solid_green_point.h"
 
 #include <assert.h>
@@ -10,6 +11,8 @@ enum status solid_green_element_init(struct solid_green_element *e,
 {
     size_t row = SOLID_PADDED((size_t)space->local), gauss = (size_t)space->gauss;
     size_t plane = space->plane_stress;
+    size_t strains =
+        space->layer ? (size_t)solid_layer_strains(space->layer_points) : 6 * gauss;
     const struct {
         double **part;
         size_t count;
@@ -27,7 +30,7 @@ enum status solid_green_element_init(struct solid_green_element *e,
         {&e->y, plane * 6 * gauss * row},
         {&e->wy, plane * 6 * gauss * row},
         {&e->L, plane * row * 9 * row},
-        {&e->strain, (6 * gauss + 7) / 8 * 8},
+        {&e->strain, (strains + 7) / 8 * 8},
     };
     size_t total = 0, parts = sizeof room / sizeof *room;
 
@@ -47,13 +50,18 @@ enum status solid_green_element_init(struct solid_green_element *e,
     e->gauss = space->gauss;
     e->modes = space->modes;
     e->plane = space->plane_stress;
-    return STATUS_OK;
+    if (!space->layer)
+        return STATUS_OK;
+    e->layer = calloc(1, sizeof *e->layer);
+    return e->layer ? solid_layer_init(e->layer, space) : STATUS_MEMORY;
 }
 
 void solid_green_element_clear(struct solid_green_element *e)
 {
     if (!e)
         return;
+    solid_layer_clear(e->layer);
+    free(e->layer);
     free(e->memory);
     memset(e, 0, sizeof *e);
 }
@@ -124,6 +132,8 @@ bool solid_green_element_strain(struct solid_green_element *e,
                                 const struct solid_material *material,
                                 const struct solid_green_rest *rest, bool change)
 {
+    if (e->layer)
+        return solid_green_layer_strain(e, &rest->layer, change);
     for (int q = 0; q < rest->points; q++) {
         const double *g = gradients_at(e, rest, q);
         double D[3][3], *E = e->strain + 6 * q;
@@ -152,6 +162,8 @@ double solid_green_element_energy(const struct solid_green_element *e,
 {
     double energy = 0, S[6];
 
+    if (e->layer)
+        return solid_green_layer_energy(e, material, &rest->layer);
     for (int q = 0; q < rest->points; q++) {
         const double *E = e->strain + 6 * q;
         stress_of(E, material, normal_at(rest, q), S);
@@ -167,6 +179,10 @@ void solid_green_element_force(struct solid_green_element *e,
 {
     lanes *f = (lanes *)e->f;
 
+    if (e->layer) {
+        solid_green_layer_force(e, material, &rest->layer);
+        return;
+    }
     memset(e->f, 0, SOLID_LANES * (size_t)e->row * sizeof *e->f);
     for (int q = 0; q < rest->points; q++) {
         const double *g = gradients_at(e, rest, q);

@@ -10,11 +10,13 @@
  * Internal modes (solid_space.h) are strains sym(alpha_m g_m^T) added to E: with this law
  * alpha is a linear function of E, so that nothing has to be iterated or remembered
  * (Klinkel, Wagner 1997); at small displacements it is the incompatible element.
+ *
+ * In a space with a layer (solid_layer.h) strains, energy and forces are the layer's.
  */
 #ifndef SOLID_GREEN_ELEMENT_H
 #define SOLID_GREEN_ELEMENT_H
 
-#include "models/solid/solid_element.h"
+#include "models/solid/solid_layer.h"
 
 /* Strains at a Gauss point: xx, yy, zz, xy, yz, zx, shear not doubled. */
 enum { SOLID_GREEN_STRAINS = 6, SOLID_GREEN_INTERNAL = 9 };
@@ -29,6 +31,7 @@ struct solid_green_rest {
     const double *dV;   /* [gauss]                                                [m^3] */
     const double
         *A; /* [INTERNAL][INTERNAL] Cholesky factor of the modes' stiffness [N/m] */
+    struct solid_layer_rest layer; /* of a space with a layer, instead of all this     */
 };
 
 /* Room for one element; one per thread. */
@@ -37,7 +40,7 @@ struct solid_green_element {
     bool plane;   /* space->plane_stress                                                  */
     double *U[3]; /* [row][4]: displacement, present and of the geometry; last change;
                      fourth zero                                            [m]   */
-    double *strain; /* [gauss][6]                                                       */
+    double *strain; /* [gauss][6]; solid_layer_strains                                  */
     double *f;      /* [row][4]                                                   [N]   */
     double *p, *wp; /* [gauss][3][row] F g and dV F g                                   */
     double *y, *wy; /* [2 gauss][3][row] F P g, F n (n.g); weighted; plane_stress only  */
@@ -46,6 +49,7 @@ struct solid_green_element {
     double *H;      /* [row][9][row] int p_ai p_bj; valid for b >= a                    */
     double *C;      /* [row][6][row] xx, yy, zz, xy, yz, zx of what is symmetric        */
     double *Y; /* [3 modes][3 row] coupling of the modes, L^-1 applied                  */
+    struct solid_layer *layer; /* room; NULL: no layer                                  */
     double *memory;
 };
 

@@ -8,8 +8,9 @@
 #include <stddef.h>
 
 #include "models/solid/solid_green_element.h"
+#include "models/solid/solid_outer.h"
 
-typedef double lanes __attribute__((vector_size(SOLID_LANES * sizeof(double))));
+typedef solid_lanes lanes;
 
 /* Place of the tensor component (i, j) among the strains. */
 static const int PLACE[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};

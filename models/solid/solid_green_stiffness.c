@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "models/solid/solid_green_layer.h"
 #include "models/solid/solid_green_point.h"
 
 /* p = F g and wp = w F g over the functions. */
@@ -39,35 +40,6 @@ static void add_symmetric(struct solid_green_element *e, const double *g, const 
         }
 }
 
-/* H[a][3 i + j][b] = sum_q w_i[a] p_j[b], two rows a at a time. */
-static void outer_rows(const struct solid_green_element *e, int points, const double *w,
-                       const double *p, double *H, int a, int first)
-{
-    size_t stride = 3 * (size_t)e->row;
-    lanes s[9] = {{0}}, r[9] = {{0}};
-
-    w += a, p += first, H += (size_t)a * 9 * (size_t)e->row + first;
-    for (int q = 0; q < points; q++, w += stride, p += stride)
-        for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++) {
-                lanes pj = *(const lanes *)(p + j * e->row);
-                s[3 * i + j] += w[i * e->row] * pj;
-                r[3 * i + j] += w[i * e->row + 1] * pj;
-            }
-    for (int n = 0; n < 9; n++) {
-        *(lanes *)(H + n * e->row) = s[n];
-        *(lanes *)(H + (9 + n) * e->row) = r[n];
-    }
-}
-
-static void outer_products(const struct solid_green_element *e, int points, const double *w,
-                           const double *p, double *H)
-{
-    for (int a = 0; a < e->local; a += 2)
-        for (int c = a / SOLID_LANES * SOLID_LANES; c < e->row; c += SOLID_LANES)
-            outer_rows(e, points, w, p, H, a, c);
-}
-
 /* What plane_stress has in place of lambda, into L: y = F P g and F n (n.g). */
 static void split(struct solid_green_element *e, const struct solid_material *material,
                   const struct solid_green_rest *rest)
@@ -94,7 +66,7 @@ static void split(struct solid_green_element *e, const struct solid_material *ma
             }
         }
     }
-    outer_products(e, 2 * rest->points, e->wy, e->y, e->L);
+    solid_outer(e->local, e->row, 2 * rest->points, e->wy, e->y, e->L);
 }
 
 /* Y = L^-1 of the modes' coupling with the functions, A = L L^T. */
@@ -137,6 +109,10 @@ void solid_green_stiffness_compute(struct solid_green_element *e,
 {
     size_t row = (size_t)e->row;
 
+    if (e->layer) {
+        solid_green_layer_stiffness(e, material, &rest->layer, geometry_share);
+        return;
+    }
     memset(e->C, 0, row * 6 * row * sizeof *e->C);
     for (int q = 0; q < rest->points; q++) {
         const double *g = gradients_at(e, rest, q);
@@ -158,7 +134,7 @@ void solid_green_stiffness_compute(struct solid_green_element *e,
                      S[PLACE[i][2]] * g[2 * row + a]);
         add_symmetric(e, g, B);
     }
-    outer_products(e, rest->points, e->wp, e->p, e->H);
+    solid_outer(e->local, e->row, rest->points, e->wp, e->p, e->H);
     if (rest->plane_stress)
         split(e, material, rest);
     if (e->modes)
@@ -178,6 +154,10 @@ void solid_green_stiffness_blocks(const struct solid_green_element *e,
     const double *G = e->plane ? e->L + (H - e->H) : H;
     int n = 3 * e->row;
 
+    if (e->layer) {
+        solid_green_layer_blocks(e, stress_share, a, first, last, K);
+        return;
+    }
     for (int b = first; b < last; b++)
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++) {

@@ -1,6 +1,7 @@
 /* solid_space.h - a discretized solid as the assembly sees it: elements, their nodes and
- * their basis functions at Gauss points. Filled by iga/ (B-splines) and fem_ref/ (hexahedra);
- * what is below it - element matrices, assembly, stepping - is the same code for both.
+ * their basis functions at Gauss points. Filled by iga/ (B-splines) and fem_ref/
+ * (hexahedra); what is below it - element matrices, assembly, stepping - is the same code
+ * for both.
  *
  * "Node" means a coefficient of a basis function. With the Legendre basis through the
  * thickness (UNKNOWNS_THICKNESS) coefficient 0 of a column is its mid-surface position,
@@ -54,13 +55,22 @@ struct solid_space {
                       struct solid_functions *out);
     void *tables; /* of the owner of `functions`                                       */
 
-    /* Cure for locking: the stiffness by fewer points than the mass (NULL: the same points).
-     * Fills `out` as `functions` does, returns the points used, at most `gauss`. */
+    /* Cure for locking: the stiffness by fewer points than the mass (NULL: the same
+     * points). Fills `out` as `functions` does, returns the points used, at most `gauss`.
+     */
     int (*reduced)(const struct solid_space *space, int element,
                    struct solid_functions *out);
-    /* Strain across the thickness is not coupled with those along the sheet: what one linear
-     * function through the thickness needs (solid_element.h). */
+    /* Strain across the thickness is not coupled with those along the sheet: what one
+     * linear function through the thickness needs (solid_element.h). */
     bool plane_stress;
+
+    /* The other cure, of one layer of linear functions: its stiffness is that of
+     * solid_layer.h (NULL: not). Fills parametric gradients on the mid-surface and their
+     * derivatives by w, [points][6][padded], and weights of the points where the element
+     * stretches or where it bends; returns their number, at most layer_points[bend]. */
+    int (*layer)(const struct solid_space *space, int element, bool bend, double *G,
+                 double *weight);
+    int layer_points[2];
 
     /* Element-internal displacement modes without mass, condensed out of the stiffness
      * (Wilson et al. 1973; Taylor, Beresford, Wilson 1976): parametric gradients

@@ -1,0 +1,204 @@
+#include "models/solid/solid_green_layer.h"
+
+#include <string.h>
+
+#include "models/solid/solid_green_point.h"
+
+enum { VECTORS = SOLID_LAYER_VECTORS };
+
+static int points_of(const struct solid_layer_rest *rest)
+{
+    return rest->points[0] + rest->points[1];
+}
+
+static const double *rows_at(const struct solid_green_element *e,
+                             const struct solid_layer_rest *rest, int n)
+{
+    return rest->q + (size_t)n * VECTORS * (size_t)e->row;
+}
+
+/* d_k = sum_a U_a q_k[a] of one point. */
+static void vectors(const struct solid_green_element *e, const double *U, const double *q,
+                    double d[VECTORS][3])
+{
+    lanes sum[VECTORS] = {{0}};
+
+    for (int a = 0; a < e->local; a++) {
+        lanes u = *(const lanes *)(U + SOLID_LANES * a);
+        for (int k = 0; k < VECTORS; k++)
+            sum[k] += q[k * e->row + a] * u;
+    }
+    for (int k = 0; k < VECTORS; k++)
+        for (int i = 0; i < 3; i++)
+            d[k][i] = sum[k][i];
+}
+
+/* c_k of the geometry e->U[1]. */
+static void moved(const struct solid_green_element *e, const struct solid_layer_rest *rest,
+                  int n, double c[VECTORS][3])
+{
+    const double *t = rest->t + (size_t)n * VECTORS * 3;
+
+    vectors(e, e->U[1], rows_at(e, rest, n), c);
+    for (int k = 0; k < VECTORS; k++)
+        for (int i = 0; i < 3; i++)
+            c[k][i] += t[3 * k + i];
+}
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static double volume(const double *t, double d[VECTORS][3])
+{
+    double c[3][3];
+
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++)
+            c[k][i] = t[3 * k + i] + d[k][i];
+    return c[0][0] * (c[1][1] * c[2][2] - c[1][2] * c[2][1]) +
+           c[0][1] * (c[1][2] * c[2][0] - c[1][0] * c[2][2]) +
+           c[0][2] * (c[1][0] * c[2][1] - c[1][1] * c[2][0]);
+}
+
+bool solid_green_layer_strain(struct solid_green_element *e,
+                              const struct solid_layer_rest *rest, bool change)
+{
+    double *strain = e->strain;
+
+    for (int n = 0; n < points_of(rest); n++) {
+        bool bend = n >= rest->points[0];
+        int terms, strains = bend ? SOLID_LAYER_BENDS : SOLID_LAYER_STRETCHES;
+        const struct solid_layer_term *term = solid_layer_terms(bend, &terms);
+        const double *t = rest->t + (size_t)n * VECTORS * 3;
+        double d[VECTORS][3], last[VECTORS][3] = {{0}};
+
+        vectors(e, e->U[0], rows_at(e, rest, n), d);
+        if (!bend && !(volume(t, d) > 0))
+            return false;
+        if (change)
+            vectors(e, e->U[2], rows_at(e, rest, n), last);
+        memset(strain, 0, (size_t)strains * sizeof *strain);
+        for (int m = 0; m < terms; m++) {
+            int k = term[m].k, l = term[m].l;
+            strain[term[m].strain] +=
+                term[m].factor * (dot(t + 3 * k, d[l]) + dot(t + 3 * l, d[k]) +
+                                  dot(d[k], d[l]) - dot(last[k], last[l]));
+        }
+        strain += strains;
+    }
+    return true;
+}
+
+double solid_green_layer_energy(const struct solid_green_element *e,
+                                const struct solid_material *material,
+                                const struct solid_layer_rest *rest)
+{
+    const double *strain = e->strain;
+    double energy = 0, stress[SOLID_LAYER_STRETCHES];
+
+    for (int n = 0; n < points_of(rest); n++) {
+        bool bend = n >= rest->points[0];
+        int strains = bend ? SOLID_LAYER_BENDS : SOLID_LAYER_STRETCHES;
+        solid_layer_stress(material, bend, rest->dV[n], strain, stress);
+        for (int r = 0; r < strains; r++)
+            energy += stress[r] * strain[r] / 2;
+        strain += strains;
+    }
+    return energy;
+}
+
+/* A such that the work of the stress (dV) at a point is sum_kl A_kl c_l.dc_k. */
+static void couple(bool bend, const double *stress, double A[VECTORS][VECTORS])
+{
+    int terms;
+    const struct solid_layer_term *term = solid_layer_terms(bend, &terms);
+
+    memset(A, 0, VECTORS * sizeof *A);
+    for (int m = 0; m < terms; m++) {
+        double share = term[m].factor * stress[term[m].strain];
+        A[term[m].k][term[m].l] += share;
+        A[term[m].l][term[m].k] += share;
+    }
+}
+
+void solid_green_layer_force(struct solid_green_element *e,
+                             const struct solid_material *material,
+                             const struct solid_layer_rest *rest)
+{
+    const double *strain = e->strain;
+    lanes *f = (lanes *)e->f;
+
+    memset(e->f, 0, SOLID_LANES * (size_t)e->row * sizeof *e->f);
+    for (int n = 0; n < points_of(rest); n++) {
+        bool bend = n >= rest->points[0];
+        const double *q = rows_at(e, rest, n);
+        double c[VECTORS][3], A[VECTORS][VECTORS], stress[SOLID_LAYER_STRETCHES];
+        lanes p[VECTORS] = {{0}};
+
+        moved(e, rest, n, c);
+        solid_layer_stress(material, bend, rest->dV[n], strain, stress);
+        couple(bend, stress, A);
+        for (int k = 0; k < VECTORS; k++)
+            for (int l = 0; l < VECTORS; l++)
+                for (int i = 0; i < 3; i++)
+                    p[k][i] += A[k][l] * c[l][i];
+        for (int a = 0; a < e->local; a++)
+            for (int k = 0; k < VECTORS; k++)
+                f[a] += q[k * e->row + a] * p[k];
+        strain += bend ? SOLID_LAYER_BENDS : SOLID_LAYER_STRETCHES;
+    }
+}
+
+/* C[a][b] += sum_kl q_k[a] A_kl q_l[b] */
+static void add_geometric(struct solid_green_element *e, const double *q,
+                          double A[VECTORS][VECTORS])
+{
+    int row = e->row;
+
+    for (int a = 0; a < e->local; a++) {
+        double share[VECTORS] = {0};
+        for (int k = 0; k < VECTORS; k++)
+            for (int l = 0; l < VECTORS; l++)
+                share[l] += A[k][l] * q[k * row + a];
+        for (int c = a / SOLID_LANES * SOLID_LANES; c < row; c += SOLID_LANES) {
+            lanes *to = (lanes *)(e->C + a * row + c);
+            for (int l = 0; l < VECTORS; l++)
+                *to += share[l] * *(const lanes *)(q + l * row + c);
+        }
+    }
+}
+
+void solid_green_layer_stiffness(struct solid_green_element *e,
+                                 const struct solid_material *material,
+                                 const struct solid_layer_rest *rest, double geometry_share)
+{
+    const double *strain = e->strain;
+    int strains = 0;
+
+    memset(e->C, 0, (size_t)(e->row * e->row) * sizeof *e->C);
+    for (int n = 0; n < points_of(rest); n++) {
+        bool bend = n >= rest->points[0];
+        double c[VECTORS][3], A[VECTORS][VECTORS], stress[SOLID_LAYER_STRETCHES];
+
+        moved(e, rest, n, c);
+        solid_layer_stress(material, bend, geometry_share * rest->dV[n], strain + strains,
+                           stress);
+        couple(bend, stress, A);
+        add_geometric(e, rows_at(e, rest, n), A);
+        strains += solid_layer_vary(e->layer, rest, n, c, material, strains);
+    }
+    solid_outer(e->local, e->row, strains, e->layer->wb, e->layer->b, e->H);
+}
+
+void solid_green_layer_blocks(const struct solid_green_element *e, double stress_share,
+                              int a, int first, int last, double (*K)[9])
+{
+    const double *H = e->H + (size_t)a * 9 * (size_t)e->row;
+
+    for (int b = first; b < last; b++)
+        for (int t = 0; t < 9; t++)
+            K[b - first][t] +=
+                stress_share * H[t * e->row + b] + (t % 4 == 0 ? e->C[a * e->row + b] : 0);
+}

@@ -1,0 +1,24 @@
+/* solid_green_layer.h - one layer of linear functions (solid_layer.h) at large
+ * displacements: what solid_green_element.h and solid_green_stiffness.h promise, where the
+ * space has a layer. */
+#ifndef SOLID_GREEN_LAYER_H
+#define SOLID_GREEN_LAYER_H
+
+#include "models/solid/solid_green_element.h"
+
+bool solid_green_layer_strain(struct solid_green_element *e,
+                              const struct solid_layer_rest *rest, bool change);
+double solid_green_layer_energy(const struct solid_green_element *e,
+                                const struct solid_material *material,
+                                const struct solid_layer_rest *rest);
+void solid_green_layer_force(struct solid_green_element *e,
+                             const struct solid_material *material,
+                             const struct solid_layer_rest *rest);
+void solid_green_layer_stiffness(struct solid_green_element *e,
+                                 const struct solid_material *material,
+                                 const struct solid_layer_rest *rest,
+                                 double geometry_share);
+void solid_green_layer_blocks(const struct solid_green_element *e, double stress_share,
+                              int a, int first, int last, double (*K)[9]);
+
+#endif

@@ -1,0 +1,227 @@
+#include "models/solid/solid_layer.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { VECTORS = SOLID_LAYER_VECTORS };
+
+enum status solid_layer_init(struct solid_layer *s, const struct solid_space *space)
+{
+    size_t row = SOLID_PADDED((size_t)space->local);
+    size_t points = (size_t)(space->layer_points[0] + space->layer_points[1]);
+    size_t strains = (size_t)solid_layer_strains(space->layer_points);
+    const struct {
+        double **part;
+        size_t count;
+    } room[] = {
+        {&s->G, points * 6 * row},       {&s->normal, row},
+        {&s->q, points * VECTORS * row}, {&s->b, strains * 3 * row},
+        {&s->wb, strains * 3 * row},     {&s->t, points * VECTORS * 3},
+        {&s->dV, SOLID_PADDED(points)},  {&s->weight, SOLID_PADDED(points)},
+    };
+    size_t total = 0, parts = sizeof room / sizeof *room;
+
+    memset(s, 0, sizeof *s);
+    for (size_t t = 0; t < parts; t++)
+        total += room[t].count;
+    total = (total + 7) / 8 * 8;
+    s->memory = aligned_alloc(64, total * sizeof(double));
+    if (!s->memory)
+        return STATUS_MEMORY;
+    memset(s->memory, 0, total * sizeof(double));
+    double *next = s->memory;
+    for (size_t t = 0; t < parts; next += room[t++].count)
+        *room[t].part = next;
+    s->local = space->local;
+    s->row = (int)row;
+    memcpy(s->most, space->layer_points, sizeof s->most);
+    return STATUS_OK;
+}
+
+void solid_layer_clear(struct solid_layer *s)
+{
+    if (!s)
+        return;
+    free(s->memory);
+    memset(s, 0, sizeof *s);
+}
+
+int solid_layer_strains(const int points[2])
+{
+    return SOLID_LAYER_STRETCHES * points[0] + SOLID_LAYER_BENDS * points[1];
+}
+
+const struct solid_layer_term *solid_layer_terms(bool bend, int *count)
+{
+    static const struct solid_layer_term stretches[] = {
+        {0, 0, 0, 0.5}, {1, 1, 1, 0.5}, {2, 0, 1, 1},
+        {3, 0, 2, 1},   {4, 1, 2, 1},   {5, 2, 2, 0.5},
+    };
+    static const struct solid_layer_term bends[] = {
+        {0, 0, 2, 1}, {1, 1, 3, 1}, {2, 0, 3, 1}, {2, 1, 2, 1}};
+
+    *count = bend ? sizeof bends / sizeof *bends : sizeof stretches / sizeof *stretches;
+    return bend ? bends : stretches;
+}
+
+void solid_layer_stress(const struct solid_material *m, bool bend, double dV,
+                        const double *strain, double *stress)
+{
+    double mean = m->plane * (strain[0] + strain[1]);
+
+    stress[0] = dV * (mean + 2 * m->mu * strain[0]);
+    stress[1] = dV * (mean + 2 * m->mu * strain[1]);
+    stress[2] = dV * m->mu * strain[2];
+    if (bend)
+        return;
+    stress[3] = dV * (5. / 6) * m->mu * strain[3];
+    stress[4] = dV * (5. / 6) * m->mu * strain[4];
+    stress[5] = dV * (m->across + 2 * m->mu) * strain[5];
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void normalise(const double a[3], double out[3])
+{
+    double length = sqrt(dot(a, a));
+    for (int i = 0; i < 3; i++)
+        out[i] = a[i] / length;
+}
+
+/* out[a] = sum_j m_j G_j[a] */
+static void combine(int row, const double m[3], const double *G, double *restrict out)
+{
+    for (int a = 0; a < row; a++)
+        out[a] = m[0] * G[a] + m[1] * G[row + a] + m[2] * G[2 * row + a];
+}
+
+/* J[j] = sum_a X_a G_j[a] for six rows: derivatives of the position by u, v, w, and the
+ * derivatives of these by w. */
+static void tangents(const struct solid_layer *s, const double *X, const double *G,
+                     double J[6][3])
+{
+    for (int j = 0; j < 6; j++)
+        for (int i = 0; i < 3; i++) {
+            J[j][i] = 0;
+            for (int a = 0; a < s->local; a++)
+                J[j][i] += G[j * s->row + a] * X[SOLID_LANES * a + i];
+        }
+}
+
+/* The frame t and m_k = J^-1 t_k; returns det J. */
+static double frame(double J[6][3], double t[3][3], double m[3][3])
+{
+    double cofactor[3][3], det;
+
+    for (int j = 0; j < 3; j++)
+        cross(J[(j + 1) % 3], J[(j + 2) % 3], cofactor[j]);
+    det = dot(J[0], cofactor[0]);
+    normalise(J[0], t[0]);
+    normalise(cofactor[2], t[2]);
+    cross(t[2], t[0], t[1]);
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++)
+            m[k][j] = dot(cofactor[j], t[k]) / det;
+    return det;
+}
+
+/* Rows of F' t_k: G' less what J' makes of the gradients along the frame, q[3]. */
+static void slopes(const struct solid_layer *s, double J[6][3], double t[3][3],
+                   const double m[3], const double *G, const double *const q[3],
+                   double *restrict out)
+{
+    combine(s->row, m, G + 3 * s->row, out);
+    for (int n = 0; n < 3; n++) {
+        double share =
+            m[0] * dot(J[3], t[n]) + m[1] * dot(J[4], t[n]) + m[2] * dot(J[5], t[n]);
+        for (int a = 0; a < s->row; a++)
+            out[a] -= share * q[n][a];
+    }
+}
+
+enum status solid_layer_place(struct solid_layer *s, const struct solid_space *space,
+                              int element, const double *X)
+{
+    size_t row = (size_t)s->row;
+
+    s->points[0] = space->layer(space, element, false, s->G, s->weight);
+    s->points[1] = space->layer(space, element, true, s->G + 6 * row * (size_t)s->points[0],
+                                s->weight + s->points[0]);
+    for (int n = 0; n < s->points[0] + s->points[1]; n++) {
+        const double *G = s->G + (size_t)n * 6 * row;
+        double *q = s->q + (size_t)n * VECTORS * row, *kept = s->t + n * VECTORS * 3;
+        double J[6][3], t[3][3], m[3][3];
+        bool bend = n >= s->points[0];
+
+        tangents(s, X, G, J);
+        double det = frame(J, t, m);
+        if (!(det > 0))
+            return isnan(det) ? STATUS_NAN : STATUS_INVERTED;
+        memset(kept, 0, VECTORS * 3 * sizeof *kept);
+        memcpy(kept, t, (bend ? 6 : 9) * sizeof *kept);
+        s->dV[n] = s->weight[n] * det / (bend ? 12 : 1);
+        for (int k = 0; k < 3; k++)
+            combine(s->row, m[k], G, k == 2 && bend ? s->normal : q + (size_t)k * row);
+        for (int k = 0; bend && k < 2; k++)
+            slopes(s, J, t, m[k], G, (const double *const[3]){q, q + row, s->normal},
+                   q + (size_t)(2 + k) * row);
+    }
+    return STATUS_OK;
+}
+
+struct solid_layer_rest solid_layer_placed(const struct solid_layer *s)
+{
+    return (struct solid_layer_rest){
+        .points = {s->points[0], s->points[1]}, .q = s->q, .t = s->t, .dV = s->dV};
+}
+
+/* b_i += factor (c_k q_l + c_l q_k)_i, a component of rows over functions. */
+static void vary(int row, const struct solid_layer_term *term, const double *q,
+                 double c[VECTORS][3], double *restrict b)
+{
+    const double *qk = q + term->k * row, *ql = q + term->l * row;
+
+    for (int i = 0; i < 3; i++) {
+        double ck = term->factor * c[term->k][i], cl = term->factor * c[term->l][i];
+        for (int a = 0; a < row; a++)
+            b[i * row + a] += ck * ql[a] + cl * qk[a];
+    }
+}
+
+int solid_layer_vary(struct solid_layer *s, const struct solid_layer_rest *rest, int n,
+                     double c[VECTORS][3], const struct solid_material *m, int first)
+{
+    bool bend = n >= rest->points[0];
+    int strains = bend ? SOLID_LAYER_BENDS : SOLID_LAYER_STRETCHES, terms, row = s->row;
+    const struct solid_layer_term *term = solid_layer_terms(bend, &terms);
+    const double *q = rest->q + (size_t)n * VECTORS * (size_t)row;
+    double *b = s->b + (size_t)first * 3 * (size_t)row, *wb = s->wb + (b - s->b);
+    double modulus[SOLID_LAYER_STRETCHES], one[SOLID_LAYER_STRETCHES] = {0};
+
+    memset(b, 0, (size_t)(strains * 3 * row) * sizeof *b);
+    for (int t = 0; t < terms; t++)
+        vary(row, &term[t], q, c, b + term[t].strain * 3 * row);
+    for (int r = 0; r < strains; r++) {
+        one[r] = 1;
+        solid_layer_stress(m, bend, rest->dV[n], one, modulus);
+        one[r] = 0;
+        for (int a = 0; a < 3 * row; a++) {
+            double *to = wb + r * 3 * row + a;
+            *to = modulus[r] * b[r * 3 * row + a];
+            if (r < 2) /* Poisson's part */
+                *to += modulus[1 - r] * b[(1 - r) * 3 * row + a];
+        }
+    }
+    return strains;
+}

@@ -1,0 +1,77 @@
+/* solid_layer.h - one layer of linear functions through the thickness taken as a plate:
+ * nine strains of its mid-surface w = 1/2, each kind by its own quadrature
+ * (remedy=selective).
+ *
+ * With F the gradient of the deformation from the geometry given, F' its derivative by w,
+ * t_1, t_2, t_3 the geometry's tangents and normal, orthonormal, c_k = F t_k, e_k = F' t_k:
+ *   stretches  c_k.c_l/2 - t_k.t_l/2 of membrane (11, 22, 2 12), transverse shear (2 13,
+ *              2 23) and thickness (33),
+ *   bends      (c_k.e_l + c_l.e_k)/2 (11, 22, 2 12),
+ * both quadratic in displacements, and in small strain their linear parts. Energy
+ *   int N.stretch dV + int M.bend dV / 12, halved: plane stress along the sheet, 5/6 mu in
+ * shear (Reissner 1945), Young's modulus across. Bending wants a full rule to be accurate;
+ * whatever must vanish in a thin sheet wants one point a function, or it locks.
+ */
+#ifndef SOLID_LAYER_H
+#define SOLID_LAYER_H
+
+#include "models/solid/solid_element.h"
+
+enum {
+    SOLID_LAYER_STRETCHES = 6,
+    SOLID_LAYER_BENDS = 3,
+    SOLID_LAYER_VECTORS = 4, /* of a point: t_1, t_2, t_3, unused; or t_1, t_2, 0, 0   */
+};
+
+/* What a geometry gives an element, stretching points first. Vectors are rows q of t: of
+ * the displacement u_a, d_k = sum u_a q_k[a]: those of F t_1, F t_2, F t_3; or of F t_1,
+ * F t_2, F' t_1, F' t_2. */
+struct solid_layer_rest {
+    int points[2];    /* stretching, bending                                            */
+    const double *q;  /* [points][VECTORS][row]                                   [1/m] */
+    const double *t;  /* [points][VECTORS][3]                                           */
+    const double *dV; /* [points]; of bending, a twelfth                         [m^3] */
+};
+
+/* Working storage of one thread; rows padded as in solid_space.h. */
+struct solid_layer {
+    int local, row;
+    int most[2];        /* points an element                                        */
+    int points[2];      /* of the element placed                                    */
+    double *G, *weight; /* [points][6][row], [points] solid_space.h                 */
+    double *normal;     /* [row] gradients along the normal                         */
+    double *q, *t, *dV; /* solid_layer_rest of the element placed                   */
+    double *b, *wb;     /* [strains][3][row] variations of strains; their stress dV */
+    double *memory;
+};
+
+enum status solid_layer_init(struct solid_layer *s, const struct solid_space *space);
+void solid_layer_clear(struct solid_layer *s);
+
+/* Strains of an element: stretches of its points, then bends. */
+int solid_layer_strains(const int points[2]);
+
+/* Fills points, q, t and dV of an element on the coefficients X[local][4]. STATUS_INVERTED
+ * if det J <= 0 at a point, STATUS_NAN if it is not a number. */
+enum status solid_layer_place(struct solid_layer *s, const struct solid_space *space,
+                              int element, const double *X);
+struct solid_layer_rest solid_layer_placed(const struct solid_layer *s);
+
+/* Stress dV of the strains at a point. */
+void solid_layer_stress(const struct solid_material *m, bool bend, double dV,
+                        const double *strain, double *stress);
+
+/* Strain r is the sum of factor (t_k.d_l + t_l.d_k + d_k.d_l) over its terms. */
+struct solid_layer_term {
+    int strain, k, l;
+    double factor;
+};
+const struct solid_layer_term *solid_layer_terms(bool bend, int *count);
+
+/* Variations of the strains of point n with vectors c[4][3], and the stress dV of them,
+ * into the rows of s->b, s->wb that follow strain `first`. Returns the strains written. */
+int solid_layer_vary(struct solid_layer *s, const struct solid_layer_rest *rest, int n,
+                     double c[SOLID_LAYER_VECTORS][3], const struct solid_material *m,
+                     int first);
+
+#endif

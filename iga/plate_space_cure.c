@@ -1,0 +1,179 @@
+#include <stdlib.h>
+
+#include "iga/plate_space_part.h"
+
+/* N, G and weight of one point: rows of the three directions' tables. */
+static double one_point(const struct plate_direction *const d[3], const size_t at[3],
+                        double *N, double *G, int row)
+{
+    const double *value[3], *slope[3];
+    int n = 0;
+
+    for (int i = 0; i < 3; i++) {
+        value[i] = d[i]->N + at[i] * (size_t)d[i]->order;
+        slope[i] = d[i]->dN + at[i] * (size_t)d[i]->order;
+    }
+    for (int a = 0; a < d[0]->order; a++)
+        for (int b = 0; b < d[1]->order; b++)
+            for (int c = 0; c < d[2]->order; c++, n++) {
+                N[n] = value[0][a] * value[1][b] * value[2][c];
+                G[n] = slope[0][a] * value[1][b] * value[2][c];
+                G[row + n] = value[0][a] * slope[1][b] * value[2][c];
+                G[2 * row + n] = value[0][a] * value[1][b] * slope[2][c];
+            }
+    return d[0]->weight[at[0]] * d[1]->weight[at[1]] * d[2]->weight[at[2]];
+}
+
+static int reduced_functions(const struct solid_space *space, int element,
+                             struct solid_functions *out)
+{
+    const struct plate_tables *t = space->tables;
+    const struct plate_direction *const d[3] = {&t->reduced[0], &t->reduced[1],
+                                                &t->direction[2]};
+    int e[3] = {element / (d[1]->spans * d[2]->spans), element / d[2]->spans % d[1]->spans,
+                element % d[2]->spans};
+    int row = SOLID_PADDED(space->local), count = 0;
+    size_t at[3];
+
+    for (int q = 0; q < d[0]->points[e[0]]; q++)
+        for (int s = 0; s < d[1]->points[e[1]]; s++)
+            for (int r = 0; r < d[2]->gauss; r++, count++) {
+                double *N = out->N + count * row, *G = out->G + 3 * count * row;
+                at[0] = (size_t)(e[0] * d[0]->gauss + q);
+                at[1] = (size_t)(e[1] * d[1]->gauss + s);
+                at[2] = (size_t)(e[2] * d[2]->gauss + r);
+                out->weight[count] = one_point(d, at, N, G, row);
+                if (t->point_weight)
+                    plate_space_rational(space, element, N, G, row);
+            }
+    return count;
+}
+
+/* Points a span: one, and one more for every function that the spans between two knots of
+ * full multiplicity have beyond their number, dealt out from both ends inwards. */
+static int *reduced_counts(const struct bspline *b)
+{
+    int *span = malloc((size_t)b->n * sizeof *span), *counts = NULL, spans;
+
+    if (!span)
+        return NULL;
+    spans = bspline_spans(b, span);
+    counts = malloc((size_t)spans * sizeof *counts);
+    for (int e = 0; counts && e < spans; e++) /* a knot that repeats adds functions */
+        counts[e] = e + 1 < spans ? span[e + 1] - span[e] : 1;
+    for (int k = 0; counts && k < b->p; k++) {
+        int e = k % 2 ? spans - 1 - k / 2 : k / 2;
+        counts[e < 0 ? 0 : e >= spans ? spans - 1 : e]++;
+    }
+    for (int e = 0; counts && e < spans; e++)
+        counts[e] = counts[e] > b->p + 1 ? b->p + 1 : counts[e];
+    free(span);
+    return counts;
+}
+
+static enum status reduce_directions(struct plate_tables *tables, const struct patch *patch)
+{
+    for (int i = 0; i < 2; i++) {
+        const struct bspline *b = &patch->basis[i];
+        int *counts = reduced_counts(b), most = 1;
+        if (!counts)
+            return STATUS_MEMORY;
+        for (int e = 0; e < tables->direction[i].spans; e++)
+            most = counts[e] > most ? counts[e] : most;
+        enum status st = plate_space_direction(&tables->reduced[i], b, most, counts, false);
+        if (st != STATUS_OK)
+            return st;
+    }
+    return STATUS_OK;
+}
+
+enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch)
+{
+    enum status st = reduce_directions(tables, patch);
+
+    if (st != STATUS_OK)
+        return st;
+    space->reduced = reduced_functions;
+    space->plane_stress = patch->basis[2].n == 2;
+    return STATUS_OK;
+}
+
+/* Values and gradients of the functions of a surface at one point: N, N_u, N_v, [3][order u
+ * * order v]. */
+static double surface_point(const struct solid_space *space, int element,
+                            const struct plate_direction *u, size_t at_u,
+                            const struct plate_direction *v, size_t at_v, double *N)
+{
+    const struct plate_tables *t = space->tables;
+    const double *Nu = u->N + at_u * (size_t)u->order,
+                 *dNu = u->dN + at_u * (size_t)u->order;
+    const double *Nv = v->N + at_v * (size_t)v->order,
+                 *dNv = v->dN + at_v * (size_t)v->order;
+    const int *node = space->ien + (size_t)element * (size_t)space->local;
+    int count = u->order * v->order, n = 0;
+    double W[3] = {0};
+
+    for (int a = 0; a < u->order; a++)
+        for (int b = 0; b < v->order; b++, n++) {
+            double w = t->point_weight ? t->point_weight[node[2 * n]] : 1;
+            W[0] += N[n] = w * Nu[a] * Nv[b];
+            W[1] += N[count + n] = w * dNu[a] * Nv[b];
+            W[2] += N[2 * count + n] = w * Nu[a] * dNv[b];
+        }
+    for (n = 0; t->point_weight && n < count; n++) {
+        N[n] /= W[0];
+        N[count + n] = (N[count + n] - N[n] * W[1]) / W[0];
+        N[2 * count + n] = (N[2 * count + n] - N[n] * W[2]) / W[0];
+    }
+    return u->weight[at_u] * v->weight[at_v];
+}
+
+static int layer_functions(const struct solid_space *space, int element, bool bend,
+                           double *G, double *weight)
+{
+    const struct plate_tables *t = space->tables;
+    const struct plate_direction *u = bend ? &t->bend[0] : &t->reduced[0], *v = u + 1;
+    double N[3 * BSPLINE_MAX_ORDER * BSPLINE_MAX_ORDER];
+    int eu = element / v->spans, ev = element % v->spans, points = 0;
+    int surface = u->order * v->order, row = SOLID_PADDED(space->local);
+    int nu = u->points ? u->points[eu] : u->gauss,
+        nv = v->points ? v->points[ev] : v->gauss;
+
+    for (int q = 0; q < nu; q++)
+        for (int s = 0; s < nv; s++, G += 6 * row) {
+            weight[points++] = surface_point(space, element, u, (size_t)(eu * u->gauss + q),
+                                             v, (size_t)(ev * v->gauss + s), N);
+            for (int n = 0; n < surface; n++)
+                for (int c = 0; c < 2; c++) {
+                    int a = 2 * n + c;
+                    G[a] = N[surface + n] * t->layer[0][c];
+                    G[row + a] = N[2 * surface + n] * t->layer[0][c];
+                    G[2 * row + a] = N[n] * t->layer[1][c];
+                    G[3 * row + a] = N[surface + n] * t->layer[1][c];
+                    G[4 * row + a] = N[2 * surface + n] * t->layer[1][c];
+                }
+        }
+    return points;
+}
+
+enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch)
+{
+    double face[2][2];
+    enum status st = reduce_directions(tables, patch);
+
+    for (int i = 0; i < 2 && st == STATUS_OK; i++)
+        st = plate_space_direction(&tables->bend[i], &patch->basis[i], patch->basis[i].p,
+                                   NULL, false);
+    for (int k = 0; k < 2; k++)
+        plate_space_thickness(patch, space->thickness_basis, k, face[k]);
+    for (int c = 0; c < 2; c++) {
+        tables->layer[0][c] = (face[0][c] + face[1][c]) / 2;
+        tables->layer[1][c] = face[1][c] - face[0][c];
+    }
+    space->layer = layer_functions;
+    space->layer_points[0] = tables->reduced[0].gauss * tables->reduced[1].gauss;
+    space->layer_points[1] = tables->bend[0].gauss * tables->bend[1].gauss;
+    return st;
+}

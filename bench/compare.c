@@ -149,27 +149,37 @@ static enum status run_row(const struct job *j, struct compare_row *row,
     return STATUS_OK;
 }
 
-static enum status run_all(struct job *j, const char *models, struct message *why)
+static enum status plan_rows(struct job *j, const char *models, struct message *why)
 {
     struct compare *c = &j->compare;
     struct ladder_rung *rungs = NULL;
-    struct progress bar;
     enum status st;
 
     TRY(ladder_make(models, j->scene.step, j->quick, &rungs, &c->count, why));
     c->rows = calloc((size_t)c->count + 1, sizeof *c->rows);
     if (!c->rows)
         TRY(STATUS_MEMORY);
-    bar = progress_start("compare", c->count, false);
     for (int n = 0; n < c->count; n++) {
         c->rows[n].rung = rungs[n];
         c->rows[n].worst = NAN;
+    }
+out:
+    free(rungs);
+    return st;
+}
+
+static enum status run_all(struct job *j, struct message *why)
+{
+    struct compare *c = &j->compare;
+    struct progress bar = progress_start("compare", c->count, false);
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < c->count; n++) {
         TRY(run_row(j, &c->rows[n], why));
         progress_update(&bar, n + 1);
     }
     progress_end(&bar);
 out:
-    free(rungs);
     return st;
 }
 
@@ -190,6 +200,7 @@ static enum status run(const struct command_line *line, struct message *why)
                            "--from reads result files and --out writes "
                            "them; give one of the two");
     TRY(prepare(&j, line, why));
+    TRY(plan_rows(&j, command_value(line, "--models"), why));
     snprintf(folder, sizeof folder, "results/compare_%s", j.scene.name);
     j.folder = from ? from : out ? out : folder;
     j.read_only = from != NULL;
@@ -202,7 +213,7 @@ static enum status run(const struct command_line *line, struct message *why)
     TRY(truth_find(j.path, settings_of(&j, NULL, false, all), all, TIMES, j.time, j.folder,
                    j.quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why));
     j.compare.truth = truth;
-    TRY(run_all(&j, command_value(line, "--models"), why));
+    TRY(run_all(&j, why));
     TRY(compare_print(&j.compare, format, stdout));
     TRY(compare_print_files(&j.compare, j.folder, why));
 out:

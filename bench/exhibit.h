@@ -14,6 +14,7 @@
 struct exhibit_options {
     const char *folder; /* result files go here; there already                         */
     bool quick;         /* a smaller job of the same shape, for trying out             */
+    int repeats;        /* of what is timed, up to nine; 0: nine, three if quick       */
     int value_count;    /* levels of the parameter that an exhibit with `values` varies; */
     const double *value; /* [value_count] > 0, increasing; 0 of them: its usual ones    */
     void (*progress)(void *context, const char *what, int done, int total); /* or NULL */

@@ -189,8 +189,10 @@ enum status timed_measure(const struct exhibit_options *options, const char *wha
                           const struct provenance *provenance, int count,
                           struct timed_case *cases, struct message *why)
 {
+    assert(options->repeats >= 0 && options->repeats <= REPEATS);
     struct reporter reporter = {options, what};
-    struct timing_plan plan = {.repeats = options->quick ? QUICK_REPEATS : REPEATS,
+    int usual = options->quick ? QUICK_REPEATS : REPEATS;
+    struct timing_plan plan = {.repeats = options->repeats ? options->repeats : usual,
                                .warmup = WARMUP,
                                .frames = options->quick ? QUICK_FRAMES : FRAMES,
                                .progress = report,

@@ -12,7 +12,7 @@ fail() {
     failed=1
 }
 
-rm -rf "$folder"
+rm -rf "$folder" "$folder.none"
 light=(compare cantilever_transient --models "iga,hex" --quick --until 0.005
     --set material.density=1e-4 --set time.step=5e-4)
 "$program" "${light[@]}" --out "$folder" >"$folder.txt" 2>"$folder.log" ||
@@ -31,8 +31,9 @@ awk -F, 'NR > 1 && NF > 1 { n++; if (!($9 + 0 < 0.01) || $9 == "nan") bad++
 "$program" "${light[@]}" --from "$folder" >"$folder.again" 2>>"$folder.log" || fail "--from"
 cmp -s "$folder.txt" "$folder.again" || fail "--from prints something else"
 
-"$program" compare edge_drop --models nothing >/dev/null 2>"$folder.log"
+"$program" compare edge_drop --models nothing --out "$folder.none" >/dev/null 2>"$folder.log"
 [ $? = 2 ] || fail "an unknown model does not end with exit 2"
+[ ! -e "$folder.none" ] || fail "an unknown model leaves a folder"
 "$program" compare edge_drop --until -1 >/dev/null 2>"$folder.log"
 [ $? = 2 ] || fail "--until -1 does not end with exit 2"
 exit $failed

@@ -237,7 +237,7 @@ int main(int argc, char **argv)
 
     for (size_t n = 0; n < sizeof waves / sizeof *waves; n++) {
         wave = &waves[n];
-        check_orders(kind, 1, 10, 16);
+        check_orders(kind, 1, 10, 14);
         for (int p = 2; kind == SOLID_IGA && p <= 4; p++)
             check_orders(kind, p, 10 - p, 14 - p);
     }

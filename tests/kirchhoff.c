@@ -188,7 +188,7 @@ static void check_frequencies(void)
             nu = reference_number(t, row, "nu"), width = reference_number(t, row, "Ly");
             kirchhoff_destroy(k); /* in other units than the table's */
             struct kirchhoff_plate p = {2, 2 * width, 0.01, 3, nu, 7};
-            k = make(&p, 32);
+            k = make(&p, 28);
         }
         struct kirchhoff_plate p = {2, 2 * width, 0.01, 3, nu, 7};
         double unit = sqrt(stiffness(&p) / (p.density * p.thickness)) / 4;

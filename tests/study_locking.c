@@ -26,6 +26,7 @@ static struct study_locking *measured(const char *folder)
 {
     struct exhibit_options options = {.folder = folder,
                                       .quick = true,
+                                      .repeats = 1,
                                       .value_count = STUDY_LOCKING_PROTOTYPES,
                                       .value = study_locking_thickness};
     struct study_locking *s = NULL;

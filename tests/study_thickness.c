@@ -30,7 +30,7 @@ static double number(const char *text, const char *label, int column)
 static void test_degree(void)
 {
     const struct exhibit *e = &study_thickness_degree_exhibit;
-    const struct exhibit_options options = {.folder = folder, .quick = true};
+    const struct exhibit_options options = {.folder = folder, .quick = true, .repeats = 1};
     struct message why = {""};
     char *text = NULL;
     size_t size;
@@ -68,7 +68,7 @@ static void test_statics(void)
         .numerics = {"discretization.kinematics=linear", "discretization.points=[6,6]"},
         .count = 2,
         .levels = levels};
-    const struct exhibit_options options = {.folder = folder, .quick = true};
+    const struct exhibit_options options = {.folder = folder, .quick = true, .repeats = 1};
     struct message why = {""};
     struct study_result r;
 

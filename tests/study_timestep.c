@@ -98,7 +98,7 @@ static void prints(const char *folder)
 
 int main(int argc, char **argv)
 {
-    struct exhibit_options options = {.folder = argv[1], .quick = true};
+    struct exhibit_options options = {.folder = argv[1], .quick = true, .repeats = 1};
     struct study_timestep *s = NULL;
     struct message why = {""};
 

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# A sweep is killed with SIGKILL 50 times, at random moments, its whole process group at once,
-# and resumed each time: no case is lost, none is run again after it finished, and the table
-# is that of an undisturbed sweep, bit for bit.
-#   sweep_kill.sh PROGRAM FOLDER
+# A sweep is killed with SIGKILL again and again, at random moments, its whole process group at
+# once, and resumed each time: no case is lost, none is run again after it finished, and the
+# table is that of an undisturbed sweep, bit for bit.
+#   sweep_kill.sh PROGRAM FOLDER KILLS CASES       CASES: a multiple of 12
 program=$1
 folder=$2
 # shellcheck source=tests/sweep_fixture.sh
 . "$(dirname "$0")/sweep_fixture.sh"
-kills=50
-cases=96
+kills=$3
+cases=$4
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder" || exit 1
@@ -29,7 +29,7 @@ check_end() {
     cmp whole/table.csv killed/table.csv || fail 'the tables differ'
     [ "$(wc -l <killed/table.csv)" -eq $((cases + 1)) ] || fail "not $cases rows"
     [ -z "$(find killed -name '*.part')" ] || fail 'left behind: a half-written file'
-    awk -v cases=$cases '
+    awk -v cases="$cases" '
         $1 == "start" && ended[$2] { print "case", $2, "is run again"; bad = 1 }
         $1 == "start" { started[$2]++; lives++ }
         $1 == "end" { ended[$2] = 1 }
@@ -68,7 +68,7 @@ live() {
 starts=0 sweeps=0 killed=0
 while ((killed < kills && failures == 0)); do
     live
-    if [ -e killed/table.csv ]; then # on a fast machine it comes to its end before 50
+    if [ -e killed/table.csv ]; then # on a fast machine it comes to its end before
         check_end
         rm -rf killed
         : >ids

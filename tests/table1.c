@@ -101,7 +101,7 @@ int main(int argc, char **argv)
 
     REQUIRE(argc == 2);
     folder = argv[1];
-    struct exhibit_options options = {.folder = folder, .quick = true};
+    struct exhibit_options options = {.folder = folder, .quick = true, .repeats = 1};
     REQUIRE(folder_make(folder, &why) == STATUS_OK);
     if (table1_measure(&options, &why) != STATUS_OK) {
         printf("%s\n", why.text);

@@ -1,6 +1,6 @@
 #include "fem_ref/freefem.h"
-#include "fem_ref/freefem_process.h"
 #include "fem_ref/kirchhoff_field.h"
+#include "fem_ref/program.h"
 #include "fem_ref/reference.h"
 #include "models/grid.h"
 
@@ -176,6 +176,10 @@ out:
 
 /* ------------------------------------------------------------------ running --------- */
 
+/* Debian's FreeFEM looks for plug-ins under another version's path: tell it. */
+static const char *const setting[] = {"FF_LOADPATH=/usr/lib/freefem++;./",
+                                      "FF_INCLUDEPATH=/usr/include/freefem++/idp;;", NULL};
+
 /* Room for one `-key value` of the script each. */
 struct arguments {
     char text[7][32];
@@ -197,20 +201,25 @@ enum status freefem_run(const struct freefem_job *job, const char *script,
 {
     enum status st;
     struct freefem_field f;
-    struct freefem_process_folder folder = {0};
+    struct program_folder folder = {0};
     struct arguments a;
+    char out[512];
 
     if (!program)
         program = "FreeFem++";
-    TRY(freefem_process_open(&folder, why));
+    TRY(program_open(&folder, why));
+    snprintf(out, sizeof out, "%s/field.csv", folder.path);
     write_arguments(job, &a);
     const char *argument[] = {program,    "-nw",      "-v",         "0",        script,
-                              "-out",     folder.out, "-thickness", a.text[0],  "-young",
+                              "-out",     out,        "-thickness", a.text[0],  "-young",
                               a.text[1],  "-poisson", a.text[2],    "-density", a.text[3],
                               "-gravity", a.text[4],  "-cells",     a.text[5],  "-steps",
                               a.text[6],  NULL};
-    TRY(freefem_process_run(&folder, argument, why));
-    st = freefem_read(folder.out, &f, why);
+    TRY(program_run(
+        &folder,
+        &(struct program){argument, setting, "freefem++ libfreefem++ libfreefem++-dev"},
+        why));
+    st = freefem_read(out, &f, why);
     if (st == STATUS_OK && (f.times > 1) != (job->steps > 0))
         st = status_fail(why, STATUS_LIBRARY, "%s gave another kind of field", program);
     if (st == STATUS_INPUT || st == STATUS_FILE) /* its output is not the user's input */
@@ -220,7 +229,7 @@ enum status freefem_run(const struct freefem_job *job, const char *script,
              job->cells, job->cells, job->steps);
     *field = f;
 out:
-    freefem_process_close(&folder);
+    program_close(&folder);
     return st;
 }
 

@@ -48,8 +48,11 @@ enum status freefem_stored(const struct freefem_job *job, const char *path,
                            struct freefem_field *field, struct message *why);
 
 /* Runs `program` (NULL: FreeFem++ from the PATH) on the script, one thread, without a
- * shell, in a temporary folder of TMPDIR. Checks the exit code and then the field.
- * STATUS_UNSUPPORTED if there is no such program, STATUS_LIBRARY if it failed. */
+ * shell, in a temporary folder of TMPDIR; `script` and program by whole paths. Checks the
+ * exit code (FreeFEM's: 0 done, also after a singular matrix or for want of memory; 1 a
+ * mistake in the script, 2 a missing plug-in, 3 the script's own, 8 an assertion, 134 a
+ * missing file) and then the field. STATUS_UNSUPPORTED if there is no such program,
+ * STATUS_LIBRARY if it failed. */
 enum status freefem_run(const struct freefem_job *job, const char *script,
                         const char *program, struct freefem_field *field,
                         struct message *why);

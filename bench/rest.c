@@ -73,8 +73,41 @@ out:
     return st;
 }
 
+/* A mode that grows has no frequency: its rate is told with the sign of omega (model.h). */
+static void add_mode(struct table *t, const struct scene *scene, int n, double omega)
+{
+    double L = scene->length, mass = scene->density * scene->thickness;
+    double unit = L * L * sqrt(mass / scene_bending_stiffness(scene));
+
+    table_row(t);
+    table_integer(t, n);
+    table_number(t, omega, 9);
+    if (omega < 0)
+        table_text(t, "unstable");
+    else
+        table_number(t, omega / two_pi, 9);
+    table_number(t, omega * unit, 9);
+}
+
+static void add_notes(struct table *t, bool settled, int count, const double *omega)
+{
+    int unstable = 0;
+
+    while (unstable < count && omega[unstable] < 0)
+        unstable++;
+    table_note(t, "lambda = omega L^2 sqrt(rho h / D), D = E h^3 / 12 (1 - nu^2).");
+    if (unstable)
+        table_note(t,
+                   "The equilibrium is unstable: %d of these modes grow%s, as exp(-omega "
+                   "t).",
+                   unstable, unstable == 1 ? "s" : "");
+    else if (settled)
+        table_note(t, "The equilibrium is stable: no mode grows.");
+}
+
 enum status rest_modes(const struct scene *scene, const struct model *model, void *state,
-                       int count, enum table_format format, FILE *file, struct message *why)
+                       int count, bool settled, enum table_format format, FILE *file,
+                       struct message *why)
 {
     static const struct table_column columns[] = {{"mode", NULL, TABLE_RIGHT},
                                                   {"omega", "rad/s", TABLE_RIGHT},
@@ -82,23 +115,22 @@ enum status rest_modes(const struct scene *scene, const struct model *model, voi
                                                   {"lambda", "1", TABLE_RIGHT}};
     enum status st = STATUS_OK;
     double *omega = malloc((size_t)count * sizeof *omega);
-    double L = scene->length, mass = scene->density * scene->thickness;
+    struct counters counters = {0};
     struct table *t = NULL;
 
     if (!omega)
         return STATUS_MEMORY;
-    if (!model->modes)
+    if (!model->modes || (settled && !model->equilibrium))
         TRY(status_fail(why, STATUS_UNSUPPORTED, "%s has no --modes", model->name));
+    if (settled)
+        TRY(model->equilibrium(state, &counters, why));
     TRY(model->modes(state, count, omega, why));
-    t = table_create(4, columns, "Natural frequencies about the rest shape");
-    for (int n = 0; n < count; n++) {
-        table_row(t);
-        table_integer(t, n + 1);
-        table_number(t, omega[n], 9);
-        table_number(t, omega[n] / two_pi, 9);
-        table_number(t, omega[n] * L * L * sqrt(mass / scene_bending_stiffness(scene)), 9);
-    }
-    table_note(t, "lambda = omega L^2 sqrt(rho h / D), D = E h^3 / 12 (1 - nu^2).");
+    t = table_create(4, columns,
+                     settled ? "Natural frequencies about static equilibrium"
+                             : "Natural frequencies about the rest shape");
+    for (int n = 0; n < count; n++)
+        add_mode(t, scene, n + 1, omega[n]);
+    add_notes(t, settled, count, omega);
     TRY(table_print(t, format, file));
 out:
     table_destroy(t);

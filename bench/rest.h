@@ -1,4 +1,4 @@
-/* rest.h - what is asked of a rest shape: static equilibrium and natural frequencies. */
+/* rest.h - what needs no time: static equilibrium and natural frequencies. */
 #ifndef REST_H
 #define REST_H
 
@@ -10,8 +10,11 @@
 enum status rest_static(const struct scene *scene, const struct model *model, void *state,
                         enum table_format format, FILE *file, struct message *why);
 
-/* Prints the `count` lowest frequencies. STATUS_UNSUPPORTED with a sentence. */
+/* Prints the `count` lowest frequencies about the rest shape or, if `settled`, about static
+ * equilibrium, to which the state is moved (nonlinear kinematics). STATUS_UNSUPPORTED with
+ * a sentence. */
 enum status rest_modes(const struct scene *scene, const struct model *model, void *state,
-                       int count, enum table_format format, FILE *file, struct message *why);
+                       int count, bool settled, enum table_format format, FILE *file,
+                       struct message *why);
 
 #endif

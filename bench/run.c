@@ -19,6 +19,7 @@ enum { MODES_MOST = 1000 };
 
 struct run {
     enum task task;
+    bool settled; /* modes are those about static equilibrium */
     bool quiet;
     long mode_count;
     long every; /* frames: which of them a file keeps */
@@ -46,8 +47,7 @@ static enum status read_options(struct run *r, const struct command_line *line,
     if (command_given(line, "--static"))
         r->task = TASK_STATIC;
     if (command_given(line, "--modes")) {
-        if (r->task == TASK_STATIC)
-            TRY(status_fail(why, STATUS_INPUT, "--static and --modes: one at a time"));
+        r->settled = r->task == TASK_STATIC;
         r->task = TASK_MODES;
         TRY(command_integer(line, "--modes", 1, MODES_MOST, &r->mode_count, why));
     }
@@ -92,6 +92,11 @@ static enum status read_scene(struct run *r, const struct command_line *line,
         settings[count++] = set[n];
     TRY(scene_file_find(line->words[0], &path, why));
     TRY(scene_file_read(path, count, settings, &r->scene, &r->discretization, why));
+    if (r->settled && r->discretization.kinematics != KINEMATICS_NONLINEAR)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "--static --modes: modes about static equilibrium need "
+                        "discretization.kinematics=nonlinear; linear ones are those of the "
+                        "rest shape, --modes alone"));
 out:
     free(settings);
     free(path);
@@ -192,8 +197,8 @@ static enum status run_task(struct run *r, struct message *why)
     case TASK_STATIC:
         return run_static(r, why);
     case TASK_MODES:
-        return rest_modes(&r->scene, r->model, r->state, (int)r->mode_count, r->format,
-                          stdout, why);
+        return rest_modes(&r->scene, r->model, r->state, (int)r->mode_count, r->settled,
+                          r->format, stdout, why);
     case TASK_MOTION:
         break;
     }
@@ -233,8 +238,13 @@ static const struct command_option options[] = {
      "discretization (discretization.points=[20,20,2],\n"
      ".degree=[3,3,1], .kinematics=linear|printed|incremental|nonlinear);\n"
      "all keys: clothbench help scene"},
-    {"--static", NULL, false, "static equilibrium instead of motion (linear kinematics)"},
-    {"--modes", "N", false, "the N lowest natural frequencies instead of motion"},
+    {"--static", NULL, false,
+     "static equilibrium instead of motion; of solids linear\n"
+     "unless discretization.kinematics=nonlinear is set"},
+    {"--modes", "N", false,
+     "the N lowest natural frequencies instead of motion:\n"
+     "about the rest shape, or with --static about nonlinear\n"
+     "static equilibrium, and whether that is stable"},
     {"--format", "FORMAT", false,
      "of the table of --static or --modes: text, csv,\nmarkdown or latex"},
     {"--probe", "U,V,W", true,
@@ -269,6 +279,7 @@ const struct command run_command = {
         "run cantilever --static --set discretization.degree=[3,3,2]"
         " --set discretization.points=[10,10,3]\n"
         "run cantilever --modes 4 --format csv\n"
+        "run cantilever --model shell --static --modes 3 --set gravity=[0,-9.81,0]\n"
         "run cantilever --static --matrices matrices\n",
     .least = 1,
     .most = 1,

@@ -86,14 +86,18 @@ struct model {
     void (*contact)(const void *state, struct model_contact *contact);
 
     /* optional: the control points of a sheet that does not go through them, present
-     * positions into xyz[nodes][3], numbered as for `matrices`. In scenes with obstacles. */
+     * positions into xyz[nodes][3], numbered as for `matrices`. In scenes with obstacles.
+     */
     void (*net)(const void *state, double *xyz);
 
     /* optional: moves the state to static equilibrium under the scene's loads. */
     enum status (*equilibrium)(void *state, struct counters *counters, struct message *why);
 
-    /* optional: the `count` lowest angular frequencies [rad/s], ascending, about the rest
-     * shape. Zero modes of an unsupported sheet come first. */
+    /* optional: the `count` lowest angular frequencies [rad/s], ascending: about the shape
+     * that `equilibrium` left, under its stress, where kinematics are nonlinear and no step
+     * has been taken since; else about the rest shape, where zero modes of an unsupported
+     * sheet come first. An equilibrium that is not stable has modes that grow as exp(s t):
+     * they are told as -s, before all others. */
     enum status (*modes)(void *state, int count, double *omega, struct message *why);
 
     /* optional: K and M of the rest shape, all 3*nodes rows, control-point unknowns,

@@ -78,8 +78,10 @@ enum status shell_rest_modes(struct shell_motion *m, int count, double *omega,
                              struct message *why)
 {
     double(*K)[9];
-    enum status st = make_stiffness(m, &K);
 
+    if (m->large.rested)
+        return large_rest_modes(&m->large, count, omega, why);
+    enum status st = make_stiffness(m, &K);
     if (st == STATUS_OK)
         st = pencil_modes(
             &(struct pencil){&m->assembly.graph, (const double(*)[9])K, m->assembly.M},

@@ -11,7 +11,7 @@
 enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *counters,
                                    struct message *why);
 
-/* model.h's modes and matrices, about the rest shape. */
+/* model.h's modes, and its matrices, of the rest shape. */
 enum status shell_rest_modes(struct shell_motion *m, int count, double *omega,
                              struct message *why);
 enum status shell_rest_matrices(const struct shell_motion *m, struct matrix *K,

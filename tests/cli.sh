@@ -130,7 +130,7 @@ refused 'no option -x' run edge_drop -x
 refused '--model needs a value' run edge_drop --model
 refused '--model is given twice' run edge_drop --model iga --model iga
 refused '--static takes no value' run edge_drop --static=yes
-refused 'one at a time' run edge_drop --static --modes 3
+refused 'kinematics=nonlinear' run edge_drop --static --modes 3
 refused 'whole number from 1' run edge_drop --modes 0
 refused 'whole number from 1' run edge_drop --modes many
 refused 'modes: 1 to 540' run edge_drop --modes 541 --quiet
@@ -197,7 +197,11 @@ good run cantilever --static --quiet --probe 1,0.5,0.5
 [ "$(wc -l <out)" -eq 2 ] || fail "--static --probe prints $out"
 good run cantilever --modes 3 --quiet --format csv
 [ "$(grep -c '^[1-9]' out)" -eq 3 ] || fail "--modes 3 prints $out"
-says out lambda frequency
+says out lambda frequency 'about the rest shape'
+good run cantilever --model shell --static --modes 2 --set gravity=[0,-9.81,0] --quiet
+says out 'about static equilibrium' unstable '1 of these modes grows'
+good run cantilever --model shell --static --modes 2 --set gravity=[0,-1,0] --quiet
+says out 'no mode grows'
 
 # --- files ------------------------------------------------------------------------------
 good run edge_drop "${short[@]}" --out kept.h5 --matrices matrices

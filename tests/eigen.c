@@ -17,6 +17,8 @@
 struct net {
     int n, m;
     bool held, consistent; /* consistent: mass (1/6, 2/3, 1/6), held chains only */
+    double below;          /* this many masses are taken off the stiffness: a net that is
+                              about to buckle has negative eigenvalues */
 };
 
 struct system {
@@ -51,6 +53,8 @@ static struct system make(const struct net *net)
         }
     }
     s.start[s.n] = end;
+    for (int e = 0; e < end; e++)
+        s.k[e] -= net->below * s.mass[e];
     return s;
 }
 
@@ -80,7 +84,8 @@ static double *closed_form(const struct net *net)
             double sum = 4.0 * pow(sin(0.5 * a), 2);
             if (net->m > 1)
                 sum += 4.0 * pow(sin(0.5 * b), 2);
-            lambda[i * net->m + j] = net->consistent ? 3.0 * sum / (2.0 + cos(a)) : sum;
+            lambda[i * net->m + j] =
+                (net->consistent ? 3.0 * sum / (2.0 + cos(a)) : sum) - net->below;
         }
     qsort(lambda, net->n * net->m, sizeof *lambda, ascending);
     return lambda;
@@ -178,6 +183,9 @@ int main(void)
     check_net(&(struct net){.n = over, .m = 1, .held = true, .consistent = true}, 12);
     check_net(&(struct net){.n = 53, .m = 41, .held = true}, 20);
     check_net(&(struct net){.n = 61, .m = 40}, 20);
+    check_net(&(struct net){.n = 40, .m = 1, .held = true, .below = 0.1}, 8);
+    check_net(&(struct net){.n = over, .m = 1, .held = true, .below = 1e-3}, 24);
+    check_net(&(struct net){.n = 53, .m = 41, .held = true, .below = 0.5}, 20);
     check_refusal(20);
     check_refusal(over);
     return check_result();

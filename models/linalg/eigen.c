@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <lapacke.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -80,16 +81,21 @@ static void multiply(const struct eigen_matrix *a, const double *x, double *y)
         }
 }
 
-/* Sum of the diagonal; -1 if a number on it is not positive, as no mass is. */
-static double positive_trace(const struct eigen_matrix *a)
+/* Sum of the diagonal's magnitudes. */
+static double magnitude(const struct eigen_matrix *a)
 {
     double sum = 0.0;
-    for (int j = 0; j < a->n; j++) {
-        if (!(a->value[a->start[j]] > 0.0))
-            return -1.0;
-        sum += a->value[a->start[j]];
-    }
+    for (int j = 0; j < a->n; j++)
+        sum += fabs(a->value[a->start[j]]);
     return sum;
+}
+
+static bool positive_diagonal(const struct eigen_matrix *a)
+{
+    for (int j = 0; j < a->n; j++)
+        if (!(a->value[a->start[j]] > 0.0))
+            return false;
+    return true;
 }
 
 /* The union of two patterns. start[n + 1]; row has room for both. */
@@ -119,34 +125,63 @@ static void add_values(const struct eigen_matrix *a, double scale, struct factor
             value[factor_slot(f, a->row[s], j)] += scale * a->value[s];
 }
 
-/* Factors K - sigma M for the smallest -sigma that leaves it positive definite. */
-static enum status factor_shifted(const struct eigen_matrix *K,
-                                  const struct eigen_matrix *M, double *sigma,
-                                  struct factor **f, struct message *why)
+struct shifting {
+    const struct eigen_matrix *K, *M;
+    double mean; /* |k_ii| / m_ii */
+    struct factor *f;
+};
+
+/* Factors K + part mean M. */
+static enum status factor_at(const struct shifting *s, double part)
+{
+    factor_clear_values(s->f);
+    add_values(s->K, 1.0, s->f);
+    add_values(s->M, part * s->mean, s->f);
+    return factor_refactor(s->f);
+}
+
+/* Factors K - sigma M for the smallest -sigma that leaves it positive definite: a
+ * hundredfold by steps, and closer where lambdas are negative, as modes far above the shift
+ * converge slowly. */
+static enum status factor_shifted(const struct shifting *s, double *sigma,
+                                  struct message *why)
+{
+    const double first = 1e-12, most = 1e4, close = 3;
+    double part = first, below = 0;
+    enum status st = factor_at(s, part);
+
+    for (; st == STATUS_INDEFINITE && part < most; part *= 100, st = factor_at(s, part))
+        below = part;
+    while (st == STATUS_OK && below > 0 && part / below > close) {
+        double between = sqrt(part * below);
+        st = factor_at(s, between);
+        *(st == STATUS_OK ? &part : &below) = between;
+        if (st == STATUS_INDEFINITE)
+            st = factor_at(s, part);
+    }
+    *sigma = -part * s->mean;
+    if (st != STATUS_OK)
+        status_fail(why, st, "eigenvalues: no shift makes stiffness and mass definite");
+    return st;
+}
+
+static enum status shifting_init(const struct eigen_matrix *K, const struct eigen_matrix *M,
+                                 struct shifting *s, struct message *why)
 {
     enum status st = STATUS_MEMORY;
-    const double least = 1e-12, most = 1e-3; /* of the mean lambda */
-    double mean = positive_trace(K) / positive_trace(M);
-    if (!(mean > 0.0))
+
+    *s = (struct shifting){K, M, magnitude(K) / magnitude(M), NULL};
+    if (!positive_diagonal(M) || !(s->mean > 0.0))
         return status_fail(why, STATUS_INDEFINITE,
-                           "eigenvalues: a diagonal entry is not positive");
+                           "eigenvalues: a mass on the diagonal is not positive, or no "
+                           "stiffness is there");
     long *start = malloc((K->n + 1) * sizeof *start);
     int *row = malloc((K->start[K->n] + M->start[M->n]) * sizeof *row);
     if (!start || !row)
         goto out;
     merge_patterns(K, M, start, row);
-    struct factor_pattern pattern = {.n = K->n, .start = start, .row = row};
-    TRY(factor_create(&pattern, SOLVER_AUTO, f));
-    st = STATUS_INDEFINITE;
-    for (double part = least; part < most && st == STATUS_INDEFINITE; part *= 100.0) {
-        *sigma = -part * mean;
-        factor_clear_values(*f);
-        add_values(K, 1.0, *f);
-        add_values(M, -*sigma, *f);
-        st = factor_refactor(*f);
-    }
-    if (st != STATUS_OK)
-        status_fail(why, st, "eigenvalues: stiffness or mass is not positive definite");
+    st = factor_create(&(struct factor_pattern){.n = K->n, .start = start, .row = row},
+                       SOLVER_AUTO, &s->f);
 out:
     free(start);
     free(row);
@@ -241,16 +276,17 @@ static enum status lowest_sparse(const struct eigen_matrix *K, const struct eige
                                  struct message *why)
 {
     enum status st;
-    struct factor *f = NULL;
+    struct shifting s = {0};
     struct lanczos l = {0};
     double sigma = 0.0;
-    TRY(factor_shifted(K, M, &sigma, &f, why));
+    TRY(shifting_init(K, M, &s, why));
+    TRY(factor_shifted(&s, &sigma, why));
     TRY(lanczos_init(&l, K->n, count));
-    TRY(lanczos_run(&l, M, f, why));
+    TRY(lanczos_run(&l, M, s.f, why));
     TRY(lanczos_take(&l, sigma, lambda, vector, why));
 out:
     lanczos_clear(&l);
-    factor_destroy(f);
+    factor_destroy(s.f);
     return st;
 }
 

@@ -135,6 +135,7 @@ enum status large_motion_step(struct large_motion *m, double time,
     int done = 0;
 
     memset(m->push, 0, sizeof m->push);
+    m->rested = false;
     if (!m->started) {
         if (m->supports->moving) {
             struct newmark_held held =

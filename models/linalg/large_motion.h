@@ -87,6 +87,7 @@ struct large_motion {
     double factored;    /* mass factor of the tangent that is factored; -1: none       */
     bool stressless;    /* this equation's tangents leave out the stress               */
     bool started;       /* strain_old belongs to x                                     */
+    bool rested;        /* x is an equilibrium (large_rest.h)                          */
     int halvings;       /* the present substep is step / 2^halvings                    */
     double push[3];     /* of obstacles, mean over the last step                 [N]   */
 };

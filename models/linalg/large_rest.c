@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "models/linalg/large_newton.h"
+#include "models/linalg/pencil.h"
 
 static const struct large_path statics = {.s1 = 1, .g1 = 1};
 
@@ -18,7 +19,7 @@ static void begin(struct large_motion *m)
     memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
     memcpy(m->x, m->rest, count * sizeof *m->x);
     supports_shift(m->supports, m->scene, 0, m->held);
-    m->started = false;
+    m->started = m->rested = false;
     m->factored = -1;
     m->halvings = 0;
 }
@@ -116,5 +117,19 @@ enum status large_rest_equilibrium(struct large_motion *m, struct counters *coun
                     "leave the sheet free to move");
     else if (status_is_death(st))
         status_fail(why, st, "static equilibrium not found: %s", status_text(st));
+    m->rested = st == STATUS_OK;
+    return st;
+}
+
+enum status large_rest_modes(struct large_motion *m, int count, double *omega,
+                             struct message *why)
+{
+    enum status st;
+    const struct pencil p = {m->graph, (const double(*)[9])m->K, m->M, .stressed = true};
+
+    m->factored = -1;
+    TRY(m->body.tangent(m->body.self, &statics, m->x, (struct large_foresight){0}, m->K));
+    TRY(pencil_modes(&p, m->supports, NULL, count, omega, why));
+out:
     return st;
 }

@@ -11,4 +11,8 @@
 enum status large_rest_equilibrium(struct large_motion *m, struct counters *counters,
                                    struct message *why);
 
+/* model.h's modes about m->x: of its tangent, stress and all. */
+enum status large_rest_modes(struct large_motion *m, int count, double *omega,
+                             struct message *why);
+
 #endif

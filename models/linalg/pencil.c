@@ -26,8 +26,8 @@ enum status pencil_modes(const struct pencil *p, const struct supports *held,
     K.start = start[0], K.row = row[0], K.value = value[0];
     M.start = start[1], M.row = row[1], M.value = value[1];
     TRY(eigen_lowest(&K, &M, count, omega, NULL, why));
-    for (int n = 0; n < count; n++) /* a zero mode's eigenvalue is round-off of any sign */
-        omega[n] = omega[n] > 0 ? sqrt(omega[n]) : 0;
+    for (int n = 0; n < count; n++)
+        omega[n] = omega[n] > 0 ? sqrt(omega[n]) : p->stressed ? -sqrt(-omega[n]) : 0;
 out:
     for (int n = 0; n < 2; n++) {
         free(start[n]);

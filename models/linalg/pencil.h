@@ -12,10 +12,12 @@ struct pencil {
     const struct blocks *graph;
     const double (*K)[9]; /* [pairs] (blocks.h)                                        */
     const double *M;      /* [pairs]                                                   */
-}; /* all borrowed */
+    bool stressed;        /* K may be indefinite; else negative eigenvalues are round-off */
+};                        /* all borrowed */
 
-/* The `count` lowest angular frequencies [rad/s], ascending, of the free unknowns; parity as
- * in system.h. STATUS_INPUT: there are not so many; the codes of eigen_lowest. */
+/* The `count` lowest angular frequencies [rad/s], ascending, of the free unknowns; parity
+ * as in system.h. -s for a mode that grows as exp(s t), if stressed. STATUS_INPUT: there
+ * are not so many; the codes of eigen_lowest. */
 enum status pencil_modes(const struct pencil *p, const struct supports *held,
                          const unsigned char *parity, int count, double *omega,
                          struct message *why);

@@ -87,6 +87,17 @@ enum status solid_large_equilibrium(struct solid_motion *m, struct counters *cou
     return large_rest_equilibrium(&m->large->motion, counters, why);
 }
 
+enum status solid_large_modes(struct solid_motion *m, int count, double *omega,
+                              struct message *why)
+{
+    return large_rest_modes(&m->large->motion, count, omega, why);
+}
+
+bool solid_large_rested(const struct solid_motion *m)
+{
+    return m->large->motion.rested;
+}
+
 void solid_large_contact(const struct solid_motion *m, struct model_contact *contact)
 {
     large_motion_contact(&m->large->motion, contact);

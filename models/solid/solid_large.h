@@ -20,6 +20,11 @@ void solid_large_contact(const struct solid_motion *m, struct model_contact *con
 /* large_rest.h */
 enum status solid_large_equilibrium(struct solid_motion *m, struct counters *counters,
                                     struct message *why);
+enum status solid_large_modes(struct solid_motion *m, int count, double *omega,
+                              struct message *why);
+
+/* Whether x is an equilibrium that solid_large_equilibrium found. */
+bool solid_large_rested(const struct solid_motion *m);
 
 /* Elastic energy of the present shape [J]; NaN if it has none. */
 double solid_large_energy(const struct solid_motion *m);

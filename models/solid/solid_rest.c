@@ -85,6 +85,8 @@ enum status solid_rest_modes(struct solid_motion *m, int count, double *omega,
 {
     const struct pencil p = pencil_of(m);
 
+    if (m->large && solid_large_rested(m))
+        return solid_large_modes(m, count, omega, why);
     return pencil_modes(&p, &m->supports, m->system.parity, count, omega, why);
 }
 

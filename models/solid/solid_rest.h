@@ -1,5 +1,5 @@
-/* solid_rest.h - what is asked of a solid about its rest shape: static equilibrium, natural
- * frequencies, the matrices themselves. All linear.
+/* solid_rest.h - what needs no time: static equilibrium, natural frequencies, and the
+ * matrices of the rest shape.
  */
 #ifndef SOLID_REST_H
 #define SOLID_REST_H
@@ -12,7 +12,7 @@
 enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *counters,
                                    struct message *why);
 
-/* The `count` lowest angular frequencies [rad/s], ascending. */
+/* The `count` lowest angular frequencies [rad/s], ascending, as model.h has it. */
 enum status solid_rest_modes(struct solid_motion *m, int count, double *omega,
                              struct message *why);
 

@@ -198,9 +198,9 @@ good run cantilever --static --quiet --probe 1,0.5,0.5
 good run cantilever --modes 3 --quiet --format csv
 [ "$(grep -c '^[1-9]' out)" -eq 3 ] || fail "--modes 3 prints $out"
 says out lambda frequency 'about the rest shape'
-good run cantilever --model shell --static --modes 2 --set gravity=[0,-9.81,0] --quiet
+good run cantilever --model shell --static --modes 2 --set 'gravity=[0,-9.81,0]' --quiet
 says out 'about static equilibrium' unstable '1 of these modes grows'
-good run cantilever --model shell --static --modes 2 --set gravity=[0,-1,0] --quiet
+good run cantilever --model shell --static --modes 2 --set 'gravity=[0,-1,0]' --quiet
 says out 'no mode grows'
 
 # --- files ------------------------------------------------------------------------------

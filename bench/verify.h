@@ -138,6 +138,12 @@ enum status verify_equilibrium(struct verify_row *row, const struct verify_subje
                                const double *uvw, double *xyz, bool *lived,
                                struct message *why);
 
+/* The `count` lowest angular frequencies about the rest shape into omega[] [rad/s]; *lived
+ * as above. */
+enum status verify_modes(struct verify_row *row, const struct verify_subject *subject,
+                         const char *scene, const char *const *settings, int count,
+                         double *omega, bool *lived, struct message *why);
+
 /* Motion from the scene's start: the same points at time[times] (multiples of the scene's
  * step, increasing) into xyz[times][n][3]. */
 enum status verify_motion(struct verify_row *row, const struct verify_subject *subject,

@@ -1,9 +1,10 @@
 #include "bench/verify.h"
 
+extern const struct verify_check verify_cantilever;
 extern const struct verify_check verify_elastica;
 
 /* Statics first, then motions, frequencies, and what outside programs computed. */
-#define CHECKS(X) X(verify_elastica)
+#define CHECKS(X) X(verify_elastica) X(verify_cantilever)
 
 #define CHECK_ADDRESS(name) &name,
 const struct verify_check *const verify_checks[] = {CHECKS(CHECK_ADDRESS) NULL};

@@ -26,6 +26,20 @@ static int settings_of(const struct verify_subject *subject, const char *const *
     return count;
 }
 
+/* What a model's status means for the row; an error if it is neither a refusal nor a death.
+ */
+static enum status tell(struct verify_row *row, const struct verify_subject *subject,
+                        enum status st, const struct message *sentence, struct message *why)
+{
+    if (st == STATUS_UNSUPPORTED)
+        verify_not_applicable(row, "%s", sentence->text);
+    else if (status_is_death(st))
+        verify_died(row, "%s", *sentence->text ? sentence->text : status_text(st));
+    else if (st != STATUS_OK)
+        return status_fail(why, st, "%s: %s", subject->title, sentence->text);
+    return STATUS_OK;
+}
+
 enum status verify_open(struct verify_row *row, const struct verify_subject *subject,
                         const char *scene, const char *const *settings, struct trial *trial,
                         bool *ready, struct message *why)
@@ -41,14 +55,8 @@ enum status verify_open(struct verify_row *row, const struct verify_subject *sub
     int count = settings_of(subject, settings, text, all);
     st = trial_open(trial, path, count, all, subject->model, &sentence);
     row->seconds += trial->create_seconds;
-    if (st == STATUS_UNSUPPORTED)
-        verify_not_applicable(row, "%s", sentence.text);
-    else if (status_is_death(st))
-        verify_died(row, "%s", *sentence.text ? sentence.text : status_text(st));
-    else if (st != STATUS_OK)
-        TRY(status_fail(why, st, "%s: %s", subject->title, sentence.text));
     *ready = st == STATUS_OK;
-    st = STATUS_OK;
+    TRY(tell(row, subject, st, &sentence, why));
 out:
     free(path);
     return st;
@@ -75,17 +83,36 @@ enum status verify_equilibrium(struct verify_row *row, const struct verify_subje
     double start = clock_now();
     st = trial.model->equilibrium(trial.state, &work, &sentence);
     row->seconds += clock_now() - start;
-    if (st == STATUS_UNSUPPORTED)
-        verify_not_applicable(row, "%s", sentence.text);
-    else if (status_is_death(st))
-        verify_died(row, "%s", *sentence.text ? sentence.text : status_text(st));
-    else if (st != STATUS_OK)
-        TRY(status_fail(why, st, "%s: %s", subject->title, sentence.text));
-    else {
+    *lived = st == STATUS_OK;
+    TRY(tell(row, subject, st, &sentence, why));
+    if (*lived)
         trial.model->probe(trial.state, n, uvw, xyz);
-        *lived = true;
+out:
+    trial_close(&trial);
+    return st;
+}
+
+enum status verify_modes(struct verify_row *row, const struct verify_subject *subject,
+                         const char *scene, const char *const *settings, int count,
+                         double *omega, bool *lived, struct message *why)
+{
+    enum status st;
+    struct trial trial = {0};
+    struct message sentence = {""};
+
+    TRY(verify_open(row, subject, scene, settings, &trial, lived, why));
+    if (!*lived)
+        goto out;
+    *lived = false;
+    if (!trial.model->modes) {
+        verify_not_applicable(row, "%s has no frequencies", trial.model->name);
+        goto out;
     }
-    st = STATUS_OK;
+    double start = clock_now();
+    st = trial.model->modes(trial.state, count, omega, &sentence);
+    row->seconds += clock_now() - start;
+    *lived = st == STATUS_OK;
+    TRY(tell(row, subject, st, &sentence, why));
 out:
     trial_close(&trial);
     return st;

@@ -41,22 +41,21 @@ static enum status residual(struct large_motion *m, const struct large_equation 
 }
 
 /* Factors the tangent. In statics mass is added to one that is not positive definite until
- * it is: a shorter step towards less energy. */
+ * it is: a shorter step towards less energy. No more than it takes: bending is softer than
+ * stretching by (h/L)^2, and what stops one hardly moves the other. */
 static enum status factor(struct large_motion *m, double mass, struct counters *counters)
 {
-    const struct blocks *g = m->graph;
+    enum { TRIES = 16 };
     const double(*K)[9] = (const double(*)[9])m->K;
-    double stiff = 0, heavy = 0, more = 0;
+    const struct scene *s = m->scene;
+    double more = scene_bending_stiffness(s) /
+                  (s->density * s->thickness * pow(s->length, 4)); /* some omega^2 */
     enum status st = system_factor(m->system, 1, K, mass, m->M);
 
     counters->factorisations++;
-    for (int a = 0; a < g->nodes && st == STATUS_INDEFINITE && mass == 0; a++) {
-        const double *k = K[g->start[a]];
-        stiff += fabs(k[0]) + fabs(k[4]) + fabs(k[8]);
-        heavy += 3 * m->M[g->start[a]];
-    }
-    for (int n = 0; n < 8 && st == STATUS_INDEFINITE && mass == 0; n++) {
-        more = more > 0 ? 8 * more : 1e-8 * stiff / heavy;
+    m->added = 0;
+    for (int n = 0; n < TRIES && st == STATUS_INDEFINITE && mass == 0; n++) {
+        m->added = more *= 10;
         st = system_factor(m->system, 1, K, more, m->M);
         counters->factorisations++;
     }
@@ -229,7 +228,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
     swap = i.d, i.d = i.next, i.next = swap;
     for (int n = 0; n < q->limit; n++) {
         counters->iterations++;
-        calm = i.size <= i.tolerance ? calm + 1 : 0;
+        calm = i.size <= i.tolerance && m->added == 0 ? calm + 1 : 0;
         if (calm > in_contact(m, q)) { /* what friction makes of a step shows in the next */
             for (size_t t = 0; t < count; t++)
                 x[t] += i.d[t];

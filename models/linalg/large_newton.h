@@ -28,7 +28,8 @@ struct large_equation {
 };
 
 /* x[nodes][3]: predictor on entry, with held unknowns where they shall be; solution on
- * return. Stops when a step is below 1e-7 of the sheet's length. STATUS_DIVERGED if that
+ * return. Stops when a step is below 1e-7 of the sheet's length and no mass had to be added
+ * to the tangent, which shortens steps where nothing is settled. STATUS_DIVERGED if that
  * takes too many iterations; the codes of body and factor. */
 enum status large_newton_solve(struct large_motion *m,
                                const struct large_equation *equation, double *x,

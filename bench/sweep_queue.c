@@ -69,7 +69,7 @@ static enum status start_work(struct work *w, struct sweep_queue *queue)
     w->busy = calloc((size_t)ranks, sizeof *w->busy);
     TRY(w->slots && w->busy ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < queue->jobs; n++)
-        TRY(sweep_slot_init(&w->slots[n]));
+        TRY(child_init(&w->slots[n].child));
     queue->hands = queue->jobs + ranks - 1;
     w->progress = progress_start("cases", w->todo, queue->quiet);
 out:
@@ -80,7 +80,7 @@ static void end_work(struct work *w)
 {
     progress_end(&w->progress);
     for (int n = 0; w->slots && n < w->queue->jobs; n++)
-        sweep_slot_clear(&w->slots[n]);
+        child_clear(&w->slots[n].child);
     free(w->slots);
     free(w->busy);
 }
@@ -94,7 +94,7 @@ static long take(struct work *w)
 }
 
 /* A case is over: its row is kept, the log has it. */
-static enum status settle(struct work *w, const struct sweep_slot_end *end,
+static enum status settle(struct work *w, long number, const struct child_end *end,
                           struct message *why)
 {
     struct sweep_queue *q = w->queue;
@@ -102,18 +102,18 @@ static enum status settle(struct work *w, const struct sweep_slot_end *end,
 
     w->running--;
     switch (end->outcome) {
-    case SWEEP_SLOT_ASKED:
+    case CHILD_ASKED:
         if (!stop_signal)
             stop_signal = SIGTERM;
         return STATUS_OK;
-    case SWEEP_SLOT_STUCK:
+    case CHILD_STUCK:
         return status_fail(why, STATUS_FILE, "%s", end->why.text);
-    case SWEEP_SLOT_FAILED:
-        TRY(sweep_folder_fail(q->folder, end->number, end->why.text, why));
-        TRY(sweep_folder_log(q->folder, "failed", end->number, why));
+    case CHILD_FAILED:
+        TRY(sweep_folder_fail(q->folder, number, end->why.text, why));
+        TRY(sweep_folder_log(q->folder, "failed", number, why));
         break;
-    case SWEEP_SLOT_DONE:
-        TRY(sweep_folder_log(q->folder, "end", end->number, why));
+    case CHILD_DONE:
+        TRY(sweep_folder_log(q->folder, "end", number, why));
         break;
     }
     q->ran++;
@@ -127,12 +127,12 @@ out:
 static enum status start_here(struct work *w, struct sweep_slot *slot, long number,
                               struct message *why)
 {
-    struct sweep_slot_end end = {.number = number, .outcome = SWEEP_SLOT_FAILED};
+    struct child_end end = {.outcome = CHILD_FAILED};
     enum status st =
         sweep_slot_start(slot, w->queue->plan, w->queue->folder, number, &end.why);
 
     if (st == STATUS_INPUT)
-        return settle(w, &end, why);
+        return settle(w, number, &end, why);
     return st ? status_fail(why, st, "%s", end.why.text) : st;
 }
 
@@ -145,7 +145,7 @@ static enum status hand_out(struct work *w, struct message *why)
 
     for (int n = 0; n < q->hands; n++) {
         const int rank = n - q->jobs + 1; /* of others: 1, 2, ... */
-        if (rank < 1 ? w->slots[n].pid != 0 : w->busy[rank])
+        if (rank < 1 ? w->slots[n].child.pid != 0 : w->busy[rank])
             continue;
         if ((number = take(w)) < 0)
             break;
@@ -170,24 +170,24 @@ static enum status gather(struct work *w, bool *some, struct message *why)
     const struct sweep_queue *q = w->queue;
     enum status st = STATUS_OK;
     struct ranks_message message;
-    struct sweep_slot_end end;
+    struct child_end end;
     int from;
 
     *some = false;
     for (int n = 0; n < q->jobs; n++)
-        if (w->slots[n].pid && sweep_slot_poll(&w->slots[n], q->plan->time_limit, &end)) {
+        if (w->slots[n].child.pid &&
+            child_poll(&w->slots[n].child, q->plan->time_limit, &end)) {
             *some = true;
-            TRY(settle(w, &end, why));
+            TRY(settle(w, w->slots[n].number, &end, why));
         }
     while (q->ranks && q->ranks->receive(&from, &message)) {
         assert(message.kind == MESSAGE_END);
         *some = true;
         w->busy[from] = false;
-        end = (struct sweep_slot_end){.number = message.number,
-                                      .outcome = (enum sweep_slot_outcome)message.code,
-                                      .seconds = message.seconds,
-                                      .why = message.text};
-        TRY(settle(w, &end, why));
+        end = (struct child_end){.outcome = (enum child_outcome)message.code,
+                                 .seconds = message.seconds,
+                                 .why = message.text};
+        TRY(settle(w, message.number, &end, why));
     }
 out:
     return st;
@@ -231,11 +231,11 @@ struct server {
     struct sweep_slot slot;
 };
 
-static void answer(const struct server *s, const struct sweep_slot_end *end)
+static void answer(const struct server *s, long number, const struct child_end *end)
 {
     s->ranks->send(0, &(struct ranks_message){.kind = MESSAGE_END,
                                               .code = (int)end->outcome,
-                                              .number = end->number,
+                                              .number = number,
                                               .seconds = end->seconds,
                                               .text = end->why});
 }
@@ -244,7 +244,7 @@ static void answer(const struct server *s, const struct sweep_slot_end *end)
 static void serve_case(struct server *s, const char *plan_path,
                        const struct ranks_message *asked)
 {
-    struct sweep_slot_end end = {.number = asked->number, .outcome = SWEEP_SLOT_STUCK};
+    struct child_end end = {.outcome = CHILD_STUCK};
     enum status st = STATUS_OK;
 
     snprintf(s->folder.path, sizeof s->folder.path, "%.*s", SWEEP_FOLDER_PATH - 1,
@@ -253,10 +253,10 @@ static void serve_case(struct server *s, const char *plan_path,
         TRY(plan_read(plan_path, &s->plan, &end.why));
     st = sweep_slot_start(&s->slot, &s->plan, &s->folder, asked->number, &end.why);
     if (st == STATUS_INPUT)
-        end.outcome = SWEEP_SLOT_FAILED;
+        end.outcome = CHILD_FAILED;
 out:
     if (st != STATUS_OK)
-        answer(s, &end);
+        answer(s, asked->number, &end);
 }
 
 enum status sweep_queue_serve(const struct ranks *ranks, const char *plan_path,
@@ -265,24 +265,24 @@ enum status sweep_queue_serve(const struct ranks *ranks, const char *plan_path,
     struct server s = {.ranks = ranks, .folder = {.lock = -1, .log = -1}};
     struct sigaction old[STOP_SIGNALS];
     struct ranks_message message = {.kind = MESSAGE_CASE};
-    struct sweep_slot_end end;
+    struct child_end end;
     int from;
     enum status st;
 
     take_signals(old);
-    TRY(sweep_slot_init(&s.slot));
+    TRY(child_init(&s.slot.child));
     while (message.kind != MESSAGE_OVER && !stop_signal) {
         if (ranks->receive(&from, &message)) {
             if (message.kind == MESSAGE_CASE)
                 serve_case(&s, plan_path, &message);
-        } else if (s.slot.pid && sweep_slot_poll(&s.slot, s.plan.time_limit, &end)) {
-            answer(&s, &end);
+        } else if (s.slot.child.pid && child_poll(&s.slot.child, s.plan.time_limit, &end)) {
+            answer(&s, s.slot.number, &end);
         } else {
             rest();
         }
     }
 out:
-    sweep_slot_clear(&s.slot);
+    child_clear(&s.slot.child);
     plan_clear(&s.plan);
     give_back_signals(old);
     if (stop_signal && st == STATUS_OK)

@@ -1,0 +1,48 @@
+/* child.h - work in a process of its own, so that whatever it does ends there: a crash, a
+ * hang, a kill.
+ *
+ * The child works on one thread, leaves its results in files, and dies with its parent. The
+ * parent does not touch HDF5 meanwhile.
+ */
+#ifndef CHILD_H
+#define CHILD_H
+
+#include <stdbool.h>
+#include <sys/types.h>
+
+#include "models/status.h"
+
+enum child_outcome {
+    CHILD_DONE,   /* the work came to STATUS_OK                                        */
+    CHILD_FAILED, /* it did not, `why` says why                                        */
+    CHILD_STUCK,  /* a file could not be written, `why` says why: no use going on      */
+    CHILD_ASKED,  /* it was asked to end (SIGINT, SIGTERM, SIGHUP)                     */
+};
+
+struct child_end {
+    enum child_outcome outcome;
+    bool overdue;   /* failed: it was killed because its time was over                 */
+    double seconds; /* of processor time                                               */
+    struct message why;
+};
+
+struct child {
+    pid_t pid;    /* 0: none runs                                                      */
+    double start; /* clock_now()                                                       */
+    bool overdue;
+    struct child_note *note; /* memory shared with the child                     owned */
+};
+
+enum status child_init(struct child *c);
+void child_clear(struct child *c); /* kills what runs; all-zero is allowed */
+
+/* Starts work(context) in a new process. STATUS_LIBRARY with a sentence: there is none to be
+ * had. */
+enum status child_start(struct child *c, enum status (*work)(void *, struct message *),
+                        void *context, struct message *why);
+
+/* Whether it has ended, and how; kills it when `time_limit` seconds are over. Does not
+ * wait. */
+bool child_poll(struct child *c, double time_limit, struct child_end *end);
+
+#endif

@@ -2,6 +2,7 @@
 #include "bench/child.h"
 
 #include <errno.h>
+#include <math.h>
 #include <omp.h>
 #include <signal.h>
 #include <stdio.h>
@@ -20,7 +21,27 @@
 struct child_note {
     enum status st;
     struct message why;
+    double reached;
+    int limit; /* of processor time [s]; 0: none                                       */
 };
+
+/* In a child: what it says. */
+static struct child_note *my_note;
+
+void child_reached(double how_far)
+{
+    if (my_note)
+        my_note->reached = how_far;
+}
+
+void child_limit(int seconds)
+{
+    const struct rlimit limit = {(rlim_t)seconds, (rlim_t)seconds + 1};
+
+    if (my_note)
+        my_note->limit = seconds;
+    setrlimit(RLIMIT_CPU, &limit);
+}
 
 enum status child_init(struct child *c)
 {
@@ -68,6 +89,7 @@ static void be_child(struct child *c, pid_t parent, const sigset_t *mask,
     aside_catch_signals();
     sigprocmask(SIG_SETMASK, mask, NULL);
     omp_set_num_threads(1);
+    my_note = c->note;
     c->note->st = work(context, &c->note->why);
     if (c->note->st != STATUS_OK && !*c->note->why.text)
         status_fail(&c->note->why, c->note->st, "%s", status_text(c->note->st));
@@ -82,6 +104,7 @@ enum status child_start(struct child *c, enum status (*work)(void *, struct mess
 
     memset(c->note, 0, sizeof *c->note);
     c->note->st = STATUS_LIBRARY;
+    c->note->reached = NAN;
     c->start = clock_now();
     c->overdue = false;
     sigfillset(&all); /* none may meet the parent's ways in the child */
@@ -129,13 +152,17 @@ bool child_poll(struct child *c, double time_limit, struct child_end *end)
     }
     if (pid != c->pid)
         return false;
-    *end = (struct child_end){.outcome = CHILD_FAILED};
+    *end = (struct child_end){.outcome = CHILD_FAILED, .reached = c->note->reached};
     end->seconds = (double)used.ru_utime.tv_sec + (double)used.ru_stime.tv_sec +
                    1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
     c->pid = 0;
     if (WIFSIGNALED(code) && c->overdue && WTERMSIG(code) == SIGKILL) {
         end->overdue = true;
         snprintf(end->why.text, sizeof end->why.text, "timed out after %g s", time_limit);
+    } else if (WIFSIGNALED(code) && WTERMSIG(code) == SIGXCPU && c->note->limit) {
+        end->overdue = true;
+        snprintf(end->why.text, sizeof end->why.text,
+                 "not done after %d s of processor time", c->note->limit);
     } else if (WIFSIGNALED(code)) {
         end->outcome = read_signal(WTERMSIG(code), &end->why);
     } else if (WEXITSTATUS(code)) {

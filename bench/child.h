@@ -23,6 +23,7 @@ struct child_end {
     enum child_outcome outcome;
     bool overdue;   /* failed: it was killed because its time was over                 */
     double seconds; /* of processor time                                               */
+    double reached; /* what child_reached was last told; NaN: nothing                  */
     struct message why;
 };
 
@@ -40,6 +41,14 @@ void child_clear(struct child *c); /* kills what runs; all-zero is allowed */
  * had. */
 enum status child_start(struct child *c, enum status (*work)(void *, struct message *),
                         void *context, struct message *why);
+
+/* In the child: leaves word of how far the work is, should it come to no end. Elsewhere
+ * nothing. */
+void child_reached(double how_far);
+
+/* In the child: ends it after so much processor time; overdue, too. Unlike child_poll's
+ * limit it does not hang on what else the machine does. */
+void child_limit(int seconds);
 
 /* Whether it has ended, and how; kills it when `time_limit` seconds are over. Does not
  * wait. */

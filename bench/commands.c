@@ -6,6 +6,7 @@
 #include "bench/compare.h"
 #include "bench/list.h"
 #include "bench/run.h"
+#include "bench/stress.h"
 #include "bench/studies.h"
 #include "bench/sweep.h"
 #include "bench/tables.h"
@@ -13,12 +14,11 @@
 
 const struct command *const commands[] = {
     &list_command,    &run_command,   &compare_command, &tables_command,
-    &studies_command, &sweep_command, &verify_command,  &bench_command,
-    NULL,
+    &studies_command, &sweep_command, &verify_command,  &stress_command,
+    &bench_command,   NULL,
 };
 
-static const char *const planned[] = {"stress", "score",
-                                      "advise", "report", NULL};
+static const char *const planned[] = {"score", "advise", "report", NULL};
 
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why)

@@ -6,7 +6,7 @@
 #include "models/clock.h"
 #include "models/scene_file.h"
 
-enum status trial_open(struct trial *t, const char *path, int setting_count,
+enum status trial_read(struct trial *t, const char *path, int setting_count,
                        const char *const *settings, const char *model, struct message *why)
 {
     enum status st;
@@ -14,12 +14,26 @@ enum status trial_open(struct trial *t, const char *path, int setting_count,
     memset(t, 0, sizeof *t);
     TRY(registry_find(model, &t->model, why));
     t->model->defaults(&t->discretization);
-    TRY(scene_file_read(path, setting_count, settings, &t->scene, &t->discretization, why));
-    double start = clock_now();
-    st = t->model->create(&t->scene, &t->discretization, &t->state, why);
-    t->create_seconds = clock_now() - start;
+    st = scene_file_read(path, setting_count, settings, &t->scene, &t->discretization, why);
 out:
     return st;
+}
+
+enum status trial_build(struct trial *t, struct message *why)
+{
+    const double start = clock_now();
+    const enum status st = t->model->create(&t->scene, &t->discretization, &t->state, why);
+
+    t->create_seconds = clock_now() - start;
+    return st;
+}
+
+enum status trial_open(struct trial *t, const char *path, int setting_count,
+                       const char *const *settings, const char *model, struct message *why)
+{
+    enum status st = trial_read(t, path, setting_count, settings, model, why);
+
+    return st == STATUS_OK ? trial_build(t, why) : st;
 }
 
 void trial_close(struct trial *t)

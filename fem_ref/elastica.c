@@ -85,3 +85,35 @@ enum status elastica_solve(double gamma, struct elastica *e)
     e->reach = a.across / end;
     return STATUS_OK;
 }
+
+/* Complete elliptic integrals K and E of modulus k, by the arithmetic-geometric mean. */
+static void elliptic(double k, double *K, double *E)
+{
+    double a = 1, b = sqrt(1 - k * k), sum = k * k / 2, power = 1;
+
+    for (int n = 0; n < 40 && fabs(a - b) > 1e-16 * a; n++) {
+        const double c = (a - b) / 2, mean = (a + b) / 2;
+        b = sqrt(a * b), a = mean;
+        sum += power * c * c;
+        power *= 2;
+    }
+    *K = acos(0) / a;
+    *E = *K * (1 - sum);
+}
+
+double elastica_buckled(double shortening)
+{
+    double low = 0, high = 1, K, E;
+
+    if (!(shortening > 0 && shortening <= 0.9))
+        return NAN;
+    for (double k; k = (low + high) / 2, low < k && k < high;) {
+        elliptic(k, &K, &E);
+        if (2 - 2 * E / K < shortening)
+            low = k;
+        else
+            high = k;
+    }
+    elliptic(low, &K, &E);
+    return low / K;
+}

@@ -26,4 +26,11 @@ struct elastica {
  * below 1e-10 (tests/elastica.c). At most 0.3 s; allocates nothing. */
 enum status elastica_solve(double gamma, struct elastica *e);
 
+/* An inextensible strip without weight whose ends, both clamped or both hinged, have come
+ * nearer by shortening L, 0 < shortening <= 0.9: how far its middle stands out, over L.
+ *   shortening = 2 - 2 E(k) / K(k),  middle = k / K(k),
+ * with k the sine of half the greatest slope (Euler 1744; Love, Theory of Elasticity, sec.
+ * 262-263). Relative error below 1e-12; NaN outside that range. */
+double elastica_buckled(double shortening);
+
 #endif

@@ -6,12 +6,9 @@
 
 #include "models/linalg/order.h"
 
-/* MOST_LINEAR: about what a factorisation costs, in iterations. */
-enum { MOST_ITERATIONS = 100, MOST_CUTS = 30, MOST_LINEAR = 6 };
-
-/* Under contact a net may have to buckle within the step, away from a saddle that attracts
- * at first. */
-enum { MOST_IN_CONTACT = 2000 };
+/* A net that is pressed may have to buckle within the step, away from a saddle that
+ * attracts at first. MOST_LINEAR: about what a factorisation costs, in iterations. */
+enum { MOST_ITERATIONS = 2000, MOST_CUTS = 30, MOST_LINEAR = 6 };
 
 /* Friction that has not settled by then stays as it is for the rest of the step. */
 enum { FRICTION_ITERATIONS = 50 };
@@ -274,13 +271,11 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
     size_t count = 3 * (size_t)s->net->nodes;
     double *r = s->work, *d = s->work + count;
     bool obstacles = contact_set_used(&s->contact);
-    int most = obstacles ? MOST_IN_CONTACT : MOST_ITERATIONS;
+    int most = limits->iterations ? limits->iterations : MOST_ITERATIONS;
     int calm = 0;
 
     if (!s->supports.free_count)
         return STATUS_OK;
-    if (limits->iterations)
-        most = limits->iterations;
     if (obstacles)
         contact_set_detect(&s->contact, p->start);
     residual(s, p, x, d, r);

@@ -55,7 +55,7 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
 void spring_newton_clear(struct spring_newton *s);
 
 /* From x[nodes][3], whose held unknowns are where they should be, to the minimum.
- * STATUS_DIVERGED after 100 iterations, 2000 with obstacles (limits->iterations == 0),
+ * STATUS_DIVERGED after 2000 iterations (limits->iterations == 0),
  * STATUS_INDEFINITE, STATUS_NAN. */
 enum status spring_newton_solve(struct spring_newton *s, const struct spring_problem *p,
                                 const struct spring_limits *limits, double *x,

@@ -114,7 +114,7 @@ done
 # --- bad usage --------------------------------------------------------------------------
 refused 'which command'
 refused "no command 'dance'" dance
-for command in stress score advise report; do
+for command in score advise report; do
     refused 'not built yet' "$command" edge_drop
     refused 'not built yet' help "$command"
 done

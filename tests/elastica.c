@@ -65,8 +65,28 @@ static void check_refusals(void)
     CHECK(e.drop == -1);
 }
 
+/* v1 of another solution's table to its 12 digits: shortening, middle / L. */
+static void check_buckled(void)
+{
+    static const double table[][2] = {
+        {0.001, 0.020125392707}, {0.01, 0.0634627217646}, {0.1, 0.194924311376},
+        {0.3, 0.314312612956},   {0.5, 0.373306427445},
+    };
+    const double TOL_DIGITS = 1e-12;
+
+    for (size_t n = 0; n < sizeof table / sizeof *table; n++)
+        CHECK_NEAR(elastica_buckled(table[n][0]), table[n][1], TOL_DIGITS);
+    /* Barely buckled: half a sine, whose length exceeds its chord by pi^2 middle^2 / 4. */
+    const double small = 1e-6, TOL_SMALL_BEND = 1e-6;
+    CHECK_RELATIVE(elastica_buckled(small), 2 / (2 * acos(0)) * sqrt(small),
+                   TOL_SMALL_BEND);
+    CHECK(isnan(elastica_buckled(0)) && isnan(elastica_buckled(0.95)) &&
+          isnan(elastica_buckled(NAN)));
+}
+
 int main(void)
 {
+    check_buckled();
     check_table();
     check_limits();
     check_refusals();

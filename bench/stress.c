@@ -1,0 +1,304 @@
+#include "bench/stress.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "bench/child.h"
+#include "bench/folder.h"
+#include "bench/progress.h"
+#include "bench/registry.h"
+#include "models/scene_file.h"
+
+/* Of processor time [s]; of the clock ten times that, for those who sleep. */
+enum { TIME_LIMIT = 120, QUICK_LIMIT = 20 };
+
+struct options {
+    const char *folder;
+    const struct command_line *line; /* its words are the cases                        */
+    const char *models;              /* "a,b"; NULL: all                               */
+    int jobs;
+    bool quick;
+};
+
+/* Whether `name` is in the list "a,b,c". */
+static bool listed(const char *list, const char *name)
+{
+    const size_t length = strlen(name);
+
+    for (const char *at = list; at; at = strchr(at, ','), at += at != NULL)
+        if (!strncmp(at, name, length) && (at[length] == ',' || !at[length]))
+            return true;
+    return false;
+}
+
+static bool wanted_case(const struct options *o, const struct stress_case *c)
+{
+    for (int n = 0; n < o->line->word_count; n++)
+        if (!strcmp(o->line->words[n], c->name))
+            return true;
+    return !o->line->word_count && (c->quick || !o->quick);
+}
+
+static bool wanted_model(const struct options *o, const struct stress_model *m)
+{
+    return !o->models || listed(o->models, m->name) || listed(o->models, m->model);
+}
+
+static enum status check_words(const struct options *o, struct message *why)
+{
+    char known[1024] = "";
+
+    for (int w = 0; w < o->line->word_count; w++) {
+        int n = 0;
+        while (stress_cases[n] && strcmp(stress_cases[n]->name, o->line->words[w]))
+            n++;
+        if (stress_cases[n])
+            continue;
+        for (n = 0; stress_cases[n]; n++) {
+            const size_t used = strlen(known);
+            snprintf(known + used, sizeof known - used, "%s%s", n ? ", " : "",
+                     stress_cases[n]->name);
+        }
+        return status_fail(why, STATUS_INPUT, "stress: there is no case '%s'; there are %s",
+                           o->line->words[w], known);
+    }
+    return STATUS_OK;
+}
+
+/* Every word of --models is the name of a model or of a row of stress_models. */
+static enum status check_models(const struct options *o, struct message *why)
+{
+    char word[64], known[512] = "";
+
+    for (const char *at = o->models; at && *at;) {
+        const size_t length = strcspn(at, ",");
+        const struct options one = {.models = word};
+        int n = 0;
+        snprintf(word, sizeof word, "%.*s", (int)length, at);
+        while (n < stress_model_count && !wanted_model(&one, &stress_models[n]))
+            n++;
+        for (int m = 0; n == stress_model_count && m < stress_model_count; m++) {
+            const size_t used = strlen(known);
+            snprintf(known + used, sizeof known - used, "%s%s", m ? ", " : "",
+                     stress_models[m].name);
+        }
+        if (n == stress_model_count)
+            return status_fail(why, STATUS_INPUT, "--models: no model '%s'; there are %s",
+                               word, known);
+        at += length + (at[length] == ',');
+    }
+    return STATUS_OK;
+}
+
+/* A job in a process: a trial, or with no model the case's truth. */
+static enum status work(void *context, struct message *why)
+{
+    const struct stress_job *job = context;
+    struct stress_result result;
+    struct truth *truth = NULL;
+    char name[256];
+    enum status st;
+
+    child_limit(job->quick ? QUICK_LIMIT : TIME_LIMIT);
+    if (!job->model) {
+        TRY(stress_find_truth(job, TRUTH_QUICK, &truth, why));
+        truth_destroy(truth);
+        return STATUS_OK;
+    }
+    TRY(stress_trial(job, &result, why));
+    stress_name(job->c, job->model, name, sizeof name);
+    st = stress_write(job->folder, name, &result, why);
+out:
+    return st;
+}
+
+/* A trial that came to no result of its own has died. */
+static enum status settle(const struct stress_job *job, const struct child_end *end,
+                          struct message *why)
+{
+    struct stress_result result = {.outcome = STRESS_DEAD,
+                                   .error = NAN,
+                                   .time = end->reached,
+                                   .seconds = end->seconds};
+    char name[256];
+
+    if (end->outcome == CHILD_DONE)
+        return STATUS_OK;
+    if (end->outcome == CHILD_STUCK)
+        return status_fail(why, STATUS_FILE, "%s", end->why.text);
+    if (end->outcome == CHILD_ASKED)
+        return status_fail(why, STATUS_LIBRARY, "stopped");
+    if (!job->model)
+        return STATUS_OK; /* trials without truth say so */
+    result.sentence = end->why;
+    stress_name(job->c, job->model, name, sizeof name);
+    return stress_write(job->folder, name, &result, why);
+}
+
+struct queue {
+    struct stress_job *jobs; /* [count]                                          owned */
+    int count, next, running, done;
+    int slots;
+    struct child *slot;             /* [slots]                                   owned */
+    const struct stress_job **busy; /* [slots]                                   owned */
+    double time_limit;
+    struct progress progress;
+};
+
+static void clear_queue(struct queue *q)
+{
+    progress_end(&q->progress);
+    for (int n = 0; q->slot && n < q->slots; n++)
+        child_clear(&q->slot[n]);
+    free(q->slot);
+    free(q->busy);
+    free(q->jobs);
+}
+
+static enum status turn(struct queue *q, struct message *why)
+{
+    static const struct timespec moment = {.tv_nsec = 1000000};
+    struct child_end end;
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < q->slots; n++) {
+        if (!q->slot[n].pid && q->next < q->count) {
+            q->busy[n] = &q->jobs[q->next++];
+            TRY(child_start(&q->slot[n], work, (void *)q->busy[n], why));
+            q->running++;
+        } else if (q->slot[n].pid && child_poll(&q->slot[n], q->time_limit, &end)) {
+            q->running--;
+            progress_update(&q->progress, ++q->done);
+            TRY(settle(q->busy[n], &end, why));
+        }
+    }
+    nanosleep(&moment, NULL);
+out:
+    return st;
+}
+
+/* Runs q->jobs, as many at a time as there are slots. */
+static enum status run_queue(struct queue *q, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    q->slot = calloc((size_t)q->slots, sizeof *q->slot);
+    q->busy = calloc((size_t)q->slots, sizeof *q->busy);
+    TRY(q->slot && q->busy ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < q->slots; n++)
+        TRY(child_init(&q->slot[n]));
+    q->progress = progress_start("cases", q->count, false);
+    while (q->next < q->count || q->running)
+        TRY(turn(q, why));
+out:
+    return st;
+}
+
+/* The jobs asked for: `truths` of the cases that need one, or trials. */
+static enum status list_jobs(const struct options *o, const char *path, bool truths,
+                             struct queue *q)
+{
+    int cases = 0;
+
+    while (stress_cases[cases])
+        cases++;
+    *q = (struct queue){.slots = o->jobs,
+                        .time_limit = 10 * (o->quick ? QUICK_LIMIT : TIME_LIMIT)};
+    q->jobs = calloc((size_t)(cases * stress_model_count), sizeof *q->jobs);
+    if (!q->jobs)
+        return STATUS_MEMORY;
+    for (int n = 0; n < cases; n++) {
+        const struct stress_case *c = stress_cases[n];
+        const bool ask = wanted_case(o, c) && (!truths || c->truth == STRESS_SHELL);
+        for (int m = 0; ask && m < (truths ? 1 : stress_model_count); m++)
+            if (truths || wanted_model(o, &stress_models[m]))
+                q->jobs[q->count++] =
+                    (struct stress_job){.c = c,
+                                        .model = truths ? NULL : &stress_models[m],
+                                        .path = path,
+                                        .folder = o->folder,
+                                        .quick = o->quick};
+    }
+    return STATUS_OK;
+}
+
+static enum status measure(const struct options *o, struct message *why)
+{
+    struct queue q = {0};
+    char *path = NULL;
+    enum status st;
+
+    TRY(folder_make(o->folder, why));
+    TRY(scene_file_find(stress_scene, &path, why));
+    for (int truths = 1; truths >= 0; truths--) {
+        TRY(list_jobs(o, path, truths, &q));
+        TRY(run_queue(&q, why));
+        clear_queue(&q);
+        q = (struct queue){0};
+    }
+out:
+    clear_queue(&q);
+    free(path);
+    return st;
+}
+
+static enum status run(const struct command_line *line, struct message *why)
+{
+    const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
+    const char *word = command_value(line, "--format");
+    struct options o = {.folder = from  ? from
+                                  : out ? out
+                                        : "results/stress",
+                        .line = line,
+                        .models = command_value(line, "--models"),
+                        .quick = command_given(line, "--quick")};
+    enum table_format format = TABLE_TEXT;
+    long jobs = omp_get_num_procs();
+    enum status st = STATUS_OK;
+
+    if (from && out)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "--from reads result files and --out writes them; give one of the "
+                        "two"));
+    if (word)
+        TRY(table_format_parse(word, &format, why));
+    TRY(command_integer(line, "--jobs", 1, 1024, &jobs, why));
+    TRY(check_words(&o, why));
+    TRY(check_models(&o, why));
+    o.jobs = (int)jobs;
+    if (!from)
+        TRY(measure(&o, why));
+    TRY(stress_print(o.folder, format, stdout, why));
+out:
+    return st;
+}
+
+static const struct command_option options[] = {
+    {"--models", "A,B,...", false, "models, or variants of them such as iga_reduced (all)"},
+    {"--quick", NULL, false, "some of the cases, in less than a minute"},
+    {"--jobs", "N", false, "runs at a time (as many as there are processors)"},
+    {"--format", "text|csv|markdown|latex", false, "how to print (text)"},
+    {"--out", "DIR", false, "where results go (results/stress)"},
+    {"--from", "DIR", false, "print again from the results of an earlier run"},
+    {NULL, NULL, false, NULL},
+};
+
+const struct command stress_command = {
+    .name = "stress",
+    .summary =
+        "hard cases: thin, stiff, nearly incompressible, long steps, odd nets, units",
+    .arguments = "[CASE]... [OPTION]...",
+    .text =
+        "Puts every model through hard cases, each run in a process of its own with a\n"
+        "time limit. Each ends as accurate or degraded, by its error against the truth\n"
+        "that the case names, or refused, with the model's sentence, or died, with time\n"
+        "and cause. A bound is the same for all models, and printed with its reason.\n",
+    .examples = "stress\nstress --quick\nstress thin_5 buckling --models iga,shell\n",
+    .most = 64,
+    .options = options,
+    .run = run,
+};

@@ -1,0 +1,124 @@
+/* stress.h - hard cases, for every model: thin to h/L = 1e-5, nearly incompressible, steps
+ * of 0.1 s, nets of one element, other units, ten thousand steps, ... What a model makes of
+ * a case is exactly one of four things, and never silence:
+ *
+ *   accurate   it ran, and its error is within the case's bound
+ *   degraded   it ran, and its error is beyond that
+ *   refused    it said in a sentence why it will not
+ *   died       at a time and for a cause: numerical death, crash, or time limit
+ *
+ * The error is against a truth that the case names; the bound is one number a case, the
+ * same for every model. Each (case, model) is a process of its own (child.h) and leaves a
+ * text file FOLDER/CASE.MODEL.txt; tables are printed from these files alone.
+ */
+#ifndef STRESS_H
+#define STRESS_H
+
+#include "bench/command.h"
+#include "bench/table.h"
+#include "bench/truth.h"
+
+enum stress_end { STRESS_ACCURATE, STRESS_DEGRADED, STRESS_REFUSED, STRESS_DIED };
+
+/* "accurate", ...; static storage. */
+const char *stress_end_name(enum stress_end end);
+
+/* What the error of a case is measured against, and how. */
+enum stress_truth {
+    STRESS_PLATE,      /* tip at rest against the Kirchhoff plate; relative              */
+    STRESS_ELASTICA,   /* tip at rest against the heavy elastica; distance / L           */
+    STRESS_VIBRATION,  /* tip in time against the Kirchhoff plate's modal solution; over
+                          its greatest deflection                                        */
+    STRESS_SIMILAR,    /* motion against the model's own in other units; RMSE / L        */
+    STRESS_ENERGY,     /* greatest drift of energy over the energy in play               */
+    STRESS_BUCKLED,    /* middle of a shortened strip against Euler's elastica; / L      */
+    STRESS_STILL,      /* motion where there should be none; RMSE / L                    */
+    STRESS_STILL_REST, /* the same from the model's own static equilibrium               */
+    STRESS_SHIFTED,    /* where a thrown sheet comes to rest; RMSE / L                   */
+    STRESS_SHELL,      /* motion against a finer nonlinear shell (truth.h); RMSE / L     */
+    STRESS_TRUTHS
+};
+
+/* One sentence on it. */
+const char *stress_truth_text(enum stress_truth truth);
+
+enum { STRESS_SETTINGS = 8 };
+
+struct stress_case {
+    const char *name;  /* [a-z0-9_]+                                                   */
+    const char *title; /* for tables                                                   */
+    enum stress_truth truth;
+    double gamma;                          /* sets E; 0: left as it is                  */
+    const char *physics[STRESS_SETTINGS];  /* KEY=VALUE on stress_scene; NULL ends      */
+    const char *numerics[STRESS_SETTINGS]; /* the same, of every model                 */
+    int side;            /* points a side of nets; 0: 10; 1: one element             */
+    double weight_ratio; /* NURBS weights: of every other row to the rest; 0: none     */
+    double length, mass, time; /* SIMILAR: the other units in ours [m], [kg], [s]      */
+    double bound;              /* of the error, to be accurate                         */
+    const char *why;           /* that bound                                           */
+    bool quick;                /* part of --quick                                      */
+    const char *quick_end;     /* setting of time.end then; NULL: as ever              */
+};
+
+extern const char *const stress_scene; /* what all cases start from, by name           */
+extern const struct stress_case *const stress_cases[]; /* ends with NULL               */
+
+/* A model with what it needs to be told. */
+struct stress_model {
+    const char *name;  /* [a-z0-9_]+                                                   */
+    const char *title; /* for columns                                                  */
+    const char *model; /* in the registry                                              */
+    int layers;        /* control points through the thickness; 0: a surface           */
+    int least;         /* points a side of a net of one element                        */
+    const char *settings[STRESS_SETTINGS];
+};
+
+extern const struct stress_model stress_models[];
+extern const int stress_model_count;
+
+/* How a (case, model) went. */
+struct stress_result {
+    enum stress_outcome { STRESS_RAN, STRESS_SAID_NO, STRESS_DEAD } outcome;
+    double error;   /* ran; NaN otherwise                                              */
+    double time;    /* of death, or until when the error was within the bound; NaN [s] */
+    double seconds; /* of processor time                                               */
+    struct message sentence; /* why refused or dead; what else is worth knowing        */
+};
+
+/* The one of four. An error that is no number is a death. */
+enum stress_end stress_classify(const struct stress_result *r, double bound);
+
+/* The file of a result. STATUS_FILE, STATUS_INPUT: it is none. */
+enum status stress_write(const char *folder, const char *name,
+                         const struct stress_result *r, struct message *why);
+enum status stress_read(const char *folder, const char *name, struct stress_result *r,
+                        struct message *why);
+
+/* CASE.MODEL into text[size]. */
+void stress_name(const struct stress_case *c, const struct stress_model *m, char *text,
+                 int size);
+
+struct stress_job {
+    const struct stress_case *c;      /*                                         borrowed */
+    const struct stress_model *model; /*                                      borrowed */
+    const char *path;                 /* of stress_scene's file                  borrowed */
+    const char *folder;               /* for truths that are kept                borrowed */
+    bool quick;
+};
+
+/* Runs one (case, model) here and now: refusals and deaths are results. Anything but
+ * STATUS_OK is the harness's own failure. */
+enum status stress_trial(const struct stress_job *job, struct stress_result *r,
+                         struct message *why);
+
+/* The truth of a case of STRESS_SHELL, at some times, kept in the folder. As truth_find. */
+enum status stress_find_truth(const struct stress_job *job, enum truth_effort effort,
+                              struct truth **truth, struct message *why);
+
+/* Tables of what is in the folder. */
+enum status stress_print(const char *folder, enum table_format format, FILE *file,
+                         struct message *why);
+
+extern const struct command stress_command;
+
+#endif

@@ -1,0 +1,203 @@
+/* Hard cases. unit: which of the four ends a result is, files, the cases as data; run: ends
+ * that are known beforehand, and that each run has exactly one. */
+#include "bench/stress.h"
+
+#include "bench/folder.h"
+#include "models/scene_file.h"
+#include "tests/check.h"
+
+static const double bound = 0.01;
+
+static enum stress_end end_of(enum stress_outcome outcome, double error)
+{
+    return stress_classify(&(struct stress_result){.outcome = outcome, .error = error},
+                           bound);
+}
+
+static void check_ends(void)
+{
+    CHECK(end_of(STRESS_RAN, 0) == STRESS_ACCURATE);
+    CHECK(end_of(STRESS_RAN, bound) == STRESS_ACCURATE);
+    CHECK(end_of(STRESS_RAN, nextafter(bound, 1)) == STRESS_DEGRADED);
+    CHECK(end_of(STRESS_RAN, 1e300) == STRESS_DEGRADED);
+    CHECK(end_of(STRESS_RAN, INFINITY) == STRESS_DIED);
+    CHECK(end_of(STRESS_RAN, NAN) == STRESS_DIED); /* no silence */
+    CHECK(end_of(STRESS_SAID_NO, NAN) == STRESS_REFUSED);
+    CHECK(end_of(STRESS_SAID_NO, 0) == STRESS_REFUSED);
+    CHECK(end_of(STRESS_DEAD, 0) == STRESS_DIED);
+}
+
+static void check_file(const char *folder)
+{
+    const struct stress_result all[] = {
+        {STRESS_RAN, 1 / 3., NAN, 0.1, {"the truth's error bar is 1e-3"}},
+        {STRESS_RAN, 1e-300, 0.25, 0, {""}},
+        {STRESS_SAID_NO, NAN, NAN, 0, {"unsupported: no contact"}},
+        {STRESS_DEAD, NAN, 1e-3, 1e3, {"killed by signal 11"}},
+    };
+    struct stress_result r;
+    struct message why = {""};
+
+    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
+    for (size_t n = 0; n < sizeof all / sizeof *all; n++) {
+        REQUIRE(stress_write(folder, "a.b", &all[n], NULL) == STATUS_OK);
+        REQUIRE(stress_read(folder, "a.b", &r, NULL) == STATUS_OK);
+        CHECK(r.outcome == all[n].outcome &&
+              !strcmp(r.sentence.text, all[n].sentence.text));
+        CHECK(r.error == all[n].error || (isnan(r.error) && isnan(all[n].error)));
+        CHECK(r.time == all[n].time || (isnan(r.time) && isnan(all[n].time)));
+        CHECK(r.seconds == all[n].seconds);
+    }
+    CHECK(stress_read(folder, "none", &r, &why) == STATUS_FILE && *why.text);
+}
+
+static void check_broken(const char *folder, const char *text)
+{
+    char path[512];
+    struct stress_result r;
+    struct message why = {""};
+
+    snprintf(path, sizeof path, "%s/broken.txt", folder);
+    FILE *file = fopen(path, "w");
+    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
+    CHECK(stress_read(folder, "broken", &r, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "broken.txt"));
+}
+
+/* A case that no model can read would be refused by all, and say nothing. */
+static void check_case(const struct stress_case *c, const char *path)
+{
+    struct scene scene = {0};
+    struct discretization d = {0};
+    struct message why = {""};
+    int count = 0;
+
+    while (count < STRESS_SETTINGS && c->physics[count])
+        count++;
+    if (!CHECK(scene_file_read(path, count, c->physics, &scene, &d, &why) == STATUS_OK))
+        printf("%s: %s\n", c->name, why.text);
+    CHECK(c->bound > 0 && *c->why && *c->title && *stress_truth_text(c->truth));
+    CHECK(c->gamma <= 0 || scene_gamma(&scene) > 0);
+    CHECK(c->truth != STRESS_SIMILAR || (c->length > 0 && c->mass > 0 && c->time > 0));
+    CHECK(strspn(c->name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(c->name));
+    for (int n = 0; stress_cases[n] != c; n++)
+        CHECK(strcmp(stress_cases[n]->name, c->name));
+    scene_clear(&scene);
+    discretization_clear(&d);
+}
+
+static const struct stress_case *find_case(const char *name)
+{
+    int n = 0;
+
+    while (stress_cases[n] && strcmp(stress_cases[n]->name, name))
+        n++;
+    REQUIRE(stress_cases[n]);
+    return stress_cases[n];
+}
+
+static const struct stress_model *find_model(const char *name)
+{
+    int n = 0;
+
+    while (n < stress_model_count && strcmp(stress_models[n].name, name))
+        n++;
+    REQUIRE(n < stress_model_count);
+    return &stress_models[n];
+}
+
+/* A result, whatever it is, says all that its end asks for. */
+static struct stress_result check_run(const char *path, const char *folder, const char *c,
+                                      const char *model, enum stress_end want)
+{
+    const struct stress_job job = {.c = find_case(c),
+                                   .model = find_model(model),
+                                   .path = path,
+                                   .folder = folder,
+                                   .quick = true};
+    struct stress_result r;
+
+    REQUIRE(stress_trial(&job, &r, NULL) == STATUS_OK);
+    const enum stress_end end = stress_classify(&r, job.c->bound);
+    if (!CHECK(end == want))
+        printf("%s, %s: %s with error %g (%s)\n", c, model, stress_end_name(end), r.error,
+               r.sentence.text);
+    if (end == STRESS_REFUSED || end == STRESS_DIED)
+        CHECK(*r.sentence.text && isnan(r.error));
+    if (end == STRESS_DIED)
+        CHECK(isfinite(r.time));
+    return r;
+}
+
+static void check_runs(const char *path, const char *folder)
+{
+    static const struct {
+        const char *c, *model;
+        enum stress_end want;
+    } known[] = {
+        {"still", "iga_printed", STRESS_ACCURATE},
+        {"still", "iga", STRESS_ACCURATE},
+        {"still", "hex_incompatible", STRESS_ACCURATE},
+        {"still", "shell", STRESS_ACCURATE},
+        {"still", "mass_spring", STRESS_ACCURATE},
+        {"still", "projective_dynamics", STRESS_ACCURATE},
+        {"thin_5", "iga_reduced", STRESS_ACCURATE},
+        {"thin_5", "iga", STRESS_DEGRADED}, /* locks */
+        {"thin_5", "hex", STRESS_DEGRADED},
+        {"poisson_04999", "iga_reduced", STRESS_ACCURATE},
+        {"poisson_04999", "iga", STRESS_DEGRADED},
+        {"folded_knots", "iga", STRESS_REFUSED},
+        {"folded_knots", "shell", STRESS_REFUSED},
+        {"folded_knots", "mass_spring", STRESS_REFUSED},
+        {"torn_knots", "iga", STRESS_REFUSED},
+        {"one_element", "iga", STRESS_DEGRADED}, /* a parabola for a quartic */
+        {"millimetres", "iga_reduced", STRESS_ACCURATE},
+        {"inches", "mass_spring", STRESS_ACCURATE},
+        {"soft", "shell", STRESS_ACCURATE},
+        {"step_large", "iga_printed", STRESS_DEGRADED},
+        {"swing_10000", "iga_printed", STRESS_REFUSED}, /* has no elastic energy */
+        {"swing_10000", "iga_reduced", STRESS_ACCURATE},
+        {"rest_start", "shell", STRESS_ACCURATE},
+        {"rest_start", "projective_dynamics", STRESS_REFUSED},
+        {"rest_start", "iga_printed", STRESS_DIED}, /* creeps */
+        {"thrown", "shell", STRESS_ACCURATE},
+        {"buckling", "mass_spring", STRESS_ACCURATE},
+    };
+
+    for (size_t n = 0; n < sizeof known / sizeof *known; n++)
+        check_run(path, folder, known[n].c, known[n].model, known[n].want);
+}
+
+/* Statics of `printed` are linear: one parabola gives 2/3 of the tip, Gamma / 12 for
+ * Gamma / 8, but for shear, (h/L)^2 of it. */
+static void check_parabola(const char *path, const char *folder)
+{
+    const double TOL_SHEAR = 1e-3;
+    const struct stress_result r =
+        check_run(path, folder, "one_element", "iga_printed", STRESS_DEGRADED);
+
+    CHECK_NEAR(r.error, 1 / 3., TOL_SHEAR);
+}
+
+int main(int argc, char **argv)
+{
+    char *path = NULL;
+
+    REQUIRE(argc == 3);
+    REQUIRE(scene_file_find(stress_scene, &path, NULL) == STATUS_OK);
+    if (!strcmp(argv[1], "unit")) {
+        check_ends();
+        check_file(argv[2]);
+        check_broken(argv[2], "");
+        check_broken(argv[2], "outcome slept\nerror 1\ntime 1\nseconds 1\nsentence \n");
+        check_broken(argv[2], "outcome ran\nerror x\ntime 1\nseconds 1\nsentence \n");
+        check_broken(argv[2], "outcome ran\nerror 1\ntime 1\nseconds 1\nsentence cut");
+        for (int n = 0; stress_cases[n]; n++)
+            check_case(stress_cases[n], path);
+    } else {
+        check_runs(path, argv[2]);
+        check_parabola(path, argv[2]);
+    }
+    free(path);
+    return check_result();
+}

@@ -109,7 +109,7 @@ static enum status work(void *context, struct message *why)
         truth_destroy(truth);
         return STATUS_OK;
     }
-    TRY(stress_trial(job, &result, why));
+    TRY(stress_run(job, &result, why));
     stress_name(job->c, job->model, name, sizeof name);
     st = stress_write(job->folder, name, &result, why);
 out:

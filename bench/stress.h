@@ -108,8 +108,8 @@ struct stress_job {
 
 /* Runs one (case, model) here and now: refusals and deaths are results. Anything but
  * STATUS_OK is the harness's own failure. */
-enum status stress_trial(const struct stress_job *job, struct stress_result *r,
-                         struct message *why);
+enum status stress_run(const struct stress_job *job, struct stress_result *r,
+                       struct message *why);
 
 /* The truth of a case of STRESS_SHELL, at some times, kept in the folder. As truth_find. */
 enum status stress_find_truth(const struct stress_job *job, enum truth_effort effort,

@@ -146,8 +146,8 @@ static enum status settle_result(enum status st, const struct message *said,
     return STATUS_OK;
 }
 
-enum status stress_trial(const struct stress_job *job, struct stress_result *result,
-                         struct message *why)
+enum status stress_run(const struct stress_job *job, struct stress_result *result,
+                       struct message *why)
 {
     struct stress_run r = {.job = job, .result = result};
     struct message said = {""};

@@ -117,7 +117,7 @@ static struct stress_result check_run(const char *path, const char *folder, cons
                                    .quick = true};
     struct stress_result r;
 
-    REQUIRE(stress_trial(&job, &r, NULL) == STATUS_OK);
+    REQUIRE(stress_run(&job, &r, NULL) == STATUS_OK);
     const enum stress_end end = stress_classify(&r, job.c->bound);
     if (!CHECK(end == want))
         printf("%s, %s: %s with error %g (%s)\n", c, model, stress_end_name(end), r.error,

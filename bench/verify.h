@@ -30,6 +30,7 @@
 #include <stdbool.h>
 
 #include "bench/command.h"
+#include "bench/motion.h"
 #include "bench/trial.h"
 #include "fem_ref/reference.h"
 
@@ -144,6 +145,13 @@ enum status verify_modes(struct verify_row *row, const struct verify_subject *su
                          const char *scene, const char *const *settings, int count,
                          double *omega, bool *lived, struct message *why);
 
+/* Motion from the scene's start to time `end`, looked at by `watch` (motion.h). *lived is
+ * false, and the row says why, if the model refuses or dies. */
+enum status verify_watch(struct verify_row *row, const struct verify_subject *subject,
+                         const char *scene, const char *const *settings, double end,
+                         motion_watcher *watch, void *context, bool *lived,
+                         struct message *why);
+
 /* Motion from the scene's start: the same points at time[times] (multiples of the scene's
  * step, increasing) into xyz[times][n][3]. */
 enum status verify_motion(struct verify_row *row, const struct verify_subject *subject,
@@ -155,6 +163,9 @@ enum status verify_motion(struct verify_row *row, const struct verify_subject *s
  * $CLOTHBENCH_REFERENCE, as installed, or in tests/reference. The caller closes it. */
 enum status verify_reference(const char *name, struct reference **table,
                              struct message *why);
+
+/* Where that table is, for readers of their own; freed by the caller. */
+enum status verify_reference_path(const char *name, char **path, struct message *why);
 
 extern const struct command verify_command;
 

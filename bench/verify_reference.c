@@ -19,13 +19,18 @@ static const struct named_file_kind kind = {
     .describe = describe,
 };
 
+enum status verify_reference_path(const char *name, char **path, struct message *why)
+{
+    return named_file_find(&kind, name, path, why);
+}
+
 enum status verify_reference(const char *name, struct reference **table,
                              struct message *why)
 {
     enum status st;
     char *path = NULL;
 
-    TRY(named_file_find(&kind, name, &path, why));
+    TRY(verify_reference_path(name, &path, why));
     TRY(reference_open(path, table, why));
 out:
     free(path);

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/motion.h"
 #include "bench/verify.h"
 #include "models/clock.h"
 #include "models/scene_file.h"
@@ -118,6 +117,33 @@ out:
     return st;
 }
 
+enum status verify_watch(struct verify_row *row, const struct verify_subject *subject,
+                         const char *scene, const char *const *settings, double end,
+                         motion_watcher *watch, void *context, bool *lived,
+                         struct message *why)
+{
+    enum status st;
+    struct trial trial = {0};
+    struct motion m = {0};
+
+    TRY(verify_open(row, subject, scene, settings, &trial, lived, why));
+    if (!*lived)
+        goto out;
+    trial.scene.end = end;
+    TRY(motion_init(&m, trial.model, &trial.scene, trial.state));
+    TRY(motion_run(&m, watch, context, true, why));
+    for (int i = 0; i < m.steps; i++)
+        row->seconds += m.seconds[i];
+    if (m.death != STATUS_OK) {
+        verify_died(row, "at %g s: %s", m.death_time, status_text(m.death));
+        *lived = false;
+    }
+out:
+    motion_clear(&m);
+    trial_close(&trial);
+    return st;
+}
+
 /* Keeps the points at the times that are wanted. */
 struct keeper {
     int times, n, kept;
@@ -142,25 +168,8 @@ enum status verify_motion(struct verify_row *row, const struct verify_subject *s
                           const double *time, int n, const double *uvw, double *xyz,
                           bool *lived, struct message *why)
 {
-    enum status st;
-    struct trial trial = {0};
-    struct motion m = {0};
     struct keeper k = {.times = times, .n = n, .time = time, .uvw = uvw, .xyz = xyz};
 
-    TRY(verify_open(row, subject, scene, settings, &trial, lived, why));
-    if (!*lived)
-        goto out;
-    trial.scene.end = time[times - 1];
-    TRY(motion_init(&m, trial.model, &trial.scene, trial.state));
-    TRY(motion_run(&m, keep, &k, true, why));
-    for (int i = 0; i < m.steps; i++)
-        row->seconds += m.seconds[i];
-    if (m.death != STATUS_OK) {
-        verify_died(row, "at %g s: %s", m.death_time, status_text(m.death));
-        *lived = false;
-    }
-out:
-    motion_clear(&m);
-    trial_close(&trial);
-    return st;
+    return verify_watch(row, subject, scene, settings, time[times - 1], keep, &k, lived,
+                        why);
 }

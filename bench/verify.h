@@ -131,9 +131,14 @@ enum status verify_open(struct verify_row *row, const struct verify_subject *sub
                         const char *scene, const char *const *settings, struct trial *trial,
                         bool *ready, struct message *why);
 
-/* Static equilibrium: material points uvw[n][3] into xyz[n][3] [m]. *lived is false, and
- * the row says why, if the model has no statics, refuses the scene or does not get there.
- */
+/* The same, moved to static equilibrium for what the check asks there. *lived is false, and
+ * the row says why, if the model has no statics, refuses the scene or does not get there;
+ * trial_close in any case. */
+enum status verify_settle(struct verify_row *row, const struct verify_subject *subject,
+                          const char *scene, const char *const *settings,
+                          struct trial *trial, bool *lived, struct message *why);
+
+/* Static equilibrium: material points uvw[n][3] into xyz[n][3] [m]; *lived as above. */
 enum status verify_equilibrium(struct verify_row *row, const struct verify_subject *subject,
                                const char *scene, const char *const *settings, int n,
                                const double *uvw, double *xyz, bool *lived,
@@ -151,6 +156,13 @@ enum status verify_watch(struct verify_row *row, const struct verify_subject *su
                          const char *scene, const char *const *settings, double end,
                          motion_watcher *watch, void *context, bool *lived,
                          struct message *why);
+
+/* The same about static equilibrium, under its stress; -s where a mode grows as exp(s t).
+ */
+enum status verify_settled_modes(struct verify_row *row,
+                                 const struct verify_subject *subject, const char *scene,
+                                 const char *const *settings, int count, double *omega,
+                                 bool *lived, struct message *why);
 
 /* Motion from the scene's start: the same points at time[times] (multiples of the scene's
  * step, increasing) into xyz[times][n][3]. */

@@ -2,13 +2,15 @@
 
 extern const struct verify_check verify_cantilever;
 extern const struct verify_check verify_elastica;
+extern const struct verify_check verify_lateral;
 extern const struct verify_check verify_pendulum;
 extern const struct verify_check verify_transient;
 
 /* Statics first, then motions, frequencies, and what outside programs computed. */
-#define STATICS(X) X(verify_elastica) X(verify_cantilever)
-#define MOTIONS(X) X(verify_pendulum) X(verify_transient)
-#define CHECKS(X)  STATICS(X) MOTIONS(X)
+#define STATICS(X)  X(verify_elastica) X(verify_cantilever)
+#define BUCKLING(X) X(verify_lateral)
+#define MOTIONS(X)  X(verify_pendulum) X(verify_transient)
+#define CHECKS(X)   STATICS(X) BUCKLING(X) MOTIONS(X)
 
 #define CHECK_ADDRESS(name) &name,
 const struct verify_check *const verify_checks[] = {CHECKS(CHECK_ADDRESS) NULL};

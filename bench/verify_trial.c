@@ -61,58 +61,87 @@ out:
     return st;
 }
 
+enum status verify_settle(struct verify_row *row, const struct verify_subject *subject,
+                          const char *scene, const char *const *settings,
+                          struct trial *trial, bool *lived, struct message *why)
+{
+    enum status st;
+    struct counters work = {0};
+    struct message sentence = {""};
+
+    TRY(verify_open(row, subject, scene, settings, trial, lived, why));
+    if (!*lived)
+        goto out;
+    *lived = false;
+    if (!trial->model->equilibrium) {
+        verify_not_applicable(row, "%s has no static equilibrium", trial->model->name);
+        goto out;
+    }
+    double start = clock_now();
+    st = trial->model->equilibrium(trial->state, &work, &sentence);
+    row->seconds += clock_now() - start;
+    *lived = st == STATUS_OK;
+    TRY(tell(row, subject, st, &sentence, why));
+out:
+    return st;
+}
+
 enum status verify_equilibrium(struct verify_row *row, const struct verify_subject *subject,
                                const char *scene, const char *const *settings, int n,
                                const double *uvw, double *xyz, bool *lived,
                                struct message *why)
 {
-    enum status st;
     struct trial trial = {0};
-    struct counters work = {0};
-    struct message sentence = {""};
+    enum status st = verify_settle(row, subject, scene, settings, &trial, lived, why);
 
-    TRY(verify_open(row, subject, scene, settings, &trial, lived, why));
-    if (!*lived)
-        goto out;
-    *lived = false;
-    if (!trial.model->equilibrium) {
-        verify_not_applicable(row, "%s has no static equilibrium", trial.model->name);
-        goto out;
-    }
-    double start = clock_now();
-    st = trial.model->equilibrium(trial.state, &work, &sentence);
-    row->seconds += clock_now() - start;
-    *lived = st == STATUS_OK;
-    TRY(tell(row, subject, st, &sentence, why));
     if (*lived)
         trial.model->probe(trial.state, n, uvw, xyz);
-out:
     trial_close(&trial);
     return st;
+}
+
+/* Modes of the trial as it is. */
+static enum status ask_modes(struct verify_row *row, const struct verify_subject *subject,
+                             const struct trial *trial, int count, double *omega,
+                             bool *lived, struct message *why)
+{
+    struct message sentence = {""};
+
+    *lived = false;
+    if (!trial->model->modes) {
+        verify_not_applicable(row, "%s has no frequencies", trial->model->name);
+        return STATUS_OK;
+    }
+    double start = clock_now();
+    enum status st = trial->model->modes(trial->state, count, omega, &sentence);
+    row->seconds += clock_now() - start;
+    *lived = st == STATUS_OK;
+    return tell(row, subject, st, &sentence, why);
 }
 
 enum status verify_modes(struct verify_row *row, const struct verify_subject *subject,
                          const char *scene, const char *const *settings, int count,
                          double *omega, bool *lived, struct message *why)
 {
-    enum status st;
     struct trial trial = {0};
-    struct message sentence = {""};
+    enum status st = verify_open(row, subject, scene, settings, &trial, lived, why);
 
-    TRY(verify_open(row, subject, scene, settings, &trial, lived, why));
-    if (!*lived)
-        goto out;
-    *lived = false;
-    if (!trial.model->modes) {
-        verify_not_applicable(row, "%s has no frequencies", trial.model->name);
-        goto out;
-    }
-    double start = clock_now();
-    st = trial.model->modes(trial.state, count, omega, &sentence);
-    row->seconds += clock_now() - start;
-    *lived = st == STATUS_OK;
-    TRY(tell(row, subject, st, &sentence, why));
-out:
+    if (*lived)
+        st = ask_modes(row, subject, &trial, count, omega, lived, why);
+    trial_close(&trial);
+    return st;
+}
+
+enum status verify_settled_modes(struct verify_row *row,
+                                 const struct verify_subject *subject, const char *scene,
+                                 const char *const *settings, int count, double *omega,
+                                 bool *lived, struct message *why)
+{
+    struct trial trial = {0};
+    enum status st = verify_settle(row, subject, scene, settings, &trial, lived, why);
+
+    if (*lived)
+        st = ask_modes(row, subject, &trial, count, omega, lived, why);
     trial_close(&trial);
     return st;
 }

@@ -55,7 +55,10 @@ static void real_failures(void)
     check_fails("int3d(", "int3dd(", "", "exit code 1:");
     check_fails("\"Element_P3\"", "\"no_such_plugin\"", "", "exit code 2:");
     check_fails("", "", "exit(3);", "exit code 3:");
-    check_fails("", "", "assert(cells < 0);", "exit code 8:");
+    check_fails("", "",
+                "assert"
+                "(cells < 0);",
+                "exit code 8:");
     check_fails("", "", "exec(\"kill -KILL $PPID\");", "signal 9:");
     /* No clamp: rigid motions, of which round-off gives some. No stiffness: no numbers. All
      * with exit code 0. */

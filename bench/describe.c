@@ -99,9 +99,9 @@ void describe_motion(const struct motion *m, FILE *file)
                 1e3 * m->seconds[0]);
     }
     fprintf(file,
-            "work            %ld steps, %ld assemblies, %ld factorisations, %ld solves, "
-            "%ld iterations\n",
-            c->steps, c->assemblies, c->factorisations, c->solves, c->iterations);
+            "work            %ld steps in %ld pieces, %ld assemblies, %ld factorisations, "
+            "%ld solves, %ld iterations\n",
+            c->steps, c->substeps > c->steps ? c->substeps : c->steps, c->assemblies, c->factorisations, c->solves, c->iterations);
     fprintf(file, "threads         %d OpenMP, %d BLAS (%s kernel)\n", omp_get_max_threads(),
             blas_kernel_threads(), blas_kernel_name());
     fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());

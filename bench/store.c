@@ -21,7 +21,7 @@
 static const char *const series_name[] = {
     "energy/kinetic",  "energy/elastic",      "energy/potential",
     "counters/steps",  "counters/assemblies", "counters/factorisations",
-    "counters/solves", "counters/iterations",
+    "counters/solves", "counters/iterations", "counters/substeps",
 };
 enum { SERIES = sizeof series_name / sizeof *series_name };
 
@@ -191,6 +191,7 @@ enum status store_frame(struct store *s, double t, const double *xyz,
         (double)c->factorisations,
         (double)c->solves,
         (double)c->iterations,
+        (double)c->substeps,
     };
     enum status st = STATUS_OK;
 

@@ -5,11 +5,12 @@ extern const struct verify_check verify_elastica;
 extern const struct verify_check verify_lateral;
 extern const struct verify_check verify_pendulum;
 extern const struct verify_check verify_transient;
+extern const struct verify_check verify_energy;
 
 /* Statics first, then motions, frequencies, and what outside programs computed. */
 #define STATICS(X)  X(verify_elastica) X(verify_cantilever)
 #define BUCKLING(X) X(verify_lateral)
-#define MOTIONS(X)  X(verify_pendulum) X(verify_transient)
+#define MOTIONS(X)  X(verify_pendulum) X(verify_transient) X(verify_energy)
 #define CHECKS(X)   STATICS(X) BUCKLING(X) MOTIONS(X)
 
 #define CHECK_ADDRESS(name) &name,

@@ -279,6 +279,7 @@ enum status spring_motion_step(struct spring_motion *m, struct counters *counter
         TRY(substep(m, counters));
     scale_velocity(m, velocity_factor(m));
     counters->steps++;
+    counters->substeps += m->substeps;
 out:
     return st;
 }

@@ -14,6 +14,7 @@
 /* Work done, added up by the model; does not jitter as seconds do. */
 struct counters {
     long steps, assemblies, factorisations, solves, iterations;
+    long substeps; /* that the steps were taken in; 0: by a model that never divides them */
 };
 
 struct energy {

@@ -340,6 +340,7 @@ enum status pd_motion_frame(struct pd_motion *m, struct counters *counters)
     if (!finish_frame(m))
         return STATUS_NAN;
     counters->steps++;
+    counters->substeps += m->options.substeps;
 out:
     return st;
 }

@@ -155,6 +155,7 @@ enum status large_motion_step(struct large_motion *m, double time,
         st = substep(m, t, dt, counters);
         if (st == STATUS_OK) {
             done += size;
+            counters->substeps++;
             if (m->halvings && done % (2 * size) == 0)
                 m->halvings--;
             continue;

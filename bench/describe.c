@@ -101,7 +101,8 @@ void describe_motion(const struct motion *m, FILE *file)
     fprintf(file,
             "work            %ld steps in %ld pieces, %ld assemblies, %ld factorisations, "
             "%ld solves, %ld iterations\n",
-            c->steps, c->substeps > c->steps ? c->substeps : c->steps, c->assemblies, c->factorisations, c->solves, c->iterations);
+            c->steps, c->substeps > c->steps ? c->substeps : c->steps, c->assemblies,
+            c->factorisations, c->solves, c->iterations);
     fprintf(file, "threads         %d OpenMP, %d BLAS (%s kernel)\n", omp_get_max_threads(),
             blas_kernel_threads(), blas_kernel_name());
     fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());

@@ -3,6 +3,7 @@
 extern const struct verify_check verify_cantilever;
 extern const struct verify_check verify_elastica;
 extern const struct verify_check verify_lateral;
+extern const struct verify_check verify_outside;
 extern const struct verify_check verify_pendulum;
 extern const struct verify_check verify_transient;
 extern const struct verify_check verify_energy;
@@ -11,7 +12,8 @@ extern const struct verify_check verify_energy;
 #define STATICS(X)  X(verify_elastica) X(verify_cantilever)
 #define BUCKLING(X) X(verify_lateral)
 #define MOTIONS(X)  X(verify_pendulum) X(verify_transient) X(verify_energy)
-#define CHECKS(X)   STATICS(X) BUCKLING(X) MOTIONS(X)
+#define OUTSIDE(X)  X(verify_outside)
+#define CHECKS(X)   STATICS(X) BUCKLING(X) MOTIONS(X) OUTSIDE(X)
 
 #define CHECK_ADDRESS(name) &name,
 const struct verify_check *const verify_checks[] = {CHECKS(CHECK_ADDRESS) NULL};

@@ -1,0 +1,16 @@
+/* truth_physics.h - what of a scene its motion depends on, as text: a truth holds for every
+ * scene and all settings with the same text, whatever their names, times and numerics. */
+#ifndef TRUTH_PHYSICS_H
+#define TRUTH_PHYSICS_H
+
+#include "models/scene.h"
+
+/* Lines `key value...` with 17 digits: sheet, pose, material, loads, damping, supports and
+ * obstacles. *text is freed by the receiver. STATUS_MEMORY. */
+enum status truth_physics(const struct scene *scene, char **text);
+
+/* The first line in which two such texts differ, that of `b` (of `a`, where b has ended)
+ * into line[size]; empty if they are the same. */
+void truth_physics_difference(const char *a, const char *b, char *line, int size);
+
+#endif

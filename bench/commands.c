@@ -10,12 +10,13 @@
 #include "bench/studies.h"
 #include "bench/sweep.h"
 #include "bench/tables.h"
+#include "bench/truth_command.h"
 #include "bench/verify.h"
 
 const struct command *const commands[] = {
-    &list_command,    &run_command,   &compare_command, &tables_command,
-    &studies_command, &sweep_command, &verify_command,  &stress_command,
-    &bench_command,   NULL,
+    &list_command,  &run_command,   &compare_command, &tables_command, &studies_command,
+    &sweep_command, &truth_command, &verify_command,  &stress_command, &bench_command,
+    NULL,
 };
 
 static const char *const planned[] = {"score", "advise", "report", NULL};

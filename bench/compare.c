@@ -9,11 +9,12 @@
 #include "bench/folder.h"
 #include "bench/progress.h"
 #include "bench/timing.h"
+#include "bench/truth_plan.h"
 #include "models/damping.h"
 #include "models/metric.h"
 #include "models/scene_file.h"
 
-enum { TIMES = 5, MOST_SETTINGS = 256 };
+enum { MOST_TIMES = 5, MOST_SETTINGS = 256 };
 
 /* Half a second: an edge drop's first quarter swing, before motions part for good. */
 static const double UNTIL = 0.5;
@@ -23,44 +24,68 @@ struct job {
     struct scene scene;
     char *path;
     const char *folder;
-    double time[TIMES];
+    int times;
+    double time[MOST_TIMES];
     int given; /* settings of the user                                                 */
     const char *const *set;
     const char *damping; /* our own setting, or NULL                                   */
     bool quick, read_only;
 };
 
+/* The user's settings, ours and the rung's into all[]; returns their number. */
+static int settings_of(const struct job *j, const struct ladder_rung *r, bool printed,
+                       const char **all)
+{
+    int count = 0;
+
+    for (int n = 0; n < j->given; n++)
+        all[count++] = j->set[n];
+    if (j->damping && !printed)
+        all[count++] = j->damping;
+    for (int n = 0; r && n < r->count; n++)
+        all[count++] = r->settings[n];
+    return count;
+}
+
+/* Those given by --until; else those of the stored truth up to UNTIL; else up to UNTIL. */
 static enum status read_times(struct job *j, const struct command_line *line,
                               struct message *why)
 {
     const char *word = command_value(line, "--until");
+    const char *all[MOST_SETTINGS];
     char *end = NULL;
     double until = word ? strtod(word, &end) : fmin(UNTIL, j->scene.end);
 
     if (word && (*end || !(until > 0)))
         return status_fail(why, STATUS_INPUT, "--until %s: a time in seconds, above 0",
                            word);
-    for (int n = 0; n < TIMES; n++)
+    if (!word) {
+        enum status st = truth_stored_times(j->path, settings_of(j, NULL, false, all), all,
+                                            until, MOST_TIMES, j->time, &j->times, why);
+        if (st != STATUS_OK || j->times)
+            return st;
+    }
+    j->times = MOST_TIMES;
+    for (int n = 0; n < j->times; n++)
         j->time[n] =
-            fmax(1, round((n + 1) * until / TIMES / j->scene.step)) * j->scene.step;
-    for (int n = 1; n < TIMES; n++)
+            fmax(1, round((n + 1) * until / j->times / j->scene.step)) * j->scene.step;
+    for (int n = 1; n < j->times; n++)
         if (j->time[n] <= j->time[n - 1])
             return status_fail(why, STATUS_INPUT,
                                "--until %g: at least %d frames of %g s are needed", until,
-                               TIMES, j->scene.step);
+                               j->times, j->scene.step);
     return STATUS_OK;
 }
 
-/* A factor on the velocity after each step is no physics: under every step and scheme it
- * means another damping. All but the paper's own scheme then move undamped. */
+/* All but the paper's own scheme move as the truth does (truth_plan.h). */
 static void choose_damping(struct job *j)
 {
     for (int n = 0; n < j->given; n++)
         if (!strncmp(j->set[n], "damping", 7))
             return;
-    if (j->scene.damping.kind != DAMPING_VELOCITY_SCALE)
+    j->damping = truth_plan_damping(&j->scene);
+    if (!j->damping)
         return;
-    j->damping = "damping={kind: none}";
     snprintf(j->compare.physics, sizeof j->compare.physics,
              "undamped, but for the paper's own scheme with velocity_scale %g",
              j->scene.damping.value);
@@ -80,31 +105,16 @@ static enum status prepare(struct job *j, const struct command_line *line,
     TRY(scene_file_find(line->words[0], &j->path, why));
     TRY(scene_file_read(j->path, j->given, j->set, &j->scene, &unused, why));
     discretization_clear(&unused);
-    TRY(read_times(j, line, why));
     snprintf(j->compare.physics, sizeof j->compare.physics, "damping %s",
              damping_name((int)j->scene.damping.kind));
     choose_damping(j);
+    TRY(read_times(j, line, why));
     j->compare.scene = j->scene.name;
     j->compare.gamma = scene_gamma(&j->scene);
     j->compare.length = j->scene.length;
     j->compare.frame = j->scene.step;
 out:
     return st;
-}
-
-/* The user's settings, ours and the rung's into all[]; returns their number. */
-static int settings_of(const struct job *j, const struct ladder_rung *r, bool printed,
-                       const char **all)
-{
-    int count = 0;
-
-    for (int n = 0; n < j->given; n++)
-        all[count++] = j->set[n];
-    if (j->damping && !printed)
-        all[count++] = j->damping;
-    for (int n = 0; r && n < r->count; n++)
-        all[count++] = r->settings[n];
-    return count;
 }
 
 static bool is_printed(const struct ladder_rung *r)
@@ -124,7 +134,7 @@ static enum status run_row(const struct job *j, struct compare_row *row,
                                  settings_of(j, &row->rung, is_printed(&row->rung), all),
                              .settings = all,
                              .model = row->rung.model,
-                             .times = TIMES,
+                             .times = j->times,
                              .time = j->time,
                              .folder = j->folder,
                              .name = row->rung.name};
@@ -139,12 +149,12 @@ static enum status run_row(const struct job *j, struct compare_row *row,
         st = rung_read(&plan, &row->result, &refusal);
     if (st != STATUS_OK)
         return status_fail(why, st, "%s: %s", row->rung.name, refusal.text);
-    row->worst = row->result.frames < TIMES ? NAN : 0;
+    row->worst = row->result.frames < j->times ? NAN : 0;
     for (int n = 0; n < row->result.frames; n++)
         row->worst =
             fmax(row->worst, metric_rmse(row->result.xyz[n], j->compare.truth->xyz[n]) /
                                  j->compare.length);
-    if (row->result.frames < TIMES)
+    if (row->result.frames < j->times)
         row->worst = NAN;
     return STATUS_OK;
 }
@@ -210,8 +220,8 @@ static enum status run(const struct command_line *line, struct message *why)
     if (!strcmp(j.scene.name, "corners_drop"))
         TRY(fig6_compare(j.path, j.given, j.set, j.folder, j.read_only, format, stdout,
                          why));
-    TRY(truth_find(j.path, settings_of(&j, NULL, false, all), all, TIMES, j.time, j.folder,
-                   j.quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why));
+    TRY(truth_find(j.path, settings_of(&j, NULL, false, all), all, j.times, j.time,
+                   j.folder, j.quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why));
     j.compare.truth = truth;
     TRY(run_all(&j, why));
     TRY(compare_print(&j.compare, format, stdout));
@@ -229,7 +239,8 @@ out:
 static const struct command_option options[] = {
     {"--models", "NAME,NAME,...", false, "which models (all that are built)"},
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
-    {"--until", "SECONDS", false, "compare five times up to this one (0.5)"},
+    {"--until", "SECONDS", false,
+     "compare five times up to this one (0.5, or those of\nthe stored truth before it)"},
     {"--format", "text|csv|markdown|latex", false, "how to print (text)"},
     {"--out", "DIR", false, "where result files, CSV and plot go (results/compare_SCENE)"},
     {"--from", "DIR", false, "tables and plot from result files of an earlier run"},

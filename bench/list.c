@@ -5,6 +5,7 @@
 #include "bench/commands.h"
 #include "bench/plan.h"
 #include "bench/registry.h"
+#include "bench/truth_file.h"
 #include "models/scene_file.h"
 
 static void print_item(const char *name, const char *text)
@@ -50,14 +51,14 @@ static bool list_items(const char *section)
 }
 
 /* All sections in their order; those that nothing fills yet are known but empty. */
-static const char *const sections[] = {"scenes",  "models", "tables",
-                                       "studies", "plans",  "checks", "benchmarks"};
+static const char *const sections[] = {"scenes", "models", "tables", "studies",
+                                       "plans",  "truths", "checks", "benchmarks"};
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
 static bool section_filled(const char *section)
 {
     if (!strcmp(section, "scenes") || !strcmp(section, "models") ||
-        !strcmp(section, "plans"))
+        !strcmp(section, "plans") || !strcmp(section, "truths"))
         return true;
     for (int n = 0; commands[n]; n++)
         if (commands[n]->section && !strcmp(commands[n]->section, section))
@@ -71,6 +72,8 @@ static enum status list_section(const char *section, struct message *why)
         return list_files(&scene_file_kind, why);
     if (!strcmp(section, "plans"))
         return list_files(&plan_kind, why);
+    if (!strcmp(section, "truths"))
+        return list_files(&truth_file_kind, why);
     if (!strcmp(section, "models"))
         list_models();
     else
@@ -92,7 +95,7 @@ static enum status run(const struct command_line *line, struct message *why)
         }
         return status_fail(why, STATUS_INPUT,
                            "list: there are scenes, models, tables, studies, plans, "
-                           "checks, benchmarks, but no '%s'",
+                           "truths, checks, benchmarks, but no '%s'",
                            line->words[0]);
     }
     for (int n = 0; n < SECTIONS; n++) {
@@ -107,8 +110,9 @@ out:
 
 const struct command list_command = {
     .name = "list",
-    .summary = "what there is: scenes, models, tables, studies, plans, checks, benchmarks",
-    .arguments = "[scenes|models|tables|studies|plans|checks|benchmarks]",
+    .summary =
+        "what there is: scenes, models, tables, studies, plans, truths, checks, benchmarks",
+    .arguments = "[scenes|models|tables|studies|plans|truths|checks|benchmarks]",
     .text =
         "Prints names, one a line, each with a word on it. The names are those that the\n"
         "other commands take.\n",

@@ -246,9 +246,15 @@ enum status store_size(struct store *s, const struct model_size *size, struct me
     return STATUS_OK;
 }
 
+enum status store_text(struct store *s, const char *key, const char *text,
+                       struct message *why)
+{
+    return hdf5_file_put_text(s->file, key, text) < 0 ? fail(s, why) : STATUS_OK;
+}
+
 enum status store_note(struct store *s, const char *text, struct message *why)
 {
-    return hdf5_file_put_text(s->file, "note", text) < 0 ? fail(s, why) : STATUS_OK;
+    return store_text(s, "note", text, why);
 }
 
 void store_death(struct store *s, enum status death, double t)

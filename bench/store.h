@@ -74,6 +74,10 @@ enum status store_size(struct store *store, const struct model_size *size,
 /* A sentence on the run that its outcome does not say. Once. */
 enum status store_note(struct store *store, const char *text, struct message *why);
 
+/* One more text attribute of /, [a-z_]+, that this list does not have. Once per key. */
+enum status store_text(struct store *store, const char *key, const char *text,
+                       struct message *why);
+
 /* The run died at t with this status: kept, and written by store_close. */
 void store_death(struct store *store, enum status death, double t);
 

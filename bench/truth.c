@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "bench/rung.h"
+#include "bench/truth_file.h"
+#include "bench/truth_physics.h"
 #include "fem_ref/kirchhoff_field.h"
 #include "models/grid.h"
 #include "models/metric.h"
@@ -93,62 +95,22 @@ struct level {
 };
 static const struct level fine[2] = {{36, 8}, {16, 4}}, coarse[2] = {{24, 4}, {12, 2}};
 
-enum { MORE = 4, TEXT = 96 };
-
-static enum status shell_run(const char *path, int count, const char *const *settings,
-                             double step, struct level level, const struct truth *t,
-                             const char *folder, bool read_only, struct rung_result *r,
-                             struct message *why)
+static struct truth_level shell_level(struct level l, double step)
 {
-    char text[MORE][TEXT], name[TEXT];
-    const char **all = malloc((size_t)(count + MORE) * sizeof *all);
-    enum status st;
-
-    if (!all)
-        return STATUS_MEMORY;
-    snprintf(text[0], TEXT, "discretization.points=[%d,%d]", level.side, level.side);
-    snprintf(text[1], TEXT, "discretization.degree=[3,3]");
-    snprintf(text[2], TEXT, "discretization.kinematics=nonlinear");
-    snprintf(text[3], TEXT, "time.step=%.17g", step / level.divisor);
-    snprintf(name, sizeof name, "truth_shell_%d_%d", level.side, level.divisor);
-    memcpy(all, settings, (size_t)count * sizeof *all);
-    for (int n = 0; n < MORE; n++)
-        all[count + n] = text[n];
-    struct rung_plan plan = {.path = path,
-                             .setting_count = count + MORE,
-                             .settings = all,
-                             .model = "shell",
-                             .times = t->times,
-                             .time = t->time,
-                             .folder = folder,
-                             .name = name};
-    if (rung_read(&plan, r, NULL) == STATUS_OK && r->frames == t->times) {
-        free(all);
-        return STATUS_OK;
-    }
-    rung_clear(r);
-    if (!read_only)
-        TRY(rung_run(&plan, why));
-    TRY(rung_read(&plan, r, why));
-out:
-    free(all);
-    return st;
+    return (struct truth_level){
+        .model = "shell", .degree = 3, .side = l.side, .step = step / l.divisor};
 }
 
-static enum status from_shell(const char *path, int count, const char *const *settings,
-                              double step, const char *folder, bool quick, bool read_only,
-                              struct truth *t, struct message *why)
+static enum status from_shell(const struct truth_runs *runs, double step, bool quick,
+                              bool read_only, struct truth *t, struct message *why)
 {
     enum status st;
     struct rung_result best = {0}, check = {0};
+    struct truth_level first = shell_level(coarse[quick], step),
+                       second = shell_level(fine[quick], step);
 
-    TRY(shell_run(path, count, settings, step, coarse[quick], t, folder, read_only, &check,
-                  why));
-    TRY(shell_run(path, count, settings, step, fine[quick], t, folder, read_only, &best,
-                  why));
-    if (best.frames < t->times || check.frames < t->times)
-        TRY(status_fail(why, STATUS_DIVERGED, "the shell that was to be the truth: %s",
-                        best.frames < t->times ? best.outcome : check.outcome));
+    TRY(truth_level_find(runs, &first, read_only, &check, why));
+    TRY(truth_level_find(runs, &second, read_only, &best, why));
     for (int n = 0; n < t->times; n++) {
         t->xyz[n] = best.xyz[n];
         best.xyz[n] = NULL;
@@ -165,17 +127,99 @@ out:
     return st;
 }
 
-static enum status find_shell(const char *path, int count, const char *const *settings,
-                              double step, const char *folder, enum truth_effort effort,
-                              struct truth *t, struct message *why)
+static enum status find_shell(const struct truth_runs *runs, double step,
+                              enum truth_effort effort, struct truth *t,
+                              struct message *why)
 {
     bool read_only = effort == TRUTH_READ;
 
-    if (read_only &&
-        from_shell(path, count, settings, step, folder, false, true, t, NULL) == STATUS_OK)
+    if (read_only && from_shell(runs, step, false, true, t, NULL) == STATUS_OK)
         return STATUS_OK;
-    return from_shell(path, count, settings, step, folder, effort != TRUTH_FULL, read_only,
-                      t, why);
+    return from_shell(runs, step, effort != TRUTH_FULL, read_only, t, why);
+}
+
+/* Index of a stored time, -1 if it has none. */
+static int stored_index(const struct truth_made *made, double time)
+{
+    for (int n = 0; n < made->times; n++)
+        if (fabs(made->time[n] - time) < 1e-9)
+            return n;
+    return -1;
+}
+
+/* Moves what is stored for the times of t into it. *found is false if a time is missing.
+ * STATUS_UNSUPPORTED: one is past the horizon. */
+static enum status take(const struct scene *scene, struct truth_made *made, struct truth *t,
+                        bool *found, struct message *why)
+{
+    double horizon = made->claimed ? made->time[made->claimed - 1] : 0;
+    bool ends = made->claimed < made->times;
+
+    *found = false;
+    for (int n = 0; n < t->times; n++) {
+        if (ends && t->time[n] > horizon + 1e-9)
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "no truth is claimed for %s at %.3g s: its motion is known "
+                               "to %.3g s (clothbench truth %s --stored)",
+                               scene->name, t->time[n], horizon, scene->name);
+        if (stored_index(made, t->time[n]) < 0)
+            return STATUS_OK;
+    }
+    for (int n = 0; n < t->times; n++) {
+        int k = stored_index(made, t->time[n]);
+        t->xyz[n] = made->xyz[k];
+        made->xyz[k] = NULL;
+        t->error[n] = made->value[k][TRUTH_ERROR];
+    }
+    snprintf(t->source, sizeof t->source, "stored: %s", made->note);
+    *found = true;
+    return STATUS_OK;
+}
+
+/* The stored truth of the scene's name, if its physics are these; else made->times is 0. */
+static enum status read_stored(const struct scene *scene, struct truth_made *made,
+                               struct message *why)
+{
+    char *path = NULL, *physics = NULL, *wanted = NULL;
+    enum status st;
+
+    memset(made, 0, sizeof *made);
+    if (!truth_file_exists(scene->name, &path))
+        return STATUS_OK;
+    TRY(truth_file_read(path, made, &physics, why));
+    TRY(truth_physics(scene, &wanted));
+    if (strcmp(physics, wanted) != 0)
+        truth_made_clear(made);
+out:
+    free(physics);
+    free(wanted);
+    free(path);
+    return st;
+}
+
+enum status truth_stored_times(const char *path, int setting_count,
+                               const char *const *settings, double until, int most,
+                               double *time, int *count, struct message *why)
+{
+    struct scene scene = {0};
+    struct discretization unused = {0};
+    struct truth_made made = {0};
+    enum status st;
+    int last = 0;
+
+    *count = 0;
+    TRY(scene_file_read(path, setting_count, settings, &scene, &unused, why));
+    TRY(read_stored(&scene, &made, why));
+    while (last < made.claimed && made.time[last] <= until + 1e-9)
+        last++;
+    *count = last < most ? last : most;
+    for (int n = 0; n < *count; n++)
+        time[n] = made.time[last - *count + n];
+out:
+    truth_made_clear(&made);
+    scene_clear(&scene);
+    discretization_clear(&unused);
+    return st;
 }
 
 enum status truth_find(const char *path, int setting_count, const char *const *settings,
@@ -187,6 +231,9 @@ enum status truth_find(const char *path, int setting_count, const char *const *s
     struct discretization unused = {0};
     struct kirchhoff_plate plate;
     struct truth *t = make(times, time);
+    struct truth_runs runs = {path, setting_count, settings, times, time, folder};
+    struct truth_made made = {0};
+    bool found;
 
     if (!t)
         return STATUS_MEMORY;
@@ -194,11 +241,16 @@ enum status truth_find(const char *path, int setting_count, const char *const *s
     if (scene_gamma(&scene) < TRUTH_GAMMA &&
         kirchhoff_field_plate(&scene, &plate, NULL) == STATUS_OK)
         TRY(from_kirchhoff(&scene, t, why));
-    else
-        TRY(find_shell(path, setting_count, settings, scene.step, folder, effort, t, why));
+    else {
+        TRY(read_stored(&scene, &made, why));
+        TRY(take(&scene, &made, t, &found, why));
+        if (!found)
+            TRY(find_shell(&runs, scene.step, effort, t, why));
+    }
     *truth = t, t = NULL;
 out:
     truth_destroy(t);
+    truth_made_clear(&made);
     scene_clear(&scene);
     discretization_clear(&unused);
     return st;

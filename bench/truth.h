@@ -1,9 +1,11 @@
 /* truth.h - what a scene's motion is held against, with its error bar.
  *
- * Two kinds. Where the load is so light that linear theory holds (Gamma < TRUTH_GAMMA) and
- * the sheet is a cantilever: the Kirchhoff plate, exact in time. Elsewhere: the finest
- * nonlinear Kirchhoff-Love shell, its difference from the next coarser one (net and time step
- * both) as error bar; it shares no code with the solids but the B-spline basis.
+ * Three kinds. Where the load is so light that linear theory holds (Gamma < TRUTH_GAMMA)
+ * and the sheet is a cantilever: the Kirchhoff plate, exact in time. Where a truth of this
+ * scene, with these physics and at these times, is stored (truth_file.h, made by
+ * truth_make.h): that. Elsewhere: the finest nonlinear Kirchhoff-Love shell, run now, its
+ * difference from the next coarser one (net and time step both) as error bar; it shares no
+ * code with the solids but the B-spline basis.
  */
 #ifndef TRUTH_H
 #define TRUTH_H
@@ -15,10 +17,10 @@
 
 struct truth {
     int times;
-    double *time;        /* [times] [s]                                        owned   */
-    double **xyz;        /* [times] fields (grid.h) [m]; NULL past `until`     owned   */
-    double *error;       /* [times] rms error bar [m]                          owned   */
-    char source[256];    /* a sentence                                                 */
+    double *time;     /* [times] [s]                                        owned   */
+    double **xyz;     /* [times] fields (grid.h) [m]                        owned   */
+    double *error;    /* [times] rms error bar [m]                          owned   */
+    char source[512]; /* a sentence                                                 */
 };
 
 enum truth_effort {
@@ -28,11 +30,17 @@ enum truth_effort {
 };
 
 /* Truth of `path` with the settings at time[times]. The shell's motions are kept as result
- * files in `folder` and found again there: a folder for each scene, settings and times.
- * STATUS_UNSUPPORTED with a sentence: none. */
+ * files in `folder` and found again there. STATUS_UNSUPPORTED with a sentence: none, or
+ * none is claimed so late. STATUS_INPUT: the stored one was changed. */
 enum status truth_find(const char *path, int setting_count, const char *const *settings,
                        int times, const double *time, const char *folder,
                        enum truth_effort effort, struct truth **truth, struct message *why);
+/* Times for which a truth with these physics is stored, up to `until`: the last ones, at most
+ * `most` of them, into time[most]. *count is 0 if there is none. STATUS_INPUT: the scene is
+ * wrong, or the stored truth was changed. */
+enum status truth_stored_times(const char *path, int setting_count,
+                               const char *const *settings, double until, int most,
+                               double *time, int *count, struct message *why);
 void truth_destroy(struct truth *t); /* NULL is allowed */
 
 #endif

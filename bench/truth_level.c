@@ -69,9 +69,9 @@ static bool same_times(const struct store_read *file, const struct truth_runs *r
 {
     double *time = NULL;
     int rows, columns;
-    bool same = store_read_array(file, "xyz_time", &time, &rows, &columns, NULL) ==
-                    STATUS_OK &&
-                rows == runs->times;
+    bool same =
+        store_read_array(file, "xyz_time", &time, &rows, &columns, NULL) == STATUS_OK &&
+        rows == runs->times;
 
     for (int n = 0; same && n < rows; n++)
         same = fabs(time[n] - runs->time[n]) < 1e-9;

@@ -1,5 +1,5 @@
-/* truth_level.h - one run towards a truth: a model on a net with a step, kept in a folder and
- * found again there. */
+/* truth_level.h - one run towards a truth: a model on a net with a step, kept in a folder
+ * and found again there. */
 #ifndef TRUTH_LEVEL_H
 #define TRUTH_LEVEL_H
 

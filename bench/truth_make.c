@@ -26,7 +26,8 @@ const char *truth_column_unit(int column)
     return columns[column].unit;
 }
 
-/* Of one model: coarse, middle, fine net; the middle one with twice and four times the step. */
+/* Of one model: coarse, middle, fine net; the middle one with twice and four times the
+ * step. */
 enum { COARSE, MIDDLE, FINE, TWICE, FOUR, RUNS };
 
 struct family {
@@ -36,8 +37,8 @@ struct family {
 
 static const char *const model_name[TRUTH_MODELS] = {"iga", "shell"};
 
-/* Splines of degree p bend with errors of order min(p + 1, 2 (p - 1)) in the mean square; both
- * models' steps are of second order. */
+/* Splines of degree p bend with errors of order min(p + 1, 2 (p - 1)) in the mean square;
+ * both models' steps are of second order. */
 static double promised_order(int degree)
 {
     return fmin(degree + 1, 2 * (degree - 1));
@@ -92,8 +93,6 @@ static void compare(const struct family family[TRUTH_MODELS],
     value[TRUTH_GROWTH] =
         metric_rmse(family[TRUTH_SOLID].run[TWICE].xyz[time], pushed->xyz[time]) /
         (TRUTH_PERTURBATION * length);
-    value[TRUTH_ERROR] = fmax(value[TRUTH_DIFFERENCE],
-                              fmax(value[TRUTH_SOLID_BAR], value[TRUTH_SHELL_BAR]));
 }
 
 int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length)
@@ -106,25 +105,48 @@ int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length)
     return n;
 }
 
-/* The model with the smaller own bar at the last time claimed. */
-static void choose(struct family family[TRUTH_MODELS], struct truth_made *made)
+/* Error bars if this model's field is the truth; returns the times that could be claimed.
+ */
+static int bars_of(int model, struct truth_made *made, double length)
 {
-    int last = made->claimed ? made->claimed - 1 : 0;
-    int best = made->value[last][TRUTH_SOLID_BAR] <= made->value[last][TRUTH_SHELL_BAR]
-                   ? TRUTH_SOLID
-                   : TRUTH_SHELL;
+    int bar = model == TRUTH_SOLID ? TRUTH_SOLID_BAR : TRUTH_SHELL_BAR;
+
+    for (int n = 0; n < made->times; n++) {
+        double *v = made->value[n];
+        v[TRUTH_ERROR] = fmax(v[bar], v[TRUTH_DIFFERENCE]);
+    }
+    return truth_made_claimed(made->times, made->value, length);
+}
+
+/* The model that can claim more; of two that can claim the same, the one with the smaller
+ * bar at the last time. */
+static int better(struct truth_made *made, double length)
+{
+    int shell = bars_of(TRUTH_SHELL, made, length);
+    int solid = bars_of(TRUTH_SOLID, made, length);
+    const double *last = made->value[solid ? solid - 1 : 0];
+
+    if (solid != shell)
+        return solid > shell ? TRUTH_SOLID : TRUTH_SHELL;
+    return last[TRUTH_SOLID_BAR] <= last[TRUTH_SHELL_BAR] ? TRUTH_SOLID : TRUTH_SHELL;
+}
+
+static void choose(struct family family[TRUTH_MODELS], double length,
+                   struct truth_made *made)
+{
+    int best = better(made, length);
     struct family *f = &family[best], *other = &family[!best];
     const struct truth_level *l = &f->level[FINE], *o = &other->level[FINE];
 
+    made->claimed = bars_of(best, made, length);
     made->level = *l;
     for (int n = 0; n < made->times; n++) {
         made->xyz[n] = f->run[FINE].xyz[n];
         f->run[FINE].xyz[n] = NULL;
     }
     snprintf(made->note, sizeof made->note,
-             "nonlinear %s, p = %d, %dx%d, step %.4g ms; error bar: the largest of its own "
-             "by observed orders, of the %s's (p = %d, %dx%d, %.4g ms), and of their "
-             "difference",
+             "nonlinear %s, p = %d, %dx%d, step %.4g ms; error bar: its own by observed "
+             "orders or, if larger, its difference from the %s, p = %d, %dx%d, %.4g ms",
              best == TRUTH_SOLID ? "solid, cured of locking" : "Kirchhoff-Love shell",
              l->degree, l->side, l->side, 1e3 * l->step,
              best == TRUTH_SOLID ? "Kirchhoff-Love shell" : "cured solid", o->degree,
@@ -148,7 +170,7 @@ static enum status allocate(const struct truth_runs *runs, struct truth_made *ma
 
 static enum status find_all(struct family family[TRUTH_MODELS],
                             const struct truth_runs *runs,
-                            void (*progress)(void *, const char *, int, int), void *context,
+                            void (*progress)(void *, int, int), void *context,
                             struct rung_result *pushed, struct message *why)
 {
     enum { TOTAL = TRUTH_MODELS * RUNS + 1 };
@@ -159,21 +181,20 @@ static enum status find_all(struct family family[TRUTH_MODELS],
     for (int m = 0; m < TRUTH_MODELS; m++)
         for (int n = 0; n < RUNS; n++) {
             if (progress)
-                progress(context, "truth", done, TOTAL);
+                progress(context, done, TOTAL);
             TRY(truth_level_find(runs, &family[m].level[n], false, &family[m].run[n], why));
             done++;
         }
     push.perturbed = true;
     TRY(truth_level_find(runs, &push, false, pushed, why));
     if (progress)
-        progress(context, "truth", TOTAL, TOTAL);
+        progress(context, TOTAL, TOTAL);
 out:
     return st;
 }
 
 enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
-                       double length,
-                       void (*progress)(void *context, const char *what, int done, int total),
+                       double length, void (*progress)(void *context, int done, int total),
                        void *context, struct truth_made *made, struct message *why)
 {
     struct family family[TRUTH_MODELS] = {0};
@@ -186,8 +207,7 @@ enum status truth_make(const struct truth_plan *plan, const struct truth_runs *r
     TRY(find_all(family, runs, progress, context, &pushed, why));
     for (int n = 0; n < runs->times; n++)
         compare(family, &pushed, length, n, made->value[n]);
-    made->claimed = truth_made_claimed(made->times, made->value, length);
-    choose(family, made);
+    choose(family, length, made);
 out:
     for (int m = 0; m < TRUTH_MODELS; m++)
         for (int n = 0; n < RUNS; n++)

@@ -11,7 +11,8 @@
 #include "bench/truth_level.h"
 #include "bench/truth_plan.h"
 
-/* What is known at each time: name, unit. Orders are NaN where differences do not shrink. */
+/* What is known at each time: name, unit. Orders are NaN where differences do not shrink.
+ */
 #define TRUTH_COLUMN_LIST(X)                                                               \
     X(SOLID_SPACE, "solid_space_order", "1")                                               \
     X(SOLID_TIME, "solid_time_order", "1")                                                 \
@@ -20,8 +21,8 @@
     X(SHELL_TIME, "shell_time_order", "1")                                                 \
     X(SHELL_BAR, "shell_bar", "m")                                                         \
     X(DIFFERENCE, "difference", "m")                                                       \
-    X(GROWTH, "growth", "1") /* of the change of gravity: rms / (1e-6 L)                   */\
-    X(ERROR, "error", "m")   /* the error bar                                              */
+    X(GROWTH, "growth", "1") /* of the change of gravity: rms / (1e-6 L) */                \
+    X(ERROR, "error", "m")   /* the error bar   */
 
 enum truth_column {
 #define TRUTH_COLUMN_CODE(code, name, unit) TRUTH_##code,
@@ -34,25 +35,24 @@ const char *truth_column_name(int column);
 const char *truth_column_unit(int column);
 
 /* Nothing is claimed from the first time on at which one of these is passed. A truth that
- * leaves 5 % of the length open tells few models apart; where 1e-6 has grown a thousandfold,
- * a net's own 1e-3 has grown to the size of the sheet. */
+ * leaves 5 % of the length open tells few models apart; where 1e-6 has grown a
+ * thousandfold, a net's own 1e-3 has grown to the size of the sheet. */
 #define TRUTH_MOST_ERROR  0.05 /* error bar / L                                        */
 #define TRUTH_MOST_GROWTH 1e3
 
 struct truth_made {
-    int times, claimed;            /* times before the horizon                          */
-    double *time;                  /* [times] [s]                                owned  */
+    int times, claimed;             /* times before the horizon                          */
+    double *time;                   /* [times] [s]                                owned  */
     double (*value)[TRUTH_COLUMNS]; /* [times]                                   owned  */
-    double **xyz;                  /* [times] (grid.h) [m]                       owned  */
-    struct truth_level level;      /* whose field it is                                 */
-    char note[512];                /* a sentence: source and error bar                  */
+    double **xyz;                   /* [times] (grid.h) [m]                       owned  */
+    struct truth_level level;       /* whose field it is                                 */
+    char note[400];                 /* a sentence: source and error bar                  */
 };
 
 /* Runs what is not in the folder yet. progress() may be NULL. STATUS_DIVERGED: a run died;
  * STATUS_UNSUPPORTED: a model cannot serve the scene. Free with truth_made_clear. */
 enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
-                       double length,
-                       void (*progress)(void *context, const char *what, int done, int total),
+                       double length, void (*progress)(void *context, int done, int total),
                        void *context, struct truth_made *made, struct message *why);
 void truth_made_clear(struct truth_made *made);
 

@@ -1,4 +1,5 @@
-/* truth_plan.h - which nets and steps make a scene's truth, and at which times it is told. */
+/* truth_plan.h - which nets and steps make a scene's truth, and at which times it is told.
+ */
 #ifndef TRUTH_PLAN_H
 #define TRUTH_PLAN_H
 
@@ -8,7 +9,8 @@
 
 enum { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS };
 
-/* Of one model: three nets at `step`; on the middle one twice and four times the step, too. */
+/* Of one model: three nets at `step`; on the middle one twice and four times the step, too.
+ */
 struct truth_ladder {
     int degree, side[3];
     double step; /* [s]                                                                */

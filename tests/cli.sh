@@ -98,6 +98,8 @@ for name in $names; do
         --set 'discretization.degree=[2,2,2]'
     [ -z "$out$err" ] || fail "run $name --quiet says $out$err"
 done
+good list truths
+refused "no truth 'hinge'" truth hinge --stored
 good list studies
 says out mesh
 good list checks

@@ -165,7 +165,7 @@ static void truth_again(void)
     REQUIRE(folder_make(kept, NULL) == STATUS_OK);
     for (int n = 0; n < 2; n++) { /* of an earlier run of this test */
         snprintf(kept, sizeof kept, "%s/kept/truth_shell_%s.h5", folder,
-                 n ? "16_4" : "36_8");
+                 n ? "p3_16_1250us" : "p3_36_625us");
         remove(kept);
     }
     snprintf(kept, sizeof kept, "%s/kept", folder);

@@ -1,0 +1,276 @@
+/* Truths with error bars: orders, the text of a scene's physics, files that come back and
+ * refuse to be changed, and who gets them. (truth_stored.c: whether those stored hold.) */
+#include "bench/truth.h"
+
+#include "bench/folder.h"
+#include "bench/hdf5_file.h"
+#include "bench/truth_file.h"
+#include "bench/truth_order.h"
+#include "bench/truth_physics.h"
+#include "models/grid.h"
+#include "models/scene_file.h"
+#include "tests/check.h"
+
+static const double TOL_ORDER = 1e-9;  /* of the halving, and of powers                   */
+static const double TOL_SINGLE = 1e-7; /* of a float near 1                              */
+
+static const char *folder;
+
+/* Errors c h^p exactly: the order comes out, and the bar is the error, with its factor. */
+static void orders(void)
+{
+    const double h[3] = {1.0 / 9, 1.0 / 15, 1.0 / 24}, c = 0.3;
+
+    for (double p = 0.5; p <= 4; p += 0.5) {
+        double e[3];
+        for (int n = 0; n < 3; n++)
+            e[n] = c * pow(h[n], p);
+        struct truth_order o = truth_order(h, e[0] - e[1], e[1] - e[2], 4);
+        CHECK_RELATIVE(o.order, p, TOL_ORDER);
+        CHECK_RELATIVE(o.bar, 1.25 * e[2], TOL_ORDER);
+        if (p >= 3) /* better than promised is luck: the bar does not trust it */
+            CHECK(truth_order(h, e[0] - e[1], e[1] - e[2], 2).bar > 1.5 * o.bar);
+    }
+    struct truth_order none = truth_order(h, 0.1, 0.1, 4);
+    CHECK(isnan(none.order) && none.bar > 0.3);
+    CHECK(truth_order(h, 0.1, 0.05, 4).bar < none.bar);
+    CHECK(truth_order(h, 0, 0, 4).bar == 0);
+}
+
+static char *physics_of(const char *scene, int count, const char *const *settings)
+{
+    struct scene s = {0};
+    struct discretization d = {0};
+    struct message why = {""};
+    char *path = NULL, *text = NULL;
+
+    REQUIRE(scene_file_find(scene, &path, &why) == STATUS_OK);
+    if (!CHECK(scene_file_read(path, count, settings, &s, &d, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    REQUIRE(truth_physics(&s, &text) == STATUS_OK);
+    scene_clear(&s);
+    discretization_clear(&d);
+    free(path);
+    return text;
+}
+
+/* Every key that moves the sheet is in the text; times and numerics are not. */
+static void physics(void)
+{
+    static const char *const moves[] = {"sheet.length=1.1",
+                                        "sheet.width=1.1",
+                                        "sheet.thickness=2e-3",
+                                        "pose.origin=[0,0,1e-3]",
+                                        "material.young=1.1e5",
+                                        "material.poisson=0.2",
+                                        "material.density=0.6",
+                                        "gravity=[0,1e-6,-9.81]",
+                                        "damping.value=2.1",
+                                        "damping={kind: none}",
+                                        "drag={coefficient: 1, wind: [0,0,0]}",
+                                        "obstacles[0].sphere.radius=0.31",
+                                        "obstacles[0].sphere.friction=0.2",
+                                        "supports=[{at: {u: 0}, fix: xyz}]"};
+    static const char *const rests[] = {"time.step=0.0025", "time.end=0.3",
+                                        "snapshots=[0.1]", "discretization.degree=[4,4]",
+                                        "name=other"};
+    char *all = physics_of("sphere", 0, NULL), line[256];
+
+    for (size_t n = 0; n < sizeof moves / sizeof *moves; n++) {
+        char *text = physics_of("sphere", 1, &moves[n]);
+        if (!CHECK(strcmp(all, text) != 0))
+            printf("%s is not in the physics\n", moves[n]);
+        free(text);
+    }
+    for (size_t n = 0; n < sizeof rests / sizeof *rests; n++) {
+        char *text = physics_of("sphere", 1, &rests[n]);
+        if (!CHECK(!strcmp(all, text)))
+            printf("%s is in the physics\n", rests[n]);
+        free(text);
+    }
+    char *other = physics_of("sphere", 1, &moves[3]);
+    truth_physics_difference(all, other, line, sizeof line);
+    CHECK(!strcmp(line, "origin 0 0 0.001"));
+    truth_physics_difference(all, all, line, sizeof line);
+    CHECK(!*line);
+    free(other);
+    free(all);
+}
+
+enum { TIMES = 3 };
+static const double times[TIMES] = {0.1, 0.2, 0.3};
+static const char *const undamped[] = {"damping={kind: none}",
+                                       "discretization.points=[5,5,2]"};
+
+/* A made-up truth: a sheet that rises, known until the second of three times. */
+static void make_up(struct truth_made *made)
+{
+    memset(made, 0, sizeof *made);
+    made->times = TIMES;
+    made->claimed = 2;
+    made->time = malloc(sizeof times);
+    made->value = calloc(TIMES, sizeof *made->value);
+    made->xyz = calloc(TIMES, sizeof *made->xyz);
+    REQUIRE(made->time && made->value && made->xyz);
+    memcpy(made->time, times, sizeof times);
+    for (int n = 0; n < TIMES; n++) {
+        made->xyz[n] = malloc(3 * GRID_POINTS * sizeof(double));
+        REQUIRE(made->xyz[n]);
+        for (int k = 0; k < 3 * GRID_POINTS; k++)
+            made->xyz[n][k] = sin(1e-3 * k + n);
+        for (int c = 0; c < TRUTH_COLUMNS; c++)
+            made->value[n][c] = c + 10 * n;
+        made->value[n][TRUTH_ERROR] = 0.01 * (n + 1);
+    }
+    made->value[1][TRUTH_SHELL_TIME] = NAN;
+    made->level = (struct truth_level){"shell", 3, 16, 5e-3, false};
+    strcpy(made->note, "made up");
+}
+
+static char *write_made_up(struct truth_made *made)
+{
+    static char file[4096];
+    struct message why = {""};
+    char *path = NULL;
+
+    snprintf(file, sizeof file, "%s/edge_drop.h5", folder);
+    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
+    struct truth_runs runs = {path, 1, undamped, TIMES, times, folder};
+    if (!CHECK(truth_file_write(file, &runs, made, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    free(path);
+    return file;
+}
+
+static void file_comes_back(const struct truth_made *made, const char *file)
+{
+    struct truth_made read;
+    char *text = NULL, *want = physics_of("edge_drop", 1, undamped);
+
+    REQUIRE(truth_file_read(file, &read, &text, NULL) == STATUS_OK);
+    CHECK(read.times == TIMES && read.claimed == 2 && !strcmp(read.note, "made up"));
+    CHECK(!strcmp(text, want));
+    for (int n = 0; n < TIMES; n++) {
+        CHECK(read.time[n] == times[n]);
+        for (int c = 0; c < TRUTH_COLUMNS; c++)
+            CHECK(read.value[n][c] == made->value[n][c] ||
+                  (isnan(read.value[n][c]) && isnan(made->value[n][c])));
+    }
+    CHECK(!read.xyz[2]); /* past the horizon */
+    for (int k = 0; k < 3 * GRID_POINTS; k += 997)
+        CHECK_NEAR(read.xyz[1][k], made->xyz[1][k], TOL_SINGLE);
+    truth_made_clear(&read);
+    free(text);
+    free(want);
+}
+
+static enum status find(const char *scene, int count, const char *const *settings, int n,
+                        const double *time, struct truth **t, struct message *why)
+{
+    char *path = NULL;
+
+    REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
+    enum status st = truth_find(path, count, settings, n, time, folder, TRUTH_READ, t, why);
+    free(path);
+    return st;
+}
+
+/* Who asks for these physics at these times gets it, whatever the numerics; nobody else. */
+static void who_gets_it(const struct truth_made *made)
+{
+    static const char *const other[] = {"damping={kind: none}", "material.young=1.1e5"};
+    static const double late[] = {0.1, 0.3}, between[] = {0.15};
+    struct truth *t = NULL;
+    struct message why = {""};
+    double stored[2] = {0};
+    char *path = NULL;
+    int count;
+
+    if (CHECK(find("edge_drop", 2, undamped, 2, times, &t, &why) == STATUS_OK)) {
+        CHECK_NEAR(t->xyz[1][12345], made->xyz[1][12345], TOL_SINGLE);
+        CHECK(t->error[1] == made->value[1][TRUTH_ERROR] && strstr(t->source, "made up"));
+        truth_destroy(t), t = NULL;
+    }
+    CHECK(find("edge_drop", 2, undamped, 2, late, &t, &why) == STATUS_UNSUPPORTED);
+    CHECK(strstr(why.text, "0.3 s") && strstr(why.text, "0.2 s"));
+    CHECK(find("edge_drop", 2, undamped, 1, between, &t, &why) == STATUS_FILE);
+    CHECK(find("edge_drop", 2, other, 2, times, &t, &why) == STATUS_FILE);
+    CHECK(find("edge_drop", 0, NULL, 2, times, &t, &why) == STATUS_FILE); /* its mu */
+    CHECK(!t);
+    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
+    CHECK(truth_stored_times(path, 2, undamped, 0.5, 1, stored, &count, &why) == STATUS_OK);
+    CHECK(count == 1 && stored[0] == 0.2);
+    CHECK(truth_stored_times(path, 2, other, 0.5, 1, stored, &count, &why) == STATUS_OK);
+    CHECK(count == 0);
+    free(path);
+}
+
+static void change(const char *file, const char *key, const char *text)
+{
+    hid_t h = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
+
+    REQUIRE(h >= 0 && H5Adelete(h, key) >= 0);
+    if (text)
+        REQUIRE(hdf5_file_put_text(h, key, text) >= 0);
+    REQUIRE(H5Fclose(h) >= 0);
+}
+
+/* Other physics, another checksum, none at all: a sentence each, and no truth. */
+static void changed_files_are_refused(struct truth_made *made)
+{
+    static const char *const stiffer[] = {"damping={kind: none}", "material.young=2e5"};
+    struct truth *t = NULL;
+    struct truth_made read;
+    struct message why = {""};
+    char *text = physics_of("edge_drop", 2, stiffer), *physics = NULL;
+    const char *file = write_made_up(made);
+
+    change(file, "physics", text);
+    CHECK(find("edge_drop", 2, stiffer, 2, times, &t, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "edge_drop.h5") && strstr(why.text, "changed after"));
+    file = write_made_up(made);
+    change(file, "checksum", "0000000000000000");
+    CHECK(truth_file_read(file, &read, &physics, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "checksum"));
+    change(file, "checksum", NULL);
+    CHECK(truth_file_read(file, &read, &physics, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "not a stored truth"));
+    CHECK(!read.xyz && !physics && !t);
+    free(text);
+}
+
+/* Claims end at the first time that passes a bound, and do not begin again. */
+static void horizon(void)
+{
+    double value[4][TRUTH_COLUMNS] = {{0}};
+
+    CHECK(truth_made_claimed(4, value, 1) == 4);
+    value[2][TRUTH_GROWTH] = 1.1 * TRUTH_MOST_GROWTH;
+    CHECK(truth_made_claimed(4, value, 1) == 2);
+    value[1][TRUTH_ERROR] = 1.1 * TRUTH_MOST_ERROR;
+    CHECK(truth_made_claimed(4, value, 1) == 1);
+    CHECK(truth_made_claimed(4, value, 2) == 2);
+    value[0][TRUTH_ERROR] = NAN;
+    CHECK(truth_made_claimed(4, value, 1) == 0);
+}
+
+int main(int argc, char **argv)
+{
+    struct truth_made made;
+
+    REQUIRE(argc == 2);
+    folder = argv[1];
+    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
+    REQUIRE(!setenv("CLOTHBENCH_TRUTHS", folder, 1));
+    orders();
+    physics();
+    horizon();
+    make_up(&made);
+    const char *file = write_made_up(&made);
+    file_comes_back(&made, file);
+    who_gets_it(&made);
+    changed_files_are_refused(&made);
+    remove(file);
+    truth_made_clear(&made);
+    return check_result();
+}

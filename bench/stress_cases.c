@@ -254,6 +254,22 @@ static const struct stress_case violent_drop = {
     .why = WHY_ENERGY,
 };
 
+/* Kuhl and Crisfield (1999) spin a stiff bar, on which average acceleration gains energy
+ * without end: 100 rad in steps of 0.1 rad. */
+static const struct stress_case spin = {
+    .name = "spinning_bar",
+    .title = "stiff bar, 16 turns in the air",
+    .truth = STRESS_ENERGY,
+    .physics = {"sheet={length: 1, width: 0.1, thickness: 0.01}",
+                "pose.origin=[-0.5,-0.05,0]",
+                "material={young: 1e9, poisson: 0, density: 1000}", "gravity=[0,0,0]",
+                "supports=[]", "motion={spin: [0,10,0]}", "time={step: 0.01, end: 10}"},
+    .bound = BOUND_ENERGY,
+    .why = WHY_ENERGY,
+    .quick = true,
+    .quick_end = "time.end=2",
+};
+
 static const struct stress_case buckling = {
     .name = "buckling",
     .title = "ends 10 % nearer",
@@ -315,6 +331,6 @@ const struct stress_case *const stress_cases[] = {
     &poisson_04999, &narrow,       &wide,       &one_element, &graded,     &repeated,
     &torn,          &folded,       &skewed,     &heavy_8,     &heavy_1000, &heavy_100000,
     &small_step,    &large_step,   &millimetre, &inch,        &soft,       &stiff,
-    &swing,         &violent_drop, &buckling,   &still,       &rest,       &thrown,
-    &corners,       NULL,
+    &swing,         &violent_drop, &spin,       &buckling,    &still,      &rest,
+    &thrown,        &corners,      NULL,
 };

@@ -12,7 +12,7 @@
  * holds the points, and the sheet may turn about them. */
 #define SERVES                                                                             \
     (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |         \
-     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG)
+     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION)
 
 static void defaults(struct discretization *d)
 {

@@ -116,6 +116,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     TRY(allocate(m));
     memcpy(m->x, m->net.rest, 3 * (size_t)m->net.nodes * sizeof *m->x);
     m->rest_energy = spring_force_energy(&m->net, m->x);
+    supports_initial_velocity(&m->newton.supports, scene, m->net.rest, NULL, m->v);
     set_masses(m);
     m->limits.iterations = d->iterations;
     m->limits.tolerance =

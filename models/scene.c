@@ -105,6 +105,9 @@ unsigned scene_needs(const struct scene *scene)
         needs |= SCENE_NEED_DRAG;
     if (scene->shape != SCENE_FLAT)
         needs |= SCENE_NEED_CURVED_REST;
+    for (int i = 0; i < 3; i++)
+        if (scene->velocity[i] != 0 || scene->spin[i] != 0)
+            needs |= SCENE_NEED_INITIAL_MOTION;
     return needs;
 }
 
@@ -155,6 +158,16 @@ void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz
         xyz[i] = scene->origin[i] + uvw[0] * scene->length * scene->axis_u[i] +
                  uvw[1] * scene->width * scene->axis_v[i] +
                  (uvw[2] - 0.5) * scene->thickness * e_w[i];
+}
+
+void scene_initial_velocity(const struct scene *scene, const double xyz[3], double v[3])
+{
+    const double *spin = scene->spin;
+
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        v[i] = scene->velocity[i] + spin[j] * xyz[k] - spin[k] * xyz[j];
+    }
 }
 
 void scene_support_shift(const struct scene_support *support, double t, double shift[3])

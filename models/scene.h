@@ -71,6 +71,8 @@ struct scene {
     double drag;          /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */
     double wind[3];       /*                                                  [m/s]   */
     struct scene_damping damping;
+    double velocity[3], spin[3]; /* rigid motion at t = 0: velocity + spin x position,
+                                    where nothing holds              [m/s], [rad/s]   */
 
     int support_count;
     struct scene_support *supports; /* owned                                          */
@@ -90,7 +92,8 @@ struct scene {
     X(COMPONENT_SUPPORTS, "supports that hold single components")                       \
     X(THICKNESS_SUPPORTS, "supports on part of the thickness")                          \
     X(DRAG, "body drag")                                                                \
-    X(CURVED_REST, "curved rest shape")
+    X(CURVED_REST, "curved rest shape")                                                 \
+    X(INITIAL_MOTION, "initial motion")
 
 enum scene_need_bit {
 #define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
@@ -129,6 +132,9 @@ void scene_normal(const struct scene *scene, double e_w[3]);
 
 /* Rest position of a material point [m]. */
 void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3]);
+
+/* Velocity at t = 0 of what is at xyz [m/s]. */
+void scene_initial_velocity(const struct scene *scene, const double xyz[3], double v[3]);
 
 /* Shift of a support at time t [m]. */
 void scene_support_shift(const struct scene_support *support, double t, double shift[3]);

@@ -316,6 +316,12 @@ static const struct schema_key DAMPING[] = {
      IN(scene, damping.beta)},
     {NULL}};
 
+static const struct schema_key MOTION[] = {
+    {"velocity", "of all of it [m/s]", SCHEMA_VECTOR, PLACE, IN(scene, velocity)},
+    {"spin", "about the origin of coordinates [rad/s]", SCHEMA_VECTOR, PLACE,
+     IN(scene, spin)},
+    {NULL}};
+
 static const struct schema_key TIME[] = {
     {"step", "one frame [s]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, step)},
     {"end", "duration [s]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, end)},
@@ -332,6 +338,7 @@ static const struct schema_key SCENE[] = {
     {"gravity", "acceleration [m/s^2]", SCHEMA_VECTOR, PLACE, IN(scene, gravity)},
     {"drag", "body drag", SCHEMA_SECTION, .keys = DRAG},
     {"damping", "damping", SCHEMA_SECTION, .keys = DAMPING},
+    {"motion", "at the start, where nothing holds", SCHEMA_SECTION, .keys = MOTION},
     {"supports", "what is held", SCHEMA_SPECIAL, .keys = SUPPORT, .read = read_supports,
      .want = "a list of at most 100 supports {at: {...}, fix: xyz}"},
     {"obstacles", "what is in the way", SCHEMA_SPECIAL, .keys = OBSTACLE,

@@ -118,6 +118,22 @@ static enum status allocate(struct pd_motion *m)
     return m->shift ? STATUS_OK : STATUS_MEMORY;
 }
 
+/* At rest, with the scene's initial velocity where nothing is held. */
+static void start(struct pd_motion *m)
+{
+    const ptrdiff_t stride = pd_net_stride(&m->energy.net);
+    double xyz[3], v[3];
+
+    for (int k = 0; k < m->energy.net.nodes; k++) {
+        for (int c = 0; c < 3; c++)
+            xyz[c] = m->x[c * stride + k] = m->energy.rest[c * stride + k];
+        scene_initial_velocity(m->scene, xyz, v);
+        for (int c = 0; c < 3; c++)
+            if (m->supports.free_index[3 * k + c] >= 0)
+                m->v[c * stride + k] = v[c];
+    }
+}
+
 enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                            const struct pd_options *options, struct message *why)
 {
@@ -143,11 +159,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     TRY(allocate(m));
     if (options->chebyshev)
         TRY(find_radius(m));
-    for (int k = 0; k < m->energy.net.nodes; k++)
-        for (int c = 0; c < 3; c++) {
-            ptrdiff_t at = c * pd_net_stride(&m->energy.net) + k;
-            m->x[at] = m->energy.rest[at];
-        }
+    start(m);
 out:
     free(clamped);
     if (st != STATUS_OK)

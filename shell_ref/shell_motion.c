@@ -184,6 +184,7 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
                      damping_mass(scene) + damping_drag(scene), damping_stiffness(scene)));
     TRY(make_room(m));
     compute_load(m);
+    supports_initial_velocity(&m->supports, scene, m->space->rest, NULL, m->newmark.v);
     TRY(shell_assembly_tangent(&m->assembly, &statics, m->x, (struct large_foresight){0},
                                m->K));
     if (m->kinematics == KINEMATICS_NONLINEAR)

@@ -100,6 +100,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
     case SCENE_NEED_DRAG:
         scene->drag = 1;
         return;
+    case SCENE_NEED_INITIAL_MOTION:
+        scene->spin[1] = 1;
+        return;
     case SCENE_NEED_CURVED_REST:
         scene->shape = SCENE_CLOAK, scene->opening = 90;
         return;

@@ -96,13 +96,32 @@ enum status supports_allow_rest(const struct supports *s, const struct scene *sc
                                 struct message *why)
 {
     if (scene->obstacle_count)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "unsupported: no static equilibrium with obstacles; a motion with "
-                           "damping comes to rest on them");
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "unsupported: no static equilibrium with obstacles; a motion with "
+            "damping comes to rest on them");
     if (!s->held_count)
         return status_fail(why, STATUS_INPUT,
                            "static equilibrium needs supports, and the scene has none");
     return STATUS_OK;
+}
+
+void supports_initial_velocity(const struct supports *s, const struct scene *scene,
+                               const double *rest, const double (*uvw)[3], double *v)
+{
+    static const double zero[3] = {0};
+    double of_zero[3];
+
+    scene_initial_velocity(scene, zero, of_zero);
+    for (int a = 0; a < s->nodes; a++) {
+        const bool difference = uvw && uvw[a][2] == SUPPORTS_DIFFERENCE;
+
+        scene_initial_velocity(scene, rest + 3 * (size_t)a, v + 3 * (size_t)a);
+        for (int i = 0; i < 3; i++) {
+            const int u = 3 * a + i;
+            v[u] = s->free_index[u] < 0 ? 0 : difference ? v[u] - of_zero[i] : v[u];
+        }
+    }
 }
 
 void supports_clear(struct supports *s)

@@ -33,6 +33,12 @@ void supports_clear(struct supports *s);
 enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
                                 struct message *why);
 
+/* Initial velocities (scene_initial_velocity) into v[nodes][3] [m/s]: of coefficients at
+ * rest[nodes][3], with parameters uvw[nodes][3] if some of them are differences (NULL:
+ * none). Zero where held; supports that move bring their own. */
+void supports_initial_velocity(const struct supports *s, const struct scene *scene,
+                               const double *rest, const double (*uvw)[3], double *v);
+
 /* True if every support takes the full thickness: columns may be unknowns. */
 bool supports_whole_columns(const struct scene *scene);
 

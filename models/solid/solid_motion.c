@@ -35,6 +35,22 @@ static void compute_load(struct solid_motion *m)
     }
 }
 
+/* `printed` knows velocity as d / dt (solid_motion.h). */
+static void start_moving(struct solid_motion *m)
+{
+    const size_t count = 3 * (size_t)m->space->nodes;
+    const bool printed = m->kinematics == KINEMATICS_PRINTED;
+    double *v = printed ? m->newmark.d : m->newmark.v;
+
+    supports_initial_velocity(&m->supports, m->scene, m->space->rest,
+                              (const double(*)[3])m->space->uvw, v);
+    for (size_t t = 0; t < count; t++)
+        if (m->kinematics == KINEMATICS_INCREMENTAL)
+            m->newmark.d[t] = m->newmark.dt * v[t]; /* for the energy, until a step */
+        else if (printed)
+            v[t] *= m->newmark.dt;
+}
+
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               const struct solid_space *space,
                               const struct discretization *d, const int *order,
@@ -64,6 +80,8 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
         goto out;
     }
     compute_load(&new);
+    if (scene_needs(scene) & SCENE_NEED_INITIAL_MOTION)
+        start_moving(&new);
     *m = new; /* before the system, which keeps pointers into it */
     memset(&new, 0, sizeof new);
     st = system_init(&m->system, &m->assembly.graph, &m->supports,

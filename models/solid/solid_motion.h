@@ -7,10 +7,10 @@
  *   nonlinear    total Lagrangian, Newton's method (solid_large.h).
  *
  * `printed` and `incremental` start at d = v = a = 0 in a scene at rest, `linear` with the
- * acceleration that the loads give. A free sheet under `printed` falls with g (1 + mu) / (2 (1 - mu)): d is
- * never reset, so it acts as velocity times dt, and K d as a viscosity E dt. Body drag, of
- * which the paper has none, therefore acts on d / dt there, and on v elsewhere; and an
- * initial velocity, which it has not either, begins as d / dt there.
+ * acceleration that the loads give. A free sheet under `printed` falls with
+ * g (1 + mu) / (2 (1 - mu)): d is never reset, so it acts as velocity times dt, and K d as a
+ * viscosity E dt. Body drag, of which the paper has none, therefore acts on d / dt there, and
+ * on v elsewhere; and an initial velocity, which it has not either, begins as d / dt.
  */
 #ifndef SOLID_MOTION_H
 #define SOLID_MOTION_H

@@ -150,19 +150,19 @@ enum status verify_modes(struct verify_row *row, const struct verify_subject *su
                          const char *scene, const char *const *settings, int count,
                          double *omega, bool *lived, struct message *why);
 
-/* Motion from the scene's start to time `end`, looked at by `watch` (motion.h). *lived is
- * false, and the row says why, if the model refuses or dies. */
-enum status verify_watch(struct verify_row *row, const struct verify_subject *subject,
-                         const char *scene, const char *const *settings, double end,
-                         motion_watcher *watch, void *context, bool *lived,
-                         struct message *why);
-
 /* The same about static equilibrium, under its stress; -s where a mode grows as exp(s t).
  */
 enum status verify_settled_modes(struct verify_row *row,
                                  const struct verify_subject *subject, const char *scene,
                                  const char *const *settings, int count, double *omega,
                                  bool *lived, struct message *why);
+
+/* Motion from the scene's start to time `end`, looked at by `watch` (motion.h). *lived is
+ * false, and the row says why, if the model refuses or dies. */
+enum status verify_watch(struct verify_row *row, const struct verify_subject *subject,
+                         const char *scene, const char *const *settings, double end,
+                         motion_watcher *watch, void *context, bool *lived,
+                         struct message *why);
 
 /* Motion from the scene's start: the same points at time[times] (multiples of the scene's
  * step, increasing) into xyz[times][n][3]. */

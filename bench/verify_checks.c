@@ -2,6 +2,7 @@
 
 extern const struct verify_check verify_cantilever;
 extern const struct verify_check verify_elastica;
+extern const struct verify_check verify_hanging;
 extern const struct verify_check verify_lateral;
 extern const struct verify_check verify_outside;
 extern const struct verify_check verify_pendulum;
@@ -10,7 +11,7 @@ extern const struct verify_check verify_energy;
 
 /* Statics first, then motions, frequencies, and what outside programs computed. */
 #define STATICS(X)  X(verify_elastica) X(verify_cantilever)
-#define BUCKLING(X) X(verify_lateral)
+#define BUCKLING(X) X(verify_lateral) X(verify_hanging)
 #define MOTIONS(X)  X(verify_pendulum) X(verify_transient) X(verify_energy)
 #define OUTSIDE(X)  X(verify_outside)
 #define CHECKS(X)   STATICS(X) BUCKLING(X) MOTIONS(X) OUTSIDE(X)

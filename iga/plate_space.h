@@ -48,8 +48,9 @@ void plate_space_clear(struct solid_space *space, struct plate_tables *tables);
 enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 
-/* The stiffness of *space, one linear layer, by solid_layer.h: bending by p points a span,
- * the other strains by the points of plate_space_reduce. Weights do not vary through w. */
+/* The stiffness of *space, one linear layer, by solid_layer.h: bending by p - 1 points a
+ * span (two at least), the other strains by the points of plate_space_reduce. Weights do
+ * not vary through w. */
 enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 

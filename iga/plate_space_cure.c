@@ -163,9 +163,11 @@ enum status plate_space_select(struct solid_space *space, struct plate_tables *t
     double face[2][2];
     enum status st = reduce_directions(tables, patch);
 
-    for (int i = 0; i < 2 && st == STATUS_OK; i++)
-        st = plate_space_direction(&tables->bend[i], &patch->basis[i], patch->basis[i].p,
-                                   NULL, false);
+    for (int i = 0; i < 2 && st == STATUS_OK; i++) {
+        const struct bspline *b = &patch->basis[i];
+        st = plate_space_direction(&tables->bend[i], b, b->p > 2 ? b->p - 1 : 2, NULL,
+                                   false);
+    }
     for (int k = 0; k < 2; k++)
         plate_space_thickness(patch, space->thickness_basis, k, face[k]);
     for (int c = 0; c < 2; c++) {

@@ -3,6 +3,7 @@
 #include "bench/exhibit.h"
 #include "bench/study_artefacts.h"
 #include "bench/study_contact.h"
+#include "bench/study_cures.h"
 #include "bench/study_degree.h"
 #include "bench/study_flag.h"
 #include "bench/study_locking.h"
@@ -19,6 +20,7 @@ static const struct command_item *const items[] = {
     &study_thickness_exhibit.item,
     &study_thickness_degree_exhibit.item,
     &study_locking_exhibit.item,
+    &study_cures_exhibit.item,
     &study_timestep_exhibit.item,
     &study_flag_exhibit.item,
     &study_artefacts_exhibit.item,

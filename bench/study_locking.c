@@ -62,9 +62,8 @@ enum { USUAL = sizeof usual / sizeof *usual };
 /* The weight is such that Kirchhoff's tip falls this far [m]; linear answers scale. */
 static const double TIP = 0.1;
 
-/* w D / (q L^4) at the middle of the free edge of the unit square. Few functions: six
- * digits do for ratios that are told with three. */
-static enum status tip_coefficient(double nu, double *coefficient)
+/* Few functions: six digits do for ratios that are told with three. */
+enum status study_locking_coefficient(double nu, double *coefficient)
 {
     enum { TERMS = 24 };
     const struct kirchhoff_plate plate = {.length = 1,
@@ -100,7 +99,7 @@ static enum status read_scene(double nu, double h, struct scene *scene, struct m
     double coefficient, stiffness = young * h * h * h / (12 * (1 - nu * nu));
     enum status st;
 
-    TRY(tip_coefficient(nu, &coefficient));
+    TRY(study_locking_coefficient(nu, &coefficient));
     snprintf(text[0], TEXT, "sheet.thickness=%.17g", h);
     snprintf(text[1], TEXT, "material.poisson=%.17g", nu);
     snprintf(text[2], TEXT, "material.density=%.17g", density);
@@ -272,8 +271,8 @@ static enum status read_limit(struct study_locking *s)
     double nu = study_locking_nu[STUDY_LOCKING_NUS - 1], stiff, soft;
     enum status st;
 
-    TRY(tip_coefficient(nu, &soft));
-    TRY(tip_coefficient(nu / (1 - nu), &stiff));
+    TRY(study_locking_coefficient(nu, &soft));
+    TRY(study_locking_coefficient(nu / (1 - nu), &stiff));
     s->limit = stiff / soft * (1 - 2 * nu) / ((1 - nu) * (1 - nu));
 out:
     return st;

@@ -57,6 +57,9 @@ enum status study_locking_read(const char *folder, struct study_locking **s,
                                struct message *why);
 void study_locking_destroy(struct study_locking *s); /* NULL is allowed */
 
+/* Kirchhoff's w D / (q L^4) at the middle of the free edge of the square. */
+enum status study_locking_coefficient(double nu, double *coefficient);
+
 /* Tip over Kirchhoff's at nu = 0, shear locking alone; the quotient that is thickness
  * locking where there is no shear locking (where there is, nu changes it too). */
 double study_locking_shear(const struct study_locking *s, int space, int thickness);

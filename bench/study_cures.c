@@ -236,22 +236,6 @@ double study_cures_error(const struct study_cures *s, int space, int law, int nu
     return fabs(s->tip[space][law][nu][n].z / s->tip[STUDY_CURES_TRUTH][law][nu][n].z - 1);
 }
 
-double study_cures_worst(const struct study_cures *s, int space, int law)
-{
-    double worst = NAN;
-
-    for (int nu = 0; nu < STUDY_CURES_NUS; nu++)
-        for (int n = 0; n < STUDY_CURES_THICKNESSES; n++) {
-            if (isnan(s->tip[STUDY_CURES_TRUTH][law][nu][n].z))
-                continue;
-            double error = study_cures_error(s, space, law, nu, n);
-            if (isnan(error))
-                return NAN;
-            worst = isnan(worst) ? error : fmax(worst, error);
-        }
-    return worst;
-}
-
 const struct exhibit study_cures_exhibit = {
     .item = {"cures",
              "the cures for locking beside each other: accuracy at every thickness "

@@ -76,9 +76,6 @@ enum status study_cures_truth(int what, int law, int nu, int thickness, bool qui
 enum status study_cures_zero_modes(const struct study_cures_space *space, int *count,
                                    struct message *why);
 
-/* What of the target a space misses at worst: |tip / truth - 1| over all that was solved in
- * a law; NaN if it died somewhere or nothing was solved. */
-double study_cures_worst(const struct study_cures *s, int space, int law);
 /* |tip / truth - 1| of one cell. */
 double study_cures_error(const struct study_cures *s, int space, int law, int nu, int n);
 

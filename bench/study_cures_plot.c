@@ -41,17 +41,19 @@ out:
 static void panel(struct output *out, int law, int nu)
 {
     int first = (law * STUDY_CURES_NUS + nu) * STUDY_CURES_SPACES;
+    bool keyed = law == STUDY_CURES_LAWS - 1 && nu == STUDY_CURES_NUS - 1; /* room there */
 
-    output_print(out, "set title '%s, nu = %g'\nplot %g with lines lc 'gray' dt 2 notitle",
-                 law ? law > 1 ? "Gamma = 100" : "Gamma = 10" : "linear",
-                 study_cures_nu[nu], study_cures_target);
+    output_print(
+        out, "set title '%s, nu = %g (10x10x2)'\nplot %g with lines lc 'gray' dt 2 notitle",
+        law ? law > 1 ? "Gamma = 100" : "Gamma = 10" : "linear", study_cures_nu[nu],
+        study_cures_target);
     for (int space = 0; space < STUDY_CURES_SPACES; space++)
         output_print(out,
                      ", \\\n'errors.csv' index %d using 4:($6 > 1e-5 ? $6 : 1e-5) with "
                      "linespoints lc %d pt %d lw 1.5 %s \"%s\"",
                      first + space, space % 3 + 1, space < 3 ? 7 : 6,
-                     law || nu ? "notitle" : "title",
-                     law || nu ? "" : study_cures_space[space].label);
+                     keyed ? "title" : "notitle",
+                     keyed ? study_cures_space[space].label : "");
     output_print(out, "\n");
 }
 

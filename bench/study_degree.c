@@ -52,7 +52,8 @@ static const struct study edge = {
 
 static const struct study physics = {
     .name = "physics",
-    .caption = "The sheet of Fig. 13, one edge held, undamped, large displacements",
+    .caption =
+        "The sheet of Fig. 13, one edge held, undamped, large displacements, remedy none",
     .scene = "edge_drop",
     .settings = {"material.young=5e4", "material.density=0.7", "damping={kind: none}"},
     .numerics = {"discretization.kinematics=nonlinear", "discretization.points=[10,10,2]",

@@ -32,7 +32,8 @@ static struct gallery build(bool quick)
     add(&g, "printed (the paper's)", "printed", "iga", "printed", fine);
     add(&g, "printed, coarser net", "printed_coarse", "iga", "printed", coarse);
     add(&g, "incremental, undamped", "incremental", "iga", "incremental", fine);
-    add(&g, "nonlinear solid", "nonlinear", "iga", "nonlinear", coarse);
+    add(&g, "nonlinear solid, selective", "nonlinear", "iga", "nonlinear", coarse);
+    gallery_set(&g.item[SOLID], "discretization.remedy=selective");
     add(&g, "nonlinear shell", "shell", "shell", "nonlinear", surface);
     add(&g, "mass-spring, matched", "mass_spring", "mass_spring", "nonlinear", nodes);
     add(&g, "projective dynamics, matched", "projective_dynamics", "projective_dynamics",

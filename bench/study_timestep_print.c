@@ -64,7 +64,7 @@ static enum status print_motions(const struct study_timestep *s, enum table_form
                                                   {"stretch 0.4 s", NULL, 0},
                                                   {"to next step", "% L", 0}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   "edge_drop at ever shorter steps");
+                                   "edge_drop at ever shorter steps (IGA: remedy none)");
 
     for (int kind = 0; kind < STUDY_TIMESTEP_KINDS; kind++) {
         if (kind)

@@ -93,13 +93,12 @@ static void cross(const double a[4], const double b[4], double out[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* T = J^-T with J_ij = sum_a X_ai N_a,j; G's rows are `row` apart. Returns det J; the unit
- * normal of w = const into n[3], unless NULL. */
-static double inverse_jacobian(int local, int row, const double *X, const double *G,
-                               double T[3][3], double *n)
+/* J[j] = sum_a X_a N_a,j and its cofactors; G's rows are `row` apart. Returns det J. */
+static double jacobian(int local, int row, const double *X, const double *G,
+                       double cofactor[3][3])
 {
-    lanes column[3] = {{0}}; /* J's columns */
-    double J[3][SOLID_LANES], cofactor[3][3], det;
+    lanes column[3] = {{0}};
+    double J[3][SOLID_LANES];
 
     for (int a = 0; a < local; a++) {
         lanes x = *(const lanes *)(X + SOLID_LANES * a);
@@ -110,7 +109,15 @@ static double inverse_jacobian(int local, int row, const double *X, const double
     memcpy(J, column, sizeof J);
     for (int j = 0; j < 3; j++)
         cross(J[(j + 1) % 3], J[(j + 2) % 3], cofactor[j]);
-    det = J[0][0] * cofactor[0][0] + J[0][1] * cofactor[0][1] + J[0][2] * cofactor[0][2];
+    return J[0][0] * cofactor[0][0] + J[0][1] * cofactor[0][1] + J[0][2] * cofactor[0][2];
+}
+
+/* T = J^-T. Returns det J; the unit normal of w = const into n[3], unless NULL. */
+static double inverse_jacobian(int local, int row, const double *X, const double *G,
+                               double T[3][3], double *n)
+{
+    double cofactor[3][3], det = jacobian(local, row, X, G, cofactor);
+
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             T[i][j] = cofactor[j][i] / det;
@@ -177,8 +184,8 @@ static enum status physical_gradients(struct solid_element *e,
 static enum status volumes(struct solid_element *e)
 {
     for (int q = 0; q < e->gauss; q++) {
-        double T[3][3], det = inverse_jacobian(e->local, e->row, e->X,
-                                               e->shape.G + q * 3 * e->row, T, NULL);
+        double cofactor[3][3],
+            det = jacobian(e->local, e->row, e->X, e->shape.G + q * 3 * e->row, cofactor);
         if (!(det > 0))
             return bad_jacobian(det);
         e->dV[q] = e->shape.weight[q] * det;
@@ -211,6 +218,14 @@ static void split_gradients(struct solid_element *e, const struct solid_material
     solid_outer(e->local + e->modes, e->padded, 2 * e->points, e->wy, e->y, e->L);
 }
 
+/* Blocks of four columns, row-major, from their entries. */
+static void unpack(const lanes k[9], double *K)
+{
+    for (int b = 0; b < SOLID_LANES; b++)
+        for (int t = 0; t < 9; t++)
+            K[9 * b + t] = k[t][b];
+}
+
 /* K_ab from H_ab, four b at a time. `plane`: what goes with lambda is in L. */
 static void stiffness(struct solid_element *e, const struct solid_material *material,
                       bool plane)
@@ -233,9 +248,7 @@ static void stiffness(struct solid_element *e, const struct solid_material *mate
             const double *L = plane ? e->L + (H - e->H) : NULL;
             for (int t = 0; L && t < 9; t++)
                 k[t] += *(const lanes *)(L + t * n);
-            for (int b = 0; b < SOLID_LANES; b++)
-                for (int t = 0; t < 9; t++)
-                    K[9 * b + t] = k[t][b];
+            unpack(k, K);
         }
 }
 
@@ -319,20 +332,24 @@ static enum status layer_stiffness(struct solid_element *e, const struct solid_s
     struct solid_layer *s = e->layer;
     enum status st = solid_layer_place(s, space, element, e->X);
     const struct solid_layer_rest rest = solid_layer_placed(s);
-    double c[SOLID_LAYER_VECTORS][3];
+    double vectors[SOLID_LAYER_VECTORS][3];
     int strains = 0, n = e->padded;
 
     if (st != STATUS_OK)
         return st;
     for (int q = 0; q < rest.points[0] + rest.points[1]; q++) {
-        memcpy(c, rest.t + q * SOLID_LAYER_VECTORS * 3, sizeof c);
-        strains += solid_layer_vary(s, &rest, q, c, material, strains);
+        memcpy(vectors, rest.t + q * SOLID_LAYER_VECTORS * 3, sizeof vectors);
+        strains += solid_layer_vary(s, &rest, q, vectors, material, strains);
     }
     solid_outer(e->local, n, strains, s->wb, s->b, e->H);
     for (int a = 0; a < e->local; a++)
-        for (int b = a; b < e->local; b++)
+        for (int c = a / SOLID_LANES * SOLID_LANES; c < n; c += SOLID_LANES) {
+            const double *H = e->H + a * 9 * n + c;
+            lanes k[9];
             for (int t = 0; t < 9; t++)
-                e->K[(a * n + b) * 9 + t] = e->H[(a * 9 + t) * n + b];
+                k[t] = *(const lanes *)(H + t * n);
+            unpack(k, e->K + (a * n + c) * 9);
+        }
     return STATUS_OK;
 }
 

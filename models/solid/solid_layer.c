@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/solid/solid_outer.h"
+
 enum { VECTORS = SOLID_LAYER_VECTORS };
 
 enum status solid_layer_init(struct solid_layer *s, const struct solid_space *space)
@@ -99,11 +101,17 @@ static void normalise(const double a[3], double out[3])
         out[i] = a[i] / length;
 }
 
-/* out[a] = sum_j m_j G_j[a] */
-static void combine(int row, const double m[3], const double *G, double *restrict out)
+static solid_lanes at(const double *row)
 {
-    for (int a = 0; a < row; a++)
-        out[a] = m[0] * G[a] + m[1] * G[row + a] + m[2] * G[2 * row + a];
+    return *(const solid_lanes *)row;
+}
+
+/* out[a] = sum_j m_j G_j[a] */
+static void combine(int row, const double m[3], const double *G, double *out)
+{
+    for (int a = 0; a < row; a += SOLID_LANES)
+        *(solid_lanes *)(out + a) =
+            m[0] * at(G + a) + m[1] * at(G + row + a) + m[2] * at(G + 2 * row + a);
 }
 
 /* J[j] = sum_a X_a G_j[a] for six rows: derivatives of the position by u, v, w, and the
@@ -111,12 +119,16 @@ static void combine(int row, const double m[3], const double *G, double *restric
 static void tangents(const struct solid_layer *s, const double *X, const double *G,
                      double J[6][3])
 {
+    solid_lanes sum[6] = {{0}};
+
+    for (int a = 0; a < s->local; a++) {
+        solid_lanes x = *(const solid_lanes *)(X + SOLID_LANES * a);
+        for (int j = 0; j < 6; j++)
+            sum[j] += G[j * s->row + a] * x;
+    }
     for (int j = 0; j < 6; j++)
-        for (int i = 0; i < 3; i++) {
-            J[j][i] = 0;
-            for (int a = 0; a < s->local; a++)
-                J[j][i] += G[j * s->row + a] * X[SOLID_LANES * a + i];
-        }
+        for (int i = 0; i < 3; i++)
+            J[j][i] = sum[j][i];
 }
 
 /* The frame t and m_k = J^-1 t_k; returns det J. */
@@ -139,15 +151,16 @@ static double frame(double J[6][3], double t[3][3], double m[3][3])
 /* Rows of F' t_k: G' less what J' makes of the gradients along the frame, q[3]. */
 static void slopes(const struct solid_layer *s, double J[6][3], double t[3][3],
                    const double m[3], const double *G, const double *const q[3],
-                   double *restrict out)
+                   double *out)
 {
+    double share[3];
+
+    for (int n = 0; n < 3; n++)
+        share[n] = m[0] * dot(J[3], t[n]) + m[1] * dot(J[4], t[n]) + m[2] * dot(J[5], t[n]);
     combine(s->row, m, G + 3 * s->row, out);
-    for (int n = 0; n < 3; n++) {
-        double share =
-            m[0] * dot(J[3], t[n]) + m[1] * dot(J[4], t[n]) + m[2] * dot(J[5], t[n]);
-        for (int a = 0; a < s->row; a++)
-            out[a] -= share * q[n][a];
-    }
+    for (int a = 0; a < s->row; a += SOLID_LANES)
+        *(solid_lanes *)(out + a) -=
+            share[0] * at(q[0] + a) + share[1] * at(q[1] + a) + share[2] * at(q[2] + a);
 }
 
 enum status solid_layer_place(struct solid_layer *s, const struct solid_space *space,
@@ -186,16 +199,19 @@ struct solid_layer_rest solid_layer_placed(const struct solid_layer *s)
         .points = {s->points[0], s->points[1]}, .q = s->q, .t = s->t, .dV = s->dV};
 }
 
-/* b_i += factor (c_k q_l + c_l q_k)_i, a component of rows over functions. */
+/* b_i += factor (c_k q_l + c_l q_k)_i, a component of rows over functions; b = if `first`.
+ */
 static void vary(int row, const struct solid_layer_term *term, const double *q,
-                 double c[VECTORS][3], double *restrict b)
+                 double c[VECTORS][3], bool first, double *b)
 {
     const double *qk = q + term->k * row, *ql = q + term->l * row;
 
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++, b += row) {
         double ck = term->factor * c[term->k][i], cl = term->factor * c[term->l][i];
-        for (int a = 0; a < row; a++)
-            b[i * row + a] += ck * ql[a] + cl * qk[a];
+        for (int a = 0; a < row; a += SOLID_LANES) {
+            solid_lanes sum = ck * at(ql + a) + cl * at(qk + a);
+            *(solid_lanes *)(b + a) = first ? sum : sum + at(b + a);
+        }
     }
 }
 
@@ -207,21 +223,22 @@ int solid_layer_vary(struct solid_layer *s, const struct solid_layer_rest *rest,
     const struct solid_layer_term *term = solid_layer_terms(bend, &terms);
     const double *q = rest->q + (size_t)n * VECTORS * (size_t)row;
     double *b = s->b + (size_t)first * 3 * (size_t)row, *wb = s->wb + (b - s->b);
-    double modulus[SOLID_LAYER_STRETCHES], one[SOLID_LAYER_STRETCHES] = {0};
+    double unit[SOLID_LAYER_STRETCHES] = {0, 0, 1, 1, 1, 1}, one[2] = {1, 0};
+    double modulus[SOLID_LAYER_STRETCHES], along[SOLID_LAYER_STRETCHES];
 
-    memset(b, 0, (size_t)(strains * 3 * row) * sizeof *b);
     for (int t = 0; t < terms; t++)
-        vary(row, &term[t], q, c, b + term[t].strain * 3 * row);
-    for (int r = 0; r < strains; r++) {
-        one[r] = 1;
-        solid_layer_stress(m, bend, rest->dV[n], one, modulus);
-        one[r] = 0;
-        for (int a = 0; a < 3 * row; a++) {
-            double *to = wb + r * 3 * row + a;
-            *to = modulus[r] * b[r * 3 * row + a];
-            if (r < 2) /* Poisson's part */
-                *to += modulus[1 - r] * b[(1 - r) * 3 * row + a];
-        }
+        vary(row, &term[t], q, c, !t || term[t].strain != term[t - 1].strain,
+             b + term[t].strain * 3 * row);
+    solid_layer_stress(m, bend, rest->dV[n], unit, modulus);
+    memcpy(unit, one, sizeof one);
+    solid_layer_stress(m, bend, rest->dV[n], unit, along); /* and Poisson's part */
+    for (int a = 0; a < 3 * row; a += SOLID_LANES) {
+        solid_lanes u = at(b + a), v = at(b + 3 * row + a);
+        *(solid_lanes *)(wb + a) = along[0] * u + along[1] * v;
+        *(solid_lanes *)(wb + 3 * row + a) = along[1] * u + along[0] * v;
     }
+    for (int r = 2; r < strains; r++)
+        for (int a = 3 * r * row; a < 3 * (r + 1) * row; a += SOLID_LANES)
+            *(solid_lanes *)(wb + a) = modulus[r] * at(b + a);
     return strains;
 }

@@ -8,13 +8,16 @@ extern const struct verify_check verify_outside;
 extern const struct verify_check verify_pendulum;
 extern const struct verify_check verify_transient;
 extern const struct verify_check verify_energy;
+extern const struct verify_check verify_fall;
+extern const struct verify_check verify_period;
 
 /* Statics first, then motions, frequencies, and what outside programs computed. */
 #define STATICS(X)  X(verify_elastica) X(verify_cantilever)
 #define BUCKLING(X) X(verify_lateral) X(verify_hanging)
-#define MOTIONS(X)  X(verify_pendulum) X(verify_transient) X(verify_energy)
-#define OUTSIDE(X)  X(verify_outside)
-#define CHECKS(X)   STATICS(X) BUCKLING(X) MOTIONS(X) OUTSIDE(X)
+#define MOTIONS(X)                                                                         \
+    X(verify_pendulum) X(verify_transient) X(verify_energy) X(verify_fall) X(verify_period)
+#define OUTSIDE(X) X(verify_outside)
+#define CHECKS(X)  STATICS(X) BUCKLING(X) MOTIONS(X) OUTSIDE(X)
 
 #define CHECK_ADDRESS(name) &name,
 const struct verify_check *const verify_checks[] = {CHECKS(CHECK_ADDRESS) NULL};

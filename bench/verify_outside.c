@@ -25,6 +25,12 @@ struct physics {
     const char *list[9]; /* ends with NULL */
 };
 
+/* The larger one; NaN if one is. */
+static double worse(double a, double b)
+{
+    return a > b || isnan(a) ? a : b;
+}
+
 static double note_number(const struct reference *table, const char *key)
 {
     const char *text = reference_note(table, key);
@@ -63,34 +69,30 @@ static const struct verify_subject blocks[] = {
      "linear B-splines are the same functions"},
 };
 
-/* Entry (i,j), j <= i, of a stored triangle; absent entries are zero. */
-static double entry(const struct reference *table, const char *column, int i, int j)
-{
-    for (int n = 0; n < reference_rows(table); n++)
-        if (reference_number(table, n, "row") == i &&
-            reference_number(table, n, "column") == j)
-            return reference_number(table, n, column);
-    return 0;
-}
-
-/* Largest difference over the triangles' largest entry; INFINITY for other sizes. */
+/* Largest difference of the triangles' entries, of the largest; INFINITY for other sizes.
+ */
 static double matrix_error(const struct matrix *m, const struct reference *table,
                            const char *column)
 {
-    double most = 0, apart = 0;
-    int shared = 0, stored = 0;
+    size_t rows = (size_t)m->rows;
+    double most = 0, apart = 0, *rest = calloc(rows * rows, sizeof *rest);
 
-    for (int n = 0; n < reference_rows(table); n++) {
-        double value = fabs(reference_number(table, n, column));
-        stored += value > 0;
-        most = fmax(most, value);
+    for (long t = 0; rest && t < m->entries; t++)
+        rest[rows * (size_t)m->row[t] + (size_t)m->column[t]] = m->value[t];
+    for (int n = 0; rest && n < reference_rows(table); n++) {
+        double i = reference_number(table, n, "row");
+        double j = reference_number(table, n, "column");
+        double value = reference_number(table, n, column);
+        most = fmax(most, fabs(value));
+        if (i < (double)rows && j < (double)rows)
+            rest[rows * (size_t)i + (size_t)j] -= value;
+        else
+            apart = INFINITY;
     }
-    for (long t = 0; t < m->entries; t++) {
-        double theirs = entry(table, column, m->row[t], m->column[t]);
-        shared += theirs != 0;
-        apart = fmax(apart, fabs(m->value[t] - theirs));
-    }
-    return shared == stored ? apart / most : INFINITY;
+    for (size_t n = 0; rest && n < rows * rows; n++)
+        apart = worse(fabs(rest[n]), apart);
+    free(rest);
+    return apart / most;
 }
 
 static enum status add_block(struct verify_sheet *sheet, const struct verify_subject *s,
@@ -248,7 +250,7 @@ static enum status run_swing(struct verify_sheet *sheet, struct message *why)
                           time, POINTS, uvw[0], xyz[0], &lived, why));
         for (int n = 0; lived && n < TIMES * POINTS; n++) {
             double far = hypot(xyz[n][0] - truth[n][0], xyz[n][2] - truth[n][1]);
-            worst = far > worst || isnan(far) ? far : worst;
+            worst = worse(far, worst);
         }
         if (lived)
             verify_judge_error(row, worst,
@@ -295,10 +297,9 @@ static double plate_error(const struct freefem_field *f, const double (*uvw)[3],
                 far += pow(x - shift[3 * n + i], 2);
                 moved += pow(shift[3 * n + i], 2);
             }
-        if (!(sqrt(far / moved) <= worst)) {
-            worst = sqrt(far / moved);
+        if (worse(sqrt(far / moved), worst) != worst)
             *bar = f->error[t] / sqrt(moved / PLATE_POINTS);
-        }
+        worst = worse(sqrt(far / moved), worst);
     }
     return worst;
 }

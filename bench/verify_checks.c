@@ -10,12 +10,16 @@ extern const struct verify_check verify_transient;
 extern const struct verify_check verify_energy;
 extern const struct verify_check verify_fall;
 extern const struct verify_check verify_period;
+extern const struct verify_check verify_moving;
+extern const struct verify_check verify_contact;
 
 /* Statics first, then motions, frequencies, and what outside programs computed. */
 #define STATICS(X)  X(verify_elastica) X(verify_cantilever)
 #define BUCKLING(X) X(verify_lateral) X(verify_hanging)
 #define MOTIONS(X)                                                                         \
-    X(verify_pendulum) X(verify_transient) X(verify_energy) X(verify_fall) X(verify_period)
+    X(verify_pendulum)                                                                     \
+    X(verify_transient) X(verify_energy) X(verify_fall) X(verify_period) X(verify_moving)  \
+        X(verify_contact)
 #define OUTSIDE(X) X(verify_outside)
 #define CHECKS(X)  STATICS(X) BUCKLING(X) MOTIONS(X) OUTSIDE(X)
 

@@ -3,6 +3,10 @@
 extern const struct verify_check verify_cantilever;
 extern const struct verify_check verify_elastica;
 extern const struct verify_check verify_hanging;
+extern const struct verify_check verify_fabrics;
+extern const struct verify_check verify_matrices;
+extern const struct verify_check verify_navier;
+extern const struct verify_check verify_frequencies;
 extern const struct verify_check verify_lateral;
 extern const struct verify_check verify_outside;
 extern const struct verify_check verify_pendulum;
@@ -14,7 +18,10 @@ extern const struct verify_check verify_moving;
 extern const struct verify_check verify_contact;
 
 /* Statics first, then motions, frequencies, and what outside programs computed. */
-#define STATICS(X)  X(verify_elastica) X(verify_cantilever)
+#define STATICS(X)                                                                         \
+    X(verify_elastica)                                                                     \
+    X(verify_fabrics) X(verify_matrices) X(verify_navier) X(verify_frequencies)            \
+        X(verify_cantilever)
 #define BUCKLING(X) X(verify_lateral) X(verify_hanging)
 #define MOTIONS(X)                                                                         \
     X(verify_pendulum)                                                                     \

@@ -1,119 +1,18 @@
 /* The heavy elastica: a strip of nu = 0 that is clamped level and hangs under its weight.
- * Near the clamp it turns down within a length of L / Gamma^(1/3), 0.05 L at Gamma = 1e4,
- * where splines have their knots drawn together. */
+ */
 #include <math.h>
 #include <stdio.h>
 
-#include "bench/verify_net.h"
+#include "bench/verify_strips.h"
 
 extern const struct verify_check verify_elastica;
 
-/* "Within 1 %" is what is asked of the nonlinear solid at every Gamma. Linear theory is 1 %
- * wrong at Gamma = 0.9 (the table's own column lin_err): there its range ends. */
-static const double SOLID = 0.01, SHELL = 0.005, LINEAR = 0.01, LINEAR_GAMMA = 0.9;
 /* Of the table, relative. */
 static const double BAR = 1e-10;
 enum { MOST = 32 }; /* rows of the table in a decade of Gamma                           */
 /* What a strip may still move in the last half of its time, of its drop, and count as at
  * rest: less than any net here errs by. */
 static const double REST = 1e-4;
-
-#define LARGE " discretization.kinematics=nonlinear"
-
-static const struct strip {
-    struct verify_series nets;
-    bool linear, settles; /* rest by damped motion                                     */
-} strips[] = {
-    {{{"iga, none, linear", "iga", NULL, NAN, "the paper's space: locks"},
-      {10, 20},
-      {3, 3},
-      2,
-      2,
-      0},
-     true,
-     false},
-    {{{"iga, reduced, linear", "iga", "discretization.remedy=reduced", LINEAR,
-       "the error of linear theory at Gamma = 0.9"},
-      {16, 32},
-      {3, 3},
-      2,
-      2,
-      2},
-     true,
-     false},
-    {{{"iga, none, nonlinear", "iga", "discretization.kinematics=nonlinear", NAN,
-       "the paper's space: locks"},
-      {16, 32},
-      {3, 3},
-      2,
-      2,
-      2},
-     false,
-     false},
-    {{{"iga, none, p = 3, nonlinear", "iga", "discretization.degree=[3,2,1]" LARGE, NAN,
-       "locks less"},
-      {16, 32},
-      {3, 3},
-      2,
-      3,
-      2},
-     false,
-     false},
-    {{{"iga, reduced, nonlinear", "iga", "discretization.remedy=reduced" LARGE, SOLID,
-       "1 % is asked"},
-      {16, 32},
-      {3, 3},
-      2,
-      2,
-      2},
-     false,
-     false},
-    {{{"hex, none, nonlinear", "hex", "discretization.kinematics=nonlinear", NAN, "locks"},
-      {80, 160},
-      {2, 2},
-      2,
-      1,
-      0},
-     false,
-     false},
-    {{{"hex, incompatible, nonlinear", "hex", "discretization.remedy=incompatible" LARGE,
-       SOLID, "1 % is asked"},
-      {80, 160},
-      {2, 2},
-      2,
-      1,
-      0},
-     false,
-     false},
-    {{{"shell, p = 3, nonlinear", "shell", "discretization.degree=[3,3]" LARGE, SHELL,
-       "half of what is asked of solids: a truth for others"},
-      {16, 32},
-      {4, 4},
-      0,
-      3,
-      2},
-     false,
-     false},
-    {{{"mass_spring, matched", "mass_spring", NULL, NAN,
-       "springs bend as a plate only in the limit"},
-      {20, 40},
-      {3, 5},
-      0,
-      1,
-      0},
-     false,
-     false},
-    {{{"projective_dynamics, matched", "projective_dynamics", NULL, NAN,
-       "no statics: damped motion"},
-      {20, 40},
-      {3, 5},
-      0,
-      1,
-      0},
-     false,
-     true},
-};
-enum { STRIPS = sizeof strips / sizeof *strips };
 
 struct point {
     double gamma, drop, reach; /* of the table, over L                                 */
@@ -149,21 +48,22 @@ static enum status settle(struct verify_row *row, const struct verify_subject *s
 }
 
 /* Drop and error of one net at one weight; *moved: of a strip not yet at rest. */
-static enum status measure(struct verify_row *row, const struct strip *strip, int net,
-                           const struct point *truth, double *drop, double *error,
+static enum status measure(struct verify_row *row, const struct verify_strip *strip,
+                           int net, const struct point *truth, double *drop, double *error,
                            double *moved, bool *lived, struct message *why)
 {
     /* E h^3 / 12 = rho g h / Gamma for L = 1: the load is kept, the stiffness follows. */
     const double thickness = 1e-3, weight = 0.05 * 9.81 * thickness;
     const double tip[3] = {1, 0.5, 0.5};
     double xyz[3] = {NAN, NAN, NAN};
-    char young[64];
-    const char *settings[12] = {"sheet.width=0.1", "material.poisson=0", young};
+    char young[64], width[64];
+    const char *settings[12] = {width, "material.poisson=0", young};
     int count = 3;
     struct verify_net n;
     enum status st;
 
     verify_net_make(&strip->nets, net, &n);
+    snprintf(width, sizeof width, "sheet.width=%g", VERIFY_STRIPS_WIDTH);
     snprintf(young, sizeof young, "material.young=%.17g",
              12 * weight / truth->gamma / (thickness * thickness * thickness));
     settings[count++] = n.points;
@@ -183,8 +83,9 @@ static enum status measure(struct verify_row *row, const struct strip *strip, in
 }
 
 /* Points of a decade, one in `every`; the row tells of the worst of them. */
-static enum status add_row(struct verify_sheet *sheet, const struct strip *strip, int count,
-                           const struct point *point, int every, struct message *why)
+static enum status add_row(struct verify_sheet *sheet, const struct verify_strip *strip,
+                           int count, const struct point *point, int every,
+                           struct message *why)
 {
     enum status st = STATUS_OK;
     double error[2] = {NAN, NAN}, moved[2], drop, worst = -1;
@@ -218,8 +119,9 @@ static enum status add_row(struct verify_sheet *sheet, const struct strip *strip
         }
     }
     verify_judge_error(row, worst, BAR);
-    if (strip->linear && point[count - 1].gamma > LINEAR_GAMMA)
-        verify_out_of_range(row, "small strains reach to Gamma = %g", LINEAR_GAMMA);
+    if (strip->linear && point[count - 1].gamma > VERIFY_STRIPS_LINEAR_GAMMA)
+        verify_out_of_range(row, "small strains reach to Gamma = %g",
+                            VERIFY_STRIPS_LINEAR_GAMMA);
 out:
     return st;
 }
@@ -251,9 +153,9 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
     TRY(verify_reference("heavy_elastica", &table, why));
     for (int first = 0, count; first < reference_rows(table); first += count) {
         count = read_decade(table, first, point);
-        for (int s = 0; s < STRIPS; s++)
-            if (verify_wanted(sheet, &strips[s].nets.subject))
-                TRY(add_row(sheet, &strips[s], count, point, every, why));
+        for (int s = 0; s < VERIFY_STRIPS; s++)
+            if (verify_wanted(sheet, &verify_strips[s].nets.subject))
+                TRY(add_row(sheet, &verify_strips[s], count, point, every, why));
     }
 out:
     reference_close(table);

@@ -1,110 +1,15 @@
-/* On a box every integral in K and M is a product of three integrals of one variable:
- *   int N_a,i N_b,j dV = A_0 A_1 A_2, with A_d the mass matrix of direction d, its
- * stiffness (d = i = j), or int N_a' N_b (d = i) and its transpose (d = j). The matrices
- * here are made from bspline_eval alone, so that K and M are checked by code they do not
- * share.
+/* K and M of boxes against products of matrices of one variable (verify_box.h), code they
+ * do not share, in both bases through the thickness.
  *
  *   kronecker iga|hex
  */
-#include "models/linalg/gauss.h"
+#include "bench/verify_box.h"
 #include "tests/solid_fixture.h"
 
 /* Of the largest entry. Each entry is a sum over up to 5^3 spans of 5^3 points of a dozen
  * roundings each, random in sign: 1e-14; no cancellation on a box beyond that of lambda and
  * mu terms. */
 static const double TOL_KRONECKER = 1e-13;
-
-/* mass, int N_a' N_b, stiffness of one direction, [n][n] each, functions of length `size`.
- */
-struct line {
-    int n;
-    double *mass, *mixed, *stiffness;
-};
-
-static void line_init(struct line *line, const struct bspline *b, double size)
-{
-    int span[64], spans = bspline_spans(b, span), n = b->n, gauss = b->p + 3;
-    double x[GAUSS_MAX], w[GAUSS_MAX], N[2][BSPLINE_MAX_ORDER];
-
-    line->n = n;
-    line->mass = calloc(3 * (size_t)(n * n), sizeof(double));
-    REQUIRE(line->mass);
-    line->mixed = line->mass + n * n;
-    line->stiffness = line->mixed + n * n;
-    gauss_rule(gauss, x, w);
-    for (int e = 0; e < spans * gauss; e++) {
-        int k = span[e / gauss], q = e % gauss;
-        double edge = b->U[k + 1] - b->U[k], weight = edge * w[q];
-        double value[2 * BSPLINE_MAX_ORDER];
-        bspline_eval(b, k, b->U[k] + edge * x[q], 1, value);
-        for (int a = 0; a <= b->p; a++)
-            N[0][a] = value[a], N[1][a] = value[b->p + 1 + a];
-        for (int a = 0; a <= b->p; a++)
-            for (int c = 0; c <= b->p; c++) {
-                int at = (k - b->p + a) * n + k - b->p + c;
-                line->mass[at] += weight * size * N[0][a] * N[0][c];
-                line->mixed[at] += weight * N[1][a] * N[0][c];
-                line->stiffness[at] += weight / size * N[1][a] * N[1][c];
-            }
-    }
-}
-
-/* int N_a,i N_b,j dV; i = j = 3: int N_a N_b dV. */
-static double product(const struct line line[3], const int a[3], const int b[3], int i,
-                      int j)
-{
-    double value = 1;
-
-    for (int d = 0; d < 3; d++) {
-        const struct line *l = &line[d];
-        value *= d == i && d == j ? l->stiffness[a[d] * l->n + b[d]]
-                 : d == i         ? l->mixed[a[d] * l->n + b[d]]
-                 : d == j         ? l->mixed[b[d] * l->n + a[d]]
-                                  : l->mass[a[d] * l->n + b[d]];
-    }
-    return value;
-}
-
-static double stiffness_entry(const struct line line[3], const struct solid_material *m,
-                              const int a[3], const int b[3], int i, int j)
-{
-    double value =
-        m->lambda * product(line, a, b, i, j) + m->mu * product(line, a, b, j, i);
-
-    for (int k = 0; i == j && k < 3; k++)
-        value += m->mu * product(line, a, b, k, k);
-    return value;
-}
-
-static void split(const struct patch *patch, int node, int at[3])
-{
-    int m = patch->basis[1].n, l = patch->basis[2].n;
-
-    at[0] = node / (m * l), at[1] = node / l % m, at[2] = node % l;
-}
-
-/* All of K [3 nodes][3 nodes] and M [nodes][nodes] by products. */
-static void kronecker(const struct patch *patch, const double size[3],
-                      const struct solid_material *m, double *K, double *M)
-{
-    int nodes = patch_nodes(patch), at[3], bt[3];
-    struct line line[3];
-
-    for (int d = 0; d < 3; d++)
-        line_init(&line[d], &patch->basis[d], size[d]);
-    for (int a = 0; a < nodes; a++)
-        for (int b = 0; b < nodes; b++) {
-            split(patch, a, at);
-            split(patch, b, bt);
-            M[a * nodes + b] = m->density * product(line, at, bt, 3, 3);
-            for (int i = 0; i < 3; i++)
-                for (int j = 0; j < 3; j++)
-                    K[(3 * a + i) * 3 * nodes + 3 * b + j] =
-                        stiffness_entry(line, m, at, bt, i, j);
-        }
-    for (int d = 0; d < 3; d++)
-        free(line[d].mass);
-}
 
 /* T[l][l]: control points of the Legendre polynomials P_k(2 w - 1), column k, k <= 4;
  * Bernstein coefficients (Farouki 2000) for one span of degree k, raised to degree l - 1.
@@ -182,7 +87,7 @@ static double *dense_mass(const struct solid *s)
 static void check_matrices(enum solid_kind kind, const struct bspline basis[3],
                            bool thickness)
 {
-    static const double origin[3] = {0.3, -0.4, 0.1}, size[3] = {1.1, 0.7, 0.05};
+    static const double origin[3] = {0.3, -0.4, 0.1};
     static const double edge[3][3] = {{1.1, 0, 0}, {0, 0.7, 0}, {0, 0, 0.05}};
     struct solid_material material = solid_element_material(3.0, 0.3, 1.7);
     struct patch patch = {0};
@@ -196,7 +101,12 @@ static void check_matrices(enum solid_kind kind, const struct bspline basis[3],
     double *want_K = malloc((size_t)(n * n) * sizeof *K);
     double *want_M = malloc((size_t)(nodes * nodes) * sizeof *M);
     REQUIRE(want_K && want_M);
-    kronecker(&s.patch, size, &material, want_K, want_M);
+    const struct verify_box box = {.basis = {&basis[0], &basis[1], &basis[2]},
+                                   .size = {edge[0][0], edge[1][1], edge[2][2]},
+                                   .lambda = material.lambda,
+                                   .mu = material.mu,
+                                   .density = material.density};
+    REQUIRE(verify_box_matrices(&box, want_K, want_M) == STATUS_OK);
     if (thickness) {
         to_thickness(n, l, 3, want_K);
         to_thickness(nodes, l, 1, want_M);

@@ -54,6 +54,11 @@ static void print_damping(const struct scene *s, FILE *out)
         print(out, "step", 1, &s->step);
 }
 
+static bool is_zero(const double v[3])
+{
+    return v[0] == 0 && v[1] == 0 && v[2] == 0;
+}
+
 enum status truth_physics(const struct scene *s, char **text)
 {
     char *result = NULL;
@@ -74,6 +79,10 @@ enum status truth_physics(const struct scene *s, char **text)
     print(out, "drag", 1, &s->drag);
     if (s->drag != 0)
         print(out, "wind", 3, s->wind);
+    if (!is_zero(s->velocity) || !is_zero(s->spin)) {
+        print(out, "velocity", 3, s->velocity);
+        print(out, "spin", 3, s->spin);
+    }
     print_damping(s, out);
     print_supports(s, out);
     print_obstacles(s, out);

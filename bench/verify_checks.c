@@ -16,6 +16,7 @@ extern const struct verify_check verify_fall;
 extern const struct verify_check verify_period;
 extern const struct verify_check verify_moving;
 extern const struct verify_check verify_contact;
+extern const struct verify_check verify_truths;
 
 /* Statics first, then motions, frequencies, and what outside programs computed. */
 #define STATICS(X)                                                                         \
@@ -25,10 +26,11 @@ extern const struct verify_check verify_contact;
 #define BUCKLING(X) X(verify_lateral) X(verify_hanging)
 #define MOTIONS(X)                                                                         \
     X(verify_pendulum)                                                                     \
-    X(verify_transient) X(verify_energy) X(verify_fall) X(verify_period) X(verify_moving)  \
-        X(verify_contact)
+    X(verify_transient)                                                                    \
+    X(verify_energy) X(verify_fall) X(verify_period) X(verify_moving) X(verify_contact)
 #define OUTSIDE(X) X(verify_outside)
-#define CHECKS(X)  STATICS(X) BUCKLING(X) MOTIONS(X) OUTSIDE(X)
+#define TRUTHS(X)  X(verify_truths)
+#define CHECKS(X)  STATICS(X) BUCKLING(X) MOTIONS(X) OUTSIDE(X) TRUTHS(X)
 
 #define CHECK_ADDRESS(name) &name,
 const struct verify_check *const verify_checks[] = {CHECKS(CHECK_ADDRESS) NULL};

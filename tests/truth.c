@@ -70,6 +70,8 @@ static void physics(void)
                                         "drag={coefficient: 1, wind: [0,0,0]}",
                                         "obstacles[0].sphere.radius=0.31",
                                         "obstacles[0].sphere.friction=0.2",
+                                        "motion={velocity: [0,0,0.1]}",
+                                        "motion={spin: [0.1,0,0]}",
                                         "supports=[{at: {u: 0}, fix: xyz}]"};
     static const char *const rests[] = {"time.step=0.0025", "time.end=0.3",
                                         "snapshots=[0.1]", "discretization.degree=[4,4]",

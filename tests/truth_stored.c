@@ -1,0 +1,138 @@
+/* Whether the truths that come with the program hold: models that had no part in them lie
+ * within their error bars and the models' own errors, and a truth made anew on coarse nets
+ * agrees with the stored one within the bars of both. */
+#include "bench/folder.h"
+#include "bench/truth.h"
+#include "bench/truth_file.h"
+#include "bench/truth_physics.h"
+#include "models/metric.h"
+#include "models/scene_file.h"
+#include "tests/check.h"
+
+static const char *folder;
+
+enum { TIMES = 2 };
+static const double times[TIMES] = {0.1, 0.2};
+
+/* Of two nets the finer one's error, if it falls at least in proportion to the spans. */
+static double own_error(const struct truth_level *fine, const struct truth_level *coarse,
+                        double difference)
+{
+    double ratio = (double)(fine->side - fine->degree) / (coarse->side - coarse->degree);
+
+    return difference / (ratio - 1);
+}
+
+/* Degrees and nets that no truth is made of. */
+static void mid_size(const char *scene, const char *model, int degree)
+{
+    struct truth_level level[2] = {{model, degree, 14, 0.005, false},
+                                   {model, degree, 10, 0.005, false}};
+    struct rung_result run[2] = {{0}};
+    struct truth *truth = NULL;
+    struct message why = {""};
+    struct scene s = {0};
+    struct discretization unused = {0};
+    char *path = NULL;
+    const char *setting;
+
+    REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
+    REQUIRE(scene_file_read(path, 0, NULL, &s, &unused, NULL) == STATUS_OK);
+    setting = truth_plan_damping(&s);
+    struct truth_runs runs = {path, setting != NULL, &setting, TIMES, times, folder};
+    if (!CHECK(truth_find(path, setting != NULL, &setting, TIMES, times, folder, TRUTH_READ,
+                          &truth, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    for (int n = 0; n < 2 && truth; n++)
+        REQUIRE(truth_level_find(&runs, &level[n], false, &run[n], NULL) == STATUS_OK);
+    for (int n = 0; n < TIMES && truth; n++) {
+        double error = metric_rmse(run[0].xyz[n], truth->xyz[n]);
+        double own =
+            own_error(&level[0], &level[1], metric_rmse(run[0].xyz[n], run[1].xyz[n]));
+        if (!CHECK(error <= truth->error[n] + own))
+            printf("%s, %s at %g s: %g m, bar %g, own %g\n", scene, model, times[n], error,
+                   truth->error[n], own);
+        CHECK(own < 0.1); /* else it says nothing */
+    }
+    rung_clear(&run[0]);
+    rung_clear(&run[1]);
+    truth_destroy(truth);
+    scene_clear(&s);
+    free(path);
+}
+
+/* Each file holds for the scene whose name it has, as it comes with the program. */
+static void each_has_its_scene(void)
+{
+    struct named_file_entry *entries = NULL;
+    int count = 0;
+
+    REQUIRE(named_file_list(&truth_file_kind, &entries, &count, NULL) == STATUS_OK);
+    CHECK(count >= 1);
+    for (int n = 0; n < count; n++) {
+        struct scene s = {0};
+        struct discretization unused = {0};
+        double time[1];
+        char *path = NULL;
+        const char *setting;
+        int found = 0;
+
+        REQUIRE(scene_file_find(entries[n].name, &path, NULL) == STATUS_OK);
+        REQUIRE(scene_file_read(path, 0, NULL, &s, &unused, NULL) == STATUS_OK);
+        setting = truth_plan_damping(&s);
+        CHECK(truth_stored_times(path, setting != NULL, &setting, s.end, 1, time, &found,
+                                 NULL) == STATUS_OK);
+        if (!CHECK(found == 1))
+            printf("%s: %s\n", entries[n].name, entries[n].text);
+        scene_clear(&s);
+        free(path);
+    }
+    named_file_list_free(entries, count);
+}
+
+static void made_anew(const char *scene)
+{
+    struct truth_plan plan = truth_plan_of(scene, true);
+    struct truth_made made = {0}, stored = {0};
+    struct message why = {""};
+    struct scene s = {0};
+    struct discretization unused = {0};
+    char *path = NULL, *file = NULL, *physics = NULL;
+    const char *setting;
+
+    REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
+    REQUIRE(scene_file_read(path, 0, NULL, &s, &unused, NULL) == STATUS_OK);
+    setting = truth_plan_damping(&s);
+    struct truth_runs runs = {path, setting != NULL, &setting, TIMES, times, folder};
+    REQUIRE(truth_file_exists(scene, &file));
+    REQUIRE(truth_file_read(file, &stored, &physics, NULL) == STATUS_OK);
+    if (!CHECK(truth_make(&plan, &runs, s.length, NULL, NULL, &made, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    CHECK(made.claimed == TIMES);
+    for (int n = 0; n < made.claimed; n++) {
+        REQUIRE(fabs(stored.time[n] - times[n]) < 1e-9 && stored.xyz[n]);
+        double apart = metric_rmse(made.xyz[n], stored.xyz[n]);
+        double bars = made.value[n][TRUTH_ERROR] + stored.value[n][TRUTH_ERROR];
+        if (!CHECK(apart <= bars))
+            printf("%s at %g s: %g m apart, bars %g m\n", scene, times[n], apart, bars);
+        CHECK(made.value[n][TRUTH_ERROR] < 0.05 * s.length);
+    }
+    truth_made_clear(&made);
+    truth_made_clear(&stored);
+    scene_clear(&s);
+    free(physics);
+    free(path);
+    free(file);
+}
+
+int main(int argc, char **argv)
+{
+    REQUIRE(argc == 2);
+    folder = argv[1];
+    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
+    each_has_its_scene();
+    mid_size("edge_drop", "iga", 2);
+    mid_size("edge_drop", "shell", 4);
+    made_anew("edge_drop");
+    return check_result();
+}

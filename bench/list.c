@@ -51,8 +51,8 @@ static bool list_items(const char *section)
 }
 
 /* All sections in their order; those that nothing fills yet are known but empty. */
-static const char *const sections[] = {"scenes", "models", "tables", "studies",
-                                       "plans",  "truths", "checks", "benchmarks"};
+static const char *const sections[] = {"scenes", "models", "tables", "studies",   "plans",
+                                       "truths", "checks", "cases",  "benchmarks"};
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
 static bool section_filled(const char *section)
@@ -95,7 +95,7 @@ static enum status run(const struct command_line *line, struct message *why)
         }
         return status_fail(why, STATUS_INPUT,
                            "list: there are scenes, models, tables, studies, plans, "
-                           "truths, checks, benchmarks, but no '%s'",
+                           "truths, checks, cases, benchmarks, but no '%s'",
                            line->words[0]);
     }
     for (int n = 0; n < SECTIONS; n++) {
@@ -110,9 +110,9 @@ out:
 
 const struct command list_command = {
     .name = "list",
-    .summary =
-        "what there is: scenes, models, tables, studies, plans, truths, checks, benchmarks",
-    .arguments = "[scenes|models|tables|studies|plans|truths|checks|benchmarks]",
+    .summary = "what there is: scenes, models, tables, studies, plans, truths, checks, "
+               "cases, benchmarks",
+    .arguments = "[scenes|models|tables|studies|plans|truths|checks|cases|benchmarks]",
     .text =
         "Prints names, one a line, each with a word on it. The names are those that the\n"
         "other commands take.\n",

@@ -51,7 +51,8 @@ struct plan_mark {
 };
 
 struct plan_map {
-    char *x, *y, *panel; /* keys or measures; x NULL: no map; panel may be NULL  owned */
+    char *x, *y, *panel; /* keys or measures; x NULL: no map; panel may be NULL, or
+                            "name": of the listed case                          owned */
     int line;
     int mark_count;
     struct plan_mark *marks; /*                                                  owned */

@@ -104,7 +104,10 @@ static enum status check_map(const struct plan *plan, struct message *why)
     struct yaml_tree node;
 
     for (int n = 0; n < 3; n++)
-        if (names[n] && !line_of(plan, names[n], plan->axis_count) && !is_measure(names[n]))
+        if (n == 2 && names[n] && !strcmp(names[n], "name"))
+            continue; /* of the listed cases */
+        else if (names[n] && !line_of(plan, names[n], plan->axis_count) &&
+                 !is_measure(names[n]))
             return yaml_tree_refuse(
                 at(plan, plan->map.line, &node), why,
                 "the map shows %s, which is neither a key of the plan nor a measure",

@@ -38,9 +38,18 @@ static bool listed(const char *list, const char *name)
 static bool wanted_case(const struct options *o, const struct stress_case *c)
 {
     for (int n = 0; n < o->line->word_count; n++)
-        if (!strcmp(o->line->words[n], c->name))
+        if (!strcmp(o->line->words[n], c->item.name))
             return true;
     return !o->line->word_count && (c->quick || !o->quick);
+}
+
+/* The word for the stability map, among those of cases. */
+static bool wanted_map(const struct options *o)
+{
+    for (int n = 0; n < o->line->word_count; n++)
+        if (!strcmp(o->line->words[n], "map"))
+            return true;
+    return !o->line->word_count;
 }
 
 static bool wanted_model(const struct options *o, const struct stress_model *m)
@@ -50,21 +59,15 @@ static bool wanted_model(const struct options *o, const struct stress_model *m)
 
 static enum status check_words(const struct options *o, struct message *why)
 {
-    char known[1024] = "";
-
     for (int w = 0; w < o->line->word_count; w++) {
         int n = 0;
-        while (stress_cases[n] && strcmp(stress_cases[n]->name, o->line->words[w]))
+        while (stress_items[n] && strcmp(stress_items[n]->name, o->line->words[w]))
             n++;
-        if (stress_cases[n])
-            continue;
-        for (n = 0; stress_cases[n]; n++) {
-            const size_t used = strlen(known);
-            snprintf(known + used, sizeof known - used, "%s%s", n ? ", " : "",
-                     stress_cases[n]->name);
-        }
-        return status_fail(why, STATUS_INPUT, "stress: there is no case '%s'; there are %s",
-                           o->line->words[w], known);
+        if (!stress_items[n])
+            return status_fail(why, STATUS_INPUT,
+                               "stress: there is no case '%s'; clothbench list cases has "
+                               "them",
+                               o->line->words[w]);
     }
     return STATUS_OK;
 }
@@ -79,14 +82,14 @@ static enum status check_models(const struct options *o, struct message *why)
         const struct options one = {.models = word};
         int n = 0;
         snprintf(word, sizeof word, "%.*s", (int)length, at);
-        while (n < stress_model_count && !wanted_model(&one, &stress_models[n]))
+        while (n < STRESS_MODELS && !wanted_model(&one, &stress_models[n]))
             n++;
-        for (int m = 0; n == stress_model_count && m < stress_model_count; m++) {
+        for (int m = 0; n == STRESS_MODELS && m < STRESS_MODELS; m++) {
             const size_t used = strlen(known);
             snprintf(known + used, sizeof known - used, "%s%s", m ? ", " : "",
                      stress_models[m].name);
         }
-        if (n == stress_model_count)
+        if (n == STRESS_MODELS)
             return status_fail(why, STATUS_INPUT, "--models: no model '%s'; there are %s",
                                word, known);
         at += length + (at[length] == ',');
@@ -204,17 +207,17 @@ static enum status list_jobs(const struct options *o, const char *path, bool tru
 {
     int cases = 0;
 
-    while (stress_cases[cases])
+    while (stress_case_at(cases))
         cases++;
     *q = (struct queue){.slots = o->jobs,
                         .time_limit = 10 * (o->quick ? QUICK_LIMIT : TIME_LIMIT)};
-    q->jobs = calloc((size_t)(cases * stress_model_count), sizeof *q->jobs);
+    q->jobs = calloc((size_t)(cases * STRESS_MODELS), sizeof *q->jobs);
     if (!q->jobs)
         return STATUS_MEMORY;
     for (int n = 0; n < cases; n++) {
-        const struct stress_case *c = stress_cases[n];
+        const struct stress_case *c = stress_case_at(n);
         const bool ask = wanted_case(o, c) && (!truths || c->truth == STRESS_SHELL);
-        for (int m = 0; ask && m < (truths ? 1 : stress_model_count); m++)
+        for (int m = 0; ask && m < (truths ? 1 : STRESS_MODELS); m++)
             if (truths || wanted_model(o, &stress_models[m]))
                 q->jobs[q->count++] =
                     (struct stress_job){.c = c,
@@ -229,6 +232,7 @@ static enum status list_jobs(const struct options *o, const char *path, bool tru
 static enum status measure(const struct options *o, struct message *why)
 {
     struct queue q = {0};
+    bool wanted[STRESS_MODELS];
     char *path = NULL;
     enum status st;
 
@@ -240,6 +244,10 @@ static enum status measure(const struct options *o, struct message *why)
         clear_queue(&q);
         q = (struct queue){0};
     }
+    for (int m = 0; m < STRESS_MODELS; m++)
+        wanted[m] = wanted_model(o, &stress_models[m]);
+    if (wanted_map(o))
+        TRY(stress_map_measure(o->folder, wanted, o->jobs, o->quick, why));
 out:
     clear_queue(&q);
     free(path);
@@ -300,5 +308,7 @@ const struct command stress_command = {
     .examples = "stress\nstress --quick\nstress thin_5 buckling --models iga,shell\n",
     .most = 64,
     .options = options,
+    .section = "cases",
+    .items = stress_items,
     .run = run,
 };

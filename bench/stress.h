@@ -45,8 +45,8 @@ const char *stress_truth_text(enum stress_truth truth);
 enum { STRESS_SETTINGS = 8 };
 
 struct stress_case {
-    const char *name;  /* [a-z0-9_]+                                                   */
-    const char *title; /* for tables                                                   */
+    struct command_item item; /* name [a-z0-9_]+, and what is hard; first: items of the
+                                 command are pointers to these                         */
     enum stress_truth truth;
     double gamma;                          /* sets E; 0: left as it is                  */
     const char *physics[STRESS_SETTINGS];  /* KEY=VALUE on stress_scene; NULL ends      */
@@ -61,7 +61,11 @@ struct stress_case {
 };
 
 extern const char *const stress_scene; /* what all cases start from, by name           */
-extern const struct stress_case *const stress_cases[]; /* ends with NULL               */
+/* The command's words: the map, then the cases; ends with NULL. */
+extern const struct command_item *const stress_items[];
+
+/* Case n = 0, 1, ...; NULL past the last. */
+const struct stress_case *stress_case_at(int n);
 
 /* A model with what it needs to be told. */
 struct stress_model {
@@ -73,8 +77,8 @@ struct stress_model {
     const char *settings[STRESS_SETTINGS];
 };
 
-extern const struct stress_model stress_models[];
-extern const int stress_model_count;
+enum { STRESS_MODELS = 9 };
+extern const struct stress_model stress_models[STRESS_MODELS];
 
 /* How a (case, model) went. */
 struct stress_result {
@@ -114,6 +118,15 @@ enum status stress_run(const struct stress_job *job, struct stress_result *r,
 /* The truth of a case of STRESS_SHELL, at some times, kept in the folder. As truth_find. */
 enum status stress_find_truth(const struct stress_job *job, enum truth_effort effort,
                               struct truth **truth, struct message *why);
+
+/* The stability map: steps of 0.1 ms to 0.1 s by six decades of E/rho, on small nets, for
+ * the models wanted[STRESS_MODELS]. A sweep of its own in FOLDER/map. */
+enum status stress_map_measure(const char *folder, const bool *wanted, int jobs, bool quick,
+                               struct message *why);
+
+/* What it shows: map.png in FOLDER/map and a table; *there: there is one. */
+enum status stress_map_print(const char *folder, enum table_format format, FILE *file,
+                             bool *there, struct message *why);
 
 /* Tables of what is in the folder. */
 enum status stress_print(const char *folder, enum table_format format, FILE *file,

@@ -7,7 +7,7 @@ const char *const stress_scene = "cantilever";
 
 /* Large displacements wherever a model has them: none of the cases is then out of range.
  * The paper's own scheme stands beside them, on the paper's own element. */
-const struct stress_model stress_models[] = {
+const struct stress_model stress_models[STRESS_MODELS] = {
     {"iga_printed",
      "IGA, the paper's scheme",
      "iga",
@@ -21,6 +21,12 @@ const struct stress_model stress_models[] = {
      2,
      3,
      {"discretization.kinematics=nonlinear", "discretization.remedy=reduced"}},
+    {"iga_selective",
+     "IGA, selective",
+     "iga",
+     2,
+     3,
+     {"discretization.kinematics=nonlinear", "discretization.remedy=selective"}},
     {"hex", "hexahedra", "hex", 2, 2, {"discretization.kinematics=nonlinear"}},
     {"hex_incompatible",
      "hexahedra, incompatible",
@@ -32,7 +38,6 @@ const struct stress_model stress_models[] = {
     {"mass_spring", "mass-spring", "mass_spring", 0, 2, {NULL}},
     {"projective_dynamics", "projective dynamics", "projective_dynamics", 0, 2, {NULL}},
 };
-const int stress_model_count = sizeof stress_models / sizeof *stress_models;
 
 /* A light plate: linear theory is right to 0.0125 Gamma^2 = 3e-5 where nu = 0. With another
  * nu a plate that bends by more than its thickness no longer bends across as well (its
@@ -49,16 +54,15 @@ const int stress_model_count = sizeof stress_models / sizeof *stress_models;
 
 #define THIN(digits, h)                                                                    \
     {                                                                                      \
-        .name = "thin_" digits, .title = "h/L = " h, .truth = STRESS_PLATE,                \
-        .gamma = LIGHT, .physics = {"sheet.thickness=" h, "material.poisson=0", SETTLING}, \
+        .item = {"thin_" digits, "h/L = " h}, .truth = STRESS_PLATE, .gamma = LIGHT,       \
+        .physics = {"sheet.thickness=" h, "material.poisson=0", SETTLING},                 \
         .bound = BOUND_REST, .why = WHY_REST                                               \
     }
 static const struct stress_case thin_2 = THIN("2", "1e-2");
 static const struct stress_case thin_3 = THIN("3", "1e-3");
 static const struct stress_case thin_4 = THIN("4", "1e-4");
 static const struct stress_case thin_5 = {
-    .name = "thin_5",
-    .title = "h/L = 1e-5",
+    .item = {"thin_5", "h/L = 1e-5"},
     .truth = STRESS_PLATE,
     .gamma = LIGHT,
     .physics = {"sheet.thickness=1e-5", "material.poisson=0", SETTLING},
@@ -68,7 +72,7 @@ static const struct stress_case thin_5 = {
 
 #define POISSON(digits, nu)                                                                \
     {                                                                                      \
-        .name = "poisson_" digits, .title = "nu = " nu, .truth = STRESS_PLATE,             \
+        .item = {"poisson_" digits, "nu = " nu}, .truth = STRESS_PLATE,                    \
         .gamma = LIGHT / 10,                                                               \
         .physics = {"sheet.thickness=1e-2", "material.poisson=" nu, SETTLING},             \
         .bound = BOUND_REST, .why = WHY_REST                                               \
@@ -78,8 +82,7 @@ static const struct stress_case poisson_049 = POISSON("049", "0.49");
 static const struct stress_case poisson_04999 = POISSON("04999", "0.4999");
 
 static const struct stress_case narrow = {
-    .name = "narrow",
-    .title = "length 1000 widths",
+    .item = {"narrow", "length 1000 widths"},
     .truth = STRESS_PLATE,
     .gamma = LIGHT,
     .physics = {"sheet.width=1e-3", "sheet.thickness=1e-4", "material.poisson=0", SETTLING},
@@ -89,8 +92,7 @@ static const struct stress_case narrow = {
 };
 
 static const struct stress_case wide = {
-    .name = "wide",
-    .title = "width 1000 lengths",
+    .item = {"wide", "width 1000 lengths"},
     .truth = STRESS_PLATE,
     .gamma = LIGHT,
     .physics = {"sheet.width=1e3", "sheet.thickness=1e-2", "material.poisson=0", SETTLING},
@@ -102,44 +104,38 @@ static const struct stress_case wide = {
 #define NET   .truth = STRESS_PLATE, .gamma = LIGHT, .bound = BOUND_REST, .why = WHY_REST
 #define STRIP "sheet.thickness=1e-2", "material.poisson=0", SETTLING
 
-static const struct stress_case one_element = {.name = "one_element",
-                                               .title = "one element",
+static const struct stress_case one_element = {.item = {"one_element", "one element"},
                                                NET,
                                                .physics = {STRIP},
                                                .side = 1,
                                                .quick = true};
 static const struct stress_case graded = {
-    .name = "graded_knots",
-    .title = "knots from 1e-6 to 0.5",
+    .item = {"graded_knots", "knots from 1e-6 to 0.5"},
     NET,
     .physics = {STRIP},
     .numerics = {"discretization.knots_u=[0,0,0,1e-6,1e-5,1e-4,1e-3,0.01,0.1,0.5,1,1,1]"},
 };
 static const struct stress_case repeated = {
-    .name = "repeated_knots",
-    .title = "repeated knots",
+    .item = {"repeated_knots", "repeated knots"},
     NET,
     .physics = {STRIP},
     .numerics = {"discretization.knots_u=[0,0,0,0.2,0.2,0.4,0.4,0.6,0.8,0.8,1,1,1]"},
 };
 static const struct stress_case torn = {
-    .name = "torn_knots",
-    .title = "a knot p + 1 times",
+    .item = {"torn_knots", "a knot p + 1 times"},
     NET,
     .physics = {STRIP},
     .numerics = {"discretization.knots_u=[0,0,0,0.2,0.2,0.2,0.4,0.6,0.8,0.8,1,1,1]"},
 };
 static const struct stress_case folded = {
-    .name = "folded_knots",
-    .title = "knots that fold back",
+    .item = {"folded_knots", "knots that fold back"},
     NET,
     .physics = {STRIP},
     .numerics = {"discretization.knots_u=[0,0,0,0.2,0.1,0.4,0.3,0.6,0.8,0.8,1,1,1]"},
     .quick = true,
 };
 static const struct stress_case skewed = {
-    .name = "skewed_weights",
-    .title = "weights 1 and 10",
+    .item = {"skewed_weights", "weights 1 and 10"},
     NET,
     .physics = {STRIP},
     .weight_ratio = 10,
@@ -150,7 +146,7 @@ static const struct stress_case skewed = {
 #define WHY_HEAVY   "what the nonlinear solid is asked for"
 #define SLOW        "damping={kind: mass, value: 10}", "time={step: 0.01, end: 6}"
 #define HEAVY(digits, value)                                                               \
-    .name = "gamma_" digits, .title = "Gamma = " digits, .truth = STRESS_ELASTICA,         \
+    .item = {"gamma_" digits, "Gamma = " digits}, .truth = STRESS_ELASTICA,                \
     .gamma = value, .physics = {"sheet.thickness=1e-3", "material.poisson=0", SLOW},       \
     .bound = BOUND_HEAVY, .why = WHY_HEAVY
 
@@ -163,8 +159,7 @@ static const struct stress_case heavy_100000 = {HEAVY("100000", 1e5)};
 #define WHY_VIBRATION   "a fiftieth of the swing cannot be seen"
 
 static const struct stress_case small_step = {
-    .name = "step_small",
-    .title = "steps of 0.1 ms, 1/1300 period",
+    .item = {"step_small", "steps of 0.1 ms, 1/1300 period"},
     .truth = STRESS_VIBRATION,
     .gamma = LIGHT,
     .physics = {"sheet.thickness=1e-2", "material.poisson=0",
@@ -173,8 +168,7 @@ static const struct stress_case small_step = {
     .why = WHY_VIBRATION,
 };
 static const struct stress_case large_step = {
-    .name = "step_large",
-    .title = "steps of 0.1 s, 1/13 period",
+    .item = {"step_large", "steps of 0.1 s, 1/13 period"},
     .truth = STRESS_VIBRATION,
     .gamma = LIGHT,
     .physics = {"sheet.thickness=1e-2", "material.poisson=0", "gravity=[0,0,-0.0981]",
@@ -189,14 +183,13 @@ static const struct stress_case large_step = {
 #define BOUND_UNITS 1e-8
 #define WHY_UNITS   "round-off, carried through 60 frames"
 #define SIMILAR                                                                            \
-    .truth = STRESS_SIMILAR, .gamma = 3,                                                 \
+    .truth = STRESS_SIMILAR, .gamma = 3,                                                   \
     .physics = {"gravity=[1,2,-9.81]", "sheet.thickness=0.01",                             \
                 "damping={kind: mass, value: 0.5}", "time={step: 0.0025, end: 0.15}"},     \
     .bound = BOUND_UNITS, .why = WHY_UNITS
 
 static const struct stress_case millimetre = {
-    .name = "millimetres",
-    .title = "mm, kg, s",
+    .item = {"millimetres", "mm, kg, s"},
     SIMILAR,
     .length = 1e-3,
     .mass = 1,
@@ -204,24 +197,21 @@ static const struct stress_case millimetre = {
     .quick = true,
 };
 static const struct stress_case inch = {
-    .name = "inches",
-    .title = "inch, slinch, s",
+    .item = {"inches", "inch, slinch, s"},
     SIMILAR,
     .length = 0.0254,
     .mass = 175.126836,
     .time = 1,
 };
 static const struct stress_case soft = {
-    .name = "soft",
-    .title = "E/rho a 1000th, Gamma the same",
+    .item = {"soft", "E/rho a 1000th, Gamma the same"},
     SIMILAR,
     .length = 1,
     .mass = 1,
     .time = 0.0316227766016838,
 };
 static const struct stress_case stiff = {
-    .name = "stiff",
-    .title = "E/rho 1000 times, Gamma the same",
+    .item = {"stiff", "E/rho 1000 times, Gamma the same"},
     SIMILAR,
     .length = 1,
     .mass = 1,
@@ -232,8 +222,7 @@ static const struct stress_case stiff = {
 #define BOUND_ENERGY 0.01
 #define WHY_ENERGY   "a swing that keeps 99 % of its energy is taken for a free one"
 static const struct stress_case swing = {
-    .name = "swing_10000",
-    .title = "10,000 steps of undamped swing",
+    .item = {"swing_10000", "10,000 steps of undamped swing"},
     .truth = STRESS_ENERGY,
     .physics = {"sheet.thickness=5e-3", "material={young: 1e5, poisson: 0, density: 0.3}",
                 "time={step: 0.005, end: 50}"},
@@ -244,8 +233,7 @@ static const struct stress_case swing = {
     .quick_end = "time.end=1",
 };
 static const struct stress_case violent_drop = {
-    .name = "violent_drop",
-    .title = "dropped at 1000 g",
+    .item = {"violent_drop", "dropped at 1000 g"},
     .truth = STRESS_ENERGY,
     .gamma = 1e5,
     .physics = {"sheet.thickness=5e-3", "gravity=[0,0,-9810]",
@@ -257,8 +245,7 @@ static const struct stress_case violent_drop = {
 /* Kuhl and Crisfield (1999) spin a stiff bar, on which average acceleration gains energy
  * without end: 100 rad in steps of 0.1 rad. */
 static const struct stress_case spin = {
-    .name = "spinning_bar",
-    .title = "stiff bar, 16 turns in the air",
+    .item = {"spinning_bar", "stiff bar, 16 turns in the air"},
     .truth = STRESS_ENERGY,
     .physics = {"sheet={length: 1, width: 0.1, thickness: 0.01}",
                 "pose.origin=[-0.5,-0.05,0]",
@@ -271,8 +258,7 @@ static const struct stress_case spin = {
 };
 
 static const struct stress_case buckling = {
-    .name = "buckling",
-    .title = "ends 10 % nearer",
+    .item = {"buckling", "ends 10 % nearer"},
     .truth = STRESS_BUCKLED,
     .gamma = 0.2,
     .physics = {"sheet.thickness=5e-3", "material.poisson=0",
@@ -284,8 +270,7 @@ static const struct stress_case buckling = {
 };
 
 static const struct stress_case still = {
-    .name = "still",
-    .title = "nothing acts",
+    .item = {"still", "nothing acts"},
     .truth = STRESS_STILL,
     .physics = {"gravity=[0,0,0]", "time={step: 0.005, end: 0.5}"},
     .bound = 1e-12,
@@ -293,8 +278,7 @@ static const struct stress_case still = {
     .quick = true,
 };
 static const struct stress_case rest = {
-    .name = "rest_start",
-    .title = "starts in equilibrium",
+    .item = {"rest_start", "starts in equilibrium"},
     .truth = STRESS_STILL_REST,
     .gamma = 30,
     .physics = {"sheet.thickness=0.01", "time={step: 0.005, end: 0.5}"},
@@ -302,8 +286,7 @@ static const struct stress_case rest = {
     .why = "a hundred times what the search for equilibrium leaves",
 };
 static const struct stress_case thrown = {
-    .name = "thrown",
-    .title = "edge jerked by L/2 in one step",
+    .item = {"thrown", "edge jerked by L/2 in one step"},
     .truth = STRESS_SHIFTED,
     .physics = {"gravity=[0,0,0]", "sheet.thickness=0.02",
                 "material={young: 1e7, poisson: 0.3, density: 100}",
@@ -316,8 +299,7 @@ static const struct stress_case thrown = {
 };
 
 static const struct stress_case corners = {
-    .name = "two_corners",
-    .title = "hung from two corners",
+    .item = {"two_corners", "hung from two corners"},
     .truth = STRESS_SHELL, /* Gamma = 50 */
     .physics = {"sheet.thickness=5e-3", "material.young=4285",
                 "supports=[{at: {u: 0, v: 0}, fix: xyz}, {at: {u: 0, v: 1}, fix: xyz}]",
@@ -326,11 +308,24 @@ static const struct stress_case corners = {
     .why = "a fiftieth of the length",
 };
 
-const struct stress_case *const stress_cases[] = {
-    &thin_2,        &thin_3,       &thin_4,     &thin_5,      &poisson_0,  &poisson_049,
-    &poisson_04999, &narrow,       &wide,       &one_element, &graded,     &repeated,
-    &torn,          &folded,       &skewed,     &heavy_8,     &heavy_1000, &heavy_100000,
-    &small_step,    &large_step,   &millimetre, &inch,        &soft,       &stiff,
-    &swing,         &violent_drop, &spin,       &buckling,    &still,      &rest,
-    &thrown,        &corners,      NULL,
+static const struct command_item map = {"map",
+                                        "every step by every stiffness: the stability map"};
+
+const struct command_item *const stress_items[] = {
+    /* clang-format off */
+    &map,
+    &thin_2.item, &thin_3.item, &thin_4.item, &thin_5.item, &poisson_0.item,
+    &poisson_049.item, &poisson_04999.item, &narrow.item, &wide.item, &one_element.item,
+    &graded.item, &repeated.item, &torn.item, &folded.item, &skewed.item, &heavy_8.item,
+    &heavy_1000.item, &heavy_100000.item, &small_step.item, &large_step.item,
+    &millimetre.item, &inch.item, &soft.item, &stiff.item, &swing.item,
+    &violent_drop.item, &spin.item, &buckling.item, &still.item, &rest.item, &thrown.item,
+    &corners.item,
+    NULL,
+    /* clang-format on */
 };
+
+const struct stress_case *stress_case_at(int n)
+{
+    return (const struct stress_case *)stress_items[n + 1];
+}

@@ -232,7 +232,7 @@ enum status stress_find_truth(const struct stress_job *job, enum truth_effort ef
 
     while (count < STRESS_SETTINGS && job->c->physics[count])
         count++;
-    snprintf(folder, sizeof folder, "%s/%s.truth", job->folder, job->c->name);
+    snprintf(folder, sizeof folder, "%s/%s.truth", job->folder, job->c->item.name);
     const enum status st = effort == TRUTH_READ ? STATUS_OK : folder_make(folder, why);
     return st == STATUS_OK
                ? truth_find(job->path, count, job->c->physics, sizeof time / sizeof *time,

@@ -30,8 +30,8 @@ const char *stress_truth_text(enum stress_truth truth)
 /* A case's results, those there are. */
 struct line {
     int count;
-    const struct stress_model *model[16];
-    struct stress_result result[16];
+    const struct stress_model *model[STRESS_MODELS];
+    struct stress_result result[STRESS_MODELS];
 };
 
 static int read_line(const char *folder, const struct stress_case *c, struct line *line)
@@ -39,7 +39,7 @@ static int read_line(const char *folder, const struct stress_case *c, struct lin
     char name[256];
 
     line->count = 0;
-    for (int m = 0; m < stress_model_count; m++) {
+    for (int m = 0; m < STRESS_MODELS; m++) {
         stress_name(c, &stress_models[m], name, sizeof name);
         if (stress_read(folder, name, &line->result[line->count], NULL) == STATUS_OK)
             line->model[line->count++] = &stress_models[m];
@@ -68,8 +68,8 @@ static void add_overview(struct table *t, const char *folder, const struct stres
     if (!read_line(folder, c, &line))
         return;
     table_row(t);
-    table_text(t, "%s", c->name);
-    for (int m = 0, n = 0; m < stress_model_count; m++) {
+    table_text(t, "%s", c->item.name);
+    for (int m = 0, n = 0; m < STRESS_MODELS; m++) {
         if (n == line.count || line.model[n] != &stress_models[m]) {
             table_dash(t);
             continue;
@@ -80,20 +80,21 @@ static void add_overview(struct table *t, const char *folder, const struct stres
 }
 
 static enum status print_overview(const char *folder, enum table_format format, FILE *file,
-                                  struct message *why)
+                                  bool *some)
 {
-    struct table_column columns[17] = {{"case", NULL, TABLE_LEFT}};
+    struct table_column columns[STRESS_MODELS + 1] = {{"case", NULL, TABLE_LEFT}};
     int count[4] = {0};
     enum status st = STATUS_OK;
 
-    for (int m = 0; m < stress_model_count; m++)
+    for (int m = 0; m < STRESS_MODELS; m++)
         columns[m + 1] = (struct table_column){stress_models[m].name, NULL, TABLE_LEFT};
-    struct table *t = table_create(stress_model_count + 1, columns, "Hard cases");
-    for (int n = 0; stress_cases[n]; n++)
-        add_overview(t, folder, stress_cases[n], count);
+    struct table *t = table_create(STRESS_MODELS + 1, columns, "Hard cases");
+    for (int n = 0; stress_case_at(n); n++)
+        add_overview(t, folder, stress_case_at(n), count);
     const int all = count[0] + count[1] + count[2] + count[3];
-    if (!all)
-        TRY(status_fail(why, STATUS_INPUT, "%s holds no results of `stress`", folder));
+    *some = all > 0;
+    if (!*some)
+        goto out;
     table_note(t,
                "ok: accurate, the error is within the case's bound; off: degraded, beyond "
                "it. %d runs: %d accurate, %d degraded, %d refused, %d died.",
@@ -115,13 +116,13 @@ static enum status print_truths(const char *folder, enum table_format format, FI
                                    "What each case is held against");
     struct line line;
 
-    for (int n = 0; stress_cases[n]; n++) {
-        const struct stress_case *c = stress_cases[n];
+    for (int n = 0; stress_case_at(n); n++) {
+        const struct stress_case *c = stress_case_at(n);
         if (!read_line(folder, c, &line))
             continue;
         table_row(t);
-        table_text(t, "%s", c->name);
-        table_text(t, "%s", c->title);
+        table_text(t, "%s", c->item.name);
+        table_text(t, "%s", c->item.text);
         table_number(t, c->bound, 1);
         table_text(t, "%s", c->why);
         table_text(t, "%s", stress_truth_text(c->truth));
@@ -137,7 +138,7 @@ static void add_detail(struct table *t, const struct stress_case *c,
     const enum stress_end end = stress_classify(r, c->bound);
 
     table_row(t);
-    table_text(t, "%s", c->name);
+    table_text(t, "%s", c->item.name);
     table_text(t, "%s", m->name);
     table_text(t, "%s", stress_end_name(end));
     if (isfinite(r->error))
@@ -164,11 +165,11 @@ static enum status print_details(const char *folder, enum table_format format, F
         table_create(sizeof columns / sizeof *columns, columns, "How each run ended");
     struct line line;
 
-    for (int n = 0; stress_cases[n]; n++) {
-        if (!read_line(folder, stress_cases[n], &line))
+    for (int n = 0; stress_case_at(n); n++) {
+        if (!read_line(folder, stress_case_at(n), &line))
             continue;
         for (int m = 0; m < line.count; m++)
-            add_detail(t, stress_cases[n], line.model[m], &line.result[m]);
+            add_detail(t, stress_case_at(n), line.model[m], &line.result[m]);
         table_rule(t);
     }
     table_note(t,
@@ -182,13 +183,19 @@ static enum status print_details(const char *folder, enum table_format format, F
 enum status stress_print(const char *folder, enum table_format format, FILE *file,
                          struct message *why)
 {
+    bool some, map;
     enum status st;
 
-    TRY(print_overview(folder, format, file, why));
-    fputc('\n', file);
-    TRY(print_truths(folder, format, file));
-    fputc('\n', file);
-    TRY(print_details(folder, format, file));
+    TRY(print_overview(folder, format, file, &some));
+    if (some) {
+        fputc('\n', file);
+        TRY(print_truths(folder, format, file));
+        fputc('\n', file);
+        TRY(print_details(folder, format, file));
+    }
+    TRY(stress_map_print(folder, format, file, &map, why));
+    if (!some && !map)
+        st = status_fail(why, STATUS_INPUT, "%s holds no results of `stress`", folder);
 out:
     return st;
 }

@@ -30,7 +30,7 @@ enum stress_end stress_classify(const struct stress_result *r, double bound)
 void stress_name(const struct stress_case *c, const struct stress_model *m, char *text,
                  int size)
 {
-    snprintf(text, (size_t)size, "%s.%s", c->name, m->name);
+    snprintf(text, (size_t)size, "%s.%s", c->item.name, m->name);
 }
 
 static void file_of(const char *folder, const char *name, char *path, int size)

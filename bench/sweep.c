@@ -40,7 +40,7 @@ static enum status collect(const struct plan *plan, const struct sweep_folder *f
     enum status st;
 
     TRY(sweep_table_open(t, plan, folder, why));
-    TRY(sweep_map_open(&map, plan, folder, why));
+    TRY(sweep_map_open(&map, plan, folder, "feasible", why));
     for (long n = 0; n < plan_case_count(plan); n++) {
         sweep_folder_read(folder, n, false, &row);
         if (!row.there)

@@ -105,6 +105,8 @@ static void panel_text(const struct dimension *d, const struct plan_case *c,
 {
     if (!d->name)
         snprintf(text, (size_t)size, "%s", "");
+    else if (!strcmp(d->name, "name"))
+        snprintf(text, (size_t)size, "%s", c->name ? c->name : "-");
     else if (d->key >= 0)
         snprintf(text, (size_t)size, "%s",
                  c->given[d->key] ? c->given[d->key]->value : "-");
@@ -114,7 +116,8 @@ static void panel_text(const struct dimension *d, const struct plan_case *c,
 }
 
 enum status sweep_map_open(struct sweep_map **map, const struct plan *plan,
-                           const struct sweep_folder *folder, struct message *why)
+                           const struct sweep_folder *folder, const char *best,
+                           struct message *why)
 {
     enum status st = STATUS_OK;
     char path[SWEEP_FOLDER_PATH + 16];
@@ -131,7 +134,7 @@ enum status sweep_map_open(struct sweep_map **map, const struct plan *plan,
     m->y = find_dimension(plan, plan->map.y);
     m->panel = find_dimension(plan, plan->map.panel);
     snprintf(m->folder, sizeof m->folder, "%s", folder->path);
-    sweep_map_names_add(&m->classes, "feasible"); /* first in the legend, even if none is */
+    sweep_map_names_add(&m->classes, best);
     m->classes.uses[0] = 0;
     snprintf(path, sizeof path, "%s/map.dat", folder->path);
     TRY(output_create(path, &m->data, why));

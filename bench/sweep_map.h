@@ -11,9 +11,11 @@
 struct sweep_map;
 
 /* Begins map.dat in the folder; *map is NULL for a plan that asks for none, and so all else
- * does nothing. STATUS_FILE, STATUS_MEMORY. */
+ * does nothing. `best`: the label that comes first in the legend, even if no case has it.
+ * STATUS_FILE, STATUS_MEMORY. */
 enum status sweep_map_open(struct sweep_map **map, const struct plan *plan,
-                           const struct sweep_folder *folder, struct message *why);
+                           const struct sweep_folder *folder, const char *best,
+                           struct message *why);
 
 /* `labels`: of the case, its colour. */
 void sweep_map_row(struct sweep_map *map, const struct plan_case *c,

@@ -36,20 +36,26 @@ int sweep_map_names_add(struct sweep_map_names *names, const char *name)
     return names->count - 1;
 }
 
-/* Feasible is green, what has no result grey; the rest are told apart by eyes of all kinds.
- */
+/* What is good is green, what has no result grey; the rest are told apart by eyes of all
+ * kinds. */
 static const char *colour_of(const char *class, int n)
 {
+    static const struct {
+        const char *class, *colour;
+    } known[] = {
+        {"feasible", "#8cd17d"},  {"accurate", "#8cd17d"},    {"reference", "#c9e8c0"},
+        {"degraded", "#edc948"},  {"died", "#444444"},        {"refused", "#d9d9d9"},
+        {"no result", "#d9d9d9"}, {"unsupported", "#d9d9d9"},
+    };
     static const char *const palette[] = {
         "#e15759", "#f28e2b", "#edc948", "#4e79a7", "#b07aa1", "#76b7b2", "#9c755f",
         "#ff9da7", "#a0cbe8", "#d37295", "#b6992d", "#d4a6c8", "#fabfd2", "#79706e",
     };
     enum { COLOURS = sizeof palette / sizeof *palette };
 
-    if (!strcmp(class, "feasible"))
-        return "#8cd17d";
-    if (!strcmp(class, "no result") || !strcmp(class, "unsupported"))
-        return "#d9d9d9";
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+        if (!strcmp(class, known[k].class))
+            return known[k].colour;
     return palette[(n + COLOURS - 1) % COLOURS];
 }
 
@@ -85,7 +91,9 @@ static void write_marks(struct output *out, const struct sweep_map_plot *p, int 
 
 static void write_panel(struct output *out, const struct sweep_map_plot *p, int panel)
 {
-    if (p->panel)
+    if (p->panel && !strcmp(p->panel, "name"))
+        output_print(out, "set title '%s'\n", p->panels->name[panel]);
+    else if (p->panel)
         output_print(out, "set title '%s = %s'\n", p->panel, p->panels->name[panel]);
     else
         output_print(out, "set title '%s'\n", p->title);

@@ -102,6 +102,11 @@ good list truths
 refused "no truth 'hinge'" truth hinge --stored
 good list studies
 says out mesh
+good list cases
+says out map thin_5 spinning_bar
+refused "no case 'dance'" stress dance
+refused "no model 'ibm'" stress --models ibm
+refused 'one of the two' stress --out a --from b
 good list checks
 says out elastica
 

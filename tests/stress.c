@@ -75,13 +75,14 @@ static void check_case(const struct stress_case *c, const char *path)
     while (count < STRESS_SETTINGS && c->physics[count])
         count++;
     if (!CHECK(scene_file_read(path, count, c->physics, &scene, &d, &why) == STATUS_OK))
-        printf("%s: %s\n", c->name, why.text);
-    CHECK(c->bound > 0 && *c->why && *c->title && *stress_truth_text(c->truth));
+        printf("%s: %s\n", c->item.name, why.text);
+    CHECK(c->bound > 0 && *c->why && *c->item.text && *stress_truth_text(c->truth));
     CHECK(c->gamma <= 0 || scene_gamma(&scene) > 0);
     CHECK(c->truth != STRESS_SIMILAR || (c->length > 0 && c->mass > 0 && c->time > 0));
-    CHECK(strspn(c->name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(c->name));
-    for (int n = 0; stress_cases[n] != c; n++)
-        CHECK(strcmp(stress_cases[n]->name, c->name));
+    CHECK(strspn(c->item.name, "abcdefghijklmnopqrstuvwxyz0123456789_") ==
+          strlen(c->item.name));
+    for (int n = 0; stress_case_at(n) != c; n++)
+        CHECK(strcmp(stress_case_at(n)->item.name, c->item.name));
     scene_clear(&scene);
     discretization_clear(&d);
 }
@@ -90,19 +91,19 @@ static const struct stress_case *find_case(const char *name)
 {
     int n = 0;
 
-    while (stress_cases[n] && strcmp(stress_cases[n]->name, name))
+    while (stress_case_at(n) && strcmp(stress_case_at(n)->item.name, name))
         n++;
-    REQUIRE(stress_cases[n]);
-    return stress_cases[n];
+    REQUIRE(stress_case_at(n));
+    return stress_case_at(n);
 }
 
 static const struct stress_model *find_model(const char *name)
 {
     int n = 0;
 
-    while (n < stress_model_count && strcmp(stress_models[n].name, name))
+    while (n < STRESS_MODELS && strcmp(stress_models[n].name, name))
         n++;
-    REQUIRE(n < stress_model_count);
+    REQUIRE(n < STRESS_MODELS);
     return &stress_models[n];
 }
 
@@ -142,6 +143,7 @@ static void check_runs(const char *path, const char *folder)
         {"still", "mass_spring", STRESS_ACCURATE},
         {"still", "projective_dynamics", STRESS_ACCURATE},
         {"thin_5", "iga_reduced", STRESS_ACCURATE},
+        {"thin_5", "iga_selective", STRESS_ACCURATE},
         {"thin_5", "iga", STRESS_DEGRADED}, /* locks */
         {"thin_5", "hex", STRESS_DEGRADED},
         {"poisson_04999", "iga_reduced", STRESS_ACCURATE},
@@ -154,6 +156,9 @@ static void check_runs(const char *path, const char *folder)
         {"millimetres", "iga_reduced", STRESS_ACCURATE},
         {"inches", "mass_spring", STRESS_ACCURATE},
         {"soft", "shell", STRESS_ACCURATE},
+        {"stiff", "iga_printed", STRESS_ACCURATE},
+        {"spinning_bar", "shell", STRESS_ACCURATE},
+        {"spinning_bar", "mass_spring", STRESS_DEGRADED}, /* implicit Euler */
         {"step_large", "iga_printed", STRESS_DEGRADED},
         {"swing_10000", "iga_printed", STRESS_REFUSED}, /* has no elastic energy */
         {"swing_10000", "iga_reduced", STRESS_ACCURATE},
@@ -179,6 +184,38 @@ static void check_parabola(const char *path, const char *folder)
     CHECK_NEAR(r.error, 1 / 3., TOL_SHEAR);
 }
 
+/* The map of two models: each spot is one of the words, the finest steps are references,
+ * and implicit Euler's longest step is told from its finest. */
+static void check_map(const char *folder)
+{
+    bool wanted[STRESS_MODELS] = {false}, there = false;
+    char path[512], line[256];
+    int lines = 0, references = 0, degraded = 0;
+    struct message why = {""};
+    FILE *null = fopen("/dev/null", "w");
+
+    REQUIRE(null);
+    wanted[find_model("shell") - stress_models] = true;
+    wanted[find_model("mass_spring") - stress_models] = true;
+    for (int n = 0; n < 2; n++) /* the second does not go on with the first */
+        REQUIRE(stress_map_measure(folder, wanted, 2, true, &why) == STATUS_OK);
+    REQUIRE(stress_map_print(folder, TABLE_TEXT, null, &there, &why) == STATUS_OK);
+    CHECK(there);
+    fclose(null);
+    snprintf(path, sizeof path, "%s/map/stability.csv", folder);
+    FILE *csv = fopen(path, "r");
+    REQUIRE(csv && fgets(line, sizeof line, csv));
+    while (fgets(line, sizeof line, csv)) {
+        lines++;
+        references += strstr(line, ",reference,") != NULL;
+        degraded += !strncmp(line, "mass_spring,1e8,0.1,degraded,", 29);
+        CHECK(strstr(line, ",accurate,") || strstr(line, ",degraded,") ||
+              strstr(line, ",died,") || strstr(line, ",1e-3,reference,"));
+    }
+    fclose(csv);
+    CHECK(lines == 2 * 3 * 3 && references == 2 * 3 && degraded == 1);
+}
+
 int main(int argc, char **argv)
 {
     char *path = NULL;
@@ -192,11 +229,12 @@ int main(int argc, char **argv)
         check_broken(argv[2], "outcome slept\nerror 1\ntime 1\nseconds 1\nsentence \n");
         check_broken(argv[2], "outcome ran\nerror x\ntime 1\nseconds 1\nsentence \n");
         check_broken(argv[2], "outcome ran\nerror 1\ntime 1\nseconds 1\nsentence cut");
-        for (int n = 0; stress_cases[n]; n++)
-            check_case(stress_cases[n], path);
+        for (int n = 0; stress_case_at(n); n++)
+            check_case(stress_case_at(n), path);
     } else {
         check_runs(path, argv[2]);
         check_parabola(path, argv[2]);
+        check_map(argv[2]);
     }
     free(path);
     return check_result();

@@ -188,7 +188,7 @@ static const struct schema_key MARK[] = {
 static const struct schema_key MAP[] = {
     {"x", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
     {"y", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
-    {"panel", "key of a panel each, or name: of the listed cases", SCHEMA_TEXT, IN(plan, map.panel)},
+    {"panel", "key of a panel each, or name (of cases)", SCHEMA_TEXT, IN(plan, map.panel)},
     {"marks", "points that are no cases", SCHEMA_SPECIAL, .read = read_marks,
      .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
     {NULL}};

@@ -124,10 +124,12 @@ static double largest(size_t count, const double *x)
 {
     double most = 0;
 
-    for (size_t t = 0; t < count; t++)
-        if (!(fabs(x[t]) <= most))
-            most = fabs(x[t]);
-    return most;
+    for (size_t t = 0; t < count; t += 3) {
+        double far = x[t] * x[t] + x[t + 1] * x[t + 1] + x[t + 2] * x[t + 2];
+        if (!(far <= most))
+            most = far;
+    }
+    return sqrt(most);
 }
 
 /* Conjugate gradients from d = 0 for K d = r, with the factor of an earlier K for a

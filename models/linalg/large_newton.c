@@ -97,20 +97,23 @@ out:
     return st;
 }
 
+/* Of a point's move, not of a component: iterations must end alike in a turned scene. */
 static double largest(size_t count, const double *x)
 {
     double most = 0;
 
-    for (size_t t = 0; t < count; t++)
-        if (!(fabs(x[t]) <= most))
-            most = fabs(x[t]);
-    return most;
+    for (size_t t = 0; t < count; t += 3) {
+        double far = x[t] * x[t] + x[t + 1] * x[t + 1] + x[t + 2] * x[t + 2];
+        if (!(far <= most))
+            most = far;
+    }
+    return sqrt(most);
 }
 
 /* The state of an iteration; vectors [nodes][3]. */
 struct iteration {
     double *x;        /* present points                                                */
-    double *d, size;  /* the last step and its largest component [m]                   */
+    double *d, size;  /* the last step, its largest move [m]                           */
     double *r, *next; /* right-hand side at x; the step from there                     */
     double *work;
     double tolerance; /* [m]                                                           */

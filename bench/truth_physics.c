@@ -27,6 +27,15 @@ static void print_supports(const struct scene *s, FILE *out)
     }
 }
 
+static void print_loads(const struct scene *s, FILE *out)
+{
+    for (int n = 0; n < s->load_count; n++) {
+        print(out, "load from", 3, s->loads[n].lo);
+        print(out, "load to", 3, s->loads[n].hi);
+        print(out, "load force", 3, s->loads[n].force);
+    }
+}
+
 static void print_obstacles(const struct scene *s, FILE *out)
 {
     for (int n = 0; n < s->obstacle_count; n++) {
@@ -85,6 +94,7 @@ enum status truth_physics(const struct scene *s, char **text)
     }
     print_damping(s, out);
     print_supports(s, out);
+    print_loads(s, out);
     print_obstacles(s, out);
     if (fclose(out) != 0) {
         free(result);

@@ -7,6 +7,7 @@ extern const struct verify_check verify_fabrics;
 extern const struct verify_check verify_matrices;
 extern const struct verify_check verify_navier;
 extern const struct verify_check verify_frequencies;
+extern const struct verify_check verify_sze;
 extern const struct verify_check verify_lateral;
 extern const struct verify_check verify_outside;
 extern const struct verify_check verify_pendulum;
@@ -22,15 +23,14 @@ extern const struct verify_check verify_similarity;
 /* Statics first, then motions, frequencies, and what outside programs computed. */
 #define STATICS(X)                                                                         \
     X(verify_elastica)                                                                     \
-    X(verify_fabrics)                                                                      \
-    X(verify_matrices) X(verify_navier) X(verify_frequencies) X(verify_cantilever)
+    X(verify_sze) X(verify_fabrics) X(verify_matrices) X(verify_navier)                    \
+        X(verify_frequencies) X(verify_cantilever)
 #define BUCKLING(X) X(verify_lateral) X(verify_hanging)
 #define MOTIONS(X)                                                                         \
     X(verify_pendulum)                                                                     \
     X(verify_transient)                                                                    \
     X(verify_energy)                                                                       \
-    X(verify_fall) X(verify_period) X(verify_moving) X(verify_contact)                     \
-        X(verify_similarity)
+    X(verify_fall) X(verify_period) X(verify_moving) X(verify_contact) X(verify_similarity)
 #define OUTSIDE(X) X(verify_outside)
 #define TRUTHS(X)  X(verify_truths)
 #define CHECKS(X)  STATICS(X) BUCKLING(X) MOTIONS(X) OUTSIDE(X) TRUTHS(X)

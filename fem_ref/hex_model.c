@@ -98,6 +98,24 @@ static int cell(int points, double x, double weight[2])
     return i;
 }
 
+static void layer_values(const void *context, double w, double *N)
+{
+    (void)context;
+    N[0] = 1;
+    N[1] = 2 * w - 1;
+}
+
+static enum status add_loads(struct hex *h)
+{
+    struct dead_load_line line[3];
+
+    for (int i = 0; i < 3; i++)
+        line[i] = (struct dead_load_line){.n = h->points[i], .degree = 1};
+    if (h->space.thickness_basis)
+        line[2].value = layer_values;
+    return solid_motion_add_loads(&h->motion, line);
+}
+
 /* Trilinear interpolation of the nodes' positions. */
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
@@ -159,6 +177,7 @@ static enum status create(const struct scene *scene, const struct discretization
         TRY(set_parity(h, scene));
     order = solid_model_order(d->points[0], d->points[1], d->points[2]);
     TRY(solid_motion_init(&h->motion, scene, &h->space, d, order, why));
+    TRY(add_loads(h));
     TRY(solid_model_misfit(scene, sample, h, &h->misfit));
     *state = h, h = NULL;
 out:

@@ -30,9 +30,9 @@ enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_pl
         fabs(dot(scene->gravity, scene->axis_v)) > in_plane)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth needs gravity normal to the sheet");
-    if (scene->obstacle_count || scene->drag != 0)
+    if (scene->obstacle_count || scene->load_count || scene->drag != 0)
         return status_fail(why, STATUS_UNSUPPORTED,
-                           "the Kirchhoff truth knows no obstacles and no drag");
+                           "the Kirchhoff truth knows no obstacles, no loads and no drag");
     if (scene->damping.kind != DAMPING_NONE && scene->damping.kind != DAMPING_MASS)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth knows mass damping only");

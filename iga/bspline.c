@@ -157,6 +157,15 @@ void bspline_eval(const struct bspline *b, int span, double u, int order, double
     }
 }
 
+void bspline_values(const void *b, double u, double *N)
+{
+    const struct bspline *s = b;
+    int span = bspline_span(s, u);
+
+    memset(N, 0, (size_t)s->n * sizeof *N);
+    bspline_eval(s, span, u, 0, N + span - s->p);
+}
+
 int bspline_spans(const struct bspline *b, int *span)
 {
     int count = 0;

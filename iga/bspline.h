@@ -38,6 +38,9 @@ int bspline_span(const struct bspline *b, double u);
  * Pure, no allocation: safe from any thread. */
 void bspline_eval(const struct bspline *b, int span, double u, int order, double *out);
 
+/* Values of all n functions of the struct bspline *b at u into N[n]. */
+void bspline_values(const void *b, double u, double *N);
+
 /* Non-empty spans: returns their number and writes the knot index k of each, ascending;
  * span has room for n - p. */
 int bspline_spans(const struct bspline *b, int *span);

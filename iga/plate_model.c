@@ -131,6 +131,30 @@ static int alive(const struct plate *p, int i, double x, double *value)
     return span - b->p;
 }
 
+/* Functions through the thickness, all of one element. */
+static void layer_values(const void *context, double w, double *N)
+{
+    const struct plate *p = context;
+
+    plate_space_thickness(&p->patch, p->space.thickness_basis, w, N);
+}
+
+static enum status add_loads(struct plate *p, struct message *why)
+{
+    struct dead_load_line line[3];
+
+    if (p->motion.scene->load_count && p->patch.weight)
+        return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no loads with weights");
+    for (int i = 0; i < 3; i++) {
+        const struct bspline *b = &p->patch.basis[i];
+        line[i] = (struct dead_load_line){b->n,        b->p,           b->n - b->p + 1,
+                                          b->U + b->p, bspline_values, b};
+    }
+    if (p->space.thickness_basis)
+        line[2].value = layer_values, line[2].context = p;
+    return solid_motion_add_loads(&p->motion, line);
+}
+
 static enum status make_samples(struct plate *p, int i, int count)
 {
     struct samples *s = &p->grid[i];
@@ -336,6 +360,7 @@ static enum status create(const struct scene *scene, const struct discretization
         solid_model_order(p->patch.basis[0].n, p->patch.basis[1].n, p->patch.basis[2].n);
     TRY(make_grid(p, scene));
     TRY(solid_motion_init(&p->motion, scene, &p->space, d, order, why));
+    TRY(add_loads(p, why));
     TRY(solid_model_misfit(scene, sample, p, &p->misfit));
     *state = p, p = NULL;
 out:

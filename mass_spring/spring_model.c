@@ -11,8 +11,9 @@
 /* A support that takes part of the thickness is served if it takes the mid-surface: it
  * holds the points, and the sheet may turn about them. */
 #define SERVES                                                                             \
-    (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |         \
-     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION)
+    (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |                  \
+     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |         \
+     SCENE_NEED_INITIAL_MOTION)
 
 static void defaults(struct discretization *d)
 {

@@ -8,6 +8,7 @@
 #include "mass_spring/spring_frequency.h"
 #include "mass_spring/spring_strain.h"
 #include "models/damping.h"
+#include "models/linalg/dead_load.h"
 
 /* Of the explicit method's greatest step, where it chooses: springs that turn and stretch
  * are a little stiffer than at rest. */
@@ -33,6 +34,25 @@ static void set_masses(struct spring_motion *m)
         for (int i = 0; i < 3; i++)
             m->load[3 * a + i] = m->mass[a] * s->gravity[i] + s->drag * volume * s->wind[i];
     }
+}
+
+/* By the hats of the net's nodes, as the solids' by theirs. */
+static enum status add_loads(struct spring_motion *m, const int points[2])
+{
+    const struct dead_load_line line[3] = {
+        {.n = points[0], .degree = 1}, {.n = points[1], .degree = 1}, {.n = 1}};
+    const size_t count = 3 * (size_t)m->net.nodes;
+    enum status st;
+
+    if (!m->scene->load_count)
+        return STATUS_OK;
+    m->dead = calloc(count, sizeof *m->dead);
+    if (!m->dead)
+        return STATUS_MEMORY;
+    st = dead_load_add(m->scene, line, m->dead);
+    for (size_t n = 0; n < count; n++)
+        m->load[n] += m->dead[n];
+    return st;
 }
 
 static enum status allocate(struct spring_motion *m)
@@ -118,6 +138,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     m->rest_energy = spring_force_energy(&m->net, m->x);
     supports_initial_velocity(&m->newton.supports, scene, m->net.rest, NULL, m->v);
     set_masses(m);
+    TRY(add_loads(m, d->points));
     m->limits.iterations = d->iterations;
     m->limits.tolerance =
         (d->tolerance > 0 ? d->tolerance : DEFAULT_TOLERANCE) * shortest_spring(&m->net);
@@ -140,6 +161,7 @@ void spring_motion_clear(struct spring_motion *m)
     free(m->x);
     free(m->v);
     free(m->load);
+    free(m->dead);
     free(m->start);
     free(m->target);
     free(m->shift);
@@ -299,7 +321,8 @@ void spring_motion_energy(const struct spring_motion *m, struct energy *energy)
     for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++) {
         double mass = m->mass[n / 3];
         kinetic += mass * m->v[n] * m->v[n] / 2;
-        potential -= mass * m->scene->gravity[n % 3] * (m->x[n] - m->net.rest[n]);
+        double weight = mass * m->scene->gravity[n % 3] + (m->dead ? m->dead[n] : 0);
+        potential -= weight * (m->x[n] - m->net.rest[n]);
     }
     energy->kinetic = kinetic;
     energy->elastic = spring_force_energy(&m->net, m->x) - m->rest_energy;

@@ -36,7 +36,8 @@ struct spring_motion {
     double rest_energy;   /* round-off of the energy at rest                     [J]   */
     double *mass, *drag, *weight; /* [nodes] m, c, m / dt^2 + c / dt         owned     */
     double *x, *v;        /* [nodes][3]                                      owned     */
-    double *load;         /* [nodes][3] gravity and wind                 [N] owned     */
+    double *load;         /* [nodes][3] gravity, wind and loads          [N] owned     */
+    double *dead;         /* [nodes][3] of which the scene's loads, or NULL  owned     */
     double *start, *target; /* [nodes][3] work                               owned     */
     double *shift;        /* [held_count] work                               owned     */
     double (*V)[9];       /* [pairs] with beta, else NULL                    owned     */

@@ -36,6 +36,7 @@ void scene_clear(struct scene *scene)
     for (int i = 0; i < scene->support_count; i++)
         free(scene->supports[i].path);
     free(scene->supports);
+    free(scene->loads);
     free(scene->obstacles);
     free(scene->snapshots);
     free(scene->name);
@@ -63,6 +64,18 @@ enum status scene_add_support(struct scene *scene, const struct scene_support *s
         memcpy(copy.path, support->path, bytes);
     }
     grown[scene->support_count++] = copy;
+    return STATUS_OK;
+}
+
+enum status scene_add_load(struct scene *scene, const struct scene_load *load)
+{
+    size_t count = (size_t)scene->load_count + 1;
+    struct scene_load *grown = realloc(scene->loads, count * sizeof *grown);
+
+    if (!grown)
+        return STATUS_MEMORY;
+    scene->loads = grown;
+    grown[scene->load_count++] = *load;
     return STATUS_OK;
 }
 
@@ -101,6 +114,8 @@ unsigned scene_needs(const struct scene *scene)
         needs |= support_needs(&scene->supports[i]);
     if (scene->obstacle_count > 0)
         needs |= SCENE_NEED_CONTACT;
+    if (scene->load_count > 0)
+        needs |= SCENE_NEED_LOADS;
     if (scene->drag > 0)
         needs |= SCENE_NEED_DRAG;
     if (scene->shape != SCENE_FLAT)

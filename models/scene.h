@@ -43,6 +43,13 @@ struct scene_support {
     int line;             /* in the scene file; 0 if made in memory                   */
 };
 
+/* A dead force, spread evenly over the material points lo <= (u,v,w) <= hi: an edge, a face,
+ * an area, a point. It keeps its direction however the sheet turns. */
+struct scene_load {
+    double lo[3], hi[3];
+    double force[3]; /* in all                                                [N]     */
+};
+
 enum obstacle_kind { OBSTACLE_PLANE, OBSTACLE_SPHERE };
 
 struct scene_obstacle {
@@ -76,6 +83,8 @@ struct scene {
 
     int support_count;
     struct scene_support *supports; /* owned                                          */
+    int load_count;
+    struct scene_load *loads; /* owned                                               */
     int obstacle_count;
     struct scene_obstacle *obstacles; /* owned                                        */
 
@@ -92,6 +101,7 @@ struct scene {
     X(COMPONENT_SUPPORTS, "supports that hold single components")                       \
     X(THICKNESS_SUPPORTS, "supports on part of the thickness")                          \
     X(DRAG, "body drag")                                                                \
+    X(LOADS, "loads")                                                                   \
     X(CURVED_REST, "curved rest shape")                                                 \
     X(INITIAL_MOTION, "initial motion")
 
@@ -120,6 +130,9 @@ void scene_clear(struct scene *scene);
 
 /* Adds a copy of *support (its path is copied too). */
 enum status scene_add_support(struct scene *scene, const struct scene_support *support);
+
+/* Adds a copy of *load. */
+enum status scene_add_load(struct scene *scene, const struct scene_load *load);
 
 /* Adds a copy of *obstacle. */
 enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle *obstacle);

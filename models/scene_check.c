@@ -98,6 +98,17 @@ out:
     return st;
 }
 
+/* Spread evenly over parameters: on a curved shape that would be no even spread. */
+static enum status check_loads(const struct yaml_tree *root, const struct scene *scene,
+                               struct message *why)
+{
+    if (scene->load_count && scene->shape != SCENE_FLAT)
+        return yaml_tree_refuse(yaml_tree_find(root, "loads"), why,
+                                "loads are for flat sheets, but pose has kind '%s'",
+                                scene_shape_name((int)scene->shape));
+    return STATUS_OK;
+}
+
 static enum status check_pose(const struct yaml_tree *root, struct scene *scene,
                               struct message *why)
 {
@@ -254,6 +265,7 @@ enum status scene_check(const struct yaml_tree *root, struct scene *scene,
     TRY(check_damping(root, scene, why));
     TRY(check_snapshots(root, scene, why));
     TRY(check_supports(root, scene, why));
+    TRY(check_loads(root, scene, why));
 out:
     return st;
 }

@@ -10,6 +10,7 @@
 enum {
     SCENE_MAX_SUPPORTS = 100,
     SCENE_MAX_OBSTACLES = 100,
+    SCENE_MAX_LOADS = 100,
     SCENE_MAX_PATH = 1000,       /* rows of one support's path     */
     SCENE_MAX_SNAPSHOTS = 10000,
     SCENE_MAX_FRAMES = 10000000, /* end / step                     */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/linalg/dead_load.h"
 
 /* The membrane's mean stress is taken from (1/2 + lag) of the step: a viscosity lag dt
  * against its ringing, which nothing else damps. Stretching is small wherever a thin sheet
@@ -22,6 +23,27 @@ static void compute_load(struct shell_motion *m)
         for (int a = 0; a < m->space->nodes; a++)
             m->load[3 * a + i] = force * m->assembly.area[a];
     }
+}
+
+static enum status add_loads(struct shell_motion *m)
+{
+    const struct bspline *b = m->space->basis;
+    const size_t count = 3 * (size_t)m->space->nodes;
+    struct dead_load_line line[3] = {{0}, {0}, {.n = 1}};
+    enum status st;
+
+    if (!m->scene->load_count)
+        return STATUS_OK;
+    m->dead = calloc(count, sizeof *m->dead);
+    if (!m->dead)
+        return STATUS_MEMORY;
+    for (int i = 0; i < 2; i++)
+        line[i] = (struct dead_load_line){
+            b[i].n, b[i].p, b[i].n - b[i].p + 1, b[i].U + b[i].p, bspline_values, &b[i]};
+    st = dead_load_add(m->scene, line, m->dead);
+    for (size_t t = 0; t < count; t++)
+        m->load[t] += m->dead[t];
+    return st;
 }
 
 /* Widens an edge in direction d to the second row of control points, at either end. */
@@ -184,6 +206,7 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
                      damping_mass(scene) + damping_drag(scene), damping_stiffness(scene)));
     TRY(make_room(m));
     compute_load(m);
+    TRY(add_loads(m));
     supports_initial_velocity(&m->supports, scene, m->space->rest, NULL, m->newmark.v);
     TRY(shell_assembly_tangent(&m->assembly, &statics, m->x, (struct large_foresight){0},
                                m->K));
@@ -231,6 +254,7 @@ void shell_motion_clear(struct shell_motion *m)
     free(m->K);
     free(m->x);
     free(m->load);
+    free(m->dead);
     free(m->held);
     large_motion_clear(&m->large);
     contact_step_clear(&m->contact);
@@ -317,8 +341,9 @@ void shell_motion_energy(const struct shell_motion *m, struct energy *energy)
     blocks_multiply_mass(graph, m->assembly.M, n->v, y);
     for (size_t t = 0; t < count; t++) {
         energy->kinetic += n->v[t] * y[t] / 2;
-        energy->potential -= sheet * s->gravity[t % 3] * m->assembly.area[t / 3] *
-                             (m->x[t] - m->space->rest[t]);
+        double weight = sheet * s->gravity[t % 3] * m->assembly.area[t / 3] +
+                        (m->dead ? m->dead[t] : 0);
+        energy->potential -= weight * (m->x[t] - m->space->rest[t]);
     }
     if (m->kinematics == KINEMATICS_NONLINEAR) {
         if (shell_assembly_energy(&m->assembly, m->x, &energy->elastic) != STATUS_OK)

@@ -35,7 +35,8 @@ struct shell_motion {
     unsigned char *parity;  /* [nodes][3] or NULL: which components couple      owned   */
     double (*K)[9]; /* [pairs] linear: of the rest shape               [N/m]   owned   */
     double *x;      /* [nodes][3] present control points               [m]     owned   */
-    double *load;   /* [nodes][3] gravity and wind                     [N]     owned   */
+    double *load;   /* [nodes][3] gravity, wind and loads              [N]     owned   */
+    double *dead;   /* [nodes][3] of which the scene's loads; NULL: none       owned   */
     double *held;   /* [4][held_count] target d, v, a; work                    owned   */
     double time;    /* [s]                                                             */
     bool started;   /* linear: the constant system is factored; nonlinear: strain_old

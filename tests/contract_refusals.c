@@ -85,13 +85,16 @@ static void check_nets(const struct model *model, const struct scene *scene)
     }
 }
 
-/* A scene with one need more than the plain one; w: where a part of the thickness is held. */
+/* A scene with one need more than the plain one; w: where a part of the thickness is held.
+ */
 static void add_need(struct scene *scene, unsigned need, double w)
 {
     static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.1}};
     struct scene_obstacle floor = {
         .kind = OBSTACLE_PLANE, .point = {0, 0, -1}, .normal = {0, 0, 1}};
     struct scene_support s = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_XYZ};
+
+    const struct scene_load tip = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .force = {0, 0, 1}};
 
     switch (need) {
     case SCENE_NEED_CONTACT:
@@ -102,6 +105,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
         return;
     case SCENE_NEED_INITIAL_MOTION:
         scene->spin[1] = 1;
+        return;
+    case SCENE_NEED_LOADS:
+        REQUIRE(scene_add_load(scene, &tip) == STATUS_OK);
         return;
     case SCENE_NEED_CURVED_REST:
         scene->shape = SCENE_CLOAK, scene->opening = 90;
@@ -150,7 +156,8 @@ static void check_needs(const struct model *model)
         struct discretization d = small_net(model);
         struct scene scene;
         fill_scene(&scene);
-        add_need(&scene, needs[n], model->serves & needs[n] ? part_of_thickness(model, &d) : 0);
+        add_need(&scene, needs[n],
+                 model->serves & needs[n] ? part_of_thickness(model, &d) : 0);
         if (!CHECK(scene_needs(&scene) & needs[n]))
             printf("need %u is not in the scene made for it\n", needs[n]);
         if (model->serves & needs[n]) {

@@ -57,6 +57,7 @@ static void check_everything(void)
         "  fix: zx\n"
         "  path: [[0, 0, 0, 0], [1, 2, 3, 4]]\n"
         "- {at: {w: [0, 1]}, fix: y}\n"
+        "loads: [{at: {u: 1, v: [0.5, 1]}, force: [1, -2, 3]}]\n"
         "obstacles:\n"
         "- plane: {point: [0, 0, -1], normal: [0, 0, 2], friction: 0.3}\n"
         "- sphere: {center: [1, 0, 0], radius: 0.5}\n"
@@ -78,6 +79,10 @@ static void check_everything(void)
     CHECK(a->lo[2] == 0 && a->hi[2] == 1 && a->fix == (FIX_X | FIX_Z) && a->line == 10);
     CHECK(a->path_count == 2 && a->path[1][0] == 1 && a->path[1][3] == 4);
     CHECK(b->fix == FIX_Y && b->hi[0] == 1 && !b->path && b->line == 13);
+    REQUIRE(s.load_count == 1);
+    CHECK(s.loads[0].lo[0] == 1 && s.loads[0].lo[1] == 0.5 && s.loads[0].hi[2] == 1);
+    CHECK(s.loads[0].force[0] == 1 && s.loads[0].force[1] == -2 &&
+          s.loads[0].force[2] == 3);
     CHECK(s.obstacles[0].kind == OBSTACLE_PLANE && s.obstacles[0].normal[2] == 2);
     CHECK(s.obstacles[0].point[2] == -1 && s.obstacles[0].friction == 0.3);
     CHECK(s.obstacles[1].kind == OBSTACLE_SPHERE && s.obstacles[1].radius == 0.5);

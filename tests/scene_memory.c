@@ -43,9 +43,12 @@ char *__wrap_strdup(const char *text)
 static enum status read_scene(int allocations, struct scene *scene, struct message *why)
 {
     static const char *const settings[] = {
-        "pose.u=[1,0,0]", "supports[0].path=[[0,0,0,0],[1,0,0,1]]",
+        "pose.u=[1,0,0]",
+        "supports[0].path=[[0,0,0,0],[1,0,0,1]]",
+        "loads=[{at: {u: 1}, force: [0,0,1]}]",
         "obstacles=[{sphere: {center: [0,0,0], radius: 1}}]",
-        "discretization.knots_u=[0,0,1,1]", "discretization.weights=[1,1]"};
+        "discretization.knots_u=[0,0,1,1]",
+        "discretization.weights=[1,1]"};
     struct discretization d = {.points = {10, 10, 2}, .degree = {2, 2, 1}};
     enum status st;
 

@@ -8,9 +8,10 @@
 
 /* What solid_motion can serve; bits of scene_need. */
 #define SOLID_MODEL_SERVES                                                              \
-    (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |      \
-     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG |  \
-     SCENE_NEED_CURVED_REST | SCENE_NEED_INITIAL_MOTION)
+    (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |               \
+     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |                        \
+     SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |         \
+     SCENE_NEED_INITIAL_MOTION)
 
 enum status solid_model_advance(void *state, struct counters *counters);
 void solid_model_size(const void *state, struct model_size *size);

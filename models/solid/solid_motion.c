@@ -33,6 +33,23 @@ static void compute_load(struct solid_motion *m)
         for (int a = 0; a < m->space->nodes; a++)
             m->load[3 * a + i] = force * m->assembly.volume[a];
     }
+    for (int t = 0; m->dead && t < 3 * m->space->nodes; t++)
+        m->load[t] += m->dead[t];
+}
+
+enum status solid_motion_add_loads(struct solid_motion *m,
+                                   const struct dead_load_line line[3])
+{
+    enum status st;
+
+    if (!m->scene->load_count)
+        return STATUS_OK;
+    m->dead = calloc(3 * (size_t)m->space->nodes, sizeof *m->dead);
+    if (!m->dead)
+        return STATUS_MEMORY;
+    st = dead_load_add(m->scene, line, m->dead);
+    compute_load(m);
+    return st;
 }
 
 /* `printed` knows velocity as d / dt (solid_motion.h). */
@@ -111,6 +128,7 @@ void solid_motion_clear(struct solid_motion *m)
     solid_assembly_clear(&m->assembly);
     free(m->x);
     free(m->load);
+    free(m->dead);
     free(m->held);
     memset(m, 0, sizeof *m);
 }
@@ -271,7 +289,8 @@ void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
     blocks_multiply(graph, stiffness(m), n->d, y);
     for (size_t t = 0; t < count; t++) {
         double weight =
-            m->scene->density * m->scene->gravity[t % 3] * m->assembly.volume[t / 3];
+            m->scene->density * m->scene->gravity[t % 3] * m->assembly.volume[t / 3] +
+            (m->dead ? m->dead[t] : 0);
         elastic += n->d[t] * y[t] / 2;
         potential -= weight * (m->x[t] - m->space->rest[t]);
     }

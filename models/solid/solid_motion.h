@@ -16,6 +16,7 @@
 #define SOLID_MOTION_H
 
 #include "models/linalg/contact_step.h"
+#include "models/linalg/dead_load.h"
 #include "models/linalg/newmark.h"
 #include "models/model.h"
 #include "models/solid/solid_assembly.h"
@@ -29,7 +30,8 @@ struct solid_motion {
     struct system system;
     struct newmark newmark;
     double *x;    /* [nodes][3] present coefficients                   [m]    owned   */
-    double *load; /* [nodes][3] gravity and wind                       [N]    owned   */
+    double *load; /* [nodes][3] gravity, wind and loads                [N]    owned   */
+    double *dead; /* [nodes][3] of which the scene's loads; NULL: none        owned   */
     double *held; /* [4][held_count] target d, v, a; work              owned          */
     double time;  /* [s]                                                              */
     bool started; /* the constant system is factored                                  */
@@ -47,6 +49,10 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               const struct discretization *d, const int *order,
                               struct message *why);
 void solid_motion_clear(struct solid_motion *m);
+
+/* Puts the scene's loads on the functions of u, v and w; once, before the first step. */
+enum status solid_motion_add_loads(struct solid_motion *m,
+                                   const struct dead_load_line line[3]);
 
 /* One step of scene->step. */
 enum status solid_motion_step(struct solid_motion *m, struct counters *counters);

@@ -1,0 +1,26 @@
+/* dead_load.h - a scene's loads as forces on the coefficients of a tensor-product net: the
+ * work that they do over a displacement sum N_a d_a, N_a a product of functions of u, v, w.
+ */
+#ifndef DEAD_LOAD_H
+#define DEAD_LOAD_H
+
+#include "models/scene.h"
+
+/* Functions of one direction on [0,1]. */
+struct dead_load_line {
+    int n;            /* functions                                                 */
+    int degree;       /* of the pieces                                             */
+    int breaks;       /* values in `at`                                            */
+    const double *at; /* [breaks] pieces' ends, non-decreasing, from 0 to 1;
+                         NULL: k / (n - 1)                                borrowed */
+    /* Values of all functions at t into N[n]; NULL: hats at k / (n - 1), the constant 1 if
+     * n = 1. */
+    void (*value)(const void *context, double t, double *N);
+    const void *context;
+};
+
+/* Adds to f[line[0].n][line[1].n][line[2].n][3] [N]. STATUS_MEMORY. */
+enum status dead_load_add(const struct scene *scene, const struct dead_load_line line[3],
+                          double *f);
+
+#endif

@@ -1,0 +1,192 @@
+/* Loads: their sum and first moment on any net and any place, and a sheet pulled at its
+ * end, which every solid and shell must stretch evenly: tip, contraction, energies. */
+#include "models/linalg/dead_load.h"
+#include "bench/trial.h"
+#include "iga/bspline.h"
+#include "tests/check.h"
+
+/* Sums of up to 10^3 products. */
+static const double ROUND_OFF = 1e-12;
+/* Condition of a thin sheet's stiffness, 1e7, times rounding. */
+static const double TOL_PATCH = 1e-8;
+
+/* Coefficients that make a displacement equal to the parameter: Greville abscissae. */
+static double abscissa(const struct bspline *b, int i, int n)
+{
+    return b ? bspline_greville(b, i) : n > 1 ? (double)i / (n - 1) : 0;
+}
+
+/* Total force, and its moments about u = 0 and v = 0. */
+static void check_sums(const struct scene_load *load, const struct bspline *const basis[2])
+{
+    struct dead_load_line line[3] = {
+        {.n = 6, .degree = 1}, {.n = 4, .degree = 1}, {.n = 2, .degree = 1}};
+    struct scene scene;
+    double sum[3] = {0}, moment[2] = {0};
+
+    for (int i = 0; i < 2; i++)
+        if (basis[i])
+            line[i] = (struct dead_load_line){basis[i]->n,
+                                              basis[i]->p,
+                                              basis[i]->n - basis[i]->p + 1,
+                                              basis[i]->U + basis[i]->p,
+                                              bspline_values,
+                                              basis[i]};
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    REQUIRE(scene_add_load(&scene, load) == STATUS_OK);
+    int n = line[0].n, m = line[1].n, l = line[2].n;
+    double *f = calloc(3 * (size_t)(n * m * l), sizeof *f);
+    REQUIRE(f && dead_load_add(&scene, line, f) == STATUS_OK);
+    for (int a = 0; a < n * m * l; a++) {
+        for (int i = 0; i < 3; i++)
+            sum[i] += f[3 * a + i];
+        moment[0] += f[3 * a] * abscissa(basis[0], a / (m * l), n);
+        moment[1] += f[3 * a] * abscissa(basis[1], a / l % m, m);
+    }
+    for (int i = 0; i < 3; i++)
+        CHECK_NEAR(sum[i], load->force[i], ROUND_OFF);
+    for (int i = 0; i < 2; i++)
+        CHECK_NEAR(moment[i], load->force[0] * (load->lo[i] + load->hi[i]) / 2, ROUND_OFF);
+    free(f);
+    scene_clear(&scene);
+}
+
+static void check_places(void)
+{
+    static const struct scene_load loads[] = {
+        {{1, 0, 0}, {1, 1, 1}, {3, -2, 1}}, /* an end face                       */
+        {{0, 0, 0}, {1, 1, 1}, {1, 2, 3}},  /* all of it                         */
+        {{0.3, 0.2, 0.5}, {0.3, 0.2, 0.5}, {1, 0, -1}}, /* a point                       */
+        {{0.13, 0, 0}, {0.71, 0, 1}, {-1, 4, 2}},    /* part of an edge                   */
+        {{0.5, 0.25, 1}, {0.55, 0.9, 1}, {2, 1, 5}}, /* a patch of the upper face         */
+    };
+    static const double uneven[] = {0, 0, 0, 0, 0.04, 0.3, 0.3, 1, 1, 1, 1};
+    struct bspline graded, square;
+
+    REQUIRE(bspline_init(&graded, 3, 11, uneven, NULL) == STATUS_OK);
+    REQUIRE(bspline_init_uniform(&square, 2, 5, NULL) == STATUS_OK);
+    for (size_t n = 0; n < sizeof loads / sizeof *loads; n++) {
+        check_sums(&loads[n], (const struct bspline *const[2]){NULL, NULL});
+        check_sums(&loads[n], (const struct bspline *const[2]){&graded, &square});
+        check_sums(&loads[n], (const struct bspline *const[2]){&square, NULL});
+    }
+    bspline_clear(&graded);
+    bspline_clear(&square);
+}
+
+#define SCENE SOURCE_DIR "/models/scenes/cantilever.yaml"
+
+static void open_sheet(struct trial *t, const char *model, int count,
+                       const char *const *settings)
+{
+    struct message why = {""};
+
+    if (!CHECK(trial_open(t, SCENE, count, settings, model, &why) == STATUS_OK)) {
+        printf("%s: %s\n", model, why.text);
+        exit(1);
+    }
+}
+
+/* E = 1e5 Pa, nu = 0.3, 1 x 1 x 0.02 m; 2 N along the sheet at u = 1. */
+static void check_pull(const char *model, const char *more, bool solid)
+{
+    const double corner[3] = {1, 1, 0.5}, force = 2, stretch = force / (1e5 * 0.02);
+    struct message why = {""};
+    struct energy energy;
+    struct counters work = {0};
+    struct trial t;
+    double xyz[3];
+    const char *const settings[] = {
+        "sheet.thickness=0.02",
+        "gravity=[0,0,0]",
+        "loads=[{at: {u: 1}, force: [2, 0, 0]}]",
+        solid ? "supports=[{at: {u: 0}, fix: x}, {at: {u: 0, v: 0}, fix: y},"
+                " {at: {u: 0, v: 0, w: 0}, fix: z}, {at: {u: 0, v: 1, w: 0}, fix: z}]"
+              : "supports=[{at: {u: 0}, fix: xz}, {at: {u: 1}, fix: z},"
+                " {at: {u: 0, v: 0}, fix: y}]",
+        "discretization.kinematics=linear",
+        more};
+
+    open_sheet(&t, model, 6, settings);
+    if (!CHECK(t.model->equilibrium(t.state, &work, &why) == STATUS_OK))
+        printf("%s, %s: %s\n", model, more, why.text);
+    t.model->probe(t.state, 1, corner, xyz);
+    t.model->energy(t.state, &energy);
+    bool good = CHECK_NEAR(xyz[0] - 1, stretch, TOL_PATCH * stretch);
+    good &= CHECK_NEAR(xyz[1] - 1, -0.3 * stretch, TOL_PATCH * stretch);
+    good &= CHECK_NEAR(energy.elastic, force * stretch / 2, TOL_PATCH * force * stretch);
+    good &= CHECK_NEAR(energy.potential, -force * stretch, TOL_PATCH * force * stretch);
+    if (!good)
+        printf("  %s, %s\n", model, more);
+    trial_close(&t);
+}
+
+/* Tip under a pull below the middle, which bends, in one basis through the thickness. */
+static void pull_below(const char *model, const char *unknowns, double xyz[3])
+{
+    const double tip[3] = {1, 0.5, 0.5};
+    const char *const settings[] = {"sheet.thickness=0.1",
+                                    "gravity=[0,0,0]",
+                                    "loads=[{at: {u: 1, w: 0.25}, force: [2, 0, 0]}]",
+                                    "discretization.kinematics=linear",
+                                    "discretization.points=[6,4,2]",
+                                    unknowns};
+    struct counters work = {0};
+    struct message why = {""};
+    struct trial t;
+
+    open_sheet(&t, model, 6, settings);
+    CHECK(t.model->equilibrium(t.state, &work, &why) == STATUS_OK);
+    t.model->probe(t.state, 1, tip, xyz);
+    trial_close(&t);
+}
+
+static void check_unknowns(const char *model)
+{
+    double layers[3], points[3];
+
+    pull_below(model, "discretization.unknowns=thickness", layers);
+    pull_below(model, "discretization.unknowns=points", points);
+    CHECK(points[2] > 1e-6); /* it bends upwards */
+    for (int i = 0; i < 3; i++)
+        CHECK_NEAR(layers[i] - points[i], 0, TOL_PATCH);
+}
+
+/* A load that acts from the start, without weight: free flight, s = F t^2 / 2 m, also in
+ * the scheme that rebuilds its load each step. Average acceleration is exact for it. */
+static void check_flight(const char *model, const char *more)
+{
+    const double middle[3] = {0.5, 0.5, 0.5}, time = 0.05, mass = 0.05 * 0.02;
+    const char *const settings[] = {"sheet.thickness=0.02", "gravity=[0,0,0]",
+                                    "supports=[]",
+                                    "loads=[{at: {u: [0, 1]}, force: [0, 0, 1e-4]}]", more};
+    struct counters work = {0};
+    struct trial t;
+    double xyz[3];
+
+    open_sheet(&t, model, 5, settings);
+    for (int n = 0; n < 10; n++)
+        CHECK(t.model->advance(t.state, &work) == STATUS_OK);
+    t.model->probe(t.state, 1, middle, xyz);
+    CHECK_NEAR(xyz[2] / (1e-4 / mass * time * time / 2), 1, 1e-6);
+    trial_close(&t);
+}
+
+int main(void)
+{
+    check_places();
+    check_pull("iga", "discretization.degree=[2,2,1]", true);
+    check_pull("iga",
+               "discretization={kinematics: linear, degree: [3,2,2], points: [6,5,3]}",
+               true);
+    check_pull("hex", "discretization.points=[6,5,2]", true);
+    check_pull("hex", "discretization.remedy=incompatible", true);
+    check_pull("shell", "discretization.degree=[3,3]", false);
+    check_unknowns("iga");
+    check_unknowns("hex");
+    check_flight("iga", "discretization.kinematics=linear");
+    check_flight("iga", "discretization.kinematics=nonlinear");
+    check_flight("hex", "discretization.kinematics=linear");
+    check_flight("shell", "discretization.kinematics=nonlinear");
+    return check_result();
+}

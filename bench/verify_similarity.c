@@ -23,6 +23,7 @@ struct subject {
 #define SOLID(k, more) "discretization.points=[7,6,2] discretization.kinematics=" k more
 #define SHELL(k)       "discretization.points=[7,6] discretization.kinematics=" k
 #define REDUCED        " discretization.remedy=reduced"
+#define SELECTIVE      " discretization.remedy=selective"
 #define MODES          " discretization.remedy=incompatible"
 #define MASS           "damping={kind: mass, value: 0.5}"
 #define SCALED         "damping={kind: velocity_scale, value: 0.5}"
@@ -32,6 +33,7 @@ static const struct subject subjects[] = {
      SCALED},
     {{"iga, reduced, incremental", "iga", SOLID("incremental", REDUCED), NAN, NULL}, MASS},
     {{"iga, reduced, nonlinear", "iga", SOLID("nonlinear", REDUCED), SAME, NULL}, MASS},
+    {{"iga, selective, nonlinear", "iga", SOLID("nonlinear", SELECTIVE), SAME, NULL}, MASS},
     {{"hex, incompatible, linear", "hex", SOLID("linear", MODES), SAME, NULL}, MASS},
     {{"hex, incompatible, nonlinear", "hex", SOLID("nonlinear", MODES), SAME, NULL}, MASS},
     {{"shell, linear", "shell", SHELL("linear"), SAME, NULL}, MASS},

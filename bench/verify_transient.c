@@ -56,6 +56,9 @@ static const struct subject subjects[] = {
     {{"iga, reduced, linear", "iga", KINEMATICS("linear", "reduced"), SOLID, NULL},
      EVERY_EIGHTH,
      false},
+    {{"iga, selective, linear", "iga", KINEMATICS("linear", "selective"), SOLID, NULL},
+     EVERY_EIGHTH,
+     false},
     {{"iga, p = 3, r = 2, linear", "iga",
       KINEMATICS("linear", "none") " discretization.degree=[3,3,2]", SOLID, NULL},
      {POINTS(11, 7, 3), POINTS(19, 11, 3), POINTS(35, 19, 3)},
@@ -87,7 +90,7 @@ static const struct subject subjects[] = {
      false},
     {{"projective_dynamics, matched, iterated to the end", "projective_dynamics",
       "discretization.acceleration=chebyshev discretization.iterations=100000 "
-      "discretization.tolerance=1e-9",
+      "discretization.tolerance=1e-13",
       NAN, EULER},
      {NET(11, 11), NET(21, 21)},
      true},

@@ -70,7 +70,7 @@ const struct stress_case *stress_case_at(int n);
 /* A model with what it needs to be told. */
 struct stress_model {
     const char *name;  /* [a-z0-9_]+                                                   */
-    const char *title; /* for columns                                                  */
+    const char *title; /* a word or two, for columns                                   */
     const char *model; /* in the registry                                              */
     int layers;        /* control points through the thickness; 0: a surface           */
     int least;         /* points a side of a net of one element                        */

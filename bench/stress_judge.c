@@ -154,7 +154,8 @@ static enum status judge_energy(struct stress_run *r, struct message *why)
         most = fmax(most, drift[n]), least = fmin(least, drift[n]);
     }
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
-             "%.2g won at most, %.2g lost at most, of the energy in play", most, -least);
+             "%d steps: %.2g won at most, %.2g lost at most, of the energy in play",
+             r->frames - 1, most, -least);
 out:
     free(drift);
     return st;

@@ -53,7 +53,7 @@ static void add_overview_cell(struct table *t, const struct stress_case *c,
     const enum stress_end end = stress_classify(r, c->bound);
 
     if (end == STRESS_ACCURATE || end == STRESS_DEGRADED)
-        table_text(t, "%s %.1e", end == STRESS_ACCURATE ? "ok" : "off", r->error);
+        table_text(t, "%s %.0e", end == STRESS_ACCURATE ? "ok" : "off", r->error);
     else if (end == STRESS_DIED && isfinite(r->time))
         table_text(t, "died %.2g s", r->time);
     else
@@ -87,7 +87,7 @@ static enum status print_overview(const char *folder, enum table_format format, 
     enum status st = STATUS_OK;
 
     for (int m = 0; m < STRESS_MODELS; m++)
-        columns[m + 1] = (struct table_column){stress_models[m].name, NULL, TABLE_LEFT};
+        columns[m + 1] = (struct table_column){stress_models[m].title, NULL, TABLE_LEFT};
     struct table *t = table_create(STRESS_MODELS + 1, columns, "Hard cases");
     for (int n = 0; stress_case_at(n); n++)
         add_overview(t, folder, stress_case_at(n), count);

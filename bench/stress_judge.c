@@ -258,9 +258,12 @@ static enum status watch_shell(void *context, const struct motion *m, struct mes
 
 static enum status judge_shell(struct stress_run *r, struct message *why)
 {
+    struct message missing = {""};
     enum status st;
 
-    TRY(stress_find_truth(r->job, TRUTH_READ, &r->truth, why));
+    if (stress_find_truth(r->job, TRUTH_READ, &r->truth, &missing) != STATUS_OK)
+        return status_fail(why, STATUS_UNSUPPORTED, "no truth to hold it against: %.900s",
+                           missing.text);
     r->result->error = 0;
     TRY(stress_run_move(r, watch_shell, why));
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,

@@ -33,6 +33,8 @@ enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_pl
     if (scene->obstacle_count || scene->load_count || scene->drag != 0)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth knows no obstacles, no loads and no drag");
+    if (scene_needs(scene) & SCENE_NEED_INITIAL_MOTION)
+        return status_fail(why, STATUS_UNSUPPORTED, "the Kirchhoff truth begins at rest");
     if (scene->damping.kind != DAMPING_NONE && scene->damping.kind != DAMPING_MASS)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth knows mass damping only");

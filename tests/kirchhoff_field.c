@@ -109,6 +109,8 @@ static void check_refusals(void)
     REFUSED(s.gravity[1] = 0.1, "gravity");
     REFUSED(s.gravity[2] = -9.81, "gravity");
     REFUSED(s.drag = 1, "drag");
+    REFUSED(s.velocity[2] = 1, "rest");
+    REFUSED(s.spin[0] = 1, "rest");
     REFUSED(s.damping.kind = DAMPING_VELOCITY_SCALE, "damping");
     REFUSED(s.poisson = -0.2, "nu");
     REFUSED((s.shape = SCENE_CLOAK, s.opening = 90), "flat");

@@ -18,84 +18,9 @@ enum { TIME_LIMIT = 120, QUICK_LIMIT = 20 };
 
 struct options {
     const char *folder;
-    const struct command_line *line; /* its words are the cases                        */
-    const char *models;              /* "a,b"; NULL: all                               */
+    struct stress_choice choice;
     int jobs;
-    bool quick;
 };
-
-/* Whether `name` is in the list "a,b,c". */
-static bool listed(const char *list, const char *name)
-{
-    const size_t length = strlen(name);
-
-    for (const char *at = list; at; at = strchr(at, ','), at += at != NULL)
-        if (!strncmp(at, name, length) && (at[length] == ',' || !at[length]))
-            return true;
-    return false;
-}
-
-static bool wanted_case(const struct options *o, const struct stress_case *c)
-{
-    for (int n = 0; n < o->line->word_count; n++)
-        if (!strcmp(o->line->words[n], c->item.name))
-            return true;
-    return !o->line->word_count && (c->quick || !o->quick);
-}
-
-/* The word for the stability map, among those of cases. */
-static bool wanted_map(const struct options *o)
-{
-    for (int n = 0; n < o->line->word_count; n++)
-        if (!strcmp(o->line->words[n], "map"))
-            return true;
-    return !o->line->word_count;
-}
-
-static bool wanted_model(const struct options *o, const struct stress_model *m)
-{
-    return !o->models || listed(o->models, m->name) || listed(o->models, m->model);
-}
-
-static enum status check_words(const struct options *o, struct message *why)
-{
-    for (int w = 0; w < o->line->word_count; w++) {
-        int n = 0;
-        while (stress_items[n] && strcmp(stress_items[n]->name, o->line->words[w]))
-            n++;
-        if (!stress_items[n])
-            return status_fail(why, STATUS_INPUT,
-                               "stress: there is no case '%s'; clothbench list cases has "
-                               "them",
-                               o->line->words[w]);
-    }
-    return STATUS_OK;
-}
-
-/* Every word of --models is the name of a model or of a row of stress_models. */
-static enum status check_models(const struct options *o, struct message *why)
-{
-    char word[64], known[512] = "";
-
-    for (const char *at = o->models; at && *at;) {
-        const size_t length = strcspn(at, ",");
-        const struct options one = {.models = word};
-        int n = 0;
-        snprintf(word, sizeof word, "%.*s", (int)length, at);
-        while (n < STRESS_MODELS && !wanted_model(&one, &stress_models[n]))
-            n++;
-        for (int m = 0; n == STRESS_MODELS && m < STRESS_MODELS; m++) {
-            const size_t used = strlen(known);
-            snprintf(known + used, sizeof known - used, "%s%s", m ? ", " : "",
-                     stress_models[m].name);
-        }
-        if (n == STRESS_MODELS)
-            return status_fail(why, STATUS_INPUT, "--models: no model '%s'; there are %s",
-                               word, known);
-        at += length + (at[length] == ',');
-    }
-    return STATUS_OK;
-}
 
 /* A job in a process: a trial, or with no model the case's truth. */
 static enum status work(void *context, struct message *why)
@@ -210,21 +135,22 @@ static enum status list_jobs(const struct options *o, const char *path, bool tru
     while (stress_case_at(cases))
         cases++;
     *q = (struct queue){.slots = o->jobs,
-                        .time_limit = 10 * (o->quick ? QUICK_LIMIT : TIME_LIMIT)};
+                        .time_limit = 10 * (o->choice.quick ? QUICK_LIMIT : TIME_LIMIT)};
     q->jobs = calloc((size_t)(cases * STRESS_MODELS), sizeof *q->jobs);
     if (!q->jobs)
         return STATUS_MEMORY;
     for (int n = 0; n < cases; n++) {
         const struct stress_case *c = stress_case_at(n);
-        const bool ask = wanted_case(o, c) && (!truths || c->truth == STRESS_SHELL);
+        const bool ask =
+            stress_choice_case(&o->choice, c) && (!truths || c->truth == STRESS_SHELL);
         for (int m = 0; ask && m < (truths ? 1 : STRESS_MODELS); m++)
-            if (truths || wanted_model(o, &stress_models[m]))
+            if (truths || stress_choice_model(&o->choice, &stress_models[m]))
                 q->jobs[q->count++] =
                     (struct stress_job){.c = c,
                                         .model = truths ? NULL : &stress_models[m],
                                         .path = path,
                                         .folder = o->folder,
-                                        .quick = o->quick};
+                                        .quick = o->choice.quick};
     }
     return STATUS_OK;
 }
@@ -245,9 +171,9 @@ static enum status measure(const struct options *o, struct message *why)
         q = (struct queue){0};
     }
     for (int m = 0; m < STRESS_MODELS; m++)
-        wanted[m] = wanted_model(o, &stress_models[m]);
-    if (wanted_map(o))
-        TRY(stress_map_measure(o->folder, wanted, o->jobs, o->quick, why));
+        wanted[m] = stress_choice_model(&o->choice, &stress_models[m]);
+    if (stress_choice_map(&o->choice))
+        TRY(stress_map_measure(o->folder, wanted, o->jobs, o->choice.quick, why));
 out:
     clear_queue(&q);
     free(path);
@@ -261,9 +187,10 @@ static enum status run(const struct command_line *line, struct message *why)
     struct options o = {.folder = from  ? from
                                   : out ? out
                                         : "results/stress",
-                        .line = line,
-                        .models = command_value(line, "--models"),
-                        .quick = command_given(line, "--quick")};
+                        .choice = {.word_count = line->word_count,
+                                   .words = line->words,
+                                   .models = command_value(line, "--models"),
+                                   .quick = command_given(line, "--quick")}};
     enum table_format format = TABLE_TEXT;
     long jobs = omp_get_num_procs();
     enum status st = STATUS_OK;
@@ -275,12 +202,11 @@ static enum status run(const struct command_line *line, struct message *why)
     if (word)
         TRY(table_format_parse(word, &format, why));
     TRY(command_integer(line, "--jobs", 1, 1024, &jobs, why));
-    TRY(check_words(&o, why));
-    TRY(check_models(&o, why));
+    TRY(stress_choice_check(&o.choice, why));
     o.jobs = (int)jobs;
     if (!from)
         TRY(measure(&o, why));
-    TRY(stress_print(o.folder, format, stdout, why));
+    TRY(stress_print(o.folder, &o.choice, format, stdout, why));
 out:
     return st;
 }

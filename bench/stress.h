@@ -80,6 +80,21 @@ struct stress_model {
 enum { STRESS_MODELS = 9 };
 extern const struct stress_model stress_models[STRESS_MODELS];
 
+/* What was asked for. */
+struct stress_choice {
+    int word_count;
+    const char *const *words; /* names of cases; 0 of them: all                        */
+    const char *models;       /* "a,b": models or rows of stress_models; NULL: all     */
+    bool quick;               /* of all cases, the quick ones                          */
+};
+
+bool stress_choice_case(const struct stress_choice *choice, const struct stress_case *c);
+bool stress_choice_model(const struct stress_choice *choice, const struct stress_model *m);
+bool stress_choice_map(const struct stress_choice *choice);
+
+/* STATUS_INPUT with a sentence: no such case or model. */
+enum status stress_choice_check(const struct stress_choice *choice, struct message *why);
+
 /* How a (case, model) went. */
 struct stress_result {
     enum stress_outcome { STRESS_RAN, STRESS_SAID_NO, STRESS_DEAD } outcome;
@@ -128,9 +143,9 @@ enum status stress_map_measure(const char *folder, const bool *wanted, int jobs,
 enum status stress_map_print(const char *folder, enum table_format format, FILE *file,
                              bool *there, struct message *why);
 
-/* Tables of what is in the folder. */
-enum status stress_print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why);
+/* Tables of what is in the folder of what was asked for. */
+enum status stress_print(const char *folder, const struct stress_choice *choice,
+                         enum table_format format, FILE *file, struct message *why);
 
 extern const struct command stress_command;
 

@@ -27,21 +27,30 @@ const char *stress_truth_text(enum stress_truth truth)
     return text[truth];
 }
 
-/* A case's results, those there are. */
+/* Where the results are, and how they are printed. */
+struct print {
+    const char *folder;
+    const struct stress_choice *choice;
+    enum table_format format;
+    FILE *file;
+};
+
+/* A case's results, those there are and that were asked for. */
 struct line {
     int count;
     const struct stress_model *model[STRESS_MODELS];
     struct stress_result result[STRESS_MODELS];
 };
 
-static int read_line(const char *folder, const struct stress_case *c, struct line *line)
+static int read_line(const struct print *p, const struct stress_case *c, struct line *line)
 {
     char name[256];
 
     line->count = 0;
-    for (int m = 0; m < STRESS_MODELS; m++) {
+    for (int m = 0; m < STRESS_MODELS && stress_choice_case(p->choice, c); m++) {
         stress_name(c, &stress_models[m], name, sizeof name);
-        if (stress_read(folder, name, &line->result[line->count], NULL) == STATUS_OK)
+        if (stress_choice_model(p->choice, &stress_models[m]) &&
+            stress_read(p->folder, name, &line->result[line->count], NULL) == STATUS_OK)
             line->model[line->count++] = &stress_models[m];
     }
     return line->count;
@@ -60,12 +69,12 @@ static void add_overview_cell(struct table *t, const struct stress_case *c,
         table_text(t, "%s", stress_end_name(end));
 }
 
-static void add_overview(struct table *t, const char *folder, const struct stress_case *c,
-                         int count[4])
+static void add_overview(struct table *t, const struct print *p,
+                         const struct stress_case *c, int count[4])
 {
     struct line line;
 
-    if (!read_line(folder, c, &line))
+    if (!read_line(p, c, &line))
         return;
     table_row(t);
     table_text(t, "%s", c->item.name);
@@ -79,8 +88,7 @@ static void add_overview(struct table *t, const char *folder, const struct stres
     }
 }
 
-static enum status print_overview(const char *folder, enum table_format format, FILE *file,
-                                  bool *some)
+static enum status print_overview(const struct print *p, bool *some)
 {
     struct table_column columns[STRESS_MODELS + 1] = {{"case", NULL, TABLE_LEFT}};
     int count[4] = {0};
@@ -90,7 +98,7 @@ static enum status print_overview(const char *folder, enum table_format format, 
         columns[m + 1] = (struct table_column){stress_models[m].title, NULL, TABLE_LEFT};
     struct table *t = table_create(STRESS_MODELS + 1, columns, "Hard cases");
     for (int n = 0; stress_case_at(n); n++)
-        add_overview(t, folder, stress_case_at(n), count);
+        add_overview(t, p, stress_case_at(n), count);
     const int all = count[0] + count[1] + count[2] + count[3];
     *some = all > 0;
     if (!*some)
@@ -99,13 +107,13 @@ static enum status print_overview(const char *folder, enum table_format format, 
                "ok: accurate, the error is within the case's bound; off: degraded, beyond "
                "it. %d runs: %d accurate, %d degraded, %d refused, %d died.",
                all, count[0], count[1], count[2], count[3]);
-    st = table_print(t, format, file);
+    st = table_print(t, p->format, p->file);
 out:
     table_destroy(t);
     return st;
 }
 
-static enum status print_truths(const char *folder, enum table_format format, FILE *file)
+static enum status print_truths(const struct print *p)
 {
     static const struct table_column columns[] = {
         {"case", NULL, TABLE_LEFT},   {"what is hard", NULL, TABLE_LEFT},
@@ -118,7 +126,7 @@ static enum status print_truths(const char *folder, enum table_format format, FI
 
     for (int n = 0; stress_case_at(n); n++) {
         const struct stress_case *c = stress_case_at(n);
-        if (!read_line(folder, c, &line))
+        if (!read_line(p, c, &line))
             continue;
         table_row(t);
         table_text(t, "%s", c->item.name);
@@ -127,7 +135,7 @@ static enum status print_truths(const char *folder, enum table_format format, FI
         table_text(t, "%s", c->why);
         table_text(t, "%s", stress_truth_text(c->truth));
     }
-    const enum status st = table_print(t, format, file);
+    const enum status st = table_print(t, p->format, p->file);
     table_destroy(t);
     return st;
 }
@@ -153,7 +161,7 @@ static void add_detail(struct table *t, const struct stress_case *c,
     table_text(t, "%s", r->sentence.text);
 }
 
-static enum status print_details(const char *folder, enum table_format format, FILE *file)
+static enum status print_details(const struct print *p)
 {
     static const struct table_column columns[] = {
         {"case", NULL, TABLE_LEFT},     {"model", NULL, TABLE_LEFT},
@@ -166,7 +174,7 @@ static enum status print_details(const char *folder, enum table_format format, F
     struct line line;
 
     for (int n = 0; stress_case_at(n); n++) {
-        if (!read_line(folder, stress_case_at(n), &line))
+        if (!read_line(p, stress_case_at(n), &line))
             continue;
         for (int m = 0; m < line.count; m++)
             add_detail(t, stress_case_at(n), line.model[m], &line.result[m]);
@@ -175,27 +183,29 @@ static enum status print_details(const char *folder, enum table_format format, F
     table_note(t,
                "Until: the time in the scene at which the run died, or at which its error "
                "first went beyond the bound.");
-    const enum status st = table_print(t, format, file);
+    const enum status st = table_print(t, p->format, p->file);
     table_destroy(t);
     return st;
 }
 
-enum status stress_print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why)
+enum status stress_print(const char *folder, const struct stress_choice *choice,
+                         enum table_format format, FILE *file, struct message *why)
 {
-    bool some, map;
+    const struct print p = {folder, choice, format, file};
+    bool some, map = false;
     enum status st;
 
-    TRY(print_overview(folder, format, file, &some));
+    TRY(print_overview(&p, &some));
     if (some) {
         fputc('\n', file);
-        TRY(print_truths(folder, format, file));
+        TRY(print_truths(&p));
         fputc('\n', file);
-        TRY(print_details(folder, format, file));
+        TRY(print_details(&p));
     }
-    TRY(stress_map_print(folder, format, file, &map, why));
+    if (stress_choice_map(choice))
+        TRY(stress_map_print(folder, format, file, &map, why));
     if (!some && !map)
-        st = status_fail(why, STATUS_INPUT, "%s holds no results of `stress`", folder);
+        st = status_fail(why, STATUS_INPUT, "%s holds no such results of `stress`", folder);
 out:
     return st;
 }

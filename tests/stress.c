@@ -107,6 +107,37 @@ static const struct stress_model *find_model(const char *name)
     return &stress_models[n];
 }
 
+static void check_choice(void)
+{
+    static const char *const words[] = {"thin_5", "map"};
+    const struct stress_choice all = {0}, quick = {.quick = true},
+                               some = {.word_count = 2, .words = words, .quick = true},
+                               solids = {.models = "iga,hex_incompatible"};
+    struct message why = {""};
+    int count = 0;
+
+    for (int n = 0; stress_case_at(n); n++) {
+        const struct stress_case *c = stress_case_at(n);
+        CHECK(stress_choice_case(&all, c));
+        CHECK(stress_choice_case(&quick, c) == c->quick);
+        CHECK(stress_choice_case(&some, c) == !strcmp(c->item.name, "thin_5"));
+    }
+    CHECK(stress_choice_map(&all) && stress_choice_map(&quick) && stress_choice_map(&some));
+    CHECK(!stress_choice_map(&(struct stress_choice){.word_count = 1, .words = words}));
+    for (int m = 0; m < STRESS_MODELS; m++)
+        count += stress_choice_model(&solids, &stress_models[m]);
+    CHECK(count == 5); /* four of iga, one of hex */
+    CHECK(stress_choice_check(&some, NULL) == STATUS_OK);
+    CHECK(stress_choice_check(&solids, NULL) == STATUS_OK);
+    const char *const unknown[] = {"thin"};
+    CHECK(stress_choice_check(&(struct stress_choice){.word_count = 1, .words = unknown},
+                              &why) == STATUS_INPUT &&
+          strstr(why.text, "'thin'"));
+    CHECK(stress_choice_check(&(struct stress_choice){.models = "iga,ig"}, &why) ==
+              STATUS_INPUT &&
+          strstr(why.text, "'ig'"));
+}
+
 /* A result, whatever it is, says all that its end asks for. */
 static struct stress_result check_run(const char *path, const char *folder, const char *c,
                                       const char *model, enum stress_end want)
@@ -224,6 +255,7 @@ int main(int argc, char **argv)
     REQUIRE(scene_file_find(stress_scene, &path, NULL) == STATUS_OK);
     if (!strcmp(argv[1], "unit")) {
         check_ends();
+        check_choice();
         check_file(argv[2]);
         check_broken(argv[2], "");
         check_broken(argv[2], "outcome slept\nerror 1\ntime 1\nseconds 1\nsentence \n");

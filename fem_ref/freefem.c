@@ -182,7 +182,7 @@ static const char *const setting[] = {"FF_LOADPATH=/usr/lib/freefem++;./",
 
 /* Room for one `-key value` of the script each. */
 struct arguments {
-    char text[7][32];
+    char text[8][32];
 };
 
 static void write_arguments(const struct freefem_job *job, struct arguments *a)
@@ -193,6 +193,7 @@ static void write_arguments(const struct freefem_job *job, struct arguments *a)
         snprintf(a->text[i], sizeof a->text[i], "%.17g", value[i]);
     snprintf(a->text[5], sizeof a->text[5], "%d", job->cells);
     snprintf(a->text[6], sizeof a->text[6], "%d", job->steps);
+    snprintf(a->text[7], sizeof a->text[7], "%d", job->layers ? job->layers : 1);
 }
 
 enum status freefem_run(const struct freefem_job *job, const char *script,
@@ -214,7 +215,7 @@ enum status freefem_run(const struct freefem_job *job, const char *script,
                               "-out",     out,        "-thickness", a.text[0],  "-young",
                               a.text[1],  "-poisson", a.text[2],    "-density", a.text[3],
                               "-gravity", a.text[4],  "-cells",     a.text[5],  "-steps",
-                              a.text[6],  NULL};
+                              a.text[6],  "-layers",  a.text[7],    NULL};
     TRY(program_run(
         &folder,
         &(struct program){argument, setting, "freefem++ libfreefem++ libfreefem++-dev"},
@@ -225,8 +226,8 @@ enum status freefem_run(const struct freefem_job *job, const char *script,
     if (st == STATUS_INPUT || st == STATUS_FILE) /* its output is not the user's input */
         st = STATUS_LIBRARY;
     TRY(st);
-    snprintf(f.origin, sizeof f.origin, "FreeFEM, run now: %d x %d x 1 boxes, %d steps",
-             job->cells, job->cells, job->steps);
+    snprintf(f.origin, sizeof f.origin, "FreeFEM, run now: %d x %d x %d boxes, %d steps",
+             job->cells, job->cells, job->layers ? job->layers : 1, job->steps);
     *field = f;
 out:
     program_close(&folder);

@@ -20,6 +20,7 @@ struct freefem_job {
     double density;        /*                                                [kg/m^3] */
     double gravity;        /* along -e_w                                      [m/s^2] */
     int cells;             /* boxes a side, 1 ..; 10 and 16: about 10 s and 25 s       */
+    int layers;            /* boxes through the thickness; 0: 1, for thin ones         */
     int steps;             /* time steps to 0.4 s, a multiple of 4; 0: static answer   */
 };
 
@@ -42,8 +43,8 @@ enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
 enum status freefem_read(const char *path, struct freefem_field *field,
                          struct message *why);
 
-/* Reads the stored field of `job`, whose physics must equal the file's notes; its cells and
- * steps are not compared. */
+/* Reads the stored field of `job`, whose physics must equal the file's notes; its
+ * cells, layers and steps are not compared. */
 enum status freefem_stored(const struct freefem_job *job, const char *path,
                            struct freefem_field *field, struct message *why);
 

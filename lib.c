@@ -1,0 +1,286 @@
+#include "fem_ref/freefem.h"
+#include "fem_ref/kirchhoff_field.h"
+#include "fem_ref/program.h"
+#include "fem_ref/reference.h"
+#include "models/grid.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { POINTS = FREEFEM_SIDE * FREEFEM_SIDE, STRIDE = 9 };
+_Static_assert((FREEFEM_SIDE - 1) * STRIDE == GRID_U - 1 && GRID_U == GRID_V,
+               "FreeFEM's points are grid points");
+
+/* 17 digits bring u = i / 11 back to one rounding. */
+#define SAME_POINT 1e-15
+
+/* Held unknowns carry pivots of 1e30: they move by less than any displacement's rounding.
+ */
+#define HELD 1e-20
+
+static double plus_weight(const struct scene *scene)
+{
+    const double *u = scene->axis_u, *v = scene->axis_v, *g = scene->gravity;
+    return g[0] * (u[1] * v[2] - u[2] * v[1]) + g[1] * (u[2] * v[0] - u[0] * v[2]) +
+           g[2] * (u[0] * v[1] - u[1] * v[0]);
+}
+
+enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
+                           struct message *why)
+{
+    enum status st;
+    struct kirchhoff_plate plate;
+
+    TRY(kirchhoff_field_plate(scene, &plate, why));
+    if (plate.length != 1 || plate.width != 1 || scene->damping.kind != DAMPING_NONE)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "the FreeFEM truth is an undamped sheet of 1 m x 1 m");
+    job->thickness = plate.thickness;
+    job->young = plate.young;
+    job->poisson = plate.poisson;
+    job->density = plate.density;
+    job->gravity = -plus_weight(scene);
+out:
+    return st;
+}
+
+/* ------------------------------------------------------------------ reading --------- */
+
+static const char *row_fault(const struct reference *table, int row,
+                             struct freefem_field *f)
+{
+    static const char *const name[] = {"dx", "dy", "dz"};
+    const int t = row / POINTS, j = row % POINTS / FREEFEM_SIDE, i = row % FREEFEM_SIDE;
+    double *shift = f->shift[t][j][i];
+
+    if (f->times > 1 && !(reference_number(table, row, "t") == f->time[t]))
+        return "another time than expected";
+    if (!(fabs(reference_number(table, row, "u") - i / 11.0) <= SAME_POINT &&
+          fabs(reference_number(table, row, "v") - j / 11.0) <= SAME_POINT))
+        return "another point than expected";
+    for (int c = 0; c < 3; c++) {
+        shift[c] = reference_number(table, row, name[c]);
+        if (!isfinite(shift[c]))
+            return "a displacement is not a finite number";
+        if (i == 0 && fabs(shift[c]) > HELD)
+            return "the clamped edge moves";
+    }
+    if (i > 0 && shift[2] == 0)
+        return "a point does not move";
+    return NULL;
+}
+
+/* Sum of the mesh's and the time step's error, where the file has them. */
+static void read_error(const struct reference *table, struct freefem_field *f)
+{
+    static const char *const key[] = {"mesh_error_m", "step_error_m"};
+    for (int t = 0; t < f->times; t++)
+        f->error[t] = reference_note(table, key[0]) ? 0 : NAN;
+    for (int k = 0; k < 2; k++) {
+        const char *at = reference_note(table, key[k]);
+        for (int t = 0; at && t < f->times; t++) {
+            char *end;
+            double error = strtod(at, &end);
+            f->error[t] += end == at ? NAN : error;
+            at = end;
+        }
+    }
+}
+
+static enum status take_table(const struct reference *table, const char *path,
+                              struct freefem_field *f, struct message *why)
+{
+    static const char *const name[] = {"u", "v", "dx", "dy", "dz"};
+    bool moving = reference_column(table, "t") >= 0;
+
+    for (int c = 0; c < 5; c++)
+        if (reference_column(table, name[c]) < 0)
+            return status_fail(why, STATUS_INPUT, "%s: no column %s", path, name[c]);
+    f->times = moving ? FREEFEM_TIMES : 1;
+    for (int t = 0; t < f->times; t++)
+        f->time[t] = moving ? (t + 1) / 10.0 : INFINITY;
+    if (reference_rows(table) != f->times * POINTS)
+        return status_fail(why, STATUS_INPUT, "%s: %d rows, not %d", path,
+                           reference_rows(table), f->times * POINTS);
+    for (int row = 0; row < f->times * POINTS; row++) {
+        const char *fault = row_fault(table, row, f);
+        if (fault)
+            return status_fail(why, STATUS_INPUT, "%s: row %d: %s", path, row + 1, fault);
+    }
+    read_error(table, f);
+    return STATUS_OK;
+}
+
+enum status freefem_read(const char *path, struct freefem_field *field, struct message *why)
+{
+    enum status st;
+    struct freefem_field f = {0};
+    struct reference *table = NULL;
+
+    TRY(reference_open(path, &table, why));
+    TRY(take_table(table, path, &f, why));
+    snprintf(f.origin, sizeof f.origin, "FreeFEM");
+    *field = f;
+out:
+    reference_close(table);
+    return st;
+}
+
+static enum status same_job(const struct reference *table, const char *path,
+                            const struct freefem_job *job, struct message *why)
+{
+    const struct {
+        const char *key;
+        double value;
+    } want[] = {{"thickness", job->thickness},
+                {"young", job->young},
+                {"poisson", job->poisson},
+                {"density", job->density},
+                {"gravity", job->gravity}};
+
+    for (int i = 0; i < 5; i++) {
+        const char *note = reference_note(table, want[i].key);
+        if (!note || strtod(note, NULL) != want[i].value)
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "%s: %s is %s, not %.17g: no stored FreeFEM field for this",
+                               path, want[i].key, note ? note : "not told", want[i].value);
+    }
+    if ((reference_column(table, "t") >= 0) != (job->steps > 0))
+        return status_fail(why, STATUS_UNSUPPORTED, "%s: not a %s field", path,
+                           job->steps > 0 ? "transient" : "static");
+    return STATUS_OK;
+}
+
+enum status freefem_stored(const struct freefem_job *job, const char *path,
+                           struct freefem_field *field, struct message *why)
+{
+    enum status st;
+    struct freefem_field f = {0};
+    struct reference *table = NULL;
+    const char *date;
+
+    TRY(reference_open(path, &table, why));
+    TRY(same_job(table, path, job, why));
+    TRY(take_table(table, path, &f, why));
+    date = reference_note(table, "date");
+    snprintf(f.origin, sizeof f.origin, "stored FreeFEM field of %s (%.160s)",
+             date ? date : "unknown date", path);
+    *field = f;
+out:
+    reference_close(table);
+    return st;
+}
+
+/* ------------------------------------------------------------------ running --------- */
+
+/* Debian's FreeFEM looks for plug-ins under another version's path: tell it. */
+static const char *const setting[] = {"FF_LOADPATH=/usr/lib/freefem++;./",
+                                      "FF_INCLUDEPATH=/usr/include/freefem++/idp;;", NULL};
+
+/* Room for one `-key value` of the script each. */
+struct arguments {
+    char text[7][32];
+};
+
+static void write_arguments(const struct freefem_job *job, struct arguments *a)
+{
+    const double value[] = {job->thickness, job->young, job->poisson, job->density,
+                            job->gravity};
+    for (int i = 0; i < 5; i++)
+        snprintf(a->text[i], sizeof a->text[i], "%.17g", value[i]);
+    snprintf(a->text[5], sizeof a->text[5], "%d", job->cells);
+    snprintf(a->text[6], sizeof a->text[6], "%d", job->steps);
+}
+
+enum status freefem_run(const struct freefem_job *job, const char *script,
+                        const char *program, struct freefem_field *field,
+                        struct message *why)
+{
+    enum status st;
+    struct freefem_field f;
+    struct program_folder folder = {0};
+    struct arguments a;
+    char out[512];
+
+    if (!program)
+        program = "FreeFem++";
+    TRY(program_open(&folder, why));
+    snprintf(out, sizeof out, "%s/field.csv", folder.path);
+    write_arguments(job, &a);
+    const char *argument[] = {program,    "-nw",      "-v",         "0",        script,
+                              "-out",     out,        "-thickness", a.text[0],  "-young",
+                              a.text[1],  "-poisson", a.text[2],    "-density", a.text[3],
+                              "-gravity", a.text[4],  "-cells",     a.text[5],  "-steps",
+                              a.text[6],  NULL};
+    TRY(program_run(
+        &folder,
+        &(struct program){argument, setting, "freefem++ libfreefem++ libfreefem++-dev"},
+        why));
+    st = freefem_read(out, &f, why);
+    if (st == STATUS_OK && (f.times > 1) != (job->steps > 0))
+        st = status_fail(why, STATUS_LIBRARY, "%s gave another kind of field", program);
+    if (st == STATUS_INPUT || st == STATUS_FILE) /* its output is not the user's input */
+        st = STATUS_LIBRARY;
+    TRY(st);
+    snprintf(f.origin, sizeof f.origin, "FreeFEM, run now: %d x %d x 1 boxes, %d steps",
+             job->cells, job->cells, job->steps);
+    *field = f;
+out:
+    program_close(&folder);
+    return st;
+}
+
+enum status freefem_get(const struct freefem_job *job, const char *script,
+                        const char *stored, struct freefem_field *field,
+                        struct message *why)
+{
+    enum status st = freefem_run(job, script, NULL, field, why);
+
+    if (st != STATUS_UNSUPPORTED)
+        return st;
+    TRY(freefem_stored(job, stored, field, why));
+    strncat(field->origin, ", FreeFEM not installed",
+            sizeof field->origin - strlen(field->origin) - 1);
+out:
+    return st;
+}
+
+/* ------------------------------------------------------------------ comparing ------- */
+
+double freefem_difference(const struct freefem_field *a, const struct freefem_field *b,
+                          int t)
+{
+    const double *p = a->shift[t][0][0], *q = b->shift[t][0][0];
+    double sum = 0;
+    for (int n = 0; n < 3 * POINTS; n++)
+        sum += (p[n] - q[n]) * (p[n] - q[n]);
+    return sqrt(sum / POINTS);
+}
+
+double freefem_rmse(const struct freefem_field *field, int t, const struct scene *scene,
+                    const double *xyz)
+{
+    const double(*x)[GRID_V][GRID_U][3] = (const double(*)[GRID_V][GRID_U][3])xyz;
+    const double *u = scene->axis_u, *v = scene->axis_v;
+    const double w[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                         u[0] * v[1] - u[1] * v[0]};
+    double sum = 0;
+
+    for (int n = 0; n < POINTS; n++) {
+        int i = n % FREEFEM_SIDE, j = n / FREEFEM_SIDE;
+        const double *low = x[0][STRIDE * j][STRIDE * i],
+                     *high = x[1][STRIDE * j][STRIDE * i];
+        const double *shift = field->shift[t][j][i];
+        double uvw[3] = {i / 11.0, j / 11.0, 0.5}, rest[3];
+        scene_rest_point(scene, uvw, rest);
+        for (int c = 0; c < 3; c++) {
+            double want = rest[c] + shift[0] * u[c] + shift[1] * v[c] + shift[2] * w[c];
+            double error = (low[c] + high[c]) / 2 - want;
+            sum += error * error;
+        }
+    }
+    return sqrt(sum / POINTS);
+}

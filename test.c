@@ -1,0 +1,320 @@
+/* The FreeFEM truth. reader: refuses every bad field and program; stored: the stored fields
+ * against Kirchhoff; rerun: FreeFEM now against the stored fields (77 if not installed). */
+#include "fem_ref/freefem.h"
+#include "fem_ref/kirchhoff_field.h"
+#include "fem_ref/reference.h"
+#include "models/grid.h"
+#include "tests/check.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define SCRIPT SOURCE_DIR "/fem_ref/freefem/transient.edp"
+static const char thin_field[] = REFERENCE_DIR "/freefem_transient_h1177um.csv";
+static const char thick_field[] = REFERENCE_DIR "/freefem_transient_h10mm.csv";
+static const char static_field[] = REFERENCE_DIR "/freefem_static_h10mm.csv";
+
+static const struct freefem_job thin = {.thickness = 0.001177,
+                                        .young = 1e5,
+                                        .poisson = 0.3,
+                                        .density = 0.5,
+                                        .gravity = 9.81,
+                                        .cells = 10,
+                                        .steps = 200};
+static struct freefem_field field, other;
+
+static void make_scene(struct scene *s, double thickness)
+{
+    const struct scene_support edge = {.hi = {0, 1, 1}, .fix = FIX_XYZ};
+    REQUIRE(!scene_init(s));
+    s->thickness = thickness;
+    s->young = 1e5, s->poisson = 0.3, s->density = 0.5;
+    s->gravity[0] = s->gravity[1] = 0, s->gravity[2] = -9.81;
+    s->damping.kind = DAMPING_NONE;
+    REQUIRE(!scene_add_support(s, &edge));
+}
+
+static struct freefem_job thick(int steps)
+{
+    struct freefem_job job = thin;
+    job.thickness = 0.01, job.steps = steps;
+    return job;
+}
+
+/* ------------------------------------------------------------------ reader ---------- */
+
+static char folder[] = "/tmp/clothbench_freefem_XXXXXX", bad[64], fake[64];
+
+static char *whole(const char *path)
+{
+    static char text[1 << 18];
+    FILE *file = fopen(path, "rb");
+    REQUIRE(file != NULL);
+    text[fread(text, 1, sizeof text - 1, file)] = 0;
+    fclose(file);
+    return text;
+}
+
+static void put(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "wb");
+    REQUIRE(file && fputs(text, file) >= 0 && !fclose(file));
+}
+
+/* The static field with its n-th data row (1-based) replaced. */
+static void put_row(int n, const char *row)
+{
+    char *text = whole(static_field), *at = strstr(text, "\nu,v,");
+    REQUIRE(at != NULL);
+    at++;
+    for (int i = 0; i < n; i++)
+        at = strchr(at, '\n') + 1;
+    char *rest = strchr(at, '\n') + 1;
+    FILE *file = fopen(bad, "wb");
+    REQUIRE(file != NULL);
+    fprintf(file, "%.*s%s%s", (int)(at - text), text, row, rest);
+    REQUIRE(!fclose(file));
+}
+
+static void check_bad(const char *word)
+{
+    struct message why = {""};
+    field.times = -1;
+    CHECK(freefem_read(bad, &field, &why) == STATUS_INPUT);
+    CHECK(field.times == -1); /* untouched */
+    if (!CHECK(strstr(why.text, word) && strstr(why.text, bad)))
+        printf("  said: %s\n", why.text);
+}
+
+static void check_fields(void)
+{
+    struct message why;
+    char *text;
+
+    CHECK(freefem_read("/no/such/file", &field, &why) == STATUS_FILE);
+    put_row(2, "0.090909090909090912,0,0,0,nan\n");
+    check_bad("row 2: a displacement is not a finite number");
+    put_row(144, "1,1,0,0,inf\n");
+    check_bad("row 144: a displacement is not a finite number");
+    put_row(144, "1,1,0,0,-1e999\n");
+    check_bad("not a finite number");
+    put_row(2, "0.1,0,0,0,-0.1\n");
+    check_bad("row 2: another point");
+    put_row(1, "0,0,0,0,1e-9\n");
+    check_bad("row 1: the clamped edge moves");
+    put_row(7, "0.54545454545454541,0,0,0,0\n");
+    check_bad("row 7: a point does not move");
+    put_row(144, "");
+    check_bad("143 rows, not 144");
+    put_row(144, "1,1,0,0,-1\n1,1,0,0,-1\n");
+    check_bad("145 rows, not 144");
+    put_row(144, "1,1,0,0\n");
+    check_bad("too few cells");
+    put_row(144, "1,1,0,0,-0.6");
+    check_bad("cut short");
+    put(bad, "");
+    check_bad("no rows");
+    put(bad, "u,v,dx,dy\n0,0,0,0\n");
+    check_bad("no column dz");
+    text = whole(thin_field);
+    memcpy(strstr(text, "\n0.2000"), "\n0.3", 4); /* the first row of 0.2 s */
+    put(bad, text);
+    check_bad("row 145: another time");
+}
+
+static void check_stored_job(void)
+{
+    struct message why;
+    struct freefem_job job = thin;
+
+    REQUIRE(!freefem_stored(&job, thin_field, &field, &why));
+    CHECK(field.times == 4 && field.time[3] == 0.4 && strstr(field.origin, "stored"));
+    for (int t = 0; t < 4; t++)
+        CHECK(field.error[t] > 0 && field.error[t] < 1e-3);
+    job.young = 2e5;
+    CHECK(freefem_stored(&job, thin_field, &field, &why) == STATUS_UNSUPPORTED);
+    CHECK(strstr(why.text, "young"));
+    job = thick(0);
+    REQUIRE(!freefem_stored(&job, static_field, &field, &why));
+    CHECK(field.times == 1 && isinf(field.time[0]));
+    CHECK(freefem_stored(&job, thick_field, &field, &why) == STATUS_UNSUPPORTED);
+}
+
+/* A program of our own in FreeFEM's place. */
+static enum status run_fake(const char *body, struct message *why)
+{
+    static char text[2048];
+    const struct freefem_job job = thick(0);
+    snprintf(text, sizeof text,
+             "#!/bin/sh\nwhile [ \"$1\" != -out ]; do shift; done\nout=$2\n%s\n", body);
+    put(fake, text);
+    REQUIRE(!chmod(fake, 0700));
+    field.times = -1;
+    why->text[0] = 0;
+    return freefem_run(&job, SCRIPT, fake, &field, why);
+}
+
+static void check_programs(void)
+{
+    const struct freefem_job job = thick(0);
+    struct message why;
+    char body[512];
+
+    CHECK(run_fake("echo first; echo the reason >&2; exit 7", &why) == STATUS_LIBRARY);
+    CHECK(strstr(why.text, "exit code 7: the reason"));
+    CHECK(run_fake("kill -KILL $$", &why) == STATUS_LIBRARY);
+    CHECK(strstr(why.text, "signal 9: nothing was said"));
+    CHECK(run_fake("exit 0", &why) == STATUS_LIBRARY); /* no field */
+    CHECK(field.times == -1);
+    put_row(5, "0.36363636363636365,0,0,0,nan\n");
+    snprintf(body, sizeof body, "cp %s \"$out\"", bad);
+    CHECK(run_fake(body, &why) == STATUS_LIBRARY); /* a singular matrix exits 0 */
+    CHECK(strstr(why.text, "not a finite number"));
+    snprintf(body, sizeof body, "cp %s \"$out\"", thin_field);
+    CHECK(run_fake(body, &why) == STATUS_LIBRARY);
+    CHECK(strstr(why.text, "another kind"));
+    snprintf(body, sizeof body, "[ \"$FF_LOADPATH\" ] && cp %s \"$out\"", static_field);
+    CHECK(run_fake(body, &why) == STATUS_OK);
+    CHECK(field.times == 1);
+
+    CHECK(freefem_run(&job, SCRIPT, "no_such_freefem", &field, &why) == STATUS_UNSUPPORTED);
+    CHECK(strstr(why.text, "not installed"));
+    REQUIRE(!setenv("PATH", "/nowhere", 1));
+    CHECK(freefem_get(&job, SCRIPT, static_field, &field, &why) == STATUS_OK);
+    CHECK(strstr(field.origin, "stored FreeFEM field of 20"));
+    CHECK(strstr(field.origin, "not installed"));
+}
+
+static void check_jobs(void)
+{
+    struct scene s;
+    struct freefem_job job = {0};
+    struct message why;
+
+    make_scene(&s, 0.01);
+    CHECK(!freefem_job_of(&s, &job, &why));
+    CHECK(job.thickness == 0.01 && job.young == 1e5 && job.poisson == 0.3);
+    CHECK(job.density == 0.5 && job.gravity == 9.81);
+    s.width = 2;
+    CHECK(freefem_job_of(&s, &job, &why) == STATUS_UNSUPPORTED);
+    scene_clear(&s);
+}
+
+static void check_reader(void)
+{
+    REQUIRE(mkdtemp(folder) != NULL);
+    snprintf(bad, sizeof bad, "%s/bad.csv", folder);
+    snprintf(fake, sizeof fake, "%s/fake", folder);
+    check_fields();
+    check_stored_job();
+    check_jobs();
+    check_programs();
+    unlink(bad);
+    unlink(fake);
+    CHECK(!rmdir(folder));
+}
+
+/* ------------------------------------------------------------------ accuracy -------- */
+
+/* What Kirchhoff leaves out of a clamped plate under uniform load: transverse shear, at the
+ * tip q L^2 / (2 (5/6) G h) = 1.14 (h / L)^2 of the bending deflection at nu = 0.3; the
+ * motion bends on lengths shorter than L. */
+static double model_bar(double thickness, double most)
+{
+    return 3 * thickness * thickness * most;
+}
+
+/* rms difference to Kirchhoff at each time, against mesh + step + series + model. */
+static void against_kirchhoff(const struct freefem_field *f, double thickness,
+                              const double error[])
+{
+    static double xyz[GRID_W][GRID_V][GRID_U][3];
+    struct kirchhoff_plate plate;
+    struct kirchhoff *k = NULL;
+    struct scene s;
+
+    make_scene(&s, thickness);
+    REQUIRE(!kirchhoff_field_plate(&s, &plate, NULL));
+    REQUIRE(!kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
+    for (int t = 0; t < f->times; t++) {
+        REQUIRE(!kirchhoff_field_sample(k, &s, f->time[t], xyz[0][0][0], NULL));
+        double most =
+            fabs(kirchhoff_transient(k, 9.81 * 0.5 * thickness, 0, f->time[t], 1, 0));
+        double off = freefem_rmse(f, t, &s, xyz[0][0][0]);
+        const double TOL_BARS =
+            error[t] + KIRCHHOFF_TRANSIENT_ERROR * most + model_bar(thickness, most);
+        printf("h = %g m, t = %g s: tip %.6f m, 3-D against Kirchhoff rms %.2e m, %.1e of "
+               "the tip; bars: FreeFEM %.1e m, all %.1e m\n",
+               thickness, f->time[t], most, off, off / most, error[t], TOL_BARS);
+        CHECK_NEAR(off, 0, TOL_BARS);
+    }
+    kirchhoff_destroy(k);
+    scene_clear(&s);
+}
+
+static void check_stored(void)
+{
+    const struct freefem_job transient = thick(1), still = thick(0);
+
+    REQUIRE(!freefem_stored(&still, static_field, &field, NULL));
+    against_kirchhoff(&field, 0.01, field.error);
+    REQUIRE(!freefem_stored(&transient, thick_field, &field, NULL));
+    against_kirchhoff(&field, 0.01, field.error);
+    REQUIRE(!freefem_stored(&thin, thin_field, &field, NULL));
+    against_kirchhoff(&field, 0.001177, field.error);
+}
+
+/* ------------------------------------------------------------------ rerun ----------- */
+
+static void rerun(const struct freefem_job *job, const char *path, double factor)
+{
+    struct message why = {""};
+    double bar[FREEFEM_TIMES];
+    enum status st = freefem_run(job, SCRIPT, NULL, &other, &why);
+
+    if (st == STATUS_UNSUPPORTED) {
+        printf("skipped: %s\n", why.text);
+        exit(77);
+    }
+    if (!CHECK(st == STATUS_OK)) {
+        printf("  %s\n", why.text);
+        return;
+    }
+    REQUIRE(!freefem_stored(job, path, &field, NULL));
+    for (int t = 0; t < field.times; t++) {
+        const double TOL_STORED = factor * field.error[t];
+        printf("h = %g m, t = %g s: rerun against stored rms %.2e m\n", job->thickness,
+               field.time[t], freefem_difference(&other, &field, t));
+        CHECK_NEAR(freefem_difference(&other, &field, t), 0, TOL_STORED);
+        bar[t] = (1 + factor) * field.error[t];
+    }
+    against_kirchhoff(&other, job->thickness, bar);
+}
+
+static void check_rerun(void)
+{
+    struct freefem_job still = thick(0), swing = thick(200), sheet = thin;
+
+    /* The same job: what differs is rounding, amplified by a condition of 1e9. */
+    still.cells = 20;
+    rerun(&still, static_field, 0.05);
+    /* At second order 16 boxes err (20 / 16)^2 = 1.6 and 10 boxes 4 times as much as the
+     * stored 20, at the observed 2.6 it is 1.8 and 6; steps of 2 ms err 4 times as much as
+     * the stored 1 ms, on top of the mesh's 10 to 20 times larger error. */
+    sheet.cells = 16;
+    rerun(&sheet, thin_field, 2);
+    swing.cells = 10;
+    rerun(&swing, thick_field, 6);
+}
+
+int main(int count, char **argument)
+{
+    REQUIRE(count == 2);
+    if (!strcmp(argument[1], "reader"))
+        check_reader();
+    else if (!strcmp(argument[1], "stored"))
+        check_stored();
+    else if (!strcmp(argument[1], "rerun"))
+        check_rerun();
+    return check_result();
+}

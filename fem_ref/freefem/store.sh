@@ -7,7 +7,7 @@
 # Each file holds the answer of the finest run. Its error bar is measured, not assumed:
 # mesh_error_m, from the rms difference d of two meshes of n > m boxes a side, is what second
 # order leaves at n, d / ((n/m)^2 - 1) (observed orders: 2.2 to 2.6); step_error_m is the
-# rms difference between this time step and half of it on a mesh of 10.
+# rms difference between this time step and half of it on a mesh of 10 (told where it is another).
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -45,9 +45,10 @@ rms() {
                   printf "%s%.1e", (i > 1 ? " " : ""), factor * sqrt(sum[order[i]] / count[order[i]]) }'
 }
 
-# store NAME THICKNESS STEPS POISSON FINE COARSE: the field NAME from two meshes, CELLSxLAYERS
+# store NAME THICKNESS STEPS POISSON FINE COARSE [N]: the field NAME from two meshes, CELLSxLAYERS,
+# and its step error from N (10) boxes a side
 store() {
-    local name=$1 thickness=$2 steps=$3 poisson=$4 fine=$5 coarse=$6
+    local name=$1 thickness=$2 steps=$3 poisson=$4 fine=$5 coarse=$6 third=${7:-10}
     local file=$target/freefem_$name.csv plate mesh_error step_error factor
     [ ${#wanted[@]} = 0 ] || [[ " ${wanted[*]} " = *" $name "* ]] || return 0
     plate=(-thickness "$thickness" -poisson "$poisson")
@@ -56,8 +57,8 @@ store() {
     factor=$(awk -v n="${fine%x*}" -v m="${coarse%x*}" 'BEGIN { print 1 / ((n / m)^2 - 1) }')
     mesh_error=$(rms "$factor" fine coarse)
     if [ "$steps" -gt 0 ]; then
-        run step "${plate[@]}" -cells 10 -steps "$steps"
-        run half "${plate[@]}" -cells 10 -steps $((2 * steps))
+        run step "${plate[@]}" -cells "$third" -steps "$steps"
+        run half "${plate[@]}" -cells "$third" -steps $((2 * steps))
         step_error=$(rms 1 step half)
     fi
     {
@@ -78,6 +79,7 @@ store() {
         echo "# mesh_error_m: $mesh_error"
         if [ "$steps" -gt 0 ]; then
             echo "# step_error_m: $step_error"
+            [ "$third" = 10 ] || echo "# step_error_by: $third boxes a side"
         fi
         cat "$work/fine.csv"
     } >"$work/done.csv"
@@ -91,4 +93,4 @@ store static_h100mm_nu049 0.1 0 0.49 12x4 9x3
 store static_h10mm 0.01 0 0.3 20x1 16x1
 store transient_h10mm 0.01 400 0.3 20x1 16x1
 store transient_h1177um 0.001177 400 0.3 20x1 16x1
-store transient_h1mm 0.001 400 0.3 20x1 16x1
+store transient_h1mm 0.001 400 0.3 20x1 16x1 6

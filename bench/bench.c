@@ -285,7 +285,7 @@ static const struct command_item *const items[] = {
     ITEM("intersection", "counting a sheet's self-intersections, flat to crumpled"),
     ITEM("projective",
          "projective dynamics: local step, solve, frame; what acceleration pays"),
-    ITEM("nonlinear", "shell and mass-spring over a whole motion"),
+    ITEM("nonlinear", "shell, springs and nonlinear solids over whole motions"),
     NULL,
 };
 

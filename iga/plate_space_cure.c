@@ -50,7 +50,8 @@ static int reduced_functions(const struct solid_space *space, int element,
 }
 
 /* Points a span: one, and one more for every function that the spans between two knots of
- * full multiplicity have beyond their number, dealt out from both ends inwards. */
+ * full multiplicity have beyond their number, dealt out from both ends inwards; an odd last
+ * one in the middle, so that a clamp at u = 0 and one at u = 1 are alike. */
 static int *reduced_counts(const struct bspline *b)
 {
     int *span = malloc((size_t)b->n * sizeof *span), *counts = NULL, spans;
@@ -62,7 +63,7 @@ static int *reduced_counts(const struct bspline *b)
     for (int e = 0; counts && e < spans; e++) /* a knot that repeats adds functions */
         counts[e] = e + 1 < spans ? span[e + 1] - span[e] : 1;
     for (int k = 0; counts && k < b->p; k++) {
-        int e = k % 2 ? spans - 1 - k / 2 : k / 2;
+        int e = k % 2 ? spans - 1 - k / 2 : k == b->p - 1 ? spans / 2 : k / 2;
         counts[e < 0 ? 0 : e >= spans ? spans - 1 : e]++;
     }
     for (int e = 0; counts && e < spans; e++)

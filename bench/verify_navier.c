@@ -137,9 +137,9 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
             (verify_quick(sheet) &&
              (p.nu != 0.3 || p.h != (strcmp(p.kind, "unif") ? 0.1 : 0.001))))
             continue;
-        for (int k = 0; k < VERIFY_PLATES + 1; k++) {
+        for (int k = 0; k < VERIFY_PLATES_LINEAR + 1; k++) {
             struct verify_series series = solid;
-            if (k < VERIFY_PLATES) {
+            if (k < VERIFY_PLATES_LINEAR) {
                 series = verify_net_plate(k, claims[k]);
                 for (int net = 0; net < VERIFY_NETS; net++)
                     series.along[net] = series.across[net] = net ? 16 : 8;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #define LINEAR "discretization.kinematics=linear "
+#define LARGE  "discretization.kinematics=nonlinear "
 #define CUBIC  "discretization.degree=[3,3,1] "
 #define CURE   "discretization.remedy="
 
@@ -47,6 +48,18 @@ struct verify_series verify_net_plate(enum verify_plate plate, struct verify_cla
         [VERIFY_PLATE_PROJECTIVE] =
             {{"projective_dynamics, matched", "projective_dynamics", NULL, 0, 0}, {10, 20},
              {10, 20}, 0, 1, 0},
+        [VERIFY_PLATE_LARGE_REDUCED] =
+            {{"iga, reduced, nonlinear", "iga", LARGE CURE "reduced", 0, 0}, {6, 10},
+             {6, 10}, 2, 2, 0},
+        [VERIFY_PLATE_LARGE_SELECTIVE] =
+            {{"iga, selective, nonlinear", "iga", LARGE CURE "selective", 0, 0}, {6, 10},
+             {6, 10}, 2, 2, 0},
+        [VERIFY_PLATE_LARGE_INCOMPATIBLE] =
+            {{"hex, incompatible, nonlinear", "hex", LARGE CURE "incompatible", 0, 0},
+             {16, 32}, {16, 32}, 2, 1, 0},
+        [VERIFY_PLATE_LARGE_SHELL] =
+            {{"shell, p = 3, nonlinear", "shell", LARGE "discretization.degree=[3,3]", 0, 0},
+             {7, 10}, {7, 10}, 0, 3, 0},
     };
     /* clang-format on */
     struct verify_series series = all[plate];

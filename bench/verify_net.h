@@ -34,6 +34,11 @@ enum verify_plate {
     VERIFY_PLATE_SHELL_3,
     VERIFY_PLATE_SPRINGS,
     VERIFY_PLATE_PROJECTIVE,
+    VERIFY_PLATES_LINEAR, /* from here on: nonlinear kinematics, for statics           */
+    VERIFY_PLATE_LARGE_REDUCED = VERIFY_PLATES_LINEAR,
+    VERIFY_PLATE_LARGE_SELECTIVE,
+    VERIFY_PLATE_LARGE_INCOMPATIBLE,
+    VERIFY_PLATE_LARGE_SHELL, /* p = 3                                                 */
     VERIFY_PLATES
 };
 

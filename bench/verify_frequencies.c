@@ -133,6 +133,9 @@ static enum status add_plate(struct verify_sheet *sheet, const struct verify_ser
         error[net] = error_of(p, lambda[net], worst);
     verify_judge(row, lambda[1][worst], p->lambda[worst], bar);
     row->order = verify_net_order(series, error, bar);
+    if (row->verdict == VERIFY_MISSED && row->order < 0.5)
+        verify_note(row, "refinement leaves mode %d where it is: spurious, or one missing",
+                    worst + 1);
 out:
     return st;
 }

@@ -77,7 +77,7 @@ struct stress_model {
     const char *settings[STRESS_SETTINGS];
 };
 
-enum { STRESS_MODELS = 9 };
+enum { STRESS_MODELS = 10 };
 extern const struct stress_model stress_models[STRESS_MODELS];
 
 /* What was asked for. */

@@ -32,6 +32,12 @@ const struct stress_model stress_models[STRESS_MODELS] = {
     {"shell", "shell", "shell", 0, 3, {NULL}},
     {"mass_spring", "springs", "mass_spring", 0, 2, {NULL}},
     {"projective_dynamics", "PD", "projective_dynamics", 0, 2, {NULL}},
+    {"projective_dynamics_1000",
+     "PD 1000",
+     "projective_dynamics",
+     0,
+     2,
+     {"discretization.iterations=1000", "discretization.acceleration=chebyshev"}},
 };
 
 /* A light plate: linear theory is right to 0.0125 Gamma^2 = 3e-5 where nu = 0. With another

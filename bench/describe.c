@@ -71,6 +71,11 @@ void describe_setup(const struct scene *scene, const struct model *model,
                 scene->damping.beta);
     else if (scene->damping.kind != DAMPING_NONE)
         fprintf(file, " %g", scene->damping.value);
+    if (scene_needs(scene) & SCENE_NEED_INITIAL_MOTION)
+        fprintf(file,
+                "\nstarts with     velocity (%g, %g, %g) m/s, spin (%g, %g, %g) rad/s",
+                scene->velocity[0], scene->velocity[1], scene->velocity[2], scene->spin[0],
+                scene->spin[1], scene->spin[2]);
     fprintf(file, "\ntime            to %g s in steps of %g s\n", scene->end, scene->step);
     describe_gamma(scene, d, file);
     fprintf(file, "model           %s: %s\n", model->name, model->title);

@@ -11,6 +11,7 @@ extern const struct verify_check verify_sze;
 extern const struct verify_check verify_lateral;
 extern const struct verify_check verify_outside;
 extern const struct verify_check verify_pendulum;
+extern const struct verify_check verify_postbuckling;
 extern const struct verify_check verify_transient;
 extern const struct verify_check verify_energy;
 extern const struct verify_check verify_fall;
@@ -25,7 +26,7 @@ extern const struct verify_check verify_similarity;
     X(verify_elastica)                                                                     \
     X(verify_sze) X(verify_fabrics) X(verify_matrices) X(verify_navier)                    \
         X(verify_frequencies) X(verify_cantilever)
-#define BUCKLING(X) X(verify_lateral) X(verify_hanging)
+#define BUCKLING(X) X(verify_lateral) X(verify_postbuckling) X(verify_hanging)
 #define MOTIONS(X)                                                                         \
     X(verify_pendulum)                                                                     \
     X(verify_transient)                                                                    \

@@ -7,6 +7,8 @@
 
 /* MOST_IDLE: long steps from which only round-off's forces were left. */
 enum { MOST_ITERATIONS = 5000, MOST_IDLE = 50 };
+/* Equilibria along the path of supports that move. */
+enum { PATH = 32 };
 
 /* Largest residual force, of the largest force on a point. In thin sheets round-off of the
  * membrane's forces is above it: then a long step that moves nothing, in lengths of the
@@ -158,6 +160,7 @@ enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *co
 {
     enum status st = STATUS_OK;
     size_t count = 3 * (size_t)m->net.nodes;
+    double end = supports_rest_time(&m->newton.supports, m->scene);
     struct search s = {.m = m};
 
     TRY(supports_allow_rest(&m->newton.supports, m->scene, why));
@@ -165,11 +168,13 @@ enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *co
     s.from = malloc(count * sizeof *s.from);
     if (!s.from)
         return STATUS_MEMORY;
-    spring_motion_hold(m, 0);
-    if (m->newton.supports.free_count)
-        TRY(search(&s, counters, why));
+    for (int n = m->newton.supports.moving ? 0 : PATH; n <= PATH; n++) {
+        spring_motion_hold(m, end * n / PATH);
+        if (m->newton.supports.free_count)
+            TRY(search(&s, counters, why));
+    }
     memset(m->v, 0, count * sizeof *m->v);
-    m->substep = 0;
+    m->substep = lround(end / m->dt);
 out:
     free(s.from);
     return st;

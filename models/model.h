@@ -91,7 +91,10 @@ struct model {
      */
     void (*net)(const void *state, double *xyz);
 
-    /* optional: moves the state to static equilibrium under the scene's loads. */
+    /* optional: moves the state to static equilibrium under the scene's loads, at rest.
+     * Supports that move end where the scene does, and a motion goes on from there; what
+     * depends on the way, as a strip that is pressed until it buckles, follows them: loads
+     * first, then the paths. */
     enum status (*equilibrium)(void *state, struct counters *counters, struct message *why);
 
     /* optional: the `count` lowest angular frequencies [rad/s], ascending: about the shape

@@ -24,7 +24,7 @@ static enum status linear(struct shell_motion *m, struct counters *counters)
     double *r = n->work;
 
     memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
-    supports_shift(&m->supports, m->scene, 0, m->held);
+    supports_shift(&m->supports, m->scene, m->time, m->held);
     for (int h = 0; h < m->supports.held_count; h++)
         n->d[m->supports.held[h]] = m->held[h];
     TRY(system_factor(&m->system, 1, K, 0, NULL));
@@ -50,7 +50,7 @@ enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *coun
     enum status st;
 
     TRY(supports_allow_rest(&m->supports, m->scene, why));
-    m->time = 0;
+    m->time = supports_rest_time(&m->supports, m->scene);
     m->started = false;
     if (m->kinematics == KINEMATICS_NONLINEAR)
         return large_rest_equilibrium(&m->large, counters, why);

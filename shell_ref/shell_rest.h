@@ -4,7 +4,7 @@
 
 #include "shell_ref/shell_motion.h"
 
-/* Moves the state to equilibrium under the scene's loads and supports at t = 0, at rest.
+/* Moves the state to equilibrium under the scene's loads, supports where it ends, at rest.
  * Linear: one solve, one pass of refinement. Nonlinear: from the rest shape by growing
  * loads, in shorter increments where Newton's method fails, at last by steps downhill (a
  * sheet on a hinge). STATUS_INPUT without supports. */

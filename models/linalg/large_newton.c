@@ -208,11 +208,20 @@ out:
     return st;
 }
 
+/* Whether a step below the tolerance says that nothing is left to do. */
+static bool settled(const struct large_motion *m, double size, double before)
+{
+    const double shrink = 0.1, round_off = 1e-14;
+
+    return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
+}
+
 enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
                                double *x, struct counters *counters)
 {
     enum status st = STATUS_OK;
     int calm = 0;
+    double before = 0; /* the size of the step before */
     size_t count = count_of(m);
     double *room = m->room + 2 * count, *swap;
     struct iteration i = {.x = x,
@@ -231,7 +240,8 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
     swap = i.d, i.d = i.next, i.next = swap;
     for (int n = 0; n < q->limit; n++) {
         counters->iterations++;
-        calm = i.size <= i.tolerance && m->added == 0 ? calm + 1 : 0;
+        calm = i.size <= i.tolerance && settled(m, i.size, before) ? calm + 1 : 0;
+        before = i.size;
         if (calm > in_contact(m, q)) { /* what friction makes of a step shows in the next */
             for (size_t t = 0; t < count; t++)
                 x[t] += i.d[t];

@@ -8,8 +8,14 @@
 
 static const struct large_path statics = {.s1 = 1, .g1 = 1};
 
-/* First increment of the load, and the smallest before giving up. */
-static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7;
+/* First increment, of the load or of the paths' time; the smallest before giving up; the
+ * largest along a path. */
+static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7,
+                    SMALLEST_MOVE = 1e-6, LARGEST_MOVE = 1.0 / 16;
+enum { MOST_INCREMENTS = 2000 };
+
+/* What grows from 0 to 1: the load, then the time of the supports' paths. */
+enum stage { LOADING, MOVING };
 
 static void begin(struct large_motion *m)
 {
@@ -18,52 +24,42 @@ static void begin(struct large_motion *m)
 
     memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
     memcpy(m->x, m->rest, count * sizeof *m->x);
-    supports_shift(m->supports, m->scene, 0, m->held);
     m->started = m->rested = false;
     m->factored = -1;
     m->halvings = 0;
 }
 
-/* Loads grow from 0 to 1; the next shape is guessed along the last two. */
-static enum status load_steps(struct large_motion *m, struct counters *counters)
+/* Held unknowns where they are at this part of the stage. */
+static void place(struct large_motion *m, enum stage stage, double part)
 {
-    enum status st = STATUS_OK;
-    size_t count = 3 * (size_t)m->graph->nodes;
-    double *last = m->room, *before = m->room + count;
-    double load = 0, increment = FIRST_INCREMENT, last_increment = 0;
+    double t = stage == MOVING ? part * m->scene->end : 0;
+    double scale = stage == LOADING ? part : 1;
 
-    memcpy(last, m->x, count * sizeof *last);
-    memcpy(before, m->x, count * sizeof *last);
-    while (load < 1) {
-        struct large_equation q = {.path = statics, .limit = 30};
-        long iterations = counters->iterations;
-        q.load = fmin(1, load + increment);
-        double ahead = last_increment > 0 ? (q.load - load) / last_increment : 0;
-        TRY(m->body.strain(m->body.self, last, m->strain_old));
-        for (size_t t = 0; t < count; t++)
-            m->x[t] = last[t] + ahead * (last[t] - before[t]);
-        for (int h = 0; h < m->supports->held_count; h++) {
-            int u = m->supports->held[h];
-            m->x[u] = m->rest[u] + q.load * m->held[h];
-        }
-        m->factored = -1;
-        st = large_newton_solve(m, &q, m->x, counters);
-        if (st != STATUS_OK) {
-            increment = (q.load - load) / 4;
-            if (!status_is_death(st) || increment < SMALLEST_INCREMENT)
-                break;
-            continue;
-        }
-        last_increment = q.load - load;
-        load = q.load;
-        memcpy(before, last, count * sizeof *last);
-        memcpy(last, m->x, count * sizeof *last);
-        if (counters->iterations - iterations < 10)
-            increment *= 2;
+    supports_shift(m->supports, m->scene, t, m->held);
+    for (int h = 0; h < m->supports->held_count; h++) {
+        int u = m->supports->held[h];
+        m->x[u] = m->rest[u] + scale * m->held[h];
     }
-out:
-    memcpy(m->x, last, count * sizeof *last);
+}
+
+/* The shape at `part`, guessed `ahead` times as far beyond the last two shapes as they are
+ * apart. */
+static enum status increment_to(struct large_motion *m, enum stage stage, double part,
+                                double ahead, struct counters *counters)
+{
+    enum status st;
+    size_t count = 3 * (size_t)m->graph->nodes;
+    const double *last = m->room, *before = m->room + count;
+    const struct large_equation q = {
+        .path = statics, .load = stage == LOADING ? part : 1, .limit = 30};
+
+    TRY(m->body.strain(m->body.self, last, m->strain_old));
+    for (size_t t = 0; t < count; t++)
+        m->x[t] = last[t] + ahead * (last[t] - before[t]);
+    place(m, stage, part);
     m->factored = -1;
+    TRY(large_newton_solve(m, &q, m->x, counters));
+out:
     return st;
 }
 
@@ -98,19 +94,75 @@ out:
     return st;
 }
 
+/* The state of a stage. */
+struct progress {
+    double part, increment, last_increment;
+    bool stable; /* MOVING: the last shape is */
+};
+
+/* Goes on from m->x, the shape at `part`. */
+static void accept(struct large_motion *m, struct progress *p, enum stage stage,
+                   double part)
+{
+    size_t count = 3 * (size_t)m->graph->nodes;
+    double *last = m->room, *before = m->room + count;
+
+    memcpy(before, part > 0 ? last : m->x, count * sizeof *last);
+    memcpy(last, m->x, count * sizeof *last);
+    p->last_increment = part - p->part;
+    p->part = part;
+    p->stable = stage == MOVING && m->added == 0;
+}
+
+/* All of a stage from the present shape. */
+static enum status follow(struct large_motion *m, enum stage stage,
+                          struct counters *counters)
+{
+    enum status st = STATUS_DIVERGED;
+    struct progress p = {.increment = FIRST_INCREMENT};
+    double smallest = stage == MOVING ? SMALLEST_MOVE : SMALLEST_INCREMENT;
+
+    accept(m, &p, stage, 0);
+    for (int n = 0; p.part < 1 && n < MOST_INCREMENTS; n++) {
+        long iterations = counters->iterations;
+        double next = fmin(1, p.part + p.increment);
+        double ahead = p.last_increment > 0 ? (next - p.part) / p.last_increment : 0;
+        st = increment_to(m, stage, next, ahead, counters);
+        bool unstable = st == STATUS_OK && p.stable && m->added > 0;
+        double shorter = (next - p.part) / 4;
+        if (st == STATUS_OK && (!unstable || shorter < smallest)) {
+            accept(m, &p, stage, next);
+            if (counters->iterations - iterations < 10)
+                p.increment *= 2;
+            if (stage == MOVING)
+                p.increment = fmin(p.increment, LARGEST_MOVE);
+            continue;
+        }
+        p.increment = shorter;
+        if ((st != STATUS_OK && !status_is_death(st)) || shorter < smallest)
+            break;
+    }
+    if (st == STATUS_OK && p.part < 1)
+        st = STATUS_DIVERGED;
+    memcpy(m->x, m->room, 3 * (size_t)m->graph->nodes * sizeof *m->x);
+    m->factored = -1;
+    return st;
+}
+
 enum status large_rest_equilibrium(struct large_motion *m, struct counters *counters,
                                    struct message *why)
 {
     enum status st;
 
     begin(m);
-    st = load_steps(m, counters);
+    st = follow(m, LOADING, counters);
     if (status_is_death(st)) {
         begin(m);
-        for (int h = 0; h < m->supports->held_count; h++)
-            m->x[m->supports->held[h]] += m->held[h];
+        place(m, LOADING, 1);
         st = relax(m, counters);
     }
+    if (st == STATUS_OK && m->supports->moving)
+        st = follow(m, MOVING, counters);
     if (st == STATUS_INDEFINITE)
         status_fail(why, st,
                     "the stiffness is singular to working accuracy: the supports "

@@ -4,10 +4,15 @@
 
 #include "models/linalg/large_motion.h"
 
-/* Moves m->x to equilibrium under the loads, supports at their shift of time 0; v and a
- * become zero. The load grows from nothing, the next shape guessed along the last two;
- * where that leads nowhere (a sheet that hangs from a hinge has no stiffness at first), by
- * pseudo-transient continuation. STATUS_INPUT without supports; deaths with a sentence. */
+/* Moves m->x to equilibrium under the loads; v and a become zero. The load grows from
+ * nothing, supports going to their shift of time 0, the next shape guessed along the last
+ * two; where that leads nowhere (a sheet that hangs from a hinge has no stiffness at
+ * first), by pseudo-transient continuation. Then supports that move go along their paths up
+ * to the scene's end, in increments that are shortened until a stable shape stays stable: a
+ * shape that is pressed past a limit snaps to a stable one where Newton's method finds it.
+ * (An arc length would trace the unstable way between, which nothing takes.) A strip that
+ * is pressed straight has no such increment: what shall buckle needs a load, however small,
+ * that says to which side. STATUS_INPUT without supports; deaths with a sentence. */
 enum status large_rest_equilibrium(struct large_motion *m, struct counters *counters,
                                    struct message *why);
 

@@ -144,3 +144,8 @@ void supports_shift(const struct supports *s, const struct scene *scene, double 
         shift[n] = by[s->held[n] % 3];
     }
 }
+
+double supports_rest_time(const struct supports *s, const struct scene *scene)
+{
+    return s->moving ? scene->end : 0;
+}

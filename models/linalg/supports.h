@@ -22,14 +22,14 @@ struct supports {
 };
 
 /* uvw[nodes][3]: parameters of the nodes; w < 0 (above) belongs to a whole column, which
- * only a support through the full thickness may hold. STATUS_INPUT with a sentence if a support
- * holds no node, STATUS_UNSUPPORTED if it takes part of a column. */
+ * only a support through the full thickness may hold. STATUS_INPUT with a sentence if a
+ * support holds no node, STATUS_UNSUPPORTED if it takes part of a column. */
 enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
                           double (*uvw)[3], struct message *why);
 void supports_clear(struct supports *s);
 
-/* STATUS_INPUT or STATUS_UNSUPPORTED with a sentence where a scene has no static equilibrium
- * that models look for: nothing is held, or there are obstacles. */
+/* STATUS_INPUT or STATUS_UNSUPPORTED with a sentence where a scene has no static
+ * equilibrium that models look for: nothing is held, or there are obstacles. */
 enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
                                 struct message *why);
 
@@ -42,8 +42,12 @@ void supports_initial_velocity(const struct supports *s, const struct scene *sce
 /* True if every support takes the full thickness: columns may be unknowns. */
 bool supports_whole_columns(const struct scene *scene);
 
-/* Shift of each held unknown from its rest position at time t into shift[held_count] [m]. */
+/* Shift of each held unknown from its rest position at time t into shift[held_count] [m].
+ */
 void supports_shift(const struct supports *s, const struct scene *scene, double t,
                     double *shift);
+
+/* The time at which static equilibrium is: the scene's end if supports move, else 0. */
+double supports_rest_time(const struct supports *s, const struct scene *scene);
 
 #endif

@@ -83,7 +83,7 @@ enum status solid_large_step(struct solid_motion *m, struct counters *counters)
 enum status solid_large_equilibrium(struct solid_motion *m, struct counters *counters,
                                     struct message *why)
 {
-    m->time = 0;
+    m->time = supports_rest_time(&m->supports, m->scene);
     return large_rest_equilibrium(&m->large->motion, counters, why);
 }
 

@@ -44,11 +44,11 @@ enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *coun
     if (m->large)
         return solid_large_equilibrium(m, counters, why);
     memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
-    supports_shift(&m->supports, m->scene, 0, m->held);
+    m->time = supports_rest_time(&m->supports, m->scene);
+    supports_shift(&m->supports, m->scene, m->time, m->held);
     for (int h = 0; h < m->supports.held_count; h++)
         n->d[m->supports.held[h]] = m->held[h];
     m->started = false;
-    m->time = 0;
     st = system_factor(&m->system, 1, (const double(*)[9])m->assembly.K, 0, NULL);
     counters->factorisations++;
     for (int pass = 0; st == STATUS_OK && pass < 2; pass++) {

@@ -6,8 +6,8 @@
 
 #include "models/solid/solid_motion.h"
 
-/* Static equilibrium under the loads, supports at their shift of time 0; velocity and time
- * become zero. One step of iterative refinement measures the digits left: STATUS_INDEFINITE
+/* Static equilibrium under the loads, supports where the scene ends; velocity becomes
+ * zero. One step of iterative refinement measures the digits left: STATUS_INDEFINITE
  * (with sentence) if fewer than two, STATUS_INPUT without any support. */
 enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *counters,
                                    struct message *why);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/linalg/dead_load.h"
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
 
@@ -118,6 +119,29 @@ static enum status allocate(struct pd_motion *m)
     return m->shift ? STATUS_OK : STATUS_MEMORY;
 }
 
+/* By the hats of the nodes, as consistent as the triangles'. */
+static enum status add_loads(struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+    const struct dead_load_line line[3] = {{.n = m->options.points[0], .degree = 1},
+                                           {.n = m->options.points[1], .degree = 1},
+                                           {.n = 1}};
+    enum status st = STATUS_MEMORY;
+    double *force = NULL;
+
+    if (!m->scene->load_count)
+        return STATUS_OK;
+    force = calloc(3 * (size_t)net->nodes, sizeof *force);
+    m->dead = pd_net_fields(net, 3);
+    if (force && m->dead)
+        st = dead_load_add(m->scene, line, force);
+    for (int k = 0; st == STATUS_OK && k < net->nodes; k++)
+        for (int c = 0; c < 3; c++)
+            m->dead[c * pd_net_stride(net) + k] = force[3 * k + c] / m->energy.mass[k];
+    free(force);
+    return st;
+}
+
 /* At rest, with the scene's initial velocity where nothing is held. */
 static void start(struct pd_motion *m)
 {
@@ -157,6 +181,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
         TRY(pd_contact_init(&m->contact, scene, &m->system, m->energy.mass, m->energy.rest,
                             why));
     TRY(allocate(m));
+    TRY(add_loads(m));
     if (options->chebyshev)
         TRY(find_radius(m));
     start(m);
@@ -172,7 +197,7 @@ void pd_motion_clear(struct pd_motion *m)
     if (!m)
         return;
     const struct pd_net *net = &m->energy.net;
-    double *fields[] = {m->x, m->v, m->base, m->start, m->next, m->before};
+    double *fields[] = {m->x, m->v, m->base, m->start, m->next, m->before, m->dead};
     for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
         pd_net_free_fields(net, fields[n]);
     free(m->shift);
@@ -217,6 +242,10 @@ void pd_motion_begin(struct pd_motion *m)
             double flight = inert * start[k] + dt * v[k] + fall;
             base[k] = mass[k] * flight + constant[k];
             x[k] = flight / inert;
+        }
+        for (int k = 0; m->dead && k < net->nodes; k++) {
+            base[k] += mass[k] * dt * dt * m->dead[at + k];
+            x[k] += dt * dt * m->dead[at + k] / inert;
         }
     }
     supports_shift(&m->supports, scene, m->time + dt, m->shift);
@@ -371,6 +400,8 @@ double pd_motion_objective(const struct pd_motion *m)
         for (int k = 0; k < net->nodes; k++) {
             ptrdiff_t at = c * pd_net_stride(net) + k;
             double fall = dt * dt * (m->scene->gravity[c] + wind * m->scene->wind[c]);
+            if (m->dead)
+                fall += dt * dt * m->dead[at];
             double off = m->x[at] - m->start[at] - (dt * m->v[at] + fall) / inert;
             if (!m->system.held[c * net->nodes + k])
                 sum += m->energy.mass[k] * off * off;
@@ -387,8 +418,8 @@ void pd_motion_energy(const struct pd_motion *m, struct energy *energy)
         for (int k = 0; k < net->nodes; k++) {
             ptrdiff_t at = c * pd_net_stride(net) + k;
             kinetic += m->energy.mass[k] * m->v[at] * m->v[at] / 2;
-            potential -=
-                m->energy.mass[k] * m->scene->gravity[c] * (m->x[at] - m->energy.rest[at]);
+            double pull = m->scene->gravity[c] + (m->dead ? m->dead[at] : 0);
+            potential -= m->energy.mass[k] * pull * (m->x[at] - m->energy.rest[at]);
         }
     *energy = (struct energy){kinetic, pd_energy_value(&m->energy, m->x), potential};
 }

@@ -44,6 +44,7 @@ struct pd_motion {
     double *x, *v;    /* three fields each                                   owned    */
     double *base, *start, *next, *before; /* work, the same                  owned    */
     double *shift;                        /* [held]                          owned    */
+    double *dead; /* accelerations by the scene's loads, as x; NULL: none    owned    */
     double time;
     bool counted; /* the factorisation of create                                       */
 };

@@ -12,7 +12,8 @@ static const double DEFAULT_TOLERANCE = 1e-6; /* of the length; if iterations = 
 /* A support on part of the thickness is served if the mid-surface is in that part. */
 #define SERVES                                                                             \
     (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |         \
-     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION)
+     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_LOADS |                  \
+     SCENE_NEED_INITIAL_MOTION)
 
 static void defaults(struct discretization *d)
 {

@@ -86,7 +86,7 @@ static enum status make_one(struct job *j, const char *out, struct message *why)
         TRY(STATUS_MEMORY);
     omp_set_num_threads(1);
     timing_pin();
-    TRY(truth_make(&plan, &runs, j->scene.length, show, &bar, &made, why));
+    TRY(truth_make(&plan, &runs, &j->scene, show, &bar, &made, why));
     TRY(truth_file_write(out, &runs, &made, why));
     TRY(truth_print(&made, j->scene.name, j->scene.length, j->format, stdout));
     fprintf(stderr, "truth in %s, its runs in %s\n", out, folder);

@@ -71,6 +71,7 @@ static enum status put_all(struct store *store, const struct scene *scene,
                         NULL, why));
     TRY(put_columns(store, made, why));
     TRY(store_note(store, made->note, why));
+    TRY(store_text(store, "horizon", made->horizon, why));
     TRY(store_text(store, "physics", physics, why));
     TRY(store_text(store, "checksum", sum, why));
 out:
@@ -138,7 +139,7 @@ out:
 static enum status read_made(const struct store_read *file, struct truth_made *made)
 {
     enum status st;
-    char *note = NULL;
+    char *note = NULL, *horizon = NULL;
     int columns;
 
     TRY(store_read_array(file, "time", &made->time, &made->times, &columns, NULL));
@@ -157,9 +158,12 @@ static enum status read_made(const struct store_read *file, struct truth_made *m
         TRY(store_read_frame(file, n, made->xyz[n], NULL));
     }
     TRY(store_read_text(file, "/", "note", &note, NULL));
+    TRY(store_read_text(file, "/", "horizon", &horizon, NULL));
     snprintf(made->note, sizeof made->note, "%s", note);
+    snprintf(made->horizon, sizeof made->horizon, "%s", horizon);
 out:
     free(note);
+    free(horizon);
     return st;
 }
 

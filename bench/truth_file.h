@@ -3,6 +3,7 @@
  * NAME.h5 is the truth of the scene NAME. Besides what a result file has:
  *
  *   attributes    note       where the field comes from, and its error bar, as a sentence
+ *                 horizon    until when the motion is predictable, a sentence
  *                 physics    truth_physics.h: what it holds for
  *                 checksum   of physics, times, numbers and fields: a file that was changed
  *                            is refused

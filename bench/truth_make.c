@@ -194,8 +194,9 @@ out:
 }
 
 enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
-                       double length, void (*progress)(void *context, int done, int total),
-                       void *context, struct truth_made *made, struct message *why)
+                       const struct scene *scene,
+                       void (*progress)(void *context, int done, int total), void *context,
+                       struct truth_made *made, struct message *why)
 {
     struct family family[TRUTH_MODELS] = {0};
     struct rung_result pushed = {0};
@@ -206,8 +207,9 @@ enum status truth_make(const struct truth_plan *plan, const struct truth_runs *r
     TRY(allocate(runs, made));
     TRY(find_all(family, runs, progress, context, &pushed, why));
     for (int n = 0; n < runs->times; n++)
-        compare(family, &pushed, length, n, made->value[n]);
-    choose(family, length, made);
+        compare(family, &pushed, scene->length, n, made->value[n]);
+    choose(family, scene->length, made);
+    TRY(truth_watch(plan, runs, scene, made->horizon, why));
 out:
     for (int m = 0; m < TRUTH_MODELS; m++)
         for (int n = 0; n < RUNS; n++)

@@ -10,6 +10,7 @@
 
 #include "bench/truth_level.h"
 #include "bench/truth_plan.h"
+#include "bench/truth_watch.h"
 
 /* What is known at each time: name, unit. Orders are NaN where differences do not shrink.
  */
@@ -34,11 +35,9 @@ enum truth_column {
 const char *truth_column_name(int column);
 const char *truth_column_unit(int column);
 
-/* Nothing is claimed from the first time on at which one of these is passed. A truth that
- * leaves 5 % of the length open tells few models apart; where 1e-6 has grown a
- * thousandfold, a net's own 1e-3 has grown to the size of the sheet. */
-#define TRUTH_MOST_ERROR  0.05 /* error bar / L                                        */
-#define TRUTH_MOST_GROWTH 1e3
+/* Nothing is claimed from the first time on at which this or TRUTH_MOST_GROWTH is passed: a
+ * truth that leaves 5 % of the length open tells few models apart. */
+#define TRUTH_MOST_ERROR 0.05 /* error bar / L                                         */
 
 struct truth_made {
     int times, claimed;             /* times before the horizon                          */
@@ -47,13 +46,15 @@ struct truth_made {
     double **xyz;                   /* [times] (grid.h) [m]                       owned  */
     struct truth_level level;       /* whose field it is                                 */
     char note[400];                 /* a sentence: source and error bar                  */
+    char horizon[TRUTH_WATCH_TEXT]; /* another: of truth_watch.h                       */
 };
 
 /* Runs what is not in the folder yet. progress() may be NULL. STATUS_DIVERGED: a run died;
  * STATUS_UNSUPPORTED: a model cannot serve the scene. Free with truth_made_clear. */
 enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
-                       double length, void (*progress)(void *context, int done, int total),
-                       void *context, struct truth_made *made, struct message *why);
+                       const struct scene *scene,
+                       void (*progress)(void *context, int done, int total), void *context,
+                       struct truth_made *made, struct message *why);
 void truth_made_clear(struct truth_made *made);
 
 /* Times before one of the bounds is passed. */

@@ -10,15 +10,15 @@
  * scenes that are not named. On corners_patch every net has a knot at the patches' edges.
  */
 static const struct truth_plan plans[] = {
-    {"edge_drop", 1.0, {{3, {16, 24, 36}, 5 * MS}, {5, {16, 24, 32}, 5 * MS}}},
-    {"flag", 0.8, {{3, {12, 18, 27}, 5 * MS}, {5, {12, 18, 26}, 5 * MS}}},
-    {"corners_patch", 0.3, {{3, {13, 23, 33}, 5 * MS}, {3, {13, 23, 33}, 5 * MS}}},
-    {"sphere", 0.3, {{2, {8, 11, 15}, 2.5 * MS}, {3, {9, 12, 16}, 2.5 * MS}}},
-    {NULL, 0.5, {{3, {12, 18, 27}, 2.5 * MS}, {4, {12, 18, 27}, 2.5 * MS}}},
+    {"edge_drop", 1.0, 5, {{3, {16, 24, 36}, 5 * MS}, {5, {16, 24, 32}, 5 * MS}}},
+    {"flag", 0.8, 5, {{3, {12, 18, 27}, 5 * MS}, {5, {12, 18, 26}, 5 * MS}}},
+    {"corners_patch", 0.3, 5, {{3, {13, 23, 33}, 5 * MS}, {3, {13, 23, 33}, 5 * MS}}},
+    {"sphere", 0.3, 1, {{2, {10, 14, 20}, 2.5 * MS}, {3, {10, 14, 20}, 2.5 * MS}}},
+    {NULL, 0.5, 5, {{3, {12, 18, 27}, 2.5 * MS}, {4, {12, 18, 27}, 2.5 * MS}}},
 };
 
 static const struct truth_plan quick_plan = {
-    NULL, 0.2, {{3, {8, 12, 16}, 2.5 * MS}, {3, {8, 12, 16}, 2.5 * MS}}};
+    NULL, 0.2, 0.2, {{3, {8, 12, 16}, 2.5 * MS}, {3, {8, 12, 16}, 2.5 * MS}}};
 
 struct truth_plan truth_plan_of(const char *scene, bool quick)
 {

@@ -30,29 +30,25 @@ static void row_cells(struct table *t, const struct truth_made *made, int n, dou
         table_text(t, "no claim");
 }
 
-/* Until when, and what ends it. */
+/* Until when it is claimed, and what ends it. */
 static void horizon_note(struct table *t, const struct truth_made *made, double length)
 {
     int n = made->claimed;
 
-    if (n == made->times) {
-        table_note(t,
-                   "All of it is claimed: to the last time the error bar stays below %g %% "
-                   "of the length, and a change of gravity by %g grows less than %g times.",
-                   100 * TRUTH_MOST_ERROR, TRUTH_PERTURBATION, TRUTH_MOST_GROWTH);
-        return;
-    }
-    bool chaos = made->value[n][TRUTH_GROWTH] > TRUTH_MOST_GROWTH;
-    table_note(
-        t,
-        "Horizon: nothing is claimed from %.3g s on. There %s is %.2g%s; the bound is "
-        "%g%s.",
-        made->time[n],
-        chaos ? "the growth of a change of gravity by 1e-6"
-              : "the error bar, over the length,",
-        chaos ? made->value[n][TRUTH_GROWTH] : 100 * made->value[n][TRUTH_ERROR] / length,
-        chaos ? "" : " %", chaos ? TRUTH_MOST_GROWTH : 100 * TRUTH_MOST_ERROR,
-        chaos ? "" : " %");
+    if (n == made->times)
+        table_note(t, "All of it is claimed.");
+    else if (made->value[n][TRUTH_GROWTH] > TRUTH_MOST_GROWTH)
+        table_note(
+            t, "Nothing is claimed from %.3g s on: the growth there, %.2g, is above %g.",
+            made->time[n], made->value[n][TRUTH_GROWTH], TRUTH_MOST_GROWTH);
+    else
+        table_note(
+            t,
+            "Nothing is claimed from %.3g s on: the error bar there, %.2g %%, is above "
+            "%g %%.",
+            made->time[n], 100 * made->value[n][TRUTH_ERROR] / length,
+            100 * TRUTH_MOST_ERROR);
+    table_note(t, "Horizon: %s.", made->horizon);
 }
 
 enum status truth_print(const struct truth_made *made, const char *scene, double length,

@@ -31,6 +31,12 @@ awk -F, 'NR > 1 && NF > 1 { n++; if (!($9 + 0 < 0.01) || $9 == "nan") bad++
 "$program" "${light[@]}" --from "$folder" >"$folder.again" 2>>"$folder.log" || fail "--from"
 cmp -s "$folder.txt" "$folder.again" || fail "--from prints something else"
 
+# Scenes with a stored truth need no other: at its times, and beside its error bar.
+"$program" compare edge_drop --models projective_dynamics --quick --out "$folder/stored" \
+    >"$folder.txt" 2>"$folder.log" || { cat "$folder.log"; fail "edge_drop: exit $?"; }
+grep -q "Truth: stored" "$folder.txt" || fail "edge_drop has no stored truth"
+[ -z "$(find "$folder/stored" -name 'truth_*')" ] || fail "edge_drop ran for its truth"
+
 "$program" compare edge_drop --models nothing --out "$folder.none" >/dev/null 2>"$folder.log"
 [ $? = 2 ] || fail "an unknown model does not end with exit 2"
 [ ! -e "$folder.none" ] || fail "an unknown model leaves a folder"

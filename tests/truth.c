@@ -8,6 +8,7 @@
 #include "bench/truth_order.h"
 #include "bench/truth_physics.h"
 #include "models/grid.h"
+#include "models/metric.h"
 #include "models/scene_file.h"
 #include "tests/check.h"
 
@@ -127,6 +128,7 @@ static void make_up(struct truth_made *made)
     made->value[1][TRUTH_SHELL_TIME] = NAN;
     made->level = (struct truth_level){"shell", 3, 16, 5e-3, false};
     strcpy(made->note, "made up");
+    strcpy(made->horizon, "never");
 }
 
 static char *write_made_up(struct truth_made *made)
@@ -150,7 +152,8 @@ static void file_comes_back(const struct truth_made *made, const char *file)
     char *text = NULL, *want = physics_of("edge_drop", 1, undamped);
 
     REQUIRE(truth_file_read(file, &read, &text, NULL) == STATUS_OK);
-    CHECK(read.times == TIMES && read.claimed == 2 && !strcmp(read.note, "made up"));
+    CHECK(read.times == TIMES && read.claimed == 2 && !strcmp(read.note, "made up") &&
+          !strcmp(read.horizon, "never"));
     CHECK(!strcmp(text, want));
     for (int n = 0; n < TIMES; n++) {
         CHECK(read.time[n] == times[n]);
@@ -241,6 +244,37 @@ static void changed_files_are_refused(struct truth_made *made)
     free(text);
 }
 
+/* A run that is kept serves its own physics and times only; a push moves the sheet. */
+static void kept_runs(void)
+{
+    static const char *const stiffer[] = {"damping={kind: none}", "material.young=2e5"};
+    static const double early[] = {0.01}, later[] = {0.02};
+    struct truth_level level = {"shell", 2, 6, 0.005, false};
+    struct rung_result run = {0}, pushed = {0};
+    char *path = NULL, file[4096];
+
+    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
+    snprintf(file, sizeof file, "%s/truth_shell_p2_6_5000us.h5", folder);
+    remove(file); /* of an earlier run of this test */
+    struct truth_runs runs = {path, 1, undamped, 1, early, folder};
+    CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
+    REQUIRE(truth_level_find(&runs, &level, false, &run, NULL) == STATUS_OK);
+    rung_clear(&run);
+    REQUIRE(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_OK);
+    level.perturbed = true;
+    REQUIRE(truth_level_find(&runs, &level, false, &pushed, NULL) == STATUS_OK);
+    double by = metric_rmse(run.xyz[0], pushed.xyz[0]);
+    CHECK(by > 0 && by < 1e-6); /* g t^2 / 2 times 1e-6 */
+    level.perturbed = false;
+    runs.time = later;
+    CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
+    runs = (struct truth_runs){path, 2, stiffer, 1, early, folder};
+    CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
+    rung_clear(&run);
+    rung_clear(&pushed);
+    free(path);
+}
+
 /* Claims end at the first time that passes a bound, and do not begin again. */
 static void horizon(void)
 {
@@ -267,6 +301,7 @@ int main(int argc, char **argv)
     orders();
     physics();
     horizon();
+    kept_runs();
     make_up(&made);
     const char *file = write_made_up(&made);
     file_comes_back(&made, file);

@@ -65,15 +65,16 @@ out:
     return st;
 }
 
-static bool same_times(const struct store_read *file, const struct truth_runs *runs)
+/* The times, and perhaps later ones. */
+static bool has_times(const struct store_read *file, const struct truth_runs *runs)
 {
     double *time = NULL;
     int rows, columns;
     bool same =
         store_read_array(file, "xyz_time", &time, &rows, &columns, NULL) == STATUS_OK &&
-        rows == runs->times;
+        rows >= runs->times;
 
-    for (int n = 0; same && n < rows; n++)
+    for (int n = 0; same && n < runs->times; n++)
         same = fabs(time[n] - runs->time[n]) < 1e-9;
     free(time);
     return same;
@@ -88,7 +89,7 @@ static bool is_kept(const struct rung_plan *plan, const struct truth_runs *runs)
     bool same;
 
     snprintf(path, sizeof path, "%s/%s.h5", plan->folder, plan->name);
-    same = store_read_open(path, &file, NULL) == STATUS_OK && same_times(file, runs) &&
+    same = store_read_open(path, &file, NULL) == STATUS_OK && has_times(file, runs) &&
            store_scene(file, path, &kept, NULL) == STATUS_OK &&
            read_scene(plan->path, plan->setting_count, plan->settings, &wanted, NULL) ==
                STATUS_OK &&

@@ -36,8 +36,9 @@ enum status truth_level_settings(const struct truth_runs *runs,
                                  char text[TRUTH_LEVEL_SETTINGS][TRUTH_LEVEL_TEXT],
                                  const char **all, int *count, struct message *why);
 
-/* Reads the level's file if it is of this physics and these times, else runs it, unless
- * `read_only`: STATUS_FILE then. STATUS_DIVERGED with a sentence: it died on the way. */
+/* Reads the level's file if it is of this physics and has these times (r->frames may be
+ * more than them), else runs it, unless `read_only`: STATUS_FILE then. STATUS_DIVERGED with
+ * a sentence: it died on the way. */
 enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,
                              bool read_only, struct rung_result *r, struct message *why);
 

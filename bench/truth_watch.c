@@ -35,7 +35,9 @@ enum status truth_watch(const struct truth_plan *plan, const struct truth_runs *
                         struct message *why)
 {
     const struct truth_ladder *ladder = &plan->ladder[TRUTH_SOLID];
-    struct truth_level level = {"iga", ladder->degree, ladder->side[0], 2 * ladder->step,
+    /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
+    int net = scene->obstacle_count ? 1 : 0;
+    struct truth_level level = {"iga", ladder->degree, ladder->side[net], 2 * ladder->step,
                                 false};
     struct truth_runs far = *runs;
     struct rung_result run[2] = {{0}};

@@ -12,8 +12,9 @@ enum { TRUTH_WATCH_TEXT = 256 };
  * has grown to the size of the sheet: nothing can be claimed. */
 #define TRUTH_MOST_GROWTH 1e3
 
-/* The coarse solid of the plan, with twice its step, every tenth of a second up to the
- * scene's end or the plan's; a sentence on the growth into text. A death is one, too. */
+/* The coarse solid of the plan (with obstacles, the middle one), with twice its step, every
+ * tenth of a second up to the scene's end or the plan's; a sentence on the growth into
+ * text. A death is one, too. */
 enum status truth_watch(const struct truth_plan *plan, const struct truth_runs *runs,
                         const struct scene *scene, char text[TRUTH_WATCH_TEXT],
                         struct message *why);

@@ -33,7 +33,7 @@ cmp -s "$folder.txt" "$folder.again" || fail "--from prints something else"
 
 # Scenes with a stored truth need no other: at its times, and beside its error bar.
 "$program" compare edge_drop --models projective_dynamics --quick --out "$folder/stored" \
-    >"$folder.txt" 2>"$folder.log" || { cat "$folder.log"; fail "edge_drop: exit $?"; }
+    >"$folder.txt" 2>"$folder.log" || { cat "$folder.log"; fail "edge_drop"; }
 grep -q "Truth: stored" "$folder.txt" || fail "edge_drop has no stored truth"
 [ -z "$(find "$folder/stored" -name 'truth_*')" ] || fail "edge_drop ran for its truth"
 

@@ -13,11 +13,12 @@ extern const struct verify_check verify_energy;
  * with average acceleration keep their quadratic energy to round-off. */
 #define GAIN   1e-3
 #define LINEAR 1e-9
-static const double LOSS = 0.05;
+#define LOSS   0.05
 
 struct subject {
     struct verify_subject subject; /* its tolerance: of the gain                       */
-    bool dear;
+    double loss;                   /* claimed; NAN: nothing                            */
+    bool dear; /* no quick row, and none of 10 s                                          */
 };
 
 #define LARGE(points, rest)                                                                \
@@ -28,33 +29,48 @@ static const struct subject subjects[] = {
     {{"iga, none, linear, 10x10x2", "iga",
       "discretization.kinematics=linear gravity=[0,0,-0.01]", LINEAR,
       "average acceleration keeps a linear model's energy"},
+     LINEAR,
      false},
     {{"iga, none, printed, 10x10x2", "iga", "discretization.kinematics=printed", NAN,
       "the paper's scheme"},
+     NAN,
      false},
     {{"iga, reduced, incremental, 10x10x2", "iga",
       "discretization.kinematics=incremental discretization.remedy=reduced", NAN, NULL},
+     NAN,
      false},
     {{"iga, reduced, nonlinear, 10x10x2", "iga",
       LARGE("10,10,2", "discretization.remedy=reduced"), GAIN, KEPT},
+     LOSS,
      false},
     {{"iga, selective, nonlinear, 10x10x2", "iga",
       LARGE("10,10,2", "discretization.remedy=selective"), GAIN, KEPT},
+     LOSS,
      true},
     {{"iga, p = 3, nonlinear, 16x16x2", "iga",
       LARGE("16,16,2", "discretization.degree=[3,3,1]"), GAIN, KEPT},
+     LOSS,
      true},
     {{"hex, incompatible, nonlinear, 16x16x2", "hex",
       LARGE("16,16,2", "discretization.remedy=incompatible"), GAIN, KEPT},
+     LOSS,
      true},
-    {{"shell, p = 3, nonlinear, 12x12", "shell",
-      LARGE("12,12", "discretization.degree=[3,3]"), GAIN, KEPT},
+    {{"shell, p = 3, nonlinear, 10x10", "shell",
+      LARGE("10,10", "discretization.degree=[3,3]"), GAIN,
+      "a coarse net's membrane rings, which its viscosity takes"},
+     NAN,
+     false},
+    {{"shell, p = 3, nonlinear, 16x16", "shell",
+      LARGE("16,16", "discretization.degree=[3,3]"), GAIN, KEPT},
+     LOSS,
      true},
     {{"mass_spring, matched, 21x21", "mass_spring", "discretization.points=[21,21]", NAN,
       EULER},
+     NAN,
      false},
     {{"projective_dynamics, matched, 21x21", "projective_dynamics",
       "discretization.points=[21,21]", NAN, EULER},
+     NAN,
      false},
 };
 enum { SUBJECTS = sizeof subjects / sizeof *subjects };
@@ -115,8 +131,7 @@ static enum status add_rows(struct verify_sheet *sheet, const struct subject *s,
         goto out;
     }
     verify_judge_error(row, l.gained / l.turned, 0);
-    if (loss.tolerance > LINEAR)
-        loss.tolerance = LOSS;
+    loss.tolerance = s->loss;
     loss.reason = NULL;
     row = verify_add(sheet, &loss, "energy lost, %g s by %g ms", end, 1e3 * dt);
     verify_judge_error(row, l.lost / l.turned, 0);
@@ -134,7 +149,8 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
 
     for (int n = 0; n < (quick ? 1 : 3); n++)
         for (int s = 0; s < SUBJECTS; s++)
-            if (verify_wanted(sheet, &subjects[s].subject) && (!quick || !subjects[s].dear))
+            if (verify_wanted(sheet, &subjects[s].subject) &&
+                (!subjects[s].dear || !(quick || swings[n].end > 2)))
                 TRY(add_rows(sheet, &subjects[s], swings[n].dt, quick ? 1 : swings[n].end,
                              why));
 out:

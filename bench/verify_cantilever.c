@@ -270,7 +270,7 @@ static enum status run_fields(struct verify_sheet *sheet, struct message *why)
 
     if (!f)
         return STATUS_MEMORY;
-    for (size_t n = 0; n < (verify_quick(sheet) ? 3 : sizeof names / sizeof *names); n++) {
+    for (size_t n = 0; n < (verify_quick(sheet) ? 2 : sizeof names / sizeof *names); n++) {
         TRY(read_field(names[n], f, why));
         for (int p = 0; p < VERIFY_PLATES; p++) {
             struct verify_series plate = verify_net_plate(p, claims[p]);

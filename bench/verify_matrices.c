@@ -260,20 +260,29 @@ static void turn(double angle, const double X[3], double shift[3])
     }
 }
 
+/* Each corner goes round to its place in ROWS pieces, which statics follow. */
 static void write_supports(double angle, bool solid, size_t size, char *text)
 {
+    enum { ROWS = 8 };
     size_t used = (size_t)snprintf(text, size, "supports=[");
 
     for (int c = 0; c < (solid ? 8 : 4) && used < size; c++) {
         double u = c & 1, v = c >> 1 & 1, w = solid ? c >> 2 : 0.5, shift[3];
         char layer[32] = "";
-        turn(angle, (double[3]){u * LENGTH, v * WIDTH, (w - 0.5) * THICKNESS}, shift);
         if (solid)
             snprintf(layer, sizeof layer, ", w: %g", w);
         used += (size_t)snprintf(text + used, size - used,
-                                 "%s{at: {u: %g, v: %g%s}, fix: xyz, "
-                                 "path: [[0, %.17g, %.17g, %.17g]]}",
-                                 c ? ", " : "", u, v, layer, shift[0], shift[1], shift[2]);
+                                 "%s{at: {u: %g, v: %g%s}, fix: xyz, path: [",
+                                 c ? ", " : "", u, v, layer);
+        for (int k = 0; k <= ROWS && used < size; k++) {
+            turn(angle * k / ROWS,
+                 (double[3]){u * LENGTH, v * WIDTH, (w - 0.5) * THICKNESS}, shift);
+            used += (size_t)snprintf(text + used, size - used,
+                                     "%s[%g, %.17g, %.17g, %.17g]", k ? ", " : "",
+                                     (double)k / ROWS, shift[0], shift[1], shift[2]);
+        }
+        if (used < size)
+            used += (size_t)snprintf(text + used, size - used, "]}");
     }
     if (used < size)
         snprintf(text + used, size - used, "]");
@@ -284,7 +293,7 @@ static enum status add_rigid(struct verify_sheet *sheet, const struct sheet *s,
 {
     enum status st;
     const bool solid = s->degree[2] > 0, net = s->degree[0] == 1 && !solid;
-    char supports[2048];
+    char supports[8192];
     const char *settings[] = {"sheet.length=1.1",
                               "sheet.width=0.7",
                               "sheet.thickness=0.05",

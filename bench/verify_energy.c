@@ -61,7 +61,8 @@ static const struct subject subjects[] = {
      NAN,
      false},
     {{"shell, p = 3, nonlinear, 16x16", "shell",
-      LARGE("16,16", "discretization.degree=[3,3]"), GAIN, KEPT},
+      LARGE("16,16", "discretization.degree=[3,3]"), GAIN,
+      "kept but for the membrane's viscosity, 0.1 dt"},
      LOSS,
      true},
     {{"mass_spring, matched, 21x21", "mass_spring", "discretization.points=[21,21]", NAN,
@@ -151,7 +152,7 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
         for (int s = 0; s < SUBJECTS; s++)
             if (verify_wanted(sheet, &subjects[s].subject) &&
                 (!subjects[s].dear || !(quick || swings[n].end > 2)))
-                TRY(add_rows(sheet, &subjects[s], swings[n].dt, quick ? 1 : swings[n].end,
+                TRY(add_rows(sheet, &subjects[s], swings[n].dt, quick ? 0.6 : swings[n].end,
                              why));
 out:
     return st;

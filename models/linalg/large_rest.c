@@ -72,9 +72,10 @@ static enum status relax(struct large_motion *m, struct counters *counters)
     enum status st = STATUS_DIVERGED;
     size_t count = 3 * (size_t)m->graph->nodes;
     double *last = m->room, first = 1 / (m->scene->step * m->scene->step), mass = first;
+    bool final = false;
 
     for (int n = 0; n < STEPS; n++) {
-        bool final = mass < 1e-8 * first;
+        final = mass < 1e-8 * first;
         const struct large_equation q = {
             .path = statics, .mass = final ? 0 : mass, .hat = last, .load = 1, .limit = 30};
         memcpy(last, m->x, count * sizeof *last);
@@ -89,6 +90,8 @@ static enum status relax(struct large_motion *m, struct counters *counters)
             memcpy(m->x, last, count * sizeof *last);
         mass *= st == STATUS_OK ? 0.5 : final ? 1e3 : 8;
     }
+    if (st == STATUS_OK && !final)
+        st = STATUS_DIVERGED; /* still on its way down */
 out:
     m->factored = -1;
     return st;

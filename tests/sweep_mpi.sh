@@ -52,7 +52,7 @@ grep -q 'say how many with mpirun -n' err || fail "--jobs: $(<err)"
 # all ranks killed at once in the middle, then resumed with other numbers of them: cases
 # long enough that the middle is not over before it is seen
 write_plan plan.yaml 3
-sed -i 's/time.end: .*/time.end: 0.25/' plan.yaml
+sed -i 's/time.end: .*/time.end: 1/' plan.yaml
 sweep plan.yaml --out alone --quiet || fail "longer cases alone: exit $?"
 setsid mpirun --oversubscribe -n 3 "$program" sweep plan.yaml --out killed --quiet \
     </dev/null >/dev/null 2>&1 &

@@ -241,9 +241,9 @@ out:
 }
 
 /* Colours that are told apart on white; gnuplot's own run out after eight. */
-static const char *const colour[] = {"#7b3294", "#1b7837", "#56b4e9", "#e69f00", "#d62728",
-                                     "#1f4e9c", "#8c564b", "#17becf", "#e377c2", "#7f7f7f",
-                                     "#000000", "#9a9a00", "#00c060", "#ff7f50"};
+static const char *const colour[] = {
+    "#7b3294", "#1b7837", "#56b4e9", "#e69f00", "#d62728", "#1f4e9c", "#8c564b", "#17becf",
+    "#e377c2", "#7f7f7f", "#000000", "#9a9a00", "#00c060", "#ff7f50", "#ff69ff", "#404060"};
 enum { COLOURS = sizeof colour / sizeof *colour };
 
 static enum status write_script(const struct compare *c, const char *folder,

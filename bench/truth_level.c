@@ -57,7 +57,8 @@ enum status truth_level_settings(const struct truth_runs *runs,
         snprintf(text[more++], TRUTH_LEVEL_TEXT, "discretization.remedy=reduced");
     if (level->perturbed)
         TRY(perturb(runs, text[more++], why));
-    memcpy(all, runs->settings, (size_t)runs->setting_count * sizeof *all);
+    for (int n = 0; n < runs->setting_count; n++)
+        all[n] = runs->settings[n];
     for (int n = 0; n < more; n++)
         all[runs->setting_count + n] = text[n];
     *count = runs->setting_count + more;

@@ -2,16 +2,16 @@
 
 #include <string.h>
 
-#include "bench/bench.h"
-#include "bench/compare.h"
+#include "bench/speed/bench.h"
+#include "bench/compare/compare.h"
 #include "bench/list.h"
-#include "bench/run.h"
-#include "bench/stress.h"
-#include "bench/studies.h"
-#include "bench/sweep.h"
-#include "bench/tables.h"
-#include "bench/truth_command.h"
-#include "bench/verify.h"
+#include "bench/run/run.h"
+#include "bench/stress/stress.h"
+#include "bench/studies/studies.h"
+#include "bench/sweep/sweep.h"
+#include "bench/tables/tables.h"
+#include "bench/truth/truth_command.h"
+#include "bench/verify/verify.h"
 
 const struct command *const commands[] = {
     &list_command,  &run_command,   &compare_command, &tables_command, &studies_command,

@@ -2,7 +2,7 @@
 #ifndef COMMANDS_H
 #define COMMANDS_H
 
-#include "bench/command.h"
+#include "bench/ui/command.h"
 
 /* In the order of the help; ends with NULL. */
 extern const struct command *const commands[];

@@ -3,10 +3,10 @@
 #include <string.h>
 
 #include "bench/commands.h"
-#include "bench/plan.h"
-#include "bench/registry.h"
-#include "bench/truth_file.h"
-#include "models/scene_file.h"
+#include "bench/sweep/plan.h"
+#include "bench/harness/registry.h"
+#include "bench/truth/truth_file.h"
+#include "models/reader/scene_file.h"
 
 static void print_item(const char *name, const char *text)
 {

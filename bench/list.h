@@ -2,7 +2,7 @@
 #ifndef LIST_H
 #define LIST_H
 
-#include "bench/command.h"
+#include "bench/ui/command.h"
 
 extern const struct command list_command;
 

@@ -4,13 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/aside.h"
+#include "bench/files/aside.h"
 #include "bench/commands.h"
-#include "bench/output.h"
-#include "bench/plan.h"
-#include "bench/provenance.h"
+#include "bench/files/output.h"
+#include "bench/sweep/plan.h"
+#include "bench/files/provenance.h"
 #include "models/linalg/blas_kernel.h"
-#include "models/scene_file.h"
+#include "models/reader/scene_file.h"
 
 /* EXIT_USAGE: bad input, too. */
 enum { EXIT_DONE = 0, EXIT_DIED = 1, EXIT_USAGE = 2 };

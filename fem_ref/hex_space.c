@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "models/linalg/gauss.h"
-#include "models/linalg/supports.h"
+#include "models/mechanics/supports.h"
 
 /* Linear functions of one direction: 1 - x, x; through the thickness, if asked, their sum
  * and difference 1, 2 x - 1. */

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/linalg/supports.h"
+#include "models/mechanics/supports.h"
 
 void plate_space_legendre(int degree, double w, double *value, double *derivative)
 {

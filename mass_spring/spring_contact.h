@@ -9,7 +9,7 @@
 #ifndef SPRING_CONTACT_H
 #define SPRING_CONTACT_H
 
-#include "models/linalg/supports.h"
+#include "models/mechanics/supports.h"
 #include "models/model.h"
 
 /* Moves x[nodes][3], start[nodes][3] where the step began; held components stay.

@@ -4,7 +4,7 @@
 #define SPRING_FREQUENCY_H
 
 #include "mass_spring/spring_net.h"
-#include "models/linalg/supports.h"
+#include "models/mechanics/supports.h"
 
 /* By Lanczos' method, without reorthogonalisation (the extreme value does not need it),
  * from below, in 200 steps at most. mass[nodes]; K[pairs][9] is work. 0 if nothing can

@@ -8,7 +8,7 @@
 #include "mass_spring/spring_frequency.h"
 #include "mass_spring/spring_strain.h"
 #include "models/damping.h"
-#include "models/linalg/dead_load.h"
+#include "models/mechanics/dead_load.h"
 
 /* Of the explicit method's greatest step, where it chooses: springs that turn and stretch
  * are a little stiffer than at rest. */

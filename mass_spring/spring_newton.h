@@ -21,7 +21,7 @@
 #define SPRING_NEWTON_H
 
 #include "mass_spring/spring_force.h"
-#include "models/linalg/contact_solve.h"
+#include "models/mechanics/contact_solve.h"
 #include "models/model.h"
 
 struct spring_newton {

@@ -11,7 +11,7 @@
 #define SPRING_STRAIN_H
 
 #include "mass_spring/spring_net.h"
-#include "models/linalg/supports.h"
+#include "models/mechanics/supports.h"
 
 /* Moves free points of x[nodes][3]. limit > 0. */
 void spring_strain_limit(const struct spring_net *net, const struct supports *supports,

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "models/damping.h"
-#include "models/linalg/dead_load.h"
+#include "models/mechanics/dead_load.h"
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
 

@@ -9,7 +9,7 @@
 
 #include "models/discretization.h"
 #include "models/linalg/factor.h"
-#include "models/linalg/supports.h"
+#include "models/mechanics/supports.h"
 #include "projective_dynamics/pd_energy.h"
 
 /* Components that hold the same nodes share a factor. */

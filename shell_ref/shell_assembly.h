@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#include "models/linalg/large_motion.h"
+#include "models/mechanics/large_motion.h"
 #include "shell_ref/shell_element.h"
 
 struct shell_assembly {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "models/damping.h"
-#include "models/linalg/dead_load.h"
+#include "models/mechanics/dead_load.h"
 
 /* The membrane's mean stress is taken from (1/2 + lag) of the step: a viscosity lag dt
  * against its ringing, which nothing else damps. Stretching is small wherever a thin sheet

@@ -19,7 +19,7 @@
 #ifndef SHELL_MOTION_H
 #define SHELL_MOTION_H
 
-#include "models/linalg/large_motion.h"
+#include "models/mechanics/large_motion.h"
 #include "shell_ref/shell_assembly.h"
 
 struct shell_motion {

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/linalg/large_rest.h"
-#include "models/linalg/pencil.h"
+#include "models/mechanics/large_rest.h"
+#include "models/mechanics/pencil.h"
 
 static const struct large_path statics = {.s1 = 1, .g1 = 1};
 

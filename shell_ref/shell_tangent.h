@@ -2,7 +2,7 @@
 #ifndef SHELL_TANGENT_H
 #define SHELL_TANGENT_H
 
-#include "models/linalg/large_motion.h"
+#include "models/mechanics/large_motion.h"
 #include "shell_ref/shell_element.h"
 
 /* Rows over an element's functions that the kernel needs at each Gauss point. */

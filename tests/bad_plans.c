@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "bench/plan_case.h"
-#include "bench/stand_in.h"
+#include "bench/sweep/plan_case.h"
+#include "bench/harness/stand_in.h"
 #include "tests/check.h"
 
 /* A good plan; the rows below replace one of its lines, counted from 1, or add one. */

@@ -4,7 +4,7 @@
 #include <dirent.h>
 #include <unistd.h>
 
-#include "models/scene_file.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 #define FOLDER SOURCE_DIR "/tests/bad_scenes/"

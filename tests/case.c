@@ -1,14 +1,14 @@
 /* Cases: the same bits on every run, from the file and without it; measures that are those
  * of the run's own metrics; deaths and models that leave something out are results. */
-#include "bench/case.h"
+#include "bench/harness/case.h"
 
 #include <unistd.h>
 
-#include "bench/motion.h"
-#include "bench/store_read.h"
-#include "bench/trial.h"
+#include "bench/harness/motion.h"
+#include "bench/files/store_read.h"
+#include "bench/harness/trial.h"
 #include "models/grid.h"
-#include "models/metric.h"
+#include "models/metric/metric.h"
 #include "tests/check.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))

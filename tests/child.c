@@ -1,5 +1,5 @@
 /* Work in a process of its own: whatever it does is an end with a sentence. */
-#include "bench/child.h"
+#include "bench/harness/child.h"
 
 #include <time.h>
 

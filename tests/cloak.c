@@ -6,10 +6,10 @@
 
 #include <unistd.h>
 
-#include "bench/rung.h"
-#include "bench/store_read.h"
-#include "bench/store_scene.h"
-#include "models/scene_file.h"
+#include "bench/harness/rung.h"
+#include "bench/files/store_read.h"
+#include "bench/files/store_scene.h"
+#include "models/reader/scene_file.h"
 #include "models/solid/solid_model.h"
 #include "tests/cloak_fixture.h"
 

@@ -4,7 +4,7 @@
 
 #include <float.h>
 
-#include "bench/registry.h"
+#include "bench/harness/registry.h"
 #include "models/grid.h"
 #include "tests/check.h"
 

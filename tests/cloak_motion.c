@@ -1,7 +1,7 @@
 /* The curved rest shape `cloak` under loads: rigid motions, kinematics, metrics, and a
  * benchmark of curved shells through the three models that serve it.
  */
-#include "models/metric.h"
+#include "models/metric/metric.h"
 #include "tests/cloak_fixture.h"
 
 /* Six modes without stiffness, then a gap: squared frequencies, of which round-off leaves

@@ -1,5 +1,5 @@
 /* The active set on small random systems, by the conditions that its solution must meet. */
-#include "models/linalg/contact_solve.h"
+#include "models/mechanics/contact_solve.h"
 #include "tests/check.h"
 
 enum { NODES = 6, COUNT = 3 * NODES, PAIRS = NODES * (NODES + 1) / 2 };

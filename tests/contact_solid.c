@@ -2,7 +2,7 @@
 #include "fem_ref/hex_model.h"
 #include "iga/plate_model.h"
 #include "models/grid.h"
-#include "models/metric.h"
+#include "models/metric/metric.h"
 #include "tests/check.h"
 
 /* Positions near 1 m, closed to 1e-13 of the scene's size. */

@@ -1,9 +1,9 @@
 /* Contact with obstacles, held to what every model owes: weight, gaps, energy, Coulomb's
  * law on an incline, and no preferred direction. One program, a row of tests/CMakeLists.txt
  * a model: contact_truth MODEL[.VARIANT]. */
-#include "bench/registry.h"
+#include "bench/harness/registry.h"
 #include "models/grid.h"
-#include "models/metric.h"
+#include "models/metric/metric.h"
 #include "tests/check.h"
 
 /* Gaps of the net, of the sheet's length: closed to round-off of the model's solver. */

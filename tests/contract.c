@@ -4,7 +4,7 @@
 #include <omp.h>
 
 #include "models/grid.h"
-#include "models/metric.h"
+#include "models/metric/metric.h"
 #include "tests/contract.h"
 
 enum { FIELD = GRID_POINTS * 3 };

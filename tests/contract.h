@@ -2,7 +2,7 @@
 #ifndef TESTS_CONTRACT_H
 #define TESTS_CONTRACT_H
 
-#include "bench/registry.h"
+#include "bench/harness/registry.h"
 #include "tests/check.h"
 #include "tests/toy_model.h"
 

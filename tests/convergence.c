@@ -6,7 +6,7 @@
  *
  *   convergence iga|hex|incompatible
  */
-#include "models/linalg/supports.h"
+#include "models/mechanics/supports.h"
 #include "tests/solid_fixture.h"
 
 /* Orders seen between two nets of 6 to 16 spans; the next term of the error is smaller by

@@ -1,7 +1,7 @@
 /* Loads: their sum and first moment on any net and any place, and a sheet pulled at its
  * end, which every solid and shell must stretch evenly: tip, contraction, energies. */
-#include "models/linalg/dead_load.h"
-#include "bench/trial.h"
+#include "models/mechanics/dead_load.h"
+#include "bench/harness/trial.h"
 #include "iga/bspline.h"
 #include "tests/check.h"
 

@@ -1,5 +1,5 @@
 /* Exponents of powers, exact and with a known line through scattered points. */
-#include "bench/fit.h"
+#include "bench/harness/fit.h"
 #include "tests/check.h"
 
 /* Sums of a few logarithms. */

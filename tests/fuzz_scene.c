@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/scene_file.h"
+#include "models/reader/scene_file.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

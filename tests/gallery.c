@@ -1,16 +1,16 @@
 /* Galleries: fields and numbers of a few runs at given times; and the two studies made of
  * them, on quick runs. */
-#include "bench/gallery.h"
+#include "bench/experiment/gallery.h"
 
 #include <float.h>
 
-#include "bench/folder.h"
-#include "bench/motion.h"
-#include "bench/study_artefacts.h"
-#include "bench/study_flag.h"
-#include "bench/trial.h"
+#include "bench/files/folder.h"
+#include "bench/harness/motion.h"
+#include "bench/studies/study_artefacts.h"
+#include "bench/studies/study_flag.h"
+#include "bench/harness/trial.h"
 #include "models/grid.h"
-#include "models/metric.h"
+#include "models/metric/metric.h"
 #include "tests/check.h"
 
 static const char *folder;

@@ -1,7 +1,7 @@
 /* Initial velocity and spin: a free sheet flies as it was thrown, in every model. */
-#include "bench/registry.h"
-#include "bench/trial.h"
-#include "models/scene_file.h"
+#include "bench/harness/registry.h"
+#include "bench/harness/trial.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 /* Round-off of 20 steps: a sheet that keeps its shape asks for no iterations. The rebuilt

@@ -1,12 +1,12 @@
 /* Self-intersections of grids: counts known by hand, the tree against every pair, every
  * pair against exact linear programming. Counts: no tolerances. */
-#include "models/intersection.h"
+#include "models/metric/intersection.h"
 
 #include <omp.h>
 #include <stdint.h>
 
 #include "models/grid.h"
-#include "models/metric.h"
+#include "models/metric/metric.h"
 #include "tests/check.h"
 #include "tests/triangle_reference.h"
 

@@ -1,5 +1,5 @@
 /* What a threshold can do at its best. */
-#include "bench/interval.h"
+#include "bench/tables/interval.h"
 
 #include "tests/check.h"
 

@@ -2,7 +2,7 @@
  */
 #include "fem_ref/kirchhoff_field.h"
 #include "models/grid.h"
-#include "models/metric.h"
+#include "models/metric/metric.h"
 #include "tests/check.h"
 
 /* Positions of order 1 m; a few operations. */

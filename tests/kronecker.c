@@ -3,7 +3,7 @@
  *
  *   kronecker iga|hex
  */
-#include "bench/verify_box.h"
+#include "bench/verify/verify_box.h"
 #include "tests/solid_fixture.h"
 
 /* Of the largest entry. Each entry is a sum over up to 5^3 spans of 5^3 points of a dozen

@@ -3,7 +3,7 @@
 #include <omp.h>
 
 #include "mass_spring/spring_strain.h"
-#include "models/scene_file.h"
+#include "models/reader/scene_file.h"
 #include "tests/mass_spring.h"
 
 /* Without supports every point falls as implicit Euler's (and symplectic Euler's) law has

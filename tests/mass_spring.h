@@ -2,7 +2,7 @@
 #ifndef TESTS_MASS_SPRING_H
 #define TESTS_MASS_SPRING_H
 
-#include "bench/registry.h"
+#include "bench/harness/registry.h"
 #include "mass_spring/spring_motion.h"
 #include "tests/check.h"
 

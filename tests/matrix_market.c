@@ -1,5 +1,5 @@
 /* Matrix Market files: every double comes back; what is no such file is refused by line. */
-#include "bench/matrix_market.h"
+#include "bench/files/matrix_market.h"
 
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 /* Metrics of fields whose numbers are known by hand; grid points; quartiles. */
-#include "models/metric.h"
+#include "models/metric/metric.h"
 
 #include <float.h>
 #include <stdlib.h>

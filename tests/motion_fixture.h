@@ -9,8 +9,8 @@
 #include "iga/plate_model.h"
 #include "models/grid.h"
 #include "models/linalg/eigen.h"
-#include "models/metric.h"
-#include "models/scene_file.h"
+#include "models/metric/metric.h"
+#include "models/reader/scene_file.h"
 #include "models/solid/solid_model.h"
 #include "tests/check.h"
 

@@ -4,7 +4,7 @@
  * elasticity; uniform load and frequencies by the navier scene. The in-plane net is fine
  * enough not to matter. */
 #include "fem_ref/reference.h"
-#include "models/scene_file.h"
+#include "models/reader/scene_file.h"
 #include "models/solid/solid_model.h"
 #include "tests/plate_fixture.h"
 

@@ -1,7 +1,7 @@
 /* Files written aside: gone with a signal, links followed. Standard output that cannot be
  * written to: told at the end, with its reason, whether the failure came early (more than a
  * buffer was printed) or only with the last flush. */
-#include "bench/output.h"
+#include "bench/files/output.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/aside.h"
+#include "bench/files/aside.h"
 #include "tests/check.h"
 
 static char folder[] = "/tmp/clothbench-output-XXXXXX";

@@ -1,9 +1,9 @@
 /* Pictures of sheets: what the script and the data hold, with gnuplot and without. */
-#include "bench/picture.h"
+#include "bench/ui/picture.h"
 
 #include <unistd.h>
 
-#include "bench/folder.h"
+#include "bench/files/folder.h"
 #include "models/grid.h"
 #include "tests/check.h"
 

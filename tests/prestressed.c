@@ -2,9 +2,9 @@
  * stiffer by its weight, a plate that stands edge-on under its own buckles sideways. One
  * row a model.
  */
-#include "bench/trial.h"
+#include "bench/harness/trial.h"
 #include "fem_ref/reference.h"
-#include "models/scene_file.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 /* Of the hanging strip's frequencies: quadratic and linear spans of L / 38 are off by some

@@ -2,7 +2,7 @@
  * weights, damping and mass, the sheet does not over-stretch. Over-stretched: by more than
  * the 10 % that Provot 1995 allows a spring. */
 #include "models/grid.h"
-#include "models/metric.h"
+#include "models/metric/metric.h"
 #include "projective_dynamics/projective_dynamics_model.h"
 #include "tests/pd_fixture.h"
 

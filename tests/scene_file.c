@@ -1,5 +1,5 @@
 /* The scene reader: shipped scenes, settings, names. Refusals are in bad_scenes.c. */
-#include "models/scene_file.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 static const char MINIMAL[] = "name: minimal\n"

@@ -1,7 +1,7 @@
 /* Out of memory at the k-th allocation of the scene reader, for every k: the status says
  * so, nothing leaks (with the sanitizers), nothing is left behind. The linker sends this
  * project's allocations through the wrappers below; libyaml's own are not touched. */
-#include "models/scene_file.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 void *__real_malloc(size_t size);

@@ -2,7 +2,7 @@
  * deflection 0.3006 at the middle of the free edge) and the pinched hemisphere (0.0924
  * under each of four alternating radial loads); Belytschko et al., CMAME 51 (1985) 221-258.
  */
-#include "models/linalg/system.h"
+#include "models/mechanics/system.h"
 #include "tests/shell_fixture.h"
 
 /* Asked: 1 %. Both references are given to three or four digits. */

@@ -1,6 +1,6 @@
 /* Prints what a factor and a solve cost, method by method. Passes whatever the figures.
  *   test_speed_factor [NET...]    a net: a line number of the list, all by default */
-#include "bench/bench_factor.h"
+#include "bench/speed/bench_factor.h"
 #include "models/linalg/blas_kernel.h"
 #include "tests/check.h"
 

@@ -1,6 +1,6 @@
 /* Result files: what was written is read back bit for bit; whatever stops the writing of
  * any file of ours gives one sentence and leaves nothing behind. */
-#include "bench/store.h"
+#include "bench/files/store.h"
 
 #include <dirent.h>
 #include <float.h>
@@ -8,9 +8,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "bench/matrix_market.h"
-#include "bench/output.h"
-#include "bench/store_read.h"
+#include "bench/files/matrix_market.h"
+#include "bench/files/output.h"
+#include "bench/files/store_read.h"
 #include "models/grid.h"
 #include "tests/check.h"
 

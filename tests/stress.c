@@ -1,9 +1,9 @@
 /* Hard cases. unit: which of the four ends a result is, files, the cases as data; run: ends
  * that are known beforehand, and that each run has exactly one. */
-#include "bench/stress.h"
+#include "bench/stress/stress.h"
 
-#include "bench/folder.h"
-#include "models/scene_file.h"
+#include "bench/files/folder.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 static const double bound = 0.01;

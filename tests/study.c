@@ -1,12 +1,12 @@
 /* The engine of studies: differences, errors, orders and metrics from result files, levels
  * that die or are refused, truth found again. */
-#include "bench/study_print.h"
+#include "bench/experiment/study_print.h"
 
-#include "bench/folder.h"
-#include "bench/store_read.h"
+#include "bench/files/folder.h"
+#include "bench/files/store_read.h"
 #include "models/grid.h"
-#include "models/metric.h"
-#include "models/scene_file.h"
+#include "models/metric/metric.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 /* Files keep positions as 32-bit floats: 6e-8 of 1 m. */

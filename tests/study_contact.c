@@ -2,8 +2,8 @@
  *
  *   study_contact FOLDER
  */
-#include "bench/folder.h"
-#include "bench/study_contact.h"
+#include "bench/files/folder.h"
+#include "bench/studies/study_contact.h"
 #include "tests/check.h"
 
 /* Contact is closed to 1e-13 of the scene's size; projective dynamics, to what its global

@@ -4,8 +4,8 @@
  *
  *   study_locking FOLDER
  */
-#include "bench/folder.h"
-#include "bench/study_locking.h"
+#include "bench/files/folder.h"
+#include "bench/studies/study_locking.h"
 #include "tests/check.h"
 
 /* What the prototype's table must be met to; or half a unit of its last digit, if more. */

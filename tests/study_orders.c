@@ -1,8 +1,8 @@
 /* Refine and elevate in either order (Piegl & Tiller 1997, sec. 5.2-5.5): the shape stays,
  * the same knots give the same net and the same motion, other knots do not. */
-#include "bench/study_orders.h"
+#include "bench/studies/study_orders.h"
 
-#include "bench/folder.h"
+#include "bench/files/folder.h"
 #include "iga/refine.h"
 #include "tests/check.h"
 

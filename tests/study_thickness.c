@@ -3,9 +3,9 @@
  *
  *   study_thickness FOLDER
  */
-#include "bench/folder.h"
-#include "bench/study_thickness.h"
-#include "bench/study_thickness_degree.h"
+#include "bench/files/folder.h"
+#include "bench/studies/study_thickness.h"
+#include "bench/studies/study_thickness_degree.h"
 #include "tests/check.h"
 
 /* Of the table's four digits, and the two per cent that (4,4,r) on 10 points leave. */

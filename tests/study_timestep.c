@@ -3,9 +3,9 @@
  *
  *   study_timestep FOLDER
  */
-#include "bench/folder.h"
-#include "bench/study_timestep.h"
-#include "models/metric.h"
+#include "bench/files/folder.h"
+#include "bench/studies/study_timestep.h"
+#include "models/metric/metric.h"
 #include "tests/check.h"
 
 /* Second differences of positions of some metres, kept as 32-bit floats, over 0.25 s. */

@@ -7,8 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/sweep.h"
-#include "bench/sweep_folder.h"
+#include "bench/sweep/sweep.h"
+#include "bench/sweep/sweep_folder.h"
 #include "tests/check.h"
 
 /* AddressSanitizer, where it is on, keeps what was freed: not for long here. */

@@ -1,5 +1,5 @@
 /* Tables of results in their four formats, against text written out here. */
-#include "bench/table.h"
+#include "bench/ui/table.h"
 
 #include <math.h>
 

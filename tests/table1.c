@@ -1,10 +1,10 @@
 /* Table 1 from its result files: the RMSE of hexahedra 32x32x2 against the IGA baseline,
  * its trend with refinement, and what the spaces are worth against truth. */
-#include "bench/folder.h"
-#include "bench/store_read.h"
-#include "bench/table1_truth.h"
-#include "models/metric.h"
-#include "models/scene_file.h"
+#include "bench/files/folder.h"
+#include "bench/files/store_read.h"
+#include "bench/tables/table1_truth.h"
+#include "models/metric/metric.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 /* An independent prototype (h = 1 mm instead of 1.177 mm) found .042 and .043 m under

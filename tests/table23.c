@@ -3,12 +3,12 @@
  *
  *   table23 FOLDER
  */
-#include "bench/fit.h"
-#include "bench/folder.h"
-#include "bench/output.h"
-#include "bench/registry.h"
-#include "bench/table23.h"
-#include "models/scene_file.h"
+#include "bench/harness/fit.h"
+#include "bench/files/folder.h"
+#include "bench/files/output.h"
+#include "bench/harness/registry.h"
+#include "bench/tables/table23.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 /* What the paper's text and tables give to two decimals. */

@@ -1,9 +1,9 @@
 /* Table 4 on a quick run of all its cases: what its columns and sentences rest on. */
-#include "bench/table4_data.h"
+#include "bench/tables/table4_data.h"
 
-#include "bench/folder.h"
-#include "bench/interval.h"
-#include "bench/plan.h"
+#include "bench/files/folder.h"
+#include "bench/tables/interval.h"
+#include "bench/sweep/plan.h"
 #include "tests/check.h"
 
 static const char *folder;

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 #include "models/grid.h"
-#include "models/linalg/supports.h"
+#include "models/mechanics/supports.h"
 
 /* What is served here is not refused by create; every other bit is, with its name. */
 #define SERVES (SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG)

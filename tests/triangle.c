@@ -1,11 +1,11 @@
 /* Sides and turns against integers, pairs of triangles by hand and against exact linear
  * programming. Decisions: no tolerances. */
-#include "models/triangle.h"
+#include "models/metric/triangle.h"
 
 #include <float.h>
 #include <stdint.h>
 
-#include "models/predicate.h"
+#include "models/metric/predicate.h"
 #include "tests/check.h"
 #include "tests/triangle_reference.h"
 

@@ -1,15 +1,15 @@
 /* Truths with error bars: orders, the text of a scene's physics, files that come back and
  * refuse to be changed, and who gets them. (truth_stored.c: whether those stored hold.) */
-#include "bench/truth.h"
+#include "bench/truth/truth.h"
 
-#include "bench/folder.h"
-#include "bench/hdf5_file.h"
-#include "bench/truth_file.h"
-#include "bench/truth_order.h"
-#include "bench/truth_physics.h"
+#include "bench/files/folder.h"
+#include "bench/files/hdf5_file.h"
+#include "bench/truth/truth_file.h"
+#include "bench/truth/truth_order.h"
+#include "bench/truth/truth_physics.h"
 #include "models/grid.h"
-#include "models/metric.h"
-#include "models/scene_file.h"
+#include "models/metric/metric.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 static const double TOL_ORDER = 1e-9;  /* of the halving, and of powers                   */

@@ -3,12 +3,12 @@
  * agrees with the stored one within the bars of both. */
 #include <dirent.h>
 
-#include "bench/folder.h"
-#include "bench/truth.h"
-#include "bench/truth_file.h"
-#include "bench/truth_physics.h"
-#include "models/metric.h"
-#include "models/scene_file.h"
+#include "bench/files/folder.h"
+#include "bench/truth/truth.h"
+#include "bench/truth/truth_file.h"
+#include "bench/truth/truth_physics.h"
+#include "models/metric/metric.h"
+#include "models/reader/scene_file.h"
 #include "tests/check.h"
 
 static const char *folder;

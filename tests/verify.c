@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/folder.h"
-#include "bench/verify_sheet.h"
+#include "bench/files/folder.h"
+#include "bench/verify/verify_sheet.h"
 #include "tests/check.h"
 
 static const struct verify_subject claimed = {"iga, reduced", "iga", NULL, 0.01, "asked"};

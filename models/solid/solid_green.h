@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#include "models/linalg/large_motion.h"
+#include "models/mechanics/large_motion.h"
 #include "models/solid/solid_assembly.h"
 #include "models/solid/solid_green_element.h"
 

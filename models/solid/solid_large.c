@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "models/linalg/large_rest.h"
+#include "models/mechanics/large_rest.h"
 #include "models/solid/solid_green.h"
 
 struct solid_large {

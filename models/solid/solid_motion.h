@@ -15,9 +15,9 @@
 #ifndef SOLID_MOTION_H
 #define SOLID_MOTION_H
 
-#include "models/linalg/contact_step.h"
-#include "models/linalg/dead_load.h"
-#include "models/linalg/newmark.h"
+#include "models/mechanics/contact_step.h"
+#include "models/mechanics/dead_load.h"
+#include "models/mechanics/newmark.h"
 #include "models/model.h"
 #include "models/solid/solid_assembly.h"
 

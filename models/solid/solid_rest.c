@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/linalg/pencil.h"
+#include "models/mechanics/pencil.h"
 #include "models/solid/solid_large.h"
 
 /* r = load - K d, zero at held unknowns. */

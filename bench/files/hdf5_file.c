@@ -1,0 +1,96 @@
+#include "bench/files/hdf5_file.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Why the last call failed that did. Kept at once: the library forgets its error stack when
+ * the next call begins. */
+static char last_reason[256];
+
+/* The system's word from the stack, else the innermost sentence. */
+static herr_t find_reason(unsigned n, const H5E_error2_t *error, void *unused)
+{
+    static const char mark[] = "error message = '";
+    const char *word = error->desc ? strstr(error->desc, mark) : NULL;
+
+    (void)unused;
+    if (word) {
+        word += strlen(mark);
+        snprintf(last_reason, sizeof last_reason, "%.*s", (int)strcspn(word, "'"), word);
+    } else if (n == 0 && error->desc) {
+        snprintf(last_reason, sizeof last_reason, "%s", error->desc);
+    }
+    return word != NULL;
+}
+
+static herr_t keep_reason(hid_t stack, void *unused)
+{
+    return H5Ewalk2(stack, H5E_WALK_UPWARD, find_reason, unused) < 0 ? -1 : 0;
+}
+
+void hdf5_file_start(void)
+{
+    H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, keep_reason, NULL);
+}
+
+enum status hdf5_file_fail(const char *path, const char *doing, struct message *why)
+{
+    status_fail(why, STATUS_FILE, "%s: %s: %s", path, doing,
+                last_reason[0] ? last_reason : "the HDF5 library gives no reason");
+    last_reason[0] = '\0';
+    return STATUS_FILE;
+}
+
+static herr_t put_attribute(hid_t object, const char *key, hid_t type, const void *value)
+{
+    hid_t space = H5Screate(H5S_SCALAR);
+    hid_t attribute = H5Acreate2(object, key, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    herr_t result = attribute < 0 ? -1 : H5Awrite(attribute, type, value);
+
+    if (attribute >= 0 && H5Aclose(attribute) < 0)
+        result = -1;
+    H5Sclose(space);
+    return result;
+}
+
+herr_t hdf5_file_put_text(hid_t object, const char *key, const char *text)
+{
+    /* of variable length: fixed ones end at 64 kB */
+    hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, H5T_VARIABLE);
+    H5Tset_cset(type, H5T_CSET_UTF8);
+    herr_t result = put_attribute(object, key, type, &text);
+    H5Tclose(type);
+    return result;
+}
+
+herr_t hdf5_file_put_long(hid_t object, const char *key, long value)
+{
+    return put_attribute(object, key, H5T_NATIVE_LONG, &value);
+}
+
+herr_t hdf5_file_put_double(hid_t object, const char *key, double value)
+{
+    return put_attribute(object, key, H5T_NATIVE_DOUBLE, &value);
+}
+
+herr_t hdf5_file_put_array(hid_t file, const char *name, const double *values, int rows,
+                           int columns)
+{
+    hsize_t size[2] = {(hsize_t)rows, (hsize_t)columns};
+    hid_t space = H5Screate_simple(columns ? 2 : 1, size, NULL);
+    hid_t links = H5Pcreate(H5P_LINK_CREATE);
+    H5Pset_create_intermediate_group(links, 1);
+    hid_t set =
+        H5Dcreate2(file, name, H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT);
+    herr_t result = set < 0 ? -1 : 0;
+
+    if (set >= 0 && rows > 0)
+        result = H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+    if (set >= 0 && H5Dclose(set) < 0)
+        result = -1;
+    H5Pclose(links);
+    H5Sclose(space);
+    return result;
+}

@@ -1,0 +1,103 @@
+#include "bench/files/output.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/files/aside.h"
+
+struct output {
+    struct aside aside;
+    FILE *file;
+    int failure; /* errno of the first failed write, 0 if none */
+};
+
+enum status output_create(const char *path, struct output **out, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct output *o = calloc(1, sizeof *o);
+
+    if (!o)
+        return STATUS_MEMORY;
+    TRY(aside_open(path, &o->aside, why));
+    o->file = fopen(o->aside.temporary, "w");
+    if (!o->file)
+        TRY(status_fail(why, STATUS_FILE, "%s: cannot be opened: %s", path,
+                        strerror(errno)));
+    *out = o, o = NULL;
+out:
+    output_discard(o);
+    return st;
+}
+
+void output_print(struct output *out, const char *format, ...)
+{
+    va_list args;
+
+    if (out->failure)
+        return;
+    va_start(args, format);
+    errno = 0;
+    if (vfprintf(out->file, format, args) < 0)
+        out->failure = errno ? errno : EIO;
+    va_end(args);
+}
+
+enum status output_close(struct output *out, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (fclose(out->file) != 0 && !out->failure)
+        out->failure = errno;
+    out->file = NULL;
+    if (out->failure)
+        TRY(status_fail(why, STATUS_FILE, "%s: cannot be written: %s", out->aside.path,
+                        strerror(out->failure)));
+    TRY(aside_commit(&out->aside, why));
+out:
+    output_discard(out);
+    return st;
+}
+
+void output_discard(struct output *out)
+{
+    if (!out)
+        return;
+    if (out->file)
+        fclose(out->file);
+    aside_discard(&out->aside);
+    free(out);
+}
+
+void output_keep_after_closed_pipe(void)
+{
+    signal(SIGPIPE, SIG_IGN);
+}
+
+enum status output_close_standard(struct message *why)
+{
+    bool failed = ferror(stdout);
+
+    /* glibc keeps what it could not write: flushing again gives the reason again; if it
+     * dropped it, a blank does */
+    errno = 0;
+    if (failed)
+        fputc(' ', stdout);
+    if (fflush(stdout) != 0)
+        failed = true;
+    int reason = errno;
+    if (fclose(stdout) != 0 && errno != EBADF && !failed) {
+        failed = true;
+        reason = errno;
+    }
+    if (!failed)
+        return STATUS_OK;
+    if (reason == EPIPE)
+        return status_fail(why, STATUS_FILE,
+                           "standard output: its reader closed the pipe before the end");
+    return status_fail(why, STATUS_FILE, "standard output: cannot be written: %s",
+                       reason ? strerror(reason) : "an earlier write failed");
+}

@@ -1,0 +1,379 @@
+#define _GNU_SOURCE /* memfd_create */
+#include "bench/files/store.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "bench/files/aside.h"
+#include "bench/files/hdf5_file.h"
+#include "bench/files/settings_text.h"
+#include "bench/files/xdmf.h"
+#include "models/grid.h"
+
+#define FORMAT "clothbench run 1"
+
+/* One number a frame; the order of frame_values. */
+static const char *const series_name[] = {
+    "energy/kinetic",  "energy/elastic",      "energy/potential",
+    "counters/steps",  "counters/assemblies", "counters/factorisations",
+    "counters/solves", "counters/iterations", "counters/substeps",
+};
+enum { SERIES = sizeof series_name / sizeof *series_name };
+
+struct store {
+    struct aside aside;
+    hid_t file, xyz;
+    int frames, fields, room;
+    double *time;           /* [room]         owned; written at the end                  */
+    double *field_time;     /* [room]         owned; of the frames that have a field     */
+    double *series[SERIES]; /* [room] each    owned                                      */
+    bool single, packed;
+    enum status outcome;
+    double death_time;
+};
+
+static enum status fail(const struct store *s, struct message *why)
+{
+    return hdf5_file_fail(s->aside.path, "cannot be written", why);
+}
+
+static enum status put_run(struct store *s, const struct store_run *run,
+                           struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct scene *scene = run->scene;
+    char *settings = NULL;
+    const struct {
+        const char *key, *text;
+    } row[] = {
+        {"format", FORMAT},
+        {"scene", scene->text},
+        {"scene_name", scene->name},
+        {"scene_source", scene->source},
+        {"model", run->model->name},
+        {"model_title", run->model->title},
+        {"model_source", run->model->source},
+    };
+
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        if (hdf5_file_put_text(s->file, row[i].key, row[i].text ? row[i].text : "") < 0)
+            TRY(fail(s, why));
+    TRY(settings_text(run->discretization, &settings));
+    if (hdf5_file_put_text(s->file, "discretization", settings) < 0 ||
+        hdf5_file_put_double(s->file, "length", scene->length) < 0 ||
+        hdf5_file_put_double(s->file, "width", scene->width) < 0 ||
+        hdf5_file_put_double(s->file, "thickness", scene->thickness) < 0)
+        TRY(fail(s, why));
+out:
+    free(settings);
+    return st;
+}
+
+static enum status put_provenance(struct store *s, const struct provenance *p,
+                                  struct message *why)
+{
+    hid_t group = H5Gcreate2(s->file, "provenance", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    bool good = group >= 0;
+
+    for (int i = 0; good && i < p->count; i++)
+        good = hdf5_file_put_text(group, p->entry[i].key, p->entry[i].value) >= 0;
+    if (group >= 0 && H5Gclose(group) < 0)
+        good = false;
+    return good ? STATUS_OK : fail(s, why);
+}
+
+/* [frame][w][v][u][3], a chunk a frame, grows along frames. */
+static enum status create_xyz(struct store *s, struct message *why)
+{
+    hsize_t none[5] = {0, GRID_W, GRID_V, GRID_U, 3};
+    hsize_t limit[5] = {H5S_UNLIMITED, GRID_W, GRID_V, GRID_U, 3};
+    hsize_t chunk[5] = {1, GRID_W, GRID_V, GRID_U, 3};
+    hid_t space = H5Screate_simple(5, none, limit);
+    hid_t create = H5Pcreate(H5P_DATASET_CREATE), access = H5Pcreate(H5P_DATASET_ACCESS);
+
+    H5Pset_chunk(create, 5, chunk);
+    /* Frames are written whole, once: past the cache, which copies and, when a write fails,
+     * leaks them; not filled with zeros before. */
+    H5Pset_fill_time(create, H5D_FILL_TIME_NEVER);
+    H5Pset_chunk_cache(access, H5D_CHUNK_CACHE_NSLOTS_DEFAULT, 0,
+                       H5D_CHUNK_CACHE_W0_DEFAULT);
+    if (s->packed) {
+        H5Pset_shuffle(create); /* bytes of equal weight together: these pack better */
+        H5Pset_deflate(create, 1);
+    }
+    s->xyz = H5Dcreate2(s->file, "xyz", s->single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, space,
+                        H5P_DEFAULT, create, access);
+    H5Pclose(access);
+    H5Pclose(create);
+    H5Sclose(space);
+    return s->xyz < 0 ? fail(s, why) : STATUS_OK;
+}
+
+enum status store_create(const char *path, const struct store_run *run,
+                         struct store **store, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct store *s = calloc(1, sizeof *s);
+
+    if (!s)
+        return STATUS_MEMORY;
+    hdf5_file_start();
+    s->file = s->xyz = H5I_INVALID_HID;
+    s->single = run->single;
+    s->packed = run->packed;
+    TRY(aside_open(path, &s->aside, why));
+    if (s->aside.in_place)
+        TRY(status_fail(why, STATUS_FILE, "%s: a result file cannot be a device or pipe",
+                        path));
+    s->file = H5Fcreate(s->aside.temporary, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    if (s->file < 0)
+        TRY(fail(s, why));
+    TRY(put_run(s, run, why));
+    TRY(put_provenance(s, run->provenance, why));
+    TRY(create_xyz(s, why));
+    *store = s, s = NULL;
+out:
+    store_discard(s);
+    return st;
+}
+
+static enum status make_room(struct store *s)
+{
+    if (s->frames < s->room)
+        return STATUS_OK;
+    int room = s->room ? 2 * s->room : 64;
+    for (int i = -2; i < SERIES; i++) {
+        double **array = i == -2 ? &s->field_time : i == -1 ? &s->time : &s->series[i];
+        double *grown = realloc(*array, (size_t)room * sizeof *grown);
+        if (!grown)
+            return STATUS_MEMORY;
+        *array = grown;
+    }
+    s->room = room;
+    return STATUS_OK;
+}
+
+static bool write_field(struct store *s, const double *xyz)
+{
+    hsize_t size[5] = {(hsize_t)s->fields + 1, GRID_W, GRID_V, GRID_U, 3};
+    hsize_t start[5] = {(hsize_t)s->fields, 0, 0, 0, 0};
+    hsize_t count[5] = {1, GRID_W, GRID_V, GRID_U, 3};
+
+    if (H5Dset_extent(s->xyz, size) < 0)
+        return false;
+    hid_t memory = H5Screate_simple(5, count, NULL), file = H5Dget_space(s->xyz);
+    bool good = H5Sselect_hyperslab(file, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
+                H5Dwrite(s->xyz, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, xyz) >= 0;
+    H5Sclose(file);
+    H5Sclose(memory);
+    return good;
+}
+
+enum status store_frame(struct store *s, double t, const double *xyz,
+                        const struct energy *energy, const struct counters *counters,
+                        struct message *why)
+{
+    static const struct energy unknown = {NAN, NAN, NAN};
+    static const struct counters nothing;
+    const struct energy *e = energy ? energy : &unknown;
+    const struct counters *c = counters ? counters : &nothing;
+    const double value[SERIES] = {
+        e->kinetic,
+        e->elastic,
+        e->potential,
+        (double)c->steps,
+        (double)c->assemblies,
+        (double)c->factorisations,
+        (double)c->solves,
+        (double)c->iterations,
+        (double)c->substeps,
+    };
+    enum status st = STATUS_OK;
+
+    TRY(make_room(s));
+    if (xyz) {
+        if (!write_field(s, xyz))
+            TRY(fail(s, why));
+        s->field_time[s->fields++] = t;
+    }
+    s->time[s->frames] = t;
+    for (int i = 0; i < SERIES; i++)
+        s->series[i][s->frames] = value[i];
+    s->frames++;
+out:
+    return st;
+}
+
+enum status store_seconds(struct store *s, const char *phase, const double *seconds,
+                          int rows, int columns, struct message *why)
+{
+    char name[64] = "seconds/";
+    assert(strlen(phase) < sizeof name - strlen(name));
+    strcat(name, phase);
+    return hdf5_file_put_array(s->file, name, seconds, rows, columns) < 0 ? fail(s, why)
+                                                                          : STATUS_OK;
+}
+
+enum status store_metric(struct store *s, const char *name, const char *unit,
+                         const double *value, int count, struct message *why)
+{
+    char path[64] = "metrics/";
+    assert(count == s->frames && strlen(name) < sizeof path - strlen(path));
+    strcat(path, name);
+    if (hdf5_file_put_array(s->file, path, value, count, 0) < 0)
+        return fail(s, why);
+    hid_t set = H5Dopen2(s->file, path, H5P_DEFAULT);
+    bool good = set >= 0 && hdf5_file_put_text(set, "unit", unit) >= 0;
+    if (set >= 0 && H5Dclose(set) < 0)
+        good = false;
+    return good ? STATUS_OK : fail(s, why);
+}
+
+enum status store_size(struct store *s, const struct model_size *size, struct message *why)
+{
+    if (hdf5_file_put_long(s->file, "nodes", size->nodes) < 0 ||
+        hdf5_file_put_long(s->file, "unknowns", size->unknowns) < 0 ||
+        hdf5_file_put_long(s->file, "factor_entries", size->factor_entries) < 0 ||
+        hdf5_file_put_text(s->file, "solver", size->solver ? size->solver : "") < 0 ||
+        hdf5_file_put_text(s->file, "unknown_basis",
+                           size->unknown_basis ? size->unknown_basis : "") < 0)
+        return fail(s, why);
+    return STATUS_OK;
+}
+
+enum status store_text(struct store *s, const char *key, const char *text,
+                       struct message *why)
+{
+    return hdf5_file_put_text(s->file, key, text) < 0 ? fail(s, why) : STATUS_OK;
+}
+
+enum status store_note(struct store *s, const char *text, struct message *why)
+{
+    return store_text(s, "note", text, why);
+}
+
+void store_death(struct store *s, enum status death, double t)
+{
+    s->outcome = death;
+    s->death_time = t;
+}
+
+/* frame/N: a view of xyz[N], no copy. XDMF 2 and 3 spell a selection from a larger array
+ * differently, and no file serves the readers of both; a whole array is read by all. */
+static bool put_view(hid_t group, int frame, int frames)
+{
+    char name[16];
+    hsize_t whole[5] = {(hsize_t)frames, GRID_W, GRID_V, GRID_U, 3};
+    hsize_t start[5] = {(hsize_t)frame, 0, 0, 0, 0};
+    hsize_t count[5] = {1, GRID_W, GRID_V, GRID_U, 3};
+    hid_t view = H5Screate_simple(4, count + 1, NULL);
+    hid_t source = H5Screate_simple(5, whole, NULL);
+    hid_t create = H5Pcreate(H5P_DATASET_CREATE);
+
+    snprintf(name, sizeof name, "%d", frame);
+    H5Sselect_hyperslab(source, H5S_SELECT_SET, start, NULL, count, NULL);
+    hid_t set = H5I_INVALID_HID;
+    if (H5Pset_virtual(create, view, ".", "/xyz", source) >= 0)
+        set =
+            H5Dcreate2(group, name, H5T_IEEE_F64LE, view, H5P_DEFAULT, create, H5P_DEFAULT);
+    bool good = set >= 0 && H5Dclose(set) >= 0;
+    H5Pclose(create);
+    H5Sclose(source);
+    H5Sclose(view);
+    return good;
+}
+
+static enum status put_views(struct store *s, struct message *why)
+{
+    hid_t group = H5Gcreate2(s->file, "frame", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    bool good = group >= 0;
+
+    for (int n = 0; good && n < s->fields; n++)
+        good = put_view(group, n, s->fields);
+    if (group >= 0 && H5Gclose(group) < 0)
+        good = false;
+    return good ? STATUS_OK : fail(s, why);
+}
+
+static enum status put_end(struct store *s, struct message *why)
+{
+    if (hdf5_file_put_array(s->file, "time", s->time, s->frames, 0) < 0 ||
+        hdf5_file_put_array(s->file, "xyz_time", s->field_time, s->fields, 0) < 0)
+        return fail(s, why);
+    for (int i = 0; i < SERIES; i++)
+        if (hdf5_file_put_array(s->file, series_name[i], s->series[i], s->frames, 0) < 0)
+            return fail(s, why);
+    enum status st = put_views(s, why);
+    if (st != STATUS_OK)
+        return st;
+    if (hdf5_file_put_text(s->file, "outcome", status_text(s->outcome)) < 0 ||
+        (s->outcome != STATUS_OK &&
+         hdf5_file_put_double(s->file, "death_time", s->death_time) < 0))
+        return fail(s, why);
+    return STATUS_OK;
+}
+
+/* Flushed by hand first: a flush that fails leaves the identifiers usable for discard. */
+static enum status close_file(struct store *s, struct message *why)
+{
+    if (H5Fflush(s->file, H5F_SCOPE_GLOBAL) < 0)
+        return fail(s, why);
+    hid_t xyz = s->xyz, file = s->file;
+    s->xyz = s->file = H5I_INVALID_HID;
+    herr_t first = H5Dclose(xyz), second = H5Fclose(file);
+    return first < 0 || second < 0 ? fail(s, why) : STATUS_OK;
+}
+
+enum status store_close(struct store *s, struct message *why)
+{
+    enum status st = STATUS_OK;
+    char *path = strdup(s->aside.path);
+
+    TRY(path ? STATUS_OK : STATUS_MEMORY);
+    TRY(put_end(s, why));
+    TRY(close_file(s, why));
+    TRY(aside_commit(&s->aside, why));
+    if (s->fields)
+        TRY(xdmf_write(path, s->field_time, s->fields, why));
+out:
+    free(path);
+    store_discard(s);
+    return st;
+}
+
+/* The library insists on writing its caches when it closes a file; on a full disk it can
+ * neither do so nor let go, and ends in a crash. So its descriptor is led into memory
+ * first. */
+static void lead_astray(hid_t file)
+{
+    int *descriptor = NULL, memory = memfd_create("discarded", MFD_CLOEXEC);
+
+    if (memory < 0)
+        return;
+    if (H5Fget_vfd_handle(file, H5P_DEFAULT, (void **)&descriptor) >= 0 && descriptor)
+        (void)!dup2(memory, *descriptor);
+    close(memory);
+}
+
+void store_discard(struct store *s)
+{
+    if (!s)
+        return;
+    if (s->file >= 0)
+        lead_astray(s->file);
+    if (s->xyz >= 0)
+        H5Dclose(s->xyz);
+    if (s->file >= 0)
+        H5Fclose(s->file);
+    aside_discard(&s->aside);
+    free(s->time);
+    free(s->field_time);
+    for (int i = 0; i < SERIES; i++)
+        free(s->series[i]);
+    free(s);
+}

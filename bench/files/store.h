@@ -1,0 +1,91 @@
+/* store.h - the result file of one run: scene, model, discretization, motion, seconds.
+ *
+ * HDF5, in /, F = frames kept, K <= F = those of them with their field, R = repeats:
+ *
+ *   attributes        format, scene (its YAML text), scene_name, scene_source, model,
+ *                     model_title, model_source, discretization (lines `key=value` as
+ *                     --set takes them), outcome ("done" or the sentence of a death),
+ *                     death_time [s] (only then), note (a sentence, if there is one),
+ *                     length, width, thickness [m], nodes, unknowns, factor_entries,
+ *                     solver, unknown_basis
+ *   provenance        a group whose attributes are provenance.h's keys
+ *   time              [F]                          double [s]
+ *   xyz               [K][w 2][v 100][u 100][3]    double [m] (or float, if asked for)
+ *   xyz_time          [K]                          double [s]
+ *   frame/0, frame/1, ...                          views of xyz[0], xyz[1], for XDMF
+ *   energy/kinetic, energy/elastic, energy/potential   [F]   double [J], NaN if not known
+ *   counters/steps, ...                            [F]   work done up to the frame
+ *   metrics/NAME      [F], attribute `unit`        double
+ *   seconds/create, seconds/sample                 [R]            raw, every repeat
+ *   seconds/advance                                [R][steps]     raw, every step
+ *   seconds/equilibrium                            [R][1]         raw
+ *   seconds/timed, seconds/processor               [1]   all that was timed together with
+ *                     this run; of that, with a processor: less where others want it too
+ *   seconds/assemble, seconds/factor, seconds/solve  [R]          raw, phases of a step
+ *
+ * Beside FILE.h5 stands FILE.xdmf, if there are fields, which opens in ParaView (path with a
+ * slash in it). Both are written aside and renamed (aside.h): a run that fails leaves neither.
+ */
+#ifndef STORE_H
+#define STORE_H
+
+#include <stdbool.h>
+
+#include "bench/files/provenance.h"
+#include "models/model.h"
+
+struct store;
+
+/* What is known before the first step; all borrowed during store_create. */
+struct store_run {
+    const struct scene *scene;
+    const struct model *model;
+    const struct discretization *discretization;
+    const struct provenance *provenance;
+    bool single; /* positions as 32-bit floats: 1e-8 m on a 1 m sheet, half the file         */
+    bool packed; /* shuffled and deflated: a fifth smaller at 20 times the writing time      */
+};
+
+/* Opens the file aside. STATUS_FILE with a sentence; *store is then untouched. Call
+ * store_close or store_discard in the end. */
+enum status store_create(const char *path, const struct store_run *run,
+                         struct store **store, struct message *why);
+
+/* Appends a frame: field xyz (grid.h) at time t; NULL: a frame without its field, as numbers
+ * alone. energy and counters may be NULL: NaN and zeros are stored. */
+enum status store_frame(struct store *store, double t, const double *xyz,
+                        const struct energy *energy, const struct counters *counters,
+                        struct message *why);
+
+/* Raw seconds[rows][columns] of a phase ("create", "advance", "sample"); columns = 0: one
+ * number a repeat. Once per phase. */
+enum status store_seconds(struct store *store, const char *phase, const double *seconds,
+                          int rows, int columns, struct message *why);
+
+/* A number per frame stored so far, value[count], with its unit ("m", "1"). Once per name,
+ * [a-z_]+. */
+enum status store_metric(struct store *store, const char *name, const char *unit,
+                         const double *value, int count, struct message *why);
+
+/* What was built. */
+enum status store_size(struct store *store, const struct model_size *size,
+                       struct message *why);
+
+/* A sentence on the run that its outcome does not say. Once. */
+enum status store_note(struct store *store, const char *text, struct message *why);
+
+/* One more text attribute of /, [a-z_]+, that this list does not have. Once per key. */
+enum status store_text(struct store *store, const char *key, const char *text,
+                       struct message *why);
+
+/* The run died at t with this status: kept, and written by store_close. */
+void store_death(struct store *store, enum status death, double t);
+
+/* Completes the file, syncs, renames, writes the XDMF; frees in any case. On failure nothing
+ * is left of the file that failed. */
+enum status store_close(struct store *store, struct message *why);
+
+/* Gives the run up: removes the temporary file. NULL is allowed. */
+void store_discard(struct store *store);
+
+#endif

@@ -1,0 +1,182 @@
+#include "bench/files/store_read.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <errno.h>
+
+#include "bench/files/hdf5_file.h"
+#include "models/grid.h"
+
+struct store_read {
+    char *path;
+    hid_t file, xyz;
+    int frames;
+};
+
+static enum status fail(const struct store_read *f, const char *what, struct message *why)
+{
+    char doing[128] = "cannot read ";
+    strncat(doing, what, sizeof doing - strlen(doing) - 1);
+    return hdf5_file_fail(f->path, doing, why);
+}
+
+/* The positions have the shape of store.h. */
+static bool open_xyz(struct store_read *f)
+{
+    hsize_t size[5] = {0};
+
+    if (H5Lexists(f->file, "xyz", H5P_DEFAULT) <= 0)
+        return false;
+    f->xyz = H5Dopen2(f->file, "xyz", H5P_DEFAULT);
+    hid_t space = f->xyz < 0 ? H5I_INVALID_HID : H5Dget_space(f->xyz);
+    bool good = space >= 0 && H5Sget_simple_extent_ndims(space) == 5 &&
+                H5Sget_simple_extent_dims(space, size, NULL) == 5 && size[1] == GRID_W &&
+                size[2] == GRID_V && size[3] == GRID_U && size[4] == 3;
+    if (space >= 0)
+        H5Sclose(space);
+    f->frames = (int)size[0];
+    return good;
+}
+
+enum status store_read_open(const char *path, struct store_read **file, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct stat info;
+    struct store_read *f = calloc(1, sizeof *f);
+
+    if (!f)
+        return STATUS_MEMORY;
+    hdf5_file_start();
+    f->file = f->xyz = H5I_INVALID_HID;
+    f->path = strdup(path);
+    TRY(f->path ? STATUS_OK : STATUS_MEMORY);
+    if (stat(path, &info) != 0)
+        TRY(status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path, strerror(errno)));
+    if (!S_ISREG(info.st_mode) || H5Fis_hdf5(path) <= 0)
+        TRY(status_fail(why, STATUS_INPUT, "%s: is not a result file (not HDF5)", path));
+    f->file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (f->file < 0)
+        TRY(hdf5_file_fail(path, "cannot be read", why));
+    if (!open_xyz(f))
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: is not a result file (no xyz [frame][2][100][100][3])", path));
+    *file = f, f = NULL;
+out:
+    store_read_close(f);
+    return st;
+}
+
+void store_read_close(struct store_read *f)
+{
+    if (!f)
+        return;
+    if (f->xyz >= 0)
+        H5Dclose(f->xyz);
+    if (f->file >= 0)
+        H5Fclose(f->file);
+    free(f->path);
+    free(f);
+}
+
+int store_read_frames(const struct store_read *f)
+{
+    return f->frames;
+}
+
+enum status store_read_frame(const struct store_read *f, int n, double *xyz,
+                             struct message *why)
+{
+    hsize_t start[5] = {(hsize_t)n, 0, 0, 0, 0}, count[5] = {1, GRID_W, GRID_V, GRID_U, 3};
+    assert(0 <= n && n < f->frames);
+
+    hid_t memory = H5Screate_simple(5, count, NULL), space = H5Dget_space(f->xyz);
+    bool good = H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
+                H5Dread(f->xyz, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, xyz) >= 0;
+    H5Sclose(space);
+    H5Sclose(memory);
+    return good ? STATUS_OK : fail(f, "a frame of xyz", why);
+}
+
+/* Every link on the way must exist: the library errs on a missing group. */
+bool store_read_has(const struct store_read *f, const char *name)
+{
+    char part[128];
+    size_t length = strlen(name);
+
+    if (length >= sizeof part)
+        return false;
+    for (size_t i = 1; i <= length; i++) {
+        if (name[i] != '/' && name[i] != '\0')
+            continue;
+        memcpy(part, name, i);
+        part[i] = '\0';
+        if (H5Lexists(f->file, part, H5P_DEFAULT) <= 0)
+            return false;
+    }
+    return true;
+}
+
+enum status store_read_array(const struct store_read *f, const char *name, double **values,
+                             int *rows, int *columns, struct message *why)
+{
+    enum status st = STATUS_OK;
+    hsize_t size[2] = {0, 1};
+    hid_t set = H5I_INVALID_HID, space = H5I_INVALID_HID;
+    double *array = NULL;
+
+    if (!store_read_has(f, name))
+        return status_fail(why, STATUS_INPUT, "%s: has no %s", f->path, name);
+    set = H5Dopen2(f->file, name, H5P_DEFAULT);
+    space = set < 0 ? H5I_INVALID_HID : H5Dget_space(set);
+    int rank = space < 0 ? -1 : H5Sget_simple_extent_ndims(space);
+    if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space, size, NULL) < 0)
+        TRY(fail(f, name, why));
+    array = malloc((size_t)(size[0] * size[1] + 1) * sizeof *array);
+    TRY(array ? STATUS_OK : STATUS_MEMORY);
+    if (H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array) < 0)
+        TRY(fail(f, name, why));
+    *values = array, array = NULL;
+    *rows = (int)size[0];
+    *columns = (int)size[1];
+out:
+    free(array);
+    if (space >= 0)
+        H5Sclose(space);
+    if (set >= 0)
+        H5Dclose(set);
+    return st;
+}
+
+enum status store_read_text(const struct store_read *f, const char *group, const char *key,
+                            char **text, struct message *why)
+{
+    char *library_text = NULL;
+    hid_t type = H5Tcopy(H5T_C_S1);
+    hid_t attribute = H5Aopen_by_name(f->file, group, key, H5P_DEFAULT, H5P_DEFAULT);
+
+    H5Tset_size(type, H5T_VARIABLE);
+    H5Tset_cset(type, H5T_CSET_UTF8);
+    bool good = attribute >= 0 && H5Aread(attribute, type, &library_text) >= 0;
+    *text = good ? strdup(library_text ? library_text : "") : NULL;
+    if (library_text)
+        H5free_memory(library_text);
+    if (attribute >= 0)
+        H5Aclose(attribute);
+    H5Tclose(type);
+    if (!good)
+        return fail(f, key, why);
+    return *text ? STATUS_OK : STATUS_MEMORY;
+}
+
+enum status store_read_number(const struct store_read *f, const char *key, double *number,
+                              struct message *why)
+{
+    hid_t attribute = H5Aopen(f->file, key, H5P_DEFAULT);
+    bool good = attribute >= 0 && H5Aread(attribute, H5T_NATIVE_DOUBLE, number) >= 0;
+
+    if (attribute >= 0)
+        H5Aclose(attribute);
+    return good ? STATUS_OK : fail(f, key, why);
+}

@@ -1,0 +1,108 @@
+#include "bench/harness/motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "bench/ui/progress.h"
+#include "models/clock.h"
+#include "models/grid.h"
+#include "models/metric/metric.h"
+
+/* A net of points looked at after every frame: sampling the whole grid would cost more than
+ * many a frame. A sheet that flies apart passes `suspicious` lengths frames before the 10
+ * of metric_blowup, which then decides on the whole grid. */
+enum { NET = 6, NET_POINTS = NET * NET };
+static const double suspicious = 4;
+
+enum status motion_init(struct motion *m, const struct model *model,
+                        const struct scene *scene, void *state)
+{
+    *m = (struct motion){.model = model, .scene = scene, .state = state};
+    m->frame_count = (int)lround(scene->end / scene->step);
+    m->seconds = malloc((size_t)(m->frame_count + 1) * sizeof *m->seconds);
+    return m->seconds ? STATUS_OK : STATUS_MEMORY;
+}
+
+void motion_clear(struct motion *m)
+{
+    free(m->seconds);
+    *m = (struct motion){0};
+}
+
+static bool looks_well(const struct motion *m)
+{
+    double uvw[NET_POINTS][3], xyz[NET_POINTS][3];
+
+    for (int n = 0; n < NET_POINTS; n++) {
+        uvw[n][0] = (double)(n % NET) / (NET - 1);
+        uvw[n][1] = (double)(n / NET) / (NET - 1);
+        uvw[n][2] = 0.5;
+    }
+    m->model->probe(m->state, NET_POINTS, uvw[0], xyz[0]);
+    for (int n = 0; n < NET_POINTS; n++) {
+        double rest[3], far = 0;
+        scene_rest_point(m->scene, uvw[n], rest);
+        for (int i = 0; i < 3; i++)
+            far += (xyz[n][i] - rest[i]) * (xyz[n][i] - rest[i]);
+        if (!(sqrt(far) < suspicious * m->scene->length)) /* NaN too */
+            return false;
+    }
+    return true;
+}
+
+/* STATUS_OK, STATUS_NAN, STATUS_ESCAPED or STATUS_MEMORY. */
+static enum status look(const struct motion *m)
+{
+    if (looks_well(m))
+        return STATUS_OK;
+    double *xyz = malloc(GRID_POINTS * 3 * sizeof *xyz);
+    if (!xyz)
+        return STATUS_MEMORY;
+    m->model->sample(m->state, xyz);
+    enum status st = metric_blowup(m->scene, xyz);
+    free(xyz);
+    return st;
+}
+
+static enum status advance(struct motion *m)
+{
+    double start = clock_now();
+    enum status st = m->model->advance(m->state, &m->counters);
+
+    m->seconds[m->steps++] = clock_now() - start;
+    if (st == STATUS_OK)
+        st = look(m);
+    if (!status_is_death(st))
+        return st;
+    m->death = st;
+    m->death_time = m->steps * m->scene->step;
+    return STATUS_OK;
+}
+
+enum status motion_run(struct motion *m, motion_watcher *watch, void *context, bool quiet,
+                       struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct progress progress = progress_start(m->model->name, m->frame_count, quiet);
+
+    if (watch)
+        TRY(watch(context, m, why));
+    while (m->frames < m->frame_count) {
+        TRY(advance(m));
+        if (m->death)
+            break;
+        m->time = ++m->frames * m->scene->step;
+        if (watch)
+            TRY(watch(context, m, why));
+        progress_update(&progress, m->frames);
+    }
+out:
+    progress_end(&progress);
+    return st;
+}
+
+enum status motion_tell_death(const struct motion *m, struct message *why)
+{
+    return status_fail(why, m->death, "%s on %s died at t = %.6g s: %s", m->model->name,
+                       m->scene->name, m->death_time, status_text(m->death));
+}

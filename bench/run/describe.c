@@ -1,0 +1,185 @@
+#include "bench/run/describe.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+
+#include "bench/ui/table.h"
+#include "models/damping.h"
+#include "models/clock.h"
+#include "models/grid.h"
+#include "models/linalg/blas_kernel.h"
+#include "models/metric/metric.h"
+
+/* DESIGN.md section 2: where a cantilever's tip by linear theory is 1 % and 10 % wrong. */
+static const double gamma_one_percent = 0.9, gamma_ten_percent = 2.9;
+
+static void describe_gamma(const struct scene *scene, const struct discretization *d,
+                           FILE *file)
+{
+    double gamma = scene_gamma(scene);
+
+    fprintf(file, "Gamma           %.4g (weight against bending)\n", gamma);
+    if (d->kinematics != KINEMATICS_LINEAR || gamma <= gamma_one_percent)
+        return;
+    fprintf(
+        file,
+        "warning: small-strain theory misses a cantilever's tip by more than %s at this "
+        "Gamma\n",
+        gamma > gamma_ten_percent ? "10 %" : "1 %");
+}
+
+static void describe_discretization(const struct discretization *d, FILE *file)
+{
+    fprintf(file, "discretization  %d x %d x %d points, degree (%d,%d,%d), kinematics %s",
+            d->points[0], d->points[1], d->points[2], d->degree[0], d->degree[1],
+            d->degree[2], kinematics_name(d->kinematics));
+    fprintf(file, ", remedy %s", remedy_name(d->remedy));
+    if (d->gauss[0] || d->gauss[1] || d->gauss[2])
+        fprintf(file, ", Gauss (%d,%d,%d)", d->gauss[0], d->gauss[1], d->gauss[2]);
+    for (int i = 0; i < 3; i++)
+        if (d->knot_count[i])
+            fprintf(file, ", %c knots as given", "uvw"[i]);
+    fprintf(file, "%s\n", d->weight_count ? ", weights as given" : "");
+}
+
+static void describe_note(const struct model *model, const void *state, FILE *file)
+{
+    struct message line = {{0}};
+
+    if (model->describe)
+        model->describe(state, &line);
+    if (*line.text)
+        fprintf(file, "note            %s\n", line.text);
+}
+
+void describe_setup(const struct scene *scene, const struct model *model,
+                    const struct discretization *d, const void *state, double seconds,
+                    FILE *file)
+{
+    struct model_size size = {0};
+
+    model->size(state, &size);
+    fprintf(
+        file,
+        "scene           %s: %g x %g m, h = %g m, E = %g Pa, nu = %g, rho = %g kg/m^3\n",
+        scene->name, scene->length, scene->width, scene->thickness, scene->young,
+        scene->poisson, scene->density);
+    fprintf(file, "damping         %s", damping_name(scene->damping.kind));
+    if (scene->damping.kind == DAMPING_RAYLEIGH)
+        fprintf(file, ", alpha %g 1/s, beta %g s", scene->damping.alpha,
+                scene->damping.beta);
+    else if (scene->damping.kind != DAMPING_NONE)
+        fprintf(file, " %g", scene->damping.value);
+    if (scene_needs(scene) & SCENE_NEED_INITIAL_MOTION)
+        fprintf(file,
+                "\nstarts with     velocity (%g, %g, %g) m/s, spin (%g, %g, %g) rad/s",
+                scene->velocity[0], scene->velocity[1], scene->velocity[2], scene->spin[0],
+                scene->spin[1], scene->spin[2]);
+    fprintf(file, "\ntime            to %g s in steps of %g s\n", scene->end, scene->step);
+    describe_gamma(scene, d, file);
+    fprintf(file, "model           %s: %s\n", model->name, model->title);
+    describe_discretization(d, file);
+    fprintf(
+        file,
+        "unknowns        %ld of %ld nodes, as %s; solver %s, %ld numbers in its factor\n",
+        size.unknowns, size.nodes, size.unknown_basis ? size.unknown_basis : "-",
+        size.solver ? size.solver : "none", size.factor_entries);
+    describe_note(model, state, file);
+    fprintf(file, "set-up          %.3f ms\n", 1e3 * seconds);
+}
+
+void describe_motion(const struct motion *m, FILE *file)
+{
+    const struct counters *c = &m->counters;
+
+    fprintf(file, "frames          %d of %d, to t = %g s\n", m->frames, m->frame_count,
+            m->time);
+    if (m->steps) {
+        struct clock_summary s = clock_summarise(m->seconds, m->steps);
+        fprintf(file,
+                "ms a frame      median %.4f, min %.4f, quartiles %.4f and %.4f, max %.4f, "
+                "first %.4f\n",
+                1e3 * s.median, 1e3 * s.min, 1e3 * s.lower, 1e3 * s.upper, 1e3 * s.max,
+                1e3 * m->seconds[0]);
+    }
+    fprintf(file,
+            "work            %ld steps in %ld pieces, %ld assemblies, %ld factorisations, "
+            "%ld solves, %ld iterations\n",
+            c->steps, c->substeps > c->steps ? c->substeps : c->steps, c->assemblies,
+            c->factorisations, c->solves, c->iterations);
+    fprintf(file, "threads         %d OpenMP, %d BLAS (%s kernel)\n", omp_get_max_threads(),
+            blas_kernel_threads(), blas_kernel_name());
+    fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());
+}
+
+static void add_row(struct table *t, const char *name, double value, const char *unit)
+{
+    table_row(t);
+    table_text(t, "%s", name);
+    table_number(t, value, 6);
+    table_text(t, "%s", unit);
+}
+
+/* NaN: not known. */
+static void add_count(struct table *t, const char *name, double value, const char *unit)
+{
+    table_row(t);
+    table_text(t, "%s", name);
+    if (isnan(value))
+        table_dash(t);
+    else
+        table_integer(t, (long)value);
+    table_text(t, "%s", unit);
+}
+
+/* NaN: the model has no such energy in its kinematics. */
+static void add_energy(struct table *t, const char *name, double value)
+{
+    if (!isnan(value)) {
+        add_row(t, name, value, "J");
+        return;
+    }
+    table_row(t);
+    table_text(t, "%s", name);
+    table_dash(t);
+    table_text(t, "J");
+}
+
+enum status describe_state(const struct scene *scene, const struct model *model,
+                           const void *state, double t, FILE *file)
+{
+    static const struct table_column columns[] = {
+        {"", NULL, TABLE_LEFT}, {"value", NULL, TABLE_RIGHT}, {"unit", NULL, TABLE_LEFT}};
+    enum status st = STATUS_OK;
+    struct energy energy = {NAN, NAN, NAN};
+    char caption[64];
+    double *xyz = malloc(GRID_POINTS * 3 * sizeof *xyz);
+    struct table *table = NULL;
+
+    if (!xyz)
+        return STATUS_MEMORY;
+    model->sample(state, xyz);
+    if (model->energy)
+        model->energy(state, &energy);
+    snprintf(caption, sizeof caption, "At t = %g s:", t);
+    table = table_create(3, columns, caption);
+    add_row(table, "drop", metric_drop(scene, xyz), "L");
+    add_row(table, "angle", metric_angle(scene, xyz), "degrees");
+    add_row(table, "largest stretch", metric_stretch(scene, xyz), "1");
+    add_row(table, "roughness", metric_roughness(scene, xyz), "1");
+    if (scene->obstacle_count)
+        add_row(table, "penetration", metric_penetration(scene, xyz), "m");
+    add_count(table, "self-intersections", metric_intersections(xyz), "pairs");
+    add_energy(table, "kinetic energy", energy.kinetic);
+    add_energy(table, "elastic energy", energy.elastic);
+    add_energy(table, "potential energy", energy.potential);
+    fputc('\n', file);
+    TRY(table_print(table, TABLE_TEXT, file));
+out:
+    if (st == STATUS_FILE) /* standard error that takes nothing is no reason to fail */
+        st = STATUS_OK;
+    table_destroy(table);
+    free(xyz);
+    return st;
+}

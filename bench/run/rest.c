@@ -1,0 +1,139 @@
+#include "bench/run/rest.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A displacement is a difference of positions, about one length each: below this many
+ * lengths it is their rounding. */
+static const double round_off = 1e-15;
+static const double two_pi = 6.283185307179586;
+
+/* Deflections of plates are told in this unit: rho g h L^4 / D [m]. */
+static double deflection_unit(const struct scene *scene)
+{
+    return scene_gamma(scene) * scene->length;
+}
+
+static void add_point(struct table *t, const struct scene *scene, const double uvw[3],
+                      const double xyz[3])
+{
+    double rest[3], along = 0, gravity = 0, unit = deflection_unit(scene);
+
+    scene_rest_point(scene, uvw, rest);
+    table_row(t);
+    table_text(t, "%g,%g,%g", uvw[0], uvw[1], uvw[2]);
+    for (int i = 0; i < 3; i++) {
+        double d = xyz[i] - rest[i];
+        if (fabs(d) < round_off * scene->length)
+            d = 0;
+        table_number(t, d, 7);
+        along += d * scene->gravity[i];
+        gravity += scene->gravity[i] * scene->gravity[i];
+    }
+    if (unit > 0)
+        table_number(t, along / sqrt(gravity) / unit, 7);
+    else
+        table_dash(t);
+}
+
+enum status rest_static(const struct scene *scene, const struct model *model, void *state,
+                        enum table_format format, FILE *file, struct message *why)
+{
+    static const struct table_column columns[] = {
+        {"point u,v,w", NULL, TABLE_LEFT},
+        {"dx", "m", TABLE_RIGHT},
+        {"dy", "m", TABLE_RIGHT},
+        {"dz", "m", TABLE_RIGHT},
+        {"deflection", "rho g h L^4/D", TABLE_RIGHT}};
+    static const double at[] = {0, 0.5, 1};
+    enum status st = STATUS_OK;
+    struct counters counters = {0};
+    struct energy energy = {NAN, NAN, NAN};
+    struct table *t = NULL;
+
+    if (!model->equilibrium)
+        return status_fail(why, STATUS_UNSUPPORTED, "%s has no --static", model->name);
+    TRY(model->equilibrium(state, &counters, why));
+    if (model->energy)
+        model->energy(state, &energy);
+    t = table_create(5, columns, "Displacements in static equilibrium");
+    for (int n = 0; n < 9; n++) {
+        double uvw[3] = {at[n / 3], at[n % 3], 0.5}, xyz[3];
+        model->probe(state, 1, uvw, xyz);
+        add_point(t, scene, uvw, xyz);
+    }
+    table_note(t,
+               "Deflection is displacement along gravity; a beam of this length, clamped "
+               "at u = 0, has 1/8 at its tip where nu = 0.");
+    table_note(t, "Energies [J]: elastic %.7g, potential %.7g.", energy.elastic,
+               energy.potential);
+    TRY(table_print(t, format, file));
+out:
+    table_destroy(t);
+    return st;
+}
+
+/* A mode that grows has no frequency: its rate is told with the sign of omega (model.h). */
+static void add_mode(struct table *t, const struct scene *scene, int n, double omega)
+{
+    double L = scene->length, mass = scene->density * scene->thickness;
+    double unit = L * L * sqrt(mass / scene_bending_stiffness(scene));
+
+    table_row(t);
+    table_integer(t, n);
+    table_number(t, omega, 9);
+    if (omega < 0)
+        table_text(t, "unstable");
+    else
+        table_number(t, omega / two_pi, 9);
+    table_number(t, omega * unit, 9);
+}
+
+static void add_notes(struct table *t, bool settled, int count, const double *omega)
+{
+    int unstable = 0;
+
+    while (unstable < count && omega[unstable] < 0)
+        unstable++;
+    table_note(t, "lambda = omega L^2 sqrt(rho h / D), D = E h^3 / 12 (1 - nu^2).");
+    if (unstable)
+        table_note(t,
+                   "The equilibrium is unstable: %d of these modes grow%s, as exp(-omega "
+                   "t).",
+                   unstable, unstable == 1 ? "s" : "");
+    else if (settled)
+        table_note(t, "The equilibrium is stable: no mode grows.");
+}
+
+enum status rest_modes(const struct scene *scene, const struct model *model, void *state,
+                       int count, bool settled, enum table_format format, FILE *file,
+                       struct message *why)
+{
+    static const struct table_column columns[] = {{"mode", NULL, TABLE_RIGHT},
+                                                  {"omega", "rad/s", TABLE_RIGHT},
+                                                  {"frequency", "Hz", TABLE_RIGHT},
+                                                  {"lambda", "1", TABLE_RIGHT}};
+    enum status st = STATUS_OK;
+    double *omega = malloc((size_t)count * sizeof *omega);
+    struct counters counters = {0};
+    struct table *t = NULL;
+
+    if (!omega)
+        return STATUS_MEMORY;
+    if (!model->modes || (settled && !model->equilibrium))
+        TRY(status_fail(why, STATUS_UNSUPPORTED, "%s has no --modes", model->name));
+    if (settled)
+        TRY(model->equilibrium(state, &counters, why));
+    TRY(model->modes(state, count, omega, why));
+    t = table_create(4, columns,
+                     settled ? "Natural frequencies about static equilibrium"
+                             : "Natural frequencies about the rest shape");
+    for (int n = 0; n < count; n++)
+        add_mode(t, scene, n + 1, omega[n]);
+    add_notes(t, settled, count, omega);
+    TRY(table_print(t, format, file));
+out:
+    table_destroy(t);
+    free(omega);
+    return st;
+}

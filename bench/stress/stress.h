@@ -1,0 +1,152 @@
+/* stress.h - hard cases, for every model: thin to h/L = 1e-5, nearly incompressible, steps
+ * of 0.1 s, nets of one element, other units, ten thousand steps, ... What a model makes of
+ * a case is exactly one of four things, and never silence:
+ *
+ *   accurate   it ran, and its error is within the case's bound
+ *   degraded   it ran, and its error is beyond that
+ *   refused    it said in a sentence why it will not
+ *   died       at a time and for a cause: numerical death, crash, or time limit
+ *
+ * The error is against a truth that the case names; the bound is one number a case, the
+ * same for every model. Each (case, model) is a process of its own (child.h) and leaves a
+ * text file FOLDER/CASE.MODEL.txt; tables are printed from these files alone.
+ */
+#ifndef STRESS_H
+#define STRESS_H
+
+#include "bench/ui/command.h"
+#include "bench/ui/table.h"
+#include "bench/truth/truth.h"
+
+enum stress_end { STRESS_ACCURATE, STRESS_DEGRADED, STRESS_REFUSED, STRESS_DIED };
+
+/* "accurate", ...; static storage. */
+const char *stress_end_name(enum stress_end end);
+
+/* What the error of a case is measured against, and how. */
+enum stress_truth {
+    STRESS_PLATE,      /* tip at rest against the Kirchhoff plate; relative              */
+    STRESS_ELASTICA,   /* tip at rest against the heavy elastica; distance / L           */
+    STRESS_VIBRATION,  /* tip in time against the Kirchhoff plate's modal solution; over
+                          its greatest deflection                                        */
+    STRESS_SIMILAR,    /* motion against the model's own in other units; RMSE / L        */
+    STRESS_ENERGY,     /* greatest drift of energy over the energy in play               */
+    STRESS_BUCKLED,    /* middle of a shortened strip against Euler's elastica; / L      */
+    STRESS_STILL,      /* motion where there should be none; RMSE / L                    */
+    STRESS_STILL_REST, /* the same from the model's own static equilibrium               */
+    STRESS_SHIFTED,    /* where a thrown sheet comes to rest; RMSE / L                   */
+    STRESS_SHELL,      /* motion against a finer nonlinear shell (truth.h); RMSE / L     */
+    STRESS_TRUTHS
+};
+
+/* One sentence on it. */
+const char *stress_truth_text(enum stress_truth truth);
+
+enum { STRESS_SETTINGS = 8 };
+
+struct stress_case {
+    struct command_item item; /* name [a-z0-9_]+, and what is hard; first: items of the
+                                 command are pointers to these                         */
+    enum stress_truth truth;
+    double gamma;                          /* sets E; 0: left as it is                  */
+    const char *physics[STRESS_SETTINGS];  /* KEY=VALUE on stress_scene; NULL ends      */
+    const char *numerics[STRESS_SETTINGS]; /* the same, of every model                 */
+    int side;            /* points a side of nets; 0: 10; 1: one element             */
+    double weight_ratio; /* NURBS weights: of every other row to the rest; 0: none     */
+    double length, mass, time; /* SIMILAR: the other units in ours [m], [kg], [s]      */
+    double bound;              /* of the error, to be accurate                         */
+    const char *why;           /* that bound                                           */
+    bool quick;                /* part of --quick                                      */
+    const char *quick_end;     /* setting of time.end then; NULL: as ever              */
+};
+
+extern const char *const stress_scene; /* what all cases start from, by name           */
+/* The command's words: the map, then the cases; ends with NULL. */
+extern const struct command_item *const stress_items[];
+
+/* Case n = 0, 1, ...; NULL past the last. */
+const struct stress_case *stress_case_at(int n);
+
+/* A model with what it needs to be told. */
+struct stress_model {
+    const char *name;  /* [a-z0-9_]+                                                   */
+    const char *title; /* a word or two, for columns                                   */
+    const char *model; /* in the registry                                              */
+    int layers;        /* control points through the thickness; 0: a surface           */
+    int least;         /* points a side of a net of one element                        */
+    const char *settings[STRESS_SETTINGS];
+};
+
+enum { STRESS_MODELS = 10 };
+extern const struct stress_model stress_models[STRESS_MODELS];
+
+/* What was asked for. */
+struct stress_choice {
+    int word_count;
+    const char *const *words; /* names of cases; 0 of them: all                        */
+    const char *models;       /* "a,b": models or rows of stress_models; NULL: all     */
+    bool quick;               /* of all cases, the quick ones                          */
+};
+
+bool stress_choice_case(const struct stress_choice *choice, const struct stress_case *c);
+bool stress_choice_model(const struct stress_choice *choice, const struct stress_model *m);
+bool stress_choice_map(const struct stress_choice *choice);
+
+/* STATUS_INPUT with a sentence: no such case or model. */
+enum status stress_choice_check(const struct stress_choice *choice, struct message *why);
+
+/* How a (case, model) went. */
+struct stress_result {
+    enum stress_outcome { STRESS_RAN, STRESS_SAID_NO, STRESS_DEAD } outcome;
+    double error;   /* ran; NaN otherwise                                              */
+    double time;    /* of death, or until when the error was within the bound; NaN [s] */
+    double seconds; /* of processor time                                               */
+    struct message sentence; /* why refused or dead; what else is worth knowing        */
+};
+
+/* The one of four. An error that is no number is a death. */
+enum stress_end stress_classify(const struct stress_result *r, double bound);
+
+/* The file of a result. STATUS_FILE, STATUS_INPUT: it is none. */
+enum status stress_write(const char *folder, const char *name,
+                         const struct stress_result *r, struct message *why);
+enum status stress_read(const char *folder, const char *name, struct stress_result *r,
+                        struct message *why);
+
+/* CASE.MODEL into text[size]. */
+void stress_name(const struct stress_case *c, const struct stress_model *m, char *text,
+                 int size);
+
+struct stress_job {
+    const struct stress_case *c;      /*                                         borrowed */
+    const struct stress_model *model; /*                                      borrowed */
+    const char *path;                 /* of stress_scene's file                  borrowed */
+    const char *folder;               /* for truths that are kept                borrowed */
+    bool quick;
+};
+
+/* Runs one (case, model) here and now: refusals and deaths are results. Anything but
+ * STATUS_OK is the harness's own failure. */
+enum status stress_run(const struct stress_job *job, struct stress_result *r,
+                       struct message *why);
+
+/* The truth of a case of STRESS_SHELL, at some times, kept in the folder. As truth_find. */
+enum status stress_find_truth(const struct stress_job *job, enum truth_effort effort,
+                              struct truth **truth, struct message *why);
+
+/* The stability map: steps of 0.1 ms to 0.1 s by six decades of E/rho, on small nets, for
+ * the models wanted[STRESS_MODELS]. A sweep of its own in FOLDER/map. */
+enum status stress_map_measure(const char *folder, const bool *wanted, int jobs, bool quick,
+                               struct message *why);
+
+/* What it shows: map.png in FOLDER/map and a table; *there: there is one. */
+enum status stress_map_print(const char *folder, enum table_format format, FILE *file,
+                             bool *there, struct message *why);
+
+/* Tables of what is in the folder of what was asked for. */
+enum status stress_print(const char *folder, const struct stress_choice *choice,
+                         enum table_format format, FILE *file, struct message *why);
+
+extern const struct command stress_command;
+
+#endif

@@ -1,0 +1,302 @@
+/* The errors of hard cases. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "bench/files/folder.h"
+#include "bench/stress/stress_run.h"
+#include "fem_ref/elastica.h"
+#include "models/grid.h"
+#include "models/metric/metric.h"
+
+static const double tip[3] = {1, 0.5, 0.5}, middle[3] = {0.5, 0.5, 0.5};
+
+/* Functions a direction: 24 give statics to 1e-6. */
+enum { TERMS = 24 };
+
+static enum status make_plate(struct stress_run *r, struct message *why)
+{
+    const struct scene *s = &r->trial.scene;
+    const struct kirchhoff_plate plate = {s->length, s->width,   s->thickness,
+                                          s->young,  s->poisson, s->density};
+    enum status st = kirchhoff_create(&plate, TERMS, &r->plate);
+
+    r->load = s->density * s->thickness * -s->gravity[2];
+    return st == STATUS_OK ? st : status_fail(why, st, "%s", status_text(st));
+}
+
+static enum status judge_plate(struct stress_run *r, struct message *why)
+{
+    const struct scene *s = &r->trial.scene;
+    double d[3];
+    enum status st;
+
+    TRY(make_plate(r, why));
+    TRY(stress_run_settle(r, why));
+    stress_run_displacement(r, tip, d);
+    r->result->error =
+        fabs(-d[2] / kirchhoff_static(r->plate, r->load, s->length, s->width / 2) - 1);
+out:
+    return st;
+}
+
+static enum status judge_elastica(struct stress_run *r, struct message *why)
+{
+    const struct scene *s = &r->trial.scene;
+    struct elastica e;
+    double d[3];
+    enum status st;
+
+    TRY(elastica_solve(scene_gamma(s), &e));
+    TRY(stress_run_settle(r, why));
+    stress_run_displacement(r, tip, d);
+    r->result->error = hypot(d[0] / s->length + 1 - e.reach, d[2] / s->length + e.drop);
+out:
+    return st;
+}
+
+static enum status watch_vibration(void *context, const struct motion *m,
+                                   struct message *why)
+{
+    struct stress_run *r = context;
+    const struct scene *s = &r->trial.scene;
+    const double at = s->length, half = s->width / 2;
+    double d[3];
+
+    (void)why;
+    stress_run_displacement(r, tip, d);
+    const double true_tip = kirchhoff_transient(r->plate, r->load, 0, m->time, at, half);
+    const double greatest = 2 * kirchhoff_static(r->plate, r->load, at, half);
+    stress_run_note(r, m->time, fabs(-d[2] - true_tip) / greatest);
+    return STATUS_OK;
+}
+
+static enum status judge_vibration(struct stress_run *r, struct message *why)
+{
+    enum status st;
+
+    r->result->error = 0;
+    TRY(make_plate(r, why));
+    st = stress_run_move(r, watch_vibration, why);
+out:
+    return st;
+}
+
+/* The scene in units of `length` metres, `mass` kilograms and `time` seconds. */
+static void change_units(struct scene *s, double length, double mass, double time)
+{
+    s->length /= length, s->width /= length, s->thickness /= length;
+    s->young *= length * time * time / mass;
+    s->density *= length * length * length / mass;
+    for (int i = 0; i < 3; i++)
+        s->gravity[i] *= time * time / length, s->origin[i] /= length;
+    s->damping.value *= time;
+    s->step /= time, s->end /= time;
+}
+
+static enum status judge_similar(struct stress_run *r, struct message *why)
+{
+    const struct stress_case *c = r->job->c;
+    struct stress_run other = *r;
+    enum status st;
+
+    other.trial = (struct trial){0};
+    TRY(stress_run_move(r, NULL, why));
+    r->trial.model->sample(r->trial.state, r->xyz);
+    TRY(stress_run_read(r->job, &other.trial, why));
+    change_units(&other.trial.scene, c->length, c->mass, c->time);
+    TRY(trial_build(&other.trial, why));
+    TRY(stress_run_move(&other, NULL, why));
+    other.trial.model->sample(other.trial.state, r->first);
+    for (size_t n = 0; n < 3 * GRID_POINTS; n++)
+        r->first[n] *= c->length;
+    r->result->error = metric_rmse(r->xyz, r->first) / r->trial.scene.length;
+out:
+    if (st != STATUS_OK && isfinite(r->result->time))
+        r->result->time *= other.trial.state ? c->time : 1;
+    trial_close(&other.trial);
+    return st;
+}
+
+static enum status watch_energy(void *context, const struct motion *m, struct message *why)
+{
+    struct stress_run *r = context;
+
+    (void)why;
+    if (!r->energies)
+        r->energies = calloc((size_t)m->frame_count + 1, sizeof *r->energies);
+    if (!r->energies)
+        return STATUS_MEMORY;
+    m->model->energy(m->state, &r->energies[r->frames++]);
+    return STATUS_OK;
+}
+
+static enum status judge_energy(struct stress_run *r, struct message *why)
+{
+    const struct trial *t = &r->trial;
+    struct energy rest = {NAN, NAN, NAN};
+    double *drift = NULL;
+    enum status st;
+
+    if (t->model->energy)
+        t->model->energy(t->state, &rest);
+    if (!isfinite(rest.elastic))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "unsupported: no elastic energy that could be kept");
+    TRY(stress_run_move(r, watch_energy, why));
+    drift = malloc((size_t)r->frames * sizeof *drift);
+    TRY(drift ? STATUS_OK : STATUS_MEMORY);
+    metric_energy_drift(r->frames, r->energies, drift);
+    r->result->error = 0;
+    double most = 0, least = 0;
+    for (int n = 0; n < r->frames; n++) {
+        stress_run_note(r, n * t->scene.step, fabs(drift[n]));
+        most = fmax(most, drift[n]), least = fmin(least, drift[n]);
+    }
+    snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
+             "%d steps: %.2g won at most, %.2g lost at most, of the energy in play",
+             r->frames - 1, most, -least);
+out:
+    free(drift);
+    return st;
+}
+
+static enum status judge_buckled(struct stress_run *r, struct message *why)
+{
+    const struct scene *s = &r->trial.scene;
+    const struct scene_support *moved = &s->supports[s->support_count - 1];
+    double d[3], shift[3];
+    enum status st;
+
+    scene_support_shift(moved, s->end, shift);
+    TRY(stress_run_move(r, NULL, why));
+    stress_run_displacement(r, middle, d);
+    r->result->error =
+        fabs(fabs(d[2]) / s->length - elastica_buckled(-shift[0] / s->length));
+out:
+    return st;
+}
+
+static enum status watch_still(void *context, const struct motion *m, struct message *why)
+{
+    struct stress_run *r = context;
+
+    (void)why;
+    m->model->sample(m->state, m->frames ? r->xyz : r->first);
+    if (m->frames)
+        stress_run_note(r, m->time, metric_rmse(r->xyz, r->first) / m->scene->length);
+    return STATUS_OK;
+}
+
+static enum status judge_still(struct stress_run *r, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (r->job->c->truth == STRESS_STILL_REST) {
+        if (!r->trial.model->equilibrium)
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "unsupported: no static equilibrium to start from");
+        TRY(stress_run_settle(r, why));
+    }
+    r->result->error = 0;
+    st = stress_run_move(r, watch_still, why);
+out:
+    return st;
+}
+
+static enum status judge_shifted(struct stress_run *r, struct message *why)
+{
+    const struct scene *s = &r->trial.scene;
+    double shift[3], uvw[3];
+    enum status st;
+
+    scene_support_shift(&s->supports[0], s->end, shift);
+    TRY(stress_run_move(r, NULL, why));
+    r->trial.model->sample(r->trial.state, r->xyz);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        grid_point(n, uvw);
+        scene_rest_point(s, uvw, r->first + 3 * (size_t)n);
+        for (int i = 0; i < 3; i++)
+            r->first[3 * (size_t)n + (size_t)i] += shift[i];
+    }
+    r->result->error = metric_rmse(r->xyz, r->first) / s->length;
+out:
+    return st;
+}
+
+enum status stress_find_truth(const struct stress_job *job, enum truth_effort effort,
+                              struct truth **truth, struct message *why)
+{
+    static const double time[] = {0.1, 0.2, 0.3};
+    char folder[4096];
+    int count = 0;
+
+    while (count < STRESS_SETTINGS && job->c->physics[count])
+        count++;
+    snprintf(folder, sizeof folder, "%s/%s.truth", job->folder, job->c->item.name);
+    const enum status st = effort == TRUTH_READ ? STATUS_OK : folder_make(folder, why);
+    return st == STATUS_OK
+               ? truth_find(job->path, count, job->c->physics, sizeof time / sizeof *time,
+                            time, folder, effort, truth, why)
+               : st;
+}
+
+static enum status watch_shell(void *context, const struct motion *m, struct message *why)
+{
+    struct stress_run *r = context;
+    const struct truth *truth = r->truth;
+
+    (void)why;
+    for (int n = 0; n < truth->times; n++)
+        if (fabs(m->time - truth->time[n]) < m->scene->step / 4) {
+            m->model->sample(m->state, r->xyz);
+            stress_run_note(r, m->time,
+                            metric_rmse(r->xyz, truth->xyz[n]) / m->scene->length);
+        }
+    return STATUS_OK;
+}
+
+static enum status judge_shell(struct stress_run *r, struct message *why)
+{
+    struct message missing = {""};
+    enum status st;
+
+    if (stress_find_truth(r->job, TRUTH_READ, &r->truth, &missing) != STATUS_OK)
+        return status_fail(why, STATUS_UNSUPPORTED, "no truth to hold it against: %.900s",
+                           missing.text);
+    r->result->error = 0;
+    TRY(stress_run_move(r, watch_shell, why));
+    snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
+             "the truth's error bar is %.2g",
+             r->truth->error[r->truth->times - 1] / r->trial.scene.length);
+out:
+    return st;
+}
+
+enum status stress_judge(struct stress_run *r, struct message *why)
+{
+    switch (r->job->c->truth) {
+    case STRESS_PLATE:
+        return judge_plate(r, why);
+    case STRESS_ELASTICA:
+        return judge_elastica(r, why);
+    case STRESS_VIBRATION:
+        return judge_vibration(r, why);
+    case STRESS_SIMILAR:
+        return judge_similar(r, why);
+    case STRESS_ENERGY:
+        return judge_energy(r, why);
+    case STRESS_BUCKLED:
+        return judge_buckled(r, why);
+    case STRESS_STILL:
+    case STRESS_STILL_REST:
+        return judge_still(r, why);
+    case STRESS_SHIFTED:
+        return judge_shifted(r, why);
+    case STRESS_SHELL:
+        return judge_shell(r, why);
+    case STRESS_TRUTHS:
+        break;
+    }
+    return STATUS_LIBRARY;
+}

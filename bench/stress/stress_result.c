@@ -1,0 +1,113 @@
+/* What a trial of `stress` left: its file, and which of the four ends it is. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/files/output.h"
+#include "bench/stress/stress.h"
+
+static const char *const outcome_words[] = {
+    [STRESS_RAN] = "ran", [STRESS_SAID_NO] = "refused", [STRESS_DEAD] = "died"};
+enum { OUTCOMES = sizeof outcome_words / sizeof *outcome_words };
+
+const char *stress_end_name(enum stress_end end)
+{
+    static const char *const names[] = {"accurate", "degraded", "refused", "died"};
+
+    return names[end];
+}
+
+enum stress_end stress_classify(const struct stress_result *r, double bound)
+{
+    if (r->outcome == STRESS_SAID_NO)
+        return STRESS_REFUSED;
+    if (r->outcome == STRESS_DEAD || !isfinite(r->error))
+        return STRESS_DIED;
+    return r->error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
+}
+
+void stress_name(const struct stress_case *c, const struct stress_model *m, char *text,
+                 int size)
+{
+    snprintf(text, (size_t)size, "%s.%s", c->item.name, m->name);
+}
+
+static void file_of(const char *folder, const char *name, char *path, int size)
+{
+    snprintf(path, (size_t)size, "%s/%s.txt", folder, name);
+}
+
+enum status stress_write(const char *folder, const char *name,
+                         const struct stress_result *r, struct message *why)
+{
+    struct output *out = NULL;
+    char path[4096];
+    enum status st;
+
+    file_of(folder, name, path, sizeof path);
+    TRY(output_create(path, &out, why));
+    output_print(out, "outcome %s\nerror %.17g\ntime %.17g\nseconds %.17g\nsentence %s\n",
+                 outcome_words[r->outcome], r->error, r->time, r->seconds,
+                 r->sentence.text);
+    st = output_close(out, why);
+out:
+    return st;
+}
+
+/* The rest of a line that begins with `key` and a blank into text[size]. */
+static bool read_line(FILE *file, const char *key, char *text, int size)
+{
+    char line[sizeof((struct message *)NULL)->text + 64];
+    const size_t length = strlen(key);
+
+    if (!fgets(line, sizeof line, file) || strncmp(line, key, length) ||
+        line[length] != ' ' || !strchr(line, '\n'))
+        return false;
+    line[strcspn(line, "\n")] = '\0';
+    snprintf(text, (size_t)size, "%s", line + length + 1);
+    return true;
+}
+
+static bool read_number(FILE *file, const char *key, double *number)
+{
+    char text[64], *end = text;
+
+    if (!read_line(file, key, text, sizeof text))
+        return false;
+    *number = strtod(text, &end);
+    return end != text && !*end;
+}
+
+static bool read_result(FILE *file, struct stress_result *r)
+{
+    char word[64];
+    int outcome = 0;
+
+    if (!read_line(file, "outcome", word, sizeof word))
+        return false;
+    while (outcome < OUTCOMES && strcmp(outcome_words[outcome], word))
+        outcome++;
+    r->outcome = (enum stress_outcome)outcome;
+    return outcome < OUTCOMES && read_number(file, "error", &r->error) &&
+           read_number(file, "time", &r->time) &&
+           read_number(file, "seconds", &r->seconds) &&
+           read_line(file, "sentence", r->sentence.text, sizeof r->sentence.text);
+}
+
+enum status stress_read(const char *folder, const char *name, struct stress_result *r,
+                        struct message *why)
+{
+    char path[4096];
+    enum status st = STATUS_OK;
+
+    *r = (struct stress_result){.error = NAN, .time = NAN, .seconds = NAN};
+    file_of(folder, name, path, sizeof path);
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return status_fail(why, STATUS_FILE, "%s cannot be read", path);
+    if (!read_result(file, r))
+        st = status_fail(why, STATUS_INPUT, "%s is no result of `stress`", path);
+    fclose(file);
+    return st;
+}

@@ -1,9 +1,0 @@
-/* studies.h - the command `study`. */
-#ifndef STUDIES_H
-#define STUDIES_H
-
-#include "bench/command.h"
-
-extern const struct command studies_command;
-
-#endif

@@ -1,0 +1,10 @@
+/* study_artefacts.h - Ren et al. 2024, Fig. 16: what can be wrong with a sheet, shown by
+ * runs and found by the rules of Table 4. */
+#ifndef STUDY_ARTEFACTS_H
+#define STUDY_ARTEFACTS_H
+
+#include "bench/experiment/exhibit.h"
+
+extern const struct exhibit study_artefacts_exhibit;
+
+#endif

@@ -1,0 +1,92 @@
+/* study_cures.h - the cures for locking beside each other: a square cantilever under its
+ * own weight on the paper's own net, at every thickness and Poisson's ratio, in linear and
+ * nonlinear statics, against a truth that is computed in the same run by something else:
+ *
+ *   h/L = 0.1, linear and nonlinear   a 3-D solid of degree (4,4,3), graded to the clamp;
+ *   thinner, linear                   Kirchhoff's plate;
+ *   thinner, nonlinear                the elastica at nu = 0 (a strip does not curl), the
+ *                                     shell of degree 4 at h/L = 1e-2 else: at the same
+ *                                     Gamma thin sheets have one shape.
+ *
+ * Error bars: the same on a coarser net. What a rebuilt frame costs is timed on edge_drop.
+ */
+#ifndef STUDY_CURES_H
+#define STUDY_CURES_H
+
+#include "bench/experiment/timed.h"
+
+extern const struct exhibit study_cures_exhibit;
+
+enum {
+    STUDY_CURES_SPACES = 6,
+    STUDY_CURES_THICKNESSES = 5,
+    STUDY_CURES_NUS = 3,
+    STUDY_CURES_LAWS = 3, /* linear; nonlinear at two Gammas                           */
+    /* what is solved: the spaces, then */
+    STUDY_CURES_TRUTH = STUDY_CURES_SPACES,
+    STUDY_CURES_COARSER, /* the truth's error bar                                      */
+    STUDY_CURES_SLIT,    /* the 3-D solid whose clamp leaves the thickness free        */
+    STUDY_CURES_WHATS
+};
+
+struct study_cures_space {
+    const char *label, *name; /* of tables; of files, [a-z0-9_]+                       */
+    int degree;               /* along u and v                                         */
+    enum remedy remedy;
+};
+extern const struct study_cures_space study_cures_space[STUDY_CURES_SPACES];
+extern const double study_cures_thickness[STUDY_CURES_THICKNESSES]; /* h/L             */
+extern const double study_cures_nu[STUDY_CURES_NUS];
+extern const double study_cures_gamma[STUDY_CURES_LAWS]; /* 0: linear                  */
+
+/* Asked of a cure: tip over truth, but for this.                                      */
+extern const double study_cures_target;
+
+/* A tip, or the distance to it; NaN: not found, not asked for, or there is none. */
+struct study_cures_tip {
+    double x, z; /* along and below the clamp                                      [L] */
+};
+
+struct study_cures {
+    struct study_cures_tip tip[STUDY_CURES_WHATS][STUDY_CURES_LAWS][STUDY_CURES_NUS]
+                              [STUDY_CURES_THICKNESSES];
+    int zero_modes[STUDY_CURES_SPACES];
+    struct timed_result frame[STUDY_CURES_SPACES];
+    char machine[TIMED_PATH];
+};
+
+/* Tip of a cantilever; a death leaves NaN. (study_cures_truth.c) */
+struct study_cures_case {
+    const char *model;
+    double nu, thickness, gamma; /* gamma 0: linear, of a load such that it is 0.01    */
+    int degree[3], points[3];
+    enum remedy remedy;
+    bool graded; /* knots crowd at the clamp and at the sides                          */
+    bool slit;   /* the clamp holds z on its lower edge alone                          */
+};
+enum status study_cures_solve(const struct study_cures_case *c, struct study_cures_tip *tip,
+                              struct message *why);
+
+/* The truth (STUDY_CURES_TRUTH, _COARSER, _SLIT) of a law, nu and thickness; NaN where
+ * there is none. */
+enum status study_cures_truth(int what, int law, int nu, int thickness, bool quick,
+                              struct study_cures_tip *tip, struct message *why);
+
+/* Zero modes of the free sheet, h/L = 0.02, by the eigenvalues of its stiffness. */
+enum status study_cures_zero_modes(const struct study_cures_space *space, int *count,
+                                   struct message *why);
+
+/* |tip / truth - 1| of one cell. */
+double study_cures_error(const struct study_cures *s, int space, int law, int nu, int n);
+
+enum status study_cures_read(const char *folder, struct study_cures **s,
+                             struct message *why);
+void study_cures_destroy(struct study_cures *s); /* NULL is allowed */
+enum status study_cures_print(const char *folder, enum table_format format, FILE *file,
+                              struct message *why); /* study_cures_print.c             */
+
+/* errors.csv and, by gnuplot, cures.png into the folder (study_cures_plot.c). */
+enum status study_cures_plot(const struct study_cures *s, const char *folder,
+                             struct message *why);
+
+#endif

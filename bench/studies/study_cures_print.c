@@ -1,0 +1,285 @@
+/* The tables of study_cures.h and what they say. */
+#include <math.h>
+
+#include "bench/studies/study_cures.h"
+
+enum { FIXED = 2, COLUMNS = FIXED + STUDY_CURES_THICKNESSES + 2 };
+
+static double percent(double value)
+{
+    return 100 * value;
+}
+
+static void cell(struct table *t, double value)
+{
+    if (isnan(value))
+        table_dash(t);
+    else
+        table_fixed(t, value, 4);
+}
+
+static bool solved(const struct study_cures *s, int law, int nu, int n)
+{
+    return !isnan(s->tip[STUDY_CURES_TRUTH][law][nu][n].z);
+}
+
+/* |error| at worst over the thicknesses of a nu; NaN if it died at one. */
+static double worst_of(const struct study_cures *s, int space, int law, int nu)
+{
+    double worst = 0;
+
+    for (int n = 0; n < STUDY_CURES_THICKNESSES; n++)
+        if (solved(s, law, nu, n)) {
+            double error = study_cures_error(s, space, law, nu, n);
+            if (isnan(error))
+                return NAN;
+            worst = fmax(worst, error);
+        }
+    return worst;
+}
+
+/* The truth's own error bar: the coarser net's difference, at worst. */
+static double bar(const struct study_cures *s, int law)
+{
+    double worst = 0;
+
+    for (int nu = 0; nu < STUDY_CURES_NUS; nu++)
+        for (int n = 0; n < STUDY_CURES_THICKNESSES; n++)
+            if (solved(s, law, nu, n))
+                worst = fmax(worst, study_cures_error(s, STUDY_CURES_COARSER, law, nu, n));
+    return worst;
+}
+
+static enum status finish(struct table *t, enum table_format format, FILE *file)
+{
+    enum status st = table_print(t, format, file);
+
+    table_destroy(t);
+    if (st == STATUS_OK)
+        fprintf(file, "\n");
+    return st;
+}
+
+static enum status print_law(const struct study_cures *s, int law, enum table_format format,
+                             FILE *file)
+{
+    static const struct table_column columns[COLUMNS] = {
+        {"space, remedy", NULL, TABLE_LEFT},
+        {"nu", NULL, 0},
+        {"h/L 1e-1", NULL, 0},
+        {"1e-2", NULL, 0},
+        {"1e-3", NULL, 0},
+        {"1e-4", NULL, 0},
+        {"1e-5", NULL, 0},
+        {"worst", "%", 0},
+        {"within 2 %", NULL, 0}};
+    const double gamma = study_cures_gamma[law];
+    char caption[160];
+
+    snprintf(caption, sizeof caption,
+             gamma > 0
+                 ? "Nonlinear cantilever, 10x10x2, Gamma = %g: tip's drop over the truth"
+                 : "Linear cantilever, 10x10x2: tip's drop over the truth",
+             gamma);
+    struct table *t = table_create(COLUMNS, columns, caption);
+    for (int space = 0; space < STUDY_CURES_SPACES; space++) {
+        if (space == STUDY_CURES_SPACES / 2)
+            table_rule(t);
+        for (int nu = 0; nu < STUDY_CURES_NUS; nu++) {
+            double worst = worst_of(s, space, law, nu);
+            table_row(t);
+            table_text(t, "%s", nu ? "" : study_cures_space[space].label);
+            table_fixed(t, study_cures_nu[nu], 2);
+            for (int n = 0; n < STUDY_CURES_THICKNESSES; n++)
+                cell(t,
+                     s->tip[space][law][nu][n].z / s->tip[STUDY_CURES_TRUTH][law][nu][n].z);
+            if (isnan(worst))
+                table_dash(t);
+            else
+                table_number(t, percent(worst), 2);
+            table_text(t, "%s", worst <= study_cures_target ? "yes" : "no");
+        }
+    }
+    table_note(
+        t,
+        "Truth: at h/L = 0.1 a 3-D solid of degree (4,4,3), graded; thinner, %s. On a "
+        "coarser net it moves by %.2g %% at most. A dash: no equilibrium, or not asked.",
+        gamma > 0 ? "the elastica at nu = 0, the shell of degree 4 at h/L = 0.01 else"
+                  : "Kirchhoff's plate",
+        percent(bar(s, law)));
+    return finish(t, format, file);
+}
+
+static double milliseconds(const struct clock_summary *c)
+{
+    return c->count ? 1e3 * c->median : NAN;
+}
+
+static void time_cell(struct table *t, const struct clock_summary *c)
+{
+    if (c->count)
+        table_number(t, milliseconds(c), 3);
+    else
+        table_dash(t);
+}
+
+/* The paper's way with locking at a space's degree. */
+static int none_of(int space)
+{
+    return space / (STUDY_CURES_SPACES / 2) * (STUDY_CURES_SPACES / 2);
+}
+
+static double cost(const struct study_cures *s, int space)
+{
+    return s->frame[space].step.min / s->frame[none_of(space)].step.min;
+}
+
+/* Dearer only if more than the quartiles of the repeats leave open. */
+static const char *cost_word(const struct study_cures *s, int space)
+{
+    const struct clock_summary *own = &s->frame[space].step,
+                               *none = &s->frame[none_of(space)].step;
+
+    return cost(s, space) <= 1         ? "no dearer"
+           : own->lower <= none->upper ? "not told apart by these repeats"
+                                       : "dearer";
+}
+
+static enum status print_cost(const struct study_cures *s, enum table_format format,
+                              FILE *file)
+{
+    static const struct table_column columns[] = {{"space, remedy", NULL, TABLE_LEFT},
+                                                  {"zero modes", "free", 0},
+                                                  {"frame", "ms", 0},
+                                                  {"fastest", "ms", 0},
+                                                  {"over none", "fastest", 0},
+                                                  {"assemble", "ms", 0},
+                                                  {"factor", "ms", 0}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
+                                   "A rebuilt frame (incremental, edge_drop, 10x10x2)");
+
+    for (int n = 0; n < STUDY_CURES_SPACES; n++) {
+        const struct timed_result *r = &s->frame[n];
+        if (n == STUDY_CURES_SPACES / 2)
+            table_rule(t);
+        table_row(t);
+        table_text(t, "%s", study_cures_space[n].label);
+        table_integer(t, s->zero_modes[n]);
+        time_cell(t, &r->step);
+        table_number(t, 1e3 * r->step.min, 3);
+        table_number(t, cost(s, n), 3);
+        time_cell(t, &r->phase[0]);
+        time_cell(t, &r->phase[1]);
+    }
+    table_note(
+        t, "All spaces in turn; the fastest repeat tells them apart on a busy machine.");
+    return finish(t, format, file);
+}
+
+static const char *law_name(int law, char text[48])
+{
+    snprintf(text, 48, study_cures_gamma[law] > 0 ? "nonlinear, Gamma = %g" : "linear",
+             study_cures_gamma[law]);
+    return text;
+}
+
+/* Which cells of a cure miss the target, in words. */
+static void tell_misses(const struct study_cures *s, int space, FILE *file)
+{
+    int misses = 0, cells = 0;
+    char name[48];
+
+    fprintf(file, "- %s: ", study_cures_space[space].label);
+    for (int law = 0; law < STUDY_CURES_LAWS; law++)
+        for (int nu = 0; nu < STUDY_CURES_NUS; nu++)
+            for (int n = 0; n < STUDY_CURES_THICKNESSES; n++) {
+                if (!solved(s, law, nu, n))
+                    continue;
+                double error = study_cures_error(s, space, law, nu, n);
+                cells++;
+                if (error <= study_cures_target)
+                    continue;
+                misses++;
+                if (misses <= 6)
+                    fprintf(file, "%s%s nu %g h/L %g (%.2g %%)",
+                            misses > 1 ? "; " : "misses ", law_name(law, name),
+                            study_cures_nu[nu], study_cures_thickness[n], percent(error));
+            }
+    fprintf(file, "%s%d of %d cells within %g %%.\n",
+            misses > 6 ? "; ...; "
+            : misses   ? "; "
+                       : "",
+            cells - misses, cells, percent(study_cures_target));
+}
+
+/* At h/L = 0.1 and large nu: how much of the miss the clamp's hold on the thickness is. */
+static void tell_clamp(const struct study_cures *s, FILE *file)
+{
+    const int nu = STUDY_CURES_NUS - 1;
+    double truth = s->tip[STUDY_CURES_TRUTH][0][nu][0].z;
+    double slit = s->tip[STUDY_CURES_SLIT][0][nu][0].z / truth - 1;
+    double plate = s->tip[5][0][nu][0].z / truth - 1;
+
+    fprintf(
+        file,
+        "- At h/L = 0.1, nu = %g a plate of one linear layer with plane stress is %.2g %% "
+        "%s. The clamp keeps the 3-D solid from changing its thickness, which stiffens "
+        "it over a length of some h and no plate knows: a 3-D solid whose clamp leaves "
+        "the thickness free (x and y held on the face, z on its lower edge) falls %.2g %% "
+        "farther than the clamped one.\n",
+        study_cures_nu[nu], percent(fabs(plate)), plate > 0 ? "too soft" : "too stiff",
+        percent(slit));
+}
+
+static void tell_bends(const struct study_cures *s, FILE *file)
+{
+    const int law = STUDY_CURES_LAWS - 1;
+    const double clamp = pow(study_cures_gamma[law], -1. / 3);
+
+    fprintf(
+        file,
+        "- At Gamma = %g the sheet bends within Gamma^(-1/3) = %.2g L of its clamp, on "
+        "%.2g spans of eight. A cured sheet's error there is one of resolution: it does "
+        "not grow as the sheet gets thinner (nu = 0, 1e-3 and 1e-5: selective (2,2,1) "
+        "%.2g %% and %.2g %%, (3,3,1) %.2g %% and %.2g %%). Without a cure it does: %.2g "
+        "%% "
+        "and %.2g %%.\n",
+        study_cures_gamma[law], clamp, 8 * clamp,
+        percent(study_cures_error(s, 2, law, 0, 2)),
+        percent(study_cures_error(s, 2, law, 0, 4)),
+        percent(study_cures_error(s, 5, law, 0, 2)),
+        percent(study_cures_error(s, 5, law, 0, 4)),
+        percent(study_cures_error(s, 0, law, 0, 2)),
+        percent(study_cures_error(s, 0, law, 0, 4)));
+}
+
+static void print_text(const struct study_cures *s, FILE *file)
+{
+    for (int n = 0; n < STUDY_CURES_SPACES; n++)
+        tell_misses(s, n, file);
+    tell_clamp(s, file);
+    tell_bends(s, file);
+    for (int n = 0; n < STUDY_CURES_SPACES; n++)
+        if (n != none_of(n))
+            fprintf(file, "- A rebuilt frame of %s costs %.2f of none's: %s.\n",
+                    study_cures_space[n].label, cost(s, n), cost_word(s, n));
+    timed_machine(s->machine, file);
+}
+
+enum status study_cures_print(const char *folder, enum table_format format, FILE *file,
+                              struct message *why)
+{
+    struct study_cures *s = NULL;
+    enum status st;
+
+    TRY(study_cures_read(folder, &s, why));
+    for (int law = 0; law < STUDY_CURES_LAWS; law++)
+        TRY(print_law(s, law, format, file));
+    TRY(print_cost(s, format, file));
+    if (format == TABLE_TEXT)
+        print_text(s, file);
+    TRY(study_cures_plot(s, folder, why));
+out:
+    study_cures_destroy(s);
+    return st;
+}

@@ -1,0 +1,37 @@
+/* sweep_table.h - what a sweep found, as files: table.csv with every key and measure to 17
+ * digits, the verdict, the labels and how the case ended, and seconds.csv. Seconds stand
+ * apart so that the table is the same bits however it came about.
+ */
+#ifndef SWEEP_TABLE_H
+#define SWEEP_TABLE_H
+
+#include "bench/files/output.h"
+#include "bench/sweep/plan_case.h"
+#include "bench/sweep/sweep_folder.h"
+
+struct sweep_table {
+    const struct plan *plan; /* borrowed                                               */
+    struct output *table, *seconds;
+
+    /* counted row by row */
+    long rows, died, unsupported, failed, feasible;
+    long labels[VERDICT_MOST]; /* cases with the label of this rule                    */
+    double seconds_sum;        /* set-up, steps and looks of the cases [s]             */
+};
+
+/* Begins both files in the folder. STATUS_FILE. */
+enum status sweep_table_open(struct sweep_table *t, const struct plan *plan,
+                             const struct sweep_folder *folder, struct message *why);
+void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
+                     const struct sweep_row *row, const struct verdict *verdict);
+enum status sweep_table_close(struct sweep_table *t, struct message *why);
+void sweep_table_discard(struct sweep_table *t); /* all-zero is allowed */
+
+/* The verdict of a row; one without result has none. */
+struct verdict sweep_table_verdict(const struct plan *plan, const struct sweep_row *row);
+
+/* Its labels, "feasible", "unsupported", "no result"; into text[size], returns text. */
+const char *sweep_table_labels(const struct plan *plan, const struct sweep_row *row,
+                               struct verdict verdict, char *text, int size);
+
+#endif

@@ -1,0 +1,257 @@
+#include "bench/truth/truth.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/harness/rung.h"
+#include "bench/truth/truth_file.h"
+#include "bench/truth/truth_physics.h"
+#include "fem_ref/kirchhoff_field.h"
+#include "models/grid.h"
+#include "models/metric/metric.h"
+#include "models/reader/scene_file.h"
+
+void truth_destroy(struct truth *t)
+{
+    if (!t)
+        return;
+    for (int n = 0; t->xyz && n < t->times; n++)
+        free(t->xyz[n]);
+    free(t->xyz);
+    free(t->time);
+    free(t->error);
+    free(t);
+}
+
+static struct truth *make(int times, const double *time)
+{
+    struct truth *t = calloc(1, sizeof *t);
+
+    if (!t)
+        return NULL;
+    t->times = times;
+    t->time = malloc((size_t)times * sizeof *t->time);
+    t->error = malloc((size_t)times * sizeof *t->error);
+    t->xyz = calloc((size_t)times, sizeof *t->xyz);
+    if (!t->time || !t->error || !t->xyz) {
+        truth_destroy(t);
+        return NULL;
+    }
+    memcpy(t->time, time, (size_t)times * sizeof *time);
+    return t;
+}
+
+/* Rms displacement from rest [m]. */
+static enum status displacement(const struct scene *scene, const double *xyz, double *rms)
+{
+    double *rest = malloc(3 * GRID_POINTS * sizeof *rest), uvw[3];
+
+    if (!rest)
+        return STATUS_MEMORY;
+    for (int n = 0; n < GRID_POINTS; n++) {
+        grid_point(n, uvw);
+        scene_rest_point(scene, uvw, rest + 3 * n);
+    }
+    *rms = metric_rmse(xyz, rest);
+    free(rest);
+    return STATUS_OK;
+}
+
+static enum status from_kirchhoff(const struct scene *scene, struct truth *t,
+                                  struct message *why)
+{
+    enum status st;
+    struct kirchhoff_plate plate;
+    struct kirchhoff *k = NULL;
+    double gamma = scene_gamma(scene), rms;
+    /* What linear theory leaves out (TRUTH_GAMMA), and what Kirchhoff's does. */
+    double relative = KIRCHHOFF_TRANSIENT_ERROR + 0.0125 * gamma * gamma +
+                      2 * pow(scene->thickness / scene->length, 2);
+
+    TRY(kirchhoff_field_plate(scene, &plate, why));
+    TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
+    for (int n = 0; n < t->times; n++) {
+        t->xyz[n] = malloc(3 * GRID_POINTS * sizeof(double));
+        if (!t->xyz[n])
+            TRY(STATUS_MEMORY);
+        TRY(kirchhoff_field_sample(k, scene, t->time[n], t->xyz[n], why));
+        TRY(displacement(scene, t->xyz[n], &rms));
+        t->error[n] = relative * rms;
+    }
+    snprintf(t->source, sizeof t->source,
+             "Kirchhoff plate, modal solution exact in time; Gamma = %.3g leaves linear "
+             "theory",
+             gamma);
+out:
+    kirchhoff_destroy(k);
+    return st;
+}
+
+/* Nets and steps of the shell: the truth, and the coarser one that gives its error bar. */
+struct level {
+    int side, divisor;
+};
+static const struct level fine[2] = {{36, 8}, {16, 4}}, coarse[2] = {{24, 4}, {12, 2}};
+
+static struct truth_level shell_level(struct level l, double step)
+{
+    return (struct truth_level){
+        .model = "shell", .degree = 3, .side = l.side, .step = step / l.divisor};
+}
+
+static enum status from_shell(const struct truth_runs *runs, double step, bool quick,
+                              bool read_only, struct truth *t, struct message *why)
+{
+    enum status st;
+    struct rung_result best = {0}, check = {0};
+    struct truth_level first = shell_level(coarse[quick], step),
+                       second = shell_level(fine[quick], step);
+
+    TRY(truth_level_find(runs, &first, read_only, &check, why));
+    TRY(truth_level_find(runs, &second, read_only, &best, why));
+    for (int n = 0; n < t->times; n++) {
+        t->xyz[n] = best.xyz[n];
+        best.xyz[n] = NULL;
+        t->error[n] = metric_rmse(t->xyz[n], check.xyz[n]);
+    }
+    snprintf(t->source, sizeof t->source,
+             "nonlinear Kirchhoff-Love shell, p = 3, %dx%d, step %.4g ms; error bar: its "
+             "difference from %dx%d, %.4g ms",
+             fine[quick].side, fine[quick].side, 1e3 * step / fine[quick].divisor,
+             coarse[quick].side, coarse[quick].side, 1e3 * step / coarse[quick].divisor);
+out:
+    rung_clear(&best);
+    rung_clear(&check);
+    return st;
+}
+
+static enum status find_shell(const struct truth_runs *runs, double step,
+                              enum truth_effort effort, struct truth *t,
+                              struct message *why)
+{
+    bool read_only = effort == TRUTH_READ;
+
+    if (read_only && from_shell(runs, step, false, true, t, NULL) == STATUS_OK)
+        return STATUS_OK;
+    return from_shell(runs, step, effort != TRUTH_FULL, read_only, t, why);
+}
+
+/* Index of a stored time, -1 if it has none. */
+static int stored_index(const struct truth_made *made, double time)
+{
+    for (int n = 0; n < made->times; n++)
+        if (fabs(made->time[n] - time) < 1e-9)
+            return n;
+    return -1;
+}
+
+/* Moves what is stored for the times of t into it. *found is false if a time is missing.
+ * STATUS_UNSUPPORTED: one is past the horizon. */
+static enum status take(const struct scene *scene, struct truth_made *made, struct truth *t,
+                        bool *found, struct message *why)
+{
+    double horizon = made->claimed ? made->time[made->claimed - 1] : 0;
+    bool ends = made->claimed < made->times;
+
+    *found = false;
+    for (int n = 0; n < t->times; n++) {
+        if (ends && t->time[n] > horizon + 1e-9)
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "no truth is claimed for %s at %.3g s: its motion is known "
+                               "to %.3g s (clothbench truth %s --stored)",
+                               scene->name, t->time[n], horizon, scene->name);
+        if (stored_index(made, t->time[n]) < 0)
+            return STATUS_OK;
+    }
+    for (int n = 0; n < t->times; n++) {
+        int k = stored_index(made, t->time[n]);
+        t->xyz[n] = made->xyz[k];
+        made->xyz[k] = NULL;
+        t->error[n] = made->value[k][TRUTH_ERROR];
+    }
+    snprintf(t->source, sizeof t->source, "stored: %s", made->note);
+    *found = true;
+    return STATUS_OK;
+}
+
+/* The stored truth of the scene's name, if its physics are these; else made->times is 0. */
+static enum status read_stored(const struct scene *scene, struct truth_made *made,
+                               struct message *why)
+{
+    char *path = NULL, *physics = NULL, *wanted = NULL;
+    enum status st;
+
+    memset(made, 0, sizeof *made);
+    if (!truth_file_exists(scene->name, &path))
+        return STATUS_OK;
+    TRY(truth_file_read(path, made, &physics, why));
+    TRY(truth_physics(scene, &wanted));
+    if (strcmp(physics, wanted) != 0)
+        truth_made_clear(made);
+out:
+    free(physics);
+    free(wanted);
+    free(path);
+    return st;
+}
+
+enum status truth_stored_times(const char *path, int setting_count,
+                               const char *const *settings, double until, int most,
+                               double *time, int *count, struct message *why)
+{
+    struct scene scene = {0};
+    struct discretization unused = {0};
+    struct truth_made made = {0};
+    enum status st;
+    int last = 0;
+
+    *count = 0;
+    TRY(scene_file_read(path, setting_count, settings, &scene, &unused, why));
+    TRY(read_stored(&scene, &made, why));
+    while (last < made.claimed && made.time[last] <= until + 1e-9)
+        last++;
+    *count = last < most ? last : most;
+    for (int n = 0; n < *count; n++)
+        time[n] = made.time[last - *count + n];
+out:
+    truth_made_clear(&made);
+    scene_clear(&scene);
+    discretization_clear(&unused);
+    return st;
+}
+
+enum status truth_find(const char *path, int setting_count, const char *const *settings,
+                       int times, const double *time, const char *folder,
+                       enum truth_effort effort, struct truth **truth, struct message *why)
+{
+    enum status st;
+    struct scene scene = {0};
+    struct discretization unused = {0};
+    struct kirchhoff_plate plate;
+    struct truth *t = make(times, time);
+    struct truth_runs runs = {path, setting_count, settings, times, time, folder};
+    struct truth_made made = {0};
+    bool found;
+
+    if (!t)
+        return STATUS_MEMORY;
+    TRY(scene_file_read(path, setting_count, settings, &scene, &unused, why));
+    if (scene_gamma(&scene) < TRUTH_GAMMA &&
+        kirchhoff_field_plate(&scene, &plate, NULL) == STATUS_OK)
+        TRY(from_kirchhoff(&scene, t, why));
+    else {
+        TRY(read_stored(&scene, &made, why));
+        TRY(take(&scene, &made, t, &found, why));
+        if (!found)
+            TRY(find_shell(&runs, scene.step, effort, t, why));
+    }
+    *truth = t, t = NULL;
+out:
+    truth_destroy(t);
+    truth_made_clear(&made);
+    scene_clear(&scene);
+    discretization_clear(&unused);
+    return st;
+}

@@ -1,0 +1,229 @@
+#include "bench/truth/truth_file.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/harness/registry.h"
+#include "bench/files/store.h"
+#include "bench/files/store_read.h"
+#include "bench/truth/truth_physics.h"
+#include "models/grid.h"
+#include "models/reader/scene_file.h"
+
+/* FNV-1a, 64 bits (Fowler, Noll, Vo 1991). */
+static uint64_t add(uint64_t sum, const void *bytes, size_t size)
+{
+    const unsigned char *b = bytes;
+
+    for (size_t n = 0; n < size; n++)
+        sum = (sum ^ b[n]) * UINT64_C(0x100000001b3);
+    return sum;
+}
+
+/* As the file has it: fields as float. Orders that do not exist are one NaN, not many. */
+static void checksum(const char *physics, const struct truth_made *m, char text[17])
+{
+    uint64_t sum = add(UINT64_C(0xcbf29ce484222325), physics, strlen(physics));
+
+    for (int n = 0; n < m->times; n++) {
+        sum = add(sum, &m->time[n], sizeof m->time[n]);
+        for (int c = 0; c < TRUTH_COLUMNS; c++)
+            if (!isnan(m->value[n][c]))
+                sum = add(sum, &m->value[n][c], sizeof m->value[n][c]);
+        for (int k = 0; n < m->claimed && k < 3 * GRID_POINTS; k++) {
+            float x = (float)m->xyz[n][k];
+            sum = add(sum, &x, sizeof x);
+        }
+    }
+    snprintf(text, 17, "%016" PRIx64, sum);
+}
+
+static enum status put_columns(struct store *store, const struct truth_made *made,
+                               struct message *why)
+{
+    double *column = malloc((size_t)made->times * sizeof *column);
+    enum status st = column ? STATUS_OK : STATUS_MEMORY;
+
+    for (int c = 0; c < TRUTH_COLUMNS && st == STATUS_OK; c++) {
+        for (int n = 0; n < made->times; n++)
+            column[n] = made->value[n][c];
+        st = store_metric(store, truth_column_name(c), truth_column_unit(c), column,
+                          made->times, why);
+    }
+    free(column);
+    return st;
+}
+
+static enum status put_all(struct store *store, const struct scene *scene,
+                           const struct truth_made *made, struct message *why)
+{
+    char sum[17], *physics = NULL;
+    enum status st;
+
+    TRY(truth_physics(scene, &physics));
+    checksum(physics, made, sum);
+    for (int n = 0; n < made->times; n++)
+        TRY(store_frame(store, made->time[n], n < made->claimed ? made->xyz[n] : NULL, NULL,
+                        NULL, why));
+    TRY(put_columns(store, made, why));
+    TRY(store_note(store, made->note, why));
+    TRY(store_text(store, "horizon", made->horizon, why));
+    TRY(store_text(store, "physics", physics, why));
+    TRY(store_text(store, "checksum", sum, why));
+out:
+    free(physics);
+    return st;
+}
+
+enum status truth_file_write(const char *path, const struct truth_runs *runs,
+                             const struct truth_made *made, struct message *why)
+{
+    char text[TRUTH_LEVEL_SETTINGS][TRUTH_LEVEL_TEXT];
+    const char *all[TRUTH_MOST_SETTINGS];
+    const struct model *model;
+    struct scene scene = {0};
+    struct discretization d = {0};
+    struct provenance provenance;
+    struct store *store = NULL, *done;
+    enum status st;
+    int count;
+
+    TRY(registry_find(made->level.model, &model, why));
+    model->defaults(&d);
+    TRY(truth_level_settings(runs, &made->level, text, all, &count, why));
+    TRY(scene_file_read(runs->path, count, all, &scene, &d, why));
+    provenance_collect(&provenance);
+    TRY(store_create(path,
+                     &(struct store_run){.scene = &scene,
+                                         .model = model,
+                                         .discretization = &d,
+                                         .provenance = &provenance,
+                                         .single = true,
+                                         .packed = true},
+                     &store, why));
+    TRY(put_all(store, &scene, made, why));
+    done = store, store = NULL;
+    TRY(store_close(done, why));
+out:
+    store_discard(store);
+    scene_clear(&scene);
+    discretization_clear(&d);
+    return st;
+}
+
+static enum status read_columns(const struct store_read *file, struct truth_made *made)
+{
+    enum status st = STATUS_OK;
+    double *column = NULL;
+    int rows, columns;
+
+    for (int c = 0; c < TRUTH_COLUMNS; c++) {
+        char name[64];
+        snprintf(name, sizeof name, "metrics/%s", truth_column_name(c));
+        TRY(store_read_array(file, name, &column, &rows, &columns, NULL));
+        if (rows != made->times || columns != 1)
+            TRY(STATUS_INPUT);
+        for (int n = 0; n < rows; n++)
+            made->value[n][c] = column[n];
+        free(column), column = NULL;
+    }
+out:
+    free(column);
+    return st;
+}
+
+static enum status read_made(const struct store_read *file, struct truth_made *made)
+{
+    enum status st;
+    char *note = NULL, *horizon = NULL;
+    int columns;
+
+    TRY(store_read_array(file, "time", &made->time, &made->times, &columns, NULL));
+    made->claimed = store_read_frames(file);
+    made->xyz = calloc((size_t)made->times + 1, sizeof *made->xyz);
+    made->value = calloc((size_t)made->times + 1, sizeof *made->value);
+    if (!made->xyz || !made->value)
+        TRY(STATUS_MEMORY);
+    if (made->claimed > made->times)
+        TRY(STATUS_INPUT);
+    TRY(read_columns(file, made));
+    for (int n = 0; n < made->claimed; n++) {
+        made->xyz[n] = malloc(3 * GRID_POINTS * sizeof(double));
+        if (!made->xyz[n])
+            TRY(STATUS_MEMORY);
+        TRY(store_read_frame(file, n, made->xyz[n], NULL));
+    }
+    TRY(store_read_text(file, "/", "note", &note, NULL));
+    TRY(store_read_text(file, "/", "horizon", &horizon, NULL));
+    snprintf(made->note, sizeof made->note, "%s", note);
+    snprintf(made->horizon, sizeof made->horizon, "%s", horizon);
+out:
+    free(note);
+    free(horizon);
+    return st;
+}
+
+enum status truth_file_read(const char *path, struct truth_made *made, char **physics,
+                            struct message *why)
+{
+    struct store_read *file = NULL;
+    char sum[17], *kept = NULL, *text = NULL;
+    enum status st;
+
+    memset(made, 0, sizeof *made);
+    TRY(store_read_open(path, &file, why));
+    st = store_read_text(file, "/", "physics", &text, NULL);
+    if (st == STATUS_OK)
+        st = store_read_text(file, "/", "checksum", &kept, NULL);
+    if (st == STATUS_OK)
+        st = read_made(file, made);
+    if (st != STATUS_OK)
+        TRY(status_fail(why, STATUS_INPUT, "%s: is not a stored truth", path));
+    checksum(text, made, sum);
+    if (strcmp(sum, kept) != 0)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: was changed after it was made (its checksum is %s, not %s); "
+                        "make it again: clothbench truth",
+                        path, sum, kept));
+    *physics = text, text = NULL;
+out:
+    if (st != STATUS_OK)
+        truth_made_clear(made);
+    free(text);
+    free(kept);
+    store_read_close(file);
+    return st;
+}
+
+static char *describe(const char *path)
+{
+    struct truth_made made;
+    struct message why;
+    char text[sizeof made.note + 64], *physics;
+
+    if (truth_file_read(path, &made, &physics, &why) != STATUS_OK)
+        return strdup(why.text);
+    snprintf(text, sizeof text, "to %.3g s; %s",
+             made.claimed ? made.time[made.claimed - 1] : 0, made.note);
+    truth_made_clear(&made);
+    free(physics);
+    return strdup(text);
+}
+
+const struct named_file_kind truth_file_kind = {
+    .what = "truth",
+    .ending = ".h5",
+    .environment = "CLOTHBENCH_TRUTHS",
+    .from_program = TRUTHS_FROM_PROGRAM,
+    .in_source = TRUTHS_IN_SOURCE,
+    .describe = describe,
+};
+
+bool truth_file_exists(const char *scene, char **path)
+{
+    return named_file_find(&truth_file_kind, scene, path, NULL) == STATUS_OK;
+}

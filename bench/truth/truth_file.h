@@ -1,0 +1,36 @@
+/* truth_file.h - truths that are stored: result files (store.h) with a few numbers more.
+ *
+ * NAME.h5 is the truth of the scene NAME. Besides what a result file has:
+ *
+ *   attributes    note       where the field comes from, and its error bar, as a sentence
+ *                 horizon    until when the motion is predictable, a sentence
+ *                 physics    truth_physics.h: what it holds for
+ *                 checksum   of physics, times, numbers and fields: a file that was changed
+ *                            is refused
+ *   metrics/NAME  [F]        truth_make.h's columns, at all times
+ *   xyz           [K]        float; only at the K times before the horizon
+ */
+#ifndef TRUTH_FILE_H
+#define TRUTH_FILE_H
+
+#include "bench/truth/truth_make.h"
+#include "models/reader/named_file.h"
+
+/* Where stored truths are: $CLOTHBENCH_TRUTHS first. */
+extern const struct named_file_kind truth_file_kind;
+
+/* Writes what was made. */
+enum status truth_file_write(const char *path, const struct truth_runs *runs,
+                             const struct truth_made *made, struct message *why);
+
+/* Reads one; the fields past the horizon are NULL, `level` is left zero. *physics is freed
+ * by the receiver. STATUS_INPUT with a sentence: no truth, or changed. Free with
+ * truth_made_clear. */
+enum status truth_file_read(const char *path, struct truth_made *made, char **physics,
+                            struct message *why);
+
+/* Of a scene by its name: true, and the file's path (freed by the receiver), if there is
+ * one. */
+bool truth_file_exists(const char *scene, char **path);
+
+#endif

@@ -1,0 +1,231 @@
+#include "bench/truth/truth_make.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/truth/truth_order.h"
+#include "models/metric/metric.h"
+
+static const struct {
+    const char *name, *unit;
+} columns[] = {
+#define TRUTH_COLUMN_ROW(code, name, unit) {name, unit},
+    TRUTH_COLUMN_LIST(TRUTH_COLUMN_ROW)
+#undef TRUTH_COLUMN_ROW
+};
+
+const char *truth_column_name(int column)
+{
+    return columns[column].name;
+}
+
+const char *truth_column_unit(int column)
+{
+    return columns[column].unit;
+}
+
+/* Of one model: coarse, middle, fine net; the middle one with twice and four times the
+ * step. */
+enum { COARSE, MIDDLE, FINE, TWICE, FOUR, RUNS };
+
+struct family {
+    struct truth_level level[RUNS];
+    struct rung_result run[RUNS];
+};
+
+static const char *const model_name[TRUTH_MODELS] = {"iga", "shell"};
+
+/* Splines of degree p bend with errors of order min(p + 1, 2 (p - 1)) in the mean square;
+ * both models' steps are of second order. */
+static double promised_order(int degree)
+{
+    return fmin(degree + 1, 2 * (degree - 1));
+}
+static const double STEP_ORDER = 2;
+
+static void plan_family(const struct truth_ladder *ladder, const char *model,
+                        struct family *f)
+{
+    for (int n = 0; n < RUNS; n++)
+        f->level[n] = (struct truth_level){.model = model,
+                                           .degree = ladder->degree,
+                                           .side = ladder->side[n <= FINE ? n : MIDDLE],
+                                           .step = ladder->step};
+    f->level[TWICE].step *= 2;
+    f->level[FOUR].step *= 4;
+}
+
+static double between(const struct family *f, int a, int b, int time)
+{
+    return metric_rmse(f->run[a].xyz[time], f->run[b].xyz[time]);
+}
+
+/* Orders and bar of one model at a time, into value[0..2] of its columns. */
+static void judge(const struct family *f, int time, double *value)
+{
+    double h[3], step[3];
+
+    for (int n = 0; n < 3; n++)
+        h[n] = 1.0 / (f->level[n].side - f->level[n].degree);
+    step[0] = f->level[FOUR].step;
+    step[1] = f->level[TWICE].step;
+    step[2] = f->level[MIDDLE].step;
+    struct truth_order space =
+        truth_order(h, between(f, COARSE, MIDDLE, time), between(f, MIDDLE, FINE, time),
+                    promised_order(f->level[FINE].degree));
+    struct truth_order steps = truth_order(step, between(f, FOUR, TWICE, time),
+                                           between(f, TWICE, MIDDLE, time), STEP_ORDER);
+    value[0] = space.order;
+    value[1] = steps.order;
+    value[2] = space.bar + steps.bar;
+}
+
+static void compare(const struct family family[TRUTH_MODELS],
+                    const struct rung_result *pushed, double length, int time,
+                    double value[TRUTH_COLUMNS])
+{
+    judge(&family[TRUTH_SOLID], time, value + TRUTH_SOLID_SPACE);
+    judge(&family[TRUTH_SHELL], time, value + TRUTH_SHELL_SPACE);
+    value[TRUTH_DIFFERENCE] = metric_rmse(family[TRUTH_SOLID].run[FINE].xyz[time],
+                                          family[TRUTH_SHELL].run[FINE].xyz[time]);
+    value[TRUTH_GROWTH] =
+        metric_rmse(family[TRUTH_SOLID].run[TWICE].xyz[time], pushed->xyz[time]) /
+        (TRUTH_PERTURBATION * length);
+}
+
+int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length)
+{
+    int n = 0;
+
+    while (n < times && value[n][TRUTH_ERROR] <= TRUTH_MOST_ERROR * length &&
+           value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH)
+        n++;
+    return n;
+}
+
+/* Error bars if this model's field is the truth; returns the times that could be claimed.
+ */
+static int bars_of(int model, struct truth_made *made, double length)
+{
+    int bar = model == TRUTH_SOLID ? TRUTH_SOLID_BAR : TRUTH_SHELL_BAR;
+
+    for (int n = 0; n < made->times; n++) {
+        double *v = made->value[n];
+        v[TRUTH_ERROR] = fmax(v[bar], v[TRUTH_DIFFERENCE]);
+    }
+    return truth_made_claimed(made->times, made->value, length);
+}
+
+/* The model that can claim more; of two that can claim the same, the one with the smaller
+ * bar at the last time. */
+static int better(struct truth_made *made, double length)
+{
+    int shell = bars_of(TRUTH_SHELL, made, length);
+    int solid = bars_of(TRUTH_SOLID, made, length);
+    const double *last = made->value[solid ? solid - 1 : 0];
+
+    if (solid != shell)
+        return solid > shell ? TRUTH_SOLID : TRUTH_SHELL;
+    return last[TRUTH_SOLID_BAR] <= last[TRUTH_SHELL_BAR] ? TRUTH_SOLID : TRUTH_SHELL;
+}
+
+static void choose(struct family family[TRUTH_MODELS], double length,
+                   struct truth_made *made)
+{
+    int best = better(made, length);
+    struct family *f = &family[best], *other = &family[!best];
+    const struct truth_level *l = &f->level[FINE], *o = &other->level[FINE];
+
+    made->claimed = bars_of(best, made, length);
+    made->level = *l;
+    for (int n = 0; n < made->times; n++) {
+        made->xyz[n] = f->run[FINE].xyz[n];
+        f->run[FINE].xyz[n] = NULL;
+    }
+    snprintf(made->note, sizeof made->note,
+             "nonlinear %s, p = %d, %dx%d, step %.4g ms; error bar: its own by observed "
+             "orders or, if larger, its difference from the %s, p = %d, %dx%d, %.4g ms",
+             best == TRUTH_SOLID ? "solid, cured of locking" : "Kirchhoff-Love shell",
+             l->degree, l->side, l->side, 1e3 * l->step,
+             best == TRUTH_SOLID ? "Kirchhoff-Love shell" : "cured solid", o->degree,
+             o->side, o->side, 1e3 * o->step);
+}
+
+static enum status allocate(const struct truth_runs *runs, struct truth_made *made)
+{
+    size_t times = (size_t)runs->times;
+
+    memset(made, 0, sizeof *made);
+    made->times = runs->times;
+    made->time = malloc(times * sizeof *made->time);
+    made->value = malloc(times * sizeof *made->value);
+    made->xyz = calloc(times, sizeof *made->xyz);
+    if (!made->time || !made->value || !made->xyz)
+        return STATUS_MEMORY;
+    memcpy(made->time, runs->time, times * sizeof *made->time);
+    return STATUS_OK;
+}
+
+static enum status find_all(struct family family[TRUTH_MODELS],
+                            const struct truth_runs *runs,
+                            void (*progress)(void *, int, int), void *context,
+                            struct rung_result *pushed, struct message *why)
+{
+    enum { TOTAL = TRUTH_MODELS * RUNS + 1 };
+    struct truth_level push = family[TRUTH_SOLID].level[TWICE];
+    enum status st = STATUS_OK;
+    int done = 0;
+
+    for (int m = 0; m < TRUTH_MODELS; m++)
+        for (int n = 0; n < RUNS; n++) {
+            if (progress)
+                progress(context, done, TOTAL);
+            TRY(truth_level_find(runs, &family[m].level[n], false, &family[m].run[n], why));
+            done++;
+        }
+    push.perturbed = true;
+    TRY(truth_level_find(runs, &push, false, pushed, why));
+    if (progress)
+        progress(context, TOTAL, TOTAL);
+out:
+    return st;
+}
+
+enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
+                       const struct scene *scene,
+                       void (*progress)(void *context, int done, int total), void *context,
+                       struct truth_made *made, struct message *why)
+{
+    struct family family[TRUTH_MODELS] = {0};
+    struct rung_result pushed = {0};
+    enum status st;
+
+    for (int m = 0; m < TRUTH_MODELS; m++)
+        plan_family(&plan->ladder[m], model_name[m], &family[m]);
+    TRY(allocate(runs, made));
+    TRY(find_all(family, runs, progress, context, &pushed, why));
+    for (int n = 0; n < runs->times; n++)
+        compare(family, &pushed, scene->length, n, made->value[n]);
+    choose(family, scene->length, made);
+    TRY(truth_watch(plan, runs, scene, made->horizon, why));
+out:
+    for (int m = 0; m < TRUTH_MODELS; m++)
+        for (int n = 0; n < RUNS; n++)
+            rung_clear(&family[m].run[n]);
+    rung_clear(&pushed);
+    if (st != STATUS_OK)
+        truth_made_clear(made);
+    return st;
+}
+
+void truth_made_clear(struct truth_made *made)
+{
+    for (int n = 0; made->xyz && n < made->times; n++)
+        free(made->xyz[n]);
+    free(made->xyz);
+    free(made->time);
+    free(made->value);
+    memset(made, 0, sizeof *made);
+}

@@ -1,0 +1,63 @@
+/* truth_make.h - a scene's truth made: the nonlinear solid and the nonlinear shell, each on
+ * three nets and three steps, against each other, and one of them pushed a little.
+ *
+ * The two share the B-spline basis and the Newton solver, nothing of their mechanics. The
+ * field kept is that of the model with the smaller bar of its own; the error bar is the
+ * largest of the two own bars and of the difference of the two models.
+ */
+#ifndef TRUTH_MAKE_H
+#define TRUTH_MAKE_H
+
+#include "bench/truth/truth_level.h"
+#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_watch.h"
+
+/* What is known at each time: name, unit. Orders are NaN where differences do not shrink.
+ */
+#define TRUTH_COLUMN_LIST(X)                                                               \
+    X(SOLID_SPACE, "solid_space_order", "1")                                               \
+    X(SOLID_TIME, "solid_time_order", "1")                                                 \
+    X(SOLID_BAR, "solid_bar", "m")                                                         \
+    X(SHELL_SPACE, "shell_space_order", "1")                                               \
+    X(SHELL_TIME, "shell_time_order", "1")                                                 \
+    X(SHELL_BAR, "shell_bar", "m")                                                         \
+    X(DIFFERENCE, "difference", "m")                                                       \
+    X(GROWTH, "growth", "1") /* of the change of gravity: rms / (1e-6 L) */                \
+    X(ERROR, "error", "m")   /* the error bar   */
+
+enum truth_column {
+#define TRUTH_COLUMN_CODE(code, name, unit) TRUTH_##code,
+    TRUTH_COLUMN_LIST(TRUTH_COLUMN_CODE)
+#undef TRUTH_COLUMN_CODE
+        TRUTH_COLUMNS
+};
+/* Static storage. */
+const char *truth_column_name(int column);
+const char *truth_column_unit(int column);
+
+/* Nothing is claimed from the first time on at which this or TRUTH_MOST_GROWTH is passed: a
+ * truth that leaves 5 % of the length open tells few models apart. */
+#define TRUTH_MOST_ERROR 0.05 /* error bar / L                                         */
+
+struct truth_made {
+    int times, claimed;             /* times before the horizon                          */
+    double *time;                   /* [times] [s]                                owned  */
+    double (*value)[TRUTH_COLUMNS]; /* [times]                                   owned  */
+    double **xyz;                   /* [times] (grid.h) [m]                       owned  */
+    struct truth_level level;       /* whose field it is                                 */
+    char note[400];                 /* a sentence: source and error bar                  */
+    char horizon[TRUTH_WATCH_TEXT]; /* another: of truth_watch.h                       */
+};
+
+/* Runs what is not in the folder yet. progress() may be NULL. STATUS_DIVERGED: a run died;
+ * STATUS_UNSUPPORTED: a model cannot serve the scene. Free with truth_made_clear. */
+enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
+                       const struct scene *scene,
+                       void (*progress)(void *context, int done, int total), void *context,
+                       struct truth_made *made, struct message *why);
+void truth_made_clear(struct truth_made *made);
+
+/* Times before one of the bounds is passed. */
+int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length);
+
+#endif

@@ -1,0 +1,195 @@
+#include "bench/ui/command.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int option_count(const struct command *command)
+{
+    int count = 0;
+    while (command->options && command->options[count].name)
+        count++;
+    return count;
+}
+
+/* Index of the option called name[size]; -1 if there is none. */
+static int option_index(const struct command *command, const char *name, size_t size)
+{
+    for (int n = 0; n < option_count(command); n++)
+        if (!strncmp(command->options[n].name, name, size) &&
+            !command->options[n].name[size])
+            return n;
+    return -1;
+}
+
+/* The option in argv[*at] and, if it takes one, its value, there or in the next argument.
+ */
+static enum status read_option(struct command_line *line, int argc, char **argv, int *at,
+                               struct message *why)
+{
+    const struct command *command = line->command;
+    const char *text = argv[*at], *equals = strchr(text, '='), *value = NULL;
+    size_t size = equals ? (size_t)(equals - text) : strlen(text);
+    int n = option_index(command, text, size);
+
+    if (n < 0)
+        return status_fail(why, STATUS_INPUT,
+                           "%s has no option %.*s; see clothbench help %s", command->name,
+                           (int)size, text, command->name);
+    const struct command_option *option = &command->options[n];
+    if (equals)
+        value = equals + 1;
+    else if (option->value && *at + 1 < argc)
+        value = argv[++*at];
+    if (option->value && !value)
+        return status_fail(why, STATUS_INPUT, "%s needs a value: %s %s", option->name,
+                           option->name, option->value);
+    if (!option->value && value)
+        return status_fail(why, STATUS_INPUT, "%s takes no value", option->name);
+    if (line->counts[n] && !option->repeats)
+        return status_fail(why, STATUS_INPUT, "%s is given twice", option->name);
+    line->values[n][line->counts[n]++] = value;
+    return STATUS_OK;
+}
+
+static enum status check_words(const struct command_line *line, struct message *why)
+{
+    const struct command *command = line->command;
+
+    if (line->word_count < command->least)
+        return status_fail(why, STATUS_INPUT,
+                           "%s needs %s; usage: clothbench %s %s; see clothbench help %s",
+                           command->name, command->least == 1 ? "an argument" : "arguments",
+                           command->name, command->arguments, command->name);
+    if (line->word_count > command->most)
+        return status_fail(why, STATUS_INPUT,
+                           "'%s' is one word too many; usage: clothbench %s %s",
+                           line->words[command->most], command->name, command->arguments);
+    return STATUS_OK;
+}
+
+enum status command_parse(const struct command *command, int argc, char **argv,
+                          struct command_line *line, struct message *why)
+{
+    enum status st = STATUS_OK;
+    size_t options = (size_t)option_count(command), room = (size_t)argc + 1;
+    bool only_words = false;
+
+    *line = (struct command_line){.command = command};
+    line->words = calloc(room, sizeof *line->words);
+    line->counts = calloc(options + 1, sizeof *line->counts);
+    line->values = calloc(options + 1, sizeof *line->values);
+    if (!line->words || !line->counts || !line->values)
+        TRY(STATUS_MEMORY);
+    for (size_t n = 0; n < options; n++)
+        if (!(line->values[n] = calloc(room, sizeof **line->values)))
+            TRY(STATUS_MEMORY);
+    for (int at = 0; at < argc; at++) {
+        if (!only_words && !strcmp(argv[at], "--"))
+            only_words = true;
+        else if (!only_words && argv[at][0] == '-' && argv[at][1])
+            TRY(read_option(line, argc, argv, &at, why));
+        else
+            line->words[line->word_count++] = argv[at];
+    }
+    TRY(check_words(line, why));
+out:
+    if (st != STATUS_OK)
+        command_line_clear(line);
+    return st;
+}
+
+void command_line_clear(struct command_line *line)
+{
+    int options = line->command ? option_count(line->command) : 0;
+
+    for (int n = 0; line->values && n < options; n++)
+        free(line->values[n]);
+    free(line->values);
+    free(line->counts);
+    free(line->words);
+    *line = (struct command_line){0};
+}
+
+const char *const *command_values(const struct command_line *line, const char *option,
+                                  int *count)
+{
+    int n = option_index(line->command, option, strlen(option));
+
+    assert(n >= 0);
+    *count = line->counts[n];
+    return (const char *const *)line->values[n];
+}
+
+bool command_given(const struct command_line *line, const char *option)
+{
+    int count;
+    command_values(line, option, &count);
+    return count > 0;
+}
+
+const char *command_value(const struct command_line *line, const char *option)
+{
+    int count;
+    const char *const *values = command_values(line, option, &count);
+    return count ? values[count - 1] : NULL;
+}
+
+enum status command_integer(const struct command_line *line, const char *option, long low,
+                            long high, long *number, struct message *why)
+{
+    const char *text = command_value(line, option);
+    char *end;
+
+    if (!text)
+        return STATUS_OK;
+    errno = 0;
+    long value = strtol(text, &end, 10);
+    if (errno || end == text || *end || value < low || value > high)
+        return status_fail(why, STATUS_INPUT,
+                           "%s %s: must be a whole number from %ld to %ld", option, text,
+                           low, high);
+    *number = value;
+    return STATUS_OK;
+}
+
+/* Lines of `text`, each after `indent` blanks; the first is continued where the cursor is.
+ */
+static void print_lines(const char *text, int indent, FILE *file)
+{
+    for (const char *line = text; *line;) {
+        int size = (int)strcspn(line, "\n");
+        fprintf(file, "%*s%.*s\n", line == text ? 0 : indent, "", size, line);
+        line += size + (line[size] == '\n');
+    }
+}
+
+void command_help(const struct command *command, FILE *file)
+{
+    enum { HELP_COLUMN = 24 };
+
+    fprintf(file, "usage: clothbench %s %s\n\n", command->name, command->arguments);
+    fputs(command->text, file);
+    if (option_count(command))
+        fputs("\nOptions:\n", file);
+    for (int n = 0; n < option_count(command); n++) {
+        const struct command_option *o = &command->options[n];
+        int width = fprintf(file, "  %s%s%s%s", o->name, o->value ? " " : "",
+                            o->value ? o->value : "", o->repeats ? " ..." : "");
+        if (width + 2 > HELP_COLUMN) {
+            fputc('\n', file);
+            width = 0;
+        }
+        fprintf(file, "%*s", HELP_COLUMN - width, "");
+        print_lines(o->help, HELP_COLUMN, file);
+    }
+    if (!command->examples)
+        return;
+    fputs("\nExamples:\n", file);
+    for (const char *line = command->examples; *line;) {
+        int size = (int)strcspn(line, "\n");
+        fprintf(file, "  clothbench %.*s\n", size, line);
+        line += size + (line[size] == '\n');
+    }
+}

@@ -1,0 +1,174 @@
+#include "bench/ui/picture.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "bench/files/output.h"
+#include "bench/ui/plot.h"
+#include "models/grid.h"
+
+enum { EVERY = 3, WIDTH = 420, HEIGHT = 420, PATH = 4096 };
+
+/* The least box around all panels [m]; a NaN is left out. */
+struct box {
+    double low[3], high[3];
+};
+
+static void mid_point(const double *xyz, int i, int j, double x[3])
+{
+    int bottom = 3 * (j * GRID_U + i), top = bottom + 3 * GRID_U * GRID_V;
+
+    for (int d = 0; d < 3; d++)
+        x[d] = (xyz[bottom + d] + xyz[top + d]) / 2;
+}
+
+static void widen(struct box *box, const double x[3])
+{
+    for (int d = 0; d < 3; d++) {
+        box->low[d] = fmin(box->low[d], x[d]);
+        box->high[d] = fmax(box->high[d], x[d]);
+    }
+}
+
+/* Blocks of gnuplot, one a panel: rows of v apart by one blank line, blocks by two. */
+static void write_panel(struct output *out, const double *xyz, struct box *box)
+{
+    double x[3];
+
+    for (int j = 0; j < GRID_V; j += EVERY) {
+        for (int i = 0; i < GRID_U; i += EVERY) {
+            mid_point(xyz, i, j, x);
+            widen(box, x);
+            output_print(out, "%.6g %.6g %.6g\n", x[0], x[1], x[2]);
+        }
+        output_print(out, "\n");
+    }
+    output_print(out, "\n");
+}
+
+static enum status write_data(const char *folder, const char *name, int count,
+                              const struct picture_panel *panels, struct box *box,
+                              struct message *why)
+{
+    struct output *out = NULL;
+    char path[PATH];
+    enum status st;
+
+    snprintf(path, sizeof path, "%s/%s.dat", folder, name);
+    TRY(output_create(path, &out, why));
+    output_print(out, "# x y z [m] of mid-surfaces\n");
+    for (int n = 0; n < count; n++)
+        if (panels[n].xyz)
+            write_panel(out, panels[n].xyz, box);
+    return output_close(out, why);
+out:
+    return st;
+}
+
+/* In a string of gnuplot within "": \n stays a line end, quotes go. */
+static void write_title(struct output *out, const char *title)
+{
+    output_print(out, "set title \"");
+    for (; *title; title++)
+        if (*title == '\n')
+            output_print(out, "\\n");
+        else if (*title != '"' && *title != '\\' && *title != '`')
+            output_print(out, "%c", *title);
+    output_print(out, "\" offset 0,0.5\n");
+}
+
+/* Turns of the view about x and z [degrees], and how far a cube may be enlarged before it
+ * touches the title: gnuplot leaves room for any turn. */
+static const double TILT = 62, TURN = 35, ENLARGE = 1.12;
+
+/* What a box can be enlarged by, whose longer side of x and y gnuplot makes one. */
+static double zoom_of(const double side[3])
+{
+    const double degree = acos(-1) / 180, tilt = TILT * degree, turn = TURN * degree;
+    double longest = fmax(side[0], side[1]);
+    double across = side[0] * cos(turn) + side[1] * sin(turn);
+    double deep = side[0] * sin(turn) + side[1] * cos(turn);
+    double high = side[2] * sin(tilt) + deep * cos(tilt);
+    double cube = sin(turn) + cos(turn);
+
+    return ENLARGE * longest * fmin(cube / across, (sin(tilt) + cube * cos(tilt)) / high);
+}
+
+static void write_view(struct output *out, const struct box *box)
+{
+    static const char axis[] = "xyz";
+    static const char *const offset[] = {"0,-0.4", "0.6,-0.3", "0.4,0"};
+    double side[3], floor = 0;
+
+    for (int d = 0; d < 3; d++) {
+        double low = box->low[d], high = box->high[d];
+        if (!(low <= high))
+            low = 0, high = 1;
+        double more = fmax(0.02 * (high - low), 0.05 * (high - low < 0.1));
+        low -= more, high += more;
+        side[d] = high - low;
+        floor = low; /* of z in the end */
+        output_print(out, "set %crange [%.4g:%.4g]\nset %ctics %g offset %s\n", axis[d],
+                     low, high, axis[d],
+                     side[d] > 3     ? 1.
+                     : side[d] > 1   ? 0.5
+                     : side[d] > 0.4 ? 0.25
+                                     : 0.1,
+                     offset[d]);
+    }
+    output_print(out, "set view %g,%g,%.3g\nset view equal xyz\nset xyplane at %.4g\n",
+                 TILT, TURN, zoom_of(side), floor);
+}
+
+static enum status write_script(const char *folder, const char *name, int columns,
+                                int count, const struct picture_panel *panels,
+                                const struct box *box, struct message *why)
+{
+    struct output *out = NULL;
+    int rows = (count + columns - 1) / columns, index = 0;
+    char path[PATH];
+    enum status st;
+
+    snprintf(path, sizeof path, "%s/%s.gp", folder, name);
+    TRY(output_create(path, &out, why));
+    output_print(
+        out,
+        "set terminal pngcairo noenhanced size %d,%d font ',10'\n"
+        "set output '%s.png'\nset multiplot layout %d,%d\n"
+        "set lmargin 0\nset rmargin 0\nset tmargin 2\nset bmargin 0\n"
+        "set border 31 lc rgb '#909090'\nunset key\nunset colorbox\nset cbrange [0:1]\n"
+        "set pm3d depthorder border lc rgb '#30405060' lw 0.3\n"
+        "set pm3d lighting primary 0.55 specular 0.15\n",
+        WIDTH * columns, HEIGHT * rows, name, rows, columns);
+    write_view(out, box);
+    for (int n = 0; n < count; n++) {
+        write_title(out, panels[n].title);
+        if (panels[n].xyz)
+            output_print(out,
+                         "splot '%s.dat' index %d using 1:2:3 with pm3d fc rgb '#7aa6d8'\n",
+                         name, index++);
+        else
+            output_print(out, "splot NaN notitle\n");
+    }
+    output_print(out, "unset multiplot\n");
+    return output_close(out, why);
+out:
+    return st;
+}
+
+enum status picture_surfaces(const char *folder, const char *name, int columns, int count,
+                             const struct picture_panel *panels, struct message *why)
+{
+    struct box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    char script[PATH];
+    enum status st;
+
+    assert(columns > 0 && count > 0);
+    TRY(write_data(folder, name, count, panels, &box, why));
+    TRY(write_script(folder, name, columns, count, panels, &box, why));
+    snprintf(script, sizeof script, "%s.gp", name);
+    TRY(plot_run(folder, script, why));
+out:
+    return st;
+}

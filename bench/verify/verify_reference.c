@@ -1,0 +1,38 @@
+#include <stdlib.h>
+
+#include "bench/verify/verify.h"
+#include "models/reader/named_file.h"
+
+/* Tables have no line for lists. */
+static char *describe(const char *path)
+{
+    (void)path;
+    return calloc(1, 1);
+}
+
+static const struct named_file_kind kind = {
+    .what = "reference table",
+    .ending = ".csv",
+    .environment = "CLOTHBENCH_REFERENCE",
+    .from_program = REFERENCE_FROM_PROGRAM,
+    .in_source = REFERENCE_IN_SOURCE,
+    .describe = describe,
+};
+
+enum status verify_reference_path(const char *name, char **path, struct message *why)
+{
+    return named_file_find(&kind, name, path, why);
+}
+
+enum status verify_reference(const char *name, struct reference **table,
+                             struct message *why)
+{
+    enum status st;
+    char *path = NULL;
+
+    TRY(verify_reference_path(name, &path, why));
+    TRY(reference_open(path, table, why));
+out:
+    free(path);
+    return st;
+}

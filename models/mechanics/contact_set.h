@@ -1,0 +1,102 @@
+/* contact_set.h - the nodes of a model that touch obstacles: an active set for steps whose
+ * matrix stays symmetric positive definite.
+ *
+ * A node may not move beyond the tangent plane of an obstacle at its nearest point:
+ *     n . (x_new - x_old) >= -(gap(x_old) - offset),
+ * and obstacles are convex, so that the new gap is at least what the plane says. Where such
+ * a pair of node and obstacle is active, the inequality is an equation, whose multiplier is
+ * the contact force. A node touches as many obstacles at once as have independent normals;
+ * nodes whose components are all held by supports touch none.
+ *
+ * Friction is Coulomb's, as a drag on the motion along the surface (contact_solve.h).
+ */
+#ifndef CONTACT_SET_H
+#define CONTACT_SET_H
+
+#include "models/mechanics/supports.h"
+#include "models/model.h"
+
+struct contact_pair {
+    double gap;       /* less the offset, where the step starts               [m]      */
+    double normal[3]; /* there                                                         */
+    double lambda;    /* multiplier; zero if not active                                */
+    bool active;
+};
+
+struct contact_node {
+    int touches;        /* independent active pairs                             0..3    */
+    int obstacle[3];    /* [touches] theirs                                             */
+    double base[3][3];  /* [touches] orthonormal, spans their normals                   */
+    double dual[3][3];  /* [touches] in that span, dual[i] . normal[j] = delta_ij       */
+    double drag;        /* friction is -drag times x - still along the surface          */
+    double friction[3]; /* the force of that                                           */
+    int trend;   /* passes in which the drag has grown; shrunk: negative                 */
+    bool sticks; /* it is below its limit                                        */
+    double force[3]; /* of all obstacles on the node, friction included              */
+};
+
+/* Multipliers and forces are in the units of the right-hand side. */
+struct contact_set {
+    const struct scene *scene;   /* borrowed                                           */
+    const struct supports *held; /* borrowed                                           */
+    int nodes, obstacles;
+    double offset;   /* distance that nodes keep: 0, or h/2 of a mid-surface     [m]   */
+    double rounding; /* round-off of positions, 1e-13 of the scene's size (sheet and
+                        obstacles): gaps are closed to it                        [m]   */
+    struct contact_pair *pair; /* [nodes][obstacles]                           owned   */
+    struct contact_node *node; /* [nodes]                                      owned   */
+    double (*projector)[9];    /* [nodes] onto the directions left free        owned   */
+    unsigned char *touched;    /* [nodes] projector is not the identity        owned   */
+    double (*drag)[9];         /* [nodes] friction's part of the matrix        owned   */
+    double (*factored)[18];    /* [nodes] projector and drag of the present factor owned  */
+    bool is_factored;
+    long unsettled; /* steps whose friction was cut short (contact_solve.h)            */
+    double *work;   /* [5][nodes][3]                                           owned   */
+};
+
+/* A normal adds a direction to others if the part of it outside their span is longer. */
+static const double CONTACT_SET_INDEPENDENT = 1e-3;
+
+/* Nothing is allocated for a scene without obstacles: contact_set_used says false.
+ * STATUS_INPUT with a sentence if a rest node, x[nodes][3], lies in an obstacle. */
+enum status contact_set_init(struct contact_set *c, const struct scene *scene,
+                             const struct supports *held, const double *x, double offset,
+                             struct message *why);
+void contact_set_clear(struct contact_set *c);
+
+bool contact_set_used(const struct contact_set *c);
+
+/* Gaps and normals at the start of a step, x[nodes][3]. Keeps which pairs are active: the
+ * step's first guess. */
+void contact_set_detect(struct contact_set *c, const double *x);
+
+/* Bases and projectors from the active pairs. Returns whether they or the drags differ from
+ * those of the present factor. */
+bool contact_set_project(struct contact_set *c);
+
+/* The present projectors and drags are those of the factor. */
+void contact_set_remember(struct contact_set *c);
+
+/* The system's matrix is no longer the one that was factored. */
+void contact_set_forget(struct contact_set *c);
+
+/* True if an obstacle carries any node. */
+bool contact_set_any(const struct contact_set *c);
+
+/* v <- P v for P[nodes][9], c->projector or the like, v[nodes][3]. */
+void contact_set_apply(const struct contact_set *c, const double (*P)[9], double *v);
+
+/* The smallest change[nodes][3] that takes from the rates v what the set does not allow:
+ * motion along normals, and any motion of nodes that stick. Returns its largest component;
+ * the projectors P[nodes] leave what it may not touch. */
+double contact_set_arrest(const struct contact_set *c, const double *v, double *change,
+                          double (*P)[9]);
+
+/* v[3] of node a less its parts in held components and in its normals. */
+void contact_set_along(const struct contact_set *c, int a, double v[3]);
+
+/* Fills *report; x[nodes][3] are present positions, and forces are multiplied by `unit`. */
+void contact_set_report(const struct contact_set *c, const double *x, double unit,
+                        struct model_contact *report);
+
+#endif

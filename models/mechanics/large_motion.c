@@ -1,0 +1,168 @@
+#include "models/mechanics/large_motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/mechanics/large_newton.h"
+
+/* Substeps are step / 2^0 ... step / 2^HALVINGS. */
+enum { HALVINGS = 8, FINEST = 1 << HALVINGS };
+
+enum status large_motion_init(struct large_motion *m)
+{
+    size_t bytes = 3 * (size_t)m->graph->nodes * sizeof(double);
+
+    m->factored = -1;
+    m->room = malloc(6 * bytes);
+    m->strain_old = malloc(m->body.strains * sizeof *m->strain_old);
+    return m->room && m->strain_old ? STATUS_OK : STATUS_MEMORY;
+}
+
+void large_motion_clear(struct large_motion *m)
+{
+    if (!m)
+        return;
+    free(m->room);
+    free(m->strain_old);
+    memset(m, 0, sizeof *m);
+}
+
+static size_t count_of(const struct large_motion *m)
+{
+    return 3 * (size_t)m->graph->nodes;
+}
+
+/* Held unknowns at the step's end into x; hat such that mass (x - hat) is their inertia. */
+static void move_supports(struct large_motion *m, double t, double dt, double mass,
+                          const double *x_old, double *hat)
+{
+    struct newmark *n = m->newmark;
+    struct newmark_held held = newmark_follow(m->supports, m->scene, t + dt, dt, m->held);
+
+    for (int h = 0; h < m->supports->held_count; h++) {
+        int u = m->supports->held[h];
+        m->x[u] = m->rest[u] + held.d[h];
+        double rate = (m->x[u] - x_old[u]) / dt;
+        hat[u] = m->x[u] - ((held.v[h] - n->v[u]) / dt + n->alpha * rate) / mass;
+    }
+}
+
+/* New velocities; a keeps the mean acceleration of the step for the next predictor. */
+static void finish(struct large_motion *m, double dt, const double *x_old)
+{
+    struct newmark *n = m->newmark;
+    size_t count = count_of(m);
+    double *v_held = m->held + m->supports->held_count;
+
+    for (size_t t = 0; t < count; t++) {
+        double v = 2 * (m->x[t] - x_old[t]) / dt - n->v[t];
+        n->a[t] = (v - n->v[t]) / dt;
+        n->v[t] = v;
+    }
+    for (int h = 0; h < m->supports->held_count; h++)
+        n->v[m->supports->held[h]] = v_held[h];
+}
+
+/* The end of a substep under contact: its impact, and its share of the step's force. */
+static enum status meet_obstacles(struct large_motion *m, double dt,
+                                  struct counters *counters)
+{
+    enum status st;
+    struct model_contact contact;
+
+    TRY(contact_step_impact(m->contact, m->M, dt, 1 / dt, m->newmark->v, m->newmark->work,
+                            counters));
+    contact_set_report(&m->contact->set, m->x, dt / m->newmark->dt, &contact);
+    for (int i = 0; i < 3; i++)
+        m->push[i] += contact.force[i];
+out:
+    return st;
+}
+
+void large_motion_contact(const struct large_motion *m, struct model_contact *contact)
+{
+    contact_set_report(&m->contact->set, m->x, 1, contact);
+    memcpy(contact->force, m->push, sizeof contact->force);
+}
+
+static enum status substep(struct large_motion *m, double t, double dt,
+                           struct counters *counters)
+{
+    enum status st;
+    struct newmark *n = m->newmark;
+    size_t count = count_of(m);
+    double *x_old = m->room, *hat = m->room + count;
+    double mass = 2 / (dt * dt) + n->alpha / dt, damping = n->beta / dt;
+    const struct large_equation equation = {
+        .path = {.s0 = 0.5 - damping,
+                 .s1 = 0.5 + damping,
+                 .g1 = 0.5,
+                 .lag = m->lag,
+                 .x_old = x_old,
+                 .strain_old = m->strain_old},
+        .mass = mass,
+        .hat = hat,
+        .load = 1,
+        .chord = 0.4,
+        .limit = 40,
+    };
+
+    memcpy(x_old, m->x, count * sizeof *x_old);
+    for (size_t k = 0; k < count; k++) {
+        hat[k] = x_old[k] + 2 * n->v[k] / dt / mass;
+        m->x[k] += dt * (n->v[k] + dt / 2 * n->a[k]);
+    }
+    move_supports(m, t, dt, mass, x_old, hat);
+    if (m->contact)
+        contact_set_detect(&m->contact->set, x_old);
+    TRY(large_newton_solve(m, &equation, m->x, counters));
+    finish(m, dt, x_old);
+    if (m->contact)
+        TRY(meet_obstacles(m, dt, counters));
+    TRY(m->body.strain(m->body.self, m->x, m->strain_old));
+    return STATUS_OK;
+out:
+    memcpy(m->x, x_old, count * sizeof *x_old);
+    m->factored = -1;
+    return st;
+}
+
+enum status large_motion_step(struct large_motion *m, double time,
+                              struct counters *counters)
+{
+    enum status st;
+    int done = 0;
+
+    memset(m->push, 0, sizeof m->push);
+    m->rested = false;
+    if (!m->started) {
+        if (m->supports->moving) {
+            struct newmark_held held =
+                newmark_follow(m->supports, m->scene, time, m->newmark->dt, m->held);
+            for (int h = 0; h < m->supports->held_count; h++)
+                m->newmark->v[m->supports->held[h]] = held.v[h];
+        }
+        st = m->body.strain(m->body.self, m->x, m->strain_old);
+        if (st != STATUS_OK)
+            return st;
+        m->started = true;
+    }
+    while (done < FINEST) {
+        int size = FINEST >> m->halvings;
+        double dt = m->newmark->dt / (1 << m->halvings);
+        double t = time + m->newmark->dt * done / FINEST;
+        st = substep(m, t, dt, counters);
+        if (st == STATUS_OK) {
+            done += size;
+            counters->substeps++;
+            if (m->halvings && done % (2 * size) == 0)
+                m->halvings--;
+            continue;
+        }
+        if (!status_is_death(st) || m->halvings == HALVINGS)
+            return st;
+        m->halvings++;
+    }
+    return STATUS_OK;
+}

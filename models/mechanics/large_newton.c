@@ -1,0 +1,258 @@
+#include "models/mechanics/large_newton.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Steps below this part of the length end the iteration. */
+static const double STEP_TOLERANCE = 1e-7;
+/* Halvings of a step that leads to a surface without normals or to numbers that are none.
+ */
+enum { HALVINGS = 6 };
+/* Friction that has not settled by then stays as it is for the rest of the step. */
+enum { FRICTION_ITERATIONS = 20 };
+
+static size_t count_of(const struct large_motion *m)
+{
+    return 3 * (size_t)m->graph->nodes;
+}
+
+/* Right-hand side at x into r; work[nodes][3]. */
+static enum status residual(struct large_motion *m, const struct large_equation *q,
+                            const double *x, double *r, double *work)
+{
+    size_t count = count_of(m);
+    enum status st = m->body.force(m->body.self, &q->path, x, r);
+
+    if (st != STATUS_OK)
+        return st;
+    for (size_t t = 0; t < count; t++)
+        r[t] = q->load * m->load[t] - r[t];
+    if (m->follower.add)
+        m->follower.add(m->follower.context, x, q->load, r, NULL);
+    if (q->mass == 0)
+        return STATUS_OK;
+    double *inertia = m->newmark->work;
+    for (size_t t = 0; t < count; t++)
+        work[t] = q->mass * (x[t] - q->hat[t]);
+    blocks_multiply_mass(m->graph, m->M, work, inertia);
+    for (size_t t = 0; t < count; t++)
+        r[t] -= inertia[t];
+    return STATUS_OK;
+}
+
+/* Factors the tangent. In statics mass is added to one that is not positive definite until
+ * it is: a shorter step towards less energy. No more than it takes: bending is softer than
+ * stretching by (h/L)^2, and what stops one hardly moves the other. */
+static enum status factor(struct large_motion *m, double mass, struct counters *counters)
+{
+    enum { TRIES = 16 };
+    const double(*K)[9] = (const double(*)[9])m->K;
+    const struct scene *s = m->scene;
+    double more = scene_bending_stiffness(s) /
+                  (s->density * s->thickness * pow(s->length, 4)); /* some omega^2 */
+    enum status st = system_factor(m->system, 1, K, mass, m->M);
+
+    counters->factorisations++;
+    m->added = 0;
+    for (int n = 0; n < TRIES && st == STATUS_INDEFINITE && mass == 0; n++) {
+        m->added = more *= 10;
+        st = system_factor(m->system, 1, K, more, m->M);
+        counters->factorisations++;
+    }
+    return st;
+}
+
+/* Statics know no obstacles. */
+static bool in_contact(const struct large_motion *m, const struct large_equation *q)
+{
+    return m->contact && q->mass > 0;
+}
+
+static enum status refresh(struct large_motion *m, const struct large_equation *q,
+                           const double *x, struct large_foresight foresight,
+                           struct counters *counters)
+{
+    enum status st = STATUS_OK;
+
+    m->factored = -1;
+    for (int attempt = 0; attempt < 2; attempt++) {
+        foresight.none = m->stressless;
+        TRY(m->body.tangent(m->body.self, &q->path, x, foresight, m->K));
+        counters->assemblies++;
+        if (m->follower.add)
+            m->follower.add(m->follower.context, x, q->load, m->newmark->work, m->K);
+        if (in_contact(m, q)) {
+            contact_set_forget(&m->contact->set);
+            m->factored = q->mass;
+            break;
+        }
+        st = factor(m, q->mass, counters);
+        if (st != STATUS_INDEFINITE || q->mass == 0)
+            break;
+        m->stressless = true;
+    }
+    if (st == STATUS_OK)
+        m->factored = q->mass;
+out:
+    return st;
+}
+
+/* Of a point's move, not of a component: iterations must end alike in a turned scene. */
+static double largest(size_t count, const double *x)
+{
+    double most = 0;
+
+    for (size_t t = 0; t < count; t += 3) {
+        double far = x[t] * x[t] + x[t + 1] * x[t + 1] + x[t + 2] * x[t + 2];
+        if (!(far <= most))
+            most = far;
+    }
+    return sqrt(most);
+}
+
+/* The state of an iteration; vectors [nodes][3]. */
+struct iteration {
+    double *x;        /* present points                                                */
+    double *d, size;  /* the last step, its largest move [m]                           */
+    double *r, *next; /* right-hand side at x; the step from there                     */
+    double *work;
+    double tolerance; /* [m]                                                           */
+    enum contact_friction friction;
+};
+
+/* The same with obstacles, which factors as it needs. A tangent that is not positive
+ * definite is replaced by one without stress. */
+static enum status solve_contact(struct large_motion *m, const struct large_equation *q,
+                                 struct iteration *i, struct counters *counters)
+{
+    enum status st;
+    size_t count = count_of(m);
+    const struct contact_problem problem = {.k = 1,
+                                            .K = (const double(*)[9])m->K,
+                                            .m = q->mass,
+                                            .M = m->M,
+                                            .b = i->r,
+                                            .scale = 1,
+                                            .still = i->work,
+                                            .friction = i->friction};
+
+    for (size_t t = 0; t < count; t++)
+        i->work[t] = q->path.x_old[t] - i->x[t];
+    for (int attempt = 0; attempt < 2; attempt++) {
+        memset(i->next, 0, count * sizeof *i->next);
+        st = contact_solve(&m->contact->set, m->system, &problem, i->next, counters);
+        if (st != STATUS_INDEFINITE || m->stressless)
+            break;
+        m->stressless = true;
+        TRY(refresh(m, q, i->x, (struct large_foresight){.none = true}, counters));
+    }
+out:
+    return st;
+}
+
+/* i->next from i->r with the factored tangent. */
+static enum status solve(struct large_motion *m, const struct large_equation *q,
+                         struct iteration *i, double *size, struct counters *counters)
+{
+    enum status st;
+    size_t count = count_of(m);
+
+    if (in_contact(m, q)) {
+        st = solve_contact(m, q, i, counters);
+    } else {
+        memcpy(i->next, i->r, count * sizeof *i->next);
+        st = system_solve(m->system, i->next);
+        counters->solves++;
+    }
+    *size = largest(count, i->next);
+    return st != STATUS_OK ? st : isfinite(*size) ? STATUS_OK : STATUS_NAN;
+}
+
+/* x += d and the right-hand side there; d is halved while there is none. */
+static enum status take_step(struct large_motion *m, const struct large_equation *q,
+                             struct iteration *i)
+{
+    size_t count = count_of(m);
+    enum status st = STATUS_OK;
+
+    for (size_t t = 0; t < count; t++)
+        i->x[t] += i->d[t];
+    for (int n = 0; n <= HALVINGS; n++) {
+        st = residual(m, q, i->x, i->r, i->work);
+        if (st == STATUS_OK)
+            break;
+        for (size_t t = 0; t < count; t++) {
+            i->d[t] /= 2;
+            i->x[t] -= i->d[t];
+        }
+    }
+    return st;
+}
+
+/* The next step, with the old tangent if that still does well. */
+static enum status next_step(struct large_motion *m, const struct large_equation *q,
+                             struct iteration *i, struct counters *counters)
+{
+    enum status st;
+    double size = INFINITY, *swap;
+
+    if (q->chord > 0)
+        TRY(solve(m, q, i, &size, counters));
+    if (!(size <= q->chord * i->size)) {
+        TRY(refresh(m, q, i->x, (struct large_foresight){.change = i->d}, counters));
+        TRY(solve(m, q, i, &size, counters));
+    }
+    swap = i->d;
+    i->d = i->next, i->next = swap, i->size = size;
+out:
+    return st;
+}
+
+/* Whether a step below the tolerance says that nothing is left to do. */
+static bool settled(const struct large_motion *m, double size, double before)
+{
+    const double shrink = 0.1, round_off = 1e-14;
+
+    return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
+}
+
+enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
+                               double *x, struct counters *counters)
+{
+    enum status st = STATUS_OK;
+    int calm = 0;
+    double before = 0; /* the size of the step before */
+    size_t count = count_of(m);
+    double *room = m->room + 2 * count, *swap;
+    struct iteration i = {.x = x,
+                          .d = room,
+                          .r = room + count,
+                          .next = room + 2 * count,
+                          .work = room + 3 * count,
+                          .tolerance = STEP_TOLERANCE * m->scene->length,
+                          .friction = CONTACT_FRICTION_ONCE};
+
+    m->stressless = false;
+    TRY(residual(m, q, x, i.r, i.work));
+    if (q->chord == 0 || m->factored != q->mass)
+        TRY(refresh(m, q, x, (struct large_foresight){.strain = m->strain_old}, counters));
+    TRY(solve(m, q, &i, &i.size, counters));
+    swap = i.d, i.d = i.next, i.next = swap;
+    for (int n = 0; n < q->limit; n++) {
+        counters->iterations++;
+        calm = i.size <= i.tolerance && settled(m, i.size, before) ? calm + 1 : 0;
+        before = i.size;
+        if (calm > in_contact(m, q)) { /* what friction makes of a step shows in the next */
+            for (size_t t = 0; t < count; t++)
+                x[t] += i.d[t];
+            return STATUS_OK;
+        }
+        if (n == FRICTION_ITERATIONS)
+            i.friction = CONTACT_FRICTION_KEPT;
+        TRY(take_step(m, q, &i));
+        TRY(next_step(m, q, &i, counters));
+    }
+    st = STATUS_DIVERGED;
+out:
+    return st;
+}

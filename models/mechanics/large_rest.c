@@ -1,0 +1,190 @@
+#include "models/mechanics/large_rest.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "models/mechanics/large_newton.h"
+#include "models/mechanics/pencil.h"
+
+static const struct large_path statics = {.s1 = 1, .g1 = 1};
+
+/* First increment, of the load or of the paths' time; the smallest before giving up; the
+ * largest along a path. */
+static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7,
+                    SMALLEST_MOVE = 1e-6, LARGEST_MOVE = 1.0 / 16;
+enum { MOST_INCREMENTS = 2000 };
+
+/* What grows from 0 to 1: the load, then the time of the supports' paths. */
+enum stage { LOADING, MOVING };
+
+static void begin(struct large_motion *m)
+{
+    struct newmark *n = m->newmark;
+    size_t count = 3 * (size_t)m->graph->nodes;
+
+    memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
+    memcpy(m->x, m->rest, count * sizeof *m->x);
+    m->started = m->rested = false;
+    m->factored = -1;
+    m->halvings = 0;
+}
+
+/* Held unknowns where they are at this part of the stage. */
+static void place(struct large_motion *m, enum stage stage, double part)
+{
+    double t = stage == MOVING ? part * m->scene->end : 0;
+    double scale = stage == LOADING ? part : 1;
+
+    supports_shift(m->supports, m->scene, t, m->held);
+    for (int h = 0; h < m->supports->held_count; h++) {
+        int u = m->supports->held[h];
+        m->x[u] = m->rest[u] + scale * m->held[h];
+    }
+}
+
+/* The shape at `part`, guessed `ahead` times as far beyond the last two shapes as they are
+ * apart. */
+static enum status increment_to(struct large_motion *m, enum stage stage, double part,
+                                double ahead, struct counters *counters)
+{
+    enum status st;
+    size_t count = 3 * (size_t)m->graph->nodes;
+    const double *last = m->room, *before = m->room + count;
+    const struct large_equation q = {
+        .path = statics, .load = stage == LOADING ? part : 1, .limit = 30};
+
+    TRY(m->body.strain(m->body.self, last, m->strain_old));
+    for (size_t t = 0; t < count; t++)
+        m->x[t] = last[t] + ahead * (last[t] - before[t]);
+    place(m, stage, part);
+    m->factored = -1;
+    TRY(large_newton_solve(m, &q, m->x, counters));
+out:
+    return st;
+}
+
+/* Where growing loads do not lead: a sheet that hangs from a hinge or from corners has no
+ * stiffness at first. Backward Euler steps that forget their velocity go downhill instead,
+ * in growing steps, until one without mass arrives (pseudo-transient continuation). */
+static enum status relax(struct large_motion *m, struct counters *counters)
+{
+    enum { STEPS = 400 };
+    enum status st = STATUS_DIVERGED;
+    size_t count = 3 * (size_t)m->graph->nodes;
+    double *last = m->room, first = 1 / (m->scene->step * m->scene->step), mass = first;
+    bool final = false;
+
+    for (int n = 0; n < STEPS; n++) {
+        final = mass < 1e-8 * first;
+        const struct large_equation q = {
+            .path = statics, .mass = final ? 0 : mass, .hat = last, .load = 1, .limit = 30};
+        memcpy(last, m->x, count * sizeof *last);
+        TRY(m->body.strain(m->body.self, last, m->strain_old));
+        m->factored = -1;
+        st = large_newton_solve(m, &q, m->x, counters);
+        if (st == STATUS_OK && final)
+            break;
+        if (st != STATUS_OK && !status_is_death(st))
+            break;
+        if (st != STATUS_OK)
+            memcpy(m->x, last, count * sizeof *last);
+        mass *= st == STATUS_OK ? 0.5 : final ? 1e3 : 8;
+    }
+    if (st == STATUS_OK && !final)
+        st = STATUS_DIVERGED; /* still on its way down */
+out:
+    m->factored = -1;
+    return st;
+}
+
+/* The state of a stage. */
+struct progress {
+    double part, increment, last_increment;
+    bool stable; /* MOVING: the last shape is */
+};
+
+/* Goes on from m->x, the shape at `part`. */
+static void accept(struct large_motion *m, struct progress *p, enum stage stage,
+                   double part)
+{
+    size_t count = 3 * (size_t)m->graph->nodes;
+    double *last = m->room, *before = m->room + count;
+
+    memcpy(before, part > 0 ? last : m->x, count * sizeof *last);
+    memcpy(last, m->x, count * sizeof *last);
+    p->last_increment = part - p->part;
+    p->part = part;
+    p->stable = stage == MOVING && m->added == 0;
+}
+
+/* All of a stage from the present shape. */
+static enum status follow(struct large_motion *m, enum stage stage,
+                          struct counters *counters)
+{
+    enum status st = STATUS_DIVERGED;
+    struct progress p = {.increment = FIRST_INCREMENT};
+    double smallest = stage == MOVING ? SMALLEST_MOVE : SMALLEST_INCREMENT;
+
+    accept(m, &p, stage, 0);
+    for (int n = 0; p.part < 1 && n < MOST_INCREMENTS; n++) {
+        long iterations = counters->iterations;
+        double next = fmin(1, p.part + p.increment);
+        double ahead = p.last_increment > 0 ? (next - p.part) / p.last_increment : 0;
+        st = increment_to(m, stage, next, ahead, counters);
+        bool unstable = st == STATUS_OK && p.stable && m->added > 0;
+        double shorter = (next - p.part) / 4;
+        if (st == STATUS_OK && (!unstable || shorter < smallest)) {
+            accept(m, &p, stage, next);
+            if (counters->iterations - iterations < 10)
+                p.increment *= 2;
+            if (stage == MOVING)
+                p.increment = fmin(p.increment, LARGEST_MOVE);
+            continue;
+        }
+        p.increment = shorter;
+        if ((st != STATUS_OK && !status_is_death(st)) || shorter < smallest)
+            break;
+    }
+    if (st == STATUS_OK && p.part < 1)
+        st = STATUS_DIVERGED;
+    memcpy(m->x, m->room, 3 * (size_t)m->graph->nodes * sizeof *m->x);
+    m->factored = -1;
+    return st;
+}
+
+enum status large_rest_equilibrium(struct large_motion *m, struct counters *counters,
+                                   struct message *why)
+{
+    enum status st;
+
+    begin(m);
+    st = follow(m, LOADING, counters);
+    if (status_is_death(st)) {
+        begin(m);
+        place(m, LOADING, 1);
+        st = relax(m, counters);
+    }
+    if (st == STATUS_OK && m->supports->moving)
+        st = follow(m, MOVING, counters);
+    if (st == STATUS_INDEFINITE)
+        status_fail(why, st,
+                    "the stiffness is singular to working accuracy: the supports "
+                    "leave the sheet free to move");
+    else if (status_is_death(st))
+        status_fail(why, st, "static equilibrium not found: %s", status_text(st));
+    m->rested = st == STATUS_OK;
+    return st;
+}
+
+enum status large_rest_modes(struct large_motion *m, int count, double *omega,
+                             struct message *why)
+{
+    enum status st;
+    const struct pencil p = {m->graph, (const double(*)[9])m->K, m->M, .stressed = true};
+
+    m->factored = -1;
+    TRY(m->body.tangent(m->body.self, &statics, m->x, (struct large_foresight){0}, m->K));
+    TRY(pencil_modes(&p, m->supports, NULL, count, omega, why));
+out:
+    return st;
+}

@@ -1,0 +1,23 @@
+/* large_rest.h - static equilibrium of a body at large displacements (large_motion.h). */
+#ifndef LARGE_REST_H
+#define LARGE_REST_H
+
+#include "models/mechanics/large_motion.h"
+
+/* Moves m->x to equilibrium under the loads; v and a become zero. The load grows from
+ * nothing, supports going to their shift of time 0, the next shape guessed along the last
+ * two; where that leads nowhere (a sheet that hangs from a hinge has no stiffness at
+ * first), by pseudo-transient continuation. Then supports that move go along their paths up
+ * to the scene's end, in increments that are shortened until a stable shape stays stable: a
+ * shape that is pressed past a limit snaps to a stable one where Newton's method finds it.
+ * (An arc length would trace the unstable way between, which nothing takes.) A strip that
+ * is pressed straight has no such increment: what shall buckle needs a load, however small,
+ * that says to which side. STATUS_INPUT without supports; deaths with a sentence. */
+enum status large_rest_equilibrium(struct large_motion *m, struct counters *counters,
+                                   struct message *why);
+
+/* model.h's modes about m->x: of its tangent, stress and all. */
+enum status large_rest_modes(struct large_motion *m, int count, double *omega,
+                             struct message *why);
+
+#endif

@@ -1,0 +1,151 @@
+#include "models/mechanics/supports.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Greville abscissae are sums of a few knots in [0,1]: round-off of a few ulp. */
+static const double ROUNDING = 1e-12;
+
+static bool inside(double x, double lo, double hi)
+{
+    return x >= lo - ROUNDING && x <= hi + ROUNDING;
+}
+
+static bool full_thickness(const struct scene_support *s)
+{
+    return s->lo[2] <= 0 && s->hi[2] >= 1;
+}
+
+bool supports_whole_columns(const struct scene *scene)
+{
+    for (int n = 0; n < scene->support_count; n++)
+        if (!full_thickness(&scene->supports[n]))
+            return false;
+    return true;
+}
+
+static bool holds(const struct scene_support *s, const double uvw[3])
+{
+    return inside(uvw[0], s->lo[0], s->hi[0]) && inside(uvw[1], s->lo[1], s->hi[1]) &&
+           (uvw[2] < 0 || inside(uvw[2], s->lo[2], s->hi[2]));
+}
+
+/* owner[3 nodes]: the support holding each unknown, -1 if none; the first one wins. */
+static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3],
+                          int *owner, struct message *why)
+{
+    for (int n = 0; n < 3 * nodes; n++)
+        owner[n] = -1;
+    for (int n = 0; n < scene->support_count; n++) {
+        const struct scene_support *s = &scene->supports[n];
+        int count = 0;
+        for (int a = 0; a < nodes; a++) {
+            if (!holds(s, uvw[a]))
+                continue;
+            if (uvw[a][2] < 0 && !full_thickness(s))
+                return status_fail(why, STATUS_UNSUPPORTED,
+                                   "support %d holds part of the thickness, but the "
+                                   "unknowns are whole columns; use "
+                                   "discretization.unknowns=points",
+                                   n);
+            count++;
+            for (int i = 0; i < 3; i++)
+                if (s->fix >> i & 1 && owner[3 * a + i] < 0)
+                    owner[3 * a + i] = n;
+        }
+        if (!count)
+            return status_fail(why, STATUS_INPUT,
+                               "support %d holds no node of this discretization; use more "
+                               "points or a larger region",
+                               n);
+    }
+    return STATUS_OK;
+}
+
+enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
+                          double (*uvw)[3], struct message *why)
+{
+    enum status st = STATUS_MEMORY;
+    size_t count = 3 * (size_t)nodes;
+    struct supports new = {.nodes = nodes};
+    int *owner = malloc(count * sizeof *owner);
+
+    new.free_index = malloc(count * sizeof *new.free_index);
+    new.held = malloc(count * sizeof *new.held);
+    new.owner = malloc(count * sizeof *new.owner);
+    if (!owner || !new.free_index || !new.held || !new.owner)
+        goto out;
+    TRY(assign(scene, nodes, uvw, owner, why));
+    for (int n = 0; n < (int)count; n++) {
+        new.free_index[n] = owner[n] < 0 ? new.free_count++ : -1;
+        if (owner[n] < 0)
+            continue;
+        new.held[new.held_count] = n;
+        new.moving |= scene->supports[owner[n]].path_count > 0;
+        new.owner[new.held_count++] = uvw[n / 3][2] == SUPPORTS_DIFFERENCE ? -1 : owner[n];
+    }
+    *s = new;
+    memset(&new, 0, sizeof new);
+out:
+    supports_clear(&new);
+    free(owner);
+    return st;
+}
+
+enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
+                                struct message *why)
+{
+    if (scene->obstacle_count)
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "unsupported: no static equilibrium with obstacles; a motion with "
+            "damping comes to rest on them");
+    if (!s->held_count)
+        return status_fail(why, STATUS_INPUT,
+                           "static equilibrium needs supports, and the scene has none");
+    return STATUS_OK;
+}
+
+void supports_initial_velocity(const struct supports *s, const struct scene *scene,
+                               const double *rest, const double (*uvw)[3], double *v)
+{
+    static const double zero[3] = {0};
+    double of_zero[3];
+
+    scene_initial_velocity(scene, zero, of_zero);
+    for (int a = 0; a < s->nodes; a++) {
+        const bool difference = uvw && uvw[a][2] == SUPPORTS_DIFFERENCE;
+
+        scene_initial_velocity(scene, rest + 3 * (size_t)a, v + 3 * (size_t)a);
+        for (int i = 0; i < 3; i++) {
+            const int u = 3 * a + i;
+            v[u] = s->free_index[u] < 0 ? 0 : difference ? v[u] - of_zero[i] : v[u];
+        }
+    }
+}
+
+void supports_clear(struct supports *s)
+{
+    if (!s)
+        return;
+    free(s->free_index);
+    free(s->held);
+    free(s->owner);
+    memset(s, 0, sizeof *s);
+}
+
+void supports_shift(const struct supports *s, const struct scene *scene, double t,
+                    double *shift)
+{
+    for (int n = 0; n < s->held_count; n++) {
+        double by[3] = {0};
+        if (s->owner[n] >= 0)
+            scene_support_shift(&scene->supports[s->owner[n]], t, by);
+        shift[n] = by[s->held[n] % 3];
+    }
+}
+
+double supports_rest_time(const struct supports *s, const struct scene *scene)
+{
+    return s->moving ? scene->end : 0;
+}

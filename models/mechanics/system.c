@@ -1,0 +1,235 @@
+#include "models/mechanics/system.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* One entry of the lower triangle among free unknowns: block pair n, component i of node a
+ * (column) and j of node b (row). */
+static bool entry(const struct blocks *graph, const struct supports *held,
+                  const unsigned char *parity, int a, long n, int i, int j, int *column,
+                  int *row)
+{
+    int b = graph->node[n];
+
+    *column = held->free_index[3 * a + i];
+    *row = held->free_index[3 * b + j];
+    if (*column < 0 || *row < 0 || (a == b && j < i))
+        return false;
+    return !parity || parity[3 * a + i] == parity[3 * b + j];
+}
+
+static enum status pattern(const struct blocks *graph, const struct supports *held,
+                           const unsigned char *parity, long **start, int **row)
+{
+    int n_free = held->free_count;
+    long *s = malloc(((size_t)n_free + 1) * sizeof *s);
+    int *r = malloc((size_t)(9 * graph->start[graph->nodes] + 1) * sizeof *r), c, t;
+    long count = 0;
+
+    if (!s || !r) {
+        free(s);
+        free(r);
+        return STATUS_MEMORY;
+    }
+    for (int a = 0; a < graph->nodes; a++)
+        for (int i = 0; i < 3; i++) {
+            if (held->free_index[3 * a + i] < 0)
+                continue;
+            s[held->free_index[3 * a + i]] = count;
+            for (long n = graph->start[a]; n < graph->start[a + 1]; n++)
+                for (int j = 0; j < 3; j++)
+                    if (entry(graph, held, parity, a, n, i, j, &c, &t))
+                        r[count++] = t;
+        }
+    s[n_free] = count;
+    *start = s;
+    *row = r;
+    return STATUS_OK;
+}
+
+/* Where each block entry goes; those above the diagonal, held or uncoupled to the dump. */
+static void find_slots(struct system *s, const unsigned char *parity)
+{
+    const struct blocks *g = s->graph;
+    int dump = (int)factor_dump(s->factor), column, row;
+
+    for (int a = 0; a < g->nodes; a++)
+        for (long n = g->start[a]; n < g->start[a + 1]; n++)
+            for (int i = 0; i < 3; i++)
+                for (int j = 0; j < 3; j++)
+                    s->slot[9 * n + 3 * i + j] =
+                        entry(g, s->held, parity, a, n, i, j, &column, &row)
+                            ? (int)factor_slot(s->factor, row, column)
+                            : dump;
+}
+
+/* Node order to order of free unknowns. */
+static int *order_unknowns(const struct supports *held, const int *order)
+{
+    int *p = malloc(((size_t)held->free_count + 1) * sizeof *p), count = 0;
+
+    for (int a = 0; p && a < held->nodes; a++)
+        for (int i = 0; i < 3; i++)
+            if (held->free_index[3 * order[a] + i] >= 0)
+                p[count++] = held->free_index[3 * order[a] + i];
+    return p;
+}
+
+enum status system_init(struct system *s, const struct blocks *graph,
+                        const struct supports *held, const unsigned char *parity,
+                        const int *order, enum solver solver)
+{
+    enum status st = STATUS_MEMORY;
+    struct system new = {.graph = graph, .held = held, .parity = parity};
+    long *start = NULL;
+    int *row = NULL, *unknowns = NULL;
+
+    if (order && !(unknowns = order_unknowns(held, order)))
+        goto out;
+    TRY(pattern(graph, held, parity, &start, &row));
+    struct factor_pattern p = {held->free_count, start, row, unknowns};
+    TRY(factor_create(&p, solver, &new.factor));
+    st = STATUS_MEMORY;
+    new.slot = malloc(9 * (size_t)graph->start[graph->nodes] * sizeof *new.slot);
+    new.packed = malloc(((size_t)held->free_count + 1) * sizeof *new.packed);
+    if (!new.slot || !new.packed)
+        goto out;
+    find_slots(&new, parity);
+    *s = new;
+    memset(&new, 0, sizeof new);
+    st = STATUS_OK;
+out:
+    system_clear(&new);
+    free(start);
+    free(row);
+    free(unknowns);
+    return st;
+}
+
+void system_clear(struct system *s)
+{
+    if (!s)
+        return;
+    factor_destroy(s->factor);
+    free(s->slot);
+    free(s->packed);
+    memset(s, 0, sizeof *s);
+}
+
+enum status system_factor(struct system *s, double k, const double (*K)[9], double m,
+                          const double *M)
+{
+    long pairs = s->graph->start[s->graph->nodes];
+    double *value = factor_values(s->factor);
+
+    factor_clear_values(s->factor);
+    for (long n = 0; n < pairs; n++) {
+        const int *slot = s->slot + 9 * n;
+        double mass = M ? m * M[n] : 0;
+        for (int t = 0; t < 9; t++)
+            value[slot[t]] = k * K[n][t] + (t % 4 ? 0 : mass);
+    }
+    return factor_refactor(s->factor);
+}
+
+/* C = A B, 3x3; not aliased. */
+static void multiply(const double A[9], const double B[9], double C[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            C[3 * i + j] =
+                A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
+}
+
+/* B <- P_a B P_b, and on the diagonal what P_a takes out gets B's mean diagonal. */
+static void project_block(const double Pa[9], const double Pb[9], bool diagonal,
+                          double B[9])
+{
+    double work[9], mean = (B[0] + B[4] + B[8]) / 3;
+
+    multiply(Pa, B, work);
+    multiply(work, Pb, B);
+    for (int t = 0; diagonal && t < 9; t++)
+        B[t] += mean * ((t % 4 == 0) - Pa[t]);
+}
+
+enum status system_factor_projected(struct system *s, double k, const double (*K)[9],
+                                    double m, const double *M, const double (*D)[9],
+                                    const double (*P)[9], const unsigned char *touched)
+{
+    const struct blocks *g = s->graph;
+    double *value = factor_values(s->factor), B[9];
+
+    factor_clear_values(s->factor);
+    for (int a = 0; a < g->nodes; a++)
+        for (long n = g->start[a]; n < g->start[a + 1]; n++) {
+            int b = g->node[n];
+            double mass = M ? m * M[n] : 0;
+            for (int t = 0; t < 9; t++)
+                B[t] = (K ? k * K[n][t] : 0) + (t % 4 ? 0 : mass) +
+                       (D && a == b ? D[a][t] : 0);
+            if (touched[a] || touched[b])
+                project_block(P[a], P[b], a == b, B);
+            for (int t = 0; t < 9; t++)
+                value[s->slot[9 * n + t]] = B[t];
+        }
+    return factor_refactor(s->factor);
+}
+
+void system_multiply(const struct system *s, double k, const double (*K)[9], double m,
+                     const double *M, const double *x, double *y, double *work)
+{
+    size_t count = 3 * (size_t)s->graph->nodes;
+
+    blocks_multiply(s->graph, K, x, y);
+    if (M)
+        blocks_multiply_mass(s->graph, M, x, work);
+    for (size_t t = 0; t < count; t++)
+        y[t] = k * y[t] + (M ? m * work[t] : 0);
+}
+
+enum status system_solve(struct system *s, double *x)
+{
+    const int *place = s->held->free_index;
+    int count = 3 * s->held->nodes;
+    enum status st;
+
+    for (int n = 0; n < count; n++)
+        if (place[n] >= 0)
+            s->packed[place[n]] = x[n];
+    st = factor_solve(s->factor, s->packed);
+    for (int n = 0; n < count; n++)
+        x[n] = place[n] >= 0 ? s->packed[place[n]] : 0;
+    return st;
+}
+
+enum status system_columns(const struct blocks *graph, const struct supports *held,
+                           const unsigned char *parity, double k, const double (*K)[9],
+                           double m, const double *M, long **start, int **row,
+                           double **value)
+{
+    enum status st;
+    double *v = NULL;
+    long count = 0;
+    int c, t;
+
+    TRY(pattern(graph, held, parity, start, row));
+    v = malloc(((size_t)(*start)[held->free_count] + 1) * sizeof *v);
+    if (!v) {
+        free(*start);
+        free(*row);
+        *start = NULL;
+        *row = NULL;
+        st = STATUS_MEMORY;
+        goto out;
+    }
+    for (int a = 0; a < graph->nodes; a++)
+        for (int i = 0; i < 3; i++)
+            for (long n = graph->start[a]; n < graph->start[a + 1]; n++)
+                for (int j = 0; j < 3; j++)
+                    if (entry(graph, held, parity, a, n, i, j, &c, &t))
+                        v[count++] = k * K[n][3 * i + j] + (i == j && M ? m * M[n] : 0);
+    *value = v;
+out:
+    return st;
+}

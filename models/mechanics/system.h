@@ -1,0 +1,57 @@
+/* system.h - the symmetric positive definite system k K + m M of a vector field with held
+ * unknowns (Dirichlet data by elimination; Ren et al. 2024, eq. 20-22): pattern and
+ * symbolic factorisation once, numbers as often as wanted.
+ */
+#ifndef SYSTEM_H
+#define SYSTEM_H
+
+#include "models/linalg/blocks.h"
+#include "models/linalg/factor.h"
+#include "models/mechanics/supports.h"
+
+struct system {
+    const struct blocks *graph;     /* borrowed                                        */
+    const struct supports *held;    /* borrowed                                        */
+    const unsigned char *parity;    /* borrowed or NULL                                */
+    struct factor *factor;
+    int *slot;      /* [pairs][9] place of each block entry in the factor's values     */
+    double *packed; /* [free_count]                                                    */
+};
+
+/* parity[nodes][3] or NULL: entries that couple unlike parities are left out (they must be
+ * zero; see solid_space.h). order[nodes] or NULL: a node order for the factorisation. */
+enum status system_init(struct system *s, const struct blocks *graph,
+                        const struct supports *held, const unsigned char *parity,
+                        const int *order, enum solver solver);
+void system_clear(struct system *s);
+
+/* Factorises k K + m M; M may be NULL if m == 0. STATUS_INDEFINITE if it can't be. */
+enum status system_factor(struct system *s, double k, const double (*K)[9], double m,
+                          const double *M);
+
+/* Factorises P A P + S for A = k K + m M + D, D[nodes][3][3] on the diagonal, or NULL: nodes
+ * a that are touched[a] may move only in the range of the orthogonal projector P[a][3][3],
+ * which is the identity on the other nodes and does not mix held components with free ones.
+ * S puts the node's mean diagonal of A on what P takes out, so that the matrix is positive
+ * definite and its pattern that of A: for right-hand sides P b the solution is in P's range,
+ * and the one of P A P there. K may be NULL if k == 0. */
+enum status system_factor_projected(struct system *s, double k, const double (*K)[9],
+                                    double m, const double *M, const double (*D)[9],
+                                    const double (*P)[9], const unsigned char *touched);
+
+/* y = (k K + m M) x; x, y [nodes][3], work [nodes][3], not aliased. */
+void system_multiply(const struct system *s, double k, const double (*K)[9], double m,
+                     const double *M, const double *x, double *y, double *work);
+
+/* Solves for the free unknowns: x[nodes][3] holds the right-hand side on entry, the
+ * solution on return; held entries become zero. */
+enum status system_solve(struct system *s, double *x);
+
+/* Lower triangle by columns of the free unknowns of k K + m M for eigen.h and the like:
+ * start[free_count + 1], row and value [start[free_count]], all owned by the caller. */
+enum status system_columns(const struct blocks *graph, const struct supports *held,
+                           const unsigned char *parity, double k, const double (*K)[9],
+                           double m, const double *M, long **start, int **row,
+                           double **value);
+
+#endif

@@ -1,0 +1,352 @@
+#include "models/metric/intersection.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/metric/triangle.h"
+
+/* Pairs of cells tested at a time: the memory does not grow with what overlaps. */
+enum { CANDIDATES = 1 << 15, FIRST_PAIRS = 1024 };
+
+/* Below this share of the largest coordinate: 0. What is left fits predicate.h. */
+static const double negligible = 0x1p-247;
+
+void intersection_clear(struct intersection *s)
+{
+    free(s->pairs);
+    free(s->point);
+    free(s->boxes);
+    free(s->candidate);
+    free(s->hit);
+    memset(s, 0, sizeof *s);
+}
+
+void intersection_corners(int n_u, int triangle, int corner[3])
+{
+    int cell = triangle / 2, first = cell / (n_u - 1) * n_u + cell % (n_u - 1);
+
+    corner[0] = first;
+    corner[1] = triangle % 2 ? first + n_u + 1 : first + 1;
+    corner[2] = triangle % 2 ? first + n_u : first + n_u + 1;
+}
+
+static long box_count(int n_u, int n_v)
+{
+    long count = 0;
+
+    for (n_u--, n_v--; n_u > 1 || n_v > 1; n_u = (n_u + 1) / 2, n_v = (n_v + 1) / 2)
+        count += (long)n_u * n_v;
+    return count + 1;
+}
+
+static enum status make_room(struct intersection *s, int n_u, int n_v)
+{
+    long points = (long)n_u * n_v, boxes = box_count(n_u, n_v);
+    long room = points > boxes ? points : boxes;
+
+    s->n_u = n_u, s->n_v = n_v;
+    if (!s->candidate)
+        s->candidate = malloc(CANDIDATES * sizeof *s->candidate);
+    if (!s->hit)
+        s->hit = malloc(CANDIDATES);
+    if (room > s->room) {
+        free(s->point);
+        free(s->boxes);
+        s->point = malloc(room * 3 * sizeof *s->point);
+        s->boxes = malloc(room * sizeof *s->boxes);
+        s->room = s->point && s->boxes ? room : 0;
+    }
+    return s->candidate && s->hit && s->room ? STATUS_OK : STATUS_MEMORY;
+}
+
+/* Copies the points, scaled by a power of two so that the largest coordinate is near 1. */
+static enum status scale_points(struct intersection *s, const double *xyz)
+{
+    long n = 3 * (long)s->n_u * s->n_v;
+    double size = 0;
+    int exponent;
+
+    for (long i = 0; i < n; i++) {
+        if (!isfinite(xyz[i]))
+            return STATUS_NAN;
+        size = fmax(size, fabs(xyz[i]));
+    }
+    frexp(size, &exponent);
+    for (long i = 0; i < n; i++) {
+        double x = ldexp(xyz[i], -exponent);
+        s->point[i] = fabs(x) < negligible ? 0 : x;
+    }
+    return STATUS_OK;
+}
+
+static void join(double box[6], const double low[3], const double high[3])
+{
+    for (int c = 0; c < 3; c++) {
+        box[c] = low[c] < box[c] ? low[c] : box[c];
+        box[3 + c] = high[c] > box[3 + c] ? high[c] : box[3 + c];
+    }
+}
+
+static void fit_cells(const struct intersection *s, const struct intersection_level *cells)
+{
+    for (int j = 0; j < cells->n_v; j++)
+        for (int i = 0; i < cells->n_u; i++) {
+            const double *p = s->point + 3 * ((long)j * s->n_u + i), *q = p + 3 * s->n_u;
+            double *box = cells->box[(long)j * cells->n_u + i];
+            memcpy(box, p, 3 * sizeof *box);
+            memcpy(box + 3, p, 3 * sizeof *box);
+            join(box, p + 3, p + 3);
+            join(box, q, q);
+            join(box, q + 3, q + 3);
+        }
+}
+
+static void fit_parents(const struct intersection_level *below,
+                        const struct intersection_level *above)
+{
+    for (int j = 0; j < above->n_v; j++)
+        for (int i = 0; i < above->n_u; i++) {
+            double *box = above->box[(long)j * above->n_u + i];
+            memcpy(box, below->box[2L * j * below->n_u + 2 * i], 6 * sizeof *box);
+            for (int k = 1; k < 4; k++) {
+                int p = 2 * i + k % 2, q = 2 * j + k / 2;
+                if (p < below->n_u && q < below->n_v) {
+                    const double *child = below->box[(long)q * below->n_u + p];
+                    join(box, child, child + 3);
+                }
+            }
+        }
+}
+
+/* Boxes of the cells, of 2 x 2 of those, and so on to a single one. */
+static void fit_boxes(struct intersection *s)
+{
+    int n_u = s->n_u - 1, n_v = s->n_v - 1;
+    double(*box)[6] = s->boxes;
+
+    for (s->levels = 0;; s->levels++) {
+        struct intersection_level *level = &s->level[s->levels];
+        *level = (struct intersection_level){n_u, n_v, box};
+        if (s->levels == 0)
+            fit_cells(s, level);
+        else
+            fit_parents(level - 1, level);
+        if (n_u == 1 && n_v == 1)
+            break;
+        box += (long)n_u * n_v;
+        n_u = (n_u + 1) / 2, n_v = (n_v + 1) / 2;
+    }
+    s->levels++;
+}
+
+/* Brings the corners that both have to the front, in the same order; returns their number.
+ * At most two: no two triangles of the grid have all three. */
+static int match_corners(int p[3], int q[3])
+{
+    int shared = 0;
+
+    for (int i = 0; i < 3; i++)
+        for (int j = shared; j < 3; j++)
+            if (p[i] == q[j]) {
+                int of_p = p[i], of_q = q[j];
+                p[i] = p[shared], q[j] = q[shared];
+                p[shared] = of_p, q[shared] = of_q;
+                shared++;
+                break;
+            }
+    return shared;
+}
+
+static bool triangles_intersect(const struct intersection *s, int first, int second)
+{
+    int p[3], q[3];
+    const double *a[3], *b[3];
+
+    intersection_corners(s->n_u, first, p);
+    intersection_corners(s->n_u, second, q);
+    int shared = match_corners(p, q);
+    for (int i = 0; i < 3; i++) {
+        a[i] = s->point + 3L * p[i];
+        b[i] = s->point + 3L * q[i];
+    }
+    if (shared == 2)
+        return triangle_meets_beyond_edge(a, b);
+    return shared ? triangle_meets_beyond_vertex(a, b) : triangle_meets(a, b);
+}
+
+/* Bit 2a + b for triangle a of the first cell and b of the second; a cell with itself: bit
+ * 1 only. */
+static unsigned char test_cells(const struct intersection *s, struct intersection_pair cell)
+{
+    unsigned char hit = 0;
+
+    for (int bit = 0; bit < 4; bit++)
+        if (cell.first != cell.second || bit == 1)
+            if (triangles_intersect(s, 2 * cell.first + bit / 2, 2 * cell.second + bit % 2))
+                hit |= 1u << bit;
+    return hit;
+}
+
+static enum status keep_pair(struct intersection *s, int p, int q)
+{
+    if (s->pair_count == s->pair_room) {
+        long room = s->pair_room ? 2 * s->pair_room : FIRST_PAIRS;
+        struct intersection_pair *more = realloc(s->pairs, room * sizeof *more);
+        if (!more)
+            return STATUS_MEMORY;
+        s->pairs = more;
+        s->pair_room = room;
+    }
+    s->pairs[s->pair_count++] = (struct intersection_pair){p < q ? p : q, p < q ? q : p};
+    return STATUS_OK;
+}
+
+/* Tests the candidates in parallel, then counts them in order. */
+static enum status flush(struct intersection *s, long *count)
+{
+    enum status st = STATUS_OK;
+
+#pragma omp parallel for schedule(dynamic, 256) if (s->candidate_count > 1024)
+    for (int n = 0; n < s->candidate_count; n++)
+        s->hit[n] = test_cells(s, s->candidate[n]);
+    for (int n = 0; n < s->candidate_count; n++) {
+        struct intersection_pair cell = s->candidate[n];
+        s->tests += cell.first == cell.second ? 1 : 4;
+        for (int bit = 0; s->hit[n] >> bit; bit++)
+            if (s->hit[n] >> bit & 1) {
+                ++*count;
+                if (s->keep_pairs)
+                    TRY(keep_pair(s, 2 * cell.first + bit / 2, 2 * cell.second + bit % 2));
+            }
+    }
+out:
+    s->candidate_count = 0;
+    return st;
+}
+
+static enum status add_candidate(struct intersection *s, int first, int second, long *count)
+{
+    enum status st = STATUS_OK;
+
+    if (s->candidate_count == CANDIDATES)
+        TRY(flush(s, count));
+    s->candidate[s->candidate_count++] = (struct intersection_pair){first, second};
+out:
+    return st;
+}
+
+/* Children of box n of level l + 1 in level l; returns how many. */
+static int children(const struct intersection *s, int l, int n, int child[4])
+{
+    const struct intersection_level *above = &s->level[l + 1], *level = &s->level[l];
+    int i = n % above->n_u, j = n / above->n_u, count = 0;
+
+    for (int k = 0; k < 4; k++) {
+        int p = 2 * i + k % 2, q = 2 * j + k / 2;
+        if (p < level->n_u && q < level->n_v)
+            child[count++] = q * level->n_u + p;
+    }
+    return count;
+}
+
+/* Boxes that touch meet. */
+static bool boxes_meet(const double p[6], const double q[6])
+{
+    for (int c = 0; c < 3; c++)
+        if (p[c] > q[3 + c] || q[c] > p[3 + c])
+            return false;
+    return true;
+}
+
+/* Pairs of cells, one below box m, one below box n of level l. */
+static enum status across(struct intersection *s, int l, int m, int n, long *count)
+{
+    enum status st = STATUS_OK;
+    int of_m[4], of_n[4];
+
+    if (!boxes_meet(s->level[l].box[m], s->level[l].box[n]))
+        return STATUS_OK;
+    if (l == 0)
+        return add_candidate(s, m, n, count);
+    int m_count = children(s, l - 1, m, of_m), n_count = children(s, l - 1, n, of_n);
+    for (int i = 0; i < m_count; i++)
+        for (int j = 0; j < n_count; j++)
+            TRY(across(s, l - 1, of_m[i], of_n[j], count));
+out:
+    return st;
+}
+
+/* Pairs of cells both below box n of level l. */
+static enum status within(struct intersection *s, int l, int n, long *count)
+{
+    enum status st = STATUS_OK;
+    int child[4];
+
+    if (l == 0)
+        return add_candidate(s, n, n, count);
+    int children_count = children(s, l - 1, n, child);
+    for (int i = 0; i < children_count; i++) {
+        TRY(within(s, l - 1, child[i], count));
+        for (int j = i + 1; j < children_count; j++)
+            TRY(across(s, l - 1, child[i], child[j], count));
+    }
+out:
+    return st;
+}
+
+static int compare_pairs(const void *a, const void *b)
+{
+    const struct intersection_pair *p = a, *q = b;
+    if (p->first != q->first)
+        return p->first < q->first ? -1 : 1;
+    return (p->second > q->second) - (p->second < q->second);
+}
+
+static enum status begin(struct intersection *s, int n_u, int n_v, const double *xyz,
+                         long *count)
+{
+    enum status st = STATUS_OK;
+
+    assert(n_u >= 2 && n_v >= 2 && 2L * (n_u - 1) * (n_v - 1) <= 1L << 30);
+    *count = -1;
+    s->pair_count = s->tests = s->candidate_count = 0;
+    TRY(make_room(s, n_u, n_v));
+    TRY(scale_points(s, xyz));
+    fit_boxes(s);
+    *count = 0;
+out:
+    return st;
+}
+
+enum status intersection_count(struct intersection *s, int n_u, int n_v, const double *xyz,
+                               long *count)
+{
+    enum status st = STATUS_OK;
+
+    TRY(begin(s, n_u, n_v, xyz, count));
+    TRY(within(s, s->levels - 1, 0, count));
+    TRY(flush(s, count));
+    if (s->pair_count)
+        qsort(s->pairs, s->pair_count, sizeof *s->pairs, compare_pairs);
+out:
+    if (st)
+        *count = -1;
+    return st;
+}
+
+enum status intersection_count_all(struct intersection *s, int n_u, int n_v,
+                                   const double *xyz, long *count)
+{
+    enum status st = STATUS_OK;
+
+    TRY(begin(s, n_u, n_v, xyz, count));
+    int triangles = 2 * (n_u - 1) * (n_v - 1);
+    for (int p = 0; p < triangles; p++)
+        for (int q = p + 1; q < triangles; q++)
+            *count += triangles_intersect(s, p, q);
+    s->tests = (long)triangles * (triangles - 1) / 2;
+out:
+    return st;
+}

@@ -1,0 +1,328 @@
+#include "models/metric/metric.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/contact.h"
+#include "models/grid.h"
+#include "models/metric/intersection.h"
+#include "models/metric/metric_rest.h"
+
+enum { LAYER = GRID_U * GRID_V, ROW = GRID_U * 3 };
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void middle(const double *xyz, int i, int j, double x[3])
+{
+    const double *below = xyz + 3 * (j * GRID_U + i), *above = below + 3 * LAYER;
+    for (int c = 0; c < 3; c++)
+        x[c] = 0.5 * (below[c] + above[c]);
+}
+
+static void down(const struct scene *scene, double direction[3])
+{
+    double size = sqrt(dot(scene->gravity, scene->gravity));
+    for (int c = 0; c < 3; c++)
+        direction[c] = size > 0 ? scene->gravity[c] / size : -(double)(c == 2);
+}
+
+double metric_rmse(const double *a, const double *b)
+{
+    /* rows first, then the sum of rows: less round-off than one long sum */
+    double sum = 0;
+    for (int row = 0; row < GRID_V * GRID_W; row++) {
+        const double *p = a + row * ROW, *q = b + row * ROW;
+        double part = 0;
+        for (int n = 0; n < ROW; n++)
+            part += (p[n] - q[n]) * (p[n] - q[n]);
+        sum += part;
+    }
+    return sqrt(sum / GRID_POINTS);
+}
+
+/* Largest singular value of the 3x2 gradient at mid-surface point (i,j). */
+static double largest_stretch(const struct metric_rest *rest, const double *xyz, int i,
+                              int j)
+{
+    int i0 = i > 0 ? i - 1 : i, i1 = i < GRID_U - 1 ? i + 1 : i;
+    int j0 = j > 0 ? j - 1 : j, j1 = j < GRID_V - 1 ? j + 1 : j;
+    double west[3], east[3], south[3], north[3], fa[3], fb[3];
+    struct metric_rest_step s = metric_rest_step(rest, i, j, i0, i1, j0, j1);
+
+    middle(xyz, i0, j, west);
+    middle(xyz, i1, j, east);
+    middle(xyz, i, j0, south);
+    middle(xyz, i, j1, north);
+    for (int c = 0; c < 3; c++) {
+        fa[c] = (east[c] - west[c]) / s.a;
+        fb[c] = north[c] - south[c];
+        if (s.shear != 0)
+            fb[c] -= s.shear * fa[c];
+        fb[c] /= s.b;
+    }
+    /* eigenvalue of the right Cauchy-Green tensor */
+    double aa = dot(fa, fa), bb = dot(fb, fb), ab = dot(fa, fb);
+    return sqrt(0.5 * (aa + bb + hypot(aa - bb, 2 * ab)));
+}
+
+static double most_stretched(const struct metric_rest *rest, const double *xyz)
+{
+    double largest = 0;
+    for (int j = 0; j < GRID_V; j++)
+        for (int i = 0; i < GRID_U; i++) {
+            double stretch = largest_stretch(rest, xyz, i, j);
+            if (isnan(stretch))
+                return NAN;
+            largest = fmax(largest, stretch);
+        }
+    return largest;
+}
+
+double metric_stretch(const struct scene *scene, const double *xyz)
+{
+    struct metric_rest rest;
+    enum status st = metric_rest_init(&rest, scene);
+    double stretch = st == STATUS_OK ? most_stretched(&rest, xyz) : NAN;
+
+    metric_rest_clear(&rest);
+    return stretch;
+}
+
+double metric_drop(const struct scene *scene, const double *xyz)
+{
+    static const double zero[3] = {0, 0, 0}, one[3] = {1, 1, 1};
+    double direction[3], top = -INFINITY, bottom = INFINITY;
+
+    down(scene, direction);
+    for (int s = 0; s < scene->support_count; s++)
+        top = fmax(top, metric_rest_highest(scene, scene->supports[s].lo,
+                                            scene->supports[s].hi, direction));
+    if (scene->support_count == 0)
+        top = metric_rest_highest(scene, zero, one, direction);
+    for (int j = 0; j < GRID_V; j++)
+        for (int i = 0; i < GRID_U; i++) {
+            double x[3];
+            middle(xyz, i, j, x);
+            double height = -dot(x, direction);
+            if (isnan(height))
+                return NAN;
+            bottom = fmin(bottom, height);
+        }
+    return (top - bottom) / scene->length;
+}
+
+/* Mid-surface points around the interior grid point (i,j). */
+static void around(const double *xyz, int i, int j, double x[3][3][3])
+{
+    for (int q = 0; q < 3; q++)
+        for (int p = 0; p < 3; p++)
+            middle(xyz, i + p - 1, j + q - 1, x[q][p]);
+}
+
+/* x_aa, x_ab, x_bb of the mid-surface at an interior point; da, db: the grid's steps [m].
+ */
+static void second(const double *xyz, int i, int j, double da, double db, double d[3][3])
+{
+    double x[3][3][3];
+
+    around(xyz, i, j, x);
+    for (int c = 0; c < 3; c++) {
+        d[0][c] = (x[1][2][c] - 2 * x[1][1][c] + x[1][0][c]) / (da * da);
+        d[1][c] = (x[2][2][c] - x[2][0][c] - x[0][2][c] + x[0][0][c]) / (4 * da * db);
+        d[2][c] = (x[2][1][c] - 2 * x[1][1][c] + x[0][1][c]) / (db * db);
+    }
+}
+
+/* |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 */
+static double squared(double d[3][3])
+{
+    return dot(d[0], d[0]) + 2 * dot(d[1], d[1]) + dot(d[2], d[2]);
+}
+
+static double squared_bending(const struct metric_rest *rest, const double *xyz, int i,
+                              int j, double da, double db)
+{
+    double x[3][3][3], d[3][3];
+
+    if (rest->xyz) {
+        around(xyz, i, j, x);
+        return metric_rest_bending(rest, i, j, x);
+    }
+    second(xyz, i, j, da, db, d);
+    return squared(d);
+}
+
+/* Over the grid points that lie at least `margin` steps from the edges. */
+static double roughness(const struct scene *scene, const double *xyz, int margin)
+{
+    double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1), sum = 0;
+    struct metric_rest rest;
+
+    if (metric_rest_init(&rest, scene) != STATUS_OK)
+        return NAN;
+    for (int j = margin; j < GRID_V - margin; j++) {
+        double part = 0;
+        for (int i = margin; i < GRID_U - margin; i++)
+            part += squared_bending(&rest, xyz, i, j, da, db);
+        sum += part;
+    }
+    metric_rest_clear(&rest);
+    return scene->length * sqrt(sum / ((GRID_U - 2 * margin) * (GRID_V - 2 * margin)));
+}
+
+double metric_roughness(const struct scene *scene, const double *xyz)
+{
+    return roughness(scene, xyz, 1);
+}
+
+double metric_inner_roughness(const struct scene *scene, const double *xyz)
+{
+    return roughness(scene, xyz, 20); /* 20/99 > 0.2 > 19/99 */
+}
+
+double metric_unevenness(const struct scene *scene, const double *xyz)
+{
+    double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1);
+    double bending = 0, change = 0;
+
+    for (int j = 1; j < GRID_V - 2; j++) {
+        double row_bending = 0, row_change = 0;
+        for (int i = 1; i < GRID_U - 2; i++) {
+            double x[3][3], east[3][3], north[3][3];
+            second(xyz, i, j, da, db, x);
+            second(xyz, i + 1, j, da, db, east);
+            second(xyz, i, j + 1, da, db, north);
+            row_bending += squared(x);
+            for (int c = 0; c < 3; c++)
+                row_change += pow((east[0][c] - x[0][c]) / da, 2) +
+                              3 * pow((north[0][c] - x[0][c]) / db, 2) +
+                              3 * pow((east[2][c] - x[2][c]) / da, 2) +
+                              pow((north[2][c] - x[2][c]) / db, 2);
+        }
+        bending += row_bending;
+        change += row_change;
+    }
+    return scene->length * sqrt(change / bending);
+}
+
+double metric_penetration(const struct scene *scene, const double *xyz)
+{
+    double gap = contact_least_gap(scene, GRID_POINTS, xyz);
+
+    return isnan(gap) ? NAN : fmax(0, -gap);
+}
+
+static bool escaped(const struct scene *scene, int n, const double x[3])
+{
+    double limit = 10 * scene->length, nearest = INFINITY;
+    if (scene->support_count == 0) {
+        double uvw[3];
+        grid_point(n, uvw);
+        nearest = metric_rest_distance(scene, uvw, uvw, limit, x);
+    }
+    for (int s = 0; s < scene->support_count; s++)
+        nearest = fmin(nearest, metric_rest_distance(scene, scene->supports[s].lo,
+                                                     scene->supports[s].hi, limit, x));
+    return nearest > limit * limit;
+}
+
+enum status metric_blowup(const struct scene *scene, const double *xyz)
+{
+    for (int n = 0; n < 3 * GRID_POINTS; n++)
+        if (!isfinite(xyz[n]))
+            return STATUS_NAN;
+    for (int n = 0; n < GRID_POINTS; n++)
+        if (escaped(scene, n, xyz + 3 * n))
+            return STATUS_ESCAPED;
+    return STATUS_OK;
+}
+
+/* Mid-surface at v = 1/2, which lies between two rows of the grid. */
+static void middle_line(const double *xyz, int i, double x[3])
+{
+    double south[3], north[3];
+    middle(xyz, i, GRID_V / 2 - 1, south);
+    middle(xyz, i, GRID_V / 2, north);
+    for (int c = 0; c < 3; c++)
+        x[c] = 0.5 * (south[c] + north[c]);
+}
+
+/* Of the line that metric_angle follows. */
+static void rest_direction(const struct scene *scene, double line[3])
+{
+    const double start[3] = {0, 0.5, 0.5}, end[3] = {1, 0.5, 0.5};
+    double x[3];
+
+    memcpy(line, scene->axis_u, 3 * sizeof *line);
+    if (scene->shape == SCENE_FLAT)
+        return;
+    scene_rest_point(scene, start, x);
+    scene_rest_point(scene, end, line);
+    for (int c = 0; c < 3; c++)
+        line[c] -= x[c];
+}
+
+double metric_angle(const struct scene *scene, const double *xyz)
+{
+    double start[3], end[3], line[3], level[3], direction[3], rest[3];
+    down(scene, direction);
+    middle_line(xyz, 0, start);
+    middle_line(xyz, GRID_U - 1, end);
+    for (int c = 0; c < 3; c++)
+        line[c] = end[c] - start[c];
+    double fall = dot(line, direction);
+    for (int c = 0; c < 3; c++)
+        level[c] = line[c] - fall * direction[c];
+    double reach = sqrt(dot(level, level));
+    rest_direction(scene, rest);
+    if (dot(level, rest) < 0)
+        reach = -reach;
+    return atan2(fall, reach) * (45 / atan(1));
+}
+
+double metric_intersections_every(const double *xyz, int step)
+{
+    const int n_u = (GRID_U - 1) / step + 1, n_v = (GRID_V - 1) / step + 1;
+    double *surface = malloc((size_t)(n_u * n_v * 3) * sizeof *surface);
+    struct intersection work = {0};
+    enum status st = STATUS_MEMORY;
+    long count = 0;
+
+    assert((GRID_U - 1) % step == 0 && (GRID_V - 1) % step == 0);
+    if (surface) {
+        for (int n = 0; n < n_u * n_v; n++)
+            middle(xyz, step * (n % n_u), step * (n / n_u), surface + 3 * n);
+        st = intersection_count(&work, n_u, n_v, surface, &count);
+    }
+    intersection_clear(&work);
+    free(surface);
+    return st ? NAN : (double)count;
+}
+
+double metric_intersections(const double *xyz)
+{
+    return metric_intersections_every(xyz, 1);
+}
+
+static double total(const struct energy *energy)
+{
+    return energy->kinetic + energy->elastic + energy->potential;
+}
+
+void metric_energy_drift(int count, const struct energy *energy, double *drift)
+{
+    double largest = 0;
+
+    for (int n = 0; n < count; n++)
+        largest = fmax(largest, energy[n].kinetic + energy[n].elastic +
+                                    fabs(energy[n].potential - energy[0].potential));
+    for (int n = 0; n < count; n++) {
+        double change = total(&energy[n]) - total(&energy[0]);
+        drift[n] = change == 0 ? 0 : change / largest;
+    }
+}

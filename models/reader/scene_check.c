@@ -1,0 +1,271 @@
+/* scene_check.c - values of a scene that must fit together. */
+#include "models/reader/scene_check.h"
+#include "models/cloak.h"
+#include "models/damping.h"
+
+#include <math.h>
+
+#include "models/discretization.h"
+#include "models/reader/scene_schema.h"
+
+/* Axes written with ten digits pass; a sheet is then that much longer than it says. */
+#define TOL_AXES 1e-9
+/* Round-off of two ways to write the same path, relative to the shift. */
+#define TOL_PATH 1e-12
+
+static bool is_setting(const struct yaml_tree *node)
+{
+    return node->line == 0;
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static enum status check_axis(const struct yaml_tree *node, const char *name,
+                              const double axis[3], struct message *why)
+{
+    const double length = sqrt(dot(axis, axis));
+
+    if (fabs(length - 1) <= TOL_AXES)
+        return STATUS_OK;
+    if (length == 0)
+        return yaml_tree_refuse(node, why, "pose axis %s is zero, but must have length 1",
+                                name);
+    return yaml_tree_refuse(node, why,
+                            "pose axis %s has length %.10g, but must have length 1, "
+                            "as [%.10g, %.10g, %.10g] has",
+                            name, length, axis[0] / length, axis[1] / length,
+                            axis[2] / length);
+}
+
+/* One number of a section (damping, pose), which its `kind` either takes or does not. */
+static enum status check_taken(const struct yaml_tree *section, const char *kind_name,
+                               const char *name, bool taken, double *number,
+                               struct message *why)
+{
+    const struct yaml_tree *node = yaml_tree_find(section, name);
+    const struct yaml_tree *kind = yaml_tree_find(section, "kind");
+
+    if (!node || taken)
+        return STATUS_OK;
+    if (!kind || !is_setting(kind) || is_setting(node))
+        return yaml_tree_refuse(node, why, "%s of kind '%s' takes no '%s'; leave it out",
+                                section->key, kind_name, name);
+    *number = 0;
+    return STATUS_OK;
+}
+
+/* A cloak's inner face must not reach its axis, at either end. */
+static enum status check_radius(const struct yaml_tree *root, const struct scene *scene,
+                                struct message *why)
+{
+    const char *const end[2] = {"upper edge", "hem"};
+
+    for (int u = 0; u < 2; u++) {
+        double r, z;
+
+        cloak_meridian(scene, u, 0, &r, &z);
+        if (!(r > 0))
+            return yaml_tree_refuse(
+                yaml_tree_find(root, "pose"), why,
+                "the cloak's %s has an inner radius of %.4g m, but must "
+                "stay clear of the axis: it needs more width, less "
+                "opening, or another flare",
+                end[u], r);
+    }
+    return STATUS_OK;
+}
+
+static enum status check_shape(const struct yaml_tree *root, struct scene *scene,
+                               struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *pose = yaml_tree_find(root, "pose");
+    const bool cloak = scene->shape == SCENE_CLOAK;
+    const char *kind = scene_shape_name((int)scene->shape);
+
+    if (!pose)
+        return STATUS_OK;
+    TRY(check_taken(pose, kind, "opening", cloak, &scene->opening, why));
+    TRY(check_taken(pose, kind, "flare", cloak, &scene->flare, why));
+    if (cloak && !yaml_tree_find(pose, "opening"))
+        return yaml_tree_refuse(pose, why, "pose of kind 'cloak' lacks the key 'opening'");
+    if (cloak)
+        TRY(check_radius(root, scene, why));
+out:
+    return st;
+}
+
+/* Spread evenly over parameters: on a curved shape that would be no even spread. */
+static enum status check_loads(const struct yaml_tree *root, const struct scene *scene,
+                               struct message *why)
+{
+    if (scene->load_count && scene->shape != SCENE_FLAT)
+        return yaml_tree_refuse(yaml_tree_find(root, "loads"), why,
+                                "loads are for flat sheets, but pose has kind '%s'",
+                                scene_shape_name((int)scene->shape));
+    return STATUS_OK;
+}
+
+static enum status check_pose(const struct yaml_tree *root, struct scene *scene,
+                              struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *pose = yaml_tree_find(root, "pose");
+    const struct yaml_tree *u = pose ? yaml_tree_find(pose, "u") : NULL;
+    const struct yaml_tree *v = pose ? yaml_tree_find(pose, "v") : NULL;
+    const double cosine = dot(scene->axis_u, scene->axis_v);
+
+    if (u)
+        TRY(check_axis(u, "u", scene->axis_u, why));
+    if (v)
+        TRY(check_axis(v, "v", scene->axis_v, why));
+    if (fabs(cosine) > TOL_AXES)
+        return yaml_tree_refuse(v ? v : u, why,
+                                "pose axes u and v have the product %.10g, but must be at "
+                                "right angles",
+                                cosine);
+    TRY(check_shape(root, scene, why));
+out:
+    return st;
+}
+
+static enum status check_damping(const struct yaml_tree *root, struct scene *scene,
+                                 struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *damping = yaml_tree_find(root, "damping"), *value;
+    struct scene_damping *d = &scene->damping;
+    const bool rayleigh = d->kind == DAMPING_RAYLEIGH;
+    const char *kind = damping_name((int)d->kind);
+    const bool one_value = d->kind != DAMPING_NONE && !rayleigh;
+
+    if (!damping)
+        return STATUS_OK;
+    TRY(check_taken(damping, kind, "value", one_value, &d->value, why));
+    TRY(check_taken(damping, kind, "alpha", rayleigh, &d->alpha, why));
+    TRY(check_taken(damping, kind, "beta", rayleigh, &d->beta, why));
+    value = yaml_tree_find(damping, "value");
+    if (one_value && !value)
+        return yaml_tree_refuse(damping, why, "damping of kind '%s' lacks the key 'value'",
+                                damping_name(d->kind));
+    if (rayleigh && !yaml_tree_find(damping, "alpha") && !yaml_tree_find(damping, "beta"))
+        return yaml_tree_refuse(damping, why,
+                                "damping of kind 'rayleigh' lacks the key 'alpha' "
+                                "or 'beta'");
+    if (d->kind == DAMPING_VELOCITY_SCALE && d->value > 1)
+        return yaml_tree_refuse(value, why,
+                                "velocity_scale %g would speed the sheet up; it must "
+                                "be from 0 to 1",
+                                d->value);
+    if (d->kind == DAMPING_VELOCITY_RATE && d->value * scene->step > 1)
+        return yaml_tree_refuse(value, why,
+                                "velocity_rate %g turns velocities round in each "
+                                "step of %g s; it must be %g at most",
+                                d->value, scene->step, 1 / scene->step);
+out:
+    return st;
+}
+
+static enum status check_time(const struct yaml_tree *root, const struct scene *scene,
+                              struct message *why)
+{
+    const struct yaml_tree *time = yaml_tree_find(root, "time");
+    const struct yaml_tree *step = yaml_tree_find(time, "step");
+    const struct yaml_tree *end = yaml_tree_find(time, "end");
+    const struct yaml_tree *blame = is_setting(step) && !is_setting(end) ? step : end;
+
+    if (scene->end < scene->step)
+        return yaml_tree_refuse(blame, why,
+                                "end %g s comes before the first step of %g s; it "
+                                "must be as long at least",
+                                scene->end, scene->step);
+    if (scene->end / scene->step > SCENE_MAX_FRAMES)
+        return yaml_tree_refuse(blame, why, "%.3g steps of %g s, but must be %d at most",
+                                scene->end / scene->step, scene->step, SCENE_MAX_FRAMES);
+    return STATUS_OK;
+}
+
+static enum status check_snapshots(const struct yaml_tree *root, struct scene *scene,
+                                   struct message *why)
+{
+    const struct yaml_tree *list = yaml_tree_find(root, "snapshots"), *node;
+    const struct yaml_tree *end = yaml_tree_find(yaml_tree_find(root, "time"), "end");
+    int kept = 0;
+
+    if (!list)
+        return STATUS_OK;
+    for (node = list->first; node && scene->snapshots[kept] <= scene->end;
+         node = node->next)
+        kept++;
+    if (node && (!is_setting(end) || is_setting(node)))
+        return yaml_tree_refuse(node, why, "snapshot %g s comes after the end at %g s",
+                                scene->snapshots[kept], scene->end);
+    scene->snapshot_count = kept;
+    return STATUS_OK;
+}
+
+/* Closed boxes with a point in common. */
+static bool overlap(const struct scene_support *a, const struct scene_support *b)
+{
+    for (int i = 0; i < 3; i++)
+        if (a->hi[i] < b->lo[i] || b->hi[i] < a->lo[i])
+            return false;
+    return true;
+}
+
+/* Equal at every row of `a`, in the components held by both. */
+static bool agrees_at_rows(const struct scene_support *a, const struct scene_support *b)
+{
+    for (int k = 0; k < a->path_count; k++) {
+        double at[3], bt[3];
+
+        scene_support_shift(a, a->path[k][0], at);
+        scene_support_shift(b, a->path[k][0], bt);
+        for (int i = 0; i < 3; i++)
+            if ((a->fix & b->fix & 1u << i) &&
+                fabs(at[i] - bt[i]) > TOL_PATH * (1 + fabs(at[i])))
+                return false;
+    }
+    return true;
+}
+
+/* O(supports^2 rows log rows). Piecewise linear paths are equal if they are at all rows. */
+static enum status check_supports(const struct yaml_tree *root, const struct scene *scene,
+                                  struct message *why)
+{
+    const struct yaml_tree *list = yaml_tree_find(root, "supports");
+    const struct yaml_tree *node = list ? list->first : NULL;
+
+    for (int j = 0; node; j++, node = node->next)
+        for (int i = 0; i < j; i++) {
+            const struct scene_support *a = &scene->supports[i], *b = &scene->supports[j];
+
+            if ((a->fix & b->fix) && overlap(a, b) &&
+                !(agrees_at_rows(a, b) && agrees_at_rows(b, a)))
+                return yaml_tree_refuse(
+                    node, why,
+                    "supports[%d] contradicts supports[%d]: they "
+                    "hold the same points in the same component, but along "
+                    "different paths",
+                    j, i);
+        }
+    return STATUS_OK;
+}
+
+enum status scene_check(const struct yaml_tree *root, struct scene *scene,
+                        struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    TRY(check_pose(root, scene, why));
+    TRY(check_time(root, scene, why));
+    TRY(check_damping(root, scene, why));
+    TRY(check_snapshots(root, scene, why));
+    TRY(check_supports(root, scene, why));
+    TRY(check_loads(root, scene, why));
+out:
+    return st;
+}

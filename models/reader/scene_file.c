@@ -1,0 +1,147 @@
+/* scene_file.c - files and settings to scenes. The keys are in scene_schema.c. */
+#include "models/reader/scene_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/reader/scene_schema.h"
+
+static bool is_numerics(const char *setting)
+{
+    const size_t length = strlen("discretization");
+
+    return !strncmp(setting, "discretization", length) &&
+           (setting[length] == '.' || setting[length] == '=');
+}
+
+/* The text with the settings below it as comments. */
+static enum status annotate(const char *text, size_t size, int setting_count,
+                            const char *const *settings, char **annotated)
+{
+    const char *mark = "# --set ";
+    size_t room = size + 2;
+    char *end;
+
+    for (int i = 0; i < setting_count; i++)
+        room += strlen(mark) + strlen(settings[i]) + 1;
+    *annotated = malloc(room);
+    if (!*annotated)
+        return STATUS_MEMORY;
+    memcpy(*annotated, text, size);
+    end = *annotated + size;
+    if (size > 0 && end[-1] != '\n')
+        *end++ = '\n';
+    for (int i = 0; i < setting_count; i++) {
+        end = stpcpy(stpcpy(end, mark), settings[i]);
+        *end++ = '\n';
+    }
+    *end = '\0';
+    return STATUS_OK;
+}
+
+/* Settings onto the scene's tree, or onto that of the discretization. */
+static enum status apply(int setting_count, const char *const *settings,
+                         struct yaml_tree *root, struct yaml_tree *numerics,
+                         struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int i = 0; i < setting_count; i++) {
+        const struct yaml_tree blame = {.origin = settings[i]};
+
+        if (strpbrk(settings[i], "\r\n"))
+            return yaml_tree_refuse(&blame, why,
+                                    "a line break in a setting; write one line");
+        TRY(yaml_tree_set(is_numerics(settings[i]) ? numerics : root, settings[i], why));
+    }
+out:
+    return st;
+}
+
+enum status scene_file_parse(const char *name, const char *text, size_t size,
+                             int setting_count, const char *const *settings,
+                             struct scene *scene, struct discretization *d,
+                             struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct yaml_tree *root = NULL, numerics = {.kind = YAML_TREE_MAP, .origin = ""};
+    struct discretization work = {.weights = NULL};
+
+    memset(scene, 0, sizeof *scene);
+    if (why)
+        why->text[0] = '\0';
+    TRY(discretization_copy(d, &work));
+    TRY(scene_init(scene));
+    free(scene->text), scene->text = NULL;
+    TRY(yaml_tree_parse(name, false, text, size, &root, why));
+    TRY(apply(setting_count, settings, root, &numerics, why));
+    TRY(scene_schema_read(root, scene, why));
+    TRY(scene_schema_read_numerics(&numerics, &work, why));
+    TRY(annotate(text, size, setting_count, settings, &scene->text));
+out:
+    if (st == STATUS_OK) {
+        struct discretization old = *d;
+
+        *d = work, work = old;
+    } else {
+        scene_clear(scene);
+        if (why && !why->text[0])
+            status_fail(why, st, "a scene file: %s", status_text(st));
+    }
+    discretization_clear(&work);
+    yaml_tree_free(numerics.first);
+    yaml_tree_free(root);
+    return st;
+}
+
+enum status scene_file_read(const char *path, int setting_count,
+                            const char *const *settings, struct scene *scene,
+                            struct discretization *d, struct message *why)
+{
+    enum status st = STATUS_OK;
+    char *bytes = NULL;
+    size_t size = 0;
+
+    memset(scene, 0, sizeof *scene);
+    TRY(named_file_read(&scene_file_kind, path, &bytes, &size, why));
+    TRY(scene_file_parse(path, bytes, size, setting_count, settings, scene, d, why));
+out:
+    free(bytes);
+    return st;
+}
+
+/* The source line of a scene, or what is wrong with the file. */
+static char *describe(const char *path)
+{
+    struct scene scene;
+    struct discretization d = {.weights = NULL};
+    struct message why;
+    char *text;
+
+    if (scene_file_read(path, 0, NULL, &scene, &d, &why) == STATUS_OK)
+        text = scene.source, scene.source = NULL;
+    else
+        text = strdup(why.text);
+    scene_clear(&scene);
+    return text;
+}
+
+const struct named_file_kind scene_file_kind = {
+    .what = "scene",
+    .ending = ".yaml",
+    .environment = "CLOTHBENCH_SCENES",
+    .from_program = SCENES_FROM_PROGRAM,
+    .in_source = SCENES_IN_SOURCE,
+    .describe = describe,
+};
+
+enum status scene_file_find(const char *argument, char **path, struct message *why)
+{
+    return named_file_find(&scene_file_kind, argument, path, why);
+}
+
+void scene_file_keys(void (*line)(void *context, const char *key, const char *text),
+                     void *context)
+{
+    scene_schema_list(line, context);
+}

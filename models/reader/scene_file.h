@@ -1,0 +1,44 @@
+/* scene_file.h - scenes from YAML files, with the command line's settings on top.
+ *
+ * Settings are strings `key=value`: `material.young=5e4`, `supports[0].fix=xy`,
+ * `damping={kind: none}`, `discretization.points=[10,10,2]`. The value is YAML; later
+ * settings win; a discretization is reached by settings only. scene_check.h says what a
+ * setting does to values of the file that it makes meaningless.
+ *
+ * What is wrong is said in one sentence without a line break, `file:line: ...` or
+ * `--set KEY=VALUE: ...` (STATUS_INPUT), or `file: ...` where there is no line because the
+ * file cannot be read (STATUS_FILE).
+ */
+#ifndef SCENE_FILE_H
+#define SCENE_FILE_H
+
+#include <stddef.h>
+
+#include "models/discretization.h"
+#include "models/reader/named_file.h"
+#include "models/scene.h"
+
+/* Reads a scene. *scene is overwritten, not freed; free with scene_clear. *d holds a
+ * model's defaults on entry and is overridden key by key. On failure *scene is all-zero and
+ * *d as it was. */
+enum status scene_file_read(const char *path, int setting_count,
+                            const char *const *settings, struct scene *scene,
+                            struct discretization *d, struct message *why);
+
+/* The same for text[size] in memory (any bytes), called `name` in sentences. */
+enum status scene_file_parse(const char *name, const char *text, size_t size,
+                             int setting_count, const char *const *settings,
+                             struct scene *scene, struct discretization *d,
+                             struct message *why);
+
+/* Where scenes with names are (named_file.h): $CLOTHBENCH_SCENES first. */
+extern const struct named_file_kind scene_file_kind;
+
+/* named_file_find of a SCENE argument. */
+enum status scene_file_find(const char *argument, char **path, struct message *why);
+
+/* Calls line() for every key that a scene or a setting may have, with what it may be. */
+void scene_file_keys(void (*line)(void *context, const char *key, const char *text),
+                     void *context);
+
+#endif

@@ -1,0 +1,316 @@
+/* scene_schema.c - the keys of a scene. */
+#include "models/reader/scene_schema.h"
+#include "models/damping.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/cloak.h"
+#include "models/reader/scene_check.h"
+#include "models/reader/scene_place.h"
+
+/* Limits of what doubles and people can handle; physics asks for less. */
+#define LENGTH           .low = 1e-9, .high = 1e6
+#define PLACE            .low = -1e6, .high = 1e6
+#define POSITIVE         .low = 1e-9, .high = 1e15
+#define NOT_NEGATIVE     .low = 0, .high = 1e15
+#define PARAMETER        .low = 0, .high = 1
+#define IN(type, member) .offset = offsetof(struct type, member)
+
+static const char *damping_word(int value)
+{
+    return damping_name(value);
+}
+
+static const char *shape_word(int value)
+{
+    return scene_shape_name(value);
+}
+
+static const char *kinematics_word(int value)
+{
+    return kinematics_name((enum kinematics)value);
+}
+
+static const char *remedy_word(int value)
+{
+    return remedy_name((enum remedy)value);
+}
+
+static const char *unknowns_word(int value)
+{
+    return unknowns_name((enum unknowns)value);
+}
+
+static const char *solver_word(int value)
+{
+    return solver_name((enum solver)value);
+}
+
+static const char *parameters_word(int value)
+{
+    return parameters_name((enum parameters)value);
+}
+
+static const char *integrator_word(int value)
+{
+    return integrator_name((enum integrator)value);
+}
+
+static const char *constraint_word(int value)
+{
+    return constraint_name((enum constraint)value);
+}
+
+static const char *acceleration_word(int value)
+{
+    return acceleration_name((enum acceleration)value);
+}
+
+static enum status read_name(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    struct scene *scene = target;
+    char *copy;
+
+    if (node->kind != YAML_TREE_SCALAR || !*node->text || strlen(node->text) > 64 ||
+        node->text[strspn(node->text, "abcdefghijklmnopqrstuvwxyz0123456789_")])
+        return schema_refuse(key, node, why);
+    copy = strdup(node->text);
+    if (!copy)
+        return STATUS_MEMORY;
+    free(scene->name);
+    scene->name = copy;
+    return STATUS_OK;
+}
+
+/* clang-format off */
+static const struct schema_key PLANE[] = {
+    {"point", "on the plane [m]", SCHEMA_VECTOR, .required = true, PLACE,
+     IN(scene_obstacle, point)},
+    {"normal", "outward", SCHEMA_VECTOR, .required = true, PLACE, IN(scene_obstacle, normal)},
+    {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3,
+     IN(scene_obstacle, friction)},
+    {NULL}};
+
+static const struct schema_key SPHERE[] = {
+    {"center", "centre [m]", SCHEMA_VECTOR, .required = true, PLACE,
+     IN(scene_obstacle, point)},
+    {"radius", "radius [m]", SCHEMA_NUMBER, .required = true, LENGTH,
+     IN(scene_obstacle, radius)},
+    {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3,
+     IN(scene_obstacle, friction)},
+    {NULL}};
+
+static const struct schema_key OBSTACLE[] = {
+    {"plane", "a half-space", SCHEMA_SECTION, .keys = PLANE},
+    {"sphere", "a ball", SCHEMA_SECTION, .keys = SPHERE},
+    {NULL}};
+/* clang-format on */
+
+static enum status read_obstacles(const struct schema_key *key,
+                                  const struct yaml_tree *node, void *target,
+                                  struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_LIST || node->count > SCENE_MAX_OBSTACLES)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        struct scene_obstacle o = {.friction = 0};
+
+        TRY(schema_read(OBSTACLE, child, "an obstacle", &o, why));
+        if (child->count != 1)
+            return yaml_tree_refuse(child, why,
+                                    "an obstacle has %d shapes, but must have "
+                                    "one, plane or sphere",
+                                    child->count);
+        o.kind = yaml_tree_find(child, "sphere") ? OBSTACLE_SPHERE : OBSTACLE_PLANE;
+        if (o.kind == OBSTACLE_PLANE && !o.normal[0] && !o.normal[1] && !o.normal[2])
+            return yaml_tree_refuse(child->first, why,
+                                    "a plane's normal is zero, but must "
+                                    "point away from the obstacle");
+        TRY(scene_add_obstacle(target, &o));
+    }
+out:
+    return st;
+}
+
+static enum status refuse_numerics(const struct schema_key *key,
+                                   const struct yaml_tree *node, void *target,
+                                   struct message *why)
+{
+    (void)target;
+    return yaml_tree_refuse(node, why,
+                            "a scene is physics and has no section %s; give it on "
+                            "the command line, as in --set discretization.points=[10,10,2]",
+                            key->key);
+}
+
+/* clang-format off */
+static const struct schema_key SHEET[] = {
+    {"length", "L along u [m]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, length)},
+    {"width", "W along v [m]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, width)},
+    {"thickness", "h along w [m]", SCHEMA_NUMBER, .required = true, LENGTH,
+     IN(scene, thickness)},
+    {NULL}};
+
+static const struct schema_key POSE[] = {
+    {"origin", "mid-surface corner u = v = 0; cloak: upper edge's centre [m]",
+     SCHEMA_VECTOR, PLACE, IN(scene, origin)},
+    {"u", "unit vector along the length", SCHEMA_VECTOR, PLACE, IN(scene, axis_u)},
+    {"v", "unit vector along the width, across u", SCHEMA_VECTOR, PLACE, IN(scene, axis_v)},
+    {"kind", "rest shape", SCHEMA_WORD, .word = shape_word, IN(scene, shape)},
+    {"opening", "cloak: angle around the axis u [deg]", SCHEMA_NUMBER, .low = 1,
+     .high = CLOAK_MAX_OPENING, IN(scene, opening)},
+    {"flare", "cloak: angle of its generators to the axis [deg]", SCHEMA_NUMBER, .low = -90,
+     .high = 90, IN(scene, flare)},
+    {NULL}};
+
+static const struct schema_key MATERIAL[] = {
+    {"young", "E [Pa]", SCHEMA_NUMBER, .required = true, POSITIVE, IN(scene, young)},
+    {"poisson", "nu [1]", SCHEMA_NUMBER, .required = true, .open = true, .low = -1,
+     .high = 0.5, IN(scene, poisson)},
+    {"density", "rho [kg/m^3]", SCHEMA_NUMBER, .required = true, POSITIVE,
+     IN(scene, density)},
+    {NULL}};
+
+static const struct schema_key DRAG[] = {
+    {"coefficient", "c of the force c (wind - v) per volume [kg/m^3/s]", SCHEMA_NUMBER,
+     .required = true, NOT_NEGATIVE, IN(scene, drag)},
+    {"wind", "velocity of the air [m/s]", SCHEMA_VECTOR, PLACE, IN(scene, wind)},
+    {NULL}};
+
+static const struct schema_key DAMPING[] = {
+    {"kind", "law", SCHEMA_WORD, .required = true, .word = damping_word,
+     IN(scene, damping.kind)},
+    {"value", "factor, or rate [1/s]", SCHEMA_NUMBER, NOT_NEGATIVE,
+     IN(scene, damping.value)},
+    {"alpha", "rayleigh: of the mass [1/s]", SCHEMA_NUMBER, NOT_NEGATIVE,
+     IN(scene, damping.alpha)},
+    {"beta", "rayleigh: of the stiffness [s]", SCHEMA_NUMBER, NOT_NEGATIVE,
+     IN(scene, damping.beta)},
+    {NULL}};
+
+static const struct schema_key MOTION[] = {
+    {"velocity", "of all of it [m/s]", SCHEMA_VECTOR, PLACE, IN(scene, velocity)},
+    {"spin", "about the origin of coordinates [rad/s]", SCHEMA_VECTOR, PLACE,
+     IN(scene, spin)},
+    {NULL}};
+
+static const struct schema_key TIME[] = {
+    {"step", "one frame [s]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, step)},
+    {"end", "duration [s]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, end)},
+    {NULL}};
+
+static const struct schema_key SCENE[] = {
+    {"name", "key in lists and results", SCHEMA_SPECIAL, .required = true, .read = read_name,
+     .want = "1 to 64 of the characters a-z, 0-9 and _"},
+    {"source", "where the numbers come from", SCHEMA_TEXT, .required = true,
+     IN(scene, source)},
+    {"sheet", "the sheet", SCHEMA_SECTION, .required = true, .keys = SHEET},
+    {"pose", "its rest pose", SCHEMA_SECTION, .keys = POSE},
+    {"material", "isotropic, linear", SCHEMA_SECTION, .required = true, .keys = MATERIAL},
+    {"gravity", "acceleration [m/s^2]", SCHEMA_VECTOR, PLACE, IN(scene, gravity)},
+    {"drag", "body drag", SCHEMA_SECTION, .keys = DRAG},
+    {"damping", "damping", SCHEMA_SECTION, .keys = DAMPING},
+    {"motion", "at the start, where nothing holds", SCHEMA_SECTION, .keys = MOTION},
+    {"supports", "what is held", SCHEMA_SPECIAL, .keys = scene_place_support,
+     .read = scene_place_supports,
+     .want = "a list of at most 100 supports {at: {...}, fix: xyz}"},
+    {"loads", "forces that keep their direction", SCHEMA_SPECIAL, .keys = scene_place_load,
+     .read = scene_place_loads,
+     .want = "a list of at most 100 loads {at: {...}, force: [x, y, z]}"},
+    {"obstacles", "what is in the way", SCHEMA_SPECIAL, .keys = OBSTACLE,
+     .read = read_obstacles,
+     .want = "a list of at most 100 obstacles {plane: {...}} or {sphere: {...}}"},
+    {"time", "steps", SCHEMA_SECTION, .required = true, .keys = TIME},
+    {"snapshots", "times worth keeping [s]", SCHEMA_NUMBERS, .low = 0, .high = 1e6,
+     .order = SCHEMA_INCREASING, .most = SCENE_MAX_SNAPSHOTS, IN(scene, snapshots),
+     .count_offset = offsetof(struct scene, snapshot_count)},
+    {"discretization", NULL, SCHEMA_SPECIAL, .read = refuse_numerics}, /* not listed */
+    {NULL}};
+
+#define KNOTS(direction) .high = 1, .order = SCHEMA_NON_DECREASING, .most = 100000,         \
+    IN(discretization, knots[direction]),                                                   \
+    .count_offset = offsetof(struct discretization, knot_count[direction])
+
+static const struct schema_key DISCRETIZATION[] = {
+    {"points", "control points or nodes", SCHEMA_COUNTS, .low = 1, .high = 10000,
+     IN(discretization, points)},
+    {"degree", "p, q, r", SCHEMA_COUNTS, .low = 1, .high = 5, IN(discretization, degree)},
+    {"gauss", "points per span, 0: degree + 1", SCHEMA_COUNTS, .low = 0, .high = 16,
+     IN(discretization, gauss)},
+    {"knots_u", "open knots along u", SCHEMA_NUMBERS, KNOTS(0)},
+    {"knots_v", "open knots along v", SCHEMA_NUMBERS, KNOTS(1)},
+    {"knots_w", "open knots along w", SCHEMA_NUMBERS, KNOTS(2)},
+    {"weights", "NURBS weights [u][v][w]", SCHEMA_NUMBERS, .low = 1e-6, .high = 1e6,
+     .most = 1000000, IN(discretization, weights),
+     .count_offset = offsetof(struct discretization, weight_count)},
+    {"kinematics", "law of motion", SCHEMA_WORD, .word = kinematics_word,
+     IN(discretization, kinematics)},
+    {"remedy", "against locking", SCHEMA_WORD, .word = remedy_word,
+     IN(discretization, remedy)},
+    {"unknowns", "through the thickness", SCHEMA_WORD, .word = unknowns_word,
+     IN(discretization, unknowns)},
+    {"solver", "of the linear systems", SCHEMA_WORD, .word = solver_word,
+     IN(discretization, solver)},
+    {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_word,
+     IN(discretization, parameters)},
+    {"integrator", "Euler's method", SCHEMA_WORD, .word = integrator_word,
+     IN(discretization, integrator)},
+    {"substeps", "of a frame, 0: as many as needed", SCHEMA_COUNT, .low = 0, .high = 1e6,
+     IN(discretization, substeps)},
+    {"iterations", "at most in a step, 0: until the tolerance is met", SCHEMA_COUNT,
+     .low = 0, .high = 1e6, IN(discretization, iterations)},
+    {"tolerance", "ends an iteration, 0: the model's own", SCHEMA_NUMBER, .low = 0,
+     .high = 1, IN(discretization, tolerance)},
+    {"strain_limit", "of a spring, 0: none", SCHEMA_NUMBER, .low = 0, .high = 10,
+     IN(discretization, strain_limit)},
+    {"constraint", "what resists stretching", SCHEMA_WORD, .word = constraint_word,
+     IN(discretization, constraint)},
+    {"acceleration", "of an iteration", SCHEMA_WORD, .word = acceleration_word,
+     IN(discretization, acceleration)},
+    {NULL}};
+/* clang-format on */
+
+/* What a setting may reach besides the scene. */
+static const struct schema_key NUMERICS[] = {
+    {"discretization", "the work put in", SCHEMA_SECTION, .keys = DISCRETIZATION},
+    {NULL},
+};
+
+enum status scene_schema_read(const struct yaml_tree *root, struct scene *scene,
+                              struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    TRY(schema_read(SCENE, root, "the scene", scene, why));
+    TRY(scene_check(root, scene, why));
+out:
+    return st;
+}
+
+enum status scene_schema_read_numerics(const struct yaml_tree *root,
+                                       struct discretization *d, struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *section, *points;
+
+    TRY(schema_read(NUMERICS, root, "the command line", d, why));
+    section = yaml_tree_find(root, "discretization");
+    points = section ? yaml_tree_find(section, "points") : NULL;
+    if (points && (double)d->points[0] * d->points[1] * d->points[2] > SCENE_MAX_POINTS)
+        return yaml_tree_refuse(points, why, "%d x %d x %d points, but must be %d at most",
+                                d->points[0], d->points[1], d->points[2], SCENE_MAX_POINTS);
+out:
+    return st;
+}
+
+void scene_schema_list(void (*line)(void *context, const char *key, const char *text),
+                       void *context)
+{
+    schema_list(SCENE, "", line, context);
+    schema_list(NUMERICS, "", line, context);
+}

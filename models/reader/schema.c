@@ -1,0 +1,378 @@
+/* schema.c - table-driven reading of YAML trees. */
+#include "models/reader/schema.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define NO_WORD "unknown"
+
+struct wanted {
+    char text[256];
+};
+
+static int write_range(char *text, size_t size, const struct schema_key *key)
+{
+    if (key->open)
+        return snprintf(text, size, " between %g and %g, both excluded", key->low,
+                        key->high);
+    return snprintf(text, size, " from %g to %g", key->low, key->high);
+}
+
+/* " a, b, c": the words of an enum or the listed keys of a section. */
+static void write_names(char *text, size_t size, const struct schema_key *key)
+{
+    size_t used = strlen(text);
+
+    for (int i = 0; used < size; i++) {
+        const bool is_word = key->type == SCHEMA_WORD;
+        const char *name = is_word ? key->word(i) : key->keys[i].key;
+
+        if (!name || !strcmp(name, NO_WORD))
+            break;
+        if (is_word || key->keys[i].what)
+            used +=
+                (size_t)snprintf(text + used, size - used, "%s%s", i ? ", " : " ", name);
+    }
+}
+
+/* What would be right for a key. */
+static struct wanted wanted(const struct schema_key *key)
+{
+    static const char *const noun[] = {
+        [SCHEMA_NUMBER] = "a number",
+        [SCHEMA_VECTOR] = "three numbers [x, y, z]",
+        [SCHEMA_NUMBERS] = "a list of numbers",
+        [SCHEMA_COUNT] = "a whole number",
+        [SCHEMA_COUNTS] = "two or three whole numbers [u, v, w]",
+        [SCHEMA_WORD] = "one of",
+        [SCHEMA_TEXT] = "a line of text",
+        [SCHEMA_SECTION] = "a section with keys among",
+    };
+    struct wanted w;
+
+    if (key->type == SCHEMA_SPECIAL) {
+        snprintf(w.text, sizeof w.text, "%s", key->want);
+        return w;
+    }
+    snprintf(w.text, sizeof w.text, "%s", noun[key->type]);
+    if (key->type == SCHEMA_WORD || key->type == SCHEMA_SECTION)
+        write_names(w.text, sizeof w.text, key);
+    else if (key->type != SCHEMA_TEXT) {
+        const size_t used = strlen(w.text);
+
+        write_range(w.text + used, sizeof w.text - used, key);
+    }
+    return w;
+}
+
+enum status schema_refuse(const struct schema_key *key, const struct yaml_tree *node,
+                          struct message *why)
+{
+    return yaml_tree_refuse(node, why, "%s is %s, but must be %s", key->key,
+                            yaml_tree_describe(node).text, wanted(key).text);
+}
+
+/* The same for a value inside a list. */
+static enum status refuse_inside(const struct schema_key *key, const struct yaml_tree *node,
+                                 struct message *why)
+{
+    return yaml_tree_refuse(node, why, "%s holds %s, but must be %s", key->key,
+                            yaml_tree_describe(node).text, wanted(key).text);
+}
+
+/* A decimal number as YAML and C both write it: no hexadecimal, inf, nan, spaces. */
+static bool parse_number(const struct yaml_tree *node, double *value)
+{
+    char *end;
+
+    if (node->kind != YAML_TREE_SCALAR || node->quoted || !*node->text ||
+        node->text[strspn(node->text, "+-.0123456789eE")])
+        return false;
+    errno = 0;
+    *value = strtod(node->text, &end);
+    return !*end && !errno && isfinite(*value);
+}
+
+static bool in_range(const struct schema_key *key, double value)
+{
+    return key->open ? value > key->low && value < key->high
+                     : value >= key->low && value <= key->high;
+}
+
+enum status schema_number(const struct schema_key *key, const struct yaml_tree *node,
+                          double *value, struct message *why)
+{
+    double number;
+
+    if (!parse_number(node, &number) || !in_range(key, number))
+        return schema_refuse(key, node, why);
+    *value = number;
+    return STATUS_OK;
+}
+
+static enum status read_vector(const struct schema_key *key, const struct yaml_tree *node,
+                               double *vector, struct message *why)
+{
+    const struct yaml_tree *child = node->first;
+
+    if (node->kind != YAML_TREE_LIST || node->count != 3)
+        return schema_refuse(key, node, why);
+    for (int i = 0; i < 3; i++, child = child->next)
+        if (!parse_number(child, &vector[i]) || !in_range(key, vector[i]))
+            return refuse_inside(key, child, why);
+    return STATUS_OK;
+}
+
+static enum status check_order(const struct schema_key *key, const struct yaml_tree *node,
+                               const double *numbers, struct message *why)
+{
+    const struct yaml_tree *child = node->first;
+
+    for (int i = 1; i < node->count; i++) {
+        child = child->next;
+        if (numbers[i] < numbers[i - 1] ||
+            (key->order == SCHEMA_INCREASING && numbers[i] == numbers[i - 1]))
+            return yaml_tree_refuse(child, why, "%s has %g after %g, but must be %s",
+                                    key->key, numbers[i], numbers[i - 1],
+                                    key->order == SCHEMA_INCREASING ? "increasing"
+                                                                    : "non-decreasing");
+    }
+    return STATUS_OK;
+}
+
+static enum status read_numbers(const struct schema_key *key, const struct yaml_tree *node,
+                                double **array, int *count, struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *child = node->first;
+    double *numbers = NULL;
+
+    if (node->kind != YAML_TREE_LIST)
+        return schema_refuse(key, node, why);
+    if (node->count > key->most)
+        return yaml_tree_refuse(node, why, "%s holds %d numbers, but must hold %d at most",
+                                key->key, node->count, key->most);
+    if (node->count > 0) {
+        numbers = malloc((size_t)node->count * sizeof *numbers);
+        if (!numbers)
+            return STATUS_MEMORY;
+    }
+    for (int i = 0; i < node->count; i++, child = child->next)
+        if (!parse_number(child, &numbers[i]) || !in_range(key, numbers[i]))
+            TRY(refuse_inside(key, child, why));
+    if (key->order != SCHEMA_ANY)
+        TRY(check_order(key, node, numbers, why));
+    free(*array);
+    *array = numbers, numbers = NULL;
+    *count = node->count;
+out:
+    free(numbers);
+    return st;
+}
+
+/* A whole number in digits alone. */
+static bool parse_count(const struct schema_key *key, const struct yaml_tree *node,
+                        int *count)
+{
+    double number;
+
+    if (!parse_number(node, &number) || !in_range(key, number) ||
+        node->text[strspn(node->text, "0123456789")])
+        return false;
+    *count = (int)number;
+    return true;
+}
+
+static enum status read_count(const struct schema_key *key, const struct yaml_tree *node,
+                              int *count, struct message *why)
+{
+    return parse_count(key, node, count) ? STATUS_OK : schema_refuse(key, node, why);
+}
+
+static enum status read_counts(const struct schema_key *key, const struct yaml_tree *node,
+                               int counts[3], struct message *why)
+{
+    const struct yaml_tree *child = node->first;
+
+    if (node->kind != YAML_TREE_LIST || node->count < 2 || node->count > 3)
+        return schema_refuse(key, node, why);
+    for (int i = 0; i < node->count; i++, child = child->next)
+        if (!parse_count(key, child, &counts[i]))
+            return refuse_inside(key, child, why);
+    return STATUS_OK;
+}
+
+static enum status read_word(const struct schema_key *key, const struct yaml_tree *node,
+                             int *value, struct message *why)
+{
+    if (node->kind == YAML_TREE_SCALAR && strcmp(node->text, NO_WORD))
+        for (int i = 0; strcmp(key->word(i), NO_WORD); i++)
+            if (!strcmp(key->word(i), node->text)) {
+                *value = i;
+                return STATUS_OK;
+            }
+    return schema_refuse(key, node, why);
+}
+
+static enum status read_text(const struct schema_key *key, const struct yaml_tree *node,
+                             char **text, struct message *why)
+{
+    char *copy;
+
+    if (node->kind != YAML_TREE_SCALAR || !*node->text)
+        return schema_refuse(key, node, why);
+    for (const char *c = node->text; *c; c++)
+        if ((unsigned char)*c < ' ' || *c == 127)
+            return schema_refuse(key, node, why);
+    copy = strdup(node->text);
+    if (!copy)
+        return STATUS_MEMORY;
+    free(*text);
+    *text = copy;
+    return STATUS_OK;
+}
+
+static enum status read_section(const struct schema_key *key, const struct yaml_tree *node,
+                                void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_MAP)
+        return schema_refuse(key, node, why);
+    TRY(schema_read(key->keys, node, key->key, target, why));
+    if (key->read)
+        TRY(key->read(key, node, target, why));
+out:
+    return st;
+}
+
+static enum status read_value(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
+{
+    void *place = (char *)target + key->offset;
+    void *count = (char *)target + key->count_offset;
+
+    switch (key->type) {
+    case SCHEMA_NUMBER:
+        return schema_number(key, node, place, why);
+    case SCHEMA_VECTOR:
+        return read_vector(key, node, place, why);
+    case SCHEMA_NUMBERS:
+        return read_numbers(key, node, place, count, why);
+    case SCHEMA_COUNT:
+        return read_count(key, node, place, why);
+    case SCHEMA_COUNTS:
+        return read_counts(key, node, place, why);
+    case SCHEMA_WORD:
+        return read_word(key, node, place, why);
+    case SCHEMA_TEXT:
+        return read_text(key, node, place, why);
+    case SCHEMA_SECTION:
+        return read_section(key, node, target, why);
+    case SCHEMA_SPECIAL:
+        return key->read(key, node, target, why);
+    }
+    return STATUS_INPUT;
+}
+
+/* Edits (insert, delete, exchange) from a to b; words longer than 31 count as far. */
+static int distance(const char *a, const char *b)
+{
+    enum { FAR = 99, MOST = 32 };
+    int row[MOST + 1];
+    const int m = (int)strlen(a), n = (int)strlen(b);
+
+    if (m >= MOST || n >= MOST)
+        return FAR;
+    for (int j = 0; j <= n; j++)
+        row[j] = j;
+    for (int i = 1; i <= m; i++) {
+        int diagonal = row[0]; /* of the row above */
+
+        row[0] = i;
+        for (int j = 1; j <= n; j++) {
+            const int above = row[j];
+            int best = diagonal + (a[i - 1] != b[j - 1]);
+
+            best = above + 1 < best ? above + 1 : best;
+            best = row[j - 1] + 1 < best ? row[j - 1] + 1 : best;
+            row[j] = best;
+            diagonal = above;
+        }
+    }
+    return row[n];
+}
+
+static enum status refuse_key(const struct schema_key *keys, const struct yaml_tree *node,
+                              const char *name, struct message *why)
+{
+    const struct schema_key all = {.type = SCHEMA_SECTION, .keys = keys};
+    const char *nearest = NULL;
+    struct wanted known = {""};
+    int least = ((int)strlen(node->key) + 1) / 3; /* one slip in three letters */
+
+    for (const struct schema_key *k = keys; k->key; k++) {
+        const int edits = distance(node->key, k->key);
+
+        if (edits <= least)
+            nearest = k->key, least = edits - 1;
+    }
+    if (nearest)
+        return yaml_tree_refuse(node, why, "%s has no key %s; did you mean '%s'?", name,
+                                yaml_tree_quote(node->key).text, nearest);
+    write_names(known.text, sizeof known.text, &all);
+    return yaml_tree_refuse(node, why, "%s has no key %s; it knows%s", name,
+                            yaml_tree_quote(node->key).text, known.text);
+}
+
+enum status schema_read(const struct schema_key *keys, const struct yaml_tree *node,
+                        const char *name, void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_MAP)
+        return yaml_tree_refuse(node, why, "%s is %s, but must be a section with keys",
+                                name, yaml_tree_describe(node).text);
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        const struct schema_key *key = keys;
+
+        while (key->key && strcmp(key->key, child->key))
+            key++;
+        if (!key->key)
+            return refuse_key(keys, child, name, why);
+        TRY(read_value(key, child, target, why));
+    }
+    for (const struct schema_key *key = keys; key->key; key++)
+        if (key->required && !yaml_tree_find(node, key->key))
+            return yaml_tree_refuse(node, why, "%s lacks the key '%s', %s", name, key->key,
+                                    wanted(key).text);
+out:
+    return st;
+}
+
+void schema_list(const struct schema_key *keys, const char *prefix,
+                 void (*line)(void *context, const char *key, const char *text),
+                 void *context)
+{
+    for (const struct schema_key *k = keys; k->key; k++) {
+        char path[128], text[512];
+
+        if (!k->what)
+            continue;
+        snprintf(path, sizeof path, "%s%s", prefix, k->key);
+        if (k->type == SCHEMA_SPECIAL && k->keys)
+            strncat(path, "[i]", sizeof path - strlen(path) - 1);
+        if (k->keys) {
+            strncat(path, ".", sizeof path - strlen(path) - 1);
+            schema_list(k->keys, path, line, context);
+            continue;
+        }
+        snprintf(text, sizeof text, "%s: %s%s", k->what, wanted(k).text,
+                 k->required ? " (required)" : "");
+        line(context, path, text);
+    }
+}

@@ -81,10 +81,9 @@ static void place_nodes(struct solid_space *space, const int points[3], const do
             for (int k = 0; k < points[2]; k++, node++) {
                 space->uvw[node][0] = (double)i / (points[0] - 1);
                 space->uvw[node][1] = (double)j / (points[1] - 1);
-                space->uvw[node][2] = !space->thickness_basis
-                                          ? (double)k / (points[2] - 1)
-                                      : k == 0 ? SUPPORTS_MIDDLE
-                                               : SUPPORTS_DIFFERENCE;
+                space->uvw[node][2] = !space->thickness_basis ? (double)k / (points[2] - 1)
+                                      : k == 0                ? SUPPORTS_MIDDLE
+                                                              : SUPPORTS_DIFFERENCE;
             }
     for (int a = 0; space->thickness_basis && a < space->nodes; a += 2)
         for (int i = 0; i < 3; i++) {

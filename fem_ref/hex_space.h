@@ -1,9 +1,9 @@
-/* hex_space.h - a net of trilinear 8-node hexahedra as a solid_space (Hughes 2000, sec. 3.5):
- * 2x2x2 Gauss, consistent mass, optionally three incompatible modes (Wilson et al. 1973 in
- * the form of Taylor, Beresford, Wilson 1976, which passes the patch test).
+/* hex_space.h - a net of trilinear 8-node hexahedra as a solid_space (Hughes 2000,
+ * sec. 3.5): 2x2x2 Gauss, consistent mass, optionally three incompatible modes (Wilson et
+ * al. 1973 in the form of Taylor, Beresford, Wilson 1976, which passes the patch test).
  *
- * Nodes are numbered w fastest: (i m + j) l + k, i < n along u. Element coordinates run over
- * [0,1]^3.
+ * Nodes are numbered w fastest: (i m + j) l + k, i < n along u. Element coordinates run
+ * over [0,1]^3.
  */
 #ifndef HEX_SPACE_H
 #define HEX_SPACE_H

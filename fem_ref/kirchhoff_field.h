@@ -7,7 +7,8 @@
 #include "models/scene.h"
 
 /* The plate of a scene: whole edge u = 0 held in x, y, z at rest, gravity along the normal,
- * no or mass damping, from rest, nothing else. Otherwise STATUS_UNSUPPORTED and a sentence. */
+ * no or mass damping, from rest, nothing else. Otherwise STATUS_UNSUPPORTED and a sentence.
+ */
 enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_plate *plate,
                                   struct message *why);
 

@@ -16,7 +16,8 @@
  * C12 is (1 - nu) / (2 nu) times too large, and the net's own Poisson ratio is
  * (1 - nu) / 2. On square cells that is k_d = E h / 2 (1 + nu) and
  * k_u = k_v = E h / 2 (1 - nu). A cell longer than sqrt(2 / (1 - nu)) times its width would
- * need springs of negative strength; its diagonals are weakened instead, and C33 falls short.
+ * need springs of negative strength; its diagonals are weakened instead, and C33 falls
+ * short.
  *
  * Bending. A spring across two cells, unstrained at rest, has the energy k (a^3 / 4)^2
  * kappa^4 / 2: of fourth order. Such springs can't represent a bending stiffness D, which
@@ -50,7 +51,7 @@ enum spring_direction { SPRING_U, SPRING_V, SPRING_DIAGONAL, SPRING_DIRECTIONS }
 struct spring_law {
     double stiffness[SPRING_DIRECTIONS]; /* of a whole spring                  [N/m]   */
     double strut[SPRING_DIRECTIONS];     /* P of a whole hinge                   [N]   */
-    double rim;          /* of springs and clamps on the rim, to whole ones      [1]   */
+    double rim; /* of springs and clamps on the rim, to whole ones      [1]   */
     double rim_strut[SPRING_DIRECTIONS]; /* P of a hinge on the rim              [N]   */
     double area_mass; /*                                                  [kg/m^2]     */
     double drag;      /* force on a point against its velocity             [N s/m]     */

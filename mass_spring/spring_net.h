@@ -16,37 +16,37 @@
 #include "models/linalg/blocks.h"
 
 struct spring {
-    int a, b;                     /* a < b                                             */
-    double stiffness;             /* k                                         [N/m]   */
-    double length;                /* at rest                                     [m]   */
-    long aa, bb, ab;              /* pairs of the graph                                */
+    int a, b;         /* a < b                                             */
+    double stiffness; /* k                                         [N/m]   */
+    double length;    /* at rest                                     [m]   */
+    long aa, bb, ab;  /* pairs of the graph                                */
 };
 
 struct hinge {
-    int a, b, c;                  /* a < b < c, b the centre                           */
-    double strut;                 /* P                                           [N]   */
+    int a, b, c;  /* a < b < c, b the centre                           */
+    double strut; /* P                                           [N]   */
     long aa, bb, cc, ab, bc, ac;
 };
 
 struct clamp {
-    int a, b;                     /* a held, b free                                    */
-    double edge[3];               /* towards a, does not turn                    [m]   */
-    double strut;                 /*                                             [N]   */
+    int a, b;       /* a held, b free                                    */
+    double edge[3]; /* towards a, does not turn                    [m]   */
+    double strut;   /*                                             [N]   */
     long bb;
 };
 
 struct spring_net {
     int points[2], nodes;
-    double cell[2];               /* a_u, a_v                                    [m]   */
+    double cell[2]; /* a_u, a_v                                    [m]   */
     struct spring_law law;
-    double (*uvw)[3];             /* [nodes] material parameters, w = 1/2      owned   */
-    double *rest;                 /* [nodes][3]                          [m]   owned   */
-    double *area;                 /* [nodes] of the sheet that is theirs [m^2] owned   */
+    double (*uvw)[3]; /* [nodes] material parameters, w = 1/2      owned   */
+    double *rest;     /* [nodes][3]                          [m]   owned   */
+    double *area;     /* [nodes] of the sheet that is theirs [m^2] owned   */
     int spring_count, hinge_count, clamp_count;
-    struct spring *springs;       /* owned                                             */
-    struct hinge *hinges;         /* owned                                             */
-    struct clamp *clamps;         /* owned                                             */
-    struct blocks graph;          /* owned                                             */
+    struct spring *springs; /* owned                                             */
+    struct hinge *hinges;   /* owned                                             */
+    struct clamp *clamps;   /* owned                                             */
+    struct blocks graph;    /* owned                                             */
 };
 
 /* points: n, m >= 2. */

@@ -37,14 +37,14 @@ struct scene_damping {
 struct scene_support {
     double lo[3], hi[3];
     unsigned fix;
-    int path_count;       /* 0: does not move                                         */
-    double (*path)[4];    /* [path_count][t, dx, dy, dz], t increasing; linear between,
-                             constant outside                          [s, m]  owned  */
-    int line;             /* in the scene file; 0 if made in memory                   */
+    int path_count;    /* 0: does not move                                         */
+    double (*path)[4]; /* [path_count][t, dx, dy, dz], t increasing; linear between,
+                          constant outside                          [s, m]  owned  */
+    int line;          /* in the scene file; 0 if made in memory                   */
 };
 
-/* A dead force, spread evenly over the material points lo <= (u,v,w) <= hi: an edge, a face,
- * an area, a point. It keeps its direction however the sheet turns. */
+/* A dead force, spread evenly over the material points lo <= (u,v,w) <= hi: an edge, a
+ * face, an area, a point. It keeps its direction however the sheet turns. */
 struct scene_load {
     double lo[3], hi[3];
     double force[3]; /* in all                                                [N]     */
@@ -67,16 +67,16 @@ struct scene {
 
     double length, width, thickness; /*                                       [m] > 0 */
     double origin[3], axis_u[3], axis_v[3]; /* axes orthonormal                       */
-    enum scene_shape shape;          /* at rest                                       */
-    double opening, flare;           /* of a cloak                              [deg] */
+    enum scene_shape shape; /* at rest                                       */
+    double opening, flare;  /* of a cloak                              [deg] */
 
     double young;   /* E                                                     [Pa] > 0 */
     double poisson; /* nu                                                  (-1, 0.5)  */
     double density; /* rho                                               [kg/m^3] > 0 */
 
-    double gravity[3];    /*                                                  [m/s^2] */
-    double drag;          /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */
-    double wind[3];       /*                                                  [m/s]   */
+    double gravity[3]; /*                                                  [m/s^2] */
+    double drag;       /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */
+    double wind[3];    /*                                                  [m/s]   */
     struct scene_damping damping;
     double velocity[3], spin[3]; /* rigid motion at t = 0: velocity + spin x position,
                                     where nothing holds              [m/s], [rad/s]   */
@@ -88,21 +88,21 @@ struct scene {
     int obstacle_count;
     struct scene_obstacle *obstacles; /* owned                                        */
 
-    double step, end;     /* one frame, duration                              [s] > 0 */
+    double step, end; /* one frame, duration                              [s] > 0 */
     int snapshot_count;
-    double *snapshots;    /* times worth keeping, increasing          [s]     owned   */
+    double *snapshots; /* times worth keeping, increasing          [s]     owned   */
 };
 
 /* What a scene asks of a model; bits of scene_needs(). */
-#define SCENE_NEED_LIST(X)                                                              \
-    X(CONTACT, "contact with obstacles")                                                \
-    X(MOVING_SUPPORTS, "moving supports")                                               \
-    X(PATCH_SUPPORTS, "supports on an area")                                            \
-    X(COMPONENT_SUPPORTS, "supports that hold single components")                       \
-    X(THICKNESS_SUPPORTS, "supports on part of the thickness")                          \
-    X(DRAG, "body drag")                                                                \
-    X(LOADS, "loads")                                                                   \
-    X(CURVED_REST, "curved rest shape")                                                 \
+#define SCENE_NEED_LIST(X)                                                                 \
+    X(CONTACT, "contact with obstacles")                                                   \
+    X(MOVING_SUPPORTS, "moving supports")                                                  \
+    X(PATCH_SUPPORTS, "supports on an area")                                               \
+    X(COMPONENT_SUPPORTS, "supports that hold single components")                          \
+    X(THICKNESS_SUPPORTS, "supports on part of the thickness")                             \
+    X(DRAG, "body drag")                                                                   \
+    X(LOADS, "loads")                                                                      \
+    X(CURVED_REST, "curved rest shape")                                                    \
     X(INITIAL_MOTION, "initial motion")
 
 enum scene_need_bit {
@@ -122,9 +122,9 @@ unsigned scene_needs(const struct scene *scene);
 void scene_needs_text(unsigned needs, char *text, int size);
 
 /* What tests and the file reader start from: a flat sheet in the x-y plane, L = W = 1 m,
- * h = 0.01 m, E = 1 Pa, nu = 0, rho = 1 kg/m^3, no loads, no supports, 1 s in steps of 5 ms.
- * *scene is overwritten, not freed. Free with scene_clear, which accepts all-zero and leaves
- * all-zero. */
+ * h = 0.01 m, E = 1 Pa, nu = 0, rho = 1 kg/m^3, no loads, no supports, 1 s in steps of 5
+ * ms. *scene is overwritten, not freed. Free with scene_clear, which accepts all-zero and
+ * leaves all-zero. */
 enum status scene_init(struct scene *scene);
 void scene_clear(struct scene *scene);
 

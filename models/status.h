@@ -11,18 +11,18 @@
 #include <stdbool.h>
 
 /* The last five are numerical deaths: outcomes with a time stamp, not errors. */
-#define STATUS_LIST(X)                                                                  \
-    X(OK, "done")                                                                       \
-    X(INPUT, "bad input")                                                               \
-    X(UNSUPPORTED, "the model leaves out something that the scene needs")               \
-    X(MEMORY, "out of memory")                                                          \
-    X(FILE, "a file could not be read or written")                                      \
-    X(LIBRARY, "a library failed")                                                      \
-    X(FAILED, "a check failed")                                                         \
-    X(NAN, "a position is no longer a number")                                          \
-    X(INVERTED, "an element turned inside out (det J <= 0)")                            \
-    X(INDEFINITE, "the system matrix is not positive definite")                         \
-    X(DIVERGED, "the nonlinear iteration did not converge")                             \
+#define STATUS_LIST(X)                                                                     \
+    X(OK, "done")                                                                          \
+    X(INPUT, "bad input")                                                                  \
+    X(UNSUPPORTED, "the model leaves out something that the scene needs")                  \
+    X(MEMORY, "out of memory")                                                             \
+    X(FILE, "a file could not be read or written")                                         \
+    X(LIBRARY, "a library failed")                                                         \
+    X(FAILED, "a check failed")                                                            \
+    X(NAN, "a position is no longer a number")                                             \
+    X(INVERTED, "an element turned inside out (det J <= 0)")                               \
+    X(INDEFINITE, "the system matrix is not positive definite")                            \
+    X(DIVERGED, "the nonlinear iteration did not converge")                                \
     X(ESCAPED, "a point is farther than 10 lengths from its support")
 
 enum status {
@@ -36,10 +36,10 @@ struct message {
     char text[1024];
 };
 
-#define TRY(call)                                                                       \
-    do {                                                                                \
-        if ((st = (call)) != STATUS_OK)                                                 \
-            goto out;                                                                   \
+#define TRY(call)                                                                          \
+    do {                                                                                   \
+        if ((st = (call)) != STATUS_OK)                                                    \
+            goto out;                                                                      \
     } while (0)
 
 /* The sentence of a code. Static storage. */

@@ -44,8 +44,8 @@ void pd_system_hold(const struct pd_system *s, double *base);
 /* A x = b in place, three fields; held nodes keep what b has there. */
 enum status pd_system_solve(struct pd_system *s, double *b);
 
-/* Column `node` of A^-1 in the components of group `group`: column[nodes]; zeros at held nodes,
- * and all zeros if the node is held. */
+/* Column `node` of A^-1 in the components of group `group`: column[nodes]; zeros at held
+ * nodes, and all zeros if the node is held. */
 enum status pd_system_column(struct pd_system *s, int group, int node, double *column);
 
 /* A x, three fields, held nodes as if free: for residuals and tests. */

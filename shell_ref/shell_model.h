@@ -1,6 +1,6 @@
 /* shell_model.h - the rotation-free isogeometric Kirchhoff-Love shell behind the common
- * contract, key `shell`. Defaults: points [10,10], degree [2,2], kinematics nonlinear; a third
- * number of points or degree must be 1 or left alone. The state begins with a struct
+ * contract, key `shell`. Defaults: points [10,10], degree [2,2], kinematics nonlinear; a
+ * third number of points or degree must be 1 or left alone. The state begins with a struct
  * shell_motion.
  */
 #ifndef SHELL_MODEL_H

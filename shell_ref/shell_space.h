@@ -1,8 +1,9 @@
 /* shell_space.h - a bivariate B-spline or NURBS surface as the shell's assembly sees it:
- * elements (non-empty knot spans), their control points, and their basis functions with first
- * and second derivatives at Gauss points.
+ * elements (non-empty knot spans), their control points, and their basis functions with
+ * first and second derivatives at Gauss points.
  *
- * Control points are numbered v fastest: node = i m + j for i < n, j < m; elements likewise.
+ * Control points are numbered v fastest: node = i m + j for i < n, j < m; elements
+ * likewise.
  */
 #ifndef SHELL_SPACE_H
 #define SHELL_SPACE_H
@@ -36,8 +37,8 @@ struct shell_space {
     double *weight;          /* [nodes] > 0; NULL: all 1                       owned   */
     double *rest;            /* [nodes][3] control points at rest  [m]         owned   */
     int nodes, elements;
-    int local;          /* functions per element, (p+1)(q+1)                           */
-    int gauss, padded;  /* Gauss points per element; rows of them, padded              */
+    int local;         /* functions per element, (p+1)(q+1)                           */
+    int gauss, padded; /* Gauss points per element; rows of them, padded              */
     struct shell_direction direction[2];
     double *parametric; /* [elements][padded] parametric quadrature weights    owned   */
     int *ien;           /* [elements][local] ascending                         owned   */

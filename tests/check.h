@@ -45,21 +45,21 @@ static inline bool check_true(const char *file, int line, const char *what, bool
 #define CHECK(condition) check_true(__FILE__, __LINE__, #condition, (condition))
 
 /* |actual - want| <= tol */
-#define CHECK_NEAR(actual, want, tol)                                                   \
+#define CHECK_NEAR(actual, want, tol)                                                      \
     check_near(__FILE__, __LINE__, #actual, (actual), (want), #tol, (tol))
 
 /* |actual - want| <= tol |want| */
-#define CHECK_RELATIVE(actual, want, tol)                                               \
-    check_near(__FILE__, __LINE__, #actual, (actual), (want), #tol " x |want|",         \
-               (tol) * fabs(want))
+#define CHECK_RELATIVE(actual, want, tol)                                                  \
+    check_near(__FILE__, __LINE__, #actual, (actual), (want), #tol " x |want|",            \
+               (tol)*fabs(want))
 
 /* For set-up that must succeed: without it the rest makes no sense. */
-#define REQUIRE(condition)                                                              \
-    do {                                                                                \
-        if (!CHECK(condition)) {                                                        \
-            printf("%s:%d: cannot go on\n", __FILE__, __LINE__);                        \
-            exit(1);                                                                    \
-        }                                                                               \
+#define REQUIRE(condition)                                                                 \
+    do {                                                                                   \
+        if (!CHECK(condition)) {                                                           \
+            printf("%s:%d: cannot go on\n", __FILE__, __LINE__);                           \
+            exit(1);                                                                       \
+        }                                                                                  \
     } while (0)
 
 static inline int check_result(void)

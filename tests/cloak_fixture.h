@@ -35,7 +35,7 @@ static inline const struct model *find(const char *name)
 }
 
 static inline void *create(const struct model *model, const struct scene *s,
-                    const struct discretization *d)
+                           const struct discretization *d)
 {
     struct message why = {{0}};
     void *state = NULL;
@@ -46,7 +46,8 @@ static inline void *create(const struct model *model, const struct scene *s,
     return state;
 }
 
-static inline struct discretization net(const struct model *model, int n, int m, int p, int q)
+static inline struct discretization net(const struct model *model, int n, int m, int p,
+                                        int q)
 {
     struct discretization d;
 

@@ -36,7 +36,7 @@ static inline struct discretization net_of(int n, int m)
 }
 
 static inline void start(struct spring_motion *m, const struct scene *scene,
-                  const struct discretization *d)
+                         const struct discretization *d)
 {
     struct message why = {{0}};
 

@@ -58,7 +58,8 @@ static void check_tangent(const struct shell_assembly *s, const double *x, const
     double(*K)[9] = malloc((size_t)s->graph.start[s->graph.nodes] * sizeof *K);
 
     REQUIRE(want && K);
-    CHECK(shell_assembly_tangent(s, &statics, x, (struct large_foresight){0}, K) == STATUS_OK);
+    CHECK(shell_assembly_tangent(s, &statics, x, (struct large_foresight){0}, K) ==
+          STATUS_OK);
     blocks_multiply(&s->graph, (const double(*)[9])K, d, want);
     for (double step = 1e-3; step > 1e-8; step /= 4) {
         for (int side = 0; side < 2; side++) {

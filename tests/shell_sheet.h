@@ -1,5 +1,5 @@
-/* shell_sheet.h - flat sheets as shells through the common contract, for tests: a scene with
- * edges held, a discretization, the state and what it did. */
+/* shell_sheet.h - flat sheets as shells through the common contract, for tests: a scene
+ * with edges held, a discretization, the state and what it did. */
 #ifndef SHELL_SHEET_H
 #define SHELL_SHEET_H
 

@@ -1,9 +1,9 @@
 /* triangle_reference.h - do two triangles have a point in common that is not in the hull of
- * their first `shared` corners? By another way than models/metric/triangle.c: linear programming
- * in integers. With weights l, m >= 0 summing to 1 each, the common points are sum l_i p_i
- * = sum m_j q_j; every vertex of that set of (l, m) is the one solution on some set of
- * independent columns. The common points are the hull of the vertices' points, so it is
- * enough to look at those. Exact for |coordinates| <= 1000.
+ * their first `shared` corners? By another way than models/metric/triangle.c: linear
+ * programming in integers. With weights l, m >= 0 summing to 1 each, the common points are
+ * sum l_i p_i = sum m_j q_j; every vertex of that set of (l, m) is the one solution on some
+ * set of independent columns. The common points are the hull of the vertices' points, so it
+ * is enough to look at those. Exact for |coordinates| <= 1000.
  */
 #ifndef TRIANGLE_REFERENCE_H
 #define TRIANGLE_REFERENCE_H

@@ -29,6 +29,7 @@ struct compare {
 
 /* compare_print.c: tables and sentences; CSV and plot into `folder`. */
 enum status compare_print(const struct compare *c, enum table_format format, FILE *file);
-enum status compare_print_files(const struct compare *c, const char *folder, struct message *why);
+enum status compare_print_files(const struct compare *c, const char *folder,
+                                struct message *why);
 
 #endif

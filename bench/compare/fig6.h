@@ -1,5 +1,5 @@
-/* fig6.h - the paper's Fig. 6: two corners held, three models with the paper's parameters on
- * 10 x 10 points, three pictures. Here as numbers, and its sentences checked one by one.
+/* fig6.h - the paper's Fig. 6: two corners held, three models with the paper's parameters
+ * on 10 x 10 points, three pictures. Here as numbers, and its sentences checked one by one.
  */
 #ifndef FIG6_H
 #define FIG6_H

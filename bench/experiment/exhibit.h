@@ -2,8 +2,8 @@
  * in a folder, and what is printed from these files alone, so that a new format or plot
  * needs no new run. One runner serves the commands `table` and `study`.
  *
- * An exhibit is one `const struct exhibit` in a file of its own, named in bench/tables/tables.c or
- * bench/studies/studies.c and nowhere else.
+ * An exhibit is one `const struct exhibit` in a file of its own, named in
+ * bench/tables/tables.c or bench/studies/studies.c and nowhere else.
  */
 #ifndef EXHIBIT_H
 #define EXHIBIT_H
@@ -12,10 +12,10 @@
 #include "bench/ui/table.h"
 
 struct exhibit_options {
-    const char *folder; /* result files go here; there already                         */
-    bool quick;         /* a smaller job of the same shape, for trying out             */
-    int repeats;        /* of what is timed, up to nine; 0: nine, three if quick       */
-    int value_count;    /* levels of the parameter that an exhibit with `values` varies; */
+    const char *folder;  /* result files go here; there already                         */
+    bool quick;          /* a smaller job of the same shape, for trying out             */
+    int repeats;         /* of what is timed, up to nine; 0: nine, three if quick       */
+    int value_count;     /* levels of the parameter that an exhibit with `values` varies; */
     const double *value; /* [value_count] > 0, increasing; 0 of them: its usual ones    */
     void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
     void *context;
@@ -24,7 +24,8 @@ struct exhibit_options {
 struct exhibit {
     struct command_item item; /* name and a line on it; first: the command's items are
                                  pointers to these                                     */
-    const char *values; /* what --values gives, with its unit; NULL: the option is refused */
+    const char
+        *values; /* what --values gives, with its unit; NULL: the option is refused */
 
     /* Runs all cases, on the one thread it is called on. STATUS_FILE, STATUS_MEMORY with a
      * sentence; deaths of runs are results. */

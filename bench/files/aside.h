@@ -2,7 +2,8 @@
  * when it is complete: whoever looks at the wanted name sees the old file or the whole new
  * one, never half of it.
  *
- * A symbolic link is followed. A device or pipe (/dev/full, /dev/stdout) is written in place.
+ * A symbolic link is followed. A device or pipe (/dev/full, /dev/stdout) is written in
+ * place.
  */
 #ifndef ASIDE_H
 #define ASIDE_H
@@ -23,8 +24,8 @@ struct aside {
  * folder, no permission. On failure *a is all-zero. */
 enum status aside_open(const char *path, struct aside *a, struct message *why);
 
-/* After the temporary file was closed by its writer: syncs it to disk, renames it, syncs the
- * folder; clears *a. On failure the temporary file is removed. */
+/* After the temporary file was closed by its writer: syncs it to disk, renames it, syncs
+ * the folder; clears *a. On failure the temporary file is removed. */
 enum status aside_commit(struct aside *a, struct message *why);
 
 /* Removes the temporary file and clears *a; all-zero is allowed. */

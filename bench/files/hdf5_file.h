@@ -8,8 +8,8 @@
 
 #include "models/status.h"
 
-/* Once before any other call (more often is allowed): the library prints no error stacks and
- * does nothing at exit (where it would close again what could not be closed). */
+/* Once before any other call (more often is allowed): the library prints no error stacks
+ * and does nothing at exit (where it would close again what could not be closed). */
 void hdf5_file_start(void);
 
 /* STATUS_FILE with `path: doing: reason`, the reason taken from the library's last error,

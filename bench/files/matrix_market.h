@@ -1,6 +1,6 @@
-/* matrix_market.h - matrices for other tools: Matrix Market exchange format (Boisvert, Pozo,
- * Remington, NISTIR 5935), `matrix coordinate real symmetric`, lower triangle, 1-based,
- * 17 digits, so that a double survives the round trip. */
+/* matrix_market.h - matrices for other tools: Matrix Market exchange format (Boisvert,
+ * Pozo, Remington, NISTIR 5935), `matrix coordinate real symmetric`, lower triangle,
+ * 1-based, 17 digits, so that a double survives the round trip. */
 #ifndef MATRIX_MARKET_H
 #define MATRIX_MARKET_H
 

@@ -15,8 +15,8 @@ enum status output_create(const char *path, struct output **out, struct message 
 void output_print(struct output *out, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Writes what is left, checks every write since the start, syncs, renames, frees. On failure
- * (a full disk) STATUS_FILE with a sentence, and nothing of the file is left. */
+/* Writes what is left, checks every write since the start, syncs, renames, frees. On
+ * failure (a full disk) STATUS_FILE with a sentence, and nothing of the file is left. */
 enum status output_close(struct output *out, struct message *why);
 
 /* Gives the file up: nothing of it is left. NULL is allowed. */

@@ -4,7 +4,8 @@
 
 #include "models/discretization.h"
 
-/* Lines `discretization.key=value`, every key, 17 digits; *text is freed by the receiver. */
+/* Lines `discretization.key=value`, every key, 17 digits; *text is freed by the receiver.
+ */
 enum status settings_text(const struct discretization *d, char **text);
 
 #endif

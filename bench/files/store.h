@@ -23,8 +23,9 @@
  *                     this run; of that, with a processor: less where others want it too
  *   seconds/assemble, seconds/factor, seconds/solve  [R]          raw, phases of a step
  *
- * Beside FILE.h5 stands FILE.xdmf, if there are fields, which opens in ParaView (path with a
- * slash in it). Both are written aside and renamed (aside.h): a run that fails leaves neither.
+ * Beside FILE.h5 stands FILE.xdmf, if there are fields, which opens in ParaView (path with
+ * a slash in it). Both are written aside and renamed (aside.h): a run that fails leaves
+ * neither.
  */
 #ifndef STORE_H
 #define STORE_H
@@ -42,8 +43,8 @@ struct store_run {
     const struct model *model;
     const struct discretization *discretization;
     const struct provenance *provenance;
-    bool single; /* positions as 32-bit floats: 1e-8 m on a 1 m sheet, half the file         */
-    bool packed; /* shuffled and deflated: a fifth smaller at 20 times the writing time      */
+    bool single; /* positions as 32-bit floats: 1e-8 m on a 1 m sheet, half the file */
+    bool packed; /* shuffled and deflated: a fifth smaller at 20 times the writing time */
 };
 
 /* Opens the file aside. STATUS_FILE with a sentence; *store is then untouched. Call
@@ -51,8 +52,8 @@ struct store_run {
 enum status store_create(const char *path, const struct store_run *run,
                          struct store **store, struct message *why);
 
-/* Appends a frame: field xyz (grid.h) at time t; NULL: a frame without its field, as numbers
- * alone. energy and counters may be NULL: NaN and zeros are stored. */
+/* Appends a frame: field xyz (grid.h) at time t; NULL: a frame without its field, as
+ * numbers alone. energy and counters may be NULL: NaN and zeros are stored. */
 enum status store_frame(struct store *store, double t, const double *xyz,
                         const struct energy *energy, const struct counters *counters,
                         struct message *why);
@@ -81,8 +82,8 @@ enum status store_text(struct store *store, const char *key, const char *text,
 /* The run died at t with this status: kept, and written by store_close. */
 void store_death(struct store *store, enum status death, double t);
 
-/* Completes the file, syncs, renames, writes the XDMF; frees in any case. On failure nothing
- * is left of the file that failed. */
+/* Completes the file, syncs, renames, writes the XDMF; frees in any case. On failure
+ * nothing is left of the file that failed. */
 enum status store_close(struct store *store, struct message *why);
 
 /* Gives the run up: removes the temporary file. NULL is allowed. */

@@ -1,4 +1,5 @@
-/* store_read.h - reads result files (store.h): tables, plots and scores are made from them. */
+/* store_read.h - reads result files (store.h): tables, plots and scores are made from them.
+ */
 #ifndef STORE_READ_H
 #define STORE_READ_H
 
@@ -8,8 +9,8 @@
 
 struct store_read;
 
-/* Opens FILE.h5 for reading. STATUS_FILE: cannot be read; STATUS_INPUT: HDF5, but not a run.
- * *file is freed with store_read_close. */
+/* Opens FILE.h5 for reading. STATUS_FILE: cannot be read; STATUS_INPUT: HDF5, but not a
+ * run. *file is freed with store_read_close. */
 enum status store_read_open(const char *path, struct store_read **file,
                             struct message *why);
 void store_read_close(struct store_read *file); /* NULL is allowed */
@@ -26,11 +27,10 @@ bool store_read_has(const struct store_read *file, const char *name);
 /* Array of doubles by its name in the file ("time", "metrics/drop", "seconds/advance"):
  * *values [rows][columns], freed by the receiver; columns = 1 for one number a row. */
 enum status store_read_array(const struct store_read *file, const char *name,
-                             double **values, int *rows, int *columns,
-                             struct message *why);
+                             double **values, int *rows, int *columns, struct message *why);
 
-/* Text attribute `key` of `group` ("/", "provenance", "metrics/drop"); *text is freed by the
- * receiver. */
+/* Text attribute `key` of `group` ("/", "provenance", "metrics/drop"); *text is freed by
+ * the receiver. */
 enum status store_read_text(const struct store_read *file, const char *group,
                             const char *key, char **text, struct message *why);
 

@@ -7,7 +7,7 @@
 
 /* The file keeps the scene's text with its settings below as lines `# --set KEY=VALUE`;
  * they are applied again. *scene is overwritten, and freed with scene_clear. */
-enum status store_scene(const struct store_read *file, const char *path, struct scene *scene,
-                        struct message *why);
+enum status store_scene(const struct store_read *file, const char *path,
+                        struct scene *scene, struct message *why);
 
 #endif

@@ -37,8 +37,8 @@ struct child {
 enum status child_init(struct child *c);
 void child_clear(struct child *c); /* kills what runs; all-zero is allowed */
 
-/* Starts work(context) in a new process. STATUS_LIBRARY with a sentence: there is none to be
- * had. */
+/* Starts work(context) in a new process. STATUS_LIBRARY with a sentence: there is none to
+ * be had. */
 enum status child_start(struct child *c, enum status (*work)(void *, struct message *),
                         void *context, struct message *why);
 

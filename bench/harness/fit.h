@@ -2,8 +2,8 @@
 #ifndef FIT_H
 #define FIT_H
 
-/* Exponent e of y ~ x^e: least-squares slope of log y over log x, count >= 2, all > 0. NaN if
- * any number is not. */
+/* Exponent e of y ~ x^e: least-squares slope of log y over log x, count >= 2, all > 0. NaN
+ * if any number is not. */
 double fit_exponent(int count, const double *x, const double *y);
 
 #endif

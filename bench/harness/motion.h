@@ -23,7 +23,8 @@ struct motion {
     double death_time; /* of the frame that could not be had                       [s] */
 };
 
-/* Called at t = 0 and after every frame lived through. Anything but STATUS_OK ends the run. */
+/* Called at t = 0 and after every frame lived through. Anything but STATUS_OK ends the run.
+ */
 typedef enum status motion_watcher(void *context, const struct motion *m,
                                    struct message *why);
 

@@ -17,7 +17,7 @@ struct record {
     bool waits;          /* the last frame seen is not kept yet                     */
     double t;            /* of the last frame seen, as the next two             [s] */
     struct counters counters;
-    double *xyz;         /* [GRID_POINTS][3]                                owned      */
+    double *xyz; /* [GRID_POINTS][3]                                owned      */
     double *value[SERIES_METRICS]; /* [room]                                owned      */
     struct energy *energy;  /* [room], if the model has any                 owned      */
     double *sample_seconds; /* [room]                                       owned      */

@@ -10,12 +10,7 @@
 #include "shell_ref/shell_model.h"
 
 const struct model *const registry[] = {
-    &plate_model,
-    &hex_model,
-    &shell_model,
-    &spring_model,
-    &projective_dynamics_model,
-    NULL,
+    &plate_model, &hex_model, &shell_model, &spring_model, &projective_dynamics_model, NULL,
 };
 
 void registry_names(char *text, int size)

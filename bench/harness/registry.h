@@ -8,7 +8,8 @@
 extern const struct model *const registry[];
 
 /* By its name. STATUS_INPUT with a sentence that lists the names: no such model. */
-enum status registry_find(const char *name, const struct model **model, struct message *why);
+enum status registry_find(const char *name, const struct model **model,
+                          struct message *why);
 
 /* "iga, hex" into text[size]. */
 void registry_names(char *text, int size);

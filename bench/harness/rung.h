@@ -19,16 +19,16 @@ struct rung_plan {
 };
 
 struct rung_result {
-    int frames;                /* kept; fewer than the plan's times after a death       */
-    double **xyz;              /* [frames] (grid.h) [m]                         owned   */
-    double create, stepping;   /* [s]                                                   */
+    int frames;              /* kept; fewer than the plan's times after a death       */
+    double **xyz;            /* [frames] (grid.h) [m]                         owned   */
+    double create, stepping; /* [s]                                                   */
     double unknowns;
     long steps;
-    char *outcome;             /* "done" or the sentence of a death             owned   */
+    char *outcome; /* "done" or the sentence of a death             owned   */
 };
 
-/* Runs and leaves the file. STATUS_UNSUPPORTED: the model leaves out what the scene needs; no
- * file then. Deaths are results. */
+/* Runs and leaves the file. STATUS_UNSUPPORTED: the model leaves out what the scene needs;
+ * no file then. Deaths are results. */
 enum status rung_run(const struct rung_plan *plan, struct message *why);
 
 /* Reads the file of a plan. STATUS_FILE if there is none. */

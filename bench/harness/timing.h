@@ -10,7 +10,7 @@
 
 struct timing_case {
     const struct model *model;
-    const struct scene *scene;              /* borrowed                                */
+    const struct scene *scene; /* borrowed                                */
     const struct discretization *discretization; /* borrowed                           */
     int frames;      /* of a repeat, where a frame's cost changes along the motion; 0: the
                         plan's, after its warm-up                                      */
@@ -31,7 +31,8 @@ enum status timing_run(const struct timing_plan *plan, int count, struct timing_
                        struct message *why);
 void timing_clear(struct timing_case *c);
 
-/* Keeps this thread on the processor it runs on; returns its number, -1 if that is refused. */
+/* Keeps this thread on the processor it runs on; returns its number, -1 if that is refused.
+ */
 int timing_pin(void);
 
 #endif

@@ -1,5 +1,5 @@
-/* probe.h - material points followed through a motion, as CSV: t,u,v,w,x,y,z with 17 digits,
- * one line a point and frame. */
+/* probe.h - material points followed through a motion, as CSV: t,u,v,w,x,y,z with 17
+ * digits, one line a point and frame. */
 #ifndef PROBE_H
 #define PROBE_H
 

@@ -1,5 +1,5 @@
-/* bench_baseline.h - the linear algebra of a frame by libraries used as they come, run beside
- * ours on the same numbers: named baselines for speed ratios.
+/* bench_baseline.h - the linear algebra of a frame by libraries used as they come, run
+ * beside ours on the same numbers: named baselines for speed ratios.
  */
 #ifndef BENCH_BASELINE_H
 #define BENCH_BASELINE_H

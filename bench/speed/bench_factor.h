@@ -1,4 +1,5 @@
-/* bench_factor.h - what a factor and a solve cost on matrices of a cloth solid's pattern. */
+/* bench_factor.h - what a factor and a solve cost on matrices of a cloth solid's pattern.
+ */
 #ifndef BENCH_FACTOR_H
 #define BENCH_FACTOR_H
 
@@ -20,7 +21,8 @@ struct bench_factor_row {
 };
 
 /* Measures one net with one method: `repeats` refactors and as many solves (more where they
- * are short), after one of each untimed. nested: order_nested is given; else CHOLMOD orders. */
+ * are short), after one of each untimed. nested: order_nested is given; else CHOLMOD
+ * orders. */
 enum status bench_factor_measure(const struct net_shape *shape, enum solver method,
                                  bool nested, int repeats, struct bench_factor_row *row);
 

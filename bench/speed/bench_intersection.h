@@ -1,4 +1,5 @@
-/* bench_intersection.h - what counting self-intersections costs, and what its tree saves. */
+/* bench_intersection.h - what counting self-intersections costs, and what its tree saves.
+ */
 #ifndef BENCH_INTERSECTION_H
 #define BENCH_INTERSECTION_H
 

@@ -1,7 +1,7 @@
 /* bench_solid.h - where a frame's time goes: the phases of a solid model's step.
  *
- * The sheet of edge_drop. Every phase is timed on its own, `repeats` times after one of each
- * untimed, on the matrices of the rest shape.
+ * The sheet of edge_drop. Every phase is timed on its own, `repeats` times after one of
+ * each untimed, on the matrices of the rest shape.
  */
 #ifndef BENCH_SOLID_H
 #define BENCH_SOLID_H
@@ -11,15 +11,15 @@
 
 struct bench_solid {
     struct model_size size;
-    double create;                                        /* [s]                       */
-    struct clock_summary assemble, factor, solve, frame;  /* [s]; frame: a whole step  */
+    double create;                                       /* [s]                       */
+    struct clock_summary assemble, factor, solve, frame; /* [s]; frame: a whole step  */
 };
 
 enum bench_solid_phase {
     BENCH_SOLID_ASSEMBLE, /* K and M on the rest shape                                 */
     BENCH_SOLID_FACTOR,
     BENCH_SOLID_SOLVE,
-    BENCH_SOLID_FRAME  /* a whole step: moves the sheet; the last                      */
+    BENCH_SOLID_FRAME /* a whole step: moves the sheet; the last                      */
 };
 
 /* Seconds of one phase of a solid's state, [repeats], after one untimed. The matrices are

@@ -1,6 +1,6 @@
-/* study_contact.h - the paper's Fig. 9, a sheet that falls onto the ground, by several models:
- * what the obstacle carries, how far net and surface keep from it, and whether the sheet
- * passes through itself, which nothing here prevents.
+/* study_contact.h - the paper's Fig. 9, a sheet that falls onto the ground, by several
+ * models: what the obstacle carries, how far net and surface keep from it, and whether the
+ * sheet passes through itself, which nothing here prevents.
  */
 #ifndef STUDY_CONTACT_H
 #define STUDY_CONTACT_H
@@ -23,7 +23,7 @@ enum {
 struct study_contact_case {
     const char *label, *name; /* in tables; of its file, [a-z0-9_]+                    */
     const char *model, *kinematics;
-    const char *points; /* the paper's net, or what comes near it                      */
+    const char *points;  /* the paper's net, or what comes near it                      */
     const char *damping; /* a setting; NULL: the paper's, which belongs to its scheme   */
 };
 extern const struct study_contact_case study_contact_case[STUDY_CONTACT_CASES];

@@ -1,13 +1,14 @@
-/* study_locking.h - how much of a plate's deflection a discretization has, for any thickness:
- * a square cantilever under its own weight, static and linear, tip over Kirchhoff's.
+/* study_locking.h - how much of a plate's deflection a discretization has, for any
+ * thickness: a square cantilever under its own weight, static and linear, tip over
+ * Kirchhoff's.
  *
  * Two diseases, told apart by Poisson's ratio. At nu = 0 nothing couples bending to the
- * thickness, and what is missing is transverse shear locking. The quotient of the answers at
- * nu = 0.3 and nu = 0 is then thickness locking: with r = 1 the strain through the thickness
- * cannot vary, and the sheet bends as a plate of stiffness
- *     D' = E h^3 / 12 (1 - nu) / ((1 + nu)(1 - 2 nu)),   nu' = nu / (1 - nu),
- * (plane strain in w) whatever the net. D / D' = (1 - 2 nu) / (1 - nu)^2 is the whole of it
- * only for a strip; a plate's nu' matters too.
+ * thickness, and what is missing is transverse shear locking. The quotient of the answers
+ * at nu = 0.3 and nu = 0 is then thickness locking: with r = 1 the strain through the
+ * thickness cannot vary, and the sheet bends as a plate of stiffness D' = E h^3 / 12 (1 -
+ * nu) / ((1 + nu)(1 - 2 nu)),   nu' = nu / (1 - nu), (plane strain in w) whatever the net.
+ * D / D' = (1 - 2 nu) / (1 - nu)^2 is the whole of it only for a strip; a plate's nu'
+ * matters too.
  */
 #ifndef STUDY_LOCKING_H
 #define STUDY_LOCKING_H

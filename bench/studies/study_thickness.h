@@ -1,6 +1,6 @@
-/* study_thickness.h - Ren et al. 2024, Fig. 10: a cloak of 1 mm and one of 5 mm (and 2 mm), in
- * the paper's scheme on its net and on a better one, without damping, and as a nonlinear shell
- * on two nets, whose difference is its error bar.
+/* study_thickness.h - Ren et al. 2024, Fig. 10: a cloak of 1 mm and one of 5 mm (and 2 mm),
+ * in the paper's scheme on its net and on a better one, without damping, and as a nonlinear
+ * shell on two nets, whose difference is its error bar.
  */
 #ifndef STUDY_THICKNESS_H
 #define STUDY_THICKNESS_H

@@ -1,11 +1,11 @@
-/* study_timestep.h - one scene at ever shorter steps: which scheme's motion has a limit, and
- * what the step does in those that have none.
+/* study_timestep.h - one scene at ever shorter steps: which scheme's motion has a limit,
+ * and what the step does in those that have none.
  *
- * `velocity_scale` multiplies the velocity by mu after every step, however short: the rate it
- * damps at is log(1/mu) / dt. `printed` never resets its displacement d, which acts as velocity
- * times dt: its K d is the force of a viscosity E dt, and of a free sheet of weight g the
- * recursion d += dt v + dt^2 a / 2, v <- mu (v + dt a) makes one that falls with
- * g (1 + mu) / (2 (1 - mu)).
+ * `velocity_scale` multiplies the velocity by mu after every step, however short: the rate
+ * it damps at is log(1/mu) / dt. `printed` never resets its displacement d, which acts as
+ * velocity times dt: its K d is the force of a viscosity E dt, and of a free sheet of
+ * weight g the recursion d += dt v + dt^2 a / 2, v <- mu (v + dt a) makes one that falls
+ * with g (1 + mu) / (2 (1 - mu)).
  */
 #ifndef STUDY_TIMESTEP_H
 #define STUDY_TIMESTEP_H
@@ -39,8 +39,8 @@ struct study_timestep_fall {
     double mu, step, acceleration, speed; /* -, [s], [m/s^2], [m/s]                     */
 };
 
-/* A cantilever under `printed` creeps: speed of its tip, and how far linear statics bends the
- * same space. */
+/* A cantilever under `printed` creeps: speed of its tip, and how far linear statics bends
+ * the same space. */
 enum { STUDY_TIMESTEP_CREEPS = 6 };
 struct study_timestep_creep {
     double young, step, speed, sag; /* [Pa], [s], [m/s], [m]                            */
@@ -58,8 +58,8 @@ void study_timestep_destroy(struct study_timestep *s); /* NULL is allowed */
 /* (1 + mu) / (2 (1 - mu)) */
 double study_timestep_factor(double mu);
 
-/* Exponent e of (difference from the next shorter step) ~ dt^e at the last time: the observed
- * order if the motion has a limit; NaN with fewer than two differences. */
+/* Exponent e of (difference from the next shorter step) ~ dt^e at the last time: the
+ * observed order if the motion has a limit; NaN with fewer than two differences. */
 double study_timestep_order(const struct study_timestep *s, enum study_timestep_kind kind);
 
 /* The parts with a free sheet and a creeping one (study_timestep_viscous.c). */

@@ -1,8 +1,8 @@
 /* ranks.h - messages between the processes that mpirun starts. The library of MPI is loaded
  * by those alone: nothing else of the program needs it or waits for it.
  *
- * bench/sweep/mpi/ranks_mpi.c is built into clothbench_mpi.so, beside the program, where CMake
- * finds Open MPI.
+ * bench/sweep/mpi/ranks_mpi.c is built into clothbench_mpi.so, beside the program, where
+ * CMake finds Open MPI.
  */
 #ifndef RANKS_H
 #define RANKS_H

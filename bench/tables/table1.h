@@ -21,16 +21,21 @@ enum {
     TABLE1_SHELL = 1 + 2 * TABLE1_DENSITIES,
     TABLE1_VARIANTS = TABLE1_SHELL + 1
 };
-extern const double table1_time[TABLE1_TIMES];          /* [s]                         */
-extern const int table1_density[TABLE1_DENSITIES];      /* hex nodes a side            */
+extern const double table1_time[TABLE1_TIMES];     /* [s]                         */
+extern const int table1_density[TABLE1_DENSITIES]; /* hex nodes a side            */
 
-enum table1_part { TABLE1_PRINTED, TABLE1_INCREMENTAL, TABLE1_LINEAR, TABLE1_STATIC,
-                   TABLE1_PARTS };
+enum table1_part {
+    TABLE1_PRINTED,
+    TABLE1_INCREMENTAL,
+    TABLE1_LINEAR,
+    TABLE1_STATIC,
+    TABLE1_PARTS
+};
 extern const char *const table1_part_name[TABLE1_PARTS];
 
 /* Variant 0 is the IGA baseline, 1 .. 5 plain hexahedra, 6 .. 10 with incompatible modes,
- * TABLE1_SHELL the shell. The shell knows neither the printed nor the incremental scheme: in
- * those parts it moves by its own nonlinear one, undamped. */
+ * TABLE1_SHELL the shell. The shell knows neither the printed nor the incremental scheme:
+ * in those parts it moves by its own nonlinear one, undamped. */
 struct table1_variant {
     const char *model; /* "iga", "hex", "shell"                                        */
     int side;          /* points or nodes along u and v                                */

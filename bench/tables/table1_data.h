@@ -34,7 +34,8 @@ bool table1_data_within(const struct table1_cell *c);
 /* The first hexahedral density (a variant) that meets it; -1 if none does. */
 int table1_data_first(const struct table1_cell *cells, bool incompatible);
 
-/* What a reader should take away, in sentences from the numbers; where they were measured. */
+/* What a reader should take away, in sentences from the numbers; where they were measured.
+ */
 void table1_text(const struct table1_data *d, const char *folder, FILE *file);
 
 #endif

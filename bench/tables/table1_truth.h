@@ -1,5 +1,5 @@
-/* table1_truth.h - what Table 1's spaces are held against: the Kirchhoff plate of the scene,
- * in motion at table1_time and in equilibrium.
+/* table1_truth.h - what Table 1's spaces are held against: the Kirchhoff plate of the
+ * scene, in motion at table1_time and in equilibrium.
  */
 #ifndef TABLE1_TRUTH_H
 #define TABLE1_TRUTH_H

@@ -35,9 +35,9 @@ enum truth_effort {
 enum status truth_find(const char *path, int setting_count, const char *const *settings,
                        int times, const double *time, const char *folder,
                        enum truth_effort effort, struct truth **truth, struct message *why);
-/* Times for which a truth with these physics is stored, up to `until`: the last ones, at most
- * `most` of them, into time[most]. *count is 0 if there is none. STATUS_INPUT: the scene is
- * wrong, or the stored truth was changed. */
+/* Times for which a truth with these physics is stored, up to `until`: the last ones, at
+ * most `most` of them, into time[most]. *count is 0 if there is none. STATUS_INPUT: the
+ * scene is wrong, or the stored truth was changed. */
 enum status truth_stored_times(const char *path, int setting_count,
                                const char *const *settings, double until, int most,
                                double *time, int *count, struct message *why);

@@ -1,9 +1,9 @@
 /* command.h - what a command of the program is, and how its options are read.
  *
  * A command is one `const struct command`, named in bench/commands.c and nowhere else. Its
- * table of options reads the command line, refuses what is wrong and makes the help, so that
- * the three cannot differ. A command gives back a status and a sentence; bench/main.c prints
- * it and exits.
+ * table of options reads the command line, refuses what is wrong and makes the help, so
+ * that the three cannot differ. A command gives back a status and a sentence; bench/main.c
+ * prints it and exits.
  */
 #ifndef COMMAND_H
 #define COMMAND_H
@@ -34,8 +34,8 @@ struct command {
     const char *text;      /* what it does; lines end in \n                            */
     const char *examples;  /* lines, without the program's name in front               */
     int least, most;       /* words it takes                                           */
-    const struct command_option *options; /* NULL: none                                */
-    const char *section;                  /* of `list` for its items; NULL: none       */
+    const struct command_option *options;    /* NULL: none                                */
+    const char *section;                     /* of `list` for its items; NULL: none       */
     const struct command_item *const *items; /* ends with NULL; or NULL                */
 
     /* STATUS_INPUT: bad usage. Sentences go to *why, tables and data to standard output,
@@ -46,9 +46,9 @@ struct command {
 struct command_line {
     const struct command *command; /*                                         borrowed */
     int word_count;
-    const char **words;            /* [word_count]; strings borrowed from argv   owned */
-    int *counts;                   /* [options] times given                      owned */
-    const char ***values;          /* [options][count]; NULL strings of switches owned */
+    const char **words;   /* [word_count]; strings borrowed from argv   owned */
+    int *counts;          /* [options] times given                      owned */
+    const char ***values; /* [options][count]; NULL strings of switches owned */
 };
 
 /* Reads argv[argc], the arguments after the command's name: --name value, --name=value,

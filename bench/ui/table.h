@@ -49,8 +49,8 @@ void table_rule(struct table *t);
 
 /* The next cell of the row: words; a number to `digits` significant digits, trailing zeros
  * kept; a number to `decimals` places; a whole number; a number that does not exist for a
- * reason told elsewhere (a dash; nothing in CSV). CSV has numbers with 17 digits whatever the
- * digits asked for; NaN and infinities are printed as such. */
+ * reason told elsewhere (a dash; nothing in CSV). CSV has numbers with 17 digits whatever
+ * the digits asked for; NaN and infinities are printed as such. */
 void table_text(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void table_number(struct table *t, double value, int digits);
@@ -62,7 +62,8 @@ void table_dash(struct table *t);
 void table_note(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* STATUS_MEMORY, or STATUS_FILE if the stream does not take it (the stream is not flushed). */
+/* STATUS_MEMORY, or STATUS_FILE if the stream does not take it (the stream is not flushed).
+ */
 enum status table_print(const struct table *t, enum table_format format, FILE *file);
 
 /* Words as notes are printed in text: lines of at most its width, then a line end. */

@@ -24,8 +24,9 @@ extern const struct verify_check verify_similarity;
 /* Statics first, then motions, frequencies, and what outside programs computed. */
 #define STATICS(X)                                                                         \
     X(verify_elastica)                                                                     \
-    X(verify_sze) X(verify_fabrics) X(verify_matrices) X(verify_navier)                    \
-        X(verify_frequencies) X(verify_cantilever)
+    X(verify_sze)                                                                          \
+    X(verify_fabrics)                                                                      \
+    X(verify_matrices) X(verify_navier) X(verify_frequencies) X(verify_cantilever)
 #define BUCKLING(X) X(verify_lateral) X(verify_postbuckling) X(verify_hanging)
 #define MOTIONS(X)                                                                         \
     X(verify_pendulum)                                                                     \

@@ -15,7 +15,8 @@ struct blocks {
     int *node;   /* [pairs = start[nodes]]                                     owned   */
 };
 
-/* Graph of elements with `local` nodes each: ien[elements][local], ascending per element. */
+/* Graph of elements with `local` nodes each: ien[elements][local], ascending per element.
+ */
 enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
                         const int *ien);
 void blocks_clear(struct blocks *g);

@@ -1,11 +1,11 @@
 /* factor.h - Cholesky factorisation of a symmetric positive definite matrix whose pattern
  * never changes: analyse once, fill values, refactor, solve.
  *
- * Two ways behind one face: a band of tiles for small nets, nested dissection and supernodes
- * for large ones. Independent sub-systems (connected components of the pattern, such as
- * membrane and bending of a flat sheet) are found and factored one by one, each with its own
- * band or order: leave couplings that are always zero out of the pattern. One thread inside;
- * the result does not depend on any thread count.
+ * Two ways behind one face: a band of tiles for small nets, nested dissection and
+ * supernodes for large ones. Independent sub-systems (connected components of the pattern,
+ * such as membrane and bending of a flat sheet) are found and factored one by one, each
+ * with its own band or order: leave couplings that are always zero out of the pattern. One
+ * thread inside; the result does not depend on any thread count.
  *
  * The caller fills the numbers in place: slot = factor_slot(f, i, j) once at set-up, then
  * factor_values(f)[slot] += a_ij after factor_clear_values, before every factor_refactor.
@@ -19,7 +19,8 @@
 
 struct factor;
 
-/* Lower triangle by columns: row[start[j] .. start[j+1]) >= j, ascending, diagonal present. */
+/* Lower triangle by columns: row[start[j] .. start[j+1]) >= j, ascending, diagonal present.
+ */
 struct factor_pattern {
     int n;
     const long *start; /* [n + 1]       borrowed during create                         */
@@ -54,9 +55,10 @@ enum status factor_refactor(struct factor *f);
 /* Solves A x = b in place, b[n]. Only after a successful refactor. */
 enum status factor_solve(struct factor *f, double *b);
 
-/* Solves A x = b in place for `count` right-hand sides b + c stride, c = 0 .. count - 1. Three
- * are solved together, reading L once; the first time after a refactor prepares for it (and
- * may return STATUS_MEMORY). Three sides agree with factor_solve to round-off only. */
+/* Solves A x = b in place for `count` right-hand sides b + c stride, c = 0 .. count - 1.
+ * Three are solved together, reading L once; the first time after a refactor prepares for
+ * it (and may return STATUS_MEMORY). Three sides agree with factor_solve to round-off only.
+ */
 enum status factor_solve_many(struct factor *f, int count, double *b, ptrdiff_t stride);
 
 struct factor_info {

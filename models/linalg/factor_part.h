@@ -27,8 +27,8 @@ struct factor_method {
     /* A x = b in place; b[rows] by position, 64-byte aligned, zeros behind n. */
     void (*solve)(struct factor_part *part, const double *value, double *b);
 
-    /* A x = b in place for three sides: b in blocks (tile_three.h), by position, zeros behind
-     * n. `prepare_three` comes once after a refactor. */
+    /* A x = b in place for three sides: b in blocks (tile_three.h), by position, zeros
+     * behind n. `prepare_three` comes once after a refactor. */
     enum status (*prepare_three)(struct factor_part *part, const double *value);
     void (*solve_three)(struct factor_part *part, const double *value, double *b);
 

@@ -1,8 +1,8 @@
 /* contact_solve.h - one linear step under contact: the x that minimises x'A x / 2 - b'x
  * with no node beyond the tangent planes of contact_set.h, and friction.
  *
- * Primal-dual active set (Hintermueller, Ito, Kunisch 2003, SIAM J. Optim. 13): solve with the
- * present set, then let go what pulls and take in what has gone too far, until nothing
+ * Primal-dual active set (Hintermueller, Ito, Kunisch 2003, SIAM J. Optim. 13): solve with
+ * the present set, then let go what pulls and take in what has gone too far, until nothing
  * changes. Where that stops making progress, as it may with thin sheets, whose matrix is no
  * M-matrix, the primal active set method takes over (Nocedal, Wright 2006, alg. 16.3): from
  * where nothing has moved, one pair a pass, downhill, so that it ends. A set that the last

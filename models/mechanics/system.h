@@ -10,9 +10,9 @@
 #include "models/mechanics/supports.h"
 
 struct system {
-    const struct blocks *graph;     /* borrowed                                        */
-    const struct supports *held;    /* borrowed                                        */
-    const unsigned char *parity;    /* borrowed or NULL                                */
+    const struct blocks *graph;  /* borrowed                                        */
+    const struct supports *held; /* borrowed                                        */
+    const unsigned char *parity; /* borrowed or NULL                                */
     struct factor *factor;
     int *slot;      /* [pairs][9] place of each block entry in the factor's values     */
     double *packed; /* [free_count]                                                    */
@@ -29,12 +29,12 @@ void system_clear(struct system *s);
 enum status system_factor(struct system *s, double k, const double (*K)[9], double m,
                           const double *M);
 
-/* Factorises P A P + S for A = k K + m M + D, D[nodes][3][3] on the diagonal, or NULL: nodes
- * a that are touched[a] may move only in the range of the orthogonal projector P[a][3][3],
- * which is the identity on the other nodes and does not mix held components with free ones.
- * S puts the node's mean diagonal of A on what P takes out, so that the matrix is positive
- * definite and its pattern that of A: for right-hand sides P b the solution is in P's range,
- * and the one of P A P there. K may be NULL if k == 0. */
+/* Factorises P A P + S for A = k K + m M + D, D[nodes][3][3] on the diagonal, or NULL:
+ * nodes a that are touched[a] may move only in the range of the orthogonal projector
+ * P[a][3][3], which is the identity on the other nodes and does not mix held components
+ * with free ones. S puts the node's mean diagonal of A on what P takes out, so that the
+ * matrix is positive definite and its pattern that of A: for right-hand sides P b the
+ * solution is in P's range, and the one of P A P there. K may be NULL if k == 0. */
 enum status system_factor_projected(struct system *s, double k, const double (*K)[9],
                                     double m, const double *M, const double (*D)[9],
                                     const double (*P)[9], const unsigned char *touched);

@@ -8,12 +8,12 @@
  * Exchanging u and v, or turning both round, gives the same triangles; turning round one of
  * them gives the other diagonals, another surface.
  *
- * Two triangles intersect if they have a point in common that is not in the hull of the grid
- * points they share (triangle.h). So touching in a point counts, neighbours along an edge
- * count only when folded flat onto each other, neighbours at a vertex when they pass through
- * or overlap each other. Two grid points at the same place stay two points: a closed tube
- * touches itself along the seam. Without degenerate triangles the count is 0 exactly if the
- * surface is embedded.
+ * Two triangles intersect if they have a point in common that is not in the hull of the
+ * grid points they share (triangle.h). So touching in a point counts, neighbours along an
+ * edge count only when folded flat onto each other, neighbours at a vertex when they pass
+ * through or overlap each other. Two grid points at the same place stay two points: a
+ * closed tube touches itself along the seam. Without degenerate triangles the count is 0
+ * exactly if the surface is embedded.
  *
  * Decided without round-off, of the coordinates as they are, except that a coordinate below
  * 2^-247 (about 1e-75) of the largest is taken for 0. Thickness plays no role.
@@ -42,14 +42,14 @@ struct intersection {
     /* private */
     int n_u, n_v, levels;
     long room, pair_room;
-    double *point;           /* [n_v][n_u][3], scaled to 1                      owned  */
+    double *point; /* [n_v][n_u][3], scaled to 1                      owned  */
     struct intersection_level {
-        int n_u, n_v;        /* boxes; those of level 0 are the cells                  */
-        double (*box)[6];    /* [n_v][n_u][low xyz, high xyz], into `boxes`            */
+        int n_u, n_v;     /* boxes; those of level 0 are the cells                  */
+        double (*box)[6]; /* [n_v][n_u][low xyz, high xyz], into `boxes`            */
     } level[32];
-    double (*boxes)[6];      /*                                                 owned  */
+    double (*boxes)[6]; /*                                                 owned  */
     struct intersection_pair *candidate; /* cells whose boxes overlap           owned  */
-    unsigned char *hit;      /* of each candidate, a bit for each pair          owned  */
+    unsigned char *hit; /* of each candidate, a bit for each pair          owned  */
     int candidate_count;
 };
 

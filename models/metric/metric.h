@@ -1,9 +1,9 @@
 /* metric.h - numbers read off sampled fields (grid.h). Model-free.
  *
- * Fields are const double *xyz of shape [GRID_W][GRID_V][GRID_U][3], metres. The mid-surface
- * is the mean of the two layers. `Down` is the direction of gravity, -z in a scene without.
- * A NaN among the points that a metric reads makes it NaN. Sums are ordered: the same bits on
- * every run.
+ * Fields are const double *xyz of shape [GRID_W][GRID_V][GRID_U][3], metres. The
+ * mid-surface is the mean of the two layers. `Down` is the direction of gravity, -z in a
+ * scene without. A NaN among the points that a metric reads makes it NaN. Sums are ordered:
+ * the same bits on every run.
  */
 #ifndef METRIC_H
 #define METRIC_H
@@ -15,8 +15,8 @@
 double metric_rmse(const double *a, const double *b);
 
 /* Largest principal stretch of the mid-surface [1], >= 0: largest singular value of the
- * gradient by central differences (one-sided on the edges), measured against those of the rest
- * shape. Exact for an affine map of a flat sheet; 1 for a curved one at rest. */
+ * gradient by central differences (one-sided on the edges), measured against those of the
+ * rest shape. Exact for an affine map of a flat sheet; 1 for a curved one at rest. */
 double metric_stretch(const struct scene *scene, const double *xyz);
 
 /* How far the lowest mid-surface point lies below the highest mid-surface rest point of the
@@ -27,11 +27,11 @@ double metric_drop(const struct scene *scene, const double *xyz);
 /* L times the root mean square, over the interior points of the mid-surface, of
  *     sqrt( |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 )                                [1],
  * second derivatives by central differences in the arc lengths a = u L, b = v W of the rest
- * shape; of a curved one its covariant second derivatives in an orthonormal frame: normal to
- * the surface at rest and in every shape without strain, the square root that of the sum of
- * squared principal curvatures. Zero for any affine map of a flat sheet; L/R for a cylinder of
- * radius R whatever its axis, less a share of (s/R)^2/12 for the grid's step s. Noise of one
- * grid step is magnified by 1/s^2. */
+ * shape; of a curved one its covariant second derivatives in an orthonormal frame: normal
+ * to the surface at rest and in every shape without strain, the square root that of the sum
+ * of squared principal curvatures. Zero for any affine map of a flat sheet; L/R for a
+ * cylinder of radius R whatever its axis, less a share of (s/R)^2/12 for the grid's step s.
+ * Noise of one grid step is magnified by 1/s^2. */
 double metric_roughness(const struct scene *scene, const double *xyz);
 
 /* The same over the inner points 0.2 <= u, v <= 0.8 alone: away from edges, and from points
@@ -39,10 +39,10 @@ double metric_roughness(const struct scene *scene, const double *xyz);
 double metric_inner_roughness(const struct scene *scene, const double *xyz);
 
 /* How suddenly the mid-surface bends: L times the rms of its third derivatives over that of
- * its second ones, |x_aaa|^2 + 3 |x_aab|^2 + 3 |x_abb|^2 + |x_bbb|^2 over those of roughness
- * (differences along a = u L, b = v W)                                            [1]. n waves
- * over the length give 2 pi n, whatever their height; jumps of curvature, as splines of degree
- * 2 have at their knots, give more than that. NaN for a flat sheet. */
+ * its second ones, |x_aaa|^2 + 3 |x_aab|^2 + 3 |x_abb|^2 + |x_bbb|^2 over those of
+ * roughness (differences along a = u L, b = v W) [1]. n waves over the length give 2 pi n,
+ * whatever their height; jumps of curvature, as splines of degree 2 have at their knots,
+ * give more than that. NaN for a flat sheet. */
 double metric_unevenness(const struct scene *scene, const double *xyz);
 
 /* Greatest depth of a grid point below any obstacle's surface [m]; 0 without obstacles. */
@@ -58,13 +58,13 @@ enum status metric_blowup(const struct scene *scene, const double *xyz);
 double metric_angle(const struct scene *scene, const double *xyz);
 
 /* Pairs of triangles of the mid-surface that intersect (intersection.h: touching counts,
- * thickness does not); 0 for a sheet clear of itself. NaN also if memory ran out. Some 10 ms,
- * more for a sheet that is crumpled: a hundred times what the others cost. */
+ * thickness does not); 0 for a sheet clear of itself. NaN also if memory ran out. Some 10
+ * ms, more for a sheet that is crumpled: a hundred times what the others cost. */
 double metric_intersections(const double *xyz);
 
-/* The same of the surface through every `step`-th grid point, step a divisor of 99, and so of
- * fewer triangles: at step 3, 34 x 34 points, a tenth of the time. It may miss folds that are
- * narrower than a step, and meet itself where the finer surface just does not. */
+/* The same of the surface through every `step`-th grid point, step a divisor of 99, and so
+ * of fewer triangles: at step 3, 34 x 34 points, a tenth of the time. It may miss folds
+ * that are narrower than a step, and meet itself where the finer surface just does not. */
 double metric_intersections_every(const double *xyz, int step);
 
 /* drift[n] = (E_n - E_0) / E_max of a motion's energies [count], count >= 1, with E the sum

@@ -2,8 +2,8 @@
  *
  * A triangle is the convex hull of its three corners, border included; three corners on a
  * line make it a segment, three equal ones a point, and they are decided as such. Touching
- * in a single point is having it in common. Corners are const double[3], with the sizes that
- * predicate.h asks for. Pure: safe to call from any thread.
+ * in a single point is having it in common. Corners are const double[3], with the sizes
+ * that predicate.h asks for. Pure: safe to call from any thread.
  *
  * Two triangles of a mesh that share corners always have those in common. They are asked
  * for more: a point outside the hull of the shared corners. Two faces of a dihedral have

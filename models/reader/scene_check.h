@@ -5,14 +5,16 @@
 #include "models/scene.h"
 #include "models/reader/yaml_tree.h"
 
-/* Checks a scene just read from `root`. Refused, with one sentence at the line to blame: pose
- * axes that are not orthonormal, numbers of a damping or pose that its kind does not take or
- * needs, a cloak that reaches its own axis, more than SCENE_MAX_FRAMES frames, snapshots after
- * the end, supports that hold the same points in the same component along different paths.
+/* Checks a scene just read from `root`. Refused, with one sentence at the line to blame:
+ * pose axes that are not orthonormal, numbers of a damping or pose that its kind does not
+ * take or needs, a cloak that reaches its own axis, more than SCENE_MAX_FRAMES frames,
+ * snapshots after the end, supports that hold the same points in the same component along
+ * different paths.
  *
  * A setting outranks the file: numbers of the file that a kind given as a setting does not
  * take are set to zero, and snapshots of the file after an end given as a setting
  * are dropped. */
-enum status scene_check(const struct yaml_tree *root, struct scene *scene, struct message *why);
+enum status scene_check(const struct yaml_tree *root, struct scene *scene,
+                        struct message *why);
 
 #endif

@@ -9,10 +9,9 @@
 extern const struct schema_key scene_place_support[], scene_place_load[];
 
 /* Readers of the lists into a struct scene; errors as schema_read. */
-enum status scene_place_supports(const struct schema_key *key,
-                                  const struct yaml_tree *node, void *target,
-                                  struct message *why);
+enum status scene_place_supports(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why);
 enum status scene_place_loads(const struct schema_key *key, const struct yaml_tree *node,
-                               void *target, struct message *why);
+                              void *target, struct message *why);
 
 #endif

@@ -11,7 +11,7 @@ enum {
     SCENE_MAX_SUPPORTS = 100,
     SCENE_MAX_OBSTACLES = 100,
     SCENE_MAX_LOADS = 100,
-    SCENE_MAX_PATH = 1000,       /* rows of one support's path     */
+    SCENE_MAX_PATH = 1000, /* rows of one support's path     */
     SCENE_MAX_SNAPSHOTS = 10000,
     SCENE_MAX_FRAMES = 10000000, /* end / step                     */
     SCENE_MAX_POINTS = 20000000, /* control points or nodes        */
@@ -23,8 +23,8 @@ enum status scene_schema_read(const struct yaml_tree *root, struct scene *scene,
 
 /* Reads the section `discretization` of a tree made of settings, if it is there, into *d.
  * Errors as schema_read. */
-enum status scene_schema_read_numerics(const struct yaml_tree *root, struct discretization *d,
-                                       struct message *why);
+enum status scene_schema_read_numerics(const struct yaml_tree *root,
+                                       struct discretization *d, struct message *why);
 
 /* Calls line() for every key that a scene or a setting may have. */
 void scene_schema_list(void (*line)(void *context, const char *key, const char *text),

@@ -21,15 +21,15 @@ enum schema_type {
 enum schema_order { SCHEMA_ANY, SCHEMA_NON_DECREASING, SCHEMA_INCREASING };
 
 struct schema_key {
-    const char *key;   /* NULL ends a table                                            */
-    const char *what;  /* for people: the quantity with its unit; NULL: not listed     */
+    const char *key;  /* NULL ends a table                                            */
+    const char *what; /* for people: the quantity with its unit; NULL: not listed     */
     enum schema_type type;
     bool required;
-    bool open;         /* low and high themselves are not allowed                      */
-    enum schema_order order;     /* of NUMBERS                                         */
-    int most;                    /* count of NUMBERS                                   */
-    double low, high;            /* of every number                                    */
-    size_t offset, count_offset; /* in the target                                      */
+    bool open; /* low and high themselves are not allowed                      */
+    enum schema_order order;        /* of NUMBERS                                         */
+    int most;                       /* count of NUMBERS                                   */
+    double low, high;               /* of every number                                    */
+    size_t offset, count_offset;    /* in the target                                      */
     const char *(*word)(int value); /* "unknown" beyond the last                       */
     const struct schema_key *keys;  /* of a SECTION                                    */
     /* SPECIAL: reads the node. SECTION: checks what was read; optional. */

@@ -14,7 +14,7 @@
 
 enum {
     YAML_TREE_MAX_DEPTH = 8,
-    YAML_TREE_MAX_KEYS = 64, /* in one map */
+    YAML_TREE_MAX_KEYS = 64,      /* in one map */
     YAML_TREE_MAX_TEXT = 1 << 20, /* [bytes] */
 };
 
@@ -27,9 +27,9 @@ struct yaml_tree {
     bool quoted;        /* the scalar stood in quotes or as a block                   */
     const char *origin; /* file name, or the setting if line is 0            borrowed */
     int line;           /* in the file, from 1; 0: a setting; -1: no line             */
-    int count;                /* children                                             */
-    struct yaml_tree *first;  /* child                                          owned */
-    struct yaml_tree *next;   /* sibling                                        owned */
+    int count;          /* children                                             */
+    struct yaml_tree *first; /* child                                          owned */
+    struct yaml_tree *next;  /* sibling                                        owned */
 };
 
 /* Parses text[size]. Nodes get `origin` and their line, or line 0 if the text is the value

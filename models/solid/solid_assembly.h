@@ -13,12 +13,12 @@ struct solid_assembly {
     const struct solid_space *space; /* borrowed                                       */
     struct solid_material material;
     struct blocks graph;
-    double (*K)[9];  /* [pairs] stiffness blocks                  [N/m]        owned   */
-    double *M;       /* [pairs] mass                              [kg]         owned   */
-    double *volume;  /* [nodes] int N_a dV                        [m^3]        owned   */
+    double (*K)[9]; /* [pairs] stiffness blocks                  [N/m]        owned   */
+    double *M;      /* [pairs] mass                              [kg]         owned   */
+    double *volume; /* [nodes] int N_a dV                        [m^3]        owned   */
 
-    int run;         /* element nodes come in runs of this many consecutive numbers    */
-    int *place;      /* [elements][local][local / run] pair of (node, first of run)    */
+    int run;    /* element nodes come in runs of this many consecutive numbers    */
+    int *place; /* [elements][local][local / run] pair of (node, first of run)    */
     int threads;
     struct solid_element *work; /* [threads]                                           */
 };

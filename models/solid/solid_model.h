@@ -7,10 +7,10 @@
 #include "models/solid/solid_rest.h"
 
 /* What solid_motion can serve; bits of scene_need. */
-#define SOLID_MODEL_SERVES                                                              \
-    (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |               \
-     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |                        \
-     SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |         \
+#define SOLID_MODEL_SERVES                                                                 \
+    (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |                  \
+     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |                           \
+     SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |            \
      SCENE_NEED_INITIAL_MOTION)
 
 enum status solid_model_advance(void *state, struct counters *counters);
@@ -38,8 +38,8 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
  * by the caller. */
 unsigned char *solid_model_parity(const struct scene *scene, int nodes, const int *degree);
 
-/* How far the model's rest shape (`sample` of its state) lies from the scene's, at most over
- * the grid [m]: of curved ones; 0 for flat ones, unasked. */
+/* How far the model's rest shape (`sample` of its state) lies from the scene's, at most
+ * over the grid [m]: of curved ones; 0 for flat ones, unasked. */
 enum status solid_model_misfit(const struct scene *scene,
                                void (*sample)(const void *state, double *xyz),
                                const void *state, double *misfit);

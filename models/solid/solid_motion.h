@@ -8,9 +8,9 @@
  *
  * `printed` and `incremental` start at d = v = a = 0 in a scene at rest, `linear` with the
  * acceleration that the loads give. A free sheet under `printed` falls with
- * g (1 + mu) / (2 (1 - mu)): d is never reset, so it acts as velocity times dt, and K d as a
- * viscosity E dt. Body drag, of which the paper has none, therefore acts on d / dt there, and
- * on v elsewhere; and an initial velocity, which it has not either, begins as d / dt.
+ * g (1 + mu) / (2 (1 - mu)): d is never reset, so it acts as velocity times dt, and K d as
+ * a viscosity E dt. Body drag, of which the paper has none, therefore acts on d / dt there,
+ * and on v elsewhere; and an initial velocity, which it has not either, begins as d / dt.
  */
 #ifndef SOLID_MOTION_H
 #define SOLID_MOTION_H
@@ -39,7 +39,7 @@ struct solid_motion {
 
     /* with obstacles only: solid_contact.h */
     struct contact_step contact;
-    double force_unit;  /* of the set's forces                                 [N]     */
+    double force_unit; /* of the set's forces                                 [N]     */
 };
 
 /* `order`: node order for the factorisation or NULL. The assembled matrices of the rest

@@ -1,4 +1,4 @@
-#include "bench/run/run.h"
+#include "bench/run/run_command.h"
 
 #include <limits.h>
 #include <stdlib.h>

@@ -8,6 +8,7 @@
 #include <assert.h>
 #include <stdlib.h>
 
+#include "models/linalg/factor.h"
 #include "models/linalg/factor_part.h"
 #include "models/linalg/tile.h"
 #include "models/linalg/tile_three.h"

@@ -8,9 +8,11 @@
 #define FACTOR_PART_H
 
 #include <stddef.h>
-#include "models/linalg/factor.h"
+#include "models/status.h"
 
+struct factor_info;
 struct factor_part;
+struct factor_pattern;
 
 struct factor_method {
     const char *name;

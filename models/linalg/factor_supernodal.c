@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "models/linalg/cholmod_status.h"
+#include "models/linalg/factor.h"
 #include "models/linalg/factor_part.h"
 #include "models/linalg/front.h"
 #include "models/linalg/tile.h"

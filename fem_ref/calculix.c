@@ -26,12 +26,6 @@ const double *calculix_shift(const struct calculix_answer *answer, int t, int i,
            3 * (((size_t)t * answer->points[0] + i) * answer->points[1] + j);
 }
 
-const char *calculix_element_name(enum calculix_element element)
-{
-    static const char *const name[] = {"C3D8", "C3D8I", "C3D20R"};
-    return name[element];
-}
-
 static bool possible(const struct calculix_job *job)
 {
     bool sheet = job->length > 0 && job->width > 0 && job->thickness > 0;

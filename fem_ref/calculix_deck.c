@@ -3,6 +3,12 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+const char *calculix_element_name(enum calculix_element element)
+{
+    static const char *const name[] = {"C3D8", "C3D8I", "C3D20R"};
+    return name[element];
+}
+
 /* Nodes lie on a lattice: the corners, for 20 nodes also the middles of edges, and then the
  * lattice is twice as fine and every point with two odd indices is left out. */
 static int fineness(const struct calculix_job *job)

@@ -1,10 +1,38 @@
-/* calculix_deck.h - the input deck of a job for CalculiX (User's Manual 2.20). */
+/* calculix_deck.h - a job for CalculiX and its input deck (User's Manual 2.20). */
 #ifndef CALCULIX_DECK_H
 #define CALCULIX_DECK_H
 
 #include <stdio.h>
 
-#include "fem_ref/calculix.h"
+#include "models/status.h"
+
+enum calculix_element {
+    CALCULIX_C3D8,   /* trilinear, 2x2x2 Gauss                                         */
+    CALCULIX_C3D8I,  /* with incompatible modes: no matrices, they hold the modes too */
+    CALCULIX_C3D20R, /* quadratic serendipity, 2x2x2 Gauss                             */
+};
+
+enum calculix_task {
+    CALCULIX_MATRICES, /* K and M                                                      */
+    CALCULIX_STATIC,   /* small strain                                                 */
+    CALCULIX_SWING,    /* large displacements, Green strain, average acceleration      */
+};
+
+struct calculix_job {
+    enum calculix_task task;
+    enum calculix_element element;
+    double length, width, thickness; /*                                        [m] > 0 */
+    int cells[3];                    /* >= 1                                           */
+    double young, poisson, density;  /*                              [Pa, 1, kg/m^3]   */
+    double gravity;                  /*                                        [m/s^2] */
+    double step, end;                /* of the swing                               [s] */
+    int every; /* steps between answers; every * step divides end                      */
+    /* Moves nodes, for distorted elements of 8 nodes; NULL: nobody does. */
+    void (*place)(double x[3]);
+};
+
+/* "C3D8", ... Static storage. */
+const char *calculix_element_name(enum calculix_element element);
 
 /* Nodes of the job's mesh. */
 int calculix_deck_nodes(const struct calculix_job *job);

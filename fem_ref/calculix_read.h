@@ -2,7 +2,19 @@
 #ifndef CALCULIX_READ_H
 #define CALCULIX_READ_H
 
-#include "fem_ref/calculix.h"
+#include "fem_ref/calculix_deck.h"
+#include "models/model.h"
+
+/* What came back: for matrices all unknowns, lower triangle, row = 3 node + component,
+ * node = (i m + j) l + k (k through the thickness, fastest), 14 digits; otherwise the
+ * displacement of the mid-surface at the corners of the cells, 7 digits. */
+struct calculix_answer {
+    struct matrix K, M;
+    int times, points[2]; /* points = cells[0] + 1, cells[1] + 1                       */
+    double *time;         /* [times]; statics: one, INFINITY                       [s] */
+    double *shift;        /* [times][points[0]][points[1]][3]                      [m] */
+    char version[32];     /* what the program calls itself                             */
+};
 
 /* Reads <stem>.dof, .sti and .mas into answer->K and M. STATUS_LIBRARY with a sentence if
  * an unknown is missing, named twice or not the job's, or an entry is not a finite number.

@@ -3,8 +3,6 @@
  * abscissa), and the mean of the products of two of them. */
 #include "iga/cloak_net.h"
 
-#include "models/cloak.h"
-
 bool cloak_net_exact(const struct bspline *v)
 {
     return v->p >= 2;
@@ -24,7 +22,7 @@ static double square_coefficient(const struct bspline *b, int i)
  * homogeneous coordinates. */
 static void arc(const struct scene *scene, const struct bspline *b, int i, double out[3])
 {
-    double t = cloak_quarter_tangent(scene), v = bspline_greville(b, i);
+    double t = scene_cloak_quarter_tangent(scene), v = bspline_greville(b, i);
     double squared = cloak_net_exact(b) ? square_coefficient(b, i) : v * v;
     double ss = t * t * (4 * squared - 4 * v + 1);
 
@@ -48,8 +46,8 @@ enum status cloak_net(const struct scene *scene, const struct bspline *u,
                                    "along v: a weight would not be positive",
                                    scene->opening, v->n);
             for (int k = 0; k < layers; k++, point += 3) {
-                cloak_meridian(scene, bspline_greville(u, i), w[k], &r, &z);
-                cloak_place(scene, z, r * a[0] / a[2], r * a[1] / a[2], point);
+                scene_cloak_meridian(scene, bspline_greville(u, i), w[k], &r, &z);
+                scene_cloak_place(scene, z, r * a[0] / a[2], r * a[1] / a[2], point);
                 *weight++ = cloak_net_exact(v) ? a[2] : 1;
             }
         }

@@ -1,5 +1,5 @@
 /* cloak_net.h - control points and weights of the curved rest shape `cloak`
- * (models/cloak.h) in given B-spline spaces.
+ * (models/scene.h) in given B-spline spaces.
  *
  * u and w are affine and v is a quotient of quadratics: spaces of degree 2 or more in v,
  * whatever their knots, contain the shape exactly, and the parameters are the material

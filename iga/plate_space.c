@@ -1,3 +1,4 @@
+#include "iga/plate_space.h"
 #include "iga/plate_space_part.h"
 
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 #include <stdlib.h>
 
+#include "iga/plate_space.h"
 #include "iga/plate_space_part.h"
 
 /* N, G and weight of one point: rows of the three directions' tables. */

@@ -2,7 +2,13 @@
 #ifndef PLATE_SPACE_PART_H
 #define PLATE_SPACE_PART_H
 
-#include "iga/plate_space.h"
+#include <stdbool.h>
+
+#include "models/status.h"
+
+struct bspline;
+struct plate_direction;
+struct solid_space;
 
 /* `counts` of points a span, at most `gauss` and taken over, or NULL: all. */
 enum status plate_space_direction(struct plate_direction *d, const struct bspline *b,

@@ -159,6 +159,7 @@ const char *solver_name(enum solver s)
     static const char *const words[] = {
         [SOLVER_AUTO] = "auto",
         [SOLVER_BANDED] = "banded",
+        [SOLVER_SUPERNODAL] = "supernodal",
         [SOLVER_CHOLMOD] = "cholmod",
     };
     return WORD(words, s);

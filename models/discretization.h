@@ -29,7 +29,12 @@ enum unknowns {
     UNKNOWNS_THICKNESS, /* mid-surface, difference, ...: Legendre through the thickness */
 };
 
-enum solver { SOLVER_AUTO, SOLVER_BANDED, SOLVER_CHOLMOD };
+enum solver {
+    SOLVER_AUTO,       /* the cheaper of the next two                                  */
+    SOLVER_BANDED,     /* a band of tiles                                              */
+    SOLVER_SUPERNODAL, /* multifrontal, in CHOLMOD's order                             */
+    SOLVER_CHOLMOD,    /* CHOLMOD's own factorisation                                  */
+};
 
 /* Where a spring's or constraint's strength comes from (mass_spring, projective_dynamics).
  */

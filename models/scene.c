@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/cloak.h"
-
 enum status scene_init(struct scene *scene)
 {
     *scene = (struct scene){
@@ -165,7 +163,7 @@ void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz
     double e_w[3];
 
     if (scene->shape == SCENE_CLOAK) {
-        cloak_point(scene, uvw, xyz);
+        scene_cloak_point(scene, uvw, xyz);
         return;
     }
     scene_normal(scene, e_w);

@@ -1,8 +1,8 @@
 #include "projective_dynamics/pd_bending.h"
 
-static struct pd_row *add_row(struct pd_energy *e, double weight)
+static struct pd_row *add_row(struct pd_bending *b, double weight)
 {
-    struct pd_row *row = &e->rows[e->row_count++];
+    struct pd_row *row = &b->rows[b->count++];
 
     *row = (struct pd_row){.weight = weight};
     return row;
@@ -27,11 +27,11 @@ static void add_second(struct pd_row *row, int k, int by, double factor)
     add_term(row, k + by, factor);
 }
 
-static void add_twist(struct pd_energy *e, int k, double weight)
+static void add_twist(struct pd_bending *b, int k, double weight)
 {
-    const struct pd_net *net = &e->net;
+    const struct pd_net *net = b->net;
     double c = 1 / (net->du * net->dv);
-    struct pd_row *row = add_row(e, weight);
+    struct pd_row *row = add_row(b, weight);
 
     add_term(row, k, c);
     add_term(row, k + 1, -c);
@@ -65,31 +65,31 @@ static struct lines on_line(const struct pd_net *net, int k, const bool *clamped
 /* Curvatures at one node:
  *   k_uu^2 + k_vv^2 + 2 nu k_uu k_vv = (1+nu)/2 (k_uu+k_vv)^2 + (1-nu)/2 (k_uu-k_vv)^2.
  * On a free edge k_vv = -nu k_uu, which leaves (1 - nu^2) k_uu^2. */
-static void add_curvatures(struct pd_energy *e, int k, double D, double nu)
+static void add_curvatures(struct pd_bending *b, int k, double D, double nu)
 {
-    const struct pd_net *net = &e->net;
+    const struct pd_net *net = b->net;
     struct lines has = inside(net, k);
     double cu = 1 / (net->du * net->du), cv = 1 / (net->dv * net->dv);
 
     if (has.u && has.v) {
         for (int sign = -1; sign <= 1; sign += 2) {
-            struct pd_row *row = add_row(e, e->area[k] * D * (1 + sign * nu) / 2);
+            struct pd_row *row = add_row(b, b->area[k] * D * (1 + sign * nu) / 2);
             add_second(row, k, net->m, cu);
             add_second(row, k, 1, sign * cv);
         }
     } else if (has.u) {
-        add_second(add_row(e, e->area[k] * D * (1 - nu * nu)), k, net->m, cu);
+        add_second(add_row(b, b->area[k] * D * (1 - nu * nu)), k, net->m, cu);
     } else if (has.v) {
-        add_second(add_row(e, e->area[k] * D * (1 - nu * nu)), k, 1, cv);
+        add_second(add_row(b, b->area[k] * D * (1 - nu * nu)), k, 1, cv);
     }
 }
 
 /* The slope from k to k + by, `length` apart, towards `direction`. */
-static void add_clamp(struct pd_energy *e, int k, int by, double length,
+static void add_clamp(struct pd_bending *b, int k, int by, double length,
                       const double direction[3], double sign, double weight)
 {
     double c = 2 / (length * length);
-    struct pd_row *row = add_row(e, weight);
+    struct pd_row *row = add_row(b, weight);
 
     add_term(row, k + by, c);
     add_term(row, k, -c);
@@ -98,47 +98,47 @@ static void add_clamp(struct pd_energy *e, int k, int by, double length,
 }
 
 /* On both sides of a clamped line at k, where there is a net: half a cell of curvature. */
-static void add_clamps(struct pd_energy *e, const struct scene *scene, int k,
+static void add_clamps(struct pd_bending *b, const struct scene *scene, int k,
                        struct lines line, double D)
 {
-    const struct pd_net *net = &e->net;
+    const struct pd_net *net = b->net;
     struct lines has = inside(net, k);
-    double half = D * e->area[k] / (1 + (line.v ? has.u : has.v));
+    double half = D * b->area[k] / (1 + (line.v ? has.u : has.v));
     int i = k / net->m, j = k % net->m;
 
     for (int s = -1; s <= 1; s += 2) {
         if (line.v && i + s >= 0 && i + s < net->n)
-            add_clamp(e, k, s * net->m, net->du, scene->axis_u, s, half);
+            add_clamp(b, k, s * net->m, net->du, scene->axis_u, s, half);
         if (line.u && j + s >= 0 && j + s < net->m)
-            add_clamp(e, k, s, net->dv, scene->axis_v, s, half);
+            add_clamp(b, k, s, net->dv, scene->axis_v, s, half);
     }
 }
 
-void pd_bending_plate(struct pd_energy *e, const struct scene *scene, const bool *clamped)
+void pd_bending_plate(struct pd_bending *b, const struct scene *scene, const bool *clamped)
 {
-    const struct pd_net *net = &e->net;
+    const struct pd_net *net = b->net;
     double D = scene_bending_stiffness(scene), nu = scene->poisson;
 
     for (int k = 0; k < net->nodes; k++) {
         struct lines line = on_line(net, k, clamped);
         if (line.u != line.v)
-            add_clamps(e, scene, k, line, D);
+            add_clamps(b, scene, k, line, D);
         else
-            add_curvatures(e, k, D, nu);
+            add_curvatures(b, k, D, nu);
         if (pd_net_has(net, PD_EDGE_FALLING, k))
-            add_twist(e, k, net->du * net->dv * 2 * (1 - nu) * D);
+            add_twist(b, k, net->du * net->dv * 2 * (1 - nu) * D);
     }
 }
 
-void pd_bending_mean_curvature(struct pd_energy *e, double weight)
+void pd_bending_mean_curvature(struct pd_bending *b, double weight)
 {
-    const struct pd_net *net = &e->net;
+    const struct pd_net *net = b->net;
 
     for (int k = 0; k < net->nodes; k++) {
         struct lines has = inside(net, k);
         if (!has.u && !has.v)
             continue;
-        struct pd_row *row = add_row(e, e->area[k] * weight);
+        struct pd_row *row = add_row(b, b->area[k] * weight);
         if (has.u)
             add_second(row, k, net->m, 1 / (net->du * net->du));
         if (has.v)

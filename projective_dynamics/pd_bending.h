@@ -3,17 +3,31 @@
 #ifndef PD_BENDING_H
 #define PD_BENDING_H
 
-#include "projective_dynamics/pd_energy.h"
+#include "models/scene.h"
+#include "projective_dynamics/pd_net.h"
 
-/* Room in e->rows for these, per node: two curvatures, a twist, two clamps. */
+struct pd_row {
+    int count, node[5];
+    double coefficient[5]; /* [1/m^2]                                                  */
+    double weight;         /* [N m^3]                                                  */
+    double target[3];      /* [1/m] zero, but for clamps                               */
+};
+
+/* Where rows go. */
+struct pd_bending {
+    const struct pd_net *net; /*                                             borrowed */
+    const double *area;       /* [nodes]                            [m^2]    borrowed */
+    struct pd_row *rows;      /* room for PD_BENDING_ROWS a node             borrowed */
+    int count;
+};
+
+/* Room for these, per node: two curvatures, a twist, two clamps. */
 enum { PD_BENDING_ROWS = 5 };
 
-/* Both add to e->rows; e->net and e->area are set. */
-
 /* The plate's energy with the scene's D and nu, and clamps at `clamped` nodes. */
-void pd_bending_plate(struct pd_energy *e, const struct scene *scene, const bool *clamped);
+void pd_bending_plate(struct pd_bending *b, const struct scene *scene, const bool *clamped);
 
 /* weight/2 area |x_uu + x_vv|^2 at every node; along the rim where that is all there is. */
-void pd_bending_mean_curvature(struct pd_energy *e, double weight);
+void pd_bending_mean_curvature(struct pd_bending *b, double weight);
 
 #endif

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "models/contact.h"
-#include "projective_dynamics/pd_contact_rub.h"
 
 /* BLOCKS: swaps of all at once without progress before single ones; PASSES: of friction in
  * one iteration. */

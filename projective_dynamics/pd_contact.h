@@ -91,6 +91,11 @@ double pd_contact_normal(const struct pd_contact *c, int t, const double *x,
 enum status pd_contact_room(struct pd_contact *c, int rows);
 void pd_contact_row(struct pd_contact *c, int t, const double direction[3], double error);
 
+/* Coulomb friction (pd_contact_rub.c): who sticks, who slips and which way, judged at x,
+ * three fields, and what they bear of it; *changed unless all was right. */
+enum status pd_contact_rub(struct pd_contact *c, const double *from, const double *start,
+                           const double *x, int *changed);
+
 /* Least gap of nodes at x to any obstacle, less h/2 [m]. */
 double pd_contact_gap(const struct pd_contact *c, const double *x);
 

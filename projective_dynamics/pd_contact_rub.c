@@ -1,4 +1,4 @@
-#include "projective_dynamics/pd_contact_rub.h"
+#include "projective_dynamics/pd_contact.h"
 
 #include <math.h>
 

@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "projective_dynamics/pd_bending.h"
-
 static const double PAPER_STRETCH = 10, PAPER_BEND = 10, PAPER_MASS = 1;
 
 /* Plane stress: energy per area E h / 2(1-nu^2) [(1-nu) |e|^2 + nu tr(e)^2], e the strain.
@@ -143,10 +141,12 @@ enum status pd_energy_init(struct pd_energy *e, const struct scene *scene, int n
         set_triangles(&new, scene, parameters);
     else
         set_edges(&new, scene, parameters);
+    struct pd_bending bending = {&new.net, new.area, new.rows, 0};
     if (parameters == PARAMETERS_PAPER)
-        pd_bending_mean_curvature(&new, PAPER_BEND);
+        pd_bending_mean_curvature(&bending, PAPER_BEND);
     else
-        pd_bending_plate(&new, scene, clamped);
+        pd_bending_plate(&bending, scene, clamped);
+    new.row_count = bending.count;
     new.constraints += new.row_count;
     new.rest_value = pd_energy_value(&new, new.rest);
     *e = new;

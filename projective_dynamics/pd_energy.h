@@ -31,15 +31,7 @@
 #define PD_ENERGY_H
 
 #include "models/discretization.h"
-#include "models/scene.h"
-#include "projective_dynamics/pd_net.h"
-
-struct pd_row {
-    int count, node[5];
-    double coefficient[5]; /* [1/m^2]                                                  */
-    double weight;         /* [N m^3]                                                  */
-    double target[3];      /* [1/m] zero, but for clamps                               */
-};
+#include "projective_dynamics/pd_bending.h"
 
 struct pd_energy {
     struct pd_net net;

@@ -2,8 +2,8 @@
 #ifndef SHELL_TANGENT_H
 #define SHELL_TANGENT_H
 
-#include "models/mechanics/large_motion.h"
-#include "shell_ref/shell_element.h"
+#include "models/mechanics/large_body.h"
+#include "shell_ref/shell_room.h"
 
 /* Rows over an element's functions that the kernel needs at each Gauss point. */
 enum { SHELL_TANGENT_LEFT = 22, SHELL_TANGENT_RIGHT = 18 };

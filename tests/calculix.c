@@ -4,7 +4,7 @@
  *   calculix              with programs of our own in its place
  *   calculix failures     with the real one (77 if not installed)
  */
-#include "fem_ref/calculix_deck.h"
+#include "fem_ref/calculix.h"
 #include "tests/check.h"
 
 #include <sys/stat.h>

@@ -2,7 +2,6 @@
  * cone, what the models make of it, rigid motions, metrics, and a benchmark of curved
  * shells through all three models that serve it.
  */
-#include "models/cloak.h"
 
 #include <unistd.h>
 
@@ -138,7 +137,7 @@ static void test_misfit(const char *name, int degree)
 
     init_cloak(&s, 120, 30);
     double middle = 2 * atan(2.0 / 8 * tan(30 * PI / 180)), r, z;
-    cloak_meridian(&s, 1, 1, &r, &z);
+    scene_cloak_meridian(&s, 1, 1, &r, &z);
     void *state = create(model, &s, &d);
     model->describe(state, &line);
     CHECK(sscanf(line.text, "the curved rest shape is met to %lg m", &said) == 1);

@@ -1,5 +1,5 @@
-/* Both factors on nets of every shape: residuals at round-off, parts found, bits repeated,
- * matrices that are not positive definite refused. */
+/* The three factors on nets of every shape: residuals at round-off, parts found, bits
+ * repeated, matrices that are not positive definite refused. */
 #include <float.h>
 
 #include "bench/speed/net_matrix.h"
@@ -134,6 +134,32 @@ static void check_shapes(void)
         }
 }
 
+/* One net by every method: the same solution, to what its condition (at most 4) leaves. */
+static void check_agreement(void)
+{
+    enum { N = 15 * 14 * 6 };
+    const struct net_shape shape = {.points_u = 15, .points_v = 14, .reach = 3};
+    static double x[SOLVER_CHOLMOD + 1][N];
+    struct net_matrix a;
+    REQUIRE(net_matrix_create(&shape, &a) == STATUS_OK && a.n == N);
+    struct factor_pattern pattern = pattern_of(&a, NULL);
+    for (enum solver method = SOLVER_BANDED; method <= SOLVER_CHOLMOD; method++) {
+        struct factor *f = NULL;
+        struct factor_info info;
+        REQUIRE(factor_create(&pattern, method, &f) == STATUS_OK);
+        factor_describe(f, &info);
+        CHECK(!strcmp(info.method, solver_name(method)));
+        fill(&a, f);
+        right_hand_side(N, x[method]);
+        REQUIRE(factor_refactor(f) == STATUS_OK);
+        CHECK(factor_solve(f, x[method]) == STATUS_OK);
+        for (int i = 0; i < N; i++)
+            CHECK_NEAR(x[method][i], x[SOLVER_BANDED][i], 4 * TOL_RESIDUAL);
+        factor_destroy(f);
+    }
+    net_matrix_clear(&a);
+}
+
 /* Any permutation will do. */
 static void check_order(void)
 {
@@ -143,6 +169,7 @@ static void check_order(void)
     for (int k = 0; k < n; k++)
         order[k] = (k * 5 + 3) % n; /* 5 and 216 have no common factor */
     check_shape(&shape, SOLVER_BANDED, order);
+    check_shape(&shape, SOLVER_SUPERNODAL, order);
     check_shape(&shape, SOLVER_CHOLMOD, order);
     free(order);
 }
@@ -160,7 +187,7 @@ static void check_nested(const struct net_shape *shape)
     for (int k = 0; k < a.n; k++)
         CHECK(0 <= order[k] && order[k] < a.n && !seen[order[k]]++);
     struct factor_pattern pattern = pattern_of(&a, order);
-    REQUIRE(factor_create(&pattern, SOLVER_CHOLMOD, &f) == STATUS_OK);
+    REQUIRE(factor_create(&pattern, SOLVER_SUPERNODAL, &f) == STATUS_OK);
     factor_describe(f, &nested);
     factor_destroy(f);
     REQUIRE(factor_create(&pattern, SOLVER_BANDED, &f) == STATUS_OK);
@@ -249,6 +276,7 @@ static void check_diagonal(enum solver method)
 int main(void)
 {
     check_shapes();
+    check_agreement();
     check_order();
     check_band_order();
     check_nested(&(struct net_shape){.points_u = 32, .points_v = 31, .reach = 1});

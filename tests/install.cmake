@@ -1,7 +1,33 @@
-# cmake --install puts program, scenes and man page in place, and the installed program finds
-# its scenes by itself: a scene that is only in the installed tree is listed.
-#   cmake -D SOURCE=... -D BUILD=... -D PREFIX=... -P install.cmake
+# As README has it: what `cmake --build --preset release` builds, `cmake --install` puts in
+# place - program, scenes, man page, the library for mpirun where there is MPI. The installed
+# program finds its scenes by itself: a scene that is only in the installed tree is listed.
+#   cmake -D SOURCE=... -D BUILD=... -D PREFIX=... -D LIBDIR=lib -D MPI=clothbench_mpi, or
+#   nothing, -P install.cmake
+cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${PREFIX} ${PREFIX}_moved)
+
+# The targets of the preset `release`, with nothing left over from building others.
+file(READ ${SOURCE}/CMakePresets.json presets)
+string(JSON count LENGTH "${presets}" buildPresets)
+set(targets "")
+math(EXPR last "${count} - 1")
+foreach(n RANGE ${last})
+  string(JSON name GET "${presets}" buildPresets ${n} name)
+  if(name STREQUAL "release")
+    string(JSON wanted GET "${presets}" buildPresets ${n} targets)
+    string(REGEX MATCHALL "[a-z_]+" targets "${wanted}")
+  endif()
+endforeach()
+if(NOT targets)
+  message(FATAL_ERROR "no targets of the preset `release` in CMakePresets.json")
+endif()
+set(libraries "")
+if(MPI)
+  file(REMOVE ${BUILD}/${MPI}.so)
+  set(libraries ${LIBDIR}/clothbench/${MPI}.so)
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD} --target ${targets}
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX}
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB scenes RELATIVE ${SOURCE}/models/scenes ${SOURCE}/models/scenes/*.yaml)
@@ -10,7 +36,7 @@ if(NOT scenes)
 endif()
 list(TRANSFORM scenes PREPEND share/clothbench/scenes/)
 foreach(file bin/clothbench share/man/man1/clothbench.1 ${scenes}
-             share/clothbench/plans/feasibility.yaml)
+             share/clothbench/plans/feasibility.yaml ${libraries})
   if(NOT EXISTS ${PREFIX}/${file})
     message(SEND_ERROR "${file} was not installed")
   endif()

@@ -52,6 +52,22 @@ plant(layers iga/patch.c "#include \"patch.h\"" "no \"patch.h\" seen from the to
 plant(layers iga/inner/patch.c "" "iga/inner/patch.c: its folder is not in tests/layers.txt")
 plant(layers tests/layers.txt "extra: later\nlater:" "extra sees later, which does not stand")
 
+# models/grid, by a part without a header, and models/net need each other.
+macro(make_circle)
+  make_tree()
+  file(WRITE ${SCRATCH}/models/net.h "#include \"models/grid.h\"\n")
+  file(WRITE ${SCRATCH}/models/grid_part.c "#include \"models/net.h\"\n")
+endmacro()
+make_circle()
+expect(layers "a circle of files: models/grid models/net")
+file(WRITE ${SCRATCH}/models/grid_part.h "") # no part any more
+expect(layers "")
+make_circle()
+file(WRITE ${SCRATCH}/tests/circles.txt "# open\nmodels/grid models/net\n")
+expect(layers "")
+plant(layers tests/circles.txt "models/grid models/net"
+  "tests/circles.txt: no circle any more, strike it out: models/grid models/net")
+
 string(REPEAT "int x;\n" 450 long)
 string(REPEAT "x" 101 wide)
 plant(style models/grid.c "${long}" "lines; 450 at most")

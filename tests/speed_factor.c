@@ -38,8 +38,9 @@ int main(int argc, char **argv)
             continue;
         if (shapes[k].points_u * shapes[k].points_v <= band_columns)
             measure(&shapes[k], SOLVER_BANDED, false);
+        measure(&shapes[k], SOLVER_SUPERNODAL, false);
+        measure(&shapes[k], SOLVER_SUPERNODAL, true);
         measure(&shapes[k], SOLVER_CHOLMOD, false);
-        measure(&shapes[k], SOLVER_CHOLMOD, true);
     }
     return check_result();
 }

@@ -23,6 +23,7 @@ packages=(
     "libarpack2-dev: eigenvalues of large sparse matrices"
     "libhdf5-dev: result files"
     "libyaml-dev: reads scene files"
+    "gnuplot-nox: draws the charts"
 )
 
 setup_say() { # PHASE SENTENCE

@@ -50,9 +50,9 @@ struct lever {
 };
 static const struct lever levers[] = {
     {"band instead of supernodes", "iga 10x10x2 rebuilt", "iga",
-     {PRINTED, "discretization.solver=banded"}, {PRINTED, "discretization.solver=cholmod"}},
+     {PRINTED, "discretization.solver=banded"}, {PRINTED, "discretization.solver=supernodal"}},
     {"band instead of supernodes", "hex 32x32x2 rebuilt", "hex",
-     {PRINTED, "discretization.solver=banded"}, {PRINTED, "discretization.solver=cholmod"}},
+     {PRINTED, "discretization.solver=banded"}, {PRINTED, "discretization.solver=supernodal"}},
     {"membrane and bending apart", "iga 10x10x2 prefactored", "iga",
      {LINEAR}, {LINEAR, "discretization.unknowns=points"}},
     {"membrane and bending apart", "iga 40x40x2 prefactored", "iga",

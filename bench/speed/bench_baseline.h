@@ -4,16 +4,7 @@
 #ifndef BENCH_BASELINE_H
 #define BENCH_BASELINE_H
 
-#include "models/clock.h"
-#include "models/status.h"
-
-/* Symmetric positive definite matrix: lower triangle by columns (factor.h). Borrowed. */
-struct bench_matrix {
-    int n;
-    const long *start;
-    const int *row;
-    const double *value;
-};
+#include "bench/speed/bench_factor.h"
 
 struct bench_baseline {
     struct clock_summary factor, solve; /* [s]                                         */
@@ -24,8 +15,8 @@ struct bench_baseline {
 enum status bench_baseline_lapack(const struct bench_matrix *A, int repeats,
                                   struct bench_baseline *b);
 
-/* CHOLMOD with its defaults (AMD, METIS; supernodal where it thinks fit); analysis not
- * counted. */
+/* CHOLMOD with its defaults (AMD, METIS; supernodal where it thinks fit), as
+ * discretization.solver=cholmod runs it; analysis not counted. */
 enum status bench_baseline_cholmod(const struct bench_matrix *A, int repeats,
                                    struct bench_baseline *b);
 

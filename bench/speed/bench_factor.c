@@ -10,7 +10,7 @@
 enum { REPEATS_MAX = 201 };
 static const double enough = 0.1; /* [s] a repeated measurement goes on at least         */
 
-static void fill(const struct net_matrix *a, const ptrdiff_t *slot, struct factor *f)
+static void fill(const struct bench_matrix *a, const ptrdiff_t *slot, struct factor *f)
 {
     double *value = factor_values(f);
     factor_clear_values(f);
@@ -30,7 +30,7 @@ static double residual(const struct net_matrix *a, const double *x, const double
     return worst;
 }
 
-static enum status time_refactor(const struct net_matrix *a, const ptrdiff_t *slot,
+static enum status time_refactor(const struct bench_matrix *a, const ptrdiff_t *slot,
                                  struct factor *f, int repeats, struct clock_summary *out)
 {
     enum status st = STATUS_OK;
@@ -70,7 +70,7 @@ out:
     return st;
 }
 
-static enum status make_slots(const struct net_matrix *a, const struct factor *f,
+static enum status make_slots(const struct bench_matrix *a, const struct factor *f,
                               ptrdiff_t **slot)
 {
     if (!(*slot = malloc(a->start[a->n] * sizeof **slot)))
@@ -93,48 +93,58 @@ static void describe(const struct factor *f, struct bench_factor_row *row)
     row->flops = info.flops;
 }
 
-enum status bench_factor_measure(const struct net_shape *shape, enum solver method,
-                                 bool nested, int repeats, struct bench_factor_row *row)
+enum status bench_factor_matrix(const struct bench_matrix *a, enum solver method,
+                                const int *order, int repeats, const double *b, double *x,
+                                struct bench_factor_row *row)
 {
-    enum status st = STATUS_MEMORY;
-    struct net_matrix a = {0};
+    enum status st = STATUS_OK;
     struct factor *f = NULL;
-    double *b = NULL;
     ptrdiff_t *slot = NULL;
-    int *order = NULL;
+    struct factor_pattern pattern = {
+        .n = a->n, .start = a->start, .row = a->row, .order = order};
 
     memset(row, 0, sizeof *row);
-    row->shape = *shape;
     row->asked = method;
+    row->unknowns = a->n;
     repeats = repeats < REPEATS_MAX ? repeats : REPEATS_MAX;
-    TRY(net_matrix_create(shape, &a));
-    row->unknowns = a.n;
-    b = malloc(3 * a.n * sizeof *b);
-    order = malloc(a.n * sizeof *order);
-    if (!b || !order) {
-        st = STATUS_MEMORY;
-        goto out;
-    }
-    int rows = shape->points_u - shape->held_edge;
-    order_nested(rows, shape->points_v, 6, shape->reach, order);
     double begin = clock_now();
-    struct factor_pattern pattern = {
-        .n = a.n, .start = a.start, .row = a.row, .order = nested ? order : NULL};
     TRY(factor_create(&pattern, method, &f));
     double seconds = clock_now() - begin;
     row->analyse = clock_summarise(&seconds, 1);
-    TRY(make_slots(&a, f, &slot));
-    TRY(time_refactor(&a, slot, f, repeats, &row->refactor));
-    for (int i = 0; i < a.n; i++)
-        b[i] = 1.0 + i % 7;
-    TRY(time_solve(f, a.n, b, b + a.n, repeats, &row->solve));
-    row->residual = residual(&a, b + a.n, b, b + 2 * a.n);
+    TRY(make_slots(a, f, &slot));
+    TRY(time_refactor(a, slot, f, repeats, &row->refactor));
+    TRY(time_solve(f, a->n, b, x, repeats, &row->solve));
     describe(f, row);
 out:
-    free(b);
     free(slot);
-    free(order);
     factor_destroy(f);
+    return st;
+}
+
+enum status bench_factor_measure(const struct net_shape *shape, enum solver method,
+                                 bool nested, int repeats, struct bench_factor_row *row)
+{
+    enum status st = STATUS_OK;
+    struct net_matrix a = {0};
+    double *b = NULL;
+    int *order = NULL;
+
+    TRY(net_matrix_create(shape, &a));
+    b = malloc(3 * a.n * sizeof *b);
+    order = malloc(a.n * sizeof *order);
+    if (!b || !order)
+        TRY(STATUS_MEMORY);
+    int rows = shape->points_u - shape->held_edge;
+    order_nested(rows, shape->points_v, 6, shape->reach, order);
+    for (int i = 0; i < a.n; i++)
+        b[i] = 1.0 + i % 7;
+    TRY(bench_factor_matrix(&(struct bench_matrix){a.n, a.start, a.row, a.value}, method,
+                            nested ? order : NULL, repeats, b, b + a.n, row));
+    row->shape = *shape;
+    row->residual = residual(&a, b + a.n, b, b + 2 * a.n);
+out:
+    free(b);
+    free(order);
     net_matrix_clear(&a);
     return st;
 }

@@ -7,6 +7,14 @@
 #include "models/clock.h"
 #include "models/linalg/factor.h"
 
+/* Symmetric positive definite matrix: lower triangle by columns (factor.h). Borrowed. */
+struct bench_matrix {
+    int n;
+    const long *start;
+    const int *row;
+    const double *value;
+};
+
 struct bench_factor_row {
     struct net_shape shape;
     enum solver asked;
@@ -20,9 +28,14 @@ struct bench_factor_row {
     struct clock_summary solve;    /* [s]                                              */
 };
 
-/* Measures one net with one method: `repeats` refactors and as many solves (more where they
- * are short), after one of each untimed. nested: order_nested is given; else CHOLMOD
- * orders. */
+/* Measures one matrix with one method: analysis, `repeats` refactors and as many solves
+ * (more where they are short), after one of each untimed; x[n] = A^-1 b. order[n]: given to
+ * the factor, or NULL. Leaves shape and residual zero. */
+enum status bench_factor_matrix(const struct bench_matrix *A, enum solver method,
+                                const int *order, int repeats, const double *b, double *x,
+                                struct bench_factor_row *row);
+
+/* The same for one made-up net. nested: order_nested is given; else CHOLMOD orders. */
 enum status bench_factor_measure(const struct net_shape *shape, enum solver method,
                                  bool nested, int repeats, struct bench_factor_row *row);
 

@@ -150,13 +150,20 @@ static void swap_parts(struct factor_part *a, struct factor_part *b)
 static const double arithmetic_saved = 1.45; /* where the two factors cost the same       */
 static const double never_below = 15e6; /* flops: 0.4 ms, not worth CHOLMOD's analysis */
 
+static const struct factor_method *method_of(enum solver method)
+{
+    return method == SOLVER_CHOLMOD      ? &factor_cholmod
+           : method == SOLVER_SUPERNODAL ? &factor_supernodal
+                                         : &factor_banded;
+}
+
 /* The method asked for, or the cheaper one; position[n], spare[n]: work. */
 static enum status create_by_method(const struct factor_pattern *a, enum solver method,
                                     int *position, int *spare, struct factor_part *part)
 {
     enum status st;
     struct factor_part other = {.method = &factor_supernodal, .n = part->n};
-    part->method = method == SOLVER_CHOLMOD ? &factor_supernodal : &factor_banded;
+    part->method = method_of(method);
     st = part->method->create(a, position, part);
     if (st != STATUS_OK || method != SOLVER_AUTO || flops_of(part) < never_below)
         return st;
@@ -332,8 +339,9 @@ out:
 
 enum status factor_solve(struct factor *f, double *b)
 {
-    assert(f->ready);
+    enum status st = STATUS_OK;
     double *x = f->work;
+    assert(f->ready);
     if (f->straight)
         memcpy(x, b, f->n * sizeof *x);
     for (int i = 0; !f->straight && i < f->n; i++)
@@ -341,7 +349,7 @@ enum status factor_solve(struct factor *f, double *b)
     for (int p = 0; p < f->part_count; p++) {
         const struct factor_part *part = &f->part[p];
         double *own = x + f->first_row[p];
-        part->method->solve(&f->part[p], f->value + f->first_slot[p], own);
+        TRY(part->method->solve(&f->part[p], f->value + f->first_slot[p], own));
         for (int i = part->n; i < f->first_row[p + 1] - f->first_row[p]; i++)
             own[i] = 0.0;
     }
@@ -349,7 +357,8 @@ enum status factor_solve(struct factor *f, double *b)
         memcpy(b, x, f->n * sizeof *x);
     for (int i = 0; !f->straight && i < f->n; i++)
         b[i] = x[f->place[i]];
-    return STATUS_OK;
+out:
+    return st;
 }
 
 static enum status prepare_three(struct factor *f)
@@ -400,19 +409,18 @@ static void clear_padding(const struct factor *f, int p, double *own)
 
 static enum status solve_three(struct factor *f, double *b, ptrdiff_t stride)
 {
-    if (!f->ready_three) {
-        enum status st = prepare_three(f);
-        if (st != STATUS_OK)
-            return st;
-    }
+    enum status st = STATUS_OK;
+    if (!f->ready_three)
+        TRY(prepare_three(f));
     into_blocks(f, b, stride, f->work_three);
     for (int p = 0; p < f->part_count; p++) {
         double *own = f->work_three + (ptrdiff_t)SIDES * f->first_row[p];
-        f->part[p].method->solve_three(&f->part[p], f->value + f->first_slot[p], own);
+        TRY(f->part[p].method->solve_three(&f->part[p], f->value + f->first_slot[p], own));
         clear_padding(f, p, own);
     }
     from_blocks(f, f->work_three, b, stride);
-    return STATUS_OK;
+out:
+    return st;
 }
 
 enum status factor_solve_many(struct factor *f, int count, double *b, ptrdiff_t stride)

@@ -8,6 +8,7 @@
 #include <assert.h>
 #include <stdlib.h>
 
+#include "models/linalg/factor.h"
 #include "models/linalg/factor_part.h"
 #include "models/linalg/tile.h"
 #include "models/linalg/tile_three.h"
@@ -149,7 +150,7 @@ static enum status refactor(struct factor_part *part, double *value)
     return STATUS_OK;
 }
 
-static void solve(struct factor_part *part, const double *value, double *b)
+static enum status solve(struct factor_part *part, const double *value, double *b)
 {
     const struct banded *band = part->state;
     for (int k = 0; k < band->tiles; k++) {
@@ -164,6 +165,7 @@ static void solve(struct factor_part *part, const double *value, double *b)
         tile_subtract_transposed(band->last[k] - k, tile + TILE_SIZE, x + TILE, x);
         tile_backward(tile, band->inverse + k * TILE, x);
     }
+    return STATUS_OK;
 }
 
 static enum status prepare_three(struct factor_part *part, const double *value)
@@ -179,7 +181,7 @@ static enum status prepare_three(struct factor_part *part, const double *value)
     return STATUS_OK;
 }
 
-static void solve_three(struct factor_part *part, const double *value, double *b)
+static enum status solve_three(struct factor_part *part, const double *value, double *b)
 {
     const struct banded *band = part->state;
     for (int k = 0; k < band->tiles; k++) {
@@ -194,6 +196,7 @@ static void solve_three(struct factor_part *part, const double *value, double *b
                                        value + band->start[k] + TILE_SIZE, x + BLOCK, x);
         tile_three_apply(band->pair + k * TILE_PAIR + TILE_SIZE, x);
     }
+    return STATUS_OK;
 }
 
 static void describe(const struct factor_part *part, struct factor_info *info)

@@ -8,9 +8,11 @@
 #define FACTOR_PART_H
 
 #include <stddef.h>
-#include "models/linalg/factor.h"
+#include "models/status.h"
 
+struct factor_info;
 struct factor_part;
+struct factor_pattern;
 
 struct factor_method {
     const char *name;
@@ -25,12 +27,12 @@ struct factor_method {
     enum status (*refactor)(struct factor_part *part, double *value);
 
     /* A x = b in place; b[rows] by position, 64-byte aligned, zeros behind n. */
-    void (*solve)(struct factor_part *part, const double *value, double *b);
+    enum status (*solve)(struct factor_part *part, const double *value, double *b);
 
     /* A x = b in place for three sides: b in blocks (tile_three.h), by position, zeros
      * behind n. `prepare_three` comes once after a refactor. */
     enum status (*prepare_three)(struct factor_part *part, const double *value);
-    void (*solve_three)(struct factor_part *part, const double *value, double *b);
+    enum status (*solve_three)(struct factor_part *part, const double *value, double *b);
 
     /* Adds to *info. */
     void (*describe)(const struct factor_part *part, struct factor_info *info);
@@ -52,5 +54,6 @@ double *factor_numbers(ptrdiff_t count);
 
 extern const struct factor_method factor_banded;
 extern const struct factor_method factor_supernodal;
+extern const struct factor_method factor_cholmod;
 
 #endif

@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/linalg/cholmod_status.h"
+#include "models/linalg/factor.h"
 #include "models/linalg/factor_part.h"
 #include "models/linalg/front.h"
 #include "models/linalg/tile.h"
@@ -49,15 +51,6 @@ struct supernodal {
 
 /* --- CHOLMOD: order and symbolic factorisation ------------------------------------------
  */
-
-static enum status error_of(const cholmod_common *c)
-{
-    if (c->status >= CHOLMOD_OK)
-        return STATUS_OK;
-    return c->status == CHOLMOD_OUT_OF_MEMORY || c->status == CHOLMOD_TOO_LARGE
-               ? STATUS_MEMORY
-               : STATUS_LIBRARY;
-}
 
 /* The pattern with unknown i moved to position[i]; lower triangle. */
 static cholmod_sparse *permuted_pattern(const struct factor_pattern *a, const int *position,
@@ -115,7 +108,7 @@ static enum status analyse(const struct factor_pattern *a, int *position,
     for (int k = 0; *l && k < a->n; k++)
         position[((int *)(*l)->Perm)[k]] = k;
     cholmod_free_sparse(&lower, c);
-    return *l ? error_of(c) : STATUS_MEMORY;
+    return *l ? cholmod_status(c) : STATUS_MEMORY;
 }
 
 /* --- our own analysis -------------------------------------------------------------------
@@ -322,7 +315,7 @@ static enum status refactor(struct factor_part *part, double *value)
     return STATUS_OK;
 }
 
-static void solve(struct factor_part *part, const double *value, double *b)
+static enum status solve(struct factor_part *part, const double *value, double *b)
 {
     const struct supernodal *s = part->state;
     double *x = s->x;
@@ -348,6 +341,7 @@ static void solve(struct factor_part *part, const double *value, double *b)
                        s->inverse + s->inverse_start[k], x);
         memcpy(b + node->first, x, node->count * sizeof *x);
     }
+    return STATUS_OK;
 }
 
 static enum status prepare_three(struct factor_part *part, const double *value)
@@ -379,7 +373,7 @@ TILE_INLINE void move_pivots(const struct supernode *node, double *x, double *b,
     }
 }
 
-static void solve_three(struct factor_part *part, const double *value, double *b)
+static enum status solve_three(struct factor_part *part, const double *value, double *b)
 {
     const struct supernodal *s = part->state;
     double *x = s->x;
@@ -407,6 +401,7 @@ static void solve_three(struct factor_part *part, const double *value, double *b
                              s->pair + s->inverse_start[k] / TILE * TILE_PAIR, x);
         move_pivots(node, x, b, false);
     }
+    return STATUS_OK;
 }
 
 static void describe(const struct factor_part *part, struct factor_info *info)

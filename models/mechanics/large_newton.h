@@ -16,7 +16,7 @@
 #ifndef LARGE_NEWTON_H
 #define LARGE_NEWTON_H
 
-#include "models/mechanics/large_motion.h"
+#include "models/mechanics/large_body.h"
 
 struct large_equation {
     struct large_path path;

@@ -1,12 +1,10 @@
 /* scene_check.c - values of a scene that must fit together. */
 #include "models/reader/scene_check.h"
-#include "models/cloak.h"
 #include "models/damping.h"
 
 #include <math.h>
 
 #include "models/discretization.h"
-#include "models/reader/scene_schema.h"
 
 /* Axes written with ten digits pass; a sheet is then that much longer than it says. */
 #define TOL_AXES 1e-9
@@ -66,7 +64,7 @@ static enum status check_radius(const struct yaml_tree *root, const struct scene
     for (int u = 0; u < 2; u++) {
         double r, z;
 
-        cloak_meridian(scene, u, 0, &r, &z);
+        scene_cloak_meridian(scene, u, 0, &r, &z);
         if (!(r > 0))
             return yaml_tree_refuse(
                 yaml_tree_find(root, "pose"), why,

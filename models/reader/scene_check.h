@@ -5,6 +5,8 @@
 #include "models/scene.h"
 #include "models/reader/yaml_tree.h"
 
+enum { SCENE_MAX_FRAMES = 10000000 }; /* end / step */
+
 /* Checks a scene just read from `root`. Refused, with one sentence at the line to blame:
  * pose axes that are not orthonormal, numbers of a damping or pose that its kind does not
  * take or needs, a cloak that reaches its own axis, more than SCENE_MAX_FRAMES frames,

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/reader/scene_schema.h"
-
 /* Limits of what doubles and people can handle; physics asks for less. */
 #define PLACE     .low = -1e6, .high = 1e6
 #define PARAMETER .low = 0, .high = 1

@@ -4,6 +4,10 @@
 #define SCENE_PLACE_H
 
 #include "models/reader/schema.h"
+#include "models/scene.h"
+
+/* SCENE_MAX_PATH: rows of one support's path. */
+enum { SCENE_MAX_SUPPORTS = 100, SCENE_MAX_LOADS = 100, SCENE_MAX_PATH = 1000 };
 
 /* Keys of one support, of one load. */
 extern const struct schema_key scene_place_support[], scene_place_load[];

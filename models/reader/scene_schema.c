@@ -6,9 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/cloak.h"
 #include "models/reader/scene_check.h"
 #include "models/reader/scene_place.h"
+
+enum {
+    SCENE_MAX_OBSTACLES = 100,
+    SCENE_MAX_SNAPSHOTS = 10000,
+    SCENE_MAX_POINTS = 20000000, /* control points or nodes */
+};
 
 /* Limits of what doubles and people can handle; physics asks for less. */
 #define LENGTH           .low = 1e-9, .high = 1e6
@@ -163,7 +168,7 @@ static const struct schema_key POSE[] = {
     {"v", "unit vector along the width, across u", SCHEMA_VECTOR, PLACE, IN(scene, axis_v)},
     {"kind", "rest shape", SCHEMA_WORD, .word = shape_word, IN(scene, shape)},
     {"opening", "cloak: angle around the axis u [deg]", SCHEMA_NUMBER, .low = 1,
-     .high = CLOAK_MAX_OPENING, IN(scene, opening)},
+     .high = SCENE_CLOAK_MAX_OPENING, IN(scene, opening)},
     {"flare", "cloak: angle of its generators to the axis [deg]", SCHEMA_NUMBER, .low = -90,
      .high = 90, IN(scene, flare)},
     {NULL}};

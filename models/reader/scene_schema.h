@@ -7,16 +7,6 @@
 #include "models/scene.h"
 #include "models/reader/schema.h"
 
-enum {
-    SCENE_MAX_SUPPORTS = 100,
-    SCENE_MAX_OBSTACLES = 100,
-    SCENE_MAX_LOADS = 100,
-    SCENE_MAX_PATH = 1000, /* rows of one support's path     */
-    SCENE_MAX_SNAPSHOTS = 10000,
-    SCENE_MAX_FRAMES = 10000000, /* end / step                     */
-    SCENE_MAX_POINTS = 20000000, /* control points or nodes        */
-};
-
 /* Reads a scene's tree into *scene, which comes from scene_init. Errors as schema_read. */
 enum status scene_schema_read(const struct yaml_tree *root, struct scene *scene,
                               struct message *why);

@@ -14,7 +14,7 @@
 #ifndef SOLID_CONTACT_H
 #define SOLID_CONTACT_H
 
-#include "models/solid/solid_motion.h"
+#include "models/solid/solid_state.h"
 
 /* One step of m->kinematics from m->x, without the velocity's damping. `held`: motion of
  * the held unknowns at its end, NULL at rest. On the rebuilt kinematics' present matrices.

@@ -14,14 +14,8 @@
 #ifndef SOLID_ELEMENT_H
 #define SOLID_ELEMENT_H
 
+#include "models/solid/solid_material.h"
 #include "models/solid/solid_space.h"
-
-struct solid_material {
-    double lambda, mu; /* Lame [Pa]                                                    */
-    double plane;      /* lambda of plane stress, E nu / (1 - nu^2) [Pa]               */
-    double across;     /* E - 2 mu [Pa]                                                */
-    double density;    /* [kg/m^3]                                                     */
-};
 
 struct solid_material solid_element_material(double young, double poisson, double density);
 

@@ -1,3 +1,4 @@
+#include "models/solid/solid_green_element.h"
 #include "models/solid/solid_green_layer.h"
 #include "models/solid/solid_green_point.h"
 

@@ -4,7 +4,7 @@
 #ifndef SOLID_GREEN_LAYER_H
 #define SOLID_GREEN_LAYER_H
 
-#include "models/solid/solid_green_element.h"
+#include "models/solid/solid_green_room.h"
 
 bool solid_green_layer_strain(struct solid_green_element *e,
                               const struct solid_layer_rest *rest, bool change);

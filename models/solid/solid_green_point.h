@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "models/solid/solid_green_element.h"
+#include "models/solid/solid_green_room.h"
 #include "models/solid/solid_outer.h"
 
 typedef solid_lanes lanes;

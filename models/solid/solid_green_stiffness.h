@@ -2,7 +2,7 @@
 #ifndef SOLID_GREEN_STIFFNESS_H
 #define SOLID_GREEN_STIFFNESS_H
 
-#include "models/solid/solid_green_element.h"
+#include "models/solid/solid_green_room.h"
 
 /* On the geometry e->U[1]: stress_share times the material part and geometry_share times
  * the geometric part with the stress of e->strain. Kept in *e for

@@ -5,7 +5,7 @@
 #ifndef SOLID_LARGE_H
 #define SOLID_LARGE_H
 
-#include "models/solid/solid_motion.h"
+#include "models/solid/solid_state.h"
 
 /* After the rest of *m is there and in its place. STATUS_MEMORY, STATUS_INVERTED. */
 enum status solid_large_create(struct solid_motion *m, struct solid_large **large);

@@ -15,7 +15,8 @@
 #ifndef SOLID_LAYER_H
 #define SOLID_LAYER_H
 
-#include "models/solid/solid_element.h"
+#include "models/solid/solid_material.h"
+#include "models/solid/solid_space.h"
 
 enum {
     SOLID_LAYER_STRETCHES = 6,

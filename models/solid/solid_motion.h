@@ -15,32 +15,9 @@
 #ifndef SOLID_MOTION_H
 #define SOLID_MOTION_H
 
-#include "models/mechanics/contact_step.h"
 #include "models/mechanics/dead_load.h"
-#include "models/mechanics/newmark.h"
 #include "models/model.h"
-#include "models/solid/solid_assembly.h"
-
-struct solid_motion {
-    const struct scene *scene;       /* borrowed                                       */
-    const struct solid_space *space; /* borrowed                                       */
-    enum kinematics kinematics;
-    struct solid_assembly assembly;
-    struct supports supports;
-    struct system system;
-    struct newmark newmark;
-    double *x;    /* [nodes][3] present coefficients                   [m]    owned   */
-    double *load; /* [nodes][3] gravity, wind and loads                [N]    owned   */
-    double *dead; /* [nodes][3] of which the scene's loads; NULL: none        owned   */
-    double *held; /* [4][held_count] target d, v, a; work              owned          */
-    double time;  /* [s]                                                              */
-    bool started; /* the constant system is factored                                  */
-    struct solid_large *large; /* nonlinear only                                 owned */
-
-    /* with obstacles only: solid_contact.h */
-    struct contact_step contact;
-    double force_unit; /* of the set's forces                                 [N]     */
-};
+#include "models/solid/solid_state.h"
 
 /* `order`: node order for the factorisation or NULL. The assembled matrices of the rest
  * shape are there after it. *m must stay where it is: it holds pointers into itself. */

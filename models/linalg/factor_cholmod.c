@@ -1,0 +1,188 @@
+/* CHOLMOD as it comes: it orders, and takes supernodes or single columns as it sees fit.
+ * Two things are asked of it: L L^T also column by column, since L D L^T would factor what
+ * is not positive definite, and one thread.
+ */
+#include <assert.h>
+#include <cholmod.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/linalg/cholmod_status.h"
+#include "models/linalg/factor.h"
+#include "models/linalg/factor_part.h"
+#include "models/linalg/tile_three.h"
+
+struct state {
+    cholmod_common common;
+    cholmod_sparse *matrix; /* the lower triangle; its numbers are copied from values     */
+    cholmod_factor *factor;
+    cholmod_dense *x, *y, *e; /* CHOLMOD's work of a solve, NULL until needed */
+    double *sides; /* [3 n], NULL until three sides are asked for               */
+};
+
+/* CHOLMOD's loops ask for four threads whatever the machine has; where no parallel region
+ * may open they get one. Returns what threads_restore puts back. */
+static int threads_one(void)
+{
+    int levels = omp_get_max_active_levels();
+    if (!omp_in_parallel())
+        omp_set_max_active_levels(0);
+    return levels;
+}
+
+static void threads_restore(int levels)
+{
+    if (!omp_in_parallel())
+        omp_set_max_active_levels(levels);
+}
+
+static cholmod_sparse *copy_pattern(const struct factor_pattern *a, cholmod_common *c)
+{
+    long entries = a->start[a->n];
+    cholmod_sparse *m = cholmod_allocate_sparse((size_t)a->n, (size_t)a->n, (size_t)entries,
+                                                true, true, -1, CHOLMOD_REAL, c);
+    if (!m)
+        return NULL;
+    for (int j = 0; j <= a->n; j++)
+        ((int *)m->p)[j] = (int)a->start[j];
+    memcpy(m->i, a->row, (size_t)entries * sizeof *a->row);
+    return m;
+}
+
+static enum status create(const struct factor_pattern *a, int *position,
+                          struct factor_part *part)
+{
+    struct state *s = part->state = calloc(1, sizeof *s);
+    if (!s)
+        return STATUS_MEMORY;
+    for (int k = 0; k < a->n; k++)
+        position[k] = k;
+    cholmod_start(&s->common);
+    s->common.print = 0;
+    s->common.final_ll = true;
+    s->matrix = copy_pattern(a, &s->common);
+    s->factor = s->matrix ? cholmod_analyze(s->matrix, &s->common) : NULL;
+    part->rows = part->n;
+    part->slots = a->start[a->n];
+    return s->factor ? STATUS_OK : cholmod_status(&s->common);
+}
+
+static ptrdiff_t slot(const struct factor_part *part, int i, int j)
+{
+    const struct state *s = part->state;
+    const int *start = s->matrix->p, *row = s->matrix->i;
+    int low = start[j], high = start[j + 1];
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
+        if (row[middle] <= i)
+            low = middle;
+        else
+            high = middle;
+    }
+    assert(row[low] == i);
+    return low;
+}
+
+static enum status refactor(struct factor_part *part, double *value)
+{
+    struct state *s = part->state;
+    memcpy(s->matrix->x, value, (size_t)part->slots * sizeof *value);
+    int levels = threads_one();
+    bool done = cholmod_factorize(s->matrix, s->factor, &s->common);
+    threads_restore(levels);
+    if (!done)
+        return cholmod_status(&s->common);
+    /* Zero if a pivot failed, and where infinity or NaN got into the diagonal. */
+    return cholmod_rcond(s->factor, &s->common) > 0.0 ? STATUS_OK : STATUS_INDEFINITE;
+}
+
+/* b[count][n] in place. */
+static enum status solve_columns(struct factor_part *part, int count, double *b)
+{
+    struct state *s = part->state;
+    size_t n = (size_t)part->n, size = n * (size_t)count;
+    cholmod_dense sides = {.nrow = n,
+                           .ncol = (size_t)count,
+                           .nzmax = size,
+                           .d = n,
+                           .x = b,
+                           .xtype = CHOLMOD_REAL,
+                           .dtype = CHOLMOD_DOUBLE};
+    int levels = threads_one();
+    bool done = cholmod_solve2(CHOLMOD_A, s->factor, &sides, NULL, &s->x, NULL, &s->y,
+                               &s->e, &s->common);
+    threads_restore(levels);
+    if (!done)
+        return cholmod_status(&s->common);
+    memcpy(b, s->x->x, size * sizeof *b);
+    return STATUS_OK;
+}
+
+static enum status solve(struct factor_part *part, const double *value, double *b)
+{
+    (void)value;
+    return solve_columns(part, 1, b);
+}
+
+static enum status prepare_three(struct factor_part *part, const double *value)
+{
+    struct state *s = part->state;
+    (void)value;
+    if (!s->sides)
+        s->sides = malloc(SIDES * (size_t)part->n * sizeof *s->sides);
+    return s->sides ? STATUS_OK : STATUS_MEMORY;
+}
+
+static enum status solve_three(struct factor_part *part, const double *value, double *b)
+{
+    enum status st = STATUS_OK;
+    double *sides = ((struct state *)part->state)->sides;
+    (void)value;
+    for (int i = 0; i < part->n; i++)
+        for (int c = 0; c < SIDES; c++)
+            sides[(ptrdiff_t)c * part->n + i] = b[block_place(i) + c * TILE];
+    TRY(solve_columns(part, SIDES, sides));
+    for (int i = 0; i < part->n; i++)
+        for (int c = 0; c < SIDES; c++)
+            b[block_place(i) + c * TILE] = sides[(ptrdiff_t)c * part->n + i];
+out:
+    return st;
+}
+
+static void describe(const struct factor_part *part, struct factor_info *info)
+{
+    const struct state *s = part->state;
+    const cholmod_factor *l = s->factor;
+    info->entries += (long)(l->is_super ? (double)l->xsize : s->common.lnz);
+    info->flops += s->common.fl;
+    info->bytes += (long)s->common.memory_inuse;
+}
+
+static void destroy(struct factor_part *part)
+{
+    struct state *s = part->state;
+    if (!s)
+        return;
+    cholmod_free_factor(&s->factor, &s->common);
+    cholmod_free_sparse(&s->matrix, &s->common);
+    cholmod_free_dense(&s->x, &s->common);
+    cholmod_free_dense(&s->y, &s->common);
+    cholmod_free_dense(&s->e, &s->common);
+    cholmod_finish(&s->common);
+    free(s->sides);
+    free(s);
+    part->state = NULL;
+}
+
+const struct factor_method factor_cholmod = {
+    .name = "cholmod",
+    .create = create,
+    .slot = slot,
+    .refactor = refactor,
+    .solve = solve,
+    .prepare_three = prepare_three,
+    .solve_three = solve_three,
+    .describe = describe,
+    .destroy = destroy,
+};

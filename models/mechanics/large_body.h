@@ -1,0 +1,82 @@
+/* large_body.h - a body at large displacements: what shell or solid gives, and the state
+ * that Newton's method (large_newton.h), stepping (large_motion.h) and equilibrium
+ * (large_rest.h) work on. */
+#ifndef LARGE_BODY_H
+#define LARGE_BODY_H
+
+#include "models/mechanics/contact_step.h"
+#include "models/model.h"
+
+/* Where the stress and the geometry of an equation come from: stress of s0 e_old + s1 e(x)
+ * on the geometry (1 - g1) x_old + g1 x. Statics: s1 = g1 = 1. */
+struct large_path {
+    double s0, s1, g1;
+    double lag;               /* added to s1, taken from s0, for the body's stiff strains */
+    const double *x_old;      /* [nodes][3]; NULL if g1 == 1                   borrowed   */
+    const double *strain_old; /* NULL if s0 == 0                               borrowed   */
+};
+
+/* Which stress the geometric part of a tangent takes; all unset: that of the path. A thin
+ * body whose step has turned it has spurious membrane stress to second order in the step,
+ * enormous beside the true one; Newton's method then takes an order of magnitude more
+ * iterations. */
+struct large_foresight {
+    const double *strain; /* these strains, such as those at the step's start          */
+    const double *change; /* [nodes][3] the change that led to x: the strains that its
+                             linearisation foresaw                                     */
+    bool none;            /* no stress at all: a tangent that is never indefinite      */
+};
+
+/* What moves. All on coefficients x[nodes][3]; STATUS_NAN, or STATUS_INVERTED where x is no
+ * body; results are then of no use. */
+struct large_body {
+    const void *self;
+    size_t strains; /* numbers in an array of strains                                  */
+    enum status (*strain)(const void *self, const double *x, double *strain);
+    enum status (*force)(const void *self, const struct large_path *path, const double *x,
+                         double *force);
+    /* K[pairs], symmetric: exact in statics without foresight; in time, where the
+     * derivative of the force is not symmetric, with the geometry's strain variations on
+     * both sides. */
+    enum status (*tangent)(const void *self, const struct large_path *path, const double *x,
+                           struct large_foresight foresight, double (*K)[9]);
+};
+
+/* Loads that follow the shape, for tests: adds `factor` times the load to force[nodes][3]
+ * and, unless K is NULL, minus its derivative to K. */
+struct large_follower {
+    void (*add)(void *context, const double *x, double factor, double *force,
+                double (*K)[9]);
+    void *context;
+};
+
+struct large_motion {
+    /* Set by the owner before large_motion_init; borrowed. */
+    struct large_body body;
+    const struct scene *scene;
+    const struct blocks *graph;
+    const double *M;    /* [pairs] consistent mass                             [kg]    */
+    const double *rest; /* [nodes][3]                                          [m]     */
+    const double *load; /* [nodes][3]                                          [N]     */
+    const struct supports *supports;
+    struct system *system;
+    struct newmark *newmark; /* v and the mean acceleration a of the last step         */
+    double (*K)[9];          /* [pairs] room for tangents                      [N/m]   */
+    double *x;               /* [nodes][3] present coefficients                [m]     */
+    double *held;            /* [4][held_count] supports_motion                        */
+    double lag;              /* algorithmic viscosity, in steps; see above             */
+    struct contact_step *contact; /* NULL: no obstacles                                */
+
+    struct large_follower follower;
+    double *strain_old; /* strains at the step's start                         owned   */
+    double *room;       /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */
+    double factored;    /* mass factor of the tangent that is factored; -1: none       */
+    double added;       /* to the factored tangent, of mass; 0: none         [1/s^2]   */
+    bool stressless;    /* this equation's tangents leave out the stress               */
+    bool started;       /* strain_old belongs to x                                     */
+    bool rested;        /* x is an equilibrium (large_rest.h)                          */
+    int halvings;       /* the present substep is step / 2^halvings                    */
+    double push[3];     /* of obstacles, mean over the last step                 [N]   */
+};
+
+#endif

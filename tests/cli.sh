@@ -214,7 +214,8 @@ says out 'no mode grows'
 good run edge_drop "${short[@]}" --out kept.h5 --matrices matrices
 [ -s kept.h5 ] || fail '--out: no file'
 [ -s kept.xdmf ] || fail '--out: no XDMF'
-[ "$(head -c 8 kept.h5 | tail -c 7 | head -c 3)" = HDF ] || fail 'kept.h5 is no HDF5 file'
+[ "$(head -c 520 kept.h5 | tail -c 7 | head -c 3)" = HDF ] || fail 'kept.h5 is no HDF5 file'
+head -n 1 kept.h5 | grep -qa 'clothbench result file, sealed' || fail 'kept.h5 has no seal'
 for name in K M; do
     grep -q '^%%MatrixMarket matrix coordinate real symmetric' matrices/$name.mtx ||
         fail "$name.mtx: no header"

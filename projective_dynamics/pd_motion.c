@@ -110,7 +110,8 @@ static enum status find_radius(struct pd_motion *m)
 static enum status allocate(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
-    double **fields[] = {&m->x, &m->v, &m->base, &m->start, &m->next, &m->before};
+    double **fields[] = {&m->x,    &m->v,      &m->base, &m->start,
+                         &m->next, &m->before, &m->saved};
 
     for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
         if (!(*fields[n] = pd_net_fields(net, 3)))
@@ -197,7 +198,8 @@ void pd_motion_clear(struct pd_motion *m)
     if (!m)
         return;
     const struct pd_net *net = &m->energy.net;
-    double *fields[] = {m->x, m->v, m->base, m->start, m->next, m->before, m->dead};
+    double *fields[] = {m->x,    m->v,      m->base,  m->start,
+                        m->next, m->before, m->saved, m->dead};
     for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
         pd_net_free_fields(net, fields[n]);
     free(m->shift);
@@ -272,12 +274,15 @@ static double farthest(const struct pd_motion *m, const double *a, const double 
     return sqrt(most);
 }
 
-/* Chebyshev's weight of iteration `number`, from the one before (Wang 2015, eq. 12). */
+enum { DELAY = 10, GUARD = 5 };
+
+/* Chebyshev's weight of iteration `number`, from the one before (Wang 2015, algorithm 1):
+ * none for the first DELAY, in which folds that grow at first would be thrown too far. */
 static double chebyshev_weight(int number, double radius, double before)
 {
-    if (number == 0)
+    if (number < DELAY)
         return 1;
-    return number == 1 ? 2 / (2 - radius * radius) : 4 / (4 - radius * radius * before);
+    return number == DELAY ? 2 / (2 - radius * radius) : 4 / (4 - radius * radius * before);
 }
 
 /* next <- w (next - before) + before */
@@ -286,7 +291,7 @@ static void overshoot(struct pd_motion *m, int number)
     const struct pd_net *net = &m->energy.net;
 
     m->weight = chebyshev_weight(number, m->radius, m->weight);
-    for (int c = 0; number > 0 && c < 3; c++) {
+    for (int c = 0; number >= DELAY && c < 3; c++) {
         double *next = m->next + c * pd_net_stride(net);
         const double *before = m->before + c * pd_net_stride(net);
         for (int k = 0; k < net->nodes; k++)
@@ -328,17 +333,40 @@ static void add_push(struct pd_motion *m)
         m->push[c] += m->contact.force[c] / (m->dt * m->dt * m->options.substeps);
 }
 
+/* After every GUARD iterations: if what a step minimises has grown, which plain iterations
+ * never let it, the last ones are taken back, and the next are plain (Peng et al. 2018
+ * guard their acceleration so). *number counts from there, *value is the least so far. */
+static bool take_back(struct pd_motion *m, int *number, double *value)
+{
+    const struct pd_net *net = &m->energy.net;
+    const size_t size = (size_t)(3 * pd_net_stride(net)) * sizeof *m->x;
+    const double now = pd_motion_objective(m);
+
+    if (now <= *value || *number <= DELAY) {
+        memcpy(m->saved - net->pad, m->x - net->pad, size);
+        *value = now;
+        return false;
+    }
+    memcpy(m->x - net->pad, m->saved - net->pad, size);
+    *number = 0;
+    return true;
+}
+
 static enum status step(struct pd_motion *m, struct counters *counters)
 {
     enum status st;
     const struct pd_net *net = &m->energy.net;
     const struct pd_options *o = &m->options;
-    double near = o->tolerance * m->scene->length, moved = INFINITY;
+    double near = o->tolerance * m->scene->length, moved = INFINITY, value = INFINITY;
+    int number = 0;
     long pushes = m->contact.dual.solves;
 
     pd_motion_begin(m);
     for (int n = 0; n < o->iterations && !(o->tolerance > 0 && moved <= near); n++) {
-        TRY(pd_motion_iterate(m, n, o->tolerance > 0 ? &moved : NULL));
+        TRY(pd_motion_iterate(m, number++, o->tolerance > 0 ? &moved : NULL));
+        if (o->chebyshev && (number % GUARD == 0 || n + 1 == o->iterations) &&
+            take_back(m, &number, &value))
+            moved = INFINITY;
         counters->iterations++;
         counters->solves++;
     }

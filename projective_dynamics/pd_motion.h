@@ -25,7 +25,7 @@ struct pd_options {
     int substeps;     /* steps a frame, >= 1                                           */
     int iterations;   /* a step: as many, or at most so many if tolerance > 0; >= 1    */
     double tolerance; /* stop where no node moves farther, as a share of the length    */
-    bool chebyshev;   /* Wang 2015                                                     */
+    bool chebyshev;   /* Wang 2015, and taken back where it does not descend           */
     enum solver solver;
 };
 
@@ -43,8 +43,9 @@ struct pd_motion {
     double weight;    /* of the last iteration                                         */
     double *x, *v;    /* three fields each                                   owned    */
     double *base, *start, *next, *before; /* work, the same                  owned    */
-    double *shift;                        /* [held]                          owned    */
-    double *dead; /* accelerations by the scene's loads, as x; NULL: none    owned    */
+    double *saved; /* Chebyshev: what it may fall back to, as x              owned    */
+    double *shift; /* [held]                          owned    */
+    double *dead;  /* accelerations by the scene's loads, as x; NULL: none    owned    */
     double time;
     bool counted; /* the factorisation of create                                       */
 };

@@ -205,7 +205,8 @@ static enum status create_parts(struct factor *f, const struct factor_pattern *a
                                 enum solver method)
 {
     enum status st = STATUS_OK;
-    int *unknown = malloc(a->n * sizeof *unknown), *local = malloc(a->n * sizeof *local);
+    const size_t room = (size_t)a->n + 1;
+    int *unknown = malloc(room * sizeof *unknown), *local = malloc(room * sizeof *local);
     int *begin = calloc(f->part_count + 1, sizeof *begin);
     if (!unknown || !local || !begin) {
         st = STATUS_MEMORY;
@@ -251,17 +252,19 @@ enum status factor_create(const struct factor_pattern *a, enum solver method,
     enum status st = STATUS_MEMORY;
     struct factor *f = calloc(1, sizeof *f);
 
-    assert(a->n > 0);
+    const size_t room = (size_t)a->n + 1; /* a sheet that is held everywhere has n = 0 */
+
+    assert(a->n >= 0);
     if (!f)
         return STATUS_MEMORY;
     blas_kernel_set_threads(1);
     f->n = a->n;
-    f->part_of = malloc(a->n * sizeof *f->part_of);
-    f->place = malloc(a->n * sizeof *f->place);
+    f->part_of = malloc(room * sizeof *f->part_of);
+    f->place = malloc(room * sizeof *f->place);
     if (!f->part_of || !f->place)
         goto out;
     f->part_count = find_parts(a, f->place, f->part_of);
-    f->part = calloc(f->part_count, sizeof *f->part);
+    f->part = calloc(f->part_count + 1, sizeof *f->part);
     f->first_row = calloc(f->part_count + 1, sizeof *f->first_row);
     f->first_slot = calloc(f->part_count + 1, sizeof *f->first_slot);
     if (!f->part || !f->first_row || !f->first_slot)

@@ -2,6 +2,7 @@
 #include "bench/ui/table.h"
 
 #include <math.h>
+#include <unistd.h>
 
 #include "tests/check.h"
 
@@ -203,6 +204,10 @@ static void check_files(void)
     check_file("/tmp/clothbench-table.csv", want);
     CHECK(table_save(t, "/nowhere", "table", &why) == STATUS_FILE);
     CHECK(table_save(NULL, "/tmp", "table", &why) == STATUS_MEMORY);
+    remove("/tmp/clothbench-full.csv");
+    REQUIRE(symlink("/dev/full", "/tmp/clothbench-full.csv") == 0);
+    CHECK(table_save(t, "/tmp", "clothbench-full", &why) == STATUS_FILE);
+    remove("/tmp/clothbench-full.csv");
     FILE *file = fopen("/tmp/clothbench-table.csv", "w");
     REQUIRE(file);
     CHECK(table_flush(t, file) == STATUS_OK);

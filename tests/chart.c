@@ -144,6 +144,26 @@ static void styles_and_panels(void)
     chart_destroy(c);
 }
 
+/* Cells fill their panel. */
+static void cells(void)
+{
+    struct chart *c = chart_create(NULL);
+    struct message why;
+
+    chart_series(c, &(struct chart_series){"good", CHART_CELLS, .rgb = "#8cd17d"});
+    chart_cell(c, 1, 10, (double[]){0.5, 1.5}, (double[]){5, 20});
+    chart_cell(c, 2, 10, (double[]){1.5, 2.5}, (double[]){5, 20});
+    chart_series(c, &(struct chart_series){"row", CHART_POINTS, .rgb = "#000000"});
+    chart_point(c, 1, 30);
+    chart_write(c, folder, "cells", &why);
+    char *script = text_of("cells.gp");
+    holds(script, "set xrange [0.5:2.5]\n");
+    holds(script, "set yrange [5:30]\n");
+    holds(script, "with boxxyerror fs solid 1 border lc rgb '#8cd17d' lc rgb '#8cd17d'");
+    free(script);
+    chart_destroy(c);
+}
+
 /* What a label has, it keeps; after the last look comes the first, dashed. */
 static void looks(void)
 {
@@ -270,6 +290,7 @@ static void all(bool drawn)
 {
     rows_become_points();
     styles_and_panels();
+    cells();
     looks();
     hostile_names(drawn);
     drawn_files(drawn);

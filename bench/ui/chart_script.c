@@ -71,19 +71,24 @@ static void write_block(struct output *out, const struct chart_pane *p, int pane
 
 /* --- a panel -------------------------------------------------------------------------- */
 
-/* The data's ends on an axis. */
-static void ends_of(const struct chart_pane *p, int axis, double *low, double *high)
+/* The data's ends on an axis; whether they are those of cells, which fill their panel. */
+static bool ends_of(const struct chart_pane *p, int axis, double *low, double *high)
 {
+    bool celled = false;
+
     *low = INFINITY, *high = -INFINITY;
     for (int n = 0; n < p->item_count; n++)
         for (int k = 0; k < p->item[n].count; k++) {
             const struct chart_place *at = &p->item[n].at[k];
             const double value = axis ? at->y : at->x;
-            if (is_drawn(p->axis, at)) {
-                *low = fmin(*low, value);
-                *high = fmax(*high, value);
-            }
+            const double *side = axis ? at->y_side : at->x_side;
+            if (!is_drawn(p->axis, at))
+                continue;
+            celled = celled || p->item[n].celled;
+            *low = fmin(*low, p->item[n].celled ? side[0] : value);
+            *high = fmax(*high, p->item[n].celled ? side[1] : value);
         }
+    return celled;
 }
 
 static void write_end(struct output *out, double value)
@@ -131,8 +136,9 @@ static void write_axis(struct output *out, const struct chart_pane *p, int n)
     char label[256];
     double low, high;
 
-    ends_of(p, n, &low, &high);
-    snprintf(label, sizeof label, axis->unit ? "%s [%s]" : "%s",
+    const bool celled = ends_of(p, n, &low, &high);
+    snprintf(label, sizeof label,
+             axis->unit && strcmp(axis->unit, "1") != 0 ? "%s [%s]" : "%s",
              axis->name ? axis->name : "", axis->unit);
     output_print(out, "set %clabel ", name);
     plot_text(out, label);
@@ -149,6 +155,8 @@ static void write_axis(struct output *out, const struct chart_pane *p, int n)
         high = isnan(axis->high) ? high : axis->high;
     } else if (low > high) { /* nothing to be seen: gnuplot wants a range all the same */
         output_print(out, "set %crange [1:10]\n", name);
+    } else if (celled) {
+        output_print(out, "set %crange [%.9g:%.9g]\n", name, low, high);
     } else if (low == high) {
         const double room = fmax(fabs(low) / 2, 1e-9);
         output_print(out, "set %crange [%.9g:%.9g]\n", name, low - room, high + room);

@@ -58,7 +58,7 @@ void plot_page(struct output *out, const char *name, enum plot_kind kind, int wi
     else
         output_print(out,
                      "set terminal pdfcairo noenhanced size %gin,%gin font 'Sans,10' "
-                     "fontscale 0.75\nscale = 1.\n",
+                     "fontscale 0.75 linewidth 1.4 dashlength 1.4\nscale = 1.\n",
                      width / 96., height / 96.);
     output_print(out, "set output '%s.%s'\n", name, ending[kind]);
 }

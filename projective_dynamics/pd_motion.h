@@ -72,6 +72,16 @@ double pd_motion_objective(const struct pd_motion *m);
 void pd_motion_energy(const struct pd_motion *m, struct energy *energy);
 void pd_motion_size(const struct pd_motion *m, struct model_size *size);
 
+/* Acceleration, pd_motion_accelerate.c: m->radius, once the system is factored; m->next of
+ * iteration `number` = 0, 1, ... since the last plain start overshot; whether it is time to
+ * look back, after `number` of them (`last`: of the step); whether that look took them
+ * back: m->x is again what it was at the look before, and *number is 0. *value is the least
+ * objective so far, INFINITY at first. */
+enum status pd_motion_find_radius(struct pd_motion *m);
+void pd_motion_overshoot(struct pd_motion *m, int number);
+bool pd_motion_is_due(int number, bool last);
+bool pd_motion_take_back(struct pd_motion *m, int *number, double *value);
+
 void pd_motion_contact(const struct pd_motion *m, struct model_contact *contact);
 
 #endif

@@ -205,8 +205,8 @@ static enum status create_parts(struct factor *f, const struct factor_pattern *a
                                 enum solver method)
 {
     enum status st = STATUS_OK;
-    const size_t room = (size_t)a->n + 1;
-    int *unknown = malloc(room * sizeof *unknown), *local = malloc(room * sizeof *local);
+    int *unknown = malloc((a->n + 1) * sizeof *unknown);
+    int *local = malloc((a->n + 1) * sizeof *local);
     int *begin = calloc(f->part_count + 1, sizeof *begin);
     if (!unknown || !local || !begin) {
         st = STATUS_MEMORY;
@@ -251,12 +251,10 @@ enum status factor_create(const struct factor_pattern *a, enum solver method,
 {
     enum status st = STATUS_MEMORY;
     struct factor *f = calloc(1, sizeof *f);
+    const size_t room = (size_t)a->n + 1; /* n = 0: held everywhere */
 
-    const size_t room = (size_t)a->n + 1; /* a sheet that is held everywhere has n = 0 */
-
-    assert(a->n >= 0);
     if (!f)
-        return STATUS_MEMORY;
+        return st;
     blas_kernel_set_threads(1);
     f->n = a->n;
     f->part_of = malloc(room * sizeof *f->part_of);

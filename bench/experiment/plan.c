@@ -204,7 +204,7 @@ static const struct schema_key PLAN[] = {
      .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
              "that has them"},
     {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
-    PLAN_STUDY_KEYS(plan, base),
+    PLAN_STUDY_KEYS(offsetof(struct plan, base)),
     {"studies", "each of these levels, times, ... unless it has its own", SCHEMA_SPECIAL,
      .read = read_studies, .keys = plan_study_keys,
      .want = "a list of 1 to 100 studies {name: ..., scene: ..., settings: {KEY: VALUE}}"},

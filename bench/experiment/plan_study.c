@@ -35,7 +35,7 @@ const struct schema_key plan_study_keys[] = {
     {"settings", "of its levels; the physics are the truth's, too", SCHEMA_SPECIAL,
      .read = plan_settings_read_key, IN(plan_study, settings),
      .want = "a map {KEY: VALUE, ...}"},
-    PLAN_STUDY_KEYS(plan_study, name),
+    PLAN_STUDY_KEYS(0),
     {"paper_ms", "what somebody else's frame costs [ms]", SCHEMA_NUMBER, .low = 0,
      .high = 1e9, .open = true, IN(plan_study, paper_ms)},
     {"paper_net", "somebody else's words for degree and net", SCHEMA_TEXT,

@@ -1,6 +1,6 @@
 #include "bench/tables/tables.h"
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 #include "bench/tables/table1.h"
 #include "bench/tables/table23.h"
 #include "bench/tables/table4.h"
@@ -13,6 +13,11 @@ static const struct command_item *const items[] = {
     NULL,
 };
 
+static enum status run(const struct command_line *line, struct message *why)
+{
+    return experiment_command(line, false, why);
+}
+
 const struct command tables_command = {
     .name = "table",
     .summary = "recompute a table of the paper, its numbers beside ours",
@@ -24,8 +29,8 @@ const struct command tables_command = {
         "table 1\ntable 1 --quick --format markdown\ntable 1 --from results/table1\n",
     .least = 1,
     .most = 1,
-    .options = exhibit_command_options,
+    .options = experiment_command_options,
     .section = "tables",
     .items = items,
-    .run = exhibit_run,
+    .run = run,
 };

@@ -1,0 +1,254 @@
+#include "bench/experiment/experiment.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/experiment/study_print.h"
+#include "bench/files/folder.h"
+#include "bench/harness/timing.h"
+#include "bench/ui/progress.h"
+
+const struct command_option experiment_command_options[] = {
+    {"--format", TABLE_FORMATS, false, "how to print (text)"},
+    {"--out", "DIR", false,
+     "where result files, plots and pictures go\n"
+     "(results/table1, results/study_mesh, ...)"},
+    {"--from", "DIR", false, "print again from result files of an earlier run"},
+    {"--values", "A,B,...", false,
+     "levels of the parameter varied instead of the usual\n"
+     "ones (study locking: thicknesses in metres)"},
+    {"--quick", NULL, false, "a smaller job of the same shape"},
+    {NULL, NULL, false, NULL},
+};
+
+void experiment_progress(const struct experiment_options *options, const char *what,
+                         int done, int total)
+{
+    if (options->progress)
+        options->progress(options->context, what, done, total);
+}
+
+struct bar {
+    struct progress progress;
+    const char *what;
+};
+
+static void show(void *context, const char *what, int done, int total)
+{
+    struct bar *bar = context;
+
+    if (bar->what != what) {
+        progress_end(&bar->progress);
+        bar->progress = progress_start(what, total, false);
+        bar->what = what;
+    }
+    progress_update(&bar->progress, done);
+    if (done == total)
+        progress_end(&bar->progress);
+}
+
+static const struct experiment *find(const struct command *command, const char *name)
+{
+    for (int n = 0; command->items[n]; n++)
+        if (!strcmp(command->items[n]->name, name))
+            return (const struct experiment *)command->items[n];
+    return NULL;
+}
+
+static enum status refuse(const struct command *command, const char *name, bool plans,
+                          struct message *why)
+{
+    struct named_file_entry *entries = NULL;
+    char known[512] = "";
+    int count = 0;
+
+    for (int n = 0; command->items[n]; n++)
+        snprintf(known + strlen(known), sizeof known - strlen(known), "%s%s", n ? ", " : "",
+                 command->items[n]->name);
+    if (plans)
+        named_file_list(&plan_study_kind, &entries, &count, NULL);
+    for (int n = 0; n < count; n++)
+        if (*entries[n].text && !find(command, entries[n].name))
+            snprintf(known + strlen(known), sizeof known - strlen(known), ", %s",
+                     entries[n].name);
+    named_file_list_free(entries, count);
+    return status_fail(why, STATUS_INPUT, "%s: there is no '%s'; there are %s%s",
+                       command->name, name, known,
+                       plans ? ", or give the path of a plan with levels" : "");
+}
+
+enum { MOST_VALUES = 16 };
+
+/* "0.001,0.02", increasing. */
+static enum status read_values(const char *text, const struct experiment *experiment,
+                               int *count, double *value, struct message *why)
+{
+    if (!experiment->values)
+        return status_fail(why, STATUS_INPUT, "%s has no --values to choose",
+                           experiment->plan ? experiment->plan : experiment->item.name);
+    for (const char *rest = text;; rest++) {
+        char *end;
+        double v = strtod(rest, &end);
+        bool good = end != rest && (*end == ',' || !*end) && isfinite(v) && v > 0 &&
+                    *count < MOST_VALUES && (!*count || v > value[*count - 1]);
+        if (!good)
+            return status_fail(
+                why, STATUS_INPUT,
+                "--values '%s': at most %d increasing positive numbers, as in "
+                "0.001,0.02: %s",
+                text, MOST_VALUES, experiment->values);
+        value[(*count)++] = v;
+        rest = end;
+        if (!*rest)
+            return STATUS_OK;
+    }
+}
+
+static enum status read_plan(const char *name, struct plan *plan, struct message *why)
+{
+    char *path = NULL;
+    enum status st;
+
+    TRY(named_file_find(&plan_kind, name, &path, why));
+    TRY(plan_read(path, plan, why));
+    if (!plan->study_count)
+        st = status_fail(why, STATUS_INPUT,
+                         "%s: the plan has no levels, so it is no study; clothbench sweep "
+                         "runs it",
+                         path);
+out:
+    free(path);
+    return st;
+}
+
+enum status experiment_measure(const struct experiment *e,
+                               const struct experiment_options *options,
+                               struct message *why)
+{
+    const struct measurement_options how = {.quick = options->quick,
+                                            .repeats = options->repeats,
+                                            .progress = options->progress,
+                                            .context = options->context};
+    struct plan plan = {0};
+    enum status st = STATUS_OK;
+
+    if (e->plan) {
+        TRY(read_plan(e->plan, &plan, why));
+        TRY(study_measure(&plan, options->folder, &how, why));
+    }
+    if (e->measure)
+        TRY(e->measure(options, why));
+out:
+    plan_clear(&plan);
+    return st;
+}
+
+enum status experiment_print(const struct experiment *e, const char *folder,
+                             enum table_format format, FILE *file, struct message *why)
+{
+    struct study_results r = {0};
+    struct plan plan = {0};
+    enum status st;
+
+    if (!e->plan)
+        return e->print(folder, format, file, why);
+    TRY(read_plan(e->plan, &plan, why));
+    TRY(study_read(&plan, folder, &r, why));
+    st = e->tell ? e->tell(&r, folder, format, file, why)
+                 : study_print_all(&r, folder, format, file, why);
+out:
+    study_clear(&r);
+    plan_clear(&plan);
+    return st;
+}
+
+/* One thread, on one processor: experiments compare models, not schedulers. */
+static enum status measure(const struct experiment *e, struct experiment_options o,
+                           struct message *why)
+{
+    struct bar bar = {{0}, NULL};
+    enum status st = folder_make(o.folder, why);
+
+    if (st != STATUS_OK)
+        return st;
+    o.progress = show;
+    o.context = &bar;
+    timing_alone();
+    st = experiment_measure(e, &o, why);
+    progress_end(&bar.progress);
+    return st;
+}
+
+/* results/table1, results/study_mesh; of a plan somewhere else, by its name. */
+static enum status name_folder(const struct command_line *line, const struct experiment *e,
+                               char usual[128], struct message *why)
+{
+    const char *command = line->command->name;
+    struct plan plan = {0};
+    enum status st = STATUS_OK;
+
+    if (!e->item.name)
+        TRY(read_plan(e->plan, &plan, why));
+    snprintf(usual, 128, "results/%s%s%s", command, strcmp(command, "table") ? "_" : "",
+             e->item.name ? e->item.name : plan.name);
+out:
+    plan_clear(&plan);
+    return st;
+}
+
+/* What the word means: `own` is filled in if it is a plan. */
+static enum status choose(const struct command_line *line, bool plans,
+                          struct experiment *own, const struct experiment **e,
+                          struct message *why)
+{
+    const char *word = line->words[0];
+    char *path = NULL;
+
+    *e = find(line->command, word);
+    if (*e)
+        return STATUS_OK;
+    if (!plans || named_file_find(&plan_study_kind, word, &path, NULL) != STATUS_OK)
+        return refuse(line->command, word, plans, why);
+    free(path);
+    *own = (struct experiment){.plan = word};
+    *e = own;
+    return STATUS_OK;
+}
+
+enum status experiment_command(const struct command_line *line, bool plans,
+                               struct message *why)
+{
+    const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
+    const char *word = command_value(line, "--format");
+    const char *values = command_value(line, "--values");
+    const struct experiment *e = NULL;
+    struct experiment own;
+    enum table_format format = TABLE_TEXT;
+    double value[MOST_VALUES];
+    char usual[128];
+    enum status st;
+
+    TRY(choose(line, plans, &own, &e, why));
+    TRY(name_folder(line, e, usual, why));
+    if (from && out)
+        return status_fail(why, STATUS_INPUT,
+                           "--from reads result files and --out writes "
+                           "them; give one of the two");
+    if (word)
+        TRY(table_format_parse(word, &format, why));
+    struct experiment_options options = {.folder = from  ? from
+                                                   : out ? out
+                                                         : usual,
+                                         .quick = command_given(line, "--quick"),
+                                         .value = value};
+    if (values)
+        TRY(read_values(values, e, &options.value_count, value, why));
+    if (values && from)
+        return status_fail(why, STATUS_INPUT, "--values is for a new run, not for --from");
+    if (!from)
+        TRY(measure(e, options, why));
+    TRY(experiment_print(e, options.folder, format, stdout, why));
+out:
+    return st;
+}

@@ -6,7 +6,7 @@
 
 #include "bench/files/output.h"
 #include "bench/harness/registry.h"
-#include "fem_ref/kirchhoff.h"
+#include "bench/truth/truth_plate.h"
 #include "models/grid.h"
 #include "models/reader/scene_file.h"
 
@@ -65,20 +65,7 @@ static const double TIP = 0.1;
 /* Few functions: six digits do for ratios that are told with three. */
 enum status study_locking_coefficient(double nu, double *coefficient)
 {
-    enum { TERMS = 24 };
-    const struct kirchhoff_plate plate = {.length = 1,
-                                          .width = 1,
-                                          .thickness = 1,
-                                          .young = 12 * (1 - nu * nu),
-                                          .poisson = nu,
-                                          .density = 1}; /* D = 1 */
-    struct kirchhoff *k = NULL;
-    enum status st = kirchhoff_create(&plate, TERMS, &k);
-
-    if (st == STATUS_OK)
-        *coefficient = kirchhoff_static(k, 1, 1, 0.5);
-    kirchhoff_destroy(k);
-    return st;
+    return truth_plate_coefficient(nu, 24, coefficient);
 }
 
 static void file_of(const char *folder, int space, double nu, double h,
@@ -216,11 +203,10 @@ static enum status read_thicknesses(const char *folder, struct study_locking *s,
     return s->count ? STATUS_OK : status_fail(why, STATUS_INPUT, "%s: no thickness", path);
 }
 
-/* Fall of the middle of the free edge: the grid's two points either side, both layers. */
 static enum status read_tip(const char *path, double *tip, struct message *why)
 {
     struct store_read *file = NULL;
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz), sum = 0;
+    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
     enum status st = xyz ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
@@ -230,10 +216,7 @@ static enum status read_tip(const char *path, double *tip, struct message *why)
         goto out;
     }
     TRY(store_read_frame(file, 0, xyz, why));
-    for (int k = 0; k < GRID_W; k++)
-        for (int j = GRID_V / 2 - 1; j <= GRID_V / 2; j++)
-            sum -= xyz[((k * GRID_V + j) * GRID_U + GRID_U - 1) * 3 + 2];
-    *tip = sum / 4;
+    *tip = -truth_plate_edge(xyz, NULL);
 out:
     store_read_close(file);
     free(xyz);

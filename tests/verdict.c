@@ -1,5 +1,5 @@
 /* Verdicts: rules are read, refused with a sentence, and applied the same to every case. */
-#include "bench/sweep/verdict.h"
+#include "bench/experiment/verdict.h"
 
 #include "tests/check.h"
 

@@ -13,7 +13,7 @@
 #ifndef SWEEP_FOLDER_H
 #define SWEEP_FOLDER_H
 
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 
 enum { SWEEP_FOLDER_PATH = 1000 }; /* fits a message */
 

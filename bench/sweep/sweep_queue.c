@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 #include "bench/ui/progress.h"
 #include "bench/sweep/sweep_slot.h"
 #include "models/clock.h"

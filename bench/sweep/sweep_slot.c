@@ -1,6 +1,6 @@
 #include "bench/sweep/sweep_slot.h"
 
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 
 struct work {
     const struct plan *plan;

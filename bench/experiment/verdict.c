@@ -1,4 +1,4 @@
-#include "bench/sweep/verdict.h"
+#include "bench/experiment/verdict.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bench/studies/study_cures.h"
-#include "bench/studies/study_locking.h"
+#include "bench/truth/truth_plate.h"
 #include "bench/harness/trial.h"
 #include "fem_ref/elastica.h"
 #include "models/reader/scene_file.h"
@@ -146,7 +146,7 @@ enum status study_cures_truth(int what, int law, int nu, int thickness, bool qui
         TRY(elastica_solve(gamma, &elastica));
         *tip = (struct study_cures_tip){elastica.reach, elastica.drop};
     } else {
-        TRY(study_locking_coefficient(poisson, &tip->z));
+        TRY(truth_plate_coefficient(poisson, 24, &tip->z));
     }
 out:
     return st;

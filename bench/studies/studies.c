@@ -22,8 +22,8 @@ static const struct command_item *const items[] = {
     &study_locking_experiment.item,
     &study_cures_experiment.item,
     &study_timestep_experiment.item,
-    &study_flag_exhibit.item,
-    &study_artefacts_exhibit.item,
+    &study_flag_experiment.item,
+    &study_artefacts_experiment.item,
     &study_contact_exhibit.item,
     NULL,
 };

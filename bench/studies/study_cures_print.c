@@ -270,7 +270,7 @@ static struct table *fill_errors(const struct study_cures *s)
 /* A row of panels for each law, a column for each Poisson's ratio. */
 static struct chart *make_chart(const struct table *t)
 {
-    const struct chart_axis h = chart_axis_of(t, "thickness", true),
+    const struct chart_axis h = {"h/L", NULL, true, 5e-6, 0.2},
                             error = {"|1 - tip / truth|", NULL, true, 1e-5, 2};
     struct chart *c = chart_create("Cures for locking, 10x10x2: tip against truth");
     char law_text[48], title[80];

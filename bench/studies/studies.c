@@ -24,7 +24,7 @@ static const struct command_item *const items[] = {
     &study_timestep_experiment.item,
     &study_flag_experiment.item,
     &study_artefacts_experiment.item,
-    &study_contact_exhibit.item,
+    &study_contact_experiment.item,
     NULL,
 };
 

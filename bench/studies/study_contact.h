@@ -8,7 +8,8 @@
 #include "bench/experiment/experiment.h"
 #include "bench/harness/run_result.h"
 
-enum { STUDY_CONTACT_CASES = 7, STUDY_CONTACT_TIMES = 5 };
+/* The solids come first. */
+enum { STUDY_CONTACT_CASES = 7, STUDY_CONTACT_SOLIDS = 4, STUDY_CONTACT_TIMES = 5 };
 
 /* One number a frame. */
 enum {

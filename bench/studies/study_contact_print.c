@@ -188,24 +188,29 @@ static struct table *fill_series(const struct study_contact_run *run)
     return t;
 }
 
-/* A panel for the solids, one for the sheets without thickness. */
+/* Surface and net side by side; first the solids, then the sheets without thickness. */
 static struct chart *make_chart(const struct table *t)
 {
-    const struct chart_axis time = {"time", "s"}, gap = {"least gap", "m"};
-    struct chart *c = chart_create("Fig. 9: least gap of the surface (solid) and of the "
-                                   "net (dashed)");
+    static const char *const kind[] = {"solids", "mid-surfaces"}, *const key[] = {
+                                                                      "surface_gap_m",
+                                                                      "net_gap_m"};
+    const struct chart_axis time = {"time", "s"},
+                            gap[] = {{"least gap of the surface", "m"},
+                                     {"least gap of the net", "m"}};
+    struct chart *c = chart_create("Fig. 9: a sheet falls onto the ground");
 
-    chart_axes(c, &time, &gap);
-    chart_panel(c, "solids");
-    for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
-        const struct study_contact_case *sheet = &study_contact_case[n];
-        const struct chart_where where = {"case", sheet->name};
-        if (!strcmp(sheet->name, "shell"))
-            chart_panel(c, "mid-surfaces");
-        chart_series(c, &(struct chart_series){sheet->label, CHART_LINE, n + 1});
-        chart_rows(c, t, "time_s", "surface_gap_m", 1, &where);
-        chart_series(c, &(struct chart_series){NULL, CHART_LINE, n + 1, true});
-        chart_rows(c, t, "time_s", "net_gap_m", 1, &where);
+    chart_columns(c, 2);
+    for (int panel = 0; panel < 4; panel++) {
+        chart_panel(c, kind[panel / 2]);
+        chart_axes(c, &time, &gap[panel % 2]);
+        for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
+            const struct chart_where where = {"case", study_contact_case[n].name};
+            if ((n < STUDY_CONTACT_SOLIDS) != (panel < 2))
+                continue;
+            chart_series(c,
+                         &(struct chart_series){study_contact_case[n].label, CHART_LINE});
+            chart_rows(c, t, "time_s", key[panel % 2], 1, &where);
+        }
     }
     return c;
 }

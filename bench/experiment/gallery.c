@@ -168,8 +168,6 @@ enum status gallery_picture(const char *folder, const char *name, int times, int
 {
     struct picture_panel panels[GALLERY_CASES * GALLERY_TIMES];
     char title[GALLERY_CASES * GALLERY_TIMES][96], at[32];
-    struct message plot = {""};
-    enum status st;
 
     for (int n = 0; n < count * times; n++) {
         const struct run_result *r = run[n / times];
@@ -179,12 +177,5 @@ enum status gallery_picture(const char *folder, const char *name, int times, int
         snprintf(title[n], sizeof title[n], "%s\n%s", label[n / times], at);
         panels[n] = (struct picture_panel){title[n], t < r->frames ? r->xyz[t] : NULL};
     }
-    st = picture_surfaces(folder, name, times, count * times, panels, &plot);
-    if (st == STATUS_MEMORY)
-        return status_fail(why, st, "%s", plot.text);
-    if (st == STATUS_OK)
-        fprintf(stderr, "%s.png in %s\n", name, folder);
-    else
-        fprintf(stderr, "%s\n", plot.text);
-    return STATUS_OK;
+    return picture_save(folder, name, times, count * times, panels, why);
 }

@@ -2,335 +2,325 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
-#include "bench/files/output.h"
+#include "bench/ui/chart.h"
 #include "bench/ui/picture.h"
-#include "bench/ui/plot.h"
 
 enum { PATH = 4096 };
 
-static void cell(struct table *t, double value, int digits)
+/* Other people's milliseconds are those of their own scheme, which has no truth. */
+static double paper_of(const struct study *s, int level)
 {
-    if (isnan(value))
-        table_dash(t);
-    else
-        table_number(t, value, digits);
+    return s->plan->truth ? NAN : s->row[level].paper_ms;
 }
 
-/* The paper's milliseconds are those of its own scheme, which has no truth. */
-static double paper_of(const struct study *study, int level)
+static bool is_refused(const struct study_row *row)
 {
-    const struct paper_cost *paper = study->levels[level].paper;
-
-    return paper && !study->truth ? paper->milliseconds : NAN;
+    return run_result_refused(&row->result);
 }
 
-static enum status print_cost(const struct study *study, const struct study_result *r,
-                              enum table_format format, FILE *file)
+/* NaN: at rest. */
+static double time_of(const struct study *s, int frame)
+{
+    return s->time ? s->time[frame] : NAN;
+}
+
+static enum status print_cost(const struct study *s, enum table_format format, FILE *file)
 {
     static const struct table_column columns[] = {
         {"level", NULL, TABLE_LEFT},  {"unknowns", NULL, 0}, {"factor", "entries", 0},
         {"a frame", "ms", 0},         {"paper", "ms", 0},    {"stepping", "s", 0},
         {"outcome", NULL, TABLE_LEFT}};
     char caption[256];
-    struct table *t;
-    enum status st;
 
-    snprintf(caption, sizeof caption, "%s: cost", study->caption);
-    t = table_create(sizeof columns / sizeof *columns, columns, caption);
-    for (int n = 0; n < study->count; n++) {
-        const struct study_row *row = &r->row[n];
+    snprintf(caption, sizeof caption, "%s: cost", s->plan->caption);
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    for (int n = 0; n < s->plan->level_count; n++) {
+        const struct study_row *row = &s->row[n];
+        const bool refused = is_refused(row);
         table_row(t);
-        table_text(t, "%s", study->levels[n].label);
-        if (*row->refused) {
-            table_note(t, "%s: %s.", study->levels[n].label, row->refused);
-            continue;
-        }
-        table_integer(t, lround(row->unknowns));
-        table_integer(t, lround(row->factor_entries));
-        cell(t, row->milliseconds, 3);
-        cell(t, paper_of(study, n), 4);
-        cell(t, row->seconds, 3);
-        table_text(t, "%s", row->outcome);
+        table_text(t, "%s", row->level->label);
+        if (refused)
+            table_note(t, "%s: %s.", row->level->label, row->result.sentence.text);
+        table_fixed(t, refused ? NAN : row->result.unknowns, 0);
+        table_fixed(t, refused ? NAN : row->result.factor_entries, 0);
+        table_number(t, row->milliseconds, 3);
+        table_number(t, paper_of(s, n), 4);
+        table_number(t, refused ? NAN : row->seconds, 3);
+        table_text(t, "%s", refused ? "refused" : row->result.sentence.text);
     }
-    table_note(t,
-               "A frame: median over repeats, one thread; factor: numbers stored in it; "
-               "stepping: all frames to %g s at that price.",
-               study->time[study->times - 1]);
-    st = table_print(t, format, file);
-    table_destroy(t);
-    return st;
+    if (s->time)
+        table_note(t,
+                   "A frame: median over repeats, one thread; factor: numbers stored in "
+                   "it; stepping: all frames to %g s at that price.",
+                   s->time[s->frames - 1]);
+    else
+        table_note(t, "A frame: the static equilibrium, median over repeats, one thread; "
+                      "factor: numbers stored in it.");
+    return table_finish(t, format, file);
 }
 
-static void motion_row(struct table *t, const struct study *study,
-                       const struct study_result *r, int n, int time)
+/* The columns of a row that stand for a sheet at a time, the truth's or a level's. */
+static void metric_cells(struct table *t, const struct study_frame *f)
 {
-    const struct study_frame *f = &r->row[n].frame[time];
+    table_number(t, f->roughness, 3);
+    table_number(t, f->inner, 3);
+    table_number(t, f->stretch, 4);
+    table_number(t, f->drop, 4);
+    table_number(t, f->unevenness, 3);
+}
+
+static double bar_of(const struct study *s, int time)
+{
+    return s->truth ? s->truth->error[time] / s->length : NAN;
+}
+
+static void motion_row(struct table *t, const struct study *s, int n, int time)
+{
+    const struct study_row *row = &s->row[n];
+    const struct study_frame *f = &row->frame[time];
 
     table_row(t);
-    table_fixed(t, study->time[time], 3);
-    table_text(t, "%s", study->levels[n].label);
-    if (!f->xyz)
-        return;
-    cell(t, f->next, 3);
-    cell(t, f->finest, 3);
-    if (r->truth) {
-        cell(t, f->error, 3);
-        table_text(t, "%s", "");
-    }
-    cell(t, f->roughness, 3);
-    cell(t, f->inner, 3);
-    cell(t, f->stretch, 4);
-    cell(t, f->drop, 4);
-    cell(t, f->unevenness, 3);
+    table_fixed(t, time_of(s, time), 3);
+    table_text(t, "%s", row->level->label);
+    table_number(t, row->level->size, 3);
+    table_number(t, time_of(s, time), 3);
+    table_fixed(t, is_refused(row) ? NAN : row->result.unknowns, 0);
+    table_fixed(t, is_refused(row) ? NAN : row->result.factor_entries, 0);
+    table_number(t, row->milliseconds, 3);
+    table_number(t, paper_of(s, n), 4);
+    table_number(t, row->seconds, 3);
+    table_number(t, f->next, 3);
+    table_number(t, f->finest, 3);
+    table_number(t, f->error, 3);
+    table_missing(t, "%s", "");
+    table_number(t, f->error, 3);
+    table_number(t, bar_of(s, time), 2);
+    metric_cells(t, f);
 }
 
 /* The truth's own numbers, below the levels. */
-static void true_row(struct table *t, const struct study *study,
-                     const struct study_result *r, int time)
+static void true_row(struct table *t, const struct study *s, int time)
 {
-    const struct study_frame *f = &r->true_frame[time];
+    enum { OF_LEVELS = 7 }; /* columns from size to stepping; the second is the time */
 
     table_row(t);
-    table_fixed(t, study->time[time], 3);
+    table_fixed(t, time_of(s, time), 3);
     table_text(t, "truth");
+    for (int n = 0; n < OF_LEVELS; n++)
+        table_number(t, n == 1 ? time_of(s, time) : NAN, 3);
     for (int n = 0; n < 3; n++)
-        table_text(t, "%s", "");
-    cell(t, r->truth->error[time] / r->length, 2);
-    cell(t, f->roughness, 3);
-    cell(t, f->inner, 3);
-    cell(t, f->stretch, 4);
-    cell(t, f->drop, 4);
-    cell(t, f->unevenness, 3);
+        table_missing(t, "%s", "");
+    table_number(t, bar_of(s, time), 2);
+    table_number(t, 0, 3);
+    table_number(t, bar_of(s, time), 2);
+    metric_cells(t, &s->true_frame[time]);
 }
 
-static enum status print_motion(const struct study *study, const struct study_result *r,
-                                enum table_format format, FILE *file)
+/* A row for each time and level, and one for the truth. */
+static struct table *motion_of(const struct study *s)
 {
-    static const struct table_column with[] = {
-        {"t", "s", 0},          {"level", NULL, TABLE_LEFT}, {"to next", "L", 0},
-        {"to finest", "L", 0},  {"error", "L", 0},           {"error bar", "L", 0},
-        {"roughness", NULL, 0}, {"inner", NULL, 0},          {"stretch", NULL, 0},
-        {"drop", "L", 0},       {"unevenness", NULL, 0}};
-    struct table_column without[9];
-    struct table *t;
-    enum status st;
+    const enum table_readers with_truth = s->truth ? TABLE_PEOPLE : TABLE_NOBODY;
+    const struct table_column columns[] = {
+        {"t", "s", .readers = s->time ? TABLE_PEOPLE : TABLE_NOBODY},
+        {"level", NULL, TABLE_LEFT},
+        {"size", .readers = TABLE_MACHINES},
+        {"time", "s", .readers = TABLE_MACHINES},
+        {"unknowns", .readers = TABLE_MACHINES},
+        {"factor entries", .readers = TABLE_MACHINES},
+        {"frame", "ms", .readers = TABLE_MACHINES},
+        {"paper", "ms", .readers = TABLE_MACHINES},
+        {"stepping", "s", .readers = TABLE_MACHINES},
+        {"to next", "L"},
+        {"to finest", "L"},
+        {"error", "L", .key = "shown_error", .readers = with_truth},
+        {"error bar", "L", .key = "shown_bar", .readers = with_truth},
+        {"error", "L", .readers = TABLE_MACHINES},
+        {"error bar", "L", .readers = TABLE_MACHINES},
+        {"roughness"},
+        {"inner", .key = "inner_roughness"},
+        {"stretch"},
+        {"drop", "L"},
+        {"unevenness"}};
+    struct table *t =
+        table_create(sizeof columns / sizeof *columns, columns, s->plan->caption);
 
-    memcpy(without, with, 4 * sizeof *with);
-    memcpy(without + 4, with + 6, 5 * sizeof *with);
-    t = table_create(r->truth ? 11 : 9, r->truth ? with : without, study->caption);
-    for (int time = 0; time < study->times; time++) {
-        double order = study_order(study, r, time);
+    for (int time = 0; time < s->frames; time++) {
         if (time)
             table_rule(t);
-        for (int n = 0; n < study->count; n++)
-            motion_row(t, study, r, n, time);
-        if (r->truth)
-            true_row(t, study, r, time);
-        if (!isnan(order))
-            table_note(t, "Observed order at %g s: %.2g, of the %s.", study->time[time],
-                       order, r->truth ? "error" : "difference from the finest");
+        for (int n = 0; n < s->plan->level_count; n++)
+            motion_row(t, s, n, time);
+        if (s->truth)
+            true_row(t, s, time);
+    }
+    return t;
+}
+
+static enum status print_motion(const struct study *s, enum table_format format, FILE *file)
+{
+    struct table *t = motion_of(s);
+
+    for (int time = 0; time < s->frames; time++) {
+        double order = study_order(s, time);
+        if (isnan(order))
+            continue;
+        if (s->time)
+            table_note(t, "Observed order at %g s: %.2g, of the %s.", s->time[time], order,
+                       s->truth ? "error" : "difference from the finest");
+        else
+            table_note(t, "Observed order: %.2g, of the difference from the finest.",
+                       order);
     }
     table_note(
         t,
         "To next, to finest: RMSE on the material grid to the next level and to the "
         "last. Roughness: L times the rms curvature; unevenness: its rms change over "
         "it, per length (metric.h). Gamma = %.4g.",
-        r->gamma);
-    if (r->truth)
-        table_note(t, "Truth: %s.", r->truth->source);
-    st = table_print(t, format, file);
+        s->gamma);
+    if (s->truth)
+        table_note(t, "Truth: %s.", s->truth->source);
+    else if (s->plan->truth)
+        table_note(t, "Truth: none; %s.", s->no_truth.text);
+    return table_finish(t, format, file);
+}
+
+enum status study_print(const struct study *s, enum table_format format, FILE *file)
+{
+    enum status st;
+
+    TRY(print_cost(s, format, file));
+    TRY(print_motion(s, format, file));
+out:
+    return st;
+}
+
+/* The truth's error bar at a time, across the levels' seconds. */
+static void draw_bar(struct chart *c, const struct study *s, int time)
+{
+    double low = INFINITY, high = -INFINITY;
+
+    chart_series(c, &(struct chart_series){.label = time ? NULL : "truth's error bar",
+                                           .style = CHART_LINE,
+                                           .colour = time + 1,
+                                           .second = true});
+    for (int n = 0; n < s->plan->level_count; n++) {
+        low = fmin(low, s->row[n].seconds);
+        high = fmax(high, s->row[n].seconds);
+    }
+    chart_point(c, low, bar_of(s, time));
+    chart_point(c, high, bar_of(s, time));
+}
+
+/* A line for each time, error (without truth: to the finest) against seconds. */
+static struct chart *chart_of(const struct study *s, const struct table *t)
+{
+    const char *error = s->truth ? "error_over_length" : "to_finest_over_length";
+    const struct chart_axis x = chart_axis_of(t, "stepping_s", true);
+    const struct chart_axis y = {
+        s->truth ? "RMSE to truth / L" : "RMSE to the finest level / L", .log = true};
+    struct chart *c = chart_create(s->plan->caption);
+
+    chart_axes(c, &x, &y);
+    for (int time = 0; time < s->frames; time++) {
+        char label[32];
+        snprintf(label, sizeof label, "%g s", time_of(s, time));
+        chart_series(
+            c, &(struct chart_series){s->time ? label : "at rest", .colour = time + 1});
+        chart_rows(c, t, "stepping_s", error, s->time != NULL,
+                   &(struct chart_where){"time_s", .number = time_of(s, time)});
+        if (s->truth)
+            draw_bar(c, s, time);
+    }
+    for (int n = 0; n < s->plan->level_count; n++) {
+        const struct study_row *row = &s->row[n];
+        chart_mark(c, row->seconds, s->truth ? row->frame[0].error : row->frame[0].finest,
+                   row->level->label);
+    }
+    return c;
+}
+
+/* A row for each time; the truth, if there is one, in the last column. */
+static enum status draw_sheets(const struct study *s, const char *folder,
+                               struct message *why)
+{
+    enum { MOST = PLAN_STUDY_TIMES * (PLAN_STUDY_LEVELS + 1) };
+    struct picture_panel panels[MOST];
+    char titles[MOST][96], name[PATH], when[32] = "at rest";
+    const int columns = s->plan->level_count + (s->truth != NULL);
+    int count = 0;
+
+    for (int time = 0; time < s->frames; time++)
+        for (int n = 0; n < columns; n++, count++) {
+            const bool level = n < s->plan->level_count;
+            const double *xyz = level ? s->row[n].frame[time].xyz : s->truth->xyz[time];
+            if (s->time)
+                snprintf(when, sizeof when, "t = %g s", s->time[time]);
+            snprintf(titles[count], sizeof titles[count], "%.50s\n%s%s",
+                     level ? s->row[n].level->label : "truth", xyz ? "" : "none left at ",
+                     when);
+            panels[count] = (struct picture_panel){titles[count], xyz};
+        }
+    snprintf(name, sizeof name, "%s_sheets", s->plan->name);
+    return picture_save(folder, name, columns, count, panels, why);
+}
+
+enum status study_print_files(const struct study *s, const char *folder,
+                              struct message *why)
+{
+    struct table *t = motion_of(s);
+    enum status st;
+
+    TRY(table_save(t, folder, s->plan->name, why));
+    TRY(chart_save(chart_of(s, t), folder, s->plan->name, why));
+    TRY(draw_sheets(s, folder, why));
+out:
     table_destroy(t);
     return st;
 }
 
-enum status study_print(const struct study *study, const struct study_result *r,
-                        enum table_format format, FILE *file)
+enum status study_print_all(const struct study_results *r, const char *folder,
+                            enum table_format format, FILE *file, struct message *why)
 {
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(print_cost(study, r, format, file));
-    fprintf(file, "\n");
-    TRY(print_motion(study, r, format, file));
-    fprintf(file, "\n");
-out:
-    return st;
-}
-
-static void csv_row(struct output *out, const struct study *study,
-                    const struct study_result *r, int n, int time)
-{
-    const struct study_level *level = &study->levels[n];
-    const struct study_row *row = &r->row[n];
-    const struct study_frame *f = &row->frame[time];
-
-    output_print(out,
-                 "\"%s\",%.9g,%.9g,%.0f,%.0f,%.6g,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,"
-                 "%.9g,%.9g,%.9g\n",
-                 level->label, level->size, study->time[time], row->unknowns,
-                 row->factor_entries, row->milliseconds, paper_of(study, n), row->seconds,
-                 f->next, f->finest, f->error,
-                 r->truth ? r->truth->error[time] / r->length : NAN, f->roughness, f->inner,
-                 f->stretch, f->drop, f->unevenness);
-}
-
-static void csv_truth(struct output *out, const struct study *study,
-                      const struct study_result *r, int time)
-{
-    const struct study_frame *f = &r->true_frame[time];
-
-    output_print(out,
-                 "\"truth\",nan,%.9g,nan,nan,nan,nan,nan,nan,nan,0,%.9g,%.9g,%.9g,%.9g,"
-                 "%.9g,%.9g\n",
-                 study->time[time], r->truth->error[time] / r->length, f->roughness,
-                 f->inner, f->stretch, f->drop, f->unevenness);
-}
-
-static enum status write_csv(const struct study *study, const struct study_result *r,
-                             const char *folder, struct message *why)
-{
-    struct output *out = NULL;
-    char path[PATH];
-    enum status st;
-
-    snprintf(path, sizeof path, "%s/%s.csv", folder, study->name);
-    TRY(output_create(path, &out, why));
-    output_print(out,
-                 "level,size,time_s,unknowns,factor_entries,frame_ms,paper_ms,stepping_s,"
-                 "to_next_over_length,to_finest_over_length,error_over_length,"
-                 "error_bar_over_length,roughness,inner_roughness,stretch,drop_over_length,"
-                 "unevenness\n");
-    for (int time = 0; time < study->times; time++) {
-        if (time)
-            output_print(out, "\n\n"); /* gnuplot's next block */
-        for (int n = 0; n < study->count; n++)
-            csv_row(out, study, r, n, time);
-        if (r->truth)
-            csv_truth(out, study, r, time);
+    for (int n = 0; n < r->count; n++) {
+        TRY(study_print(&r->study[n], format, file));
+        TRY(study_print_files(&r->study[n], folder, why));
     }
-    return output_close(out, why);
 out:
     return st;
 }
 
-static enum status write_plot(const struct study *study, const struct study_result *r,
-                              const char *folder, struct message *why)
+struct study_trend study_print_trend(const struct study *s, int time, size_t member)
 {
-    const int column = r->truth ? 11 : 10; /* of write_csv */
-    struct output *out = NULL;
-    char path[PATH];
-    enum status st;
-
-    snprintf(path, sizeof path, "%s/%s.gp", folder, study->name);
-    TRY(output_create(path, &out, why));
-    output_print(out,
-                 "set terminal pngcairo noenhanced size 900,650\nset output '%s.png'\n"
-                 "set datafile separator ','\nset datafile missing 'nan'\nset logscale xy\n"
-                 "set grid\nset format '%%g'\nset key outside right\n"
-                 "set xlabel 'seconds of stepping'\nset ylabel '%s'\nset title \"%s\"\n"
-                 "plot \\\n",
-                 study->name,
-                 r->truth ? "RMSE to truth / L" : "RMSE to the finest level / L",
-                 study->caption);
-    for (int time = 0; time < study->times; time++)
-        output_print(out,
-                     "%s'%s.csv' index %d using 8:%d with linespoints lw 2 lc %d pt %d "
-                     "title '%g s'",
-                     time ? ", \\\n" : "", study->name, time, column, time + 1, time + 4,
-                     study->time[time]);
-    output_print(
-        out, ", \\\n'' index 0 using 8:%d:1 with labels offset 0,-0.8 font ',9' notitle",
-        column);
-    output_print(out, "\n");
-    return output_close(out, why);
-out:
-    return st;
-}
-
-/* A row for each time; the truth, if there is one, in the last column. */
-static enum status draw_sheets(const struct study *study, const struct study_result *r,
-                               const char *folder, struct message *why)
-{
-    enum { MOST = STUDY_TIMES * (STUDY_LEVELS + 1) };
-    struct picture_panel panels[MOST];
-    char titles[MOST][96], name[PATH];
-    int columns = study->count + (r->truth != NULL), count = 0;
-
-    for (int time = 0; time < study->times; time++)
-        for (int n = 0; n < columns; n++, count++) {
-            bool level = n < study->count;
-            const double *xyz = level ? r->row[n].frame[time].xyz : r->truth->xyz[time];
-            snprintf(titles[count], sizeof titles[count], "%s\n%st = %g s",
-                     level ? study->levels[n].label : "truth", xyz ? "" : "none left at ",
-                     study->time[time]);
-            panels[count] = (struct picture_panel){titles[count], xyz};
-        }
-    snprintf(name, sizeof name, "%s_sheets", study->name);
-    return picture_surfaces(folder, name, columns, count, panels, why);
-}
-
-enum status study_print_files(const struct study *study, const struct study_result *r,
-                              const char *folder, struct message *why)
-{
-    struct message plot = {""};
-    char script[PATH];
-    enum status st;
-
-    TRY(write_csv(study, r, folder, why));
-    TRY(write_plot(study, r, folder, why));
-    snprintf(script, sizeof script, "%s.gp", study->name);
-    st = plot_run(folder, script, &plot);
-    if (st == STATUS_OK)
-        st = draw_sheets(study, r, folder, &plot);
-    if (st == STATUS_OK)
-        fprintf(stderr, "%s.png and %s_sheets.png beside %s.csv in %s\n", study->name,
-                study->name, study->name, folder);
-    else
-        fprintf(stderr, "%s\n", plot.text);
-    st = STATUS_OK;
-out:
-    return st;
-}
-
-enum status study_print_all(const struct study *study, const char *folder,
-                            enum table_format format, FILE *file, struct study_result *r,
-                            struct message *why)
-{
-    enum status st;
-
-    TRY(study_read(study, folder, r, why));
-    TRY(study_print(study, r, format, file));
-    TRY(study_print_files(study, r, folder, why));
-out:
-    if (st != STATUS_OK)
-        study_result_clear(r);
-    return st;
-}
-
-struct study_trend study_print_trend(const struct study *study,
-                                     const struct study_result *r, int time, size_t member)
-{
+    const int count = s->plan->level_count;
     struct study_trend trend = {"", 0};
     int rises = 0, falls = 0;
     double before = NAN;
 
-    for (int n = 0; n < study->count; n++) {
-        const struct study_frame *f = &r->row[n].frame[time];
+    for (int n = 0; n < count; n++) {
+        const struct study_frame *f = &s->row[n].frame[time];
         double value = *(const double *)((const char *)f + member);
         size_t used = strlen(trend.text), room = sizeof trend.text - used;
         const char *comma = n ? ", " : "";
         if (isnan(value) && !f->xyz)
             snprintf(trend.text + used, room, "%s%s", comma,
-                     *r->row[n].refused ? "refused" : "died");
+                     is_refused(&s->row[n]) ? "refused" : "died");
         else
             snprintf(trend.text + used, room, "%s%.3g", comma, value);
         rises += value > before;
         falls += value < before;
         before = value;
     }
-    trend.sign = (rises == study->count - 1) - (falls == study->count - 1);
+    trend.sign = (rises == count - 1) - (falls == count - 1);
     return trend;
+}
+
+struct study_trend study_print_last(const struct study *s, size_t member)
+{
+    return study_print_trend(s, s->frames - 1, member);
 }
 
 void study_print_verdict(FILE *file, const char *quote, bool holds, const char *format, ...)

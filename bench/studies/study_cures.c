@@ -111,6 +111,7 @@ static enum status measure_frames(const struct experiment_options *options,
         frame_path(options->folder, n, file[n]);
         c->plan = (struct run_plan){path, NULL, &incremental, end};
         c->keep = (struct run_keep){.file = file[n], .times = 1, .time = &time};
+        c->timed = MEASUREMENT_SOME;
         c->phases = true;
         TRY(contestant_find(study_cures_space[n].contestant, &c->plan.contestant, why));
     }

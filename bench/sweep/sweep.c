@@ -167,6 +167,11 @@ static enum status run(const struct command_line *line, struct message *why)
     TRY(read_options(line, ranks, &options, why));
     TRY(named_file_find(&plan_kind, line->words[0], &path, why));
     TRY(plan_read(path, &plan, why));
+    if (plan.study_count)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: the plan has levels, so it is no sweep; clothbench study runs "
+                        "it",
+                        path));
     TRY(lead(&plan, &options, ranks, line->words[0], stdout, why));
 out:
     if (ranks && !ranks->rank)

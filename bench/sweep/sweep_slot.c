@@ -16,9 +16,9 @@ static enum status run(void *context, struct message *why)
     struct case_result result;
     const struct case_plan todo = {
         .path = w->c->path,
-        .setting_count = w->c->setting_count,
-        .settings = (const char *const *)w->c->settings,
-        .model = w->c->model,
+        .setting_count = w->c->settings.count,
+        .settings = (const char *const *)w->c->settings.text,
+        .model = w->c->contestant->name,
         .every = w->plan->look,
         .intersections = w->plan->intersections,
         .snapshots = w->plan->keep == PLAN_KEEP_SNAPSHOTS,

@@ -154,3 +154,12 @@ out:
     output_discard(out);
     return st;
 }
+
+enum status picture_save(const char *folder, const char *name, int columns, int count,
+                         const struct picture_panel *panels, struct message *why)
+{
+    struct message plot = {""};
+    const enum status st = picture_surfaces(folder, name, columns, count, panels, &plot);
+
+    return plot_tell(st, folder, name, ".png", &plot, why);
+}

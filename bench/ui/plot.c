@@ -115,3 +115,15 @@ enum status plot_end(const char *folder, const char *name, struct output **out,
 out:
     return st;
 }
+
+enum status plot_tell(enum status st, const char *folder, const char *name,
+                      const char *endings, const struct message *plot, struct message *why)
+{
+    if (st == STATUS_OK)
+        fprintf(stderr, "%s%s in %s\n", name, endings, folder);
+    else if (st != STATUS_UNSUPPORTED && st != STATUS_LIBRARY)
+        return status_fail(why, st, "%s", *plot->text ? plot->text : status_text(st));
+    else
+        fprintf(stderr, "%s: %s\n", name, plot->text);
+    return STATUS_OK;
+}

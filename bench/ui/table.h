@@ -40,8 +40,9 @@ bool table_format_is_prose(enum table_format format);
 
 enum table_align { TABLE_RIGHT, TABLE_LEFT };
 
-/* Who gets a column: people read text, Markdown and LaTeX, machines CSV and JSON. */
-enum table_readers { TABLE_ALL, TABLE_PEOPLE, TABLE_MACHINES };
+/* Who gets a column: people read text, Markdown and LaTeX, machines CSV and JSON; nobody
+ * gets one that is filled for the sake of its fellows. */
+enum table_readers { TABLE_ALL, TABLE_PEOPLE, TABLE_MACHINES, TABLE_NOBODY };
 
 struct table_column {
     const char *header;     /* borrowed until destroy; [a-z] words, short              */

@@ -69,7 +69,7 @@ char *table_machine_key(const struct table_column *columns, int n)
 
 static bool is_wanted(const struct table *t, int column)
 {
-    return t->columns[column].readers != TABLE_PEOPLE;
+    return table_has(t, column, TABLE_MACHINES);
 }
 
 static void print_comment(const char *text, FILE *file)

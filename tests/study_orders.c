@@ -48,7 +48,7 @@ static void shapes_and_nets(void)
 
 static void motions(const char *folder)
 {
-    const struct exhibit_options options = {.folder = folder, .quick = true};
+    const struct experiment_options options = {.folder = folder, .quick = true};
     struct study_orders_result r;
     struct message why = {""};
 

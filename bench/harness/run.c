@@ -1,12 +1,15 @@
 #include "bench/harness/run.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "models/clock.h"
+#include "models/reader/scene_file.h"
 
 enum status run_read(struct run *r, const struct run_plan *plan, struct message *why)
 {
     struct settings all = {0};
+    char *path = NULL;
     enum status st;
 
     memset(r, 0, sizeof *r);
@@ -16,9 +19,12 @@ enum status run_read(struct run *r, const struct run_plan *plan, struct message 
     contestant_settings(plan->contestant, &all);
     if (plan->settings)
         settings_append(&all, plan->settings);
-    st = settings_read(&all, plan->path, &r->scene, &r->discretization, why);
-    if (st == STATUS_OK && plan->end > 0)
+    TRY(scene_file_find(plan->path, &path, why));
+    TRY(settings_read(&all, path, &r->scene, &r->discretization, why));
+    if (plan->end > 0)
         r->scene.end = plan->end;
+out:
+    free(path);
     settings_clear(&all);
     return st;
 }

@@ -7,7 +7,7 @@
 #include "bench/harness/contestant.h"
 
 struct run_plan {     /* all borrowed */
-    const char *path; /* of the scene file                                              */
+    const char *path; /* of the scene file, or a scene's name                           */
     const struct contestant *contestant;
     const struct settings *settings; /* on top of the contestant's; NULL: none          */
     double end;                      /* instead of the scene's; 0: the scene's [s]      */

@@ -11,12 +11,12 @@
 #include "bench/studies/study_timestep.h"
 
 static const struct command_item *const items[] = {
-    &study_nets_mesh.item,        &study_nets_degree.item,
-    &study_nets_both.item,        &study_thickness_swing.item,
-    &study_thickness_degree.item, &study_locking_exhibit.item,
-    &study_cures_exhibit.item,    &study_timestep_experiment.item,
-    &study_flag_exhibit.item,     &study_artefacts_exhibit.item,
-    &study_contact_exhibit.item,  NULL,
+    &study_nets_mesh.item,          &study_nets_degree.item,
+    &study_nets_both.item,          &study_thickness_swing.item,
+    &study_thickness_degree.item,   &study_locking_experiment.item,
+    &study_cures_experiment.item,   &study_timestep_experiment.item,
+    &study_flag_experiment.item,    &study_artefacts_experiment.item,
+    &study_contact_experiment.item, NULL,
 };
 
 static enum status run(const struct command_line *line, struct message *why)

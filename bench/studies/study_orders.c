@@ -4,9 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/provenance.h"
-#include "bench/harness/registry.h"
-#include "bench/files/store.h"
+#include "bench/harness/run_file.h"
 #include "iga/plate_space.h"
 #include "iga/refine.h"
 #include "models/grid.h"
@@ -83,102 +81,111 @@ out:
 /* --- motion ------------------------------------------------------------------------------
  */
 
-/* The sheet of Fig. 12-14, of the size of the patches. */
-static enum status read_scene(struct scene *scene, struct message *why)
-{
-    static const char *const settings[] = {"sheet={length: 1, width: 1, thickness: 0.001}",
-                                           "material.young=5e4", "material.density=0.7",
-                                           "time.end=0.2", "snapshots=[]"};
-    struct discretization unused = {0};
-    char *path = NULL;
-    enum status st;
+/* A solid on a patch as it is, not on one made anew from its knots: that its control points
+ * came by another way is what is tried. The state of a model of its own. */
+struct sheet {
+    struct solid_motion motion; /* first: solid_model.h                                */
+    struct solid_space space;
+    struct plate_tables tables;
+    struct patch now; /* its points are the motion's; the rest is borrowed              */
+};
 
-    TRY(scene_file_find("edge_drop", &path, why));
-    TRY(scene_file_read(path, sizeof settings / sizeof *settings, settings, scene, &unused,
-                        why));
-out:
-    free(path);
-    return st;
+static void probe(const void *state, int n, const double *uvw, double *xyz)
+{
+    const struct sheet *s = state;
+
+    for (int t = 0; t < n; t++)
+        patch_point(&s->now, uvw + 3 * t, xyz + 3 * t, NULL);
 }
 
-static void sample(const struct patch *rest, double *coefficients, double *xyz)
+static void sample(const void *state, double *xyz)
 {
-    struct patch now = *rest;
-
-    now.point = coefficients;
     for (int n = 0; n < GRID_POINTS; n++) {
         double uvw[3];
         grid_point(n, uvw);
-        patch_point(&now, uvw, xyz + 3 * (size_t)n, NULL);
+        probe(state, 1, uvw, xyz + 3 * (size_t)n);
     }
 }
 
-static enum status follow(struct solid_motion *m, const struct patch *patch,
-                          struct store *store, struct message *why)
+static void destroy(void *state)
 {
-    struct counters counters = {0};
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
-    enum status st = xyz ? STATUS_OK : STATUS_MEMORY;
-    int frame = 0;
+    struct sheet *s = state;
 
-    for (int t = 0; t < STUDY_ORDERS_TIMES && st == STATUS_OK; t++) {
-        for (; frame < lround(study_orders_time[t] / m->scene->step) && st == STATUS_OK;
-             frame++)
-            st = solid_motion_step(m, &counters);
-        if (status_is_death(st)) {
-            store_death(store, st, frame * m->scene->step);
-            st = STATUS_OK;
-            break;
-        }
-        if (st == STATUS_OK) {
-            sample(patch, m->x, xyz);
-            st = store_frame(store, study_orders_time[t], xyz, NULL, &counters, why);
-        }
-    }
-    free(xyz);
+    if (!s)
+        return;
+    solid_motion_clear(&s->motion);
+    plate_space_clear(&s->space, &s->tables);
+    free(s);
+}
+
+static enum status build(struct run *run, const struct patch *patch, struct message *why)
+{
+    struct sheet *s = calloc(1, sizeof *s);
+    enum status st = s ? STATUS_OK : STATUS_MEMORY;
+
+    TRY(st);
+    TRY(plate_space_init(&s->space, &s->tables, patch, run->discretization.gauss, false));
+    TRY(solid_motion_init(&s->motion, &run->scene, &s->space, &run->discretization, NULL,
+                          why));
+    s->now = *patch;
+    s->now.point = s->motion.x;
+    run->state = s, s = NULL;
+out:
+    destroy(s);
     return st;
 }
 
-/* The present patch moves, not one made anew from its knots: that its control points came
- * by another way is what is tried. */
-static enum status move(const struct scene *scene, const struct model *model,
-                        const struct patch *patch, const char *path, struct message *why)
+/* The sheet of Fig. 12-14, of the size of the patches. */
+static void add_settings(const struct patch *patch, struct settings *s)
 {
-    struct discretization d = {.kinematics = KINEMATICS_PRINTED};
-    struct solid_space space = {0};
-    struct plate_tables tables = {0};
-    struct solid_motion m = {0};
-    struct store *store = NULL;
-    struct provenance provenance;
-    struct model_size size;
+    static const char *const fixed[] = {"sheet={length: 1, width: 1, thickness: 0.001}",
+                                        "material.young=5e4", "material.density=0.7",
+                                        "time.end=0.2", "snapshots=[]"},
+                             *const key[] = {"discretization.knots_u",
+                                             "discretization.knots_v",
+                                             "discretization.knots_w"};
+    const struct bspline *b = patch->basis;
+
+    settings_list(s, sizeof fixed / sizeof *fixed, fixed);
+    settings_integers(s, "discretization.degree", 3, (int[]){b[0].p, b[1].p, b[2].p});
+    settings_integers(s, "discretization.points", 3, (int[]){b[0].n, b[1].n, b[2].n});
+    for (int i = 0; i < 3; i++)
+        settings_numbers(s, key[i], b[i].n + b[i].p + 1, b[i].U);
+}
+
+static enum status move(const struct run_plan *plan, const struct patch *patch,
+                        const char *path, struct message *why)
+{
+    const struct run_keep keep = {.file = path,
+                                  .times = STUDY_ORDERS_TIMES,
+                                  .time = study_orders_time,
+                                  .doubles = true};
+    struct run run = {0};
+    struct motion m = {0};
+    struct run_file *file = NULL, *done;
+    struct model moved;
     enum status st;
 
-    for (int i = 0; i < 3; i++) {
-        const struct bspline *b = &patch->basis[i];
-        d.points[i] = b->n;
-        d.degree[i] = b->p;
-        d.knot_count[i] = b->n + b->p + 1;
-        d.knots[i] = b->U; /* borrowed */
-    }
-    provenance_collect(&provenance);
-    TRY(plate_space_init(&space, &tables, patch, d.gauss, false));
-    TRY(solid_motion_init(&m, scene, &space, &d, NULL, why));
-    TRY(store_create(path,
-                     &(struct store_run){.scene = scene,
-                                         .model = model,
-                                         .discretization = &d,
-                                         .provenance = &provenance},
-                     &store, why));
-    solid_motion_size(&m, &size);
-    TRY(store_size(store, &size, why));
-    TRY(follow(&m, patch, store, why));
-    struct store *done = store;
-    store = NULL;
-    TRY(store_close(done, why));
+    TRY(run_read(&run, plan, why));
+    moved = (struct model){.name = run.model->name,
+                           .title = run.model->title,
+                           .source = run.model->source,
+                           .advance = solid_model_advance,
+                           .sample = sample,
+                           .probe = probe,
+                           .size = solid_model_size,
+                           .destroy = destroy};
+    run.model = &moved;
+    TRY(build(&run, patch, why));
+    TRY(motion_init(&m, run.model, &run.scene, run.state));
+    TRY(run_file_open(&run, &keep, &file, why));
+    TRY(motion_run(&m, run_file_watch, file, true, why));
+    done = file, file = NULL;
+    TRY(run_file_close(done, &m, NULL, why));
 out:
-    store_discard(store);
-    solid_motion_clear(&m);
-    plate_space_clear(&space, &tables);
+    run_file_discard(file);
+    motion_clear(&m);
+    run_close(&run);
     return st;
 }
 
@@ -187,25 +194,30 @@ void study_orders_file(const char *folder, enum study_order_path path, char *tex
     snprintf(text, (size_t)size, "%s/orders_%s.h5", folder, file_name[path]);
 }
 
-enum status study_orders_measure(const struct exhibit_options *options, struct message *why)
+enum status study_orders_measure(const struct experiment_options *options,
+                                 struct message *why)
 {
-    const struct model *model = NULL;
-    struct scene scene = {0};
+    struct settings settings = {0};
+    struct run_plan plan = {.settings = &settings};
     struct patch patch = {0};
-    char path[PATH];
+    char path[PATH], *scene = NULL;
     enum status st;
 
-    TRY(registry_find("iga", &model, why));
-    TRY(read_scene(&scene, why));
+    TRY(contestant_find("iga_paper", &plan.contestant, why));
+    TRY(scene_file_find("edge_drop", &scene, why));
+    plan.path = scene;
     for (enum study_order_path n = 0; n < STUDY_ORDERS; n++) {
         TRY(study_orders_patch(n, options->quick ? QUICK_SIDE : SIDE, &patch, NULL, why));
         study_orders_file(options->folder, n, path, sizeof path);
-        TRY(move(&scene, model, &patch, path, why));
+        add_settings(&patch, &settings);
+        TRY(move(&plan, &patch, path, why));
         patch_clear(&patch);
-        exhibit_progress(options, "orders", (int)n + 1, STUDY_ORDERS);
+        settings_clear(&settings);
+        experiment_progress(options, "orders", (int)n + 1, STUDY_ORDERS);
     }
 out:
     patch_clear(&patch);
-    scene_clear(&scene);
+    settings_clear(&settings);
+    free(scene);
     return st;
 }

@@ -10,7 +10,7 @@
 #ifndef STUDY_ORDERS_H
 #define STUDY_ORDERS_H
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 #include "iga/patch.h"
 
 enum { STUDY_ORDERS_TIMES = 3 };
@@ -35,7 +35,7 @@ void study_orders_file(const char *folder, enum study_order_path path, char *tex
 
 /* Moves all three under the paper's scheme, the sheet of Fig. 12 held along an edge, and
  * leaves a file of each. Quick: a smaller net. */
-enum status study_orders_measure(const struct exhibit_options *options,
+enum status study_orders_measure(const struct experiment_options *options,
                                  struct message *why);
 
 /* What came of it; the shapes are computed anew. */

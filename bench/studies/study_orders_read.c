@@ -1,11 +1,12 @@
-/* study_orders_read.c - the three paths' shapes, and their motions from result files. */
+/* study_orders_read.c - the three paths' shapes, their motions from result files, and the
+ * table of both. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/files/store_read.h"
+#include "bench/harness/run_result.h"
 #include "bench/studies/study_orders.h"
-#include "models/grid.h"
 #include "models/metric/metric.h"
 
 enum { PATH = 4096, SAMPLES = 23 };
@@ -72,57 +73,77 @@ out:
 
 /* The net that all start from: k-refinement of n points of degree 2 has 4 + 2 (n - 3) of
  * the old knots and n - 2 new ones. */
-static enum status read_side(struct store_read *file, struct study_orders_result *r,
+static enum status read_side(const char *path, struct study_orders_result *r,
                              struct message *why)
 {
+    struct store_read *file = NULL;
     double nodes;
-    enum status st = store_read_number(file, "nodes", &nodes, why);
+    enum status st;
 
-    if (st == STATUS_OK)
-        r->side = (int)lround((sqrt(nodes / 2) + 4) / 3);
-    return st;
-}
-
-static enum status read_motions(struct store_read *const file[STUDY_ORDERS],
-                                struct study_orders_result *r, struct message *why)
-{
-    double *first = malloc(3 * GRID_POINTS * sizeof *first);
-    double *other = malloc(3 * GRID_POINTS * sizeof *other);
-    enum status st = first && other ? STATUS_OK : STATUS_MEMORY;
-
-    TRY(st);
-    for (int n = 0; n < STUDY_ORDERS; n++)
-        for (int t = 0; t < STUDY_ORDERS_TIMES; t++) {
-            r->motion[n][t] = NAN;
-            if (t >= store_read_frames(file[0]) || t >= store_read_frames(file[n]))
-                continue;
-            TRY(store_read_frame(file[0], t, first, why));
-            TRY(store_read_frame(file[n], t, other, why));
-            r->motion[n][t] = metric_rmse(first, other); /* L = 1 m */
-        }
+    TRY(store_read_open(path, &file, why));
+    TRY(store_read_number(file, "nodes", &nodes, why));
+    r->side = (int)lround((sqrt(nodes / 2) + 4) / 3);
 out:
-    free(first);
-    free(other);
+    store_read_close(file);
     return st;
 }
 
 enum status study_orders_read(const char *folder, struct study_orders_result *r,
                               struct message *why)
 {
-    struct store_read *file[STUDY_ORDERS] = {NULL};
+    struct run_result run[STUDY_ORDERS] = {0};
     char path[PATH];
     enum status st = STATUS_OK;
 
     memset(r, 0, sizeof *r);
     for (enum study_order_path n = 0; n < STUDY_ORDERS; n++) {
         study_orders_file(folder, n, path, sizeof path);
-        TRY(store_read_open(path, &file[n], why));
+        TRY(run_result_read(path, true, &run[n], why));
+        for (int t = 0; t < STUDY_ORDERS_TIMES; t++)
+            r->motion[n][t] = t < run[0].frames && t < run[n].frames
+                                  ? metric_rmse(run[0].xyz[t], run[n].xyz[t]) /* L = 1 m */
+                                  : NAN;
     }
-    TRY(read_side(file[STUDY_ORDERS_K], r, why));
+    TRY(read_side(path, r, why)); /* of the last, STUDY_ORDERS_K */
     TRY(read_shapes(r, why));
-    TRY(read_motions(file, r, why));
 out:
     for (int n = 0; n < STUDY_ORDERS; n++)
-        store_read_close(file[n]);
+        run_result_clear(&run[n]);
+    return st;
+}
+
+enum status study_orders_print(const struct study_orders_result *r,
+                               enum table_format format, FILE *file)
+{
+    static const struct table_column columns[] = {
+        {"path", NULL, TABLE_LEFT}, {"points", "a side"}, {"shape", "m"},
+        {"motion 0.05 s", "L"},     {"0.1 s", "L"},       {"0.2 s", "L"}};
+    static const char *const title[STUDY_ORDERS] = {"refine, then elevate",
+                                                    "elevate, then refine, double knots",
+                                                    "elevate, then refine, single knots"};
+    char caption[128];
+    struct table *t;
+    enum status st;
+
+    snprintf(
+        caption, sizeof caption,
+        "From %dx%dx2 of degrees (2,2,1): every span halved and p = q = 3, in either order",
+        r->side, r->side);
+    t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    for (int n = 0; n < STUDY_ORDERS; n++) {
+        table_row(t);
+        table_text(t, "%s", title[n]);
+        table_integer(t, r->points[n]);
+        table_number(t, r->shape[n], 2);
+        for (int k = 0; k < STUDY_ORDERS_TIMES; k++)
+            table_number(t, r->motion[n][k], 2);
+    }
+    table_note(t,
+               "Shape: greatest distance from the shape before. Motion: RMSE / L from the "
+               "first path's motion, the paper's scheme, one edge held. Knots of the first "
+               "two differ by %.2g, control points by %.2g m.",
+               r->knots, r->net);
+    st = table_print(t, format, file);
+    table_destroy(t);
     return st;
 }

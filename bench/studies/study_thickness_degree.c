@@ -2,7 +2,7 @@
 
 #include "bench/experiment/study_print.h"
 #include "bench/studies/study_thickness.h"
-#include "bench/tables/table1_truth.h"
+#include "bench/truth/truth_plate.h"
 
 enum { DEGREES = 3 };
 
@@ -18,18 +18,18 @@ struct worth {
 static enum status read_worth(const struct study *plate, struct worth *w,
                               struct message *why)
 {
-    struct table1_truth truth = {0};
+    struct truth_plate truth = {0};
     enum status st;
 
     w->plate = plate;
-    TRY(table1_truth_init(&truth, &plate->row[0].scene, why));
+    TRY(truth_plate_init(&truth, &plate->row[0].scene, 0, NULL, why));
     for (int n = 0; n < DEGREES; n++) {
         const double *xyz = plate->row[n].frame[0].xyz;
-        w->tip[n] = xyz ? table1_truth_tip(&truth, xyz) : NAN;
-        w->error[n] = xyz ? table1_truth_error(&truth, TABLE1_TIMES, xyz) : NAN;
+        w->tip[n] = xyz ? truth_plate_tip(&truth, xyz) : NAN;
+        w->error[n] = xyz ? truth_plate_error(&truth, 0, xyz) : NAN;
     }
 out:
-    table1_truth_clear(&truth);
+    truth_plate_clear(&truth);
     return st;
 }
 

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "bench/harness/fit.h"
-#include "models/grid.h"
+#include "bench/truth/truth_plate.h"
 
 double study_timestep_factor(double mu)
 {
@@ -20,12 +20,8 @@ const struct study_frame *study_timestep_frame(const struct study_timestep *s,
 static double depth(const struct study_row *row, int frame)
 {
     const double *xyz = row->frame[frame].xyz;
-    double z = 0;
 
-    for (int k = 0; xyz && k < GRID_W; k++)
-        for (int j = GRID_V / 2 - 1; j <= GRID_V / 2; j++)
-            z -= xyz[((k * GRID_V + j) * GRID_U + GRID_U - 1) * 3 + 2] / 4;
-    return xyz ? z : NAN;
+    return xyz ? -truth_plate_edge(xyz, NULL) : NAN;
 }
 
 static struct study_timestep_fall fall_of(const struct study *printed,

@@ -28,7 +28,7 @@
 #include <stdbool.h>
 
 #include "bench/sweep/plan_axis.h"
-#include "bench/sweep/verdict.h"
+#include "bench/experiment/verdict.h"
 #include "models/reader/named_file.h"
 
 enum {

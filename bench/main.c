@@ -7,7 +7,7 @@
 #include "bench/files/aside.h"
 #include "bench/commands.h"
 #include "bench/files/output.h"
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 #include "bench/files/provenance.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_file.h"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 #include "bench/harness/derived_key.h"
 #include "tests/check.h"
 

@@ -11,7 +11,7 @@
 
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 #include "models/reader/scene_file.h"
 
 /* Adds the text of a scene that the plan names. */

@@ -13,8 +13,8 @@
 #ifndef SWEEP_FOLDER_H
 #define SWEEP_FOLDER_H
 
+#include "bench/experiment/plan.h"
 #include "bench/harness/run_result.h"
-#include "bench/sweep/plan.h"
 
 enum { SWEEP_FOLDER_PATH = 1000 }; /* fits a message */
 

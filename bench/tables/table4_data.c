@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 
 void table4_data_clear(struct table4_data *d)
 {

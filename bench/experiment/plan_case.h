@@ -2,7 +2,7 @@
 #ifndef PLAN_CASE_H
 #define PLAN_CASE_H
 
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 #include "models/scene.h"
 
 struct plan_case {

@@ -1,9 +1,9 @@
-#include "bench/sweep/plan_check.h"
+#include "bench/experiment/plan_check.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 #include "bench/harness/registry.h"
 #include "bench/harness/derived_key.h"
 

@@ -1,4 +1,4 @@
-#include "bench/sweep/plan_axis.h"
+#include "bench/experiment/plan_axis.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -27,7 +27,7 @@
 
 #include <stdbool.h>
 
-#include "bench/sweep/plan_axis.h"
+#include "bench/experiment/plan_axis.h"
 #include "bench/experiment/verdict.h"
 #include "models/reader/named_file.h"
 

@@ -106,8 +106,8 @@ enum status table_save(const struct table *t, const char *folder, const char *na
                        struct message *why);
 
 /* Prints the rows so far as table_save has them, the line of keys before the first, and
- * forgets them: for tables longer than memory. */
-void table_flush(struct table *t, FILE *file);
+ * forgets them: for tables longer than memory. STATUS_MEMORY. */
+enum status table_flush(struct table *t, FILE *file);
 
 /* What is in a table. `key` is that of CSV and must be one; cells as in CSV, NaN and "" for
  * what has no number or no words; table_shown: as people see it. */

@@ -66,14 +66,17 @@ static enum status find_truth(const struct study *study, const char *folder,
 {
     const char *all[STUDY_SETTINGS];
     int count = append(study->settings, all, 0);
+    struct settings settings = {0};
     char *path = NULL, kept[TIMED_PATH];
     enum status st;
 
     snprintf(kept, sizeof kept, "%s/%s_truth", folder, study->name);
     TRY(folder_make(kept, why));
     TRY(scene_file_find(study->scene, &path, why));
-    TRY(truth_find(path, count, all, study->times, study->time, kept, effort, truth, why));
+    settings_set_all(&settings, count, all);
+    TRY(truth_find(path, &settings, study->times, study->time, kept, effort, truth, why));
 out:
+    settings_clear(&settings);
     free(path);
     return st;
 }

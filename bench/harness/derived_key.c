@@ -52,7 +52,7 @@ double derived_key_number(const char *key, const struct scene *scene)
 }
 
 double derived_key_solve(const char *key, const char *by, double want,
-                      const struct scene *scene)
+                         const struct scene *scene)
 {
     const struct derived_key *s = find(key);
     const double now = s->number(scene);

@@ -16,6 +16,6 @@ double derived_key_number(const char *key, const struct scene *scene);
 /* What the scene's key `by` must be for the number to be `want` > 0, all else as it is; NaN
  * if the number does not depend on that key, or is 0 whatever it is. */
 double derived_key_solve(const char *key, const char *by, double want,
-                      const struct scene *scene);
+                         const struct scene *scene);
 
 #endif

@@ -102,13 +102,14 @@ static enum status collect(const struct plan *plan, const struct sweep_folder *f
                            struct sweep_table *t, struct message *plot, struct message *why)
 {
     struct sweep_map *map = NULL;
+    struct chart *chart = NULL;
     struct plan_case c;
     struct sweep_row row;
     char labels[1024];
     enum status st;
 
     TRY(sweep_table_open(t, plan, folder, why));
-    TRY(sweep_map_open(&map, plan, folder, "feasible", why));
+    TRY(sweep_map_create(&map, plan, "feasible"));
     for (long n = 0; n < plan_case_count(plan); n++) {
         sweep_folder_read(folder, n, false, &row);
         if (!row.there)
@@ -119,21 +120,23 @@ static enum status collect(const struct plan *plan, const struct sweep_folder *f
         const struct verdict verdict = sweep_table_verdict(plan, &row);
         TRY(plan_case_given(plan, n, &c));
         sweep_table_row(t, &c, &row, &verdict);
-        sweep_map_row(map, &c, &row,
-                      sweep_table_labels(plan, &row, verdict, labels, sizeof labels));
+        st = sweep_map_row(map, &c, &row,
+                           sweep_table_labels(plan, &row, verdict, labels, sizeof labels));
         plan_case_clear(&c);
         run_result_clear(&row.result);
+        TRY(st);
     }
     TRY(sweep_table_close(t, why));
-    struct sweep_map *whole = map;
-    map = NULL;
-    st = sweep_map_close(whole, plot);
+    TRY(sweep_map_chart(map, &chart, why));
+    if (chart)
+        st = chart_write(chart, folder->path, "map", plot);
     if (st == STATUS_UNSUPPORTED || st == STATUS_LIBRARY) /* no plot is no harm */
         st = STATUS_OK;
     else if (st != STATUS_OK)
         *why = *plot;
 out:
-    sweep_map_discard(map);
+    chart_destroy(chart);
+    sweep_map_destroy(map);
     sweep_table_discard(t);
     return st;
 }

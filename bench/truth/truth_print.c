@@ -3,14 +3,6 @@
 
 #include "bench/truth/truth_command.h"
 
-static void order_cell(struct table *t, double order)
-{
-    if (isnan(order))
-        table_dash(t);
-    else
-        table_fixed(t, order, 1);
-}
-
 static void row_cells(struct table *t, const struct truth_made *made, int n, double length)
 {
     const double *v = made->value[n];
@@ -18,8 +10,8 @@ static void row_cells(struct table *t, const struct truth_made *made, int n, dou
     table_row(t);
     table_number(t, made->time[n], 3);
     for (int c = TRUTH_SOLID_SPACE; c <= TRUTH_SHELL_SPACE; c += 3) {
-        order_cell(t, v[c]);
-        order_cell(t, v[c + 1]);
+        table_fixed(t, v[c], 1);
+        table_fixed(t, v[c + 1], 1);
         table_number(t, 100 * v[c + 2] / length, 2);
     }
     table_number(t, 100 * v[TRUTH_DIFFERENCE] / length, 2);
@@ -27,7 +19,7 @@ static void row_cells(struct table *t, const struct truth_made *made, int n, dou
     if (n < made->claimed)
         table_number(t, 100 * v[TRUTH_ERROR] / length, 2);
     else
-        table_text(t, "no claim");
+        table_missing(t, "no claim");
 }
 
 /* Until when it is claimed, and what ends it. */

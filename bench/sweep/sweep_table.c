@@ -129,13 +129,12 @@ void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
 static enum status close_file(struct table *t, struct output **file, struct message *why)
 {
     struct output *whole = *file;
-    enum status st;
+    /* where there were no rows: the names */
+    const enum status filled = table_flush(t, output_stream(whole));
 
-    TRY(table_flush(t, output_stream(whole))); /* where there were no rows: the names */
     *file = NULL;
-    st = output_close(whole, why);
-out:
-    return st;
+    const enum status st = output_close(whole, why);
+    return st ? st : filled;
 }
 
 enum status sweep_table_close(struct sweep_table *t, struct message *why)

@@ -58,7 +58,7 @@ void plot_page(struct output *out, const char *name, enum plot_kind kind, int wi
     else
         output_print(out,
                      "set terminal pdfcairo noenhanced size %gin,%gin font 'Sans,10' "
-                     "fontscale 0.75\nscale = 1.\n",
+                     "fontscale 0.75 linewidth 1.4 dashlength 1.4\nscale = 1.\n",
                      width / 96., height / 96.);
     output_print(out, "set output '%s.%s'\n", name, ending[kind]);
 }
@@ -86,6 +86,7 @@ enum status plot_run(const char *folder, const char *script, struct message *why
     if (child < 0)
         return status_fail(why, STATUS_LIBRARY, "gnuplot cannot be started");
     if (child == 0) {
+        setenv("LC_ALL", "C.UTF-8", 1); /* our encoding; under C it warns of that */
         if (chdir(folder) == 0)
             execlp("gnuplot", "gnuplot", "-d", script, (char *)NULL);
         _exit(NOT_FOUND);

@@ -106,7 +106,7 @@ enum status table_save(const struct table *t, const char *folder, const char *na
                        struct message *why);
 
 /* Prints the rows so far as table_save has them, the line of keys before the first, and
- * forgets them: for tables longer than memory. STATUS_MEMORY. */
+ * forgets them: for tables longer than memory. Status as table_print. */
 enum status table_flush(struct table *t, FILE *file);
 
 /* What is in a table. `key` is that of CSV and must be one; cells as in CSV, NaN and "" for

@@ -152,7 +152,7 @@ enum status table_flush(struct table *t, FILE *file)
         memset(t->cells, 0, (size_t)t->room * (size_t)t->column_count * sizeof *t->cells);
     t->flushed = true;
     t->row_count = t->filled = 0;
-    return STATUS_OK;
+    return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 
 enum status table_save(const struct table *t, const char *folder, const char *name,

@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "bench/harness/rung.h"
+#include "bench/harness/run_file.h"
 #include "bench/files/store_read.h"
 #include "bench/files/store_scene.h"
 #include "models/reader/scene_file.h"
@@ -219,26 +219,25 @@ static void test_refusals(void)
 /* The scene of the list: settings reach its shape, and a result file gives it back. */
 static void test_file(void)
 {
-    const char *const settings[] = {"pose.opening=150", "time.end=0.01", "snapshots=[]"};
+    static const char *const list[] = {"pose.opening=150", "time.end=0.01", "snapshots=[]"};
     const double time = 0.01;
     char folder[] = "/tmp/clothbench_XXXXXX", path[64];
-    const struct rung_plan plan = {.path = SOURCE_DIR "/models/scenes/cloak.yaml",
-                                   .setting_count = 3,
-                                   .settings = settings,
-                                   .model = "iga",
-                                   .times = 1,
-                                   .time = &time,
-                                   .folder = folder,
-                                   .name = "run"};
+    struct settings settings = {0};
+    struct run_plan plan = {.path = SOURCE_DIR "/models/scenes/cloak.yaml",
+                            .settings = &settings};
+    const struct run_keep keep = {.file = path, .times = 1, .time = &time};
     struct store_read *file = NULL;
     struct discretization unused = {0};
     struct scene s, again;
 
     REQUIRE(mkdtemp(folder));
+    REQUIRE(contestant_find("iga", &plan.contestant, NULL) == STATUS_OK);
     snprintf(path, sizeof path, "%s/run.h5", folder);
-    REQUIRE(scene_file_read(plan.path, 3, settings, &s, &unused, NULL) == STATUS_OK);
+    settings_set_all(&settings, 3, list);
+    REQUIRE(settings_read_scene(&settings, plan.path, &s, NULL) == STATUS_OK);
     CHECK(s.shape == SCENE_CLOAK && s.opening == 150 && s.flare == 10);
-    CHECK(rung_run(&plan, NULL) == STATUS_OK);
+    CHECK(run_file_write(&plan, &keep, NULL, NULL) == STATUS_OK);
+    settings_clear(&settings);
     REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
     REQUIRE(store_scene(file, path, &again, NULL) == STATUS_OK);
     CHECK(again.shape == s.shape && again.opening == s.opening && again.flare == s.flare);

@@ -97,14 +97,23 @@ static const struct stress_case *find_case(const char *name)
     return stress_case_at(n);
 }
 
-static const struct stress_model *find_model(const char *name)
+static const struct contestant *find_contestant(const char *name)
 {
-    int n = 0;
+    const struct contestant *c = NULL;
 
-    while (n < STRESS_MODELS && strcmp(stress_models[n].name, name))
-        n++;
-    REQUIRE(n < STRESS_MODELS);
-    return &stress_models[n];
+    REQUIRE(contestant_find(name, &c, NULL) == STATUS_OK);
+    return c;
+}
+
+/* How many contestants are chosen. */
+static int chosen(const struct stress_choice *choice)
+{
+    const struct contestant *c = NULL;
+    int count = 0;
+
+    while ((c = stress_choice_next(choice, c)))
+        count++;
+    return count;
 }
 
 static void check_choice(void)
@@ -112,9 +121,8 @@ static void check_choice(void)
     static const char *const words[] = {"thin_5", "map"};
     const struct stress_choice all = {0}, quick = {.quick = true},
                                some = {.word_count = 2, .words = words, .quick = true},
-                               solids = {.models = "iga,hex_incompatible"};
+                               pair = {.models = "projective_dynamics,hex_incompatible"};
     struct message why = {""};
-    int count = 0;
 
     for (int n = 0; stress_case_at(n); n++) {
         const struct stress_case *c = stress_case_at(n);
@@ -124,11 +132,11 @@ static void check_choice(void)
     }
     CHECK(stress_choice_map(&all) && stress_choice_map(&quick) && stress_choice_map(&some));
     CHECK(!stress_choice_map(&(struct stress_choice){.word_count = 1, .words = words}));
-    for (int m = 0; m < STRESS_MODELS; m++)
-        count += stress_choice_model(&solids, &stress_models[m]);
-    CHECK(count == 5); /* four of iga, one of hex */
+    CHECK(chosen(&pair) == 3); /* two of projective dynamics, one of hex */
+    CHECK(chosen(&(struct stress_choice){.models = "iga_linear"}) == 1); /* by its name */
+    CHECK(chosen(&all) >= 10);
     CHECK(stress_choice_check(&some, NULL) == STATUS_OK);
-    CHECK(stress_choice_check(&solids, NULL) == STATUS_OK);
+    CHECK(stress_choice_check(&pair, NULL) == STATUS_OK);
     const char *const unknown[] = {"thin"};
     CHECK(stress_choice_check(&(struct stress_choice){.word_count = 1, .words = unknown},
                               &why) == STATUS_INPUT &&
@@ -140,20 +148,20 @@ static void check_choice(void)
 
 /* A result, whatever it is, says all that its end asks for. */
 static struct stress_result check_run(const char *path, const char *folder, const char *c,
-                                      const char *model, enum stress_end want)
+                                      const char *contestant, enum stress_end want)
 {
     const struct stress_job job = {.c = find_case(c),
-                                   .model = find_model(model),
+                                   .contestant = find_contestant(contestant),
                                    .path = path,
                                    .folder = folder,
                                    .quick = true};
     struct stress_result r;
 
-    REQUIRE(stress_run(&job, &r, NULL) == STATUS_OK);
+    REQUIRE(stress_judge(&job, &r, NULL) == STATUS_OK);
     const enum stress_end end = stress_classify(&r, job.c->bound);
     if (!CHECK(end == want))
-        printf("%s, %s: %s with error %g (%s)\n", c, model, stress_end_name(end), r.error,
-               r.sentence.text);
+        printf("%s, %s: %s with error %g (%s)\n", c, contestant, stress_end_name(end),
+               r.error, r.sentence.text);
     if (end == STRESS_REFUSED || end == STRESS_DIED)
         CHECK(*r.sentence.text && isnan(r.error));
     if (end == STRESS_DIED)
@@ -164,44 +172,44 @@ static struct stress_result check_run(const char *path, const char *folder, cons
 static void check_runs(const char *path, const char *folder)
 {
     static const struct {
-        const char *c, *model;
+        const char *c, *contestant;
         enum stress_end want;
     } known[] = {
-        {"still", "iga_printed", STRESS_ACCURATE},
-        {"still", "iga", STRESS_ACCURATE},
+        {"still", "iga_paper", STRESS_ACCURATE},
+        {"still", "iga_nonlinear", STRESS_ACCURATE},
         {"still", "hex_incompatible", STRESS_ACCURATE},
         {"still", "shell", STRESS_ACCURATE},
         {"still", "mass_spring", STRESS_ACCURATE},
         {"still", "projective_dynamics", STRESS_ACCURATE},
         {"thin_5", "iga_reduced", STRESS_ACCURATE},
         {"thin_5", "iga_selective", STRESS_ACCURATE},
-        {"thin_5", "iga", STRESS_DEGRADED}, /* locks */
-        {"thin_5", "hex", STRESS_DEGRADED},
+        {"thin_5", "iga_nonlinear", STRESS_DEGRADED}, /* locks */
+        {"thin_5", "hex_nonlinear", STRESS_DEGRADED},
         {"poisson_04999", "iga_reduced", STRESS_ACCURATE},
-        {"poisson_04999", "iga", STRESS_DEGRADED},
-        {"folded_knots", "iga", STRESS_REFUSED},
+        {"poisson_04999", "iga_nonlinear", STRESS_DEGRADED},
+        {"folded_knots", "iga_nonlinear", STRESS_REFUSED},
         {"folded_knots", "shell", STRESS_REFUSED},
         {"folded_knots", "mass_spring", STRESS_REFUSED},
-        {"torn_knots", "iga", STRESS_REFUSED},
-        {"one_element", "iga", STRESS_DEGRADED}, /* a parabola for a quartic */
+        {"torn_knots", "iga_nonlinear", STRESS_REFUSED},
+        {"one_element", "iga_nonlinear", STRESS_DEGRADED}, /* a parabola for a quartic */
         {"millimetres", "iga_reduced", STRESS_ACCURATE},
         {"inches", "mass_spring", STRESS_ACCURATE},
         {"soft", "shell", STRESS_ACCURATE},
-        {"stiff", "iga_printed", STRESS_ACCURATE},
+        {"stiff", "iga_paper", STRESS_ACCURATE},
         {"spinning_bar", "shell", STRESS_ACCURATE},
         {"spinning_bar", "mass_spring", STRESS_DEGRADED}, /* implicit Euler */
-        {"step_large", "iga_printed", STRESS_DEGRADED},
-        {"swing_10000", "iga_printed", STRESS_REFUSED}, /* has no elastic energy */
+        {"step_large", "iga_paper", STRESS_DEGRADED},
+        {"swing_10000", "iga_paper", STRESS_REFUSED}, /* has no elastic energy */
         {"swing_10000", "iga_reduced", STRESS_ACCURATE},
         {"rest_start", "shell", STRESS_ACCURATE},
         {"rest_start", "projective_dynamics", STRESS_REFUSED},
-        {"rest_start", "iga_printed", STRESS_DIED}, /* creeps */
+        {"rest_start", "iga_paper", STRESS_DIED}, /* creeps */
         {"thrown", "shell", STRESS_ACCURATE},
         {"buckling", "mass_spring", STRESS_ACCURATE},
     };
 
     for (size_t n = 0; n < sizeof known / sizeof *known; n++)
-        check_run(path, folder, known[n].c, known[n].model, known[n].want);
+        check_run(path, folder, known[n].c, known[n].contestant, known[n].want);
 }
 
 /* Statics of `printed` are linear: one parabola gives 2/3 of the tip, Gamma / 12 for
@@ -210,7 +218,7 @@ static void check_parabola(const char *path, const char *folder)
 {
     const double TOL_SHEAR = 1e-3;
     const struct stress_result r =
-        check_run(path, folder, "one_element", "iga_printed", STRESS_DEGRADED);
+        check_run(path, folder, "one_element", "iga_paper", STRESS_DEGRADED);
 
     CHECK_NEAR(r.error, 1 / 3., TOL_SHEAR);
 }
@@ -219,17 +227,16 @@ static void check_parabola(const char *path, const char *folder)
  * and implicit Euler's longest step is told from its finest. */
 static void check_map(const char *folder)
 {
-    bool wanted[STRESS_MODELS] = {false}, there = false;
+    const struct stress_choice pair = {.models = "shell,mass_spring", .quick = true};
+    bool there = false;
     char path[512], line[256];
     int lines = 0, references = 0, degraded = 0;
     struct message why = {""};
     FILE *null = fopen("/dev/null", "w");
 
     REQUIRE(null);
-    wanted[find_model("shell") - stress_models] = true;
-    wanted[find_model("mass_spring") - stress_models] = true;
     for (int n = 0; n < 2; n++) /* the second does not go on with the first */
-        REQUIRE(stress_map_measure(folder, wanted, 2, true, &why) == STATUS_OK);
+        REQUIRE(stress_map_measure(folder, &pair, 2, &why) == STATUS_OK);
     REQUIRE(stress_map_print(folder, TABLE_TEXT, null, &there, &why) == STATUS_OK);
     CHECK(there);
     fclose(null);

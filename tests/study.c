@@ -156,12 +156,13 @@ static void orders(void)
 /* What a quick shell left is found again without running; an empty folder says so. */
 static void truth_again(void)
 {
-    static const char *const settings[] = {"damping={kind: none}"};
+    struct settings settings = {0};
     const double time[] = {0.01};
     struct truth *first = NULL, *again = NULL;
     struct message why = {""};
     char kept[4096], *path = NULL;
 
+    settings_set(&settings, "damping={kind: none}");
     snprintf(kept, sizeof kept, "%s/kept", folder);
     REQUIRE(folder_make(kept, NULL) == STATUS_OK);
     for (int n = 0; n < 2; n++) { /* of an earlier run of this test */
@@ -171,15 +172,16 @@ static void truth_again(void)
     }
     snprintf(kept, sizeof kept, "%s/kept", folder);
     REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
-    CHECK(truth_find(path, 1, settings, 1, time, kept, TRUTH_READ, &again, &why) ==
+    CHECK(truth_find(path, &settings, 1, time, kept, TRUTH_READ, &again, &why) ==
           STATUS_FILE);
     CHECK(strstr(why.text, "truth_shell") && !again);
-    REQUIRE(truth_find(path, 1, settings, 1, time, kept, TRUTH_QUICK, &first, &why) ==
+    REQUIRE(truth_find(path, &settings, 1, time, kept, TRUTH_QUICK, &first, &why) ==
             STATUS_OK);
-    REQUIRE(truth_find(path, 1, settings, 1, time, kept, TRUTH_READ, &again, &why) ==
+    REQUIRE(truth_find(path, &settings, 1, time, kept, TRUTH_READ, &again, &why) ==
             STATUS_OK);
     CHECK(!memcmp(first->xyz[0], again->xyz[0], 3 * GRID_POINTS * sizeof(double)));
     CHECK(first->error[0] == again->error[0] && !strcmp(first->source, again->source));
+    settings_clear(&settings);
     truth_destroy(first);
     truth_destroy(again);
     free(path);

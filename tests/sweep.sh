@@ -104,6 +104,30 @@ run rows.yaml --out rows --resume
 grep -q 'Nothing was left' out || fail 'a case that hung is run again'
 cmp rows/table.csv rows.csv || fail 'rows without result change when made again'
 
+# --- names are words ----------------------------------------------------------------------
+# whatever a case is called, it is text on the map and one cell of the table
+cat >names.yaml <<'PLAN'
+name: names
+source: a test
+scene: edge_drop
+settings: {time.end: 0.01, discretization.points: [4,4,2]}
+axes:
+  - {key: damping.value, values: [0.1, 0.9]}
+  - {key: gamma, values: [10, 100], scale: log}
+cases:
+  - {name: "it's \"a\"\n'; system('touch pwned'); set title '"}
+  - {name: "EOD\nsystem('touch pwned')\n`touch pwned` %s $x {a} \\"}
+map: {x: damping.value, y: gamma, panel: name}
+PLAN
+run names.yaml --out names
+{ [ "$code" -eq 0 ] && [ ! -s err ]; } || fail "names: exit $code: $(<err)"
+[ -z "$(find . -name pwned)" ] || fail 'a name ran as a command'
+grep -qF "1,\"it's \"\"a\"\"" names/table.csv || fail "names: $(<names/table.csv)"
+if command -v gnuplot >/dev/null; then
+    [ -s names/map.png ] || fail 'no map.png with odd names'
+    grep -E "^(EOD.|system)" names/map.gp && fail 'a name is a line of the script'
+fi
+
 # --- signals ----------------------------------------------------------------------------
 # A case that crashes is a row; Ctrl-C stops the sweep with a sentence, and no child is left.
 cat >long.yaml <<'PLAN'

@@ -127,9 +127,17 @@ static void make_up(struct truth_made *made)
         made->value[n][TRUTH_ERROR] = 0.01 * (n + 1);
     }
     made->value[1][TRUTH_SHELL_TIME] = NAN;
-    made->level = (struct truth_level){"shell", 3, 16, 5e-3, false};
+    made->level = (struct truth_level){TRUTH_SHELL, 3, 16, 5e-3, false};
     strcpy(made->note, "made up");
     strcpy(made->horizon, "never");
+}
+
+static struct settings settings_of(int count, const char *const *text)
+{
+    struct settings s = {0};
+
+    settings_set_all(&s, count, text);
+    return s;
 }
 
 static char *write_made_up(struct truth_made *made)
@@ -140,9 +148,11 @@ static char *write_made_up(struct truth_made *made)
 
     snprintf(file, sizeof file, "%s/edge_drop.h5", folder);
     REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
-    struct truth_runs runs = {path, 1, undamped, TIMES, times, folder};
+    struct settings settings = settings_of(1, undamped);
+    struct truth_runs runs = {path, &settings, TIMES, times, folder};
     if (!CHECK(truth_file_write(file, &runs, made, &why) == STATUS_OK))
         printf("%s\n", why.text);
+    settings_clear(&settings);
     free(path);
     return file;
 }
@@ -176,7 +186,9 @@ static enum status find(const char *scene, int count, const char *const *setting
     char *path = NULL;
 
     REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
-    enum status st = truth_find(path, count, settings, n, time, folder, TRUTH_READ, t, why);
+    struct settings s = settings_of(count, settings);
+    enum status st = truth_find(path, &s, n, time, folder, TRUTH_READ, t, why);
+    settings_clear(&s);
     free(path);
     return st;
 }
@@ -204,10 +216,13 @@ static void who_gets_it(const struct truth_made *made)
     CHECK(find("edge_drop", 0, NULL, 2, times, &t, &why) == STATUS_FILE); /* its mu */
     CHECK(!t);
     REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
-    CHECK(truth_stored_times(path, 2, undamped, 0.5, 1, stored, &count, &why) == STATUS_OK);
+    struct settings s = settings_of(2, undamped), o = settings_of(2, other);
+    CHECK(truth_stored_times(path, &s, 0.5, 1, stored, &count, &why) == STATUS_OK);
     CHECK(count == 1 && stored[0] == 0.2);
-    CHECK(truth_stored_times(path, 2, other, 0.5, 1, stored, &count, &why) == STATUS_OK);
+    CHECK(truth_stored_times(path, &o, 0.5, 1, stored, &count, &why) == STATUS_OK);
     CHECK(count == 0);
+    settings_clear(&s);
+    settings_clear(&o);
     free(path);
 }
 
@@ -252,17 +267,18 @@ static void kept_runs(void)
 {
     static const char *const stiffer[] = {"damping={kind: none}", "material.young=2e5"};
     static const double early[] = {0.01}, later[] = {0.02};
-    struct truth_level level = {"shell", 2, 6, 0.005, false};
-    struct rung_result run = {0}, pushed = {0};
+    struct truth_level level = {TRUTH_SHELL, 2, 6, 0.005, false};
+    struct settings first = settings_of(1, undamped), other = settings_of(2, stiffer);
+    struct run_result run = {0}, pushed = {0};
     char *path = NULL, file[4096];
 
     REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
     snprintf(file, sizeof file, "%s/truth_shell_p2_6_5000us.h5", folder);
     remove(file); /* of an earlier run of this test */
-    struct truth_runs runs = {path, 1, undamped, 1, early, folder};
+    struct truth_runs runs = {path, &first, 1, early, folder};
     CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
     REQUIRE(truth_level_find(&runs, &level, false, &run, NULL) == STATUS_OK);
-    rung_clear(&run);
+    run_result_clear(&run);
     REQUIRE(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_OK);
     level.perturbed = true;
     REQUIRE(truth_level_find(&runs, &level, false, &pushed, NULL) == STATUS_OK);
@@ -271,10 +287,12 @@ static void kept_runs(void)
     level.perturbed = false;
     runs.time = later;
     CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
-    runs = (struct truth_runs){path, 2, stiffer, 1, early, folder};
+    runs = (struct truth_runs){path, &other, 1, early, folder};
     CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
-    rung_clear(&run);
-    rung_clear(&pushed);
+    run_result_clear(&run);
+    run_result_clear(&pushed);
+    settings_clear(&first);
+    settings_clear(&other);
     free(path);
 }
 

@@ -25,25 +25,33 @@ static double own_error(const struct truth_level *fine, const struct truth_level
     return difference / (ratio - 1);
 }
 
+/* As the scene's truth moves. */
+static void undamp(struct settings *settings, const struct scene *s)
+{
+    const char *setting = truth_plan_damping(s);
+
+    if (setting)
+        settings_set(settings, setting);
+}
+
 /* Degrees and nets that no truth is made of. */
-static void mid_size(const char *scene, const char *model, int degree)
+static void mid_size(const char *scene, enum truth_model model, int degree)
 {
     struct truth_level level[2] = {{model, degree, 14, 0.005, false},
                                    {model, degree, 10, 0.005, false}};
-    struct rung_result run[2] = {{0}};
+    struct run_result run[2] = {{0}};
     struct truth *truth = NULL;
     struct message why = {""};
     struct scene s = {0};
-    struct discretization unused = {0};
+    struct settings settings = {0};
     char *path = NULL;
-    const char *setting;
 
     REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
-    REQUIRE(scene_file_read(path, 0, NULL, &s, &unused, NULL) == STATUS_OK);
-    setting = truth_plan_damping(&s);
-    struct truth_runs runs = {path, setting != NULL, &setting, TIMES, times, folder};
-    if (!CHECK(truth_find(path, setting != NULL, &setting, TIMES, times, folder, TRUTH_READ,
-                          &truth, &why) == STATUS_OK))
+    REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
+    undamp(&settings, &s);
+    struct truth_runs runs = {path, &settings, TIMES, times, folder};
+    if (!CHECK(truth_find(path, &settings, TIMES, times, folder, TRUTH_READ, &truth,
+                          &why) == STATUS_OK))
         printf("%s\n", why.text);
     for (int n = 0; n < 2 && truth; n++)
         REQUIRE(truth_level_find(&runs, &level[n], false, &run[n], NULL) == STATUS_OK);
@@ -52,13 +60,15 @@ static void mid_size(const char *scene, const char *model, int degree)
         double own =
             own_error(&level[0], &level[1], metric_rmse(run[0].xyz[n], run[1].xyz[n]));
         if (!CHECK(error <= truth->error[n] + own))
-            printf("%s, %s at %g s: %g m, bar %g, own %g\n", scene, model, times[n], error,
-                   truth->error[n], own);
+            printf("%s, %s at %g s: %g m, bar %g, own %g\n", scene,
+                   truth_level_contestant(model)->name, times[n], error, truth->error[n],
+                   own);
         CHECK(own < 0.1); /* else it says nothing */
     }
-    rung_clear(&run[0]);
-    rung_clear(&run[1]);
+    run_result_clear(&run[0]);
+    run_result_clear(&run[1]);
     truth_destroy(truth);
+    settings_clear(&settings);
     scene_clear(&s);
     free(path);
 }
@@ -73,19 +83,19 @@ static void each_has_its_scene(void)
     CHECK(count >= 1);
     for (int n = 0; n < count; n++) {
         struct scene s = {0};
-        struct discretization unused = {0};
+        struct settings settings = {0};
         double time[1];
         char *path = NULL;
-        const char *setting;
         int found = 0;
 
         REQUIRE(scene_file_find(entries[n].name, &path, NULL) == STATUS_OK);
-        REQUIRE(scene_file_read(path, 0, NULL, &s, &unused, NULL) == STATUS_OK);
-        setting = truth_plan_damping(&s);
-        CHECK(truth_stored_times(path, setting != NULL, &setting, s.end, 1, time, &found,
-                                 NULL) == STATUS_OK);
+        REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
+        undamp(&settings, &s);
+        CHECK(truth_stored_times(path, &settings, s.end, 1, time, &found, NULL) ==
+              STATUS_OK);
         if (!CHECK(found == 1))
             printf("%s: %s\n", entries[n].name, entries[n].text);
+        settings_clear(&settings);
         scene_clear(&s);
         free(path);
     }
@@ -98,14 +108,13 @@ static void made_anew(const char *scene)
     struct truth_made made = {0}, stored = {0};
     struct message why = {""};
     struct scene s = {0};
-    struct discretization unused = {0};
+    struct settings settings = {0};
     char *path = NULL, *file = NULL, *physics = NULL;
-    const char *setting;
 
     REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
-    REQUIRE(scene_file_read(path, 0, NULL, &s, &unused, NULL) == STATUS_OK);
-    setting = truth_plan_damping(&s);
-    struct truth_runs runs = {path, setting != NULL, &setting, TIMES, times, folder};
+    REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
+    undamp(&settings, &s);
+    struct truth_runs runs = {path, &settings, TIMES, times, folder};
     REQUIRE(truth_file_exists(scene, &file));
     REQUIRE(truth_file_read(file, &stored, &physics, NULL) == STATUS_OK);
     if (!CHECK(truth_make(&plan, &runs, &s, NULL, NULL, &made, &why) == STATUS_OK))
@@ -125,6 +134,7 @@ static void made_anew(const char *scene)
     }
     truth_made_clear(&made);
     truth_made_clear(&stored);
+    settings_clear(&settings);
     scene_clear(&s);
     free(physics);
     free(path);
@@ -155,8 +165,8 @@ int main(int argc, char **argv)
     REQUIRE(folder_make(folder, NULL) == STATUS_OK);
     clear_folder();
     each_has_its_scene();
-    mid_size("edge_drop", "iga", 2);
-    mid_size("edge_drop", "shell", 4);
+    mid_size("edge_drop", TRUTH_SOLID, 2);
+    mid_size("edge_drop", TRUTH_SHELL, 4);
     made_anew("edge_drop");
     return check_result();
 }

@@ -47,12 +47,21 @@ static int settings_of(const struct job *j, const struct ladder_rung *r, bool pr
     return count;
 }
 
+/* The settings that the truth has. */
+static struct settings truth_settings(const struct job *j)
+{
+    const char *all[MOST_SETTINGS];
+    struct settings s = {0};
+
+    settings_set_all(&s, settings_of(j, NULL, false, all), all);
+    return s;
+}
+
 /* Those given by --until; else those of the stored truth up to UNTIL; else up to UNTIL. */
 static enum status read_times(struct job *j, const struct command_line *line,
                               struct message *why)
 {
     const char *word = command_value(line, "--until");
-    const char *all[MOST_SETTINGS];
     char *end = NULL;
     double until = word ? strtod(word, &end) : fmin(UNTIL, j->scene.end);
 
@@ -60,8 +69,10 @@ static enum status read_times(struct job *j, const struct command_line *line,
         return status_fail(why, STATUS_INPUT, "--until %s: a time in seconds, above 0",
                            word);
     if (!word) {
-        enum status st = truth_stored_times(j->path, settings_of(j, NULL, false, all), all,
-                                            until, MOST_TIMES, j->time, &j->times, why);
+        struct settings settings = truth_settings(j);
+        enum status st = truth_stored_times(j->path, &settings, until, MOST_TIMES, j->time,
+                                            &j->times, why);
+        settings_clear(&settings);
         if (st != STATUS_OK || j->times)
             return st;
     }
@@ -198,7 +209,8 @@ static enum status run(const struct command_line *line, struct message *why)
     enum status st;
     struct job j = {0};
     struct truth *truth = NULL;
-    const char *all[MOST_SETTINGS], *word = command_value(line, "--format");
+    struct settings settings = {0};
+    const char *word = command_value(line, "--format");
     const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
     enum table_format format = TABLE_TEXT;
     char folder[4096];
@@ -220,8 +232,9 @@ static enum status run(const struct command_line *line, struct message *why)
     if (!strcmp(j.scene.name, "corners_drop"))
         TRY(fig6_compare(j.path, j.given, j.set, j.folder, j.read_only, format, stdout,
                          why));
-    TRY(truth_find(j.path, settings_of(&j, NULL, false, all), all, j.times, j.time,
-                   j.folder, j.quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why));
+    settings = truth_settings(&j);
+    TRY(truth_find(j.path, &settings, j.times, j.time, j.folder,
+                   j.quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why));
     j.compare.truth = truth;
     TRY(run_all(&j, why));
     TRY(compare_print(&j.compare, format, stdout));
@@ -230,6 +243,7 @@ out:
     for (int n = 0; j.compare.rows && n < j.compare.count; n++)
         rung_clear(&j.compare.rows[n].result);
     free(j.compare.rows);
+    settings_clear(&settings);
     truth_destroy(truth);
     scene_clear(&j.scene);
     free(j.path);

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "bench/experiment/plan_case.h"
+#include "bench/harness/derived_key.h"
 #include "bench/harness/measures.h"
-#include "bench/harness/stand_in.h"
 
 static const struct yaml_tree *at(const struct plan *plan, int line, struct yaml_tree *node)
 {
@@ -95,7 +95,7 @@ static enum status check_twice(const struct plan *plan, struct message *why)
     }
     for (int k = 0; k < plan->key_count; k++) {
         const char *key = plan->keys[k];
-        if (!stand_in_is(key))
+        if (!derived_key_is(key))
             continue;
         const char *by = plan_case_set_by(plan, key);
         const int line = line_of(plan, by, plan->axis_count);
@@ -145,7 +145,7 @@ static enum status check_mark(const struct plan *plan, const struct plan_mark *m
     struct yaml_tree node;
 
     for (int n = 0; n < 2; n++)
-        if (!stand_in_is(names[n]) && !plan_settings_find(&mark->settings, names[n]))
+        if (!derived_key_is(names[n]) && !plan_settings_find(&mark->settings, names[n]))
             return yaml_tree_refuse(at(plan, mark->line, &node), why,
                                     "the mark %s lacks the key %s, which the map shows",
                                     yaml_tree_quote(mark->text).text, names[n]);

@@ -43,8 +43,7 @@ static enum status find_truth(const struct plan *plan, const struct plan_study *
     snprintf(kept, sizeof kept, "%s/%s_truth", folder, study->name);
     if (effort != TRUTH_READ)
         TRY(folder_make(kept, why));
-    TRY(truth_find(c.path, physics.count, (const char *const *)physics.text, times, time,
-                   kept, effort, truth, why));
+    TRY(truth_find(c.path, &physics, times, time, kept, effort, truth, why));
 out:
     settings_clear(&physics);
     plan_case_clear(&c);

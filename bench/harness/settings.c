@@ -143,3 +143,13 @@ enum status settings_read(const struct settings *s, const char *path, struct sce
                            status_text(s->status));
     return scene_file_read(path, s->count, (const char *const *)s->text, scene, d, why);
 }
+
+enum status settings_read_scene(const struct settings *s, const char *path,
+                                struct scene *scene, struct message *why)
+{
+    struct discretization unused = {0};
+    const enum status st = settings_read(s, path, scene, &unused, why);
+
+    discretization_clear(&unused);
+    return st;
+}

@@ -42,8 +42,10 @@ void settings_append(struct settings *s, const struct settings *more);
 /* The last value of a key as it was given; NULL: the key is not there. Borrowed. */
 const char *settings_value(const struct settings *s, const char *key);
 
-/* scene_file_read with these settings. */
+/* scene_file_read with these settings; for who wants the scene alone. */
 enum status settings_read(const struct settings *s, const char *path, struct scene *scene,
                           struct discretization *d, struct message *why);
+enum status settings_read_scene(const struct settings *s, const char *path,
+                                struct scene *scene, struct message *why);
 
 #endif

@@ -2,15 +2,10 @@
 
 #include <math.h>
 #include <omp.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <time.h>
 
-#include "bench/harness/child.h"
 #include "bench/files/folder.h"
-#include "bench/ui/progress.h"
-#include "bench/harness/registry.h"
+#include "bench/harness/pool.h"
 #include "models/reader/scene_file.h"
 
 /* Of processor time [s]; of the clock ten times that, for those who sleep. */
@@ -22,160 +17,107 @@ struct options {
     int jobs;
 };
 
-/* A job in a process: a trial, or with no model the case's truth. */
-static enum status work(void *context, struct message *why)
+/* A job in a process: a run, or with no contestant the case's truth. */
+static enum status work(void *context, long number, struct message *why)
 {
-    const struct stress_job *job = context;
+    const struct stress_job *job = (const struct stress_job *)context + number;
     struct stress_result result;
     struct truth *truth = NULL;
     char name[256];
     enum status st;
 
     child_limit(job->quick ? QUICK_LIMIT : TIME_LIMIT);
-    if (!job->model) {
+    if (!job->contestant) {
         TRY(stress_find_truth(job, TRUTH_QUICK, &truth, why));
         truth_destroy(truth);
         return STATUS_OK;
     }
-    TRY(stress_run(job, &result, why));
-    stress_name(job->c, job->model, name, sizeof name);
+    TRY(stress_judge(job, &result, why));
+    stress_name(job->c, job->contestant, name, sizeof name);
     st = stress_write(job->folder, name, &result, why);
 out:
     return st;
 }
 
-/* A trial that came to no result of its own has died. */
-static enum status settle(const struct stress_job *job, const struct child_end *end,
+/* A run that came to no result of its own has died; one without truth says so. */
+static enum status settle(void *context, long number, const struct child_end *end,
                           struct message *why)
 {
-    struct stress_result result = {.outcome = STRESS_DEAD,
-                                   .error = NAN,
-                                   .time = end->reached,
-                                   .seconds = end->seconds};
+    const struct stress_job *job = (const struct stress_job *)context + number;
+    const struct stress_result dead = {.outcome = STRESS_DEAD,
+                                       .error = NAN,
+                                       .time = end->reached,
+                                       .seconds = end->seconds,
+                                       .sentence = end->why};
     char name[256];
 
-    if (end->outcome == CHILD_DONE)
+    if (end->outcome == CHILD_DONE || !job->contestant)
         return STATUS_OK;
-    if (end->outcome == CHILD_STUCK)
-        return status_fail(why, STATUS_FILE, "%s", end->why.text);
-    if (end->outcome == CHILD_ASKED)
-        return status_fail(why, STATUS_LIBRARY, "stopped");
-    if (!job->model)
-        return STATUS_OK; /* trials without truth say so */
-    result.sentence = end->why;
-    stress_name(job->c, job->model, name, sizeof name);
-    return stress_write(job->folder, name, &result, why);
+    stress_name(job->c, job->contestant, name, sizeof name);
+    return stress_write(job->folder, name, &dead, why);
 }
 
-struct queue {
-    struct stress_job *jobs; /* [count]                                          owned */
-    int count, next, running, done;
-    int slots;
-    struct child *slot;             /* [slots]                                   owned */
-    const struct stress_job **busy; /* [slots]                                   owned */
-    double time_limit;
-    struct progress progress;
-};
-
-static void clear_queue(struct queue *q)
+/* The jobs asked for into list[], NULL: none; returns their number. `truths`: of the cases
+ * that need one, else runs. */
+static long list_jobs(const struct options *o, const char *path, bool truths,
+                      struct stress_job *list)
 {
-    progress_end(&q->progress);
-    for (int n = 0; q->slot && n < q->slots; n++)
-        child_clear(&q->slot[n]);
-    free(q->slot);
-    free(q->busy);
-    free(q->jobs);
-}
+    struct stress_job job = {.path = path, .folder = o->folder, .quick = o->choice.quick};
+    long count = 0;
 
-static enum status turn(struct queue *q, struct message *why)
-{
-    static const struct timespec moment = {.tv_nsec = 1000000};
-    struct child_end end;
-    enum status st = STATUS_OK;
-
-    for (int n = 0; n < q->slots; n++) {
-        if (!q->slot[n].pid && q->next < q->count) {
-            q->busy[n] = &q->jobs[q->next++];
-            TRY(child_start(&q->slot[n], work, (void *)q->busy[n], why));
-            q->running++;
-        } else if (q->slot[n].pid && child_poll(&q->slot[n], q->time_limit, &end)) {
-            q->running--;
-            progress_update(&q->progress, ++q->done);
-            TRY(settle(q->busy[n], &end, why));
-        }
+    for (int n = 0; (job.c = stress_case_at(n)); n++) {
+        if (!stress_choice_case(&o->choice, job.c) ||
+            (truths && job.c->truth != STRESS_SHELL))
+            continue;
+        job.contestant = truths ? NULL : stress_choice_next(&o->choice, NULL);
+        do {
+            if (list)
+                list[count] = job;
+            count++;
+            if (!truths)
+                job.contestant = stress_choice_next(&o->choice, job.contestant);
+        } while (job.contestant);
     }
-    nanosleep(&moment, NULL);
-out:
-    return st;
+    return count;
 }
 
-/* Runs q->jobs, as many at a time as there are slots. */
-static enum status run_queue(struct queue *q, struct message *why)
+static enum status run_jobs(const struct options *o, const char *path, bool truths,
+                            struct message *why)
 {
-    enum status st = STATUS_OK;
+    struct pool pool = {
+        .count = list_jobs(o, path, truths, NULL),
+        .slots = o->jobs,
+        .time_limit = 10 * (o->choice.quick ? QUICK_LIMIT : TIME_LIMIT),
+        .work = work,
+        .settle = settle,
+    };
+    struct stress_job *list = calloc((size_t)pool.count + 1, sizeof *list);
+    enum status st = list ? STATUS_OK : STATUS_MEMORY;
 
-    q->slot = calloc((size_t)q->slots, sizeof *q->slot);
-    q->busy = calloc((size_t)q->slots, sizeof *q->busy);
-    TRY(q->slot && q->busy ? STATUS_OK : STATUS_MEMORY);
-    for (int n = 0; n < q->slots; n++)
-        TRY(child_init(&q->slot[n]));
-    q->progress = progress_start("cases", q->count, false);
-    while (q->next < q->count || q->running)
-        TRY(turn(q, why));
+    TRY(st);
+    list_jobs(o, path, truths, list);
+    pool.context = list;
+    if (pool.count)
+        st = pool_run(&pool, why);
 out:
+    free(list);
+    if (pool.stopped_by)
+        pool_raise(&pool);
     return st;
-}
-
-/* The jobs asked for: `truths` of the cases that need one, or trials. */
-static enum status list_jobs(const struct options *o, const char *path, bool truths,
-                             struct queue *q)
-{
-    int cases = 0;
-
-    while (stress_case_at(cases))
-        cases++;
-    *q = (struct queue){.slots = o->jobs,
-                        .time_limit = 10 * (o->choice.quick ? QUICK_LIMIT : TIME_LIMIT)};
-    q->jobs = calloc((size_t)(cases * STRESS_MODELS), sizeof *q->jobs);
-    if (!q->jobs)
-        return STATUS_MEMORY;
-    for (int n = 0; n < cases; n++) {
-        const struct stress_case *c = stress_case_at(n);
-        const bool ask =
-            stress_choice_case(&o->choice, c) && (!truths || c->truth == STRESS_SHELL);
-        for (int m = 0; ask && m < (truths ? 1 : STRESS_MODELS); m++)
-            if (truths || stress_choice_model(&o->choice, &stress_models[m]))
-                q->jobs[q->count++] =
-                    (struct stress_job){.c = c,
-                                        .model = truths ? NULL : &stress_models[m],
-                                        .path = path,
-                                        .folder = o->folder,
-                                        .quick = o->choice.quick};
-    }
-    return STATUS_OK;
 }
 
 static enum status measure(const struct options *o, struct message *why)
 {
-    struct queue q = {0};
-    bool wanted[STRESS_MODELS];
     char *path = NULL;
     enum status st;
 
     TRY(folder_make(o->folder, why));
     TRY(scene_file_find(stress_scene, &path, why));
-    for (int truths = 1; truths >= 0; truths--) {
-        TRY(list_jobs(o, path, truths, &q));
-        TRY(run_queue(&q, why));
-        clear_queue(&q);
-        q = (struct queue){0};
-    }
-    for (int m = 0; m < STRESS_MODELS; m++)
-        wanted[m] = stress_choice_model(&o->choice, &stress_models[m]);
+    TRY(run_jobs(o, path, true, why));
+    TRY(run_jobs(o, path, false, why));
     if (stress_choice_map(&o->choice))
-        TRY(stress_map_measure(o->folder, wanted, o->jobs, o->choice.quick, why));
+        TRY(stress_map_measure(o->folder, &o->choice, o->jobs, why));
 out:
-    clear_queue(&q);
     free(path);
     return st;
 }
@@ -212,7 +154,7 @@ out:
 }
 
 static const struct command_option options[] = {
-    {"--models", "A,B,...", false, "models, or variants of them such as iga_reduced (all)"},
+    {"--models", "A,B,...", false, "models or contestants (all that enter here)"},
     {"--quick", NULL, false, "some of the cases, in less than a minute"},
     {"--jobs", "N", false, "runs at a time (as many as there are processors)"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
@@ -227,10 +169,11 @@ const struct command stress_command = {
         "hard cases: thin, stiff, nearly incompressible, long steps, odd nets, units",
     .arguments = "[CASE]... [OPTION]...",
     .text =
-        "Puts every model through hard cases, each run in a process of its own with a\n"
+        "Puts every contestant through hard cases, each run in a process of its own with "
+        "a\n"
         "time limit. Each ends as accurate or degraded, by its error against the truth\n"
         "that the case names, or refused, with the model's sentence, or died, with time\n"
-        "and cause. A bound is the same for all models, and printed with its reason.\n",
+        "and cause. A bound is the same for all, and printed with its reason.\n",
     .examples = "stress\nstress --quick\nstress thin_5 buckling --models iga,shell\n",
     .most = 64,
     .options = options,

@@ -1,6 +1,6 @@
-/* stress.h - hard cases, for every model: thin to h/L = 1e-5, nearly incompressible, steps
- * of 0.1 s, nets of one element, other units, ten thousand steps, ... What a model makes of
- * a case is exactly one of four things, and never silence:
+/* stress.h - hard cases, for every contestant: thin to h/L = 1e-5, nearly incompressible,
+ * steps of 0.1 s, nets of one element, other units, ten thousand steps, ... What one makes
+ * of a case is exactly one of four things, and never silence:
  *
  *   accurate   it ran, and its error is within the case's bound
  *   degraded   it ran, and its error is beyond that
@@ -8,15 +8,16 @@
  *   died       at a time and for a cause: numerical death, crash, or time limit
  *
  * The error is against a truth that the case names; the bound is one number a case, the
- * same for every model. Each (case, model) is a process of its own (child.h) and leaves a
- * text file FOLDER/CASE.MODEL.txt; tables are printed from these files alone.
+ * same for every contestant. Each run is a process of its own (pool.h) and leaves a text
+ * file FOLDER/CASE.CONTESTANT.txt; tables are printed from these files alone.
  */
 #ifndef STRESS_H
 #define STRESS_H
 
+#include "bench/harness/contestant.h"
+#include "bench/truth/truth.h"
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
-#include "bench/truth/truth.h"
 
 enum stress_end { STRESS_ACCURATE, STRESS_DEGRADED, STRESS_REFUSED, STRESS_DIED };
 
@@ -50,7 +51,7 @@ struct stress_case {
     enum stress_truth truth;
     double gamma;                          /* sets E; 0: left as it is                  */
     const char *physics[STRESS_SETTINGS];  /* KEY=VALUE on stress_scene; NULL ends      */
-    const char *numerics[STRESS_SETTINGS]; /* the same, of every model                 */
+    const char *numerics[STRESS_SETTINGS]; /* the same, of every contestant            */
     int side;            /* points a side of nets; 0: 10; 1: one element             */
     double weight_ratio; /* NURBS weights: of every other row to the rest; 0: none     */
     double length, mass, time; /* SIMILAR: the other units in ours [m], [kg], [s]      */
@@ -67,35 +68,25 @@ extern const struct command_item *const stress_items[];
 /* Case n = 0, 1, ...; NULL past the last. */
 const struct stress_case *stress_case_at(int n);
 
-/* A model with what it needs to be told. */
-struct stress_model {
-    const char *name;  /* [a-z0-9_]+                                                   */
-    const char *title; /* a word or two, for columns                                   */
-    const char *model; /* in the registry                                              */
-    int layers;        /* control points through the thickness; 0: a surface           */
-    int least;         /* points a side of a net of one element                        */
-    const char *settings[STRESS_SETTINGS];
-};
-
-enum { STRESS_MODELS = 10 };
-extern const struct stress_model stress_models[STRESS_MODELS];
-
 /* What was asked for. */
 struct stress_choice {
     int word_count;
     const char *const *words; /* names of cases; 0 of them: all                        */
-    const char *models;       /* "a,b": models or rows of stress_models; NULL: all     */
+    const char *models;       /* contestant_chosen; NULL: all that enter here          */
     bool quick;               /* of all cases, the quick ones                          */
 };
 
 bool stress_choice_case(const struct stress_choice *choice, const struct stress_case *c);
-bool stress_choice_model(const struct stress_choice *choice, const struct stress_model *m);
 bool stress_choice_map(const struct stress_choice *choice);
 
-/* STATUS_INPUT with a sentence: no such case or model. */
+/* The chosen contestant after `last`, the first after NULL; NULL: there are no more. */
+const struct contestant *stress_choice_next(const struct stress_choice *choice,
+                                            const struct contestant *last);
+
+/* STATUS_INPUT with a sentence: no such case or contestant. */
 enum status stress_choice_check(const struct stress_choice *choice, struct message *why);
 
-/* How a (case, model) went. */
+/* How a run went. */
 struct stress_result {
     enum stress_outcome { STRESS_RAN, STRESS_SAID_NO, STRESS_DEAD } outcome;
     double error;   /* ran; NaN otherwise                                              */
@@ -113,33 +104,34 @@ enum status stress_write(const char *folder, const char *name,
 enum status stress_read(const char *folder, const char *name, struct stress_result *r,
                         struct message *why);
 
-/* CASE.MODEL into text[size]. */
-void stress_name(const struct stress_case *c, const struct stress_model *m, char *text,
-                 int size);
+/* CASE.CONTESTANT into text[size]. */
+void stress_name(const struct stress_case *c, const struct contestant *contestant,
+                 char *text, int size);
 
 struct stress_job {
-    const struct stress_case *c;      /*                                         borrowed */
-    const struct stress_model *model; /*                                      borrowed */
-    const char *path;                 /* of stress_scene's file                  borrowed */
-    const char *folder;               /* for truths that are kept                borrowed */
+    const struct stress_case *c;         /*                                      borrowed */
+    const struct contestant *contestant; /*                                      borrowed */
+    const char *path;                    /* of stress_scene's file               borrowed */
+    const char *folder;                  /* for truths that are kept             borrowed */
     bool quick;
 };
 
-/* Runs one (case, model) here and now: refusals and deaths are results. Anything but
- * STATUS_OK is the harness's own failure. */
-enum status stress_run(const struct stress_job *job, struct stress_result *r,
-                       struct message *why);
+/* Runs one job here and now: refusals and deaths are results. Anything but STATUS_OK is the
+ * harness's own failure. */
+enum status stress_judge(const struct stress_job *job, struct stress_result *r,
+                         struct message *why);
 
 /* The truth of a case of STRESS_SHELL, at some times, kept in the folder. As truth_find. */
 enum status stress_find_truth(const struct stress_job *job, enum truth_effort effort,
                               struct truth **truth, struct message *why);
 
 /* The stability map: steps of 0.1 ms to 0.1 s by six decades of E/rho, on small nets, for
- * the models wanted[STRESS_MODELS]. A sweep of its own in FOLDER/map. */
-enum status stress_map_measure(const char *folder, const bool *wanted, int jobs, bool quick,
-                               struct message *why);
+ * the contestants chosen. A sweep of its own in FOLDER/map. */
+enum status stress_map_measure(const char *folder, const struct stress_choice *choice,
+                               int jobs, struct message *why);
 
-/* What it shows: map.png in FOLDER/map and a table; *there: there is one. */
+/* What it shows: map.png and stability.csv in FOLDER/map and a table (file
+ * NULL: no table); *there: there is one. */
 enum status stress_map_print(const char *folder, enum table_format format, FILE *file,
                              bool *there, struct message *why);
 

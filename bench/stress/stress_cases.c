@@ -1,44 +1,9 @@
-/* The models and cases of `stress`, as data. */
+/* The cases of `stress`, as data. */
 #include "bench/stress/stress.h"
 
 #include <stddef.h>
 
 const char *const stress_scene = "cantilever";
-
-/* Large displacements wherever a model has them: none of the cases is then out of range.
- * The paper's own scheme stands beside them, on the paper's own element. */
-const struct stress_model stress_models[STRESS_MODELS] = {
-    {"iga_printed", "IGA paper", "iga", 2, 3, {"discretization.kinematics=printed"}},
-    {"iga", "IGA", "iga", 2, 3, {"discretization.kinematics=nonlinear"}},
-    {"iga_reduced",
-     "IGA red.",
-     "iga",
-     2,
-     3,
-     {"discretization.kinematics=nonlinear", "discretization.remedy=reduced"}},
-    {"iga_selective",
-     "IGA sel.",
-     "iga",
-     2,
-     3,
-     {"discretization.kinematics=nonlinear", "discretization.remedy=selective"}},
-    {"hex", "hex", "hex", 2, 2, {"discretization.kinematics=nonlinear"}},
-    {"hex_incompatible",
-     "hex inc.",
-     "hex",
-     2,
-     2,
-     {"discretization.kinematics=nonlinear", "discretization.remedy=incompatible"}},
-    {"shell", "shell", "shell", 0, 3, {NULL}},
-    {"mass_spring", "springs", "mass_spring", 0, 2, {NULL}},
-    {"projective_dynamics", "PD", "projective_dynamics", 0, 2, {NULL}},
-    {"projective_dynamics_1000",
-     "PD 1000",
-     "projective_dynamics",
-     0,
-     2,
-     {"discretization.iterations=1000", "discretization.acceleration=chebyshev"}},
-};
 
 /* A light plate: linear theory is right to 0.0125 Gamma^2 = 3e-5 where nu = 0. With another
  * nu a plate that bends by more than its thickness no longer bends across as well (its

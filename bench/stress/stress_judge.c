@@ -6,6 +6,7 @@
 #include "bench/files/folder.h"
 #include "bench/stress/stress_run.h"
 #include "fem_ref/elastica.h"
+#include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 
@@ -16,7 +17,7 @@ enum { TERMS = 24 };
 
 static enum status make_plate(struct stress_run *r, struct message *why)
 {
-    const struct scene *s = &r->trial.scene;
+    const struct scene *s = &r->run.scene;
     const struct kirchhoff_plate plate = {s->length, s->width,   s->thickness,
                                           s->young,  s->poisson, s->density};
     enum status st = kirchhoff_create(&plate, TERMS, &r->plate);
@@ -27,7 +28,7 @@ static enum status make_plate(struct stress_run *r, struct message *why)
 
 static enum status judge_plate(struct stress_run *r, struct message *why)
 {
-    const struct scene *s = &r->trial.scene;
+    const struct scene *s = &r->run.scene;
     double d[3];
     enum status st;
 
@@ -42,7 +43,7 @@ out:
 
 static enum status judge_elastica(struct stress_run *r, struct message *why)
 {
-    const struct scene *s = &r->trial.scene;
+    const struct scene *s = &r->run.scene;
     struct elastica e;
     double d[3];
     enum status st;
@@ -59,7 +60,7 @@ static enum status watch_vibration(void *context, const struct motion *m,
                                    struct message *why)
 {
     struct stress_run *r = context;
-    const struct scene *s = &r->trial.scene;
+    const struct scene *s = &r->run.scene;
     const double at = s->length, half = s->width / 2;
     double d[3];
 
@@ -100,21 +101,21 @@ static enum status judge_similar(struct stress_run *r, struct message *why)
     struct stress_run other = *r;
     enum status st;
 
-    other.trial = (struct trial){0};
+    other.run = (struct run){0};
     TRY(stress_run_move(r, NULL, why));
-    r->trial.model->sample(r->trial.state, r->xyz);
-    TRY(stress_run_read(r->job, &other.trial, why));
-    change_units(&other.trial.scene, c->length, c->mass, c->time);
-    TRY(trial_build(&other.trial, why));
+    r->run.model->sample(r->run.state, r->xyz);
+    TRY(stress_run_read(r->job, &other.run, why));
+    change_units(&other.run.scene, c->length, c->mass, c->time);
+    TRY(run_build(&other.run, why));
     TRY(stress_run_move(&other, NULL, why));
-    other.trial.model->sample(other.trial.state, r->first);
+    other.run.model->sample(other.run.state, r->first);
     for (size_t n = 0; n < 3 * GRID_POINTS; n++)
         r->first[n] *= c->length;
-    r->result->error = metric_rmse(r->xyz, r->first) / r->trial.scene.length;
+    r->result->error = metric_rmse(r->xyz, r->first) / r->run.scene.length;
 out:
     if (st != STATUS_OK && isfinite(r->result->time))
-        r->result->time *= other.trial.state ? c->time : 1;
-    trial_close(&other.trial);
+        r->result->time *= other.run.state ? c->time : 1;
+    run_close(&other.run);
     return st;
 }
 
@@ -133,13 +134,13 @@ static enum status watch_energy(void *context, const struct motion *m, struct me
 
 static enum status judge_energy(struct stress_run *r, struct message *why)
 {
-    const struct trial *t = &r->trial;
+    const struct run *run = &r->run;
     struct energy rest = {NAN, NAN, NAN};
     double *drift = NULL;
     enum status st;
 
-    if (t->model->energy)
-        t->model->energy(t->state, &rest);
+    if (run->model->energy)
+        run->model->energy(run->state, &rest);
     if (!isfinite(rest.elastic))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "unsupported: no elastic energy that could be kept");
@@ -150,7 +151,7 @@ static enum status judge_energy(struct stress_run *r, struct message *why)
     r->result->error = 0;
     double most = 0, least = 0;
     for (int n = 0; n < r->frames; n++) {
-        stress_run_note(r, n * t->scene.step, fabs(drift[n]));
+        stress_run_note(r, n * run->scene.step, fabs(drift[n]));
         most = fmax(most, drift[n]), least = fmin(least, drift[n]);
     }
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
@@ -163,7 +164,7 @@ out:
 
 static enum status judge_buckled(struct stress_run *r, struct message *why)
 {
-    const struct scene *s = &r->trial.scene;
+    const struct scene *s = &r->run.scene;
     const struct scene_support *moved = &s->supports[s->support_count - 1];
     double d[3], shift[3];
     enum status st;
@@ -193,7 +194,7 @@ static enum status judge_still(struct stress_run *r, struct message *why)
     enum status st = STATUS_OK;
 
     if (r->job->c->truth == STRESS_STILL_REST) {
-        if (!r->trial.model->equilibrium)
+        if (!r->run.model->equilibrium)
             return status_fail(why, STATUS_UNSUPPORTED,
                                "unsupported: no static equilibrium to start from");
         TRY(stress_run_settle(r, why));
@@ -206,13 +207,13 @@ out:
 
 static enum status judge_shifted(struct stress_run *r, struct message *why)
 {
-    const struct scene *s = &r->trial.scene;
+    const struct scene *s = &r->run.scene;
     double shift[3], uvw[3];
     enum status st;
 
     scene_support_shift(&s->supports[0], s->end, shift);
     TRY(stress_run_move(r, NULL, why));
-    r->trial.model->sample(r->trial.state, r->xyz);
+    r->run.model->sample(r->run.state, r->xyz);
     for (int n = 0; n < GRID_POINTS; n++) {
         grid_point(n, uvw);
         scene_rest_point(s, uvw, r->first + 3 * (size_t)n);
@@ -229,16 +230,18 @@ enum status stress_find_truth(const struct stress_job *job, enum truth_effort ef
 {
     static const double time[] = {0.1, 0.2, 0.3};
     char folder[4096];
-    int count = 0;
+    struct settings physics = {0};
+    enum status st = STATUS_OK;
 
-    while (count < STRESS_SETTINGS && job->c->physics[count])
-        count++;
+    settings_list(&physics, STRESS_SETTINGS, job->c->physics);
     snprintf(folder, sizeof folder, "%s/%s.truth", job->folder, job->c->item.name);
-    const enum status st = effort == TRUTH_READ ? STATUS_OK : folder_make(folder, why);
-    return st == STATUS_OK
-               ? truth_find(job->path, count, job->c->physics, sizeof time / sizeof *time,
-                            time, folder, effort, truth, why)
-               : st;
+    if (effort != TRUTH_READ)
+        TRY(folder_make(folder, why));
+    st = truth_find(job->path, &physics, sizeof time / sizeof *time, time, folder, effort,
+                    truth, why);
+out:
+    settings_clear(&physics);
+    return st;
 }
 
 static enum status watch_shell(void *context, const struct motion *m, struct message *why)
@@ -268,12 +271,12 @@ static enum status judge_shell(struct stress_run *r, struct message *why)
     TRY(stress_run_move(r, watch_shell, why));
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
              "the truth's error bar is %.2g",
-             r->truth->error[r->truth->times - 1] / r->trial.scene.length);
+             r->truth->error[r->truth->times - 1] / r->run.scene.length);
 out:
     return st;
 }
 
-enum status stress_judge(struct stress_run *r, struct message *why)
+static enum status judge(struct stress_run *r, struct message *why)
 {
     switch (r->job->c->truth) {
     case STRESS_PLATE:
@@ -299,4 +302,47 @@ enum status stress_judge(struct stress_run *r, struct message *why)
         break;
     }
     return STATUS_LIBRARY;
+}
+
+/* What a model makes of the case is the result, whatever it is. */
+static enum status settle_result(enum status st, const struct message *said,
+                                 struct stress_result *result, struct message *why)
+{
+    const char *text = *said->text ? said->text : status_text(st);
+
+    if (st == STATUS_OK)
+        return st;
+    if (st == STATUS_FILE)
+        return status_fail(why, st, "%s", text);
+    result->outcome =
+        st == STATUS_UNSUPPORTED || st == STATUS_INPUT ? STRESS_SAID_NO : STRESS_DEAD;
+    result->error = NAN;
+    snprintf(result->sentence.text, sizeof result->sentence.text, "%s", text);
+    return STATUS_OK;
+}
+
+enum status stress_judge(const struct stress_job *job, struct stress_result *result,
+                         struct message *why)
+{
+    struct stress_run r = {.job = job, .result = result};
+    struct message said = {""};
+    const double start = clock_processor();
+    enum status st;
+
+    *result = (struct stress_result){.error = NAN, .time = NAN};
+    r.xyz = malloc(3 * GRID_POINTS * sizeof *r.xyz);
+    r.first = malloc(3 * GRID_POINTS * sizeof *r.first);
+    TRY(r.xyz && r.first ? STATUS_OK : STATUS_MEMORY);
+    TRY(stress_run_read(job, &r.run, &said));
+    TRY(run_build(&r.run, &said));
+    st = judge(&r, &said);
+out:
+    result->seconds = clock_processor() - start;
+    kirchhoff_destroy(r.plate);
+    truth_destroy(r.truth);
+    run_close(&r.run);
+    free(r.energies);
+    free(r.xyz);
+    free(r.first);
+    return settle_result(st, &said, result, why);
 }

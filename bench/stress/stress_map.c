@@ -33,21 +33,22 @@ static void path_of(const char *folder, const char *name, char *path, int size)
     snprintf(path, (size_t)size, "%s/map%s%s", folder, *name ? "/" : "", name);
 }
 
-static void write_case(struct output *out, const struct stress_model *m)
+static void write_case(struct output *out, const struct contestant *c)
 {
-    output_print(out, "  - {name: %s, model: %s, discretization.points: [%d,%d%s]", m->name,
-                 m->model, SIDE, SIDE, m->layers ? ",2" : "");
-    for (int n = 0; n < STRESS_SETTINGS && m->settings[n]; n++) {
-        const char *equals = strchr(m->settings[n], '=');
-        output_print(out, ", %.*s: %s", (int)(equals - m->settings[n]), m->settings[n],
+    output_print(out, "  - {name: %s, model: %s, discretization.points: [%d,%d%s]", c->name,
+                 c->model->name, SIDE, SIDE, c->layers ? ",2" : "");
+    for (int n = 0; n < CONTESTANT_SETTINGS && c->settings[n]; n++) {
+        const char *equals = strchr(c->settings[n], '=');
+        output_print(out, ", %.*s: %s", (int)(equals - c->settings[n]), c->settings[n],
                      equals + 1);
     }
     output_print(out, "}\n");
 }
 
-static enum status write_plan(const char *path, const bool *wanted, bool quick,
+static enum status write_plan(const char *path, const struct stress_choice *choice,
                               struct message *why)
 {
+    const struct contestant *at = NULL;
     struct output *out = NULL;
     enum status st;
 
@@ -60,16 +61,15 @@ static enum status write_plan(const char *path, const bool *wanted, bool quick,
         "settings: {sheet.thickness: 0.01, time.end: 0.3, snapshots: [0.1, 0.2, 0.3]}\n"
         "cases:\n",
         stress_scene);
-    for (int m = 0; m < STRESS_MODELS; m++)
-        if (wanted[m])
-            write_case(out, &stress_models[m]);
+    while ((at = stress_choice_next(choice, at)))
+        write_case(out, at);
     output_print(out,
                  "axes:\n"
                  "  - {key: young_over_density, scale: log, values: %s}\n"
                  "  - {key: time.step, scale: log, values: %s}\n"
                  "look: 1000000\nkeep: snapshots\ntime_limit: %d\n"
                  "map: {x: time.step, y: young_over_density, panel: name}\n",
-                 stiffnesses[quick], steps[quick], TIME_LIMIT);
+                 stiffnesses[choice->quick], steps[choice->quick], TIME_LIMIT);
     st = output_close(out, why);
 out:
     return st;
@@ -98,8 +98,8 @@ static enum status forget(const char *folder, struct message *why)
                        strerror(errno));
 }
 
-enum status stress_map_measure(const char *folder, const bool *wanted, int jobs, bool quick,
-                               struct message *why)
+enum status stress_map_measure(const char *folder, const struct stress_choice *choice,
+                               int jobs, struct message *why)
 {
     char path[SWEEP_FOLDER_PATH];
     struct plan plan = {0};
@@ -109,7 +109,7 @@ enum status stress_map_measure(const char *folder, const bool *wanted, int jobs,
     TRY(folder_make(path, why));
     TRY(forget(folder, why));
     path_of(folder, "plan.yaml", path, sizeof path);
-    TRY(write_plan(path, wanted, quick, why));
+    TRY(write_plan(path, choice, why));
     TRY(plan_read(path, &plan, why));
     path_of(folder, "", path, sizeof path);
     st = sweep_run(&plan,
@@ -213,12 +213,13 @@ static enum status judge(struct map *m, long number, const struct sweep_row *row
                          struct spot *spot, struct message *why)
 {
     const bool finest = number % m->steps == 0;
-    const bool refused = row->ran && row->result.outcome == STATUS_UNSUPPORTED;
     char path[SWEEP_FOLDER_PATH];
     struct store_read *file = NULL;
     enum status st = STATUS_OK;
 
-    *spot = (struct spot){.end = refused ? STRESS_REFUSED : STRESS_DIED, .error = NAN};
+    *spot = (struct spot){.end = run_result_refused(&row->result) ? STRESS_REFUSED
+                                                                  : STRESS_DIED,
+                          .error = NAN};
     for (int k = 0; finest && k < TIMES; k++)
         m->moved[k] = NAN;
     if (!row->ran || row->result.outcome != STATUS_OK)
@@ -280,69 +281,81 @@ static struct table *make_table(const struct map *m)
                         "Stability: the largest step up to which all steps are accurate");
 }
 
-/* One model: spots onto the map and the CSV, a row of the table. */
-static enum status add_model(struct map *m, int model, struct sweep_map *map,
-                             struct output *csv, struct table *t, struct message *why)
+/* Of each case a spot. */
+static struct table *make_spots(void)
+{
+    static const struct table_column columns[] = {
+        {"model"},
+        {"young_over_density", "m^2/s^2", .key = "young_over_density"},
+        {"step", "s", .key = "step"},
+        {"end"},
+        {"error"}};
+
+    return table_create(sizeof columns / sizeof *columns, columns, NULL);
+}
+
+/* What is drawn and printed of a map. */
+struct shown {
+    struct sweep_map *map;
+    struct table *steps, *spots;
+};
+
+/* A case: onto the map, into the tables. */
+static enum status add_case(struct map *m, int model, int n, struct shown *to,
+                            struct summary *s, struct message *why)
+{
+    const long number = (long)model * m->stiffnesses * m->steps + n;
+    struct plan_case c = {0};
+    struct sweep_row row;
+    struct spot spot;
+    enum status st;
+
+    sweep_folder_read(&m->folder, number, false, &row);
+    TRY(judge(m, number, &row, &spot, why));
+    const char *label = spot.reference ? "reference" : stress_end_name(spot.end);
+    note(s, n / m->steps, n % m->steps, &spot);
+    TRY(plan_case_given(&m->plan, number, &c));
+    TRY(sweep_map_row(to->map, &c, &row, label));
+    table_row(to->spots);
+    table_text(to->spots, "%s", m->plan.listed[model].name);
+    table_text(to->spots, "%s", m->plan.axes[0].values.list[n / m->steps].value);
+    table_text(to->spots, "%s", m->plan.axes[1].values.list[n % m->steps].value);
+    table_text(to->spots, "%s", label);
+    table_number(to->spots, spot.error, 3);
+out:
+    plan_case_clear(&c);
+    run_result_clear(&row.result);
+    return st;
+}
+
+static enum status add_model(struct map *m, int model, struct shown *to,
+                             struct message *why)
 {
     struct summary s = {{0}, {0}, {0}};
-    const int cases = m->stiffnesses * m->steps;
     enum status st = STATUS_OK;
 
     for (int e = 0; e < 16; e++)
         s.largest[e] = -1;
-    for (int n = 0; n < cases; n++) {
-        const long number = (long)model * cases + n;
-        struct plan_case c;
-        struct sweep_row row;
-        struct spot spot;
-
-        sweep_folder_read(&m->folder, number, false, &row);
-        TRY(judge(m, number, &row, &spot, why));
-        const char *label = spot.reference ? "reference" : stress_end_name(spot.end);
-        note(&s, n / m->steps, n % m->steps, &spot);
-        TRY(plan_case_given(&m->plan, number, &c));
-        sweep_map_row(map, &c, &row, label);
-        plan_case_clear(&c);
-        output_print(csv, "%s,%s,%s,%s,%.17g\n", m->plan.listed[model].name,
-                     m->plan.axes[0].values.list[n / m->steps].value,
-                     m->plan.axes[1].values.list[n % m->steps].value, label, spot.error);
-    }
-    print_model(t, m, model, &s);
+    for (int n = 0; n < m->stiffnesses * m->steps; n++)
+        TRY(add_case(m, model, n, to, &s, why));
+    print_model(to->steps, m, model, &s);
 out:
     return st;
 }
 
-static enum status draw(struct map *m, struct table *t, struct message *why)
+static enum status show(struct map *m, struct shown *to, struct message *why)
 {
-    struct sweep_map *map = NULL;
-    struct output *csv = NULL;
-    struct message plot = {""};
-    char path[SWEEP_FOLDER_PATH + 32];
+    struct chart *chart = NULL;
     enum status st;
 
-    snprintf(path, sizeof path, "%s/stability.csv", m->folder.path);
-    TRY(output_create(path, &csv, why));
-    output_print(csv, "model,young_over_density,step,end,error\n");
-    TRY(sweep_map_open(&map, &m->plan, &m->folder, "accurate", why));
+    TRY(sweep_map_create(&to->map, &m->plan, "accurate"));
     for (int n = 0; n < m->models; n++)
-        TRY(add_model(m, n, map, csv, t, why));
-    struct output *whole = csv;
-    csv = NULL;
-    TRY(output_close(whole, why));
-    struct sweep_map *drawn = map;
-    map = NULL;
-    st = sweep_map_close(drawn, &plot);
-    if (st == STATUS_UNSUPPORTED || st == STATUS_LIBRARY) {
-        fprintf(stderr, "No map: %s\n", plot.text);
-        st = STATUS_OK;
-    } else if (st != STATUS_OK) {
-        *why = plot;
-    } else {
-        fprintf(stderr, "Map: %s/map.png\n", m->folder.path);
-    }
+        TRY(add_model(m, n, to, why));
+    TRY(table_save(to->spots, m->folder.path, "stability", why));
+    TRY(sweep_map_chart(to->map, &chart, why));
+    st = chart_save(chart, m->folder.path, "map", why);
 out:
-    sweep_map_discard(map);
-    output_discard(csv);
+    sweep_map_destroy(to->map);
     return st;
 }
 
@@ -350,26 +363,28 @@ enum status stress_map_print(const char *folder, enum table_format format, FILE 
                              bool *there, struct message *why)
 {
     struct map m;
-    struct table *t = NULL;
+    struct shown shown = {NULL};
     enum status st;
 
     TRY(open_map(&m, folder, there, why));
     if (!*there)
         goto out;
-    t = make_table(&m);
-    TRY(draw(&m, t, why));
+    shown.steps = make_table(&m);
+    shown.spots = make_spots();
+    TRY(show(&m, &shown, why));
     table_note(
-        t,
+        shown.steps,
         "A sheet of 1 m x 1 m x 1 cm let go, at the worst of 0.1, 0.2 and 0.3 s, %d x %d "
         "points. E/rho in "
         "m^2/s^2. Accurate: within %g of how far the sheet has moved, from the run of "
         "the same model with the finest step (%s s), which is counted as accurate; what "
         "lives where that has died is degraded.",
         SIDE, SIDE, bound, m.plan.axes[1].values.list[0].value);
-    fputc('\n', file);
-    st = table_print(t, format, file);
+    if (file)
+        st = table_print(shown.steps, format, file);
 out:
-    table_destroy(t);
+    table_destroy(shown.steps);
+    table_destroy(shown.spots);
     clear_map(&m);
     return st;
 }

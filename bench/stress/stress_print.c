@@ -1,7 +1,6 @@
 /* What the folder of `stress` holds, as tables. */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
+#include <stdlib.h>
 
 #include "bench/stress/stress.h"
 
@@ -35,25 +34,26 @@ struct print {
     FILE *file;
 };
 
-/* A case's results, those there are and that were asked for. */
-struct line {
-    int count;
-    const struct stress_model *model[STRESS_MODELS];
-    struct stress_result result[STRESS_MODELS];
-};
-
-static int read_line(const struct print *p, const struct stress_case *c, struct line *line)
+/* Whether a run that was asked for left a result. */
+static bool has_result(const struct print *p, const struct stress_case *c,
+                       const struct contestant *contestant, struct stress_result *r)
 {
     char name[256];
 
-    line->count = 0;
-    for (int m = 0; m < STRESS_MODELS && stress_choice_case(p->choice, c); m++) {
-        stress_name(c, &stress_models[m], name, sizeof name);
-        if (stress_choice_model(p->choice, &stress_models[m]) &&
-            stress_read(p->folder, name, &line->result[line->count], NULL) == STATUS_OK)
-            line->model[line->count++] = &stress_models[m];
-    }
-    return line->count;
+    stress_name(c, contestant, name, sizeof name);
+    return stress_choice_case(p->choice, c) &&
+           stress_read(p->folder, name, r, NULL) == STATUS_OK;
+}
+
+static bool has_any(const struct print *p, const struct stress_case *c)
+{
+    const struct contestant *at = NULL;
+    struct stress_result r;
+
+    while ((at = stress_choice_next(p->choice, at)))
+        if (has_result(p, c, at, &r))
+            return true;
+    return false;
 }
 
 static void add_overview_cell(struct table *t, const struct stress_case *c,
@@ -72,45 +72,45 @@ static void add_overview_cell(struct table *t, const struct stress_case *c,
 static void add_overview(struct table *t, const struct print *p,
                          const struct stress_case *c, int count[4])
 {
-    struct line line;
+    const struct contestant *at = NULL;
+    struct stress_result r;
 
-    if (!read_line(p, c, &line))
-        return;
     table_row(t);
     table_text(t, "%s", c->item.name);
-    for (int m = 0, n = 0; m < STRESS_MODELS; m++) {
-        if (n == line.count || line.model[n] != &stress_models[m]) {
+    while ((at = stress_choice_next(p->choice, at)))
+        if (has_result(p, c, at, &r)) {
+            count[stress_classify(&r, c->bound)]++;
+            add_overview_cell(t, c, &r);
+        } else {
             table_dash(t);
-            continue;
         }
-        count[stress_classify(&line.result[n], c->bound)]++;
-        add_overview_cell(t, c, &line.result[n++]);
-    }
 }
 
-static enum status print_overview(const struct print *p, bool *some)
+static enum status print_overview(const struct print *p)
 {
-    struct table_column columns[STRESS_MODELS + 1] = {{"case", NULL, TABLE_LEFT}};
-    int count[4] = {0};
-    enum status st = STATUS_OK;
+    struct table_column *columns = NULL;
+    const struct contestant *at = NULL;
+    int count[4] = {0}, all = 1;
 
-    for (int m = 0; m < STRESS_MODELS; m++)
-        columns[m + 1] = (struct table_column){stress_models[m].title, NULL, TABLE_LEFT};
-    struct table *t = table_create(STRESS_MODELS + 1, columns, "Hard cases");
+    while ((at = stress_choice_next(p->choice, at)))
+        all++;
+    columns = calloc((size_t)all, sizeof *columns);
+    if (!columns)
+        return STATUS_MEMORY;
+    columns[0] = (struct table_column){"case", NULL, TABLE_LEFT};
+    for (int n = 1; (at = stress_choice_next(p->choice, at)); n++)
+        columns[n] = (struct table_column){at->column, NULL, TABLE_LEFT};
+    struct table *t = table_create(all, columns, "Hard cases");
+    free(columns);
     for (int n = 0; stress_case_at(n); n++)
-        add_overview(t, p, stress_case_at(n), count);
-    const int all = count[0] + count[1] + count[2] + count[3];
-    *some = all > 0;
-    if (!*some)
-        goto out;
+        if (has_any(p, stress_case_at(n)))
+            add_overview(t, p, stress_case_at(n), count);
     table_note(t,
                "ok: accurate, the error is within the case's bound; off: degraded, beyond "
                "it. %d runs: %d accurate, %d degraded, %d refused, %d died.",
-               all, count[0], count[1], count[2], count[3]);
-    st = table_print(t, p->format, p->file);
-out:
-    table_destroy(t);
-    return st;
+               count[0] + count[1] + count[2] + count[3], count[0], count[1], count[2],
+               count[3]);
+    return table_finish(t, p->format, p->file);
 }
 
 static enum status print_truths(const struct print *p)
@@ -122,11 +122,10 @@ static enum status print_truths(const struct print *p)
     };
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "What each case is held against");
-    struct line line;
 
     for (int n = 0; stress_case_at(n); n++) {
         const struct stress_case *c = stress_case_at(n);
-        if (!read_line(p, c, &line))
+        if (!has_any(p, c))
             continue;
         table_row(t);
         table_text(t, "%s", c->item.name);
@@ -135,28 +134,19 @@ static enum status print_truths(const struct print *p)
         table_text(t, "%s", c->why);
         table_text(t, "%s", stress_truth_text(c->truth));
     }
-    const enum status st = table_print(t, p->format, p->file);
-    table_destroy(t);
-    return st;
+    return table_finish(t, p->format, p->file);
 }
 
 static void add_detail(struct table *t, const struct stress_case *c,
-                       const struct stress_model *m, const struct stress_result *r)
+                       const struct contestant *contestant, const struct stress_result *r)
 {
-    const enum stress_end end = stress_classify(r, c->bound);
-
     table_row(t);
     table_text(t, "%s", c->item.name);
-    table_text(t, "%s", m->name);
-    table_text(t, "%s", stress_end_name(end));
-    if (isfinite(r->error))
-        table_number(t, r->error, 3);
-    else
-        table_dash(t);
-    if (isfinite(r->time))
-        table_number(t, r->time, 3);
-    else
-        table_dash(t);
+    table_text(t, "%s", contestant->name);
+    table_number(t, c->bound, 1);
+    table_text(t, "%s", stress_end_name(stress_classify(r, c->bound)));
+    table_number(t, isfinite(r->error) ? r->error : NAN, 3);
+    table_number(t, r->time, 3);
     table_fixed(t, r->seconds, 2);
     table_text(t, "%s", r->sentence.text);
 }
@@ -164,46 +154,52 @@ static void add_detail(struct table *t, const struct stress_case *c,
 static enum status print_details(const struct print *p)
 {
     static const struct table_column columns[] = {
-        {"case", NULL, TABLE_LEFT},     {"model", NULL, TABLE_LEFT},
-        {"end", NULL, TABLE_LEFT},      {"error", "1", TABLE_RIGHT},
-        {"until", "s", TABLE_RIGHT},    {"took", "s", TABLE_RIGHT},
+        {"case", NULL, TABLE_LEFT},
+        {"model", NULL, TABLE_LEFT},
+        {"bound", "1", TABLE_RIGHT, .readers = TABLE_MACHINES},
+        {"end", NULL, TABLE_LEFT},
+        {"error", "1", TABLE_RIGHT},
+        {"until", "s", TABLE_RIGHT},
+        {"took", "s", TABLE_RIGHT},
         {"in words", NULL, TABLE_LEFT},
     };
     struct table *t =
         table_create(sizeof columns / sizeof *columns, columns, "How each run ended");
-    struct line line;
+    struct stress_result r;
 
     for (int n = 0; stress_case_at(n); n++) {
-        if (!read_line(p, stress_case_at(n), &line))
-            continue;
-        for (int m = 0; m < line.count; m++)
-            add_detail(t, stress_case_at(n), line.model[m], &line.result[m]);
-        table_rule(t);
+        const struct stress_case *c = stress_case_at(n);
+        const struct contestant *at = NULL;
+        while ((at = stress_choice_next(p->choice, at)))
+            if (has_result(p, c, at, &r))
+                add_detail(t, c, at, &r);
+        if (has_any(p, c))
+            table_rule(t);
     }
     table_note(t,
                "Until: the time in the scene at which the run died, or at which its error "
                "first went beyond the bound.");
-    const enum status st = table_print(t, p->format, p->file);
-    table_destroy(t);
-    return st;
+    return table_finish(t, p->format, p->file);
 }
 
 enum status stress_print(const char *folder, const struct stress_choice *choice,
                          enum table_format format, FILE *file, struct message *why)
 {
     const struct print p = {folder, choice, format, file};
-    bool some, map = false;
-    enum status st;
+    const bool prose = table_format_is_prose(format);
+    bool some = false, map = false;
+    enum status st = STATUS_OK;
 
-    TRY(print_overview(&p, &some));
-    if (some) {
-        fputc('\n', file);
+    for (int n = 0; stress_case_at(n) && !some; n++)
+        some = has_any(&p, stress_case_at(n));
+    if (some && prose) {
+        TRY(print_overview(&p));
         TRY(print_truths(&p));
-        fputc('\n', file);
-        TRY(print_details(&p));
     }
+    if (some) /* a machine gets one table: this one has everything */
+        TRY(print_details(&p));
     if (stress_choice_map(choice))
-        TRY(stress_map_print(folder, format, file, &map, why));
+        TRY(stress_map_print(folder, format, some && !prose ? NULL : file, &map, why));
     if (!some && !map)
         st = status_fail(why, STATUS_INPUT, "%s holds no such results of `stress`", folder);
 out:

@@ -27,10 +27,10 @@ enum stress_end stress_classify(const struct stress_result *r, double bound)
     return r->error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
 }
 
-void stress_name(const struct stress_case *c, const struct stress_model *m, char *text,
-                 int size)
+void stress_name(const struct stress_case *c, const struct contestant *contestant,
+                 char *text, int size)
 {
-    snprintf(text, (size_t)size, "%s.%s", c->item.name, m->name);
+    snprintf(text, (size_t)size, "%s.%s", c->item.name, contestant->name);
 }
 
 static void file_of(const char *folder, const char *name, char *path, int size)

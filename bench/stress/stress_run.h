@@ -1,15 +1,15 @@
-/* stress_run.h - one model on one hard case, on its way to an error. */
+/* stress_run.h - a run of a hard case, on its way to an error. */
 #ifndef STRESS_RUN_H
 #define STRESS_RUN_H
 
 #include "bench/harness/motion.h"
+#include "bench/harness/run.h"
 #include "bench/stress/stress.h"
-#include "bench/harness/trial.h"
 #include "fem_ref/kirchhoff.h"
 
 struct stress_run {
     const struct stress_job *job; /*                                          borrowed */
-    struct trial trial;
+    struct run run;
     struct stress_result *result; /* to be filled                             borrowed */
     double *xyz, *first;          /* fields (grid.h), room for judges            owned */
     struct kirchhoff *plate;      /* of the judges that need it                  owned */
@@ -20,8 +20,8 @@ struct stress_run {
     motion_watcher *watch;
 };
 
-/* The case's scene and the model's numerics, E from Gamma; errors as trial_read. */
-enum status stress_run_read(const struct stress_job *job, struct trial *trial,
+/* The case's scene and the contestant's numerics, E from Gamma; errors as run_read. */
+enum status stress_run_read(const struct stress_job *job, struct run *run,
                             struct message *why);
 
 /* Through the scene's motion, watch(run) at every frame (NULL: nobody); a death leaves its
@@ -38,8 +38,5 @@ void stress_run_displacement(const struct stress_run *r, const double uvw[3], do
 /* The error at a frame: the greatest is the run's, and the bound is kept until its first
  * above that. */
 void stress_run_note(struct stress_run *r, double time, double error);
-
-/* The case's error, or why there is none. */
-enum status stress_judge(struct stress_run *r, struct message *why);
 
 #endif

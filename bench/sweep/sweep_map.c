@@ -5,9 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/ui/plot.h"
-#include "bench/harness/stand_in.h"
-#include "bench/sweep/sweep_map_plot.h"
+#include "bench/harness/derived_key.h"
 
 /* One direction of the map, or the panels. */
 struct dimension {
@@ -18,15 +16,54 @@ struct dimension {
     bool log;
 };
 
+/* Names as they come, each with its number; those beyond the room are "other". */
+enum { NAMES = 24, TICS = 10 };
+struct names {
+    int count;
+    long uses[NAMES]; /* how often each came                                           */
+    char *name[NAMES];
+};
+
+/* A case on the map. */
+struct spot {
+    int panel, label;
+    double x, y, x_side[2], y_side[2];
+};
+
 struct sweep_map {
     const struct plan *plan;
-    char folder[SWEEP_FOLDER_PATH];
-    struct output *data;
     struct dimension x, y, panel;
-    struct sweep_map_names panels, classes;
-    bool seen[SWEEP_MAP_NAMES][SWEEP_MAP_NAMES];   /* [panel][class]                   */
-    bool marked[SWEEP_MAP_NAMES][SWEEP_MAP_NAMES]; /* [panel][label of a mark]         */
+    struct names panels, labels;
+    long count, room;
+    struct spot *spot; /* [count]                                                 owned */
 };
+
+/* Its number, a new one for a new name; -1: no memory. */
+static int add_name(struct names *names, const char *name)
+{
+    int n = 0;
+
+    if (names->count == NAMES)
+        name = "other";
+    while (n < names->count && strcmp(names->name[n], name))
+        n++;
+    if (n == NAMES)
+        n--;
+    if (n == names->count) {
+        names->name[n] = strdup(n == NAMES - 1 ? "other" : name);
+        if (!names->name[n])
+            return -1;
+        names->count++;
+    }
+    names->uses[n]++;
+    return n;
+}
+
+static void clear_names(struct names *names)
+{
+    for (int n = 0; n < names->count; n++)
+        free(names->name[n]);
+}
 
 static struct dimension find_dimension(const struct plan *plan, const char *name)
 {
@@ -35,8 +72,8 @@ static struct dimension find_dimension(const struct plan *plan, const char *name
     for (int k = 0; name && k < plan->key_count; k++)
         if (!strcmp(plan->keys[k], name))
             d.key = k;
-    for (int n = 0; name && n < CASE_MEASURES; n++)
-        if (!strcmp(case_measure_name(n), name))
+    for (int n = 0; name && n < MEASURES; n++)
+        if (!strcmp(measure_name(n), name))
             d.measure = n;
     for (int n = 0; name && n < plan->axis_count; n++)
         if (!strcmp(plan->axes[n].key, name))
@@ -47,7 +84,7 @@ static struct dimension find_dimension(const struct plan *plan, const char *name
         d.words |= *end != '\0';
     }
     d.log = d.axis ? d.axis->scale == PLAN_AXIS_LOG && !d.words
-                   : d.key < 0 && name && stand_in_is(name);
+                   : d.key < 0 && name && derived_key_is(name);
     return d;
 }
 
@@ -65,8 +102,9 @@ static double between(const struct dimension *d, double a, double b)
 
 /* The cell around a place of an axis: half way to the nearest other places; as far to the
  * other side at the ends. */
-static void find_cell(const struct dimension *d, double at, double *low, double *high)
+static void find_cell(const struct dimension *d, double at, double side[2])
 {
+    double *const low = &side[0], *const high = &side[1];
     double below = -INFINITY, above = INFINITY;
 
     for (int n = 0; n < d->axis->values.count; n++) {
@@ -115,60 +153,170 @@ static void panel_text(const struct dimension *d, const struct plan_case *c,
                  row->ran ? row->result.value[d->measure] : NAN);
 }
 
-enum status sweep_map_open(struct sweep_map **map, const struct plan *plan,
-                           const struct sweep_folder *folder, const char *best,
-                           struct message *why)
+enum status sweep_map_create(struct sweep_map **map, const struct plan *plan,
+                             const char *best)
 {
-    enum status st = STATUS_OK;
-    char path[SWEEP_FOLDER_PATH + 16];
-    struct sweep_map *m;
+    struct sweep_map *m = plan->map.x ? calloc(1, sizeof *m) : NULL;
 
-    *map = NULL;
-    if (!plan->map.x)
-        return STATUS_OK;
-    m = calloc(1, sizeof *m);
+    *map = m;
     if (!m)
-        return STATUS_MEMORY;
+        return plan->map.x ? STATUS_MEMORY : STATUS_OK;
     m->plan = plan;
     m->x = find_dimension(plan, plan->map.x);
     m->y = find_dimension(plan, plan->map.y);
     m->panel = find_dimension(plan, plan->map.panel);
-    snprintf(m->folder, sizeof m->folder, "%s", folder->path);
-    sweep_map_names_add(&m->classes, best);
-    m->classes.uses[0] = 0;
-    snprintf(path, sizeof path, "%s/map.dat", folder->path);
-    TRY(output_create(path, &m->data, why));
-    output_print(m->data, "# panel label x y x_low x_high y_low y_high\n");
-    *map = m, m = NULL;
-out:
-    sweep_map_discard(m);
-    return st;
+    if (add_name(&m->labels, best) < 0)
+        return STATUS_MEMORY;
+    m->labels.uses[0] = 0;
+    return STATUS_OK;
 }
 
-void sweep_map_row(struct sweep_map *m, const struct plan_case *c,
-                   const struct sweep_row *row, const char *labels)
+void sweep_map_destroy(struct sweep_map *m)
 {
-    char panel[64];
-    double x, y, cell[4];
-
     if (!m)
         return;
-    x = find_place(&m->x, c, row);
-    y = find_place(&m->y, c, row);
-    if (!isfinite(x) || !isfinite(y))
-        return;
-    panel_text(&m->panel, c, row, panel, sizeof panel);
-    for (int n = 0; n < 4; n++)
-        cell[n] = n < 2 ? x : y;
-    if (m->x.axis && m->y.axis) {
-        find_cell(&m->x, x, &cell[0], &cell[1]);
-        find_cell(&m->y, y, &cell[2], &cell[3]);
+    clear_names(&m->panels);
+    clear_names(&m->labels);
+    free(m->spot);
+    free(m);
+}
+
+static enum status add_spot(struct sweep_map *m, const struct spot *spot)
+{
+    if (spot->panel < 0 || spot->label < 0)
+        return STATUS_MEMORY;
+    if (m->count == m->room) {
+        const long room = m->room ? 2 * m->room : 64;
+        struct spot *grown = realloc(m->spot, (size_t)room * sizeof *grown);
+        if (!grown)
+            return STATUS_MEMORY;
+        m->spot = grown, m->room = room;
     }
-    const int p = sweep_map_names_add(&m->panels, panel);
-    const int class = sweep_map_names_add(&m->classes, labels);
-    m->seen[p][class] = true;
-    output_print(m->data, "%d %d %.9g %.9g %.9g %.9g %.9g %.9g\n", p, class, x, y, cell[0],
-                 cell[1], cell[2], cell[3]);
+    m->spot[m->count++] = *spot;
+    return STATUS_OK;
+}
+
+static bool has_cells(const struct sweep_map *m)
+{
+    return m->x.axis && m->y.axis;
+}
+
+enum status sweep_map_row(struct sweep_map *m, const struct plan_case *c,
+                          const struct sweep_row *row, const char *labels)
+{
+    struct spot spot;
+    char panel[64];
+
+    if (!m)
+        return STATUS_OK;
+    spot.x = find_place(&m->x, c, row);
+    spot.y = find_place(&m->y, c, row);
+    if (!isfinite(spot.x) || !isfinite(spot.y))
+        return STATUS_OK;
+    if (has_cells(m)) {
+        find_cell(&m->x, spot.x, spot.x_side);
+        find_cell(&m->y, spot.y, spot.y_side);
+    }
+    panel_text(&m->panel, c, row, panel, sizeof panel);
+    spot.panel = add_name(&m->panels, panel);
+    spot.label = add_name(&m->labels, labels);
+    return add_spot(m, &spot);
+}
+
+/* What is good is green, what has no result grey; the rest are told apart by eyes of all
+ * kinds. */
+static const char *colour_of(const char *label, int n)
+{
+    static const struct {
+        const char *label, *colour;
+    } known[] = {
+        {"feasible", "#8cd17d"},  {"accurate", "#8cd17d"},    {"reference", "#c9e8c0"},
+        {"degraded", "#edc948"},  {"died", "#444444"},        {"refused", "#d9d9d9"},
+        {"no result", "#d9d9d9"}, {"unsupported", "#d9d9d9"},
+    };
+    static const char *const palette[] = {
+        "#e15759", "#f28e2b", "#edc948", "#4e79a7", "#b07aa1", "#76b7b2", "#9c755f",
+        "#ff9da7", "#a0cbe8", "#d37295", "#b6992d", "#d4a6c8", "#fabfd2", "#79706e",
+    };
+    enum { COLOURS = sizeof palette / sizeof *palette };
+
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+        if (!strcmp(label, known[k].label))
+            return known[k].colour;
+    return palette[(n + COLOURS - 1) % COLOURS];
+}
+
+/* Cells to the edge; the plan's own values where there is room for them. */
+static void fit_axis(const struct dimension *d, struct chart_axis *axis,
+                     struct chart_tic *tics)
+{
+    const struct plan_settings *values = &d->axis->values;
+    double side[2];
+
+    axis->low = INFINITY, axis->high = -INFINITY;
+    for (int n = 0; n < values->count; n++) {
+        const double at = place_of(d, n);
+        find_cell(d, at, side);
+        axis->low = fmin(axis->low, side[0]);
+        axis->high = fmax(axis->high, side[1]);
+        tics[n] = (struct chart_tic){at, values->list[n].value};
+    }
+    if (d->words || values->count <= TICS)
+        axis->tics = tics, axis->tic_count = values->count;
+}
+
+/* An axis as people call it; other keys as they are. */
+static struct chart_axis axis_of(const struct dimension *d, struct chart_tic *tics)
+{
+    static const struct chart_axis known[] = {
+        {"Gamma, weight against bending"},
+        {"E / rho", "m^2/s^2"},
+        {"Young's modulus", "Pa"},
+        {"Poisson's ratio"},
+        {"density", "kg/m^3"},
+        {"damping"},
+        {"thickness", "m"},
+        {"time step", "s"},
+    };
+    static const char *const keys[] = {"gamma",
+                                       "young_over_density",
+                                       "material.young",
+                                       "material.poisson",
+                                       "material.density",
+                                       "damping.value",
+                                       "sheet.thickness",
+                                       "time.step"};
+    struct chart_axis axis = {.name = d->name};
+
+    if (d->measure >= 0)
+        axis.unit = strcmp(measure_unit(d->measure), "1") ? measure_unit(d->measure) : NULL;
+    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++)
+        if (!strcmp(d->name, keys[n]))
+            axis = known[n];
+    axis.log = d->log;
+    if (d->axis)
+        fit_axis(d, &axis, tics);
+    return axis;
+}
+
+/* The spots of a panel and a label. */
+static void draw_label(const struct sweep_map *m, struct chart *c, int panel, int label)
+{
+    const char *name = m->labels.name[label];
+    char text[256];
+
+    snprintf(text, sizeof text, "%s: %ld", name, m->labels.uses[label]);
+    chart_series(c,
+                 &(struct chart_series){.label = text,
+                                        .style = has_cells(m) ? CHART_CELLS : CHART_SQUARES,
+                                        .rgb = colour_of(name, label)});
+    for (long n = 0; n < m->count; n++) {
+        const struct spot *s = &m->spot[n];
+        if (s->panel == panel && s->label == label && has_cells(m))
+            chart_cell(c, s->x, s->y, s->x_side, s->y_side);
+        else if (s->panel == panel && s->label == label)
+            chart_point(c, s->x, s->y);
+    }
 }
 
 /* Where a mark lies in a direction. */
@@ -177,108 +325,85 @@ static double mark_place(const struct dimension *d, const struct plan_mark *mark
 {
     const struct plan_setting *s = plan_settings_find(&mark->settings, d->name);
 
-    if (stand_in_is(d->name))
-        return stand_in_number(d->name, scene);
+    if (derived_key_is(d->name))
+        return derived_key_number(d->name, scene);
     return s ? strtod(s->value, NULL) : NAN;
 }
 
-/* The number of the panel that a mark belongs to; -1: it is on all of them. */
-static int mark_panel(const struct sweep_map *m, const struct plan_mark *mark)
+/* Whether a mark belongs to a panel: to that of its value, to all if there is none. */
+static bool is_on(const struct sweep_map *m, const struct plan_mark *mark, int panel)
 {
     const struct plan_setting *s =
         m->panel.name ? plan_settings_find(&mark->settings, m->panel.name) : NULL;
 
     for (int n = 0; s && n < m->panels.count; n++)
         if (!strcmp(m->panels.name[n], s->value))
-            return n;
-    return -1;
+            return n == panel;
+    return true;
 }
 
-/* marks.dat: panel, label, x, y, text; `labels` in order of their numbers. */
-static enum status write_marks(struct sweep_map *m, struct sweep_map_names *labels,
-                               struct message *why)
-{
-    enum status st;
-    char path[SWEEP_FOLDER_PATH + 16];
-    struct output *out = NULL;
-    struct scene scene = {0};
-
-    snprintf(path, sizeof path, "%s/marks.dat", m->folder);
-    TRY(output_create(path, &out, why));
-    for (int n = 0; n < m->plan->map.mark_count; n++) {
-        const struct plan_mark *mark = &m->plan->map.marks[n];
-
-        TRY(plan_case_mark(m->plan, &mark->settings, &scene, why));
-        const int panel = mark_panel(m, mark);
-        const int label = sweep_map_names_add(labels, mark->label);
-        for (int p = 0; p < m->panels.count; p++)
-            m->marked[p][label] |= panel < 0 || panel == p;
-        output_print(out, "%d %d %.9g %.9g \"%s\"\n", panel, label,
-                     mark_place(&m->x, mark, &scene), mark_place(&m->y, mark, &scene),
-                     mark->text);
-        scene_clear(&scene);
-    }
-    struct output *whole = out;
-    out = NULL;
-    TRY(output_close(whole, why));
-out:
-    output_discard(out);
-    return st;
-}
-
-/* Names at the places of an axis of words. */
-static void write_tics(const struct dimension *d, char *text, int size)
-{
-    int used = snprintf(text, (size_t)size, "(");
-
-    for (int n = 0; n < d->axis->values.count && used < size; n++)
-        used += snprintf(text + used, (size_t)(size - used), "%s'%s' %d", n ? ", " : "",
-                         d->axis->values.list[n].value, n);
-    if (used < size)
-        snprintf(text + used, (size_t)(size - used), ")");
-}
-
-static struct sweep_map_side side_of(const struct dimension *d)
-{
-    struct sweep_map_side side = {.name = d->name, .log = d->log};
-
-    if (d->words)
-        write_tics(d, side.tics, sizeof side.tics);
-    return side;
-}
-
-enum status sweep_map_close(struct sweep_map *m, struct message *why)
+static enum status draw_marks(const struct sweep_map *m, struct chart *c, int panel,
+                              struct message *why)
 {
     enum status st = STATUS_OK;
-    struct sweep_map_names marks = {0};
-    struct output *data;
 
-    if (!m)
-        return STATUS_OK;
-    data = m->data, m->data = NULL;
-    TRY(output_close(data, why));
-    TRY(write_marks(m, &marks, why));
-    TRY(sweep_map_plot(m->folder,
-                       &(struct sweep_map_plot){.title = m->plan->name,
-                                                .x = side_of(&m->x),
-                                                .y = side_of(&m->y),
-                                                .panel = m->panel.name,
-                                                .cells = m->x.axis && m->y.axis,
-                                                .seen = m->seen,
-                                                .marked = m->marked,
-                                                .panels = &m->panels,
-                                                .classes = &m->classes,
-                                                .marks = &marks},
-                       why));
-    TRY(plot_run(m->folder, "map.gp", why));
+    for (int n = 0; n < m->plan->map.mark_count; n++) {
+        const struct plan_mark *mark = &m->plan->map.marks[n];
+        struct scene scene;
+
+        if (!is_on(m, mark, panel))
+            continue;
+        TRY(plan_case_mark(m->plan, &mark->settings, &scene, why));
+        const double x = mark_place(&m->x, mark, &scene);
+        const double y = mark_place(&m->y, mark, &scene);
+        scene_clear(&scene);
+        chart_series(c, &(struct chart_series){
+                            .label = mark->label, .style = CHART_POINTS, .rgb = "#000000"});
+        chart_point(c, x, y);
+        chart_mark(c, x, y, mark->text);
+    }
 out:
-    sweep_map_discard(m);
     return st;
 }
 
-void sweep_map_discard(struct sweep_map *m)
+static void name_panel(const struct sweep_map *m, struct chart *c, int panel)
 {
-    if (m)
-        output_discard(m->data);
-    free(m);
+    char text[256];
+
+    if (!m->panel.name)
+        return;
+    if (!strcmp(m->panel.name, "name"))
+        snprintf(text, sizeof text, "%s", m->panels.name[panel]);
+    else
+        snprintf(text, sizeof text, "%s = %s", m->panel.name, m->panels.name[panel]);
+    chart_panel(c, text);
+}
+
+enum status sweep_map_chart(const struct sweep_map *m, struct chart **chart,
+                            struct message *why)
+{
+    struct chart *c = NULL;
+    struct chart_tic *tics = NULL;
+    enum status st = STATUS_OK;
+
+    *chart = NULL;
+    if (!m)
+        return st;
+    tics = calloc(2 * PLAN_AXIS_MOST, sizeof *tics);
+    TRY(tics ? STATUS_OK : STATUS_MEMORY);
+    const struct chart_axis x = axis_of(&m->x, tics),
+                            y = axis_of(&m->y, tics + PLAN_AXIS_MOST);
+    c = chart_create(m->plan->name);
+    chart_axes(c, &x, &y);
+    for (int panel = 0; panel < m->panels.count; panel++) {
+        name_panel(m, c, panel);
+        for (int label = 0; label < m->labels.count; label++)
+            draw_label(m, c, panel, label);
+        TRY(draw_marks(m, c, panel, why));
+    }
+    *chart = c, c = NULL;
+out:
+    chart_destroy(c);
+    free(tics);
+    return st;
 }

@@ -2,52 +2,63 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "bench/harness/stand_in.h"
-
-/* A cell of CSV, in quotes where it must be. */
-static void print_text(struct output *out, const char *text)
+static enum status open_file(const struct sweep_folder *folder, const char *name,
+                             struct output **file, struct message *why)
 {
-    if (!strpbrk(text, ",\"\n")) {
-        output_print(out, "%s", text);
-        return;
-    }
-    output_print(out, "\"");
-    for (; *text; text++)
-        output_print(out, *text == '"' ? "\"\"" : "%c", *text);
-    output_print(out, "\"");
+    char path[SWEEP_FOLDER_PATH + 16];
+
+    snprintf(path, sizeof path, "%s/%s", folder->path, name);
+    return output_create(path, file, why);
 }
 
-static void print_number(struct output *out, double value)
+/* Every key and measure; a key that has another column's name gets one of its own. */
+static struct table *create_table(const struct plan *plan)
 {
-    if (isnan(value))
-        output_print(out, ",nan"); /* whatever its sign */
-    else
-        output_print(out, ",%.17g", value);
+    const int count = 2 + plan->key_count + MEASURES + 3;
+    struct table_column *columns = calloc((size_t)count, sizeof *columns), *c = columns;
+    struct table *t = NULL;
+
+    if (!columns)
+        return NULL;
+    *c++ = (struct table_column){"case"};
+    *c++ = (struct table_column){"name"};
+    for (int k = 0; k < plan->key_count; k++, c++) {
+        c->header = plan->keys[k];
+        c->key = strcmp(c->header, "name") ? c->header : NULL;
+    }
+    for (int n = 0; n < MEASURES; n++, c++) {
+        c->header = measure_name(n);
+        c->unit = measure_unit(n);
+        c->key = n == MEASURE_GAMMA                ? "gamma_measured"
+                 : n == MEASURE_YOUNG_OVER_DENSITY ? "young_over_density_measured"
+                                                   : measure_name(n);
+    }
+    *c++ = (struct table_column){"verdict"};
+    *c++ = (struct table_column){"labels"};
+    *c++ = (struct table_column){"outcome"};
+    t = table_create(count, columns, NULL);
+    free(columns);
+    return t;
 }
 
 enum status sweep_table_open(struct sweep_table *t, const struct plan *plan,
                              const struct sweep_folder *folder, struct message *why)
 {
+    static const struct table_column columns[] = {{"case"},
+                                                  {"create", "s", .key = "create"},
+                                                  {"steps", "s", .key = "steps"},
+                                                  {"looks", "s", .key = "looks"}};
     enum status st;
-    char path[SWEEP_FOLDER_PATH + 16];
 
     *t = (struct sweep_table){.plan = plan};
-    snprintf(path, sizeof path, "%s/table.csv", folder->path);
-    TRY(output_create(path, &t->table, why));
-    snprintf(path, sizeof path, "%s/seconds.csv", folder->path);
-    TRY(output_create(path, &t->seconds, why));
-    output_print(t->table, "case,name");
-    for (int k = 0; k < plan->key_count; k++) {
-        output_print(t->table, ",");
-        print_text(t->table, plan->keys[k]);
-    }
-    for (int n = 0; n < CASE_MEASURES; n++)
-        output_print(t->table, ",%s%s", case_measure_name(n),
-                     stand_in_is(case_measure_name(n)) ? "_measured" : "");
-    output_print(t->table, ",verdict,labels,outcome\n");
-    output_print(t->seconds, "case,create,steps,looks\n");
+    TRY(open_file(folder, "table.csv", &t->table_file, why));
+    TRY(open_file(folder, "seconds.csv", &t->seconds_file, why));
+    t->table = create_table(plan);
+    t->seconds = table_create(sizeof columns / sizeof *columns, columns, NULL);
+    TRY(t->table && t->seconds ? STATUS_OK : STATUS_MEMORY);
 out:
     if (st != STATUS_OK)
         sweep_table_discard(t);
@@ -56,7 +67,7 @@ out:
 
 struct verdict sweep_table_verdict(const struct plan *plan, const struct sweep_row *row)
 {
-    return row->ran ? verdict_apply(&plan->verdicts, &row->result)
+    return row->ran ? verdict_apply(&plan->verdicts, row->result.outcome, row->result.value)
                     : (struct verdict){.kind = VERDICT_NONE};
 }
 
@@ -74,15 +85,12 @@ static void count(struct sweep_table *t, const struct sweep_row *row,
 {
     const struct verdict_rules *rules = &t->plan->verdicts;
 
-    t->rows++;
     t->failed += !row->ran;
     t->feasible += verdict->kind == VERDICT_FEASIBLE;
     if (!row->ran)
         return;
     t->died += verdict->died;
     t->unsupported += row->result.outcome == STATUS_UNSUPPORTED;
-    t->seconds_sum +=
-        row->result.create_seconds + row->result.step_seconds + row->result.look_seconds;
     for (int n = 0; n < rules->count; n++)
         t->labels[n] += verdict_has(rules, *verdict, rules->rule[n].label);
 }
@@ -96,42 +104,56 @@ void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
     char labels[1024];
 
     count(t, row, verdict);
-    output_print(t->table, "%ld,", c->number + 1);
-    print_text(t->table, c->name ? c->name : "");
-    for (int k = 0; k < t->plan->key_count; k++) {
-        output_print(t->table, ",");
-        print_text(t->table, c->given[k] ? c->given[k]->value : "");
-    }
-    for (int n = 0; n < CASE_MEASURES; n++)
-        print_number(t->table, row->ran ? row->result.value[n] : NAN);
-    output_print(t->table, ",%s,", words[verdict->kind]);
-    print_text(t->table, sweep_table_labels(t->plan, row, *verdict, labels, sizeof labels));
-    output_print(t->table, ",");
-    print_text(t->table, row->ran ? row->result.sentence.text : row->why.text);
-    output_print(t->table, "\n");
-    if (row->ran)
-        output_print(t->seconds, "%ld,%.6g,%.6g,%.6g\n", c->number + 1,
-                     row->result.create_seconds, row->result.step_seconds,
-                     row->result.look_seconds);
+    table_row(t->table);
+    table_integer(t->table, c->number + 1);
+    table_text(t->table, "%s", c->name ? c->name : "");
+    for (int k = 0; k < t->plan->key_count; k++)
+        table_text(t->table, "%s", c->given[k] ? c->given[k]->value : "");
+    for (int n = 0; n < MEASURES; n++)
+        table_number(t->table, row->ran ? row->result.value[n] : NAN, 6);
+    table_text(t->table, "%s", words[verdict->kind]);
+    table_text(t->table, "%s",
+               sweep_table_labels(t->plan, row, *verdict, labels, sizeof labels));
+    table_text(t->table, "%s", row->ran ? row->result.sentence.text : row->why.text);
+    table_flush(t->table, output_stream(t->table_file));
+    if (!row->ran)
+        return;
+    table_row(t->seconds);
+    table_integer(t->seconds, c->number + 1);
+    table_number(t->seconds, row->result.create_seconds, 6);
+    table_number(t->seconds, row->result.step_seconds, 6);
+    table_number(t->seconds, row->result.look_seconds, 6);
+    table_flush(t->seconds, output_stream(t->seconds_file));
+}
+
+static enum status close_file(struct table *t, struct output **file, struct message *why)
+{
+    struct output *whole = *file;
+    /* where there were no rows: the names */
+    const enum status filled = table_flush(t, output_stream(whole));
+
+    *file = NULL;
+    const enum status st = output_close(whole, why);
+    return st ? st : filled;
 }
 
 enum status sweep_table_close(struct sweep_table *t, struct message *why)
 {
     enum status st;
-    struct output *table = t->table, *seconds = t->seconds;
 
-    t->table = t->seconds = NULL;
-    st = output_close(table, why);
-    if (st != STATUS_OK) {
-        output_discard(seconds);
-        return st;
-    }
-    return output_close(seconds, why);
+    TRY(close_file(t->table, &t->table_file, why));
+    st = close_file(t->seconds, &t->seconds_file, why);
+out:
+    sweep_table_discard(t);
+    return st;
 }
 
 void sweep_table_discard(struct sweep_table *t)
 {
-    output_discard(t->table);
-    output_discard(t->seconds);
+    output_discard(t->table_file);
+    output_discard(t->seconds_file);
+    table_destroy(t->table);
+    table_destroy(t->seconds);
     t->table = t->seconds = NULL;
+    t->table_file = t->seconds_file = NULL;
 }

@@ -6,17 +6,18 @@
 #define SWEEP_TABLE_H
 
 #include "bench/files/output.h"
+#include "bench/ui/table.h"
 #include "bench/experiment/plan_case.h"
 #include "bench/sweep/sweep_folder.h"
 
 struct sweep_table {
     const struct plan *plan; /* borrowed                                               */
-    struct output *table, *seconds;
+    struct table *table, *seconds;
+    struct output *table_file, *seconds_file;
 
     /* counted row by row */
-    long rows, died, unsupported, failed, feasible;
+    long died, unsupported, failed, feasible;
     long labels[VERDICT_MOST]; /* cases with the label of this rule                    */
-    double seconds_sum;        /* set-up, steps and looks of the cases [s]             */
 };
 
 /* Begins both files in the folder. STATUS_FILE. */

@@ -5,13 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/harness/rung.h"
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_physics.h"
 #include "fem_ref/kirchhoff_field.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
 
 void truth_destroy(struct truth *t)
 {
@@ -98,14 +96,14 @@ static const struct level fine[2] = {{36, 8}, {16, 4}}, coarse[2] = {{24, 4}, {1
 static struct truth_level shell_level(struct level l, double step)
 {
     return (struct truth_level){
-        .model = "shell", .degree = 3, .side = l.side, .step = step / l.divisor};
+        .model = TRUTH_SHELL, .degree = 3, .side = l.side, .step = step / l.divisor};
 }
 
 static enum status from_shell(const struct truth_runs *runs, double step, bool quick,
                               bool read_only, struct truth *t, struct message *why)
 {
     enum status st;
-    struct rung_result best = {0}, check = {0};
+    struct run_result best = {0}, check = {0};
     struct truth_level first = shell_level(coarse[quick], step),
                        second = shell_level(fine[quick], step);
 
@@ -122,8 +120,8 @@ static enum status from_shell(const struct truth_runs *runs, double step, bool q
              fine[quick].side, fine[quick].side, 1e3 * step / fine[quick].divisor,
              coarse[quick].side, coarse[quick].side, 1e3 * step / coarse[quick].divisor);
 out:
-    rung_clear(&best);
-    rung_clear(&check);
+    run_result_clear(&best);
+    run_result_clear(&check);
     return st;
 }
 
@@ -197,18 +195,17 @@ out:
     return st;
 }
 
-enum status truth_stored_times(const char *path, int setting_count,
-                               const char *const *settings, double until, int most,
-                               double *time, int *count, struct message *why)
+enum status truth_stored_times(const char *path, const struct settings *settings,
+                               double until, int most, double *time, int *count,
+                               struct message *why)
 {
     struct scene scene = {0};
-    struct discretization unused = {0};
     struct truth_made made = {0};
     enum status st;
     int last = 0;
 
     *count = 0;
-    TRY(scene_file_read(path, setting_count, settings, &scene, &unused, why));
+    TRY(settings_read_scene(settings, path, &scene, why));
     TRY(read_stored(&scene, &made, why));
     while (last < made.claimed && made.time[last] <= until + 1e-9)
         last++;
@@ -218,30 +215,28 @@ enum status truth_stored_times(const char *path, int setting_count,
 out:
     truth_made_clear(&made);
     scene_clear(&scene);
-    discretization_clear(&unused);
     return st;
 }
 
-enum status truth_find(const char *path, int setting_count, const char *const *settings,
-                       int times, const double *time, const char *folder,
-                       enum truth_effort effort, struct truth **truth, struct message *why)
+enum status truth_find(const char *path, const struct settings *settings, int times,
+                       const double *time, const char *folder, enum truth_effort effort,
+                       struct truth **truth, struct message *why)
 {
     enum status st;
     struct scene scene = {0};
-    struct discretization unused = {0};
     struct kirchhoff_plate plate;
     struct truth *t = make(times, time);
-    struct truth_runs runs = {path, setting_count, settings, times, time, folder};
+    const struct truth_runs runs = {path, settings, times, time, folder};
     struct truth_made made = {0};
     bool found;
 
     if (!t)
         return STATUS_MEMORY;
-    TRY(scene_file_read(path, setting_count, settings, &scene, &unused, why));
+    TRY(settings_read_scene(settings, path, &scene, why));
     if (scene_gamma(&scene) < TRUTH_GAMMA &&
-        kirchhoff_field_plate(&scene, &plate, NULL) == STATUS_OK)
+        kirchhoff_field_plate(&scene, &plate, NULL) == STATUS_OK) {
         TRY(from_kirchhoff(&scene, t, why));
-    else {
+    } else {
         TRY(read_stored(&scene, &made, why));
         TRY(take(&scene, &made, t, &found, why));
         if (!found)
@@ -252,6 +247,5 @@ out:
     truth_destroy(t);
     truth_made_clear(&made);
     scene_clear(&scene);
-    discretization_clear(&unused);
     return st;
 }

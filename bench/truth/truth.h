@@ -10,7 +10,7 @@
 #ifndef TRUTH_H
 #define TRUTH_H
 
-#include "models/scene.h"
+#include "bench/harness/settings.h"
 
 /* A cantilever's tip is off by 0.0125 Gamma^2 in linear theory (heavy elastica): 1e-4. */
 #define TRUTH_GAMMA 0.09
@@ -32,15 +32,17 @@ enum truth_effort {
 /* Truth of `path` with the settings at time[times]. The shell's motions are kept as result
  * files in `folder` and found again there. STATUS_UNSUPPORTED with a sentence: none, or
  * none is claimed so late. STATUS_INPUT: the stored one was changed. */
-enum status truth_find(const char *path, int setting_count, const char *const *settings,
-                       int times, const double *time, const char *folder,
-                       enum truth_effort effort, struct truth **truth, struct message *why);
+enum status truth_find(const char *path, const struct settings *settings, int times,
+                       const double *time, const char *folder, enum truth_effort effort,
+                       struct truth **truth, struct message *why);
+
 /* Times for which a truth with these physics is stored, up to `until`: the last ones, at
  * most `most` of them, into time[most]. *count is 0 if there is none. STATUS_INPUT: the
  * scene is wrong, or the stored truth was changed. */
-enum status truth_stored_times(const char *path, int setting_count,
-                               const char *const *settings, double until, int most,
-                               double *time, int *count, struct message *why);
+enum status truth_stored_times(const char *path, const struct settings *settings,
+                               double until, int most, double *time, int *count,
+                               struct message *why);
+
 void truth_destroy(struct truth *t); /* NULL is allowed */
 
 #endif

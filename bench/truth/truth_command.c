@@ -1,8 +1,6 @@
 #include "bench/truth/truth_command.h"
 
-#include <omp.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "bench/files/folder.h"
 #include "bench/ui/progress.h"
@@ -16,34 +14,28 @@ struct job {
     char *path;
     struct scene scene;
     bool quick;
-    int count;
-    const char *set[TRUTH_MOST_SETTINGS];
+    struct settings settings;
     enum table_format format;
 };
 
 static enum status prepare(struct job *j, const struct command_line *line,
                            struct message *why)
 {
-    struct discretization unused = {0};
     const char *word = command_value(line, "--format"), *damping;
-    const char *const *given = command_values(line, "--set", &j->count);
+    int count;
+    const char *const *given = command_values(line, "--set", &count);
     enum status st;
 
     j->quick = command_given(line, "--quick");
     if (word)
         TRY(table_format_parse(word, &j->format, why));
-    if (j->count + TRUTH_LEVEL_SETTINGS >= TRUTH_MOST_SETTINGS)
-        TRY(status_fail(why, STATUS_INPUT, "--set: at most %d settings",
-                        TRUTH_MOST_SETTINGS - TRUTH_LEVEL_SETTINGS - 1));
-    for (int n = 0; n < j->count; n++)
-        j->set[n] = given[n];
+    settings_set_all(&j->settings, count, given);
     TRY(scene_file_find(line->words[0], &j->path, why));
-    TRY(scene_file_read(j->path, j->count, j->set, &j->scene, &unused, why));
+    TRY(settings_read_scene(&j->settings, j->path, &j->scene, why));
     damping = truth_plan_damping(&j->scene);
     if (damping)
-        j->set[j->count++] = damping;
+        settings_set(&j->settings, damping);
 out:
-    discretization_clear(&unused);
     return st;
 }
 
@@ -77,15 +69,13 @@ static enum status make_one(struct job *j, const char *out, struct message *why)
         out = file;
     }
     struct truth_runs runs = {.path = j->path,
-                              .setting_count = j->count,
-                              .settings = j->set,
+                              .settings = &j->settings,
                               .times = truth_plan_times(&plan, &j->scene, &time),
                               .folder = folder};
     runs.time = time;
     if (runs.times < 0)
         TRY(STATUS_MEMORY);
-    omp_set_num_threads(1);
-    timing_pin();
+    timing_alone();
     TRY(truth_make(&plan, &runs, &j->scene, show, &bar, &made, why));
     TRY(truth_file_write(out, &runs, &made, why));
     TRY(truth_print(&made, j->scene.name, j->scene.length, j->format, stdout));
@@ -123,6 +113,7 @@ static enum status run(const struct command_line *line, struct message *why)
     else
         TRY(make_one(&j, command_value(line, "--out"), why));
 out:
+    settings_clear(&j.settings);
     scene_clear(&j.scene);
     free(j.path);
     return st;

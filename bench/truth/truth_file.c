@@ -7,12 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/harness/registry.h"
 #include "bench/files/store.h"
 #include "bench/files/store_read.h"
+#include "bench/harness/run.h"
 #include "bench/truth/truth_physics.h"
 #include "models/grid.h"
-#include "models/reader/scene_file.h"
 
 /* FNV-1a, 64 bits (Fowler, Noll, Vo 1991). */
 static uint64_t add(uint64_t sum, const void *bytes, size_t size)
@@ -82,36 +81,34 @@ out:
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
                              const struct truth_made *made, struct message *why)
 {
-    char text[TRUTH_LEVEL_SETTINGS][TRUTH_LEVEL_TEXT];
-    const char *all[TRUTH_MOST_SETTINGS];
-    const struct model *model;
-    struct scene scene = {0};
-    struct discretization d = {0};
+    struct settings settings = {0};
+    struct run run = {0};
     struct provenance provenance;
     struct store *store = NULL, *done;
     enum status st;
-    int count;
 
-    TRY(registry_find(made->level.model, &model, why));
-    model->defaults(&d);
-    TRY(truth_level_settings(runs, &made->level, text, all, &count, why));
-    TRY(scene_file_read(runs->path, count, all, &scene, &d, why));
+    TRY(truth_level_settings(runs, &made->level, &settings, why));
+    TRY(run_read(&run,
+                 &(struct run_plan){.path = runs->path,
+                                    .contestant = truth_level_contestant(made->level.model),
+                                    .settings = &settings},
+                 why));
     provenance_collect(&provenance);
     TRY(store_create(path,
-                     &(struct store_run){.scene = &scene,
-                                         .model = model,
-                                         .discretization = &d,
+                     &(struct store_run){.scene = &run.scene,
+                                         .model = run.model,
+                                         .discretization = &run.discretization,
                                          .provenance = &provenance,
                                          .single = true,
                                          .packed = true},
                      &store, why));
-    TRY(put_all(store, &scene, made, why));
+    TRY(put_all(store, &run.scene, made, why));
     done = store, store = NULL;
     TRY(store_close(done, why));
 out:
     store_discard(store);
-    scene_clear(&scene);
-    discretization_clear(&d);
+    run_close(&run);
+    settings_clear(&settings);
     return st;
 }
 

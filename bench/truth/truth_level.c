@@ -1,141 +1,143 @@
 #include "bench/truth/truth_level.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/files/store_scene.h"
+#include "bench/harness/run_file.h"
 #include "bench/truth/truth_physics.h"
-#include "models/reader/scene_file.h"
 
-static enum status read_scene(const char *path, int count, const char *const *settings,
-                              struct scene *scene, struct message *why)
+enum { PATH = 4096 };
+
+const struct contestant *truth_level_contestant(enum truth_model model)
 {
-    struct discretization unused = {0};
-    enum status st = scene_file_read(path, count, settings, scene, &unused, why);
+    static const char *const name[TRUTH_MODELS] = {"iga_reduced", "shell_3"};
+    const struct contestant *c = NULL;
+    const enum status st = contestant_find(name[model], &c, NULL);
 
-    discretization_clear(&unused);
-    return st;
+    assert(st == STATUS_OK);
+    (void)st;
+    return c;
 }
 
 /* The scene's gravity, changed. */
-static enum status perturb(const struct truth_runs *runs, char *text, struct message *why)
+static enum status perturb(const struct truth_runs *runs, struct settings *settings,
+                           struct message *why)
 {
-    struct scene scene;
+    struct scene scene = {0};
     enum status st;
 
-    TRY(read_scene(runs->path, runs->setting_count, runs->settings, &scene, why));
-    const double *g = scene.gravity;
-    double by = TRUTH_PERTURBATION * sqrt((g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / 3);
-    snprintf(text, TRUTH_LEVEL_TEXT, "gravity=[%.17g,%.17g,%.17g]", g[0] + by, g[1] + by,
-             g[2] + by);
+    TRY(settings_read_scene(runs->settings, runs->path, &scene, why));
+    double *g = scene.gravity;
+    const double by =
+        TRUTH_PERTURBATION * sqrt((g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / 3);
+    for (int i = 0; i < 3; i++)
+        g[i] += by;
+    settings_numbers(settings, "gravity", 3, g);
     scene_clear(&scene);
 out:
     return st;
 }
 
+/* The contestant's own once more: nobody's --set makes it another one. */
 enum status truth_level_settings(const struct truth_runs *runs,
-                                 const struct truth_level *level,
-                                 char text[TRUTH_LEVEL_SETTINGS][TRUTH_LEVEL_TEXT],
-                                 const char **all, int *count, struct message *why)
+                                 const struct truth_level *level, struct settings *settings,
+                                 struct message *why)
 {
-    enum status st = STATUS_OK;
-    bool solid = !strcmp(level->model, "iga");
-    int more = 0;
+    const struct contestant *c = truth_level_contestant(level->model);
+    const int degree[] = {level->degree, level->degree, 1};
 
-    if (runs->setting_count + TRUTH_LEVEL_SETTINGS > TRUTH_MOST_SETTINGS)
-        return status_fail(why, STATUS_INPUT, "--set: at most %d settings",
-                           TRUTH_MOST_SETTINGS - TRUTH_LEVEL_SETTINGS);
-    snprintf(text[more++], TRUTH_LEVEL_TEXT, "discretization.points=[%d,%d%s]", level->side,
-             level->side, solid ? ",2" : "");
-    snprintf(text[more++], TRUTH_LEVEL_TEXT, "discretization.degree=[%d,%d%s]",
-             level->degree, level->degree, solid ? ",1" : "");
-    snprintf(text[more++], TRUTH_LEVEL_TEXT, "discretization.kinematics=nonlinear");
-    snprintf(text[more++], TRUTH_LEVEL_TEXT, "time.step=%.17g", level->step);
-    if (solid)
-        snprintf(text[more++], TRUTH_LEVEL_TEXT, "discretization.remedy=reduced");
-    if (level->perturbed)
-        TRY(perturb(runs, text[more++], why));
-    for (int n = 0; n < runs->setting_count; n++)
-        all[n] = runs->settings[n];
-    for (int n = 0; n < more; n++)
-        all[runs->setting_count + n] = text[n];
-    *count = runs->setting_count + more;
-out:
-    return st;
+    settings_append(settings, runs->settings);
+    contestant_settings(c, settings);
+    contestant_points(c, level->side, level->side, settings);
+    settings_integers(settings, "discretization.degree", c->layers ? 3 : 2, degree);
+    settings_number(settings, "time.step", level->step);
+    return level->perturbed ? perturb(runs, settings, why) : STATUS_OK;
 }
 
 /* The times, and perhaps later ones. */
-static bool has_times(const struct store_read *file, const struct truth_runs *runs)
+static bool has_times(const struct run_result *r, const struct truth_runs *runs)
 {
-    double *time = NULL;
-    int rows, columns;
-    bool same =
-        store_read_array(file, "xyz_time", &time, &rows, &columns, NULL) == STATUS_OK &&
-        rows >= runs->times;
-
-    for (int n = 0; same && n < runs->times; n++)
-        same = fabs(time[n] - runs->time[n]) < 1e-9;
-    free(time);
-    return same;
+    for (int n = 0; n < runs->times; n++)
+        if (n >= r->frames || !(fabs(r->time[n] - runs->time[n]) < 1e-9))
+            return false;
+    return true;
 }
 
-/* Whether the plan's file is there, complete, and of the same physics. */
-static bool is_kept(const struct rung_plan *plan, const struct truth_runs *runs)
+static bool has_physics(const char *path, const struct run_plan *plan)
 {
-    struct scene kept = {0}, wanted = {0};
+    struct scene kept = {0};
+    struct run wanted = {0};
     struct store_read *file = NULL;
-    char path[4096], *a = NULL, *b = NULL;
-    bool same;
+    char *a = NULL, *b = NULL;
+    const bool same = store_read_open(path, &file, NULL) == STATUS_OK &&
+                      store_scene(file, path, &kept, NULL) == STATUS_OK &&
+                      run_read(&wanted, plan, NULL) == STATUS_OK &&
+                      truth_physics(&kept, &a) == STATUS_OK &&
+                      truth_physics(&wanted.scene, &b) == STATUS_OK && !strcmp(a, b);
 
-    snprintf(path, sizeof path, "%s/%s.h5", plan->folder, plan->name);
-    same = store_read_open(path, &file, NULL) == STATUS_OK && has_times(file, runs) &&
-           store_scene(file, path, &kept, NULL) == STATUS_OK &&
-           read_scene(plan->path, plan->setting_count, plan->settings, &wanted, NULL) ==
-               STATUS_OK &&
-           truth_physics(&kept, &a) == STATUS_OK &&
-           truth_physics(&wanted, &b) == STATUS_OK && !strcmp(a, b);
     store_read_close(file);
     scene_clear(&kept);
-    scene_clear(&wanted);
+    run_close(&wanted);
     free(a);
     free(b);
     return same;
 }
 
-enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,
-                             bool read_only, struct rung_result *r, struct message *why)
+/* Reads the plan's file if it is complete and of the same physics. */
+static bool is_kept(const char *path, const struct run_plan *plan,
+                    const struct truth_runs *runs, struct run_result *r)
 {
-    char text[TRUTH_LEVEL_SETTINGS][TRUTH_LEVEL_TEXT], name[TRUTH_LEVEL_TEXT];
-    const char *all[TRUTH_MOST_SETTINGS];
-    enum status st;
-    int count;
+    if (run_result_read(path, true, r, NULL) != STATUS_OK)
+        return false;
+    if (has_times(r, runs) && has_physics(path, plan))
+        return true;
+    run_result_clear(r);
+    return false;
+}
 
-    TRY(truth_level_settings(runs, level, text, all, &count, why));
-    snprintf(name, sizeof name, "truth_%s_p%d_%d_%ldus%s", level->model, level->degree,
-             level->side, lround(1e6 * level->step), level->perturbed ? "_perturbed" : "");
-    struct rung_plan plan = {.path = runs->path,
-                             .setting_count = count,
-                             .settings = all,
-                             .model = level->model,
-                             .times = runs->times,
-                             .time = runs->time,
-                             .folder = runs->folder,
-                             .name = name};
-    if (!is_kept(&plan, runs)) {
+/* What a run that came to no end says. */
+static enum status check(const struct run_result *r, const struct truth_level *level,
+                         const struct truth_runs *runs, struct message *why)
+{
+    if (run_result_refused(r))
+        return status_fail(why, r->outcome, "%s", r->sentence.text);
+    if (r->frames >= runs->times)
+        return STATUS_OK;
+    return status_fail(why, STATUS_DIVERGED, "the %s, %dx%d, that was to be the truth %s",
+                       truth_level_contestant(level->model)->title, level->side,
+                       level->side, r->sentence.text);
+}
+
+enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,
+                             bool read_only, struct run_result *r, struct message *why)
+{
+    const struct contestant *c = truth_level_contestant(level->model);
+    struct settings settings = {0};
+    const struct run_plan plan = {runs->path, c, &settings, runs->time[runs->times - 1]};
+    char path[PATH];
+    enum status st;
+
+    TRY(truth_level_settings(runs, level, &settings, why));
+    snprintf(path, sizeof path, "%s/truth_%s_p%d_%d_%ldus%s.h5", runs->folder,
+             c->model->name, level->degree, level->side, lround(1e6 * level->step),
+             level->perturbed ? "_perturbed" : "");
+    if (!is_kept(path, &plan, runs, r)) {
         if (read_only)
-            return status_fail(why, STATUS_FILE, "%s/%s.h5 is not there, or of another run",
-                               runs->folder, name);
-        TRY(rung_run(&plan, why));
+            TRY(status_fail(why, STATUS_FILE, "%s is not there, or of another run", path));
+        TRY(run_file_write(
+            &plan,
+            &(struct run_keep){.file = path, .times = runs->times, .time = runs->time},
+            NULL, why));
+        TRY(run_result_read(path, true, r, why));
     }
-    TRY(rung_read(&plan, r, why));
-    if (r->frames < runs->times) {
-        status_fail(why, STATUS_DIVERGED, "the %s, %dx%d, that was to be the truth: %s",
-                    level->model, level->side, level->side, r->outcome);
-        rung_clear(r);
-        st = STATUS_DIVERGED;
-    }
+    TRY(check(r, level, runs, why));
 out:
+    if (st != STATUS_OK)
+        run_result_clear(r);
+    settings_clear(&settings);
     return st;
 }

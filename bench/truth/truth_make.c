@@ -32,10 +32,8 @@ enum { COARSE, MIDDLE, FINE, TWICE, FOUR, RUNS };
 
 struct family {
     struct truth_level level[RUNS];
-    struct rung_result run[RUNS];
+    struct run_result run[RUNS];
 };
-
-static const char *const model_name[TRUTH_MODELS] = {"iga", "shell"};
 
 /* Splines of degree p bend with errors of order min(p + 1, 2 (p - 1)) in the mean square;
  * both models' steps are of second order. */
@@ -45,7 +43,7 @@ static double promised_order(int degree)
 }
 static const double STEP_ORDER = 2;
 
-static void plan_family(const struct truth_ladder *ladder, const char *model,
+static void plan_family(const struct truth_ladder *ladder, enum truth_model model,
                         struct family *f)
 {
     for (int n = 0; n < RUNS; n++)
@@ -83,7 +81,7 @@ static void judge(const struct family *f, int time, double *value)
 }
 
 static void compare(const struct family family[TRUTH_MODELS],
-                    const struct rung_result *pushed, double length, int time,
+                    const struct run_result *pushed, double length, int time,
                     double value[TRUTH_COLUMNS])
 {
     judge(&family[TRUTH_SOLID], time, value + TRUTH_SOLID_SPACE);
@@ -171,7 +169,7 @@ static enum status allocate(const struct truth_runs *runs, struct truth_made *ma
 static enum status find_all(struct family family[TRUTH_MODELS],
                             const struct truth_runs *runs,
                             void (*progress)(void *, int, int), void *context,
-                            struct rung_result *pushed, struct message *why)
+                            struct run_result *pushed, struct message *why)
 {
     enum { TOTAL = TRUTH_MODELS * RUNS + 1 };
     struct truth_level push = family[TRUTH_SOLID].level[TWICE];
@@ -199,11 +197,11 @@ enum status truth_make(const struct truth_plan *plan, const struct truth_runs *r
                        struct truth_made *made, struct message *why)
 {
     struct family family[TRUTH_MODELS] = {0};
-    struct rung_result pushed = {0};
+    struct run_result pushed = {0};
     enum status st;
 
     for (int m = 0; m < TRUTH_MODELS; m++)
-        plan_family(&plan->ladder[m], model_name[m], &family[m]);
+        plan_family(&plan->ladder[m], (enum truth_model)m, &family[m]);
     TRY(allocate(runs, made));
     TRY(find_all(family, runs, progress, context, &pushed, why));
     for (int n = 0; n < runs->times; n++)
@@ -213,8 +211,8 @@ enum status truth_make(const struct truth_plan *plan, const struct truth_runs *r
 out:
     for (int m = 0; m < TRUTH_MODELS; m++)
         for (int n = 0; n < RUNS; n++)
-            rung_clear(&family[m].run[n]);
-    rung_clear(&pushed);
+            run_result_clear(&family[m].run[n]);
+    run_result_clear(&pushed);
     if (st != STATUS_OK)
         truth_made_clear(made);
     return st;

@@ -5,9 +5,7 @@
 
 #include <stdbool.h>
 
-#include "models/scene.h"
-
-enum { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS };
+#include "bench/truth/truth_level.h"
 
 /* Of one model: three nets at `step`; on the middle one twice and four times the step, too.
  */

@@ -7,7 +7,7 @@
 #include "models/metric/metric.h"
 
 static void tell(const struct truth_runs *runs, const struct truth_level *level,
-                 const struct rung_result run[2], double length, char *text)
+                 const struct run_result run[2], double length, char *text)
 {
     double most = 0, last = runs->time[runs->times - 1];
     int n = 0;
@@ -37,10 +37,10 @@ enum status truth_watch(const struct truth_plan *plan, const struct truth_runs *
     const struct truth_ladder *ladder = &plan->ladder[TRUTH_SOLID];
     /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
     int net = scene->obstacle_count ? 1 : 0;
-    struct truth_level level = {"iga", ladder->degree, ladder->side[net], 2 * ladder->step,
-                                false};
+    struct truth_level level = {TRUTH_SOLID, ladder->degree, ladder->side[net],
+                                2 * ladder->step, false};
     struct truth_runs far = *runs;
-    struct rung_result run[2] = {{0}};
+    struct run_result run[2] = {{0}};
     struct message death = {""};
     enum status st = STATUS_OK;
 
@@ -64,8 +64,8 @@ enum status truth_watch(const struct truth_plan *plan, const struct truth_runs *
         st = STATUS_OK;
     } else if (st != STATUS_OK && why)
         *why = death;
-    rung_clear(&run[0]);
-    rung_clear(&run[1]);
+    run_result_clear(&run[0]);
+    run_result_clear(&run[1]);
     free(time);
     return st;
 }

@@ -86,6 +86,7 @@ enum status plot_run(const char *folder, const char *script, struct message *why
     if (child < 0)
         return status_fail(why, STATUS_LIBRARY, "gnuplot cannot be started");
     if (child == 0) {
+        setenv("LC_ALL", "C.UTF-8", 1); /* our encoding; under C it warns of that */
         if (chdir(folder) == 0)
             execlp("gnuplot", "gnuplot", "-d", script, (char *)NULL);
         _exit(NOT_FOUND);

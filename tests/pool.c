@@ -1,0 +1,128 @@
+/* Jobs in processes: each once, whatever becomes of it, and no more at a time than there
+ * are slots. (sweep.sh, sweep_mpi.sh: signals, ranks.) */
+#include "bench/harness/pool.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "tests/check.h"
+
+enum { JOBS = 12, CRASHES = 3, FAILS = 5, HANGS = 7, DONE_BEFORE = 9 };
+
+struct notes {
+    int begun[JOBS], ended[JOBS], running, most;
+    struct child_end end[JOBS];
+    int fd; /* of a file in which every job leaves a byte                              */
+};
+
+static enum status work(void *context, long job, struct message *why)
+{
+    const struct notes *notes = context;
+
+    REQUIRE(write(notes->fd, "x", 1) == 1);
+    if (job == CRASHES)
+        abort();
+    if (job == HANGS)
+        nanosleep(&(struct timespec){.tv_sec = 60}, NULL);
+    return job == FAILS ? status_fail(why, STATUS_INPUT, "no such case") : STATUS_OK;
+}
+
+static enum status begin(void *context, long job, struct message *why)
+{
+    struct notes *notes = context;
+
+    (void)why;
+    notes->begun[job]++;
+    notes->running++;
+    notes->most = notes->running > notes->most ? notes->running : notes->most;
+    return STATUS_OK;
+}
+
+static enum status settle(void *context, long job, const struct child_end *end,
+                          struct message *why)
+{
+    struct notes *notes = context;
+
+    (void)why;
+    CHECK(notes->begun[job] == 1);
+    notes->ended[job]++;
+    notes->running--;
+    notes->end[job] = *end;
+    return STATUS_OK;
+}
+
+static void check_ends(void)
+{
+    char name[] = "/tmp/clothbench-pool-XXXXXX";
+    struct notes notes = {.fd = mkstemp(name)};
+    bool done[JOBS] = {[DONE_BEFORE] = true};
+    struct pool pool = {.count = JOBS,
+                        .done = done,
+                        .slots = 3,
+                        .time_limit = 2,
+                        .quiet = true,
+                        .context = &notes,
+                        .work = work,
+                        .begin = begin,
+                        .settle = settle};
+
+    REQUIRE(notes.fd >= 0);
+    REQUIRE(pool_run(&pool, NULL) == STATUS_OK);
+    for (int n = 0; n < JOBS; n++) {
+        const bool well = n != CRASHES && n != FAILS && n != HANGS;
+        CHECK(notes.ended[n] == (n != DONE_BEFORE));
+        CHECK(notes.end[n].outcome == (well ? CHILD_DONE : CHILD_FAILED));
+    }
+    CHECK(!strcmp(notes.end[FAILS].why.text, "no such case"));
+    CHECK(strstr(notes.end[CRASHES].why.text, "signal 6"));
+    CHECK(notes.end[HANGS].overdue);
+    CHECK(pool.ran == JOBS - 1 && pool.hands == 3 && notes.most == 3 && !pool.stopped_by);
+    CHECK(lseek(notes.fd, 0, SEEK_END) == JOBS - 1); /* the children ran, each once */
+    close(notes.fd);
+    unlink(name);
+}
+
+static enum status find_disk_full(void *context, long job, struct message *why)
+{
+    (void)context;
+    return job == 1 ? status_fail(why, STATUS_FILE, "no room") : STATUS_OK;
+}
+
+static enum status ask_to_stop(void *context, long job, struct message *why)
+{
+    (void)context, (void)why;
+    if (job == 1)
+        raise(SIGTERM);
+    return STATUS_OK;
+}
+
+/* Who cannot write ends the pool; a child that is asked to end stops it: both are told. */
+static void check_stops(void)
+{
+    struct notes notes = {0};
+    struct message why = {""};
+    struct pool pool = {.count = JOBS,
+                        .slots = 1,
+                        .time_limit = 30,
+                        .quiet = true,
+                        .context = &notes,
+                        .work = find_disk_full,
+                        .begin = begin,
+                        .settle = settle};
+
+    CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
+    CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.begun[2]);
+    notes = (struct notes){0};
+    pool.work = ask_to_stop;
+    CHECK(pool_run(&pool, &why) == STATUS_OK && pool.stopped_by == SIGTERM);
+    CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.ended[JOBS - 1]);
+}
+
+int main(void)
+{
+    check_ends();
+    check_stops();
+    return check_result();
+}

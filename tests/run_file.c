@@ -1,6 +1,6 @@
 /* The one runner: the same bits from the run and from its file, with fields and without;
  * looks and fields where they were asked for; measures that are those of the run's own
- * metrics; deaths and refusals are results, told the same by all who run. */
+ * metrics; deaths and refusals are results. */
 #include "bench/harness/run_file.h"
 
 #include <hdf5.h>
@@ -9,35 +9,13 @@
 #include "bench/experiment/measurement.h"
 #include "bench/files/store_read.h"
 #include "models/metric/metric.h"
+#include "tests/run_fixture.h"
 #include "tests/scripted_model.h"
 
-#define LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
-#define SCENES        SOURCE_DIR "/models/scenes/"
-#define DROP          SCENES "edge_drop.yaml"
-#define FIELD         ((size_t)3 * GRID_POINTS)
+#define FIELD ((size_t)3 * GRID_POINTS)
 
 static char folder[] = "/tmp/clothbench-run-XXXXXX";
 static char file[64], view[64];
-
-static const struct contestant *named(const char *name)
-{
-    const struct contestant *c = NULL;
-
-    REQUIRE(contestant_find(name, &c, NULL) == STATUS_OK);
-    return c;
-}
-
-static struct settings list(int count, const char *const *text)
-{
-    struct settings s = {0};
-
-    settings_set_all(&s, count, text);
-    REQUIRE(s.status == STATUS_OK);
-    return s;
-}
-
-#define LIST(...)                                                                          \
-    list(LENGTH(((const char *const[]){__VA_ARGS__})), (const char *const[]){__VA_ARGS__})
 
 /* The reading that NAME.h5 gives, which is to be the same. */
 static void check_file(const struct run_result *r)
@@ -202,60 +180,6 @@ static void test_energy(void)
     CHECK(isnan(r.value[MEASURE_INTERSECTIONS_MAX])); /* not asked for */
     CHECK(isnan(r.value[MEASURE_INTERSECTION_TIME]));
     settings_clear(&s);
-}
-
-/* Who runs tells this death: by its code, time and sentence. */
-static void check_death(const struct run_plan *plan, enum status death, int frame,
-                        const char *sentence)
-{
-    static const enum measurement_frames timed[] = {MEASUREMENT_SOME, MEASUREMENT_WHOLE};
-    const double late[] = {0.4, 0.5};
-    struct run_keep keep = {.times = 2, .time = late};
-    struct run_result r;
-    struct run run;
-    struct motion m;
-
-    REQUIRE(run_open(&run, plan, NULL) == STATUS_OK);
-    REQUIRE(motion_init(&m, run.model, &run.scene, run.state) == STATUS_OK);
-    REQUIRE(motion_run(&m, NULL, NULL, true, NULL) == STATUS_OK);
-    CHECK(m.death == death && m.death_time == frame * 0.005 && m.frames == frame - 1);
-    motion_clear(&m);
-    run_close(&run);
-    for (int n = 0; n < 2; n++) { /* looked at before it dies, or kept and not */
-        keep.every = n ? 10 : 0;
-        keep.file = n ? NULL : file;
-        write_run(plan, &keep, &r);
-        CHECK(r.outcome == death && r.death_time == frame * 0.005 && r.steps == frame);
-        CHECK(!strcmp(r.sentence.text, sentence));
-        CHECK(r.value[MEASURE_BLOWUP_TIME] == r.death_time);
-        CHECK(n ? r.value[MEASURE_END_TIME] == (frame - 1) / 10 * 10 * 0.005
-                : isnan(r.value[MEASURE_END_TIME]));
-    }
-    keep.file = file;
-    for (int n = 0; n < LENGTH(timed); n++) {
-        const struct measurement_case c = {.plan = *plan, .keep = keep, .timed = timed[n]};
-        const struct measurement_options quick = {.quick = true, .repeats = 1};
-        REQUIRE(measurement_run(&quick, 1, &c, NULL) == STATUS_OK);
-        REQUIRE(run_result_read(file, false, &r, NULL) == STATUS_OK);
-        CHECK(r.outcome == death && r.death_time == frame * 0.005 && r.step.count == 1);
-        CHECK(!strcmp(r.sentence.text, sentence) && !r.frames);
-        run_result_clear(&r);
-    }
-}
-
-static void test_deaths(void)
-{
-    struct settings fine = LIST("discretization.points=[15,15,2]");
-    struct settings row7 =
-        LIST("material.young=5e4", "material.density=0.1", "damping.value=0.9");
-
-    check_death(&(struct run_plan){SCENES "ground.yaml", named("iga_paper"), &fine, 0},
-                STATUS_ESCAPED, 68,
-                "died at t = 0.34 s: a point is farther than 10 lengths from its support");
-    check_death(&(struct run_plan){DROP, named("iga_paper"), &row7, 0.5}, STATUS_INVERTED,
-                53, "died at t = 0.265 s: an element turned inside out (det J <= 0)");
-    settings_clear(&fine);
-    settings_clear(&row7);
 }
 
 /* The last frame that it lived: 12 of 13, looked at every 5 frames. */
@@ -461,7 +385,6 @@ int main(void)
     test_same_bits();
     test_own_metrics();
     test_energy();
-    test_deaths();
     test_last_frame();
     test_times();
     test_rest();

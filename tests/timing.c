@@ -6,10 +6,8 @@
 
 #include "bench/experiment/measurement.h"
 #include "bench/files/store_read.h"
+#include "tests/run_fixture.h"
 #include "tests/scripted_model.h"
-
-#define DROP          SOURCE_DIR "/models/scenes/edge_drop.yaml"
-#define LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
 static char folder[] = "/tmp/clothbench-timing-XXXXXX";
 

@@ -3,10 +3,10 @@
  * metrics; deaths and refusals are results. */
 #include "bench/harness/run_file.h"
 
-#include <hdf5.h>
 #include <unistd.h>
 
 #include "bench/experiment/measurement.h"
+#include "bench/files/hdf5_file.h"
 #include "bench/files/store_read.h"
 #include "models/metric/metric.h"
 #include "tests/run_fixture.h"
@@ -366,6 +366,13 @@ static void test_damaged(void)
         CHECK(run_result_read(file, true, &r, &why) == STATUS_INPUT);
         CHECK(strstr(why.text, part[n]) && strstr(why.text, file));
     }
+    write_run(&(struct run_plan){DROP, &scripted, NULL, 0.1}, &keep, &r);
+    hid_t id = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
+    REQUIRE(id >= 0 && H5Ldelete(id, "xyz_time", H5P_DEFAULT) >= 0);
+    REQUIRE(hdf5_file_put_array(id, "xyz_time", (const double[]){0, 1}, 2, 0) >= 0);
+    H5Fclose(id);
+    CHECK(run_result_read(file, true, &r, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "6 fields at 2 times"));
 }
 
 static void test_words(void)

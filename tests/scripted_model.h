@@ -14,6 +14,7 @@ static struct {
     int dies, escapes; /* the frame that cannot be had; that is far away                */
     enum status death, create, equilibrium;
     double create_seconds;
+    int slow;         /* the frame that takes at least SCRIPT_SLOW seconds */
     int refuse_after; /* creates that succeed before `create` is returned              */
 } script;
 
@@ -42,6 +43,13 @@ static void script_note(int letter)
     script_log[used + 1] = '\0';
 }
 
+#define SCRIPT_SLOW 5e-3
+
+static void script_wait(double seconds)
+{
+    nanosleep(&(struct timespec){0, (long)(seconds * 1e9)}, NULL);
+}
+
 static void scripted_defaults(struct discretization *d)
 {
     *d = (struct discretization){.points = {2, 2, 1}, .degree = {1, 1, 1}};
@@ -51,7 +59,6 @@ static enum status scripted_create(const struct scene *scene,
                                    const struct discretization *d, void **state,
                                    struct message *why)
 {
-    const struct timespec wait = {0, (long)(script.create_seconds * 1e9)};
     struct scripted *s;
 
     if (script.create && script_creates >= script.refuse_after)
@@ -59,7 +66,7 @@ static enum status scripted_create(const struct scene *scene,
     script_creates++;
     s = calloc(1, sizeof *s);
     REQUIRE(s);
-    nanosleep(&wait, NULL);
+    script_wait(script.create_seconds);
     s->scene = scene;
     s->letter = d->points[0] - 2;
     script_note('A' + s->letter);
@@ -73,7 +80,8 @@ static enum status scripted_advance(void *state, struct counters *counters)
 
     script_note('a' + s->letter);
     script_advances++;
-    s->frame++;
+    if (++s->frame == script.slow)
+        script_wait(SCRIPT_SLOW);
     counters->steps++;
     counters->substeps += 3;
     return s->frame == script.dies ? script.death : STATUS_OK;

@@ -83,10 +83,12 @@ static void test_frames(void)
 
     script_reset();
     script.dies = 6, script.death = STATUS_NAN;
+    script.slow = 3; /* the first that counts */
     REQUIRE(timing_run(&(struct timing_plan){0}, 1, &c, NULL) == STATUS_OK);
     CHECK(!strcmp(script_log, "AaaaaaaAaaaaaa"));
     for (int n = 0; n < 10; n++)
         CHECK(isnan(c.advance[n]) == (n % 5 >= 3));
+    CHECK(c.advance[0] >= SCRIPT_SLOW && c.advance[5] >= SCRIPT_SLOW);
     timing_clear(&c);
     script_reset();
     c.frames = 30;

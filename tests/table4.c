@@ -3,7 +3,7 @@
 
 #include "bench/files/folder.h"
 #include "bench/tables/interval.h"
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 #include "tests/check.h"
 
 static const char *folder;

@@ -79,7 +79,7 @@ static enum status print_found(const struct gallery_result *r,
     for (int n = 0; n < CASES; n++) {
         const struct artefact *a = &artefacts[n];
         const struct case_result *c = &r->result[n];
-        struct verdict v = verdict_apply(rules, c);
+        struct verdict v = verdict_apply(rules, c->outcome, c->value);
         bool found =
             a->label ? verdict_has(rules, v, a->label) : v.kind == VERDICT_FEASIBLE;
         verdict_text(rules, v, words, sizeof words);

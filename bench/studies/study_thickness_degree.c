@@ -74,7 +74,7 @@ static const struct study plate = {
 /* Sheets alike: what the paper's Table 1 takes for the same look [m]. */
 static const double ALIKE = 0.04;
 
-static enum status measure(const struct exhibit_options *options, struct message *why)
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
     enum status st;
 
@@ -215,7 +215,7 @@ out:
     return st;
 }
 
-const struct exhibit study_thickness_degree_exhibit = {
+const struct experiment study_thickness_degree_experiment = {
     .item = {"thickness-degree", "Ren et al. 2024, Fig. 11: r = 1, 2, 3 through the cloak"},
     .measure = measure,
     .print = print,

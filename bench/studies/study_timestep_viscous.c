@@ -98,7 +98,7 @@ out:
     return st;
 }
 
-enum status study_timestep_viscous_measure(const struct exhibit_options *options,
+enum status study_timestep_viscous_measure(const struct experiment_options *options,
                                            struct message *why)
 {
     struct timed_case *cases = calloc(CASES, sizeof *cases);

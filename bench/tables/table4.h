@@ -12,7 +12,7 @@
 #include "bench/harness/case.h"
 #include "bench/experiment/exhibit.h"
 #include "bench/truth/paper.h"
-#include "bench/sweep/verdict.h"
+#include "bench/experiment/verdict.h"
 
 extern const struct exhibit table4_exhibit;
 enum status table4_print(const char *folder, enum table_format format, FILE *file,

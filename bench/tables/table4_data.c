@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 
 void table4_data_clear(struct table4_data *d)
 {
@@ -33,7 +33,8 @@ out:
 /* The rules' labels are the paper's words; what has none of these died without a rule. */
 static void judge(struct table4_data *d, int reading, int scene, int row)
 {
-    struct verdict v = verdict_apply(&d->rules, &d->result[reading][scene][row]);
+    const struct case_result *r = &d->result[reading][scene][row];
+    const struct verdict v = verdict_apply(&d->rules, r->outcome, r->value);
 
     d->feasible[reading][scene][row] = v.kind == VERDICT_FEASIBLE;
     for (int n = 0; n < PAPER_LABELS; n++)

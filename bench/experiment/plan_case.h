@@ -2,7 +2,7 @@
 #ifndef PLAN_CASE_H
 #define PLAN_CASE_H
 
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 #include "models/scene.h"
 
 struct plan_case {
@@ -47,7 +47,7 @@ enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
 enum status plan_case_find_scene(const struct plan *plan, const char *argument, char **path,
                                  struct message *why);
 
-/* The key that a stand-in (stand_in.h) sets in this plan. */
+/* The key that a stand-in (derived_key.h) sets in this plan. */
 const char *plan_case_set_by(const struct plan *plan, const char *key);
 
 #endif

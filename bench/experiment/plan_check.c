@@ -1,11 +1,11 @@
-#include "bench/sweep/plan_check.h"
+#include "bench/experiment/plan_check.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 #include "bench/harness/registry.h"
-#include "bench/harness/stand_in.h"
+#include "bench/harness/derived_key.h"
 
 static const struct yaml_tree *at(const struct plan *plan, int line, struct yaml_tree *node)
 {
@@ -75,7 +75,7 @@ static enum status check_twice(const struct plan *plan, struct message *why)
     }
     for (int k = 0; k < plan->key_count; k++) {
         const char *key = plan->keys[k];
-        if (!stand_in_is(key))
+        if (!derived_key_is(key))
             continue;
         const char *by = plan_case_set_by(plan, key);
         const int line = line_of(plan, by, plan->axis_count);
@@ -92,8 +92,8 @@ static enum status check_twice(const struct plan *plan, struct message *why)
 
 static bool is_measure(const char *name)
 {
-    for (int n = 0; n < CASE_MEASURES; n++)
-        if (!strcmp(case_measure_name(n), name))
+    for (int n = 0; n < MEASURES; n++)
+        if (!strcmp(measure_name(n), name))
             return true;
     return false;
 }
@@ -125,7 +125,7 @@ static enum status check_mark(const struct plan *plan, const struct plan_mark *m
     struct yaml_tree node;
 
     for (int n = 0; n < 2; n++)
-        if (!stand_in_is(names[n]) && !plan_settings_find(&mark->settings, names[n]))
+        if (!derived_key_is(names[n]) && !plan_settings_find(&mark->settings, names[n]))
             return yaml_tree_refuse(at(plan, mark->line, &node), why,
                                     "the mark %s lacks the key %s, which the map shows",
                                     yaml_tree_quote(mark->text).text, names[n]);

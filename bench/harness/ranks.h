@@ -1,7 +1,7 @@
 /* ranks.h - messages between the processes that mpirun starts. The library of MPI is loaded
  * by those alone: nothing else of the program needs it or waits for it.
  *
- * bench/sweep/mpi/ranks_mpi.c is built into clothbench_mpi.so, beside the program, where
+ * bench/harness/mpi/ranks_mpi.c is built into clothbench_mpi.so, beside the program, where
  * CMake finds Open MPI.
  */
 #ifndef RANKS_H

@@ -4,7 +4,7 @@
 #ifndef PLAN_CHECK_H
 #define PLAN_CHECK_H
 
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 
 /* Fills plan->keys and checks. STATUS_INPUT with a sentence `plan:line: ...`. */
 enum status plan_check(struct plan *plan, struct message *why);

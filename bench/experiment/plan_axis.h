@@ -2,7 +2,7 @@
 #ifndef PLAN_AXIS_H
 #define PLAN_AXIS_H
 
-#include "bench/sweep/plan_settings.h"
+#include "bench/experiment/plan_settings.h"
 #include "models/reader/schema.h"
 
 enum { PLAN_AXIS_MOST = 10000 }; /* values */

@@ -1,4 +1,4 @@
-#include "bench/sweep/ranks.h"
+#include "bench/harness/ranks.h"
 
 #include <dlfcn.h>
 #include <limits.h>

@@ -1,5 +1,5 @@
 #define _GNU_SOURCE /* open_memstream */
-#include "bench/sweep/plan_settings.h"
+#include "bench/experiment/plan_settings.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,11 +1,11 @@
 /* plan.c - a plan from YAML: one schema reads, refuses and documents. */
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/sweep/plan_check.h"
+#include "bench/experiment/plan_check.h"
 #include "models/reader/schema.h"
 
 #define IN(type, member) .offset = offsetof(struct type, member)

@@ -1,11 +1,11 @@
-#include "bench/sweep/plan_axis.h"
+#include "bench/experiment/plan_axis.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/harness/stand_in.h"
+#include "bench/harness/derived_key.h"
 #include "models/reader/schema.h"
 
 #define IN(type, member) .offset = offsetof(struct type, member)
@@ -91,7 +91,7 @@ static enum status fill_axis(struct axis_reading *r, const struct yaml_tree *nod
         return yaml_tree_refuse(node, why,
                                 "the axis %s needs either values or all of from, to, count",
                                 yaml_tree_quote(r->axis.key).text);
-    if (r->axis.by && !stand_in_is(r->axis.key))
+    if (r->axis.by && !derived_key_is(r->axis.key))
         return yaml_tree_refuse(node, why,
                                 "the axis %s has 'by', but only gamma and "
                                 "young_over_density are set by another key",

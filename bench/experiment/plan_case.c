@@ -1,4 +1,4 @@
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "bench/harness/registry.h"
-#include "bench/harness/stand_in.h"
+#include "bench/harness/derived_key.h"
 #include "models/reader/scene_file.h"
 
 static enum status refuse(const struct plan *plan, int line, struct message *why,
@@ -90,7 +90,7 @@ static enum status resolve(const struct plan *plan, const struct plan_setting *s
     if (end == s->value || *end || !(want > 0 && isfinite(want)))
         return refuse(plan, s->line, why, text);
     TRY(plan_case_scene(c, &scene, why));
-    value = stand_in_solve(s->key, by, want, &scene);
+    value = derived_key_solve(s->key, by, want, &scene);
     snprintf(text, sizeof text, "%.40s cannot be set by %.40s in this scene", s->key, by);
     if (isnan(value))
         TRY(refuse(plan, s->line, why, text));
@@ -126,7 +126,7 @@ static const struct plan_setting *find_blamed(const struct plan *plan,
         const struct plan_setting *s = c->given[k];
         if (!s)
             continue;
-        const char *key = stand_in_is(s->key) ? plan_case_set_by(plan, s->key) : s->key;
+        const char *key = derived_key_is(s->key) ? plan_case_set_by(plan, s->key) : s->key;
         const size_t size = strlen(key);
         if (!strncmp(text, key, size) && text[size] == '=')
             return s;
@@ -169,7 +169,7 @@ static enum status build(const struct plan *plan, struct plan_case *c, struct me
     for (int k = 0; k < plan->key_count; k++) {
         const struct plan_setting *s = c->given[k];
 
-        if (!s || stand_in_is(s->key))
+        if (!s || derived_key_is(s->key))
             continue;
         if (!strcmp(s->key, "model"))
             model = s;
@@ -186,7 +186,7 @@ static enum status build(const struct plan *plan, struct plan_case *c, struct me
     if (plan_case_find_scene(plan, scene->value, &c->path, &text) != STATUS_OK)
         return refuse(plan, scene->line, why, text.text);
     for (int k = 0; k < plan->key_count; k++)
-        if (c->given[k] && stand_in_is(c->given[k]->key))
+        if (c->given[k] && derived_key_is(c->given[k]->key))
             TRY(resolve(plan, c->given[k], c, why));
 out:
     return st;

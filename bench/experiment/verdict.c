@@ -1,4 +1,4 @@
-#include "bench/sweep/verdict.h"
+#include "bench/experiment/verdict.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -20,8 +20,8 @@ struct reading {
 
 static const struct schema_key RULE[] = {
     {"label", "what such a case is called", SCHEMA_TEXT, .required = true, IN(label)},
-    {"measure", "number of a case", SCHEMA_WORD, .required = true,
-     .word = case_measure_name, IN(measure)},
+    {"measure", "number of a case", SCHEMA_WORD, .required = true, .word = measure_name,
+     IN(measure)},
     {"above", "the label is given above this", SCHEMA_NUMBER, ANY, IN(above)},
     {"below", "the label is given below this", SCHEMA_NUMBER, ANY, IN(below)},
     {"why", "reason for the value", SCHEMA_TEXT, .required = true, IN(why)},
@@ -81,16 +81,16 @@ void verdict_clear(struct verdict_rules *rules)
     *rules = (struct verdict_rules){0};
 }
 
-struct verdict verdict_apply(const struct verdict_rules *rules,
-                             const struct case_result *result)
+struct verdict verdict_apply(const struct verdict_rules *rules, enum status outcome,
+                             const double *measure)
 {
-    struct verdict v = {.died = status_is_death(result->outcome)};
+    struct verdict v = {.died = status_is_death(outcome)};
 
-    if (result->outcome == STATUS_UNSUPPORTED)
+    if (outcome != STATUS_OK && !v.died)
         return (struct verdict){.kind = VERDICT_NONE};
     for (int n = 0; n < rules->count; n++) {
         const struct verdict_rule *rule = &rules->rule[n];
-        double value = result->value[rule->measure];
+        const double value = measure[rule->measure];
         if (rule->above ? value > rule->bound : value < rule->bound)
             v.rules |= 1u << n;
     }

@@ -4,22 +4,22 @@
  *
  *     - {label: over-stretched, measure: stretch_max, above: 1.1, why: "Provot 1995: ..."}
  *
- * with one of `above` and `below`, the value in the measure's unit (case.h), and the reason
- * for it. A case gets every label that matches; it is feasible if none does. A measure that
- * does not exist matches nothing; a time that did not come is above every value and below
- * none.
+ * with one of `above` and `below`, the value in the measure's unit (measures.h), and the
+ * reason for it. A case gets every label that matches; it is feasible if none does. A
+ * measure that does not exist matches nothing; a time that did not come is above every
+ * value and below none.
  */
 #ifndef VERDICT_H
 #define VERDICT_H
 
-#include "bench/harness/case.h"
+#include "bench/harness/measures.h"
 #include "models/reader/yaml_tree.h"
 
 enum { VERDICT_MOST = 32 };
 
 struct verdict_rule {
     char *label; /* owned                                                              */
-    int measure; /* enum case_measure                                                  */
+    int measure; /* enum measure                                                       */
     bool above;  /* matches if the measure is above `bound`; else below                */
     double bound;
     char *why; /* owned                                                              */
@@ -49,8 +49,9 @@ struct verdict {
     bool died;      /* infeasible even if no rule says so                              */
 };
 
-struct verdict verdict_apply(const struct verdict_rules *rules,
-                             const struct case_result *result);
+/* Of a run that ended so, with these measures [MEASURES]. */
+struct verdict verdict_apply(const struct verdict_rules *rules, enum status outcome,
+                             const double *measure);
 
 /* "feasible", "unsupported", or the labels, each once, in the order of the rules; "died"
  * where a run died and no rule has a word for it. Into text[size]; returns text. */

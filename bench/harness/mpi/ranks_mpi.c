@@ -1,5 +1,5 @@
-/* ranks_mpi.c - messages by MPI. A library of its own, loaded by bench/sweep/ranks.c. */
-#include "bench/sweep/mpi/ranks_mpi.h"
+/* ranks_mpi.c - messages by MPI. A library of its own, loaded by bench/harness/ranks.c. */
+#include "bench/harness/mpi/ranks_mpi.h"
 
 #include <mpi.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "bench/harness/stand_in.h"
+#include "bench/harness/derived_key.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -11,7 +11,7 @@ static double young_over_density(const struct scene *scene)
 
 /* The numbers are powers of the keys. */
 enum { KEYS = 4 };
-static const struct stand_in {
+static const struct derived_key {
     const char *key;
     double (*number)(const struct scene *scene);
     struct {
@@ -33,7 +33,7 @@ static const struct stand_in {
 };
 enum { ALL = sizeof all / sizeof *all };
 
-static const struct stand_in *find(const char *key)
+static const struct derived_key *find(const char *key)
 {
     for (int n = 0; n < ALL; n++)
         if (!strcmp(all[n].key, key))
@@ -41,20 +41,20 @@ static const struct stand_in *find(const char *key)
     return NULL;
 }
 
-bool stand_in_is(const char *key)
+bool derived_key_is(const char *key)
 {
     return find(key) != NULL;
 }
 
-double stand_in_number(const char *key, const struct scene *scene)
+double derived_key_number(const char *key, const struct scene *scene)
 {
     return find(key)->number(scene);
 }
 
-double stand_in_solve(const char *key, const char *by, double want,
+double derived_key_solve(const char *key, const char *by, double want,
                       const struct scene *scene)
 {
-    const struct stand_in *s = find(key);
+    const struct derived_key *s = find(key);
     const double now = s->number(scene);
 
     for (int n = 0; n < KEYS && s->of[n].by; n++)

@@ -1,4 +1,4 @@
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 
 #include <math.h>
 #include <omp.h>
@@ -9,7 +9,7 @@
 #include "bench/ui/progress.h"
 #include "bench/harness/timing.h"
 
-const struct command_option exhibit_command_options[] = {
+const struct command_option experiment_command_options[] = {
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false,
      "where result files, plots and pictures go\n"
@@ -22,8 +22,8 @@ const struct command_option exhibit_command_options[] = {
     {NULL, NULL, false, NULL},
 };
 
-void exhibit_progress(const struct exhibit_options *options, const char *what, int done,
-                      int total)
+void experiment_progress(const struct experiment_options *options, const char *what,
+                         int done, int total)
 {
     if (options->progress)
         options->progress(options->context, what, done, total);
@@ -49,7 +49,7 @@ static void show(void *context, const char *what, int done, int total)
 }
 
 static enum status find(const struct command *command, const char *name,
-                        const struct exhibit **exhibit, struct message *why)
+                        const struct experiment **experiment, struct message *why)
 {
     char known[512] = "";
 
@@ -57,7 +57,7 @@ static enum status find(const struct command *command, const char *name,
         const struct command_item *item = command->items[n];
         size_t used = strlen(known);
         if (!strcmp(item->name, name)) {
-            *exhibit = (const struct exhibit *)item;
+            *experiment = (const struct experiment *)item;
             return STATUS_OK;
         }
         snprintf(known + used, sizeof known - used, "%s%s", n ? ", " : "", item->name);
@@ -69,12 +69,12 @@ static enum status find(const struct command *command, const char *name,
 enum { MOST_VALUES = 16 };
 
 /* "0.001,0.02", increasing. */
-static enum status read_values(const char *text, const struct exhibit *exhibit, int *count,
-                               double *value, struct message *why)
+static enum status read_values(const char *text, const struct experiment *experiment,
+                               int *count, double *value, struct message *why)
 {
-    if (!exhibit->values)
+    if (!experiment->values)
         return status_fail(why, STATUS_INPUT, "%s has no --values to choose",
-                           exhibit->item.name);
+                           experiment->item.name);
     for (const char *rest = text;; rest++) {
         char *end;
         double v = strtod(rest, &end);
@@ -85,7 +85,7 @@ static enum status read_values(const char *text, const struct exhibit *exhibit, 
                 why, STATUS_INPUT,
                 "--values '%s': at most %d increasing positive numbers, as in "
                 "0.001,0.02: %s",
-                text, MOST_VALUES, exhibit->values);
+                text, MOST_VALUES, experiment->values);
         value[(*count)++] = v;
         rest = end;
         if (!*rest)
@@ -93,8 +93,8 @@ static enum status read_values(const char *text, const struct exhibit *exhibit, 
     }
 }
 
-/* One thread, on one processor: exhibits compare models, not schedulers. */
-static enum status measure(const struct exhibit *exhibit, struct exhibit_options o,
+/* One thread, on one processor: experiments compare models, not schedulers. */
+static enum status measure(const struct experiment *experiment, struct experiment_options o,
                            struct message *why)
 {
     struct bar bar = {{0}, NULL};
@@ -106,25 +106,25 @@ static enum status measure(const struct exhibit *exhibit, struct exhibit_options
     o.context = &bar;
     omp_set_num_threads(1);
     timing_pin();
-    st = exhibit->measure(&o, why);
+    st = experiment->measure(&o, why);
     progress_end(&bar.progress);
     return st;
 }
 
-enum status exhibit_run(const struct command_line *line, struct message *why)
+enum status experiment_run(const struct command_line *line, struct message *why)
 {
     const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
     const char *word = command_value(line, "--format"), *command = line->command->name;
-    const struct exhibit *exhibit = NULL;
+    const struct experiment *experiment = NULL;
     enum table_format format = TABLE_TEXT;
     enum status st = STATUS_OK;
     const char *values = command_value(line, "--values");
     double value[MOST_VALUES];
     char usual[64];
 
-    TRY(find(line->command, line->words[0], &exhibit, why));
+    TRY(find(line->command, line->words[0], &experiment, why));
     snprintf(usual, sizeof usual, "results/%s%s%s", command,
-             strcmp(command, "table") ? "_" : "", exhibit->item.name);
+             strcmp(command, "table") ? "_" : "", experiment->item.name);
     const char *folder = from ? from : out ? out : usual;
     if (from && out)
         return status_fail(why, STATUS_INPUT,
@@ -132,15 +132,15 @@ enum status exhibit_run(const struct command_line *line, struct message *why)
                            "them; give one of the two");
     if (word)
         TRY(table_format_parse(word, &format, why));
-    struct exhibit_options options = {
+    struct experiment_options options = {
         .folder = folder, .quick = command_given(line, "--quick"), .value = value};
     if (values)
-        TRY(read_values(values, exhibit, &options.value_count, value, why));
+        TRY(read_values(values, experiment, &options.value_count, value, why));
     if (values && from)
         return status_fail(why, STATUS_INPUT, "--values is for a new run, not for --from");
     if (!from)
-        TRY(measure(exhibit, options, why));
-    TRY(exhibit->print(folder, format, stdout, why));
+        TRY(measure(experiment, options, why));
+    TRY(experiment->print(folder, format, stdout, why));
 out:
     return st;
 }

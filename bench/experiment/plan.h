@@ -27,8 +27,8 @@
 
 #include <stdbool.h>
 
-#include "bench/sweep/plan_axis.h"
-#include "bench/sweep/verdict.h"
+#include "bench/experiment/plan_axis.h"
+#include "bench/experiment/verdict.h"
 #include "models/reader/named_file.h"
 
 enum {

@@ -2,7 +2,8 @@
  * its trend with refinement, and what the spaces are worth against truth. */
 #include "bench/files/folder.h"
 #include "bench/files/store_read.h"
-#include "bench/tables/table1_truth.h"
+#include "bench/tables/table1.h"
+#include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
@@ -56,28 +57,28 @@ static void against_truth(void)
                                            "snapshots=[]"};
     const int hex32 = 4, cured = 1 + TABLE1_DENSITIES;
     struct discretization unused = {0};
-    struct table1_truth truth;
+    struct truth_plate truth;
     struct scene scene;
     double *iga, *hex, *incompatible;
 
     REQUIRE(scene_file_read(SOURCE_DIR "/models/scenes/edge_drop.yaml", 3, settings, &scene,
                             &unused, NULL) == STATUS_OK);
-    REQUIRE(table1_truth_init(&truth, &scene, NULL) == STATUS_OK);
+    REQUIRE(truth_plate_init(&truth, &scene, TABLE1_TIMES, table1_time, NULL) == STATUS_OK);
     iga = field(TABLE1_STATIC, 0, 0);
     hex = field(TABLE1_STATIC, hex32, 0);
     incompatible = field(TABLE1_STATIC, cured, 0);
 
     /* Locked, locked, cured: tests/locking.c has these to 1 %. */
-    CHECK(table1_truth_tip(&truth, iga) < 0.7);
-    CHECK(table1_truth_tip(&truth, hex) < 0.01);
-    CHECK(table1_truth_tip(&truth, incompatible) > 0.95);
-    CHECK(table1_truth_error(&truth, TABLE1_TIMES, incompatible) <
-          table1_truth_error(&truth, TABLE1_TIMES, iga));
-    CHECK(table1_truth_error(&truth, TABLE1_TIMES, truth.xyz[TABLE1_TIMES]) == 0);
+    CHECK(truth_plate_tip(&truth, iga) < 0.7);
+    CHECK(truth_plate_tip(&truth, hex) < 0.01);
+    CHECK(truth_plate_tip(&truth, incompatible) > 0.95);
+    CHECK(truth_plate_error(&truth, TABLE1_TIMES, incompatible) <
+          truth_plate_error(&truth, TABLE1_TIMES, iga));
+    CHECK(truth_plate_error(&truth, TABLE1_TIMES, truth.xyz[TABLE1_TIMES]) == 0);
     free(iga);
     free(hex);
     free(incompatible);
-    table1_truth_clear(&truth);
+    truth_plate_clear(&truth);
     scene_clear(&scene);
 }
 

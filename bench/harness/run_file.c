@@ -176,6 +176,12 @@ enum status run_file_seconds(struct run_file *f, const char *phase, const double
                     : STATUS_OK;
 }
 
+enum status run_file_series(struct run_file *f, const char *name, const char *unit,
+                            const double *value, int count, struct message *why)
+{
+    return f->store ? store_metric(f->store, name, unit, value, count, why) : STATUS_OK;
+}
+
 static enum status store_series(struct run_file *f, struct message *why)
 {
     const struct looks *l = &f->looks;

@@ -57,6 +57,10 @@ enum status run_file_seconds(struct run_file *file, const char *phase,
                              const double *seconds, int repeats, int columns,
                              struct message *why);
 
+/* A number of the caller's for every look taken so far, value[count] (store_metric). */
+enum status run_file_series(struct run_file *file, const char *name, const char *unit,
+                            const double *value, int count, struct message *why);
+
 /* Completes the file and fills *result (may be NULL), without fields. `m` is NULL for a
  * state that did not move. Frees in any case; on failure nothing is left of the file. */
 enum status run_file_close(struct run_file *file, const struct motion *m,

@@ -19,12 +19,12 @@ static const struct command_item *const items[] = {
     &study_mesh_degree_experiment.item,
     &study_thickness_experiment.item,
     &study_thickness_degree_experiment.item,
-    &study_locking_exhibit.item,
-    &study_cures_exhibit.item,
+    &study_locking_experiment.item,
+    &study_cures_experiment.item,
     &study_timestep_experiment.item,
-    &study_flag_exhibit.item,
-    &study_artefacts_exhibit.item,
-    &study_contact_exhibit.item,
+    &study_flag_experiment.item,
+    &study_artefacts_experiment.item,
+    &study_contact_experiment.item,
     NULL,
 };
 

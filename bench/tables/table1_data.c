@@ -18,7 +18,7 @@ void table1_data_clear(struct table1_data *d)
                 free(d->cell[part][n].xyz[t]);
             free(d->cell[part][n].outcome);
         }
-    table1_truth_clear(&d->truth);
+    truth_plate_clear(&d->truth);
     free(d);
 }
 
@@ -70,7 +70,7 @@ out:
 }
 
 /* Truth for the scene of the linear runs. */
-static enum status load_truth(const char *folder, struct table1_truth *truth,
+static enum status load_truth(const char *folder, struct truth_plate *truth,
                               struct message *why)
 {
     struct store_read *file = NULL;
@@ -81,7 +81,7 @@ static enum status load_truth(const char *folder, struct table1_truth *truth,
     table1_path(folder, TABLE1_LINEAR, 0, path, sizeof path);
     TRY(store_read_open(path, &file, why));
     TRY(store_scene(file, path, &scene, why));
-    TRY(table1_truth_init(truth, &scene, why));
+    TRY(truth_plate_init(truth, &scene, TABLE1_TIMES, table1_time, why));
 out:
     scene_clear(&scene);
     store_read_close(file);

@@ -4,7 +4,8 @@
 #ifndef TABLE1_DATA_H
 #define TABLE1_DATA_H
 
-#include "bench/tables/table1_truth.h"
+#include "bench/tables/table1.h"
+#include "bench/truth/truth_plate.h"
 #include "models/clock.h"
 
 /* What the tables need of one result file. */
@@ -19,7 +20,7 @@ struct table1_cell {
 
 struct table1_data {
     struct table1_cell cell[TABLE1_PARTS][TABLE1_VARIANTS];
-    struct table1_truth truth;
+    struct truth_plate truth;
 };
 
 /* Reads all of FOLDER's files and computes the truth of their scene. *d is freed with

@@ -202,11 +202,11 @@ static enum status print_truth(const struct table1_data *d, enum table_format fo
             table_rule(t);
         table_row(t);
         name_cells(t, rest, n);
-        table_number(t, table1_truth_tip(&d->truth, rest->xyz[0]), 3);
-        table_number(t, 100 * table1_truth_error(&d->truth, TABLE1_TIMES, rest->xyz[0]), 3);
+        table_number(t, truth_plate_tip(&d->truth, rest->xyz[0]), 3);
+        table_number(t, 100 * truth_plate_error(&d->truth, TABLE1_TIMES, rest->xyz[0]), 3);
         for (int time = 0; time < TABLE1_TIMES; time++)
             if (time < move->frames)
-                table_number(t, 100 * table1_truth_error(&d->truth, time, move->xyz[time]),
+                table_number(t, 100 * truth_plate_error(&d->truth, time, move->xyz[time]),
                              3);
             else
                 table_dash(t);

@@ -11,16 +11,16 @@ static void worth(const struct table1_data *d, FILE *file)
     const struct table1_cell *printed = d->cell[TABLE1_PRINTED],
                              *rest = d->cell[TABLE1_STATIC];
     const int hex32 = 4, cured = 1 + TABLE1_DENSITIES;
-    double iga = table1_truth_error(&d->truth, TABLE1_TIMES, rest[0].xyz[0]);
-    double hex = table1_truth_error(&d->truth, TABLE1_TIMES, rest[hex32].xyz[0]);
-    double incompatible = table1_truth_error(&d->truth, TABLE1_TIMES, rest[cured].xyz[0]);
+    double iga = truth_plate_error(&d->truth, TABLE1_TIMES, rest[0].xyz[0]);
+    double hex = truth_plate_error(&d->truth, TABLE1_TIMES, rest[hex32].xyz[0]);
+    double incompatible = truth_plate_error(&d->truth, TABLE1_TIMES, rest[cured].xyz[0]);
     double cost = printed[cured].step.median / printed[0].step.median;
 
     fprintf(file,
             "- What it is worth. Against truth the static error is %.0f %% for IGA 10x10x2 "
             "(tip %.3f of Kirchhoff's) and\n  %.1f %% for hex 32x32x2 (tip %.4f)%s.\n",
-            100 * iga, table1_truth_tip(&d->truth, rest[0].xyz[0]), 100 * hex,
-            table1_truth_tip(&d->truth, rest[hex32].xyz[0]),
+            100 * iga, truth_plate_tip(&d->truth, rest[0].xyz[0]), 100 * hex,
+            truth_plate_tip(&d->truth, rest[hex32].xyz[0]),
             iga > 0.1 && hex > 0.1
                 ? ": the criterion matches one locked mesh to\n  another. A small RMSE "
                   "between them says that the printed scheme, which has no elastic memory "
@@ -40,11 +40,11 @@ static void worth(const struct table1_data *d, FILE *file)
             "%s, and %s.\n",
             shell->step.median / printed[0].step.median,
             paper_table1[2].seconds / paper_table1[0].seconds,
-            100 * table1_truth_error(&d->truth, TABLE1_TIMES, rest[TABLE1_SHELL].xyz[0]),
+            100 * truth_plate_error(&d->truth, TABLE1_TIMES, rest[TABLE1_SHELL].xyz[0]),
             shell->step.median > printed[0].step.median
                 ? "cheaper a frame, as the paper has it"
                 : "not the cheaper one here",
-            table1_truth_error(&d->truth, TABLE1_TIMES, rest[TABLE1_SHELL].xyz[0]) < iga
+            truth_plate_error(&d->truth, TABLE1_TIMES, rest[TABLE1_SHELL].xyz[0]) < iga
                 ? "the less accurate one"
                 : "the more accurate one");
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/tables/table1_truth.h"
+#include "bench/truth/truth_plate.h"
 #include "bench/verify/verify_refine.h"
 #include "fem_ref/freefem.h"
 #include "models/metric/metric.h"
@@ -22,7 +22,8 @@ static const double SOLID = 0.01, SHELL = 1e-3;
 #define SMALL 1e-4
 static const char *const settings[] = {"gravity=[0,0,-9.81e-4]", NULL};
 
-enum { TIMES = TABLE1_TIMES, NETS = VERIFY_REFINE_NETS };
+enum { TIMES = FREEFEM_TIMES, NETS = VERIFY_REFINE_NETS };
+static const double times[TIMES] = {0.1, 0.2, 0.3, 0.4}; /* [s] */
 static const double STEP = 0.00125;
 
 struct subject {
@@ -100,7 +101,7 @@ enum { SUBJECTS = sizeof subjects / sizeof *subjects };
 /* Truths and room. */
 struct transient {
     struct scene scene; /* with all of gravity                                          */
-    struct table1_truth plate;
+    struct truth_plate plate;
     struct freefem_field solid; /* 3-D elasticity                                       */
     double fallen[TIMES];       /* rms [m]                                              */
     double *uvw, *truth, *field;
@@ -144,7 +145,7 @@ out:
 static void transient_clear(struct transient *t)
 {
     scene_clear(&t->scene);
-    table1_truth_clear(&t->plate);
+    truth_plate_clear(&t->plate);
     free(t->uvw);
     free(t->truth);
     free(t->field);
@@ -157,7 +158,7 @@ static enum status transient_init(struct transient *t, struct message *why)
     const size_t grid = 3 * sizeof(double) * GRID_POINTS;
 
     TRY(read_scene(&t->scene, why));
-    TRY(table1_truth_init(&t->plate, &t->scene, why));
+    TRY(truth_plate_init(&t->plate, &t->scene, TIMES, times, why));
     TRY(read_solid(t, why));
     t->uvw = malloc(grid);
     t->truth = malloc(TIMES * grid);
@@ -215,7 +216,7 @@ static enum status add_rows(struct verify_sheet *sheet, const struct subject *s,
                               .steps = VERIFY_REFINE_STEPS,
                               .step = STEP,
                               .times = TIMES,
-                              .time = table1_time,
+                              .time = times,
                               .n = GRID_POINTS,
                               .uvw = t->uvw,
                               .truth = t->truth,

@@ -25,7 +25,7 @@ static void list_names(bool models, char *text, size_t size)
 
 static enum status refuse(const char *name, int length, struct message *why)
 {
-    char models[256], others[640];
+    char models[256], others[768];
 
     list_names(true, models, sizeof models);
     list_names(false, others, sizeof others);
@@ -55,17 +55,35 @@ static bool is_all(const char *choice)
     return !choice || !strcmp(choice, "all");
 }
 
+static bool enters(const struct contestant *c, unsigned where)
+{
+    return !where || c->enters & where;
+}
+
+/* A model's name is that of a contestant, too: it means this one where no other enters. */
+static bool any_enters(const struct model *model, unsigned where)
+{
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        if (c->model == model && enters(c, where))
+            return true;
+    return false;
+}
+
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where)
 {
-    const bool enters = !where || c->enters & where;
     size_t length;
 
     if (is_all(choice))
-        return enters;
+        return enters(c, where);
     for (const char *at = choice; *at; at += length + (at[length] == ',')) {
         length = strcspn(at, ",");
-        if (is(at, length, c->name) || (enters && is(at, length, c->model->name)))
+        if (is(at, length, c->model->name)) {
+            if (enters(c, where) ||
+                (is(at, length, c->name) && !any_enters(c->model, where)))
+                return true;
+        } else if (is(at, length, c->name)) {
             return true;
+        }
     }
     return false;
 }

@@ -49,7 +49,8 @@ enum status contestant_find(const char *name, const struct contestant **c,
                             struct message *why);
 
 /* Whether the choice "a,b" of --models has it, by its name or its model's; NULL and "all":
- * those that enter there, by a bit of the above (0: all). */
+ * those that enter there, by a bit of the above (0: all). A model's name chooses those of
+ * its contestants that enter there; where none does, the one of its own name. */
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where);
 
 /* Every word of a choice names a model or a contestant. STATUS_INPUT with a sentence. */

@@ -18,7 +18,7 @@
 
 enum run_fields {
     RUN_FIELDS_TIMES, /* of the looks at `time` alone                                  */
-    RUN_FIELDS_ALL,   /* of all looks; where a run dies, of the last frame it lived, too */
+    RUN_FIELDS_ALL,   /* of all looks, and of the last frame it lived, then a look, too */
     RUN_FIELDS_NONE,
 };
 
@@ -71,7 +71,8 @@ void run_file_discard(struct run_file *file); /* gives it up; NULL is allowed */
 bool run_file_is_refusal(enum status st);
 
 /* All of it: a death is a result, and so is a model that refuses. The same bits with and
- * without file, fields kept or not. STATUS_INPUT: scene or settings are impossible. */
+ * without file, fields kept or not, but for the last look of RUN_FIELDS_ALL.
+ * STATUS_INPUT: scene or settings are impossible. */
 enum status run_file_write(const struct run_plan *plan, const struct run_keep *keep,
                            struct run_result *result, struct message *why);
 

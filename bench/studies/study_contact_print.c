@@ -215,43 +215,32 @@ static struct chart *make_chart(const struct table *t)
     return c;
 }
 
-static enum status save(const struct study_contact_run *run, const char *folder,
-                        struct message *why)
-{
-    const struct run_result *result[STUDY_CONTACT_CASES];
-    const char *label[STUDY_CONTACT_CASES];
-    struct table *t = fill_series(run);
-    enum status st;
-
-    for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
-        result[n] = &run[n].result;
-        label[n] = study_contact_case[n].label;
-    }
-    TRY(table_save(t, folder, "contact", why));
-    TRY(chart_save(make_chart(t), folder, "contact_gap", why));
-    TRY(gallery_picture(folder, "contact_sheets", STUDY_CONTACT_TIMES, STUDY_CONTACT_CASES,
-                        label, result, why));
-out:
-    table_destroy(t);
-    return st;
-}
-
 enum status study_contact_print(const char *folder, enum table_format format, FILE *file,
                                 struct message *why)
 {
     struct study_contact_run run[STUDY_CONTACT_CASES] = {0};
+    const struct run_result *result[STUDY_CONTACT_CASES];
+    const char *label[STUDY_CONTACT_CASES];
     struct landing landing[STUDY_CONTACT_CASES];
+    struct table *series = NULL;
     enum status st = STATUS_OK;
 
     for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
         TRY(study_contact_read(folder, n, &run[n], why));
         landing[n] = read_landing(&run[n]);
+        result[n] = &run[n].result;
+        label[n] = study_contact_case[n].label;
     }
     TRY(print_table(run, landing, format, file));
     if (table_format_is_prose(format))
         tell(run, landing, file);
-    TRY(save(run, folder, why));
+    series = fill_series(run);
+    TRY(table_save(series, folder, "contact", why));
+    TRY(chart_save(make_chart(series), folder, "contact_gap", why));
+    TRY(gallery_picture(folder, "contact_sheets", STUDY_CONTACT_TIMES, STUDY_CONTACT_CASES,
+                        label, result, why));
 out:
+    table_destroy(series);
     for (int n = 0; n < STUDY_CONTACT_CASES; n++)
         study_contact_clear(&run[n]);
     return st;

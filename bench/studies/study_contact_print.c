@@ -63,9 +63,10 @@ static struct landing read_landing(const struct study_contact_run *r)
     return l;
 }
 
-static double existing(double value)
+/* What did not happen is no number. */
+static void add(struct table *t, double value, int digits)
 {
-    return isfinite(value) ? value : NAN;
+    table_number(t, isfinite(value) ? value : NAN, digits);
 }
 
 static enum status print_table(const struct study_contact_run *run,
@@ -90,16 +91,16 @@ static enum status print_table(const struct study_contact_run *run,
         const struct landing *l = &landing[n];
         table_row(t);
         table_text(t, "%s", study_contact_case[n].label);
-        table_number(t, existing(l->touch), 3);
-        table_number(t, existing(l->net), 2);
-        table_number(t, existing(l->surface), 2);
-        table_number(t, fmax(0, -l->surface), 2);
-        table_number(t, existing(l->apart), 2);
+        add(t, l->touch, 3);
+        add(t, l->net, 2);
+        add(t, l->surface, 2);
+        add(t, fmax(0, -l->surface), 2);
+        add(t, l->apart, 2);
         table_integer(t, lround(l->carried));
-        table_number(t, existing(l->force), 4);
-        table_number(t, existing(l->crossing), 3);
-        table_number(t, existing(l->crossings), 3);
-        table_number(t, existing(l->net_crossing), 3);
+        add(t, l->force, 4);
+        add(t, l->crossing, 3);
+        add(t, l->crossings, 3);
+        add(t, l->net_crossing, 3);
         if (run[n].result.outcome)
             table_note(t, "%s: %s.", study_contact_case[n].label,
                        run[n].result.sentence.text);
@@ -191,9 +192,8 @@ static struct table *fill_series(const struct study_contact_run *run)
 /* Surface and net side by side; first the solids, then the sheets without thickness. */
 static struct chart *make_chart(const struct table *t)
 {
-    static const char *const kind[] = {"solids", "mid-surfaces"}, *const key[] = {
-                                                                      "surface_gap_m",
-                                                                      "net_gap_m"};
+    static const char *const kind[] = {"solids", "mid-surfaces"};
+    static const char *const key[] = {"surface_gap_m", "net_gap_m"};
     const struct chart_axis time = {"time", "s"},
                             gap[] = {{"least gap of the surface", "m"},
                                      {"least gap of the net", "m"}};

@@ -187,6 +187,8 @@ static enum status read_thicknesses(const char *folder, struct study_locking *s,
         s->thickness[s->count] = reference_number(table, s->count, "thickness_m");
         s->count++;
     }
+    if (!s->count)
+        st = status_fail(why, STATUS_INPUT, "%s: no thickness", path);
 out:
     reference_close(table);
     return st;

@@ -166,11 +166,11 @@ static void fill_row(const struct study *s, struct study_row *row)
     for (int t = 0; t < PLAN_STUDY_TIMES; t++)
         row->frame[t] = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     for (int t = 0; t < frames; t++)
-        measure_frame(&row->scene, r->xyz[t], &row->frame[t]);
+        measure_frame(&row->run.scene, r->xyz[t], &row->frame[t]);
     row->milliseconds = s->plan->timed && r->step.count ? 1e3 * r->step.median : NAN;
     row->seconds = s->time ? r->step_seconds : 1e-3 * row->milliseconds;
     if (s->time && !isnan(row->milliseconds))
-        row->seconds = 1e-3 * row->milliseconds * end / row->scene.step;
+        row->seconds = 1e-3 * row->milliseconds * end / row->run.scene.step;
     row->paper_ms = isnan(row->level->paper_ms) ? s->plan->paper_ms : row->level->paper_ms;
 }
 
@@ -186,7 +186,8 @@ static enum status read_row(const struct plan *plan, const struct plan_study *st
     study_file(study, level, folder, path, sizeof path);
     TRY(run_result_read(path, true, &row->result, why));
     TRY(plan_case_level(plan, study, level, false, &c, why));
-    TRY(plan_case_scene(&c, &row->scene, why));
+    const struct run_plan what = plan_case_run(&c);
+    TRY(run_read(&row->run, &what, why));
 out:
     plan_case_clear(&c);
     return st;
@@ -264,6 +265,8 @@ enum status study_read(const struct plan *plan, const char *folder, struct study
     *r = (struct study_results){.plan = plan, .count = plan->study_count};
     r->study = calloc((size_t)r->count + 1, sizeof *r->study);
     TRY(r->study ? STATUS_OK : STATUS_MEMORY);
+    study_file(&plan->studies[0], &plan->studies[0].levels[0], folder, r->machine,
+               sizeof r->machine);
     for (int n = 0; n < r->count; n++)
         TRY(read_one(plan, &plan->studies[n], folder, &r->study[n], why));
 out:
@@ -277,7 +280,7 @@ void study_clear(struct study_results *r)
     for (int n = 0; r->study && n < r->count; n++) {
         for (int k = 0; k < PLAN_STUDY_LEVELS; k++) {
             run_result_clear(&r->study[n].row[k].result);
-            scene_clear(&r->study[n].row[k].scene);
+            run_close(&r->study[n].row[k].run);
         }
         truth_destroy(r->study[n].truth);
     }

@@ -6,6 +6,7 @@
 
 #include "bench/experiment/measurement.h"
 #include "bench/experiment/plan_case.h"
+#include "bench/harness/run.h"
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth.h"
 
@@ -20,7 +21,7 @@ struct study_frame {
 struct study_row {
     const struct plan_level *level; /*                                        borrowed  */
     struct run_result result;       /* with its fields                           owned  */
-    struct scene scene;             /* as the level has it                       owned  */
+    struct run run;                 /* scene and discretization of the level; owned     */
     double milliseconds;            /* a frame, or the equilibrium: median over repeats;
                                        NaN: not timed                                   */
     double seconds;  /* of stepping to the last time, from these; else of the one run   */
@@ -43,6 +44,7 @@ struct study_results {
     const struct plan *plan; /*                                               borrowed  */
     int count;
     struct study *study; /* [count]                                              owned  */
+    char machine[4096];  /* a file whose provenance holds for all                       */
 };
 
 /* Runs and times all levels of all studies, interleaved, and their truths. Deaths and

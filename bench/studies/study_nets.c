@@ -60,7 +60,7 @@ static void judge_wrinkles(const struct study *s, const struct study *physics, F
         "%s at %g s: roughness %s; away from edges and corners it %s: %s. Largest stretch "
         "%s; of the undamped truth, up to %g s, %.4g. The motions %s each other: "
         "neighbouring levels differ by %.2g, %.2g and %.2g L.",
-        s->row[0].scene.name, s->time[0], look.rough.text, grows(&look.inner),
+        s->row[0].run.scene.name, s->time[0], look.rough.text, grows(&look.inner),
         look.inner.text, look.stretch.text, last_time(physics), true_stretch,
         next[1] < next[0] && next[2] < next[1] ? "approach" : "do not approach", next[0],
         next[1], next[2]);

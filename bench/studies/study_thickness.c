@@ -33,7 +33,7 @@ struct cloak {
 
 static double thickness(const struct cloak *c, int level)
 {
-    return c->row[PAPER][level]->scene.thickness;
+    return c->row[PAPER][level]->run.scene.thickness;
 }
 
 /* Rms displacement of the hem [m]; NaN without a field. */
@@ -53,7 +53,8 @@ static double swing_of(const struct cloak *c, const struct study_row *row)
 
     for (int t = 0; t < c->paper->frames; t++)
         if (row->frame[t].xyz)
-            swing = fmax(swing, metric_angle(&row->scene, row->frame[t].xyz) - c->angle);
+            swing =
+                fmax(swing, metric_angle(&row->run.scene, row->frame[t].xyz) - c->angle);
     return swing;
 }
 
@@ -67,9 +68,9 @@ static enum status measure(const struct study_results *r, struct cloak *c)
     c->paper = study_find(r, "printed");
     for (int n = 0; n < GRID_POINTS; n++) {
         grid_point(n, uvw);
-        scene_rest_point(&c->paper->row[0].scene, uvw, rest + 3 * n);
+        scene_rest_point(&c->paper->row[0].run.scene, uvw, rest + 3 * n);
     }
-    c->angle = metric_angle(&c->paper->row[0].scene, rest);
+    c->angle = metric_angle(&c->paper->row[0].run.scene, rest);
     for (int h = 0; h < LEVELS; h++) {
         for (int n = 0; n < SCHEMES; n++) {
             c->row[n][h] = n < SOLIDS ? &study_find(r, solid_name[n])->row[h]
@@ -189,7 +190,7 @@ static void judge_shell(const struct cloak *c, FILE *file)
 /* What thickness does to statics, and to the look of the paper's scheme. */
 static void explain(const struct cloak *c, FILE *file)
 {
-    const double gamma = scene_gamma(&c->row[PAPER][THIN]->scene);
+    const double gamma = scene_gamma(&c->row[PAPER][THIN]->run.scene);
     double h = thickness(c, THICK) / thickness(c, THIN);
     double thin = c->swing[BETTER][THIN] - c->swing[PAPER][THIN];
     double thick = c->swing[BETTER][THICK] - c->swing[PAPER][THICK];

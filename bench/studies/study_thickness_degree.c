@@ -22,7 +22,7 @@ static enum status read_worth(const struct study *plate, struct worth *w,
     enum status st;
 
     w->plate = plate;
-    TRY(truth_plate_init(&truth, &plate->row[0].scene, 0, NULL, why));
+    TRY(truth_plate_init(&truth, &plate->row[0].run.scene, 0, NULL, why));
     for (int n = 0; n < DEGREES; n++) {
         const double *xyz = plate->row[n].frame[0].xyz;
         w->tip[n] = xyz ? truth_plate_tip(&truth, xyz) : NAN;
@@ -37,7 +37,7 @@ static enum status print_worth(const struct worth *w, enum table_format format, 
 {
     static const struct table_column columns[] = {
         {"level", NULL, TABLE_LEFT}, {"tip / Kirchhoff", "1"}, {"error", "%"}};
-    const double nu = w->plate->row[0].scene.poisson;
+    const double nu = w->plate->row[0].run.scene.poisson;
     struct table *t = table_create(3, columns, w->plate->plan->caption);
 
     for (int n = 0; n < DEGREES; n++) {

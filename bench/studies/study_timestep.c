@@ -29,12 +29,12 @@ static struct study_timestep_fall fall_of(const struct study *printed,
 {
     const struct study_row *a = &printed->row[n], *b = &incremental->row[n];
     const double tau = printed->time[1] - printed->time[0];
-    const double mu = a->scene.damping.value;
+    const double mu = a->run.scene.damping.value;
 
     return (struct study_timestep_fall){
         .mu = mu,
-        .step = a->scene.step,
-        .expected = -a->scene.gravity[2] * study_timestep_factor(mu),
+        .step = a->run.scene.step,
+        .expected = -a->run.scene.gravity[2] * study_timestep_factor(mu),
         .acceleration = (depth(a, 2) - 2 * depth(a, 1) + depth(a, 0)) / (tau * tau),
         .speed = (depth(b, 2) - depth(b, 1)) / tau};
 }
@@ -52,8 +52,8 @@ void study_timestep_read(const struct study_results *r, struct study_timestep *s
     for (int n = 0; n < STUDY_TIMESTEP_CREEPS; n++) {
         const struct study_row *row = &creep->row[n];
         s->creep[n] = (struct study_timestep_creep){
-            .young = row->scene.young,
-            .step = row->scene.step,
+            .young = row->run.scene.young,
+            .step = row->run.scene.step,
             .speed = (depth(row, 1) - depth(row, 0)) / (creep->time[1] - creep->time[0]),
             .sag = depth(&sag->row[n], 0)};
     }

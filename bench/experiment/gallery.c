@@ -2,7 +2,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "bench/files/store_read.h"
@@ -10,7 +9,6 @@
 #include "bench/harness/run_file.h"
 #include "bench/ui/picture.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
 
 enum { EVERY = 10, PATH = 4096 };
 
@@ -23,15 +21,14 @@ static enum status run(const struct gallery *g, int n,
                        const struct experiment_options *options, struct message *why)
 {
     struct settings settings = {0};
-    struct run_plan plan = {.settings = &settings, .end = g->time[g->times - 1]};
-    char path[PATH], *scene = NULL;
+    struct run_plan plan = {
+        .path = g->item[n].scene, .settings = &settings, .end = g->time[g->times - 1]};
+    char path[PATH];
     enum status st;
 
     file_of(g, n, options->folder, path);
     g->settings(n, options->quick, &settings);
-    TRY(scene_file_find(g->item[n].scene, &scene, why));
     TRY(contestant_find(g->item[n].contestant, &plan.contestant, why));
-    plan.path = scene;
     TRY(run_file_write(&plan,
                        &(struct run_keep){.file = path,
                                           .every = EVERY,
@@ -41,7 +38,6 @@ static enum status run(const struct gallery *g, int n,
                        NULL, why));
 out:
     settings_clear(&settings);
-    free(scene);
     return st;
 }
 

@@ -22,6 +22,7 @@ struct run_file {
     struct looks looks;
     struct store *store;  /* NULL: none                                              */
     double *xyz, *before; /* this look's field and the last one's                    */
+    double *own;          /* [looks' room][own_count]                                 */
     int next;             /* of keep->time                                           */
     bool waits;           /* xyz is of a frame that is no look, at:                  */
     double time;
@@ -41,6 +42,7 @@ void run_file_discard(struct run_file *f)
     looks_clear(&f->looks);
     free(f->xyz);
     free(f->before);
+    free(f->own);
     free(f);
 }
 
@@ -78,6 +80,8 @@ enum status run_file_open(const struct run *run, const struct run_keep *keep,
     TRY(f->xyz && f->before ? STATUS_OK : STATUS_MEMORY);
     TRY(looks_init(&f->looks,
                    (keep->every ? (int)(frames / keep->every) : 0) + keep->times + 2));
+    f->own = calloc((size_t)(f->looks.room * keep->own_count) + 1, sizeof *f->own);
+    TRY(f->own ? STATUS_OK : STATUS_MEMORY);
     TRY(open_store(f, why));
     *file = f, f = NULL;
 out:
@@ -148,7 +152,10 @@ enum status run_file_watch(void *context, const struct motion *m, struct message
     sample(f, m->time, &m->counters);
     f->waits = true;
     f->next += timed;
-    if (due)
+    if (due && keep->own_count)
+        st = keep->own_look(keep->context, m, f->xyz,
+                            f->own + f->looks.count * keep->own_count);
+    if (due && st == STATUS_OK)
         st = take(f, all || (timed && keep->fields == RUN_FIELDS_TIMES), why);
     f->seconds += clock_now() - start;
     return st;
@@ -176,10 +183,19 @@ enum status run_file_seconds(struct run_file *f, const char *phase, const double
                     : STATUS_OK;
 }
 
-enum status run_file_series(struct run_file *f, const char *name, const char *unit,
-                            const double *value, int count, struct message *why)
+/* The caller's numbers; `value` has room for one of all looks. */
+static enum status store_own(struct run_file *f, double *value, struct message *why)
 {
-    return f->store ? store_metric(f->store, name, unit, value, count, why) : STATUS_OK;
+    const int count = f->keep->own_count, looks = f->looks.count;
+    enum status st = STATUS_OK;
+
+    for (int i = 0; i < count && st == STATUS_OK; i++) {
+        for (int n = 0; n < looks; n++)
+            value[n] = f->own[n * count + i];
+        st = store_metric(f->store, f->keep->own[i].name, f->keep->own[i].unit, value,
+                          looks, why);
+    }
+    return st;
 }
 
 static enum status store_series(struct run_file *f, struct message *why)
@@ -192,6 +208,7 @@ static enum status store_series(struct run_file *f, struct message *why)
         st = store_metric(f->store, looks_name(n), looks_unit(n), l->series[n], l->count,
                           why);
     TRY(st);
+    TRY(store_own(f, drift, why));
     metric_energy_drift(l->count, l->energy, drift);
     if (f->run->model->energy)
         st = store_metric(f->store, "energy_drift", "1", drift, l->count, why);

@@ -22,6 +22,11 @@ enum run_fields {
     RUN_FIELDS_NONE,
 };
 
+/* A number of the caller's own at every look in motion, as metrics/NAME (store.h). */
+struct run_own {
+    const char *name, *unit;
+};
+
 /* What to keep of a run; all borrowed. */
 struct run_keep {
     const char *file;   /* FILE.h5; NULL: none, the result alone                       */
@@ -32,6 +37,13 @@ struct run_keep {
     bool intersections; /* count self-intersections at every look                      */
     bool doubles;       /* fields as 64-bit numbers, not 32                            */
     const struct provenance *provenance; /* NULL: as things stand                      */
+
+    /* Fills value[own_count] from the moment, and its field. */
+    int own_count;
+    const struct run_own *own;
+    enum status (*own_look)(void *context, const struct motion *m, const double *xyz,
+                            double *value);
+    void *context;
 };
 
 struct run_file;
@@ -56,10 +68,6 @@ void run_file_refuse(struct run_file *file, enum status st, const struct message
 enum status run_file_seconds(struct run_file *file, const char *phase,
                              const double *seconds, int repeats, int columns,
                              struct message *why);
-
-/* A number of the caller's for every look taken so far, value[count] (store_metric). */
-enum status run_file_series(struct run_file *file, const char *name, const char *unit,
-                            const double *value, int count, struct message *why);
 
 /* Completes the file and fills *result (may be NULL), without fields. `m` is NULL for a
  * state that did not move. Frees in any case; on failure nothing is left of the file. */

@@ -11,7 +11,6 @@
 #include "models/grid.h"
 #include "models/metric/intersection.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
 
 /* Frames between looks for crossings, which cost more than a frame; and grid points between
  * those that are looked at. */
@@ -30,122 +29,66 @@ const struct study_contact_case study_contact_case[STUDY_CONTACT_CASES] = {
      UNDAMPED},
 };
 
-static const struct {
-    const char *name, *unit;
-} words[STUDY_CONTACT_SERIES] = {
+/* The paper's. */
+static const double picture[STUDY_CONTACT_TIMES] = {0.1, 0.2, 0.3, 0.5, 1.0}; /* [s] */
+
+static const struct run_own words[STUDY_CONTACT_SERIES] = {
     {"net_gap", "m"}, {"surface_gap", "m"}, {"carried", "1"},
     {"contact", "N"}, {"crossings", "1"},   {"net_crossings", "1"},
 };
 
 struct watch {
-    struct run run;
-    struct motion motion;
-    struct run_file *file;
+    int side, layers; /* of the net                                                    */
+    int pictures;     /* so far                                                        */
     struct intersection crossings;
-    double *xyz, *net; /* field; control points, or NULL if the model hands out none   */
-    double *series[STUDY_CONTACT_SERIES];
-    int snapshot, frames;
+    double *net; /* control points; NULL at first, and if the model hands out none     */
 };
 
-/* Crossings of the middle of an n x m x l net, or NaN. */
-static double net_crossings(struct watch *w)
+/* Crossings of the middle of the net, or NaN. */
+static enum status net_crossings(struct watch *w, const struct motion *m, double *crossings)
 {
-    const int *p = w->run.discretization.points;
-    const int n = p[0], m = p[1], l = p[2];
-    long count;
+    const int count = w->side * w->side, l = w->layers;
+    long pairs;
 
-    if (!w->net)
-        return NAN;
-    w->run.model->net(w->run.state, w->net);
-    for (int a = 0; a < n * m; a++) /* bottom and top, in place */
+    *crossings = NAN;
+    if (!m->model->net)
+        return STATUS_OK;
+    if (!w->net && !(w->net = malloc(3 * (size_t)(count * l) * sizeof *w->net)))
+        return STATUS_MEMORY;
+    m->model->net(m->state, w->net);
+    for (int a = 0; a < count; a++) /* bottom and top, in place */
         for (int i = 0; i < 3; i++)
             w->net[3 * a + i] =
                 (w->net[3 * a * l + i] + w->net[3 * (a * l + l - 1) + i]) / 2;
-    return intersection_count(&w->crossings, m, n, w->net, &count) == STATUS_OK
-               ? (double)count
-               : NAN;
+    if (intersection_count(&w->crossings, w->side, w->side, w->net, &pairs) == STATUS_OK)
+        *crossings = (double)pairs;
+    return STATUS_OK;
 }
 
-/* Takes run_file.h's look, and its own. */
-static enum status look(void *context, const struct motion *m, struct message *why)
+static enum status look(void *context, const struct motion *m, const double *xyz,
+                        double *value)
 {
     struct watch *w = context;
     const struct scene *s = m->scene;
     const double *g = s->gravity;
-    double row[STUDY_CONTACT_SERIES] = {0};
-    bool snapshot = w->snapshot < s->snapshot_count &&
-                    m->time > s->snapshots[w->snapshot] - s->step / 2;
-    bool cross = snapshot || m->frames % CROSSINGS_EVERY == 0;
+    const bool shown =
+        w->pictures < STUDY_CONTACT_TIMES && m->time > picture[w->pictures] - s->step / 2;
     struct model_contact c;
 
-    w->snapshot += snapshot;
-    m->model->sample(m->state, w->xyz);
+    w->pictures += shown;
     m->model->contact(m->state, &c);
-    row[STUDY_CONTACT_NET_GAP] = c.least_gap;
-    row[STUDY_CONTACT_SURFACE_GAP] = contact_least_gap(s, GRID_POINTS, w->xyz);
-    row[STUDY_CONTACT_CARRIED] = c.nodes;
+    value[STUDY_CONTACT_NET_GAP] = c.least_gap;
+    value[STUDY_CONTACT_SURFACE_GAP] = contact_least_gap(s, GRID_POINTS, xyz);
+    value[STUDY_CONTACT_CARRIED] = c.nodes;
+    value[STUDY_CONTACT_FORCE] = 0;
     for (int i = 0; i < 3; i++)
-        row[STUDY_CONTACT_FORCE] -= c.force[i] * g[i];
-    row[STUDY_CONTACT_FORCE] /= sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    row[STUDY_CONTACT_CROSSINGS] =
-        cross ? metric_intersections_every(w->xyz, CROSSINGS_STEP) : NAN;
-    row[STUDY_CONTACT_NET_CROSSINGS] = cross ? net_crossings(w) : NAN;
-    for (int n = 0; n < STUDY_CONTACT_SERIES; n++)
-        w->series[n][w->frames] = row[n];
-    w->frames++;
-    return run_file_watch(w->file, m, why);
-}
-
-static enum status make_room(struct watch *w)
-{
-    struct model_size size;
-    bool good = true;
-
-    w->run.model->size(w->run.state, &size);
-    w->xyz = malloc(3 * GRID_POINTS * sizeof *w->xyz);
-    if (w->run.model->net)
-        good = (w->net = malloc(3 * (size_t)size.nodes * sizeof *w->net)) != NULL;
-    for (int n = 0; n < STUDY_CONTACT_SERIES; n++)
-        good &= (w->series[n] =
-                     malloc((size_t)(w->motion.frame_count + 1) * sizeof(double))) != NULL;
-    return w->xyz && good ? STATUS_OK : STATUS_MEMORY;
-}
-
-static void clear(struct watch *w)
-{
-    run_file_discard(w->file);
-    motion_clear(&w->motion);
-    run_close(&w->run);
-    intersection_clear(&w->crossings);
-    free(w->xyz);
-    free(w->net);
-    for (int n = 0; n < STUDY_CONTACT_SERIES; n++)
-        free(w->series[n]);
-}
-
-static enum status follow(const struct run_plan *plan, const char *path,
-                          struct message *why)
-{
-    struct watch w = {0};
-    struct run_keep keep = {.file = path, .every = 1};
-    struct run_file *file;
-    enum status st;
-
-    TRY(run_open(&w.run, plan, why));
-    keep.times = w.run.scene.snapshot_count;
-    keep.time = w.run.scene.snapshots;
-    TRY(motion_init(&w.motion, w.run.model, &w.run.scene, w.run.state));
-    TRY(make_room(&w));
-    TRY(run_file_open(&w.run, &keep, &w.file, why));
-    TRY(motion_run(&w.motion, look, &w, true, why));
-    for (int n = 0; n < STUDY_CONTACT_SERIES; n++)
-        TRY(run_file_series(w.file, words[n].name, words[n].unit, w.series[n], w.frames,
-                            why));
-    file = w.file, w.file = NULL;
-    TRY(run_file_close(file, &w.motion, NULL, why));
-out:
-    clear(&w);
-    return st;
+        value[STUDY_CONTACT_FORCE] -= c.force[i] * g[i];
+    value[STUDY_CONTACT_FORCE] /= sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    value[STUDY_CONTACT_CROSSINGS] = value[STUDY_CONTACT_NET_CROSSINGS] = NAN;
+    if (!shown && m->frames % CROSSINGS_EVERY != 0)
+        return STATUS_OK;
+    value[STUDY_CONTACT_CROSSINGS] = metric_intersections_every(xyz, CROSSINGS_STEP);
+    return net_crossings(w, m, &value[STUDY_CONTACT_NET_CROSSINGS]);
 }
 
 static void file_of(const char *folder, int n, char path[PATH])
@@ -154,38 +97,47 @@ static void file_of(const char *folder, int n, char path[PATH])
 }
 
 static enum status measure_case(int n, const struct experiment_options *options,
-                                const char *scene, struct message *why)
+                                struct message *why)
 {
     const struct study_contact_case *c = &study_contact_case[n];
-    const int side = options->quick ? QUICK_SIDE : c->side;
+    struct watch w = {.side = options->quick ? QUICK_SIDE : c->side};
     struct settings settings = {0};
-    struct run_plan plan = {.path = scene, .settings = &settings};
+    struct run_plan plan = {.path = "ground", .settings = &settings};
     char path[PATH];
     enum status st;
 
     file_of(options->folder, n, path);
     TRY(contestant_find(c->contestant, &plan.contestant, why));
-    contestant_points(plan.contestant, side, side, &settings);
+    contestant_points(plan.contestant, w.side, w.side, &settings);
+    w.layers = plan.contestant->layers ? plan.contestant->layers : 1;
     if (c->damping)
         settings_set(&settings, c->damping);
-    TRY(follow(&plan, path, why));
+    TRY(run_file_write(&plan,
+                       &(struct run_keep){.file = path,
+                                          .every = 1,
+                                          .times = STUDY_CONTACT_TIMES,
+                                          .time = picture,
+                                          .own_count = STUDY_CONTACT_SERIES,
+                                          .own = words,
+                                          .own_look = look,
+                                          .context = &w},
+                       NULL, why));
 out:
+    intersection_clear(&w.crossings);
+    free(w.net);
     settings_clear(&settings);
     return st;
 }
 
 static enum status measure(const struct experiment_options *options, struct message *why)
 {
-    char *scene = NULL;
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(scene_file_find("ground", &scene, why));
     for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
-        TRY(measure_case(n, options, scene, why));
+        TRY(measure_case(n, options, why));
         experiment_progress(options, "ground", n + 1, STUDY_CONTACT_CASES);
     }
 out:
-    free(scene);
     return st;
 }
 
@@ -197,7 +149,7 @@ static enum status read_series(const struct store_read *file, struct study_conta
     char name[64];
 
     TRY(store_read_array(file, "time", &run->time, &run->frames, &columns, why));
-    for (int n = 0; n < STUDY_CONTACT_SERIES; n++) {
+    for (int n = 0; n < STUDY_CONTACT_SERIES && !run_result_refused(&run->result); n++) {
         snprintf(name, sizeof name, "metrics/%s", words[n].name);
         TRY(store_read_array(file, name, &run->series[n], &rows, &columns, why));
         if (rows != run->frames)

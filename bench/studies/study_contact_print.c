@@ -63,9 +63,10 @@ static struct landing read_landing(const struct study_contact_run *r)
     return l;
 }
 
-static double existing(double value)
+/* What did not happen is no number. */
+static void add(struct table *t, double value, int digits)
 {
-    return isfinite(value) ? value : NAN;
+    table_number(t, isfinite(value) ? value : NAN, digits);
 }
 
 static enum status print_table(const struct study_contact_run *run,
@@ -90,16 +91,16 @@ static enum status print_table(const struct study_contact_run *run,
         const struct landing *l = &landing[n];
         table_row(t);
         table_text(t, "%s", study_contact_case[n].label);
-        table_number(t, existing(l->touch), 3);
-        table_number(t, existing(l->net), 2);
-        table_number(t, existing(l->surface), 2);
-        table_number(t, fmax(0, -l->surface), 2);
-        table_number(t, existing(l->apart), 2);
+        add(t, l->touch, 3);
+        add(t, l->net, 2);
+        add(t, l->surface, 2);
+        add(t, fmax(0, -l->surface), 2);
+        add(t, l->apart, 2);
         table_integer(t, lround(l->carried));
-        table_number(t, existing(l->force), 4);
-        table_number(t, existing(l->crossing), 3);
-        table_number(t, existing(l->crossings), 3);
-        table_number(t, existing(l->net_crossing), 3);
+        add(t, l->force, 4);
+        add(t, l->crossing, 3);
+        add(t, l->crossings, 3);
+        add(t, l->net_crossing, 3);
         if (run[n].result.outcome)
             table_note(t, "%s: %s.", study_contact_case[n].label,
                        run[n].result.sentence.text);
@@ -191,9 +192,8 @@ static struct table *fill_series(const struct study_contact_run *run)
 /* Surface and net side by side; first the solids, then the sheets without thickness. */
 static struct chart *make_chart(const struct table *t)
 {
-    static const char *const kind[] = {"solids", "mid-surfaces"}, *const key[] = {
-                                                                      "surface_gap_m",
-                                                                      "net_gap_m"};
+    static const char *const kind[] = {"solids", "mid-surfaces"};
+    static const char *const key[] = {"surface_gap_m", "net_gap_m"};
     const struct chart_axis time = {"time", "s"},
                             gap[] = {{"least gap of the surface", "m"},
                                      {"least gap of the net", "m"}};
@@ -215,43 +215,32 @@ static struct chart *make_chart(const struct table *t)
     return c;
 }
 
-static enum status save(const struct study_contact_run *run, const char *folder,
-                        struct message *why)
-{
-    const struct run_result *result[STUDY_CONTACT_CASES];
-    const char *label[STUDY_CONTACT_CASES];
-    struct table *t = fill_series(run);
-    enum status st;
-
-    for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
-        result[n] = &run[n].result;
-        label[n] = study_contact_case[n].label;
-    }
-    TRY(table_save(t, folder, "contact", why));
-    TRY(chart_save(make_chart(t), folder, "contact_gap", why));
-    TRY(gallery_picture(folder, "contact_sheets", STUDY_CONTACT_TIMES, STUDY_CONTACT_CASES,
-                        label, result, why));
-out:
-    table_destroy(t);
-    return st;
-}
-
 enum status study_contact_print(const char *folder, enum table_format format, FILE *file,
                                 struct message *why)
 {
     struct study_contact_run run[STUDY_CONTACT_CASES] = {0};
+    const struct run_result *result[STUDY_CONTACT_CASES];
+    const char *label[STUDY_CONTACT_CASES];
     struct landing landing[STUDY_CONTACT_CASES];
+    struct table *series = NULL;
     enum status st = STATUS_OK;
 
     for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
         TRY(study_contact_read(folder, n, &run[n], why));
         landing[n] = read_landing(&run[n]);
+        result[n] = &run[n].result;
+        label[n] = study_contact_case[n].label;
     }
     TRY(print_table(run, landing, format, file));
     if (table_format_is_prose(format))
         tell(run, landing, file);
-    TRY(save(run, folder, why));
+    series = fill_series(run);
+    TRY(table_save(series, folder, "contact", why));
+    TRY(chart_save(make_chart(series), folder, "contact_gap", why));
+    TRY(gallery_picture(folder, "contact_sheets", STUDY_CONTACT_TIMES, STUDY_CONTACT_CASES,
+                        label, result, why));
 out:
+    table_destroy(series);
     for (int n = 0; n < STUDY_CONTACT_CASES; n++)
         study_contact_clear(&run[n]);
     return st;

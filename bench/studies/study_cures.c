@@ -1,11 +1,13 @@
 #include "bench/studies/study_cures.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "bench/experiment/measurement.h"
+#include "bench/truth/truth_plate.h"
+#include "fem_ref/elastica.h"
 #include "fem_ref/reference.h"
-#include "models/reader/scene_file.h"
 
 const struct study_cures_space study_cures_space[STUDY_CURES_SPACES] = {
     {"IGA (2,2,1), none, the paper's", "none_2", "iga_linear"},
@@ -23,19 +25,171 @@ const double study_cures_target = 0.02;
 
 enum { PATH = 4096 };
 
-static void add_tip(struct table *t, int what, int law, int nu, int h,
-                    const struct study_cures_tip *tip)
+/* --- Tips. */
+
+/* Small enough that nothing turns; linear answers scale. */
+static const double LOAD = 0.01;
+static const struct study_cures_tip none = {NAN, NAN};
+
+/* Square, 1 m: the sheet, and a load such that Gamma or, linear, the tip is known. */
+static void add_physics(struct settings *s, double nu, double h, double gamma)
 {
-    if (isnan(tip->z))
-        return;
-    table_row(t);
-    table_integer(t, what);
-    table_integer(t, law);
-    table_integer(t, nu);
-    table_integer(t, h);
-    table_number(t, tip->x, 6);
-    table_number(t, tip->z, 6);
+    const double D = 1e5 * h * h * h / (12 * (1 - nu * nu));
+
+    settings_number(s, "sheet.thickness", h);
+    settings_number(s, "material.poisson", nu);
+    settings_set(s, "material.young=1e5");
+    settings_set(s, "material.density=1");
+    settings_numbers(s, "gravity", 3,
+                     (double[]){0, 0, -(gamma > 0 ? gamma : LOAD) * D / h});
+    settings_word(s, "discretization.kinematics", gamma > 0 ? "nonlinear" : "linear");
 }
+
+static enum status read(const char *contestant, const struct settings *s, struct run *run,
+                        struct message *why)
+{
+    struct run_plan plan = {.path = "cantilever", .settings = s};
+    const enum status st = contestant_find(contestant, &plan.contestant, why);
+
+    return st == STATUS_OK ? run_read(run, &plan, why) : st;
+}
+
+/* The tip of a contestant with a net and more; a death or refusal leaves NaN. Takes the
+ * settings. */
+static enum status solve(const char *name, double nu, double h, double gamma,
+                         struct settings *s, struct study_cures_tip *tip,
+                         struct message *why)
+{
+    struct counters work = {0};
+    struct run run = {0};
+    double x[3];
+    enum status st;
+
+    *tip = none;
+    add_physics(s, nu, h, gamma);
+    TRY(read(name, s, &run, why));
+    st = run_build(&run, why);
+    if (st == STATUS_OK)
+        st = run_settle(&run, &work, why);
+    if (st == STATUS_OK) {
+        run.model->probe(run.state, 1, (double[3]){1, 0.5, 0.5}, x);
+        *tip = (struct study_cures_tip){x[0], -x[2] / (gamma > 0 ? 1 : LOAD)};
+    }
+    st = run_file_is_refusal(st) ? STATUS_OK : st;
+out:
+    run_close(&run);
+    settings_clear(s);
+    return st;
+}
+
+/* Open knots of `degree` on `spans` whose ends crowd at 0 and, if `both`, at 1: the solid's
+ * stress is singular at the clamp and varies over h at free edges. To six digits. */
+static void add_knots(struct settings *s, const char *key, int degree, int spans, bool both)
+{
+    enum { MOST = 32 };
+    double knot[MOST];
+    char text[32];
+    int count = 0;
+
+    for (int k = -degree; k <= spans + degree && count < MOST; k++) {
+        double t = fmin(1, fmax(0, (double)k / spans));
+        snprintf(text, sizeof text, "%.6g", both ? t * t * (3 - 2 * t) : pow(t, 2.5));
+        knot[count++] = strtod(text, NULL);
+    }
+    settings_numbers(s, key, count, knot);
+}
+
+/* Coarser: a level less. */
+static enum status solve_solid(int what, double nu, double h, double gamma, bool quick,
+                               struct study_cures_tip *tip, struct message *why)
+{
+    const int less = (what == STUDY_CURES_COARSER ? 2 : 0) + (quick || gamma > 0 ? 3 : 0);
+    const int degree[] = {4, 4, 3}, points[] = {14 - less, 12 - less, 4};
+    struct settings s = {0};
+
+    settings_integers(&s, "discretization.degree", 3, degree);
+    settings_integers(&s, "discretization.points", 3, points);
+    add_knots(&s, "discretization.knots_u", degree[0], points[0] - degree[0], false);
+    add_knots(&s, "discretization.knots_v", degree[1], points[1] - degree[1], true);
+    if (what == STUDY_CURES_SLIT) {
+        settings_set(&s, "discretization.unknowns=points");
+        settings_set(&s, "supports=[{at: {u: 0}, fix: xy}, {at: {u: 0, w: 0}, fix: z}]");
+    } else {
+        settings_set(&s, "discretization.unknowns=thickness");
+    }
+    return solve("iga_linear", nu, h, gamma, &s, tip, why);
+}
+
+static enum status solve_shell(int what, double nu, double gamma, bool quick,
+                               struct study_cures_tip *tip, struct message *why)
+{
+    const int less = (what == STUDY_CURES_COARSER ? 6 : 0) + (quick ? 4 : 0);
+    struct settings s = {0};
+
+    settings_set(&s, "discretization.degree=[4,4]");
+    settings_integers(&s, "discretization.points", 2, (int[]){24 - less, 16 - less});
+    return solve("shell_linear", nu, 1e-2, gamma, &s, tip, why);
+}
+
+enum status study_cures_solve(int what, int law, int n, int thickness, bool quick,
+                              struct study_cures_tip *tip, struct message *why)
+{
+    const double gamma = study_cures_gamma[law], h = study_cures_thickness[thickness];
+    const double nu = study_cures_nu[n];
+    const bool thick = h > 0.05, slit = what == STUDY_CURES_SLIT;
+    struct settings s = {0};
+    struct elastica elastica;
+    enum status st = STATUS_OK;
+
+    *tip = none;
+    if (what < STUDY_CURES_SPACES) {
+        settings_set(&s, "discretization.points=[10,10,2]");
+        settings_set(&s, "discretization.unknowns=thickness");
+        return solve(study_cures_space[what].contestant, nu, h, gamma, &s, tip, why);
+    }
+    /* bent as sharply as it is thick: nobody's elastic sheet */
+    if ((thick && gamma > 10) || (slit && (!thick || gamma > 0)))
+        return STATUS_OK;
+    if (thick)
+        return solve_solid(what, nu, h, gamma, quick, tip, why);
+    if (gamma > 0 && nu > 0)
+        return solve_shell(what, nu, gamma, quick, tip, why);
+    if (gamma > 0) {
+        TRY(elastica_solve(gamma, &elastica));
+        *tip = (struct study_cures_tip){elastica.reach, elastica.drop};
+    } else {
+        TRY(truth_plate_coefficient(nu, 24, &tip->z));
+    }
+out:
+    return st;
+}
+
+enum status study_cures_zero_modes(const struct study_cures_space *space, int *count,
+                                   struct message *why)
+{
+    enum { MODES = 12 };
+    struct settings s = {0};
+    struct run run = {0};
+    double omega[MODES];
+    enum status st;
+
+    settings_set(&s, "sheet.thickness=0.02");
+    settings_set(&s, "supports=[]");
+    settings_set(&s, "discretization.points=[10,10,2]");
+    TRY(read(space->contestant, &s, &run, why));
+    TRY(run_build(&run, why));
+    TRY(run_modes(&run, MODES, omega, why));
+    *count = 0;
+    /* round-off: 1e-15 of the largest lambda, some 1e8 times the twelfth's; its root */
+    while (*count < MODES && omega[*count] < 1e-2 * omega[MODES - 1])
+        ++*count;
+out:
+    run_close(&run);
+    settings_clear(&s);
+    return st;
+}
+
+/* --- Files. */
 
 /* FOLDER/tips.csv, a line for each tip. Quick: every other thickness. */
 static enum status measure_tips(const struct experiment_options *options,
@@ -50,15 +204,20 @@ static enum status measure_tips(const struct experiment_options *options,
     enum status st = STATUS_OK;
 
     for (int n = 0; n < ALL; n++) {
-        int law = n / (STUDY_CURES_NUS * STUDY_CURES_THICKNESSES);
-        int nu = n / STUDY_CURES_THICKNESSES % STUDY_CURES_NUS;
-        int h = n % STUDY_CURES_THICKNESSES;
+        const int law = n / (STUDY_CURES_NUS * STUDY_CURES_THICKNESSES);
+        const int nu = n / STUDY_CURES_THICKNESSES % STUDY_CURES_NUS;
+        const int h = n % STUDY_CURES_THICKNESSES;
         experiment_progress(options, "tips", n, ALL);
         for (int what = 0; what < STUDY_CURES_WHATS && !(quick && h % 2); what++) {
             /* thin sheets have one truth: the last thickness has left it in tip[] */
             if (what < STUDY_CURES_SPACES || h <= (quick ? 2 : 1))
                 TRY(study_cures_solve(what, law, nu, h, quick, &tip[what], why));
-            add_tip(t, what, law, nu, h, &tip[what]);
+            if (isnan(tip[what].z))
+                continue;
+            const double row[] = {what, law, nu, h, tip[what].x, tip[what].z};
+            table_row(t);
+            for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+                table_number(t, row[i], 6);
         }
     }
     experiment_progress(options, "tips", ALL, ALL);
@@ -74,9 +233,8 @@ static enum status measure_zero_modes(const char *folder, struct message *why)
     static const struct table_column columns[] = {{"space"}, {"zero modes"}};
     struct table *t = table_create(2, columns, NULL);
     enum status st = STATUS_OK;
-    int count;
 
-    for (int n = 0; n < STUDY_CURES_SPACES; n++) {
+    for (int n = 0, count; n < STUDY_CURES_SPACES; n++) {
         TRY(study_cures_zero_modes(&study_cures_space[n], &count, why));
         table_row(t);
         table_integer(t, n);
@@ -100,16 +258,15 @@ static enum status measure_frames(const struct experiment_options *options,
 {
     static const double time = 0.1, end = 0.25; /* [s] */
     struct measurement_case cases[STUDY_CURES_SPACES] = {{{0}}};
-    char file[STUDY_CURES_SPACES][PATH], *path = NULL;
+    char file[STUDY_CURES_SPACES][PATH];
     struct settings incremental = {0};
-    enum status st;
+    enum status st = STATUS_OK;
 
     settings_set(&incremental, "discretization.kinematics=incremental");
-    TRY(scene_file_find("edge_drop", &path, why));
     for (int n = 0; n < STUDY_CURES_SPACES; n++) {
         struct measurement_case *c = &cases[n];
         frame_path(options->folder, n, file[n]);
-        c->plan = (struct run_plan){path, NULL, &incremental, end};
+        c->plan = (struct run_plan){"edge_drop", NULL, &incremental, end};
         c->keep = (struct run_keep){.file = file[n], .times = 1, .time = &time};
         c->timed = MEASUREMENT_SOME;
         c->phases = true;
@@ -121,7 +278,6 @@ static enum status measure_frames(const struct experiment_options *options,
                         STUDY_CURES_SPACES, cases, why));
 out:
     settings_clear(&incremental);
-    free(path);
     return st;
 }
 

@@ -56,7 +56,7 @@ struct study_cures {
 };
 
 /* The tip of a space or a truth (STUDY_CURES_TRUTH, _COARSER, _SLIT); NaN after a death and
- * where there is no truth. Quick: truths on coarser nets. (study_cures_tip.c) */
+ * where there is no truth. Quick: truths on coarser nets. */
 enum status study_cures_solve(int what, int law, int nu, int thickness, bool quick,
                               struct study_cures_tip *tip, struct message *why);
 

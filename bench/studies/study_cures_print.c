@@ -5,11 +5,19 @@
 #include "bench/studies/study_cures.h"
 #include "bench/ui/chart.h"
 
-enum { FIXED = 2, COLUMNS = FIXED + STUDY_CURES_THICKNESSES + 2 };
-
 static double percent(double value)
 {
     return 100 * value;
+}
+
+/* Two degrees, each with the paper's way first. */
+enum { HALF = STUDY_CURES_SPACES / 2 };
+
+static const char *law_name(int law, char text[48])
+{
+    snprintf(text, 48, study_cures_gamma[law] > 0 ? "nonlinear, Gamma = %g" : "linear",
+             study_cures_gamma[law]);
+    return text;
 }
 
 static bool solved(const struct study_cures *s, int law, int nu, int n)
@@ -38,17 +46,16 @@ static double bar(const struct study_cures *s, int law)
     double worst = 0;
 
     for (int nu = 0; nu < STUDY_CURES_NUS; nu++)
-        for (int n = 0; n < STUDY_CURES_THICKNESSES; n++)
-            if (solved(s, law, nu, n))
-                worst = fmax(worst, study_cures_error(s, STUDY_CURES_COARSER, law, nu, n));
+        worst = fmax(worst, worst_of(s, STUDY_CURES_COARSER, law, nu));
     return worst;
 }
 
 static enum status print_law(const struct study_cures *s, int law, enum table_format format,
                              FILE *file)
 {
-    static const struct table_column columns[COLUMNS] = {
-        {"space, remedy", NULL, TABLE_LEFT},
+    static const struct table_column columns[] = {
+        {"space, remedy", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
+        {"space", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
         {"nu"},
         {"h/L 1e-1"},
         {"1e-2"},
@@ -65,20 +72,20 @@ static enum status print_law(const struct study_cures *s, int law, enum table_fo
                  ? "Nonlinear cantilever, 10x10x2, Gamma = %g: tip's drop over the truth"
                  : "Linear cantilever, 10x10x2: tip's drop over the truth",
              gamma);
-    struct table *t = table_create(COLUMNS, columns, caption);
-    for (int space = 0; space < STUDY_CURES_SPACES; space++) {
-        if (space == STUDY_CURES_SPACES / 2)
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    for (int row = 0; row < STUDY_CURES_SPACES * STUDY_CURES_NUS; row++) {
+        const int space = row / STUDY_CURES_NUS, nu = row % STUDY_CURES_NUS;
+        const double worst = worst_of(s, space, law, nu);
+        if (row == HALF * STUDY_CURES_NUS)
             table_rule(t);
-        for (int nu = 0; nu < STUDY_CURES_NUS; nu++) {
-            double worst = worst_of(s, space, law, nu);
-            table_row(t);
-            table_text(t, "%s", nu ? "" : study_cures_space[space].label);
-            table_fixed(t, study_cures_nu[nu], 2);
-            for (int n = 0; n < STUDY_CURES_THICKNESSES; n++)
-                table_fixed(t, study_cures_ratio(s, space, law, nu, n), 4);
-            table_number(t, percent(worst), 2);
-            table_text(t, "%s", worst <= study_cures_target ? "yes" : "no");
-        }
+        table_row(t);
+        table_text(t, "%s", nu ? "" : study_cures_space[space].label);
+        table_text(t, "%s", study_cures_space[space].label);
+        table_fixed(t, study_cures_nu[nu], 2);
+        for (int n = 0; n < STUDY_CURES_THICKNESSES; n++)
+            table_fixed(t, study_cures_ratio(s, space, law, nu, n), 4);
+        table_number(t, percent(worst), 2);
+        table_text(t, "%s", worst <= study_cures_target ? "yes" : "no");
     }
     table_note(
         t,
@@ -93,7 +100,7 @@ static enum status print_law(const struct study_cures *s, int law, enum table_fo
 /* The paper's way with locking at a space's degree. */
 static int none_of(int space)
 {
-    return space / (STUDY_CURES_SPACES / 2) * (STUDY_CURES_SPACES / 2);
+    return space / HALF * HALF;
 }
 
 static double cost(const struct study_cures *s, int space)
@@ -133,7 +140,7 @@ static enum status print_cost(const struct study_cures *s, enum table_format for
 
     for (int n = 0; n < STUDY_CURES_SPACES; n++) {
         const struct run_result *r = &s->frame[n];
-        if (n == STUDY_CURES_SPACES / 2)
+        if (n == HALF)
             table_rule(t);
         table_row(t);
         table_text(t, "%s", study_cures_space[n].label);
@@ -151,16 +158,10 @@ static enum status print_cost(const struct study_cures *s, enum table_format for
     return table_finish(t, format, file);
 }
 
-static const char *law_name(int law, char text[48])
-{
-    snprintf(text, 48, study_cures_gamma[law] > 0 ? "nonlinear, Gamma = %g" : "linear",
-             study_cures_gamma[law]);
-    return text;
-}
-
 /* Which cells of a cure miss the target, in words. */
 static void tell_misses(const struct study_cures *s, int space, FILE *file)
 {
+    enum { NAMED = 6 };
     int misses = 0, cells = 0;
     char name[48];
 
@@ -168,22 +169,19 @@ static void tell_misses(const struct study_cures *s, int space, FILE *file)
     for (int law = 0; law < STUDY_CURES_LAWS; law++)
         for (int nu = 0; nu < STUDY_CURES_NUS; nu++)
             for (int n = 0; n < STUDY_CURES_THICKNESSES; n++) {
-                if (!solved(s, law, nu, n))
+                const double error = study_cures_error(s, space, law, nu, n);
+                cells += solved(s, law, nu, n);
+                if (!solved(s, law, nu, n) || error <= study_cures_target)
                     continue;
-                double error = study_cures_error(s, space, law, nu, n);
-                cells++;
-                if (error <= study_cures_target)
-                    continue;
-                misses++;
-                if (misses <= 6)
+                if (++misses <= NAMED)
                     fprintf(file, "%s%s nu %g h/L %g (%.2g %%)",
                             misses > 1 ? "; " : "misses ", law_name(law, name),
                             study_cures_nu[nu], study_cures_thickness[n], percent(error));
             }
     fprintf(file, "%s%d of %d cells within %g %%.\n",
-            misses > 6 ? "; ...; "
-            : misses   ? "; "
-                       : "",
+            misses > NAMED ? "; ...; "
+            : misses       ? "; "
+                           : "",
             cells - misses, cells, percent(study_cures_target));
 }
 
@@ -191,9 +189,8 @@ static void tell_misses(const struct study_cures *s, int space, FILE *file)
 static void tell_clamp(const struct study_cures *s, FILE *file)
 {
     const int nu = STUDY_CURES_NUS - 1;
-    double truth = s->tip[STUDY_CURES_TRUTH][0][nu][0].z;
-    double slit = s->tip[STUDY_CURES_SLIT][0][nu][0].z / truth - 1;
-    double plate = s->tip[5][0][nu][0].z / truth - 1;
+    const double slit = study_cures_ratio(s, STUDY_CURES_SLIT, 0, nu, 0) - 1;
+    const double plate = study_cures_ratio(s, 5, 0, nu, 0) - 1;
 
     fprintf(
         file,
@@ -208,24 +205,24 @@ static void tell_clamp(const struct study_cures *s, FILE *file)
 
 static void tell_bends(const struct study_cures *s, FILE *file)
 {
+    static const int space[] = {2, 5, 0};
     const int law = STUDY_CURES_LAWS - 1;
     const double clamp = pow(study_cures_gamma[law], -1. / 3);
+    double thick[3], thin[3];
 
+    for (int n = 0; n < 3; n++) {
+        thick[n] = percent(study_cures_error(s, space[n], law, 0, 2));
+        thin[n] = percent(study_cures_error(s, space[n], law, 0, 4));
+    }
     fprintf(
         file,
         "- At Gamma = %g the sheet bends within Gamma^(-1/3) = %.2g L of its clamp, on "
         "%.2g spans of eight. A cured sheet's error there is one of resolution: it does "
         "not grow as the sheet gets thinner (nu = 0, 1e-3 and 1e-5: selective (2,2,1) "
         "%.2g %% and %.2g %%, (3,3,1) %.2g %% and %.2g %%). Without a cure it does: %.2g "
-        "%% "
-        "and %.2g %%.\n",
-        study_cures_gamma[law], clamp, 8 * clamp,
-        percent(study_cures_error(s, 2, law, 0, 2)),
-        percent(study_cures_error(s, 2, law, 0, 4)),
-        percent(study_cures_error(s, 5, law, 0, 2)),
-        percent(study_cures_error(s, 5, law, 0, 4)),
-        percent(study_cures_error(s, 0, law, 0, 2)),
-        percent(study_cures_error(s, 0, law, 0, 4)));
+        "%% and %.2g %%.\n",
+        study_cures_gamma[law], clamp, 8 * clamp, thick[0], thin[0], thick[1], thin[1],
+        thick[2], thin[2]);
 }
 
 static void print_text(const struct study_cures *s, FILE *file)
@@ -245,25 +242,27 @@ static void print_text(const struct study_cures *s, FILE *file)
 
 static struct table *fill_errors(const struct study_cures *s)
 {
+    enum { EACH = STUDY_CURES_SPACES * STUDY_CURES_THICKNESSES };
     static const struct table_column columns[] = {
         {"space", NULL, TABLE_LEFT}, {"gamma"},          {"poisson"},
         {"h/L", .key = "thickness"}, {"tip over truth"}, {"error"}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
 
-    for (int law = 0; law < STUDY_CURES_LAWS; law++)
-        for (int nu = 0; nu < STUDY_CURES_NUS; nu++)
-            for (int space = 0; space < STUDY_CURES_SPACES; space++)
-                for (int n = 0; n < STUDY_CURES_THICKNESSES; n++) {
-                    if (isnan(study_cures_error(s, space, law, nu, n)))
-                        continue;
-                    table_row(t);
-                    table_text(t, "%s", study_cures_space[space].label);
-                    table_number(t, study_cures_gamma[law], 3);
-                    table_number(t, study_cures_nu[nu], 3);
-                    table_number(t, study_cures_thickness[n], 3);
-                    table_number(t, study_cures_ratio(s, space, law, nu, n), 6);
-                    table_number(t, study_cures_error(s, space, law, nu, n), 6);
-                }
+    for (int cell = 0; cell < STUDY_CURES_LAWS * STUDY_CURES_NUS * EACH; cell++) {
+        const int law = cell / EACH / STUDY_CURES_NUS, nu = cell / EACH % STUDY_CURES_NUS;
+        const int space = cell % EACH / STUDY_CURES_THICKNESSES;
+        const int n = cell % STUDY_CURES_THICKNESSES;
+        const double row[] = {study_cures_gamma[law], study_cures_nu[nu],
+                              study_cures_thickness[n],
+                              study_cures_ratio(s, space, law, nu, n),
+                              study_cures_error(s, space, law, nu, n)};
+        if (isnan(row[3]))
+            continue;
+        table_row(t);
+        table_text(t, "%s", study_cures_space[space].label);
+        for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+            table_number(t, row[i], 6);
+    }
     return t;
 }
 
@@ -297,23 +296,11 @@ static struct chart *make_chart(const struct table *t)
     return c;
 }
 
-static enum status save(const struct study_cures *s, const char *folder,
-                        struct message *why)
-{
-    struct table *t = fill_errors(s);
-    enum status st;
-
-    TRY(table_save(t, folder, "errors", why));
-    TRY(chart_save(make_chart(t), folder, "cures", why));
-out:
-    table_destroy(t);
-    return st;
-}
-
 enum status study_cures_print(const char *folder, enum table_format format, FILE *file,
                               struct message *why)
 {
     struct study_cures *s = NULL;
+    struct table *errors = NULL;
     enum status st;
 
     TRY(study_cures_read(folder, &s, why));
@@ -322,8 +309,11 @@ enum status study_cures_print(const char *folder, enum table_format format, FILE
     TRY(print_cost(s, format, file));
     if (table_format_is_prose(format))
         print_text(s, file);
-    TRY(save(s, folder, why));
+    errors = fill_errors(s);
+    TRY(table_save(errors, folder, "errors", why));
+    TRY(chart_save(make_chart(errors), folder, "cures", why));
 out:
+    table_destroy(errors);
     study_cures_destroy(s);
     return st;
 }

@@ -7,7 +7,6 @@
 #include "bench/experiment/measurement.h"
 #include "bench/truth/truth_plate.h"
 #include "fem_ref/reference.h"
-#include "models/reader/scene_file.h"
 
 #define ONE   "IGA, r = 1"
 #define TWO   "IGA, r = 2"
@@ -107,8 +106,8 @@ static enum status fill(const struct study_locking_space *s,
 }
 
 /* All spaces at one thickness. nu costs nothing, and is timed at one value only. */
-static enum status measure_thickness(const struct experiment_options *options,
-                                     const char *scene, double h, struct message *why)
+static enum status measure_thickness(const struct experiment_options *options, double h,
+                                     struct message *why)
 {
     enum { CASES = STUDY_LOCKING_SPACES * STUDY_LOCKING_NUS };
     struct measurement_case cases[CASES] = {0};
@@ -120,7 +119,7 @@ static enum status measure_thickness(const struct experiment_options *options,
     for (int n = 0; n < CASES; n++) {
         const int space = n / STUDY_LOCKING_NUS, nu = n % STUDY_LOCKING_NUS;
         struct measurement_case *c = &cases[n];
-        c->plan.path = scene;
+        c->plan.path = "cantilever";
         c->plan.settings = &jobs[n].settings;
         c->keep.file = jobs[n].file;
         c->rest = true;
@@ -163,18 +162,15 @@ static enum status measure(const struct experiment_options *options, struct mess
 {
     const double *h = options->value_count ? options->value : usual;
     int count = options->value_count ? options->value_count : USUAL;
-    char *scene = NULL;
-    enum status st;
+    enum status st = STATUS_OK;
 
     if (count > STUDY_LOCKING_MOST)
         return status_fail(why, STATUS_INPUT, "--values: at most %d thicknesses",
                            STUDY_LOCKING_MOST);
-    TRY(scene_file_find("cantilever", &scene, why));
     for (int n = 0; n < count; n++)
-        TRY(measure_thickness(options, scene, h[n], why));
+        TRY(measure_thickness(options, h[n], why));
     TRY(write_thicknesses(options->folder, count, h, why));
 out:
-    free(scene);
     return st;
 }
 
@@ -191,6 +187,8 @@ static enum status read_thicknesses(const char *folder, struct study_locking *s,
         s->thickness[s->count] = reference_number(table, s->count, "thickness_m");
         s->count++;
     }
+    if (!s->count)
+        st = status_fail(why, STATUS_INPUT, "%s: no thickness", path);
 out:
     reference_close(table);
     return st;

@@ -34,6 +34,14 @@ static double tip(const struct study_locking *s, int space, int n)
     return at(s, space, n)->tip;
 }
 
+static const struct model *model_of(int space)
+{
+    const struct contestant *c = NULL;
+
+    contestant_find(study_locking_space[space].contestant, &c, NULL);
+    return c->model;
+}
+
 /* A column for each thickness, behind what a space costs or not; a line between models. */
 static struct table *pivot(const struct study_locking *s, const char *caption, bool cost,
                            double value(const struct study_locking *s, int space, int n),
@@ -52,11 +60,10 @@ static struct table *pivot(const struct study_locking *s, const char *caption, b
     }
     struct table *t = table_create(fixed + s->count, columns, caption);
     for (int space = 0; space < STUDY_LOCKING_SPACES; space++) {
-        const struct study_locking_space *sp = &study_locking_space[space];
-        if (space && strncmp(sp->contestant, sp[-1].contestant, 3) != 0)
+        if (space && model_of(space) != model_of(space - 1))
             table_rule(t);
         table_row(t);
-        table_text(t, "%s", sp->label);
+        table_text(t, "%s", study_locking_space[space].label);
         if (cost) {
             table_fixed(t, at(s, space, s->count / 2)->unknowns, 0);
             table_number(t, at(s, space, s->count / 2)->setup, 3);
@@ -190,20 +197,21 @@ static double growth(const struct study_locking *s, int space)
 
 static void tell_shear(const struct study_locking *s, int n, FILE *file)
 {
-    const int thin = 0, thick = s->count - 1;
+    const int places[] = {PAPER, FINER, CUBIC, QUARTIC, PAPER_HEX}, thick = s->count - 1;
+    double here[5];
 
+    for (int k = 0; k < 5; k++)
+        here[k] = study_locking_shear(s, places[k], n);
     fprintf(
         file,
         "- Shear locking (nu = 0). At h = %g mm the paper's space has %.3f of the tip, "
-        "twice "
-        "the points %.3f, degree 3 %.3f,\n  degree 4 %.3f; the paper's hexahedra %.4f. "
-        "Thinner is worse: the paper's space goes from %.3f at %g mm to %.3f at %g mm.\n  "
-        "Plain hexahedra are too stiff by a factor 1 + C (L/h)^%.2f (2 in theory).\n",
-        1e3 * s->thickness[n], study_locking_shear(s, PAPER, n),
-        study_locking_shear(s, FINER, n), study_locking_shear(s, CUBIC, n),
-        study_locking_shear(s, QUARTIC, n), study_locking_shear(s, PAPER_HEX, n),
+        "twice the points %.3f, degree 3 %.3f,\n  degree 4 %.3f; the paper's hexahedra "
+        "%.4f. Thinner is worse: the paper's space goes from %.3f at %g mm to %.3f at %g "
+        "mm.\n  Plain hexahedra are too stiff by a factor 1 + C (L/h)^%.2f (2 in "
+        "theory).\n",
+        1e3 * s->thickness[n], here[0], here[1], here[2], here[3], here[4],
         study_locking_shear(s, PAPER, thick), 1e3 * s->thickness[thick],
-        study_locking_shear(s, PAPER, thin), 1e3 * s->thickness[thin], growth(s, HEX));
+        study_locking_shear(s, PAPER, 0), 1e3 * s->thickness[0], growth(s, HEX));
 }
 
 static void tell(const struct study_locking *s, FILE *file)
@@ -226,9 +234,8 @@ static void tell(const struct study_locking *s, FILE *file)
     fprintf(
         file,
         "- Cost. Hexahedra with incompatible modes, 10x10x2, have %.3f of the tip at h = "
-        "%g "
-        "mm for %.2g times the paper's set-up\n  and solve; degree (3,3,2) %.3f for %.2g "
-        "times; the paper's own space has %.3f.\n",
+        "%g mm for %.2g times the paper's set-up\n  and solve; degree (3,3,2) %.3f for "
+        "%.2g times; the paper's own space has %.3f.\n",
         tip(s, CURED, n), h, cost(s, CURED), tip(s, CUBIC_R2, n), cost(s, CUBIC_R2),
         tip(s, PAPER, n));
     study_print_verdict(file, "higher degree through the thickness makes little difference",
@@ -241,23 +248,35 @@ static void tell(const struct study_locking *s, FILE *file)
 
 /* --- Files. */
 
-static void fill_row(const struct study_locking *s, struct table *t, int space, int nu,
-                     int n)
+/* A row for each equilibrium. */
+static struct table *fill(const struct study_locking *s)
 {
-    const struct study_locking_cell *c = &s->cell[space][nu][n];
-    const struct contestant *contestant = NULL;
+    static const struct table_column columns[] = {
+        {"space", NULL, TABLE_LEFT},
+        {"model", NULL, TABLE_LEFT},
+        {"poisson"},
+        {"thickness", "mm", .key = "thickness_m", .key_unit = "m", .scale = 1e3},
+        {"tip over Kirchhoff", .key = "tip_over_kirchhoff"},
+        {"error"},
+        {"unknowns"},
+        {"set-up", "s", .key = "setup_s"},
+        {"equilibrium", "s"}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
 
-    contestant_find(study_locking_space[space].contestant, &contestant, NULL);
-    table_row(t);
-    table_text(t, "%s", study_locking_space[space].label);
-    table_text(t, "%s", contestant->model->name);
-    table_number(t, study_locking_nu[nu], 2);
-    table_number(t, s->thickness[n], 3);
-    table_number(t, c->tip, 4);
-    table_number(t, fabs(1 - c->tip), 4);
-    table_fixed(t, c->unknowns, 0);
-    table_number(t, c->setup, 3);
-    table_number(t, c->equilibrium, 3);
+    for (int k = 0; k < STUDY_LOCKING_NUS * STUDY_LOCKING_SPACES * s->count; k++) {
+        const int nu = STUDY_LOCKING_BOTH - k / s->count / STUDY_LOCKING_SPACES;
+        const int space = k / s->count % STUDY_LOCKING_SPACES, n = k % s->count;
+        const struct study_locking_cell *c = &s->cell[space][nu][n];
+        const double row[] = {study_locking_nu[nu], s->thickness[n], c->tip,
+                              fabs(1 - c->tip),     c->unknowns,     c->setup,
+                              c->equilibrium};
+        table_row(t);
+        table_text(t, "%s", study_locking_space[space].label);
+        table_text(t, "%s", model_of(space)->name);
+        for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+            table_number(t, row[i], 4);
+    }
+    return t;
 }
 
 /* A row of panels for each family, a column for each Poisson's ratio. */
@@ -289,37 +308,11 @@ static struct chart *make_chart(const struct table *t)
     return c;
 }
 
-static enum status save(const struct study_locking *s, const char *folder,
-                        struct message *why)
-{
-    static const struct table_column columns[] = {
-        {"space", NULL, TABLE_LEFT},
-        {"model", NULL, TABLE_LEFT},
-        {"poisson"},
-        {"thickness", "mm", .key = "thickness_m", .key_unit = "m", .scale = 1e3},
-        {"tip over Kirchhoff's", .key = "tip_over_kirchhoff"},
-        {"error"},
-        {"unknowns"},
-        {"set-up", "s", .key = "setup_s"},
-        {"equilibrium", "s"}};
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
-    enum status st;
-
-    for (int nu = STUDY_LOCKING_BOTH; nu >= 0; nu--)
-        for (int space = 0; space < STUDY_LOCKING_SPACES; space++)
-            for (int n = 0; n < s->count; n++)
-                fill_row(s, t, space, nu, n);
-    TRY(table_save(t, folder, "locking", why));
-    TRY(chart_save(make_chart(t), folder, "locking", why));
-out:
-    table_destroy(t);
-    return st;
-}
-
 enum status study_locking_print(const char *folder, enum table_format format, FILE *file,
                                 struct message *why)
 {
     struct study_locking *s = NULL;
+    struct table *all = NULL;
     enum status st;
 
     TRY(study_locking_read(folder, &s, why));
@@ -328,8 +321,11 @@ enum status study_locking_print(const char *folder, enum table_format format, FI
     TRY(print_prototype(s, format, file));
     if (table_format_is_prose(format))
         tell(s, file);
-    TRY(save(s, folder, why));
+    all = fill(s);
+    TRY(table_save(all, folder, "locking", why));
+    TRY(chart_save(make_chart(all), folder, "locking", why));
 out:
+    table_destroy(all);
     free(s);
     return st;
 }

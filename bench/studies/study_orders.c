@@ -8,7 +8,6 @@
 #include "iga/plate_space.h"
 #include "iga/refine.h"
 #include "models/grid.h"
-#include "models/reader/scene_file.h"
 #include "models/solid/solid_model.h"
 
 enum { SIDE = 10, QUICK_SIDE = 6, PATH = 4096 };
@@ -198,14 +197,12 @@ enum status study_orders_measure(const struct experiment_options *options,
                                  struct message *why)
 {
     struct settings settings = {0};
-    struct run_plan plan = {.settings = &settings};
+    struct run_plan plan = {.path = "edge_drop", .settings = &settings};
     struct patch patch = {0};
-    char path[PATH], *scene = NULL;
+    char path[PATH];
     enum status st;
 
     TRY(contestant_find("iga_paper", &plan.contestant, why));
-    TRY(scene_file_find("edge_drop", &scene, why));
-    plan.path = scene;
     for (enum study_order_path n = 0; n < STUDY_ORDERS; n++) {
         TRY(study_orders_patch(n, options->quick ? QUICK_SIDE : SIDE, &patch, NULL, why));
         study_orders_file(options->folder, n, path, sizeof path);
@@ -218,6 +215,5 @@ enum status study_orders_measure(const struct experiment_options *options,
 out:
     patch_clear(&patch);
     settings_clear(&settings);
-    free(scene);
     return st;
 }

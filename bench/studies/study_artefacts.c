@@ -80,9 +80,7 @@ static enum status print_found(const struct gallery_result *r,
         const double *value = r->run[n].value;
         const double crosses = value[MEASURE_INTERSECTION_TIME];
         const struct contestant *contestant = NULL;
-        struct case_result judged = {.outcome = r->run[n].outcome};
-        memcpy(judged.value, value, sizeof judged.value);
-        struct verdict v = verdict_apply(rules, &judged);
+        struct verdict v = verdict_apply(rules, r->run[n].outcome, value);
         const bool found =
             a->label ? verdict_has(rules, v, a->label) : v.kind == VERDICT_FEASIBLE;
         verdict_text(rules, v, words, sizeof words);

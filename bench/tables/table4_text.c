@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bench/tables/interval.h"
-#include "bench/tables/table4_data.h"
+#include "bench/tables/table4.h"
 
 enum { PRINTED = TABLE4_PRINTED, FLAG = TABLE4_FLAG, DROP = TABLE4_DROP };
 
@@ -34,7 +34,7 @@ static void yes_or_no(const struct table4_data *d, struct table *t)
 {
     bool yes[PAPER_TABLE4_ROWS];
     double ratio[PAPER_TABLE4_ROWS];
-    int feasible = table4_data_paper(-1, yes);
+    int feasible = table4_paper(-1, yes);
 
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
         ratio[row] = paper_table4[row].young / paper_table4[row].density;
@@ -45,9 +45,8 @@ static void yes_or_no(const struct table4_data *d, struct table *t)
         "rows on flag and %d on edge_drop. That is weak evidence for anything: `no` "
         "to every row is right in %d, and any number that grows with E/rho, whatever "
         "it is, in %d, with two bounds chosen in hindsight (%.3g to %.3g m^2/s^2)%s.",
-        table4_data_agree(d, PRINTED, FLAG, -1).agree,
-        table4_data_agree(d, PRINTED, DROP, -1).agree, PAPER_TABLE4_ROWS - feasible,
-        best.agree, best.low, best.high,
+        table4_agree(d, PRINTED, FLAG, -1).agree, table4_agree(d, PRINTED, DROP, -1).agree,
+        PAPER_TABLE4_ROWS - feasible, best.agree, best.low, best.high,
         best.agree == PAPER_TABLE4_ROWS
             ? ". The paper's yes or no is a function of E/rho, and mu plays no part "
               "in it"
@@ -59,9 +58,9 @@ static void one_number(const struct table4_data *d, struct table *t)
     int same = 0;
 
     for (int n = 0; n < TABLE4_SCALED; n++)
-        same +=
-            !memcmp(d->scaled[n].value, d->result[PRINTED][FLAG][table4_scaled[n]].value,
-                    sizeof d->scaled[n].value);
+        same += !memcmp(d->scaled[n].value,
+                        d->run[PRINTED][FLAG][table4_scaled[n]].result.value,
+                        sizeof d->scaled[n].value);
     table_note(
         t,
         "E and rho are one parameter: gravity is the only load, and so rho divides "
@@ -78,7 +77,7 @@ static int rows_that_cross(const struct table4_data *d, int scene, struct words 
     int count = 0;
 
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
-        double time = d->result[PRINTED][scene][row].value[CASE_INTERSECTION_TIME];
+        double time = d->run[PRINTED][scene][row].result.value[MEASURE_INTERSECTION_TIME];
         if (!isfinite(time))
             continue;
         first = fmin(first, time);
@@ -100,9 +99,9 @@ static int best_time(const struct table4_data *d)
     bool yes[PAPER_TABLE4_ROWS];
     double time[PAPER_TABLE4_ROWS];
 
-    table4_data_paper(PAPER_PENETRATION, yes);
+    table4_paper(PAPER_PENETRATION, yes);
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
-        time[row] = d->result[PRINTED][FLAG][row].value[CASE_INTERSECTION_TIME];
+        time[row] = d->run[PRINTED][FLAG][row].result.value[MEASURE_INTERSECTION_TIME];
     return interval_best(PAPER_TABLE4_ROWS, time, yes, INTERVAL_ANY).agree;
 }
 
@@ -110,11 +109,11 @@ static void crossings(const struct table4_data *d, struct table *t)
 {
     struct words w = {"", 0};
     bool blind = true, met = false, yes[PAPER_TABLE4_ROWS];
-    const int paper = table4_data_paper(PAPER_PENETRATION, yes);
+    const int paper = table4_paper(PAPER_PENETRATION, yes);
 
     for (int s = 0; s < TABLE4_SCENES; s++) {
         int count = rows_that_cross(d, s, &w);
-        struct table4_agreement a = table4_data_agree(d, PRINTED, s, PAPER_PENETRATION);
+        struct table4_agreement a = table4_agree(d, PRINTED, s, PAPER_PENETRATION);
         blind = blind && (count == 0 || count == PAPER_TABLE4_ROWS ||
                           a.agree <= PAPER_TABLE4_ROWS - paper); /* no better than `no` */
         met = met || a.agree == PAPER_TABLE4_ROWS;
@@ -138,14 +137,14 @@ static void deaths(const struct table4_data *d, struct table *t)
         int count = 0;
         add(&w, "%s on %s ", s ? ";" : "", table4_scene[s]);
         for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
-            if (status_is_death(d->result[PRINTED][s][row].outcome))
+            if (status_is_death(d->run[PRINTED][s][row].result.outcome))
                 add(&w, "%srow %d at %.3g s", count++ ? ", " : "", row + 1,
-                    d->result[PRINTED][s][row].value[CASE_BLOWUP_TIME]);
+                    d->run[PRINTED][s][row].result.value[MEASURE_BLOWUP_TIME]);
         add(&w, "%s", count ? "" : "none");
     }
     int fast = 0;
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
-        fast += d->result[PRINTED][DROP][row].value[CASE_SPEED_MAX] > FREE_FALL;
+        fast += d->run[PRINTED][DROP][row].result.value[MEASURE_SPEED_MAX] > FREE_FALL;
     table_note(
         t,
         "Chaos: blow-ups of the printed scheme:%s. The paper calls row 7 chaotic. On "
@@ -162,7 +161,7 @@ static void stiffness(const struct table4_data *d, struct table *t)
     double low = INFINITY, high = 0;
 
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
-        double gamma = d->result[PRINTED][FLAG][row].value[CASE_GAMMA];
+        double gamma = d->run[PRINTED][FLAG][row].result.value[MEASURE_GAMMA];
         low = fmin(low, gamma);
         high = fmax(high, gamma);
     }
@@ -172,8 +171,9 @@ static void stiffness(const struct table4_data *d, struct table *t)
                "these numbers stands out of its support, as the undamped shell does: its "
                "middle line sinks by %.2g degrees at most on flag in row %d, the printed "
                "one's by %.3g: the printed scheme has no elastic memory, and flows.",
-               low, high, fabric, d->result[TABLE4_SHELL][FLAG][3].value[CASE_ANGLE_MAX], 4,
-               d->result[PRINTED][FLAG][3].value[CASE_ANGLE_MAX]);
+               low, high, fabric,
+               d->run[TABLE4_SHELL][FLAG][3].result.value[MEASURE_ANGLE_MAX], 4,
+               d->run[PRINTED][FLAG][3].result.value[MEASURE_ANGLE_MAX]);
 }
 
 /* Whose failure a label is, from the rows that have it; `lawful`: at most, in a reading and
@@ -199,9 +199,10 @@ static const char *hanging(const struct table4_data *d, struct words *w)
     double most = 0, shell = 0;
 
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
-        most = fmax(most, d->result[PRINTED][FLAG][row].value[CASE_HANGING_STRAIN]);
+        most = fmax(most, d->run[PRINTED][FLAG][row].result.value[MEASURE_HANGING_STRAIN]);
         for (int s = 0; s < TABLE4_SCENES; s++)
-            shell = fmax(shell, d->result[TABLE4_SHELL][s][row].value[CASE_STRETCH_MAX]);
+            shell =
+                fmax(shell, d->run[TABLE4_SHELL][s][row].result.value[MEASURE_STRETCH_MAX]);
     }
     add(w,
         " A strip that hangs by its end stretches by rho g L / E, %.2g at most in these "
@@ -213,15 +214,15 @@ static const char *hanging(const struct table4_data *d, struct words *w)
 static void physics(const struct table4_data *d, int label, struct table *t)
 {
     bool yes[PAPER_TABLE4_ROWS];
-    int paper = table4_data_paper(label, yes), printed = 0, lawful = 0, hits = 0;
+    int paper = table4_paper(label, yes), printed = 0, lawful = 0, hits = 0;
     struct words w = {"", 0};
 
     for (int r = 0; r < TABLE4_READINGS; r++)
         for (int s = 0; s < TABLE4_SCENES; s++) {
-            struct table4_agreement a = table4_data_agree(d, r, s, label);
+            struct table4_agreement a = table4_agree(d, r, s, label);
             if (r == PRINTED)
                 printed += a.hit + a.extra;
-            if (!table4_is_physics(r))
+            if (!table4_reading[r].lawful)
                 continue;
             lawful = a.hit + a.extra > lawful ? a.hit + a.extra : lawful;
             hits = a.hit > hits ? a.hit : hits;

@@ -255,6 +255,13 @@ struct table4_agreement table4_agree(const struct table4_data *d, int reading, i
     return a;
 }
 
+void table4_column(const struct table4_data *d, int reading, int scene, int measure,
+                   double value[PAPER_TABLE4_ROWS])
+{
+    for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
+        value[row] = d->run[reading][scene][row].result.value[measure];
+}
+
 const char *table4_words(unsigned labels, char *text, int size)
 {
     size_t used = 0;

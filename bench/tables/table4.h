@@ -89,6 +89,10 @@ struct table4_agreement {
 struct table4_agreement table4_agree(const struct table4_data *d, int reading, int scene,
                                      int label);
 
+/* A measure of all rows. */
+void table4_column(const struct table4_data *d, int reading, int scene, int measure,
+                   double value[PAPER_TABLE4_ROWS]);
+
 /* Labels in words, "-" for none, into text[size]; returns text. */
 const char *table4_words(unsigned labels, char *text, int size);
 

@@ -189,8 +189,7 @@ static void best_cell(struct table *t, const struct table4_data *d, int scene,
 {
     double value[PAPER_TABLE4_ROWS];
 
-    for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
-        value[row] = d->run[TABLE4_PRINTED][scene][row].result.value[judge.measure];
+    table4_column(d, TABLE4_PRINTED, scene, judge.measure, value);
     table_integer(t, interval_best(PAPER_TABLE4_ROWS, value, yes, judge.shape).agree);
 }
 
@@ -311,7 +310,7 @@ static enum status save(const struct table4_data *d, const char *folder,
 static void squares(struct chart *c, int label, int row, double up, bool feasible,
                     unsigned labels)
 {
-    const double apart = 1.075, ratio = paper_table4[row].young / paper_table4[row].density;
+    const double apart = 1.1, ratio = paper_table4[row].young / paper_table4[row].density;
     int before = 0;
 
     for (int n = 0; n < label; n++)

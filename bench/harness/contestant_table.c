@@ -73,6 +73,8 @@ const struct contestant contestant_table[] = {
      2, 1, {10, 20, 32}, {1, 4}, {0}},
     {"hex_linear", "hexahedra, linear", "hex lin.", &hex_model, SMALL, {LINEAR}, 2, 1,
      {16, 32}, {1, 4}, {0}},
+    {"hex_incompatible_paper", "hexahedra, incompatible, printed", "hex inc. paper",
+     &hex_model, 0, {PRINTED, INCOMPATIBLE}, 2, 1, {10, 20, 32}, {1, 4}, {0}},
     {"hex_incompatible_linear", "hexahedra, incompatible, linear", "hex inc. lin.",
      &hex_model, COMPARE | SMALL, {LINEAR, INCOMPATIBLE}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
     {"hex_incremental", "hexahedra, incremental", "hex incr.", &hex_model, COMPARE,

@@ -5,7 +5,7 @@
 
 #include "bench/experiment/gallery.h"
 #include "bench/harness/contestant.h"
-#include "bench/tables/table4_data.h"
+#include "bench/tables/table4.h"
 
 /* The paper's four words for Fig. 16, each by the row of Table 4 that shows it here, and
  * twice where what the paper shows and what the rules find are not the same. */
@@ -113,7 +113,7 @@ static enum status print(const char *folder, enum table_format format, FILE *fil
     struct verdict_rules rules = {0};
     enum status st;
 
-    TRY(table4_data_rules(&rules, why));
+    TRY(table4_rules(&rules, why));
     TRY(gallery_read(&gallery, folder, &r, why));
     TRY(print_found(&r, &rules, format, file));
     TRY(gallery_print(&gallery, &r, "The same runs at three times", folder, format, file,

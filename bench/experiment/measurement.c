@@ -71,6 +71,16 @@ out:
     return st;
 }
 
+/* Many cases wait to be timed, each time on a fresh state: none keeps its own. */
+static enum status put_away(struct job *j, struct message *why)
+{
+    const enum status st = run_file_end(j->file, why);
+
+    j->run.model->destroy(j->run.state);
+    j->run.state = j->motion.state = NULL;
+    return st;
+}
+
 /* What died before its first frames were over has nothing to be timed. */
 static bool is_timed(const struct job *j)
 {
@@ -132,20 +142,28 @@ out:
     return st;
 }
 
+/* One bar for both: the runs that are followed, then those that are timed. */
+struct bar {
+    const struct measurement_options *options;
+    int before;
+};
+
 static void report(void *context, int done, int total)
 {
-    const struct measurement_options *options = context;
+    const struct bar *bar = context;
+    const struct measurement_options *o = bar->options;
 
-    if (options->progress)
-        options->progress(options->context, options->what, done, total);
+    if (o->progress)
+        o->progress(o->context, o->what, bar->before + done, bar->before + total);
 }
 
 static enum status time_all(const struct measurement_options *options, int count,
                             struct job *jobs, struct message *why)
 {
     struct timing_case *timing = calloc((size_t)count + 1, sizeof *timing);
+    struct bar bar = {options, count};
     const struct timing_plan plan = {
-        .quick = options->quick, .progress = report, .context = (void *)options};
+        .quick = options->quick, .progress = report, .context = &bar};
     enum status st = timing ? STATUS_OK : STATUS_MEMORY;
     int timed = 0;
 
@@ -173,11 +191,15 @@ enum status measurement_run(const struct measurement_options *options, int count
                             const struct measurement_case *cases, struct message *why)
 {
     struct job *jobs = calloc((size_t)count + 1, sizeof *jobs);
+    struct bar bar = {options, 0};
     enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
 
-    for (int n = 0; n < count && st == STATUS_OK; n++)
-        st = follow(&jobs[n], &cases[n], why);
     TRY(st);
+    for (int n = 0; n < count; n++) {
+        TRY(follow(&jobs[n], &cases[n], why));
+        TRY(put_away(&jobs[n], why));
+        report(&bar, n + 1, (TIMING_REPEATS + 1) * count);
+    }
     TRY(time_all(options, count, jobs, why));
     for (int n = 0; n < count; n++) {
         struct run_file *file = jobs[n].file;

@@ -28,26 +28,26 @@ static void take(struct settings *s, char *text)
     s->text[s->count++] = text;
 }
 
-void settings_text(struct settings *s, const char *text)
+void settings_set(struct settings *s, const char *text)
 {
     take(s, strdup(text));
 }
 
-void settings_texts(struct settings *s, int count, const char *const *text)
+void settings_set_all(struct settings *s, int count, const char *const *text)
 {
     for (int n = 0; n < count; n++)
-        settings_text(s, text[n]);
+        settings_set(s, text[n]);
 }
 
 void settings_list(struct settings *s, int most, const char *const *text)
 {
     for (int n = 0; n < most && text[n]; n++)
-        settings_text(s, text[n]);
+        settings_set(s, text[n]);
 }
 
 void settings_append(struct settings *s, const struct settings *more)
 {
-    settings_texts(s, more->count, (const char *const *)more->text);
+    settings_set_all(s, more->count, (const char *const *)more->text);
     if (more->status != STATUS_OK)
         s->status = more->status;
 }

@@ -32,8 +32,8 @@ void settings_integers(struct settings *s, const char *key, int count, const int
 void settings_numbers(struct settings *s, const char *key, int count, const double *value);
 
 /* One KEY=VALUE; many of them; those of a table that NULL, or `most`, ends. */
-void settings_text(struct settings *s, const char *text);
-void settings_texts(struct settings *s, int count, const char *const *text);
+void settings_set(struct settings *s, const char *text);
+void settings_set_all(struct settings *s, int count, const char *const *text);
 void settings_list(struct settings *s, int most, const char *const *text);
 
 /* All of another list, in order. */

@@ -50,10 +50,10 @@ void probe_print_header(FILE *file)
     fputs("t,u,v,w,x,y,z\n", file);
 }
 
-enum status probe_print(struct probe *p, const struct model *model, const void *state,
-                        double t, FILE *file, struct message *why)
+enum status probe_print(struct probe *p, const struct run *run, double t, FILE *file,
+                        struct message *why)
 {
-    model->probe(state, p->count, p->uvw, p->xyz);
+    run->model->probe(run->state, p->count, p->uvw, p->xyz);
     for (int n = 0; n < p->count; n++) {
         const double *a = p->uvw + 3 * n, *x = p->xyz + 3 * n;
         if (fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t, a[0], a[1],

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "models/model.h"
+#include "bench/harness/run.h"
 
 struct probe {
     int count;
@@ -20,7 +20,7 @@ void probe_clear(struct probe *p); /* all-zero is allowed */
 void probe_print_header(FILE *file);
 
 /* Where the points are now. STATUS_FILE with a sentence if the file does not take it. */
-enum status probe_print(struct probe *p, const struct model *model, const void *state,
-                        double t, FILE *file, struct message *why);
+enum status probe_print(struct probe *p, const struct run *run, double t, FILE *file,
+                        struct message *why);
 
 #endif

@@ -236,7 +236,7 @@ static const struct command_option options[] = {
      "about the rest shape, or with --static about nonlinear\n"
      "static equilibrium, and whether that is stable"},
     {"--format", "FORMAT", false,
-     "of the table of --static or --modes: text, csv,\nmarkdown or latex"},
+     "of the table of --static or --modes: " TABLE_FORMATS},
     {"--probe", "U,V,W", true,
      "where this material point is in every frame, as CSV\n"
      "t,u,v,w,x,y,z with 17 digits on standard output"},

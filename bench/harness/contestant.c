@@ -55,6 +55,14 @@ static bool is_all(const char *choice)
     return !choice || !strcmp(choice, "all");
 }
 
+static bool has_entered(const struct model *model, unsigned where)
+{
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        if (c->model == model && c->enters & where)
+            return true;
+    return false;
+}
+
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where)
 {
     const bool enters = !where || c->enters & where;
@@ -64,7 +72,10 @@ bool contestant_chosen(const struct contestant *c, const char *choice, unsigned 
         return enters;
     for (const char *at = choice; *at; at += length + (at[length] == ',')) {
         length = strcspn(at, ",");
-        if (is(at, length, c->name) || (enters && is(at, length, c->model->name)))
+        const bool model = is(at, length, c->model->name);
+        if (model ? enters : is(at, length, c->name))
+            return true;
+        if (model && is(at, length, c->name) && !has_entered(c->model, where))
             return true;
     }
     return false;

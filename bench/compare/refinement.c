@@ -1,149 +1,65 @@
-#include "bench/compare/ladder.h"
+#include "bench/compare/refinement.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "bench/harness/registry.h"
+enum { MOST = CONTESTANT_STEPS * CONTESTANT_STEPS * CONTESTANT_STEPS };
 
-enum { SIDES = 4, DIVISORS = 3, ITERATIONS = 3, FIXED = 3 };
-
-/* One way to use a model; zeros end the lists. */
-static const struct family {
-    const char *model, *name, *file;
-    const char *fixed[FIXED];
-    bool surface; /* two numbers of points                                             */
-    int sides[SIDES], divisors[DIVISORS], iterations[ITERATIONS];
-} families[] = {
-    /* clang-format off */
-    {"iga", "iga printed (paper)", "iga_printed", {"discretization.kinematics=printed"},
-     false, {5, 10, 20}, {1, 4}, {0}},
-    {"iga", "iga incremental", "iga_incremental",
-     {"discretization.kinematics=incremental"}, false, {5, 10, 20}, {1, 4}, {0}},
-    {"iga", "iga linear", "iga_linear",
-     {"discretization.kinematics=linear"}, false, {5, 10, 20, 40}, {1, 4}, {0}},
-    {"iga", "iga reduced incremental", "iga_reduced_incremental",
-     {"discretization.kinematics=incremental", "discretization.remedy=reduced"},
-     false, {5, 10, 20}, {1, 4}, {0}},
-    {"iga", "iga reduced nonlinear", "iga_reduced_nonlinear",
-     {"discretization.kinematics=nonlinear", "discretization.remedy=reduced"},
-     false, {6, 10, 16}, {1, 4}, {0}},
-    {"iga", "iga selective nonlinear", "iga_selective_nonlinear",
-     {"discretization.kinematics=nonlinear", "discretization.remedy=selective"},
-     false, {6, 10, 16}, {1, 4}, {0}},
-    {"iga", "iga selective nonlinear p=3", "iga_selective_nonlinear_3",
-     {"discretization.kinematics=nonlinear", "discretization.remedy=selective",
-      "discretization.degree=[3,3,1]"}, false, {6, 10, 16}, {1, 4}, {0}},
-    {"hex", "hex incremental", "hex_incremental",
-     {"discretization.kinematics=incremental"}, false, {10, 20, 40}, {1, 4}, {0}},
-    {"hex", "hex incompatible incremental", "hex_incompatible_incremental",
-     {"discretization.kinematics=incremental", "discretization.remedy=incompatible"},
-     false, {10, 20, 40}, {1, 4}, {0}},
-    {"hex", "hex incompatible linear", "hex_incompatible_linear",
-     {"discretization.kinematics=linear", "discretization.remedy=incompatible"},
-     false, {10, 20, 40}, {1, 4}, {0}},
-    {"hex", "hex incompatible nonlinear", "hex_incompatible_nonlinear",
-     {"discretization.kinematics=nonlinear", "discretization.remedy=incompatible"},
-     false, {10, 20}, {1, 4}, {0}},
-    {"shell", "shell p=2", "shell_2", {"discretization.degree=[2,2]"},
-     true, {6, 10, 16}, {1, 4}, {0}},
-    {"shell", "shell p=3", "shell_3", {"discretization.degree=[3,3]"},
-     true, {6, 10, 16}, {1, 4}, {0}},
-    {"mass_spring", "mass-spring matched", "mass_spring",
-     {"discretization.parameters=matched"}, true, {10, 20, 40}, {1, 4, 16}, {0}},
-    {"projective_dynamics", "projective dynamics matched", "projective_dynamics",
-     {"discretization.parameters=matched"}, true, {10, 20, 40}, {1, 4, 16}, {10, 100}},
-    /* clang-format on */
-};
-
-static bool listed(const char *models, const char *name)
+static int length(const int *list)
 {
-    size_t length = strlen(name);
+    int n = 0;
 
-    for (const char *at = models; at && (at = strstr(at, name)); at += length)
-        if ((at == models || at[-1] == ',') && (at[length] == ',' || !at[length]))
-            return true;
-    return !models;
+    while (n < CONTESTANT_STEPS && list[n])
+        n++;
+    return n;
 }
 
-/* Every word of the user's list must be a model. */
-static enum status check_words(const char *models, struct message *why)
+static int at_most(int most, int count)
 {
-    char word[64];
-
-    for (const char *at = models; at && *at;) {
-        size_t length = strcspn(at, ",");
-        const struct model *model;
-        snprintf(word, sizeof word, "%.*s", (int)length, at);
-        enum status st = registry_find(word, &model, why);
-        if (st != STATUS_OK)
-            return st;
-        at += length + (at[length] == ',');
-    }
-    return STATUS_OK;
+    return count < most ? count : most;
 }
 
-static bool built(const char *name)
+static int add(const struct contestant *c, bool quick, struct refinement *all)
 {
-    const struct model *model;
+    const int sides = at_most(quick ? 2 : CONTESTANT_STEPS, length(c->points));
+    const int divisors = at_most(quick ? 1 : CONTESTANT_STEPS, length(c->divisors));
+    const int iterations = length(c->iterations);
+    int count = 0;
 
-    return registry_find(name, &model, NULL) == STATUS_OK;
-}
-
-static void make_rung(const struct family *f, int side, int divisor, int iterations,
-                      double step, struct ladder_rung *r)
-{
-    *r = (struct ladder_rung){.model = f->model,
-                              .family = f->name,
-                              .side = side,
-                              .divisor = divisor,
-                              .iterations = iterations};
-    for (int n = 0; n < FIXED && f->fixed[n]; n++)
-        snprintf(r->settings[r->count++], LADDER_TEXT, "%s", f->fixed[n]);
-    snprintf(r->settings[r->count++], LADDER_TEXT, "discretization.points=[%d,%d%s]", side,
-             side, f->surface ? "" : ",2");
-    snprintf(r->settings[r->count++], LADDER_TEXT, "time.step=%.17g", step / divisor);
-    if (iterations)
-        snprintf(r->settings[r->count++], LADDER_TEXT, "discretization.iterations=%d",
-                 iterations);
-    snprintf(r->name, sizeof r->name, "%s_%d_%d_%d", f->file, side, divisor, iterations);
-}
-
-static int add_family(const struct family *f, double step, bool quick,
-                      struct ladder_rung *rungs)
-{
-    int count = 0, sides = 0;
-
-    while (sides < SIDES && f->sides[sides])
-        sides++;
-    if (quick && sides > 2)
-        sides = 2;
     for (int s = 0; s < sides; s++)
-        for (int d = 0; d < (quick ? 1 : DIVISORS) && f->divisors[d]; d++)
-            for (int i = 0; i < ITERATIONS && (i == 0 || f->iterations[i]); i++)
-                make_rung(f, f->sides[s], f->divisors[d], f->iterations[i], step,
-                          &rungs[count++]);
+        for (int d = 0; d < divisors; d++)
+            for (int i = 0; i == 0 || i < iterations; i++)
+                all[count++] = (struct refinement){c, c->points[s], c->divisors[d],
+                                                   iterations ? c->iterations[i] : 0};
     return count;
 }
 
-enum status ladder_make(const char *models, double step, bool quick,
-                        struct ladder_rung **rungs, int *count, struct message *why)
+enum status refinement_make(const char *choice, bool quick, struct refinement **all,
+                            int *count, struct message *why)
 {
-    enum { FAMILIES = sizeof families / sizeof *families };
-    if (models && !strcmp(models, "all"))
-        models = NULL;
-    enum status st = check_words(models, why);
-    struct ladder_rung *new;
+    const enum status st = contestant_check(choice, why);
+    const struct model *model;
+    int rows = 0;
 
     if (st != STATUS_OK)
         return st;
-    new = malloc(FAMILIES * SIDES * DIVISORS * ITERATIONS * sizeof *new);
-    if (!new)
+    while (contestant_table[rows].name)
+        rows++;
+    *all = malloc(((size_t)rows * MOST + 1) * sizeof **all);
+    if (!*all)
         return STATUS_MEMORY;
     *count = 0;
-    for (int f = 0; f < FAMILIES; f++)
-        if (listed(models, families[f].model) && built(families[f].model))
-            *count += add_family(&families[f], step, quick, new + *count);
-    *rungs = new;
+    for (int m = 0; (model = contestant_model(m)); m++)
+        for (const struct contestant *c = contestant_table; c->name; c++)
+            if (c->model == model && contestant_chosen(c, choice, CONTESTANT_COMPARE))
+                *count += add(c, quick, *all + *count);
     return STATUS_OK;
+}
+
+void refinement_settings(const struct refinement *r, double frame, struct settings *s)
+{
+    contestant_settings(r->contestant, s); /* again: what the user set may not change it */
+    contestant_points(r->contestant, r->side, r->side, s);
+    settings_number(s, "time.step", frame / r->divisor);
+    if (r->iterations)
+        settings_integer(s, "discretization.iterations", r->iterations);
 }

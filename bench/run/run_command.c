@@ -235,8 +235,7 @@ static const struct command_option options[] = {
      "the N lowest natural frequencies instead of motion:\n"
      "about the rest shape, or with --static about nonlinear\n"
      "static equilibrium, and whether that is stable"},
-    {"--format", "FORMAT", false,
-     "of the table of --static or --modes: " TABLE_FORMATS},
+    {"--format", TABLE_FORMATS, false, "of the table of --static or --modes (text)"},
     {"--probe", "U,V,W", true,
      "where this material point is in every frame, as CSV\n"
      "t,u,v,w,x,y,z with 17 digits on standard output"},

@@ -89,6 +89,11 @@ good list
 says out scenes: models: edge_drop 'Ren et al. 2024'
 good list models
 says out iga hex shell mass_spring projective_dynamics
+good list contestants
+says out 'iga_paper ' 'compare; stress; bench' 'verify, bending a lot'
+good run edge_drop "${short[@]}" --model iga_linear
+good run cantilever --model iga_nonlinear --static
+says err 'kinematics nonlinear'
 good list scenes
 names=$(cut -d' ' -f1 <<<"$out")
 [ "$(wc -w <<<"$names")" -ge 9 ] || fail "few scenes: $names"
@@ -197,7 +202,7 @@ good run edge_drop "${short[@]}" --probe 1,0.5,0.5 --probe 0.3,0.7,1
 
 # --- statics and modes ------------------------------------------------------------------
 good run cantilever --static --quiet --format csv
-says out 'point u,v,w' 'deflection' '"1,0.5,0.5"'
+says out 'u,v,w,dx_m' 'deflection' $'\n1,0.5,0.5,'
 good run cantilever --static --quiet --format latex
 says out '\begin{tabular}' '\end{table}'
 good run cantilever --static --quiet --probe 1,0.5,0.5

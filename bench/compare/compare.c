@@ -102,17 +102,6 @@ out:
     return st;
 }
 
-static bool is_printed(const struct contestant *c)
-{
-    struct settings own = {0};
-
-    contestant_settings(c, &own);
-    const char *kinematics = settings_value(&own, "discretization.kinematics");
-    const bool printed = kinematics && !strcmp(kinematics, "printed");
-    settings_clear(&own);
-    return printed;
-}
-
 static void plan_row(struct job *j, const struct refinement *r)
 {
     char name[128];
@@ -126,7 +115,7 @@ static void plan_row(struct job *j, const struct refinement *r)
     c->keep.fields = RUN_FIELDS_TIMES;
     c->timed = MEASUREMENT_WHOLE;
     settings_append(batch_settings(&j->batch),
-                    is_printed(r->contestant) ? &j->user : &j->truth);
+                    contestant_is_paper_scheme(r->contestant) ? &j->user : &j->truth);
     refinement_settings(r, j->scene.step, batch_settings(&j->batch));
 }
 

@@ -5,7 +5,7 @@
 
 #include "bench/files/store_read.h"
 #include "bench/harness/timing.h"
-#include "bench/speed/bench_solid.h"
+#include "bench/experiment/bench_solid.h"
 
 /* A solid's frame costs the same all along the motion, so twenty frames a repeat do. */
 enum { FRAMES = 20, QUICK_FRAMES = 5, WARMUP = 2 };
@@ -114,7 +114,7 @@ static enum status store_phases(const struct measurement_options *options, struc
     fresh.state = NULL;
     TRY(run_build(&fresh, why));
     for (int p = 0; p < BENCH_SOLID_FRAME && st == STATUS_OK; p++) {
-        st = bench_solid_time(fresh.model, fresh.state, p, repeats, seconds);
+        st = bench_solid_time(fresh.state, p, repeats, seconds);
         if (st == STATUS_OK)
             st = run_file_seconds(j->file, name[p], seconds, repeats, 0, why);
     }

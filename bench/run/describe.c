@@ -117,10 +117,8 @@ static void add_row(struct table *t, const char *name, double value, const char 
 {
     table_row(t);
     table_text(t, "%s", name);
-    if (isnan(value))
-        table_dash(t);
-    else if (!strcmp(unit, "pairs"))
-        table_integer(t, (long)value);
+    if (!strcmp(unit, "pairs"))
+        table_fixed(t, value, 0);
     else
         table_number(t, value, 6);
     table_text(t, "%s", unit);

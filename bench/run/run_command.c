@@ -84,14 +84,11 @@ out:
 static void choose_kinematics(struct job *j)
 {
     struct discretization d;
-    struct settings own = {0};
 
     j->contestant->model->defaults(&d);
-    contestant_settings(j->contestant, &own);
     if (j->task != TASK_MOTION && d.kinematics != KINEMATICS_NONLINEAR &&
-        !settings_value(&own, "discretization.kinematics"))
+        !contestant_setting(j->contestant, "discretization.kinematics"))
         settings_word(&j->settings, "discretization.kinematics", "linear");
-    settings_clear(&own);
 }
 
 static enum status read_scene(struct job *j, const struct command_line *line,

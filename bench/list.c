@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "bench/commands.h"
+#include "bench/harness/contestant.h"
 #include "bench/experiment/plan.h"
-#include "bench/harness/registry.h"
 #include "bench/truth/truth_file.h"
 #include "models/reader/scene_file.h"
 
@@ -20,70 +20,89 @@ static enum status list_files(const struct named_file_kind *kind, struct message
     enum status st = named_file_list(kind, &entries, &count, why);
 
     for (int n = 0; n < count; n++)
-        if (*entries[n].text)
-            print_item(entries[n].name, entries[n].text);
+        print_item(entries[n].name, entries[n].text);
     named_file_list_free(entries, count);
     return st;
 }
 
 static void list_models(void)
 {
-    for (int n = 0; registry[n]; n++) {
+    const struct model *model;
+
+    for (int n = 0; (model = contestant_model(n)); n++) {
         char text[256];
-        snprintf(text, sizeof text, "%s (%s)", registry[n]->title, registry[n]->source);
-        print_item(registry[n]->name, text);
+        snprintf(text, sizeof text, "%s (%s)", model->title, model->source);
+        print_item(model->name, text);
     }
 }
 
-/* What the commands with this section have; false if there is none. */
-static bool list_items(const char *section)
+static void list_contestants(void)
 {
-    bool found = false;
+    static const struct {
+        unsigned where;
+        const char *name;
+    } places[] = {{CONTESTANT_COMPARE, "compare"},
+                  {CONTESTANT_STRESS, "stress"},
+                  {CONTESTANT_SMALL, "verify, bending a little"},
+                  {CONTESTANT_LARGE, "verify, bending a lot"},
+                  {CONTESTANT_SPEED, "bench"}};
 
+    for (const struct contestant *c = contestant_table; c->name; c++) {
+        char text[256];
+        int used = snprintf(text, sizeof text, "%s", c->title);
+        for (size_t n = 0; n < sizeof places / sizeof *places; n++)
+            if (c->enters & places[n].where)
+                used += snprintf(text + used, sizeof text - (size_t)used, "; %s",
+                                 places[n].name);
+        print_item(c->name, text);
+    }
+}
+
+/* What the commands with this section have. */
+static void list_items(const char *section)
+{
     for (int n = 0; commands[n]; n++) {
         const struct command *c = commands[n];
         if (!c->section || strcmp(c->section, section))
             continue;
-        found = true;
         for (int i = 0; c->items && c->items[i]; i++)
-            if (c->items[i]->text) /* else its plan has it */
-                print_item(c->items[i]->name, c->items[i]->text);
+            print_item(c->items[i]->name, c->items[i]->text);
     }
-    return found;
 }
 
-/* All sections in their order; those that nothing fills yet are known but empty. */
-static const char *const sections[] = {"scenes", "models", "tables", "studies",   "plans",
-                                       "truths", "checks", "cases",  "benchmarks"};
+/* All sections in their order: files, what the table of contestants has, or else the items
+ * of the commands. */
+static const struct section {
+    const char *name;
+    const struct named_file_kind *files;
+    void (*print)(void);
+} sections[] = {
+    {"scenes", &scene_file_kind, NULL},
+    {"models", NULL, list_models},
+    {"contestants", NULL, list_contestants},
+    {"tables", NULL, NULL},
+    {"studies", NULL, NULL},
+    {"plans", &plan_kind, NULL},
+    {"truths", &truth_file_kind, NULL},
+    {"checks", NULL, NULL},
+    {"cases", NULL, NULL},
+    {"benchmarks", NULL, NULL},
+};
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
-static bool section_filled(const char *section)
-{
-    if (!strcmp(section, "scenes") || !strcmp(section, "models") ||
-        !strcmp(section, "plans") || !strcmp(section, "truths"))
-        return true;
-    for (int n = 0; commands[n]; n++)
-        if (commands[n]->section && !strcmp(commands[n]->section, section))
-            return true;
-    return false;
-}
+#define NAMES(between)                                                                     \
+    "scenes" between "models" between "contestants" between "tables" between               \
+    "studies" between "plans" between "truths" between "checks" between "cases" between    \
+    "benchmarks"
 
-static enum status list_section(const char *section, struct message *why)
+static enum status list_section(const struct section *s, struct message *why)
 {
-    if (!strcmp(section, "scenes"))
-        return list_files(&scene_file_kind, why);
-    if (!strcmp(section, "plans"))
-        return list_files(&plan_kind, why);
-    if (!strcmp(section, "truths"))
-        return list_files(&truth_file_kind, why);
-    if (!strcmp(section, "studies")) {
-        list_items(section);
-        return list_files(&plan_study_kind, why);
-    }
-    if (!strcmp(section, "models"))
-        list_models();
+    if (s->files)
+        return list_files(s->files, why);
+    if (s->print)
+        s->print();
     else
-        list_items(section);
+        list_items(s->name);
     return STATUS_OK;
 }
 
@@ -91,34 +110,25 @@ static enum status run(const struct command_line *line, struct message *why)
 {
     enum status st = STATUS_OK;
 
-    if (line->word_count) {
-        for (int n = 0; n < SECTIONS; n++) {
-            if (strcmp(sections[n], line->words[0]))
-                continue;
-            if (!section_filled(sections[n]))
-                fprintf(stderr, "There are no %s yet.\n", sections[n]);
-            return list_section(sections[n], why);
-        }
-        return status_fail(why, STATUS_INPUT,
-                           "list: there are scenes, models, tables, studies, plans, "
-                           "truths, checks, cases, benchmarks, but no '%s'",
-                           line->words[0]);
-    }
     for (int n = 0; n < SECTIONS; n++) {
-        if (!section_filled(sections[n]))
+        if (line->word_count && strcmp(sections[n].name, line->words[0]))
             continue;
-        printf("%s%s:\n", n ? "\n" : "", sections[n]);
-        TRY(list_section(sections[n], why));
+        if (line->word_count)
+            return list_section(&sections[n], why);
+        printf("%s%s:\n", n ? "\n" : "", sections[n].name);
+        TRY(list_section(&sections[n], why));
     }
+    if (line->word_count)
+        st = status_fail(why, STATUS_INPUT, "list: there are " NAMES(", ") ", but no '%s'",
+                         line->words[0]);
 out:
     return st;
 }
 
 const struct command list_command = {
     .name = "list",
-    .summary = "what there is: scenes, models, tables, studies, plans, truths, checks, "
-               "cases, benchmarks",
-    .arguments = "[scenes|models|tables|studies|plans|truths|checks|cases|benchmarks]",
+    .summary = "what there is: " NAMES(", "),
+    .arguments = "[" NAMES("|") "]",
     .text =
         "Prints names, one a line, each with a word on it. The names are those that the\n"
         "other commands take.\n",

@@ -9,6 +9,7 @@
 #include "bench/files/output.h"
 #include "bench/experiment/plan.h"
 #include "bench/files/provenance.h"
+#include "bench/harness/measures.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_file.h"
 

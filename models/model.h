@@ -1,5 +1,5 @@
 /* model.h - the contract every cloth model fills: one `const struct model` each, named in
- * bench/harness/registry.c and nowhere else.
+ * bench/harness/contestant_table.c and nowhere else.
  *
  * A model turns scene + discretization into motion. It never prints, times itself or
  * computes its own error. Numerical death is a status (status_is_death), not an abort.

@@ -29,12 +29,20 @@ set(note "(^|[^A-Za-z])(T[O]DO|FIX[M]E|X[X]X)([^A-Za-z]|$)")
 set(machine "(^|[^A-Za-z0-9_.}>*])/(home|root|work|mnt|Users)/[A-Za-z0-9_]")
 set(assertion "(^|[^A-Za-z0-9_])assert(\\.h>| *[(])")
 
+# Models are known by their rows in the table of contestants, and by name next to nowhere.
+set(names_most 3) # files of bench outside of verify/checks
+set(named "")
+
 foreach(file IN LISTS files more)
   file(READ ${SOURCE}/${file} text)
   string(REGEX REPLACE "[][;\\]" "," text "${text}") # these would upset lists
   string(REGEX REPLACE "\n$" "" text "${text}")
   string(REPLACE "\n" ";" lines "${text}")
   list(LENGTH lines count)
+  if(file MATCHES "^bench/" AND NOT file MATCHES "^bench/verify/checks/" AND
+     text MATCHES "\"(iga|hex|shell|mass_spring|projective_dynamics)\"")
+    list(APPEND named ${file})
+  endif()
   if(file MATCHES "\\.[ch]$" AND count GREATER longest_file)
     fault(${file} "${count} lines; ${longest_file} at most")
   endif()
@@ -80,6 +88,11 @@ foreach(room IN LISTS rooms)
   endif()
 endforeach()
 
+list(LENGTH named count)
+if(count GREATER names_most)
+  list(JOIN named ", " named)
+  fault("bench" "models by name in ${count} files; ${names_most} at most: ${named}")
+endif()
 list(LENGTH files count)
 message("${count} files, ${faults} faults")
 if(faults OR NOT count)

@@ -89,6 +89,11 @@ good list
 says out scenes: models: edge_drop 'Ren et al. 2024'
 good list models
 says out iga hex shell mass_spring projective_dynamics
+good list contestants
+says out 'iga_paper ' 'compare; stress; bench' 'verify, bending a lot'
+good run edge_drop "${short[@]}" --model iga_linear
+good run cantilever --model iga_nonlinear --static
+says err 'kinematics nonlinear'
 good list scenes
 names=$(cut -d' ' -f1 <<<"$out")
 [ "$(wc -w <<<"$names")" -ge 9 ] || fail "few scenes: $names"

@@ -4,7 +4,7 @@
 
 #include <float.h>
 
-#include "bench/harness/registry.h"
+#include "bench/harness/contestant.h"
 #include "models/grid.h"
 #include "tests/check.h"
 
@@ -28,10 +28,10 @@ static inline void init_cloak(struct scene *s, double opening, double flare)
 
 static inline const struct model *find(const char *name)
 {
-    const struct model *model = NULL;
+    const struct contestant *c = NULL;
 
-    REQUIRE(registry_find(name, &model, NULL) == STATUS_OK);
-    return model;
+    REQUIRE(contestant_find(name, &c, NULL) == STATUS_OK);
+    return c->model;
 }
 
 static inline void *create(const struct model *model, const struct scene *s,

@@ -1,7 +1,7 @@
 /* Contact with obstacles, held to what every model owes: weight, gaps, energy, Coulomb's
  * law on an incline, and no preferred direction. One program, a row of tests/CMakeLists.txt
  * a model: contact_truth MODEL[.VARIANT]. */
-#include "bench/harness/registry.h"
+#include "bench/harness/contestant.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/check.h"
@@ -78,13 +78,15 @@ static void set_variant(struct fixture *f, const char *variant)
 /* A free sheet of 0.8 kg/m^2 over nothing, 0.5 m x 0.4 m. */
 static void make(struct fixture *f, const char *name)
 {
+    const struct contestant *c = NULL;
     struct message why;
     char model[64];
     const char *dot = strchr(name, '.');
 
     memset(f, 0, sizeof *f);
     snprintf(model, sizeof model, "%.*s", dot ? (int)(dot - name) : 63, name);
-    REQUIRE(registry_find(model, &f->model, &why) == STATUS_OK);
+    REQUIRE(contestant_find(model, &c, &why) == STATUS_OK);
+    f->model = c->model;
     f->model->defaults(&f->d);
     f->d.points[0] = 8;
     f->d.points[1] = 7;

@@ -1,5 +1,5 @@
-/* What models/model.h promises, held against every model of the registry and the toy
- * model: a model that is registered is tested. */
+/* What models/model.h promises, held against every model of the contestants and the toy
+ * model: a model that competes is tested. */
 #include <math.h>
 #include <omp.h>
 
@@ -44,7 +44,7 @@ static bool all_finite(const double *value, long count)
 
 static void check_fields(const struct model *model)
 {
-    const struct model *found = NULL;
+    const struct contestant *found = NULL;
     struct message why = {{0}};
 
     CHECK(model->name && model->title && model->source);
@@ -53,7 +53,8 @@ static void check_fields(const struct model *model)
     CHECK(!(model->serves & SCENE_NEED_CONTACT) || model->contact);
     CHECK(strspn(model->name, "abcdefghijklmnopqrstuvwxyz_") == strlen(model->name));
     if (model != &toy_model)
-        CHECK(registry_find(model->name, &found, &why) == STATUS_OK && found == model);
+        CHECK(contestant_find(model->name, &found, &why) == STATUS_OK &&
+              found->model == model);
     model->destroy(NULL);
 }
 

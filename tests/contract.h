@@ -2,21 +2,21 @@
 #ifndef TESTS_CONTRACT_H
 #define TESTS_CONTRACT_H
 
-#include "bench/harness/registry.h"
+#include "bench/harness/contestant.h"
 #include "tests/check.h"
 #include "tests/toy_model.h"
 
 enum { FRAMES = 12 };
 
-/* The models held to the contract: those of the registry, then the toy of
+/* The models held to the contract: those of the contestants, then the toy of
  * doc/adding_a_model.md; NULL after the last. */
 static inline const struct model *contract_model(int n)
 {
-    int registered = 0;
+    int models = 0;
 
-    while (registry[registered])
-        registered++;
-    return n < registered ? registry[n] : n == registered ? &toy_model : NULL;
+    while (contestant_model(models))
+        models++;
+    return n < models ? contestant_model(n) : n == models ? &toy_model : NULL;
 }
 
 /* A small sheet held along u = 0, undamped. */

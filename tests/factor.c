@@ -2,7 +2,7 @@
  * repeated, matrices that are not positive definite refused. */
 #include <float.h>
 
-#include "bench/speed/net_matrix.h"
+#include "tests/net_matrix.h"
 #include "models/linalg/factor.h"
 #include "models/linalg/order.h"
 #include "tests/check.h"

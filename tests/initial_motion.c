@@ -1,5 +1,5 @@
 /* Initial velocity and spin: a free sheet flies as it was thrown, in every model. */
-#include "bench/harness/registry.h"
+#include "bench/harness/contestant.h"
 #include "bench/harness/trial.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
@@ -131,11 +131,11 @@ static void check_turn(const char *model)
 int main(void)
 {
     REQUIRE(scene_file_find("edge_drop", (char **)&path, NULL) == STATUS_OK);
-    for (int n = 0; registry[n]; n++) {
-        const char *model = registry[n]->name;
+    for (int n = 0; contestant_model(n); n++) {
+        const char *model = contestant_model(n)->name;
         const bool solid = !strcmp(model, "iga") || !strcmp(model, "hex");
 
-        REQUIRE(registry[n]->serves & SCENE_NEED_INITIAL_MOTION);
+        REQUIRE(contestant_model(n)->serves & SCENE_NEED_INITIAL_MOTION);
         for (int k = solid ? 0 : 3; k < 4; k++) {
             check_throw(model, kinematics[k]);
             check_energy(model, kinematics[k]);

@@ -2,7 +2,7 @@
 #ifndef TESTS_MASS_SPRING_H
 #define TESTS_MASS_SPRING_H
 
-#include "bench/harness/registry.h"
+#include "bench/harness/contestant.h"
 #include "mass_spring/spring_motion.h"
 #include "tests/check.h"
 
@@ -27,10 +27,10 @@ static inline void fill_scene(struct scene *scene, bool held)
 static inline struct discretization net_of(int n, int m)
 {
     struct discretization d;
-    const struct model *model = NULL;
+    const struct contestant *c = NULL;
 
-    REQUIRE(registry_find("mass_spring", &model, NULL) == STATUS_OK);
-    model->defaults(&d);
+    REQUIRE(contestant_find("mass_spring", &c, NULL) == STATUS_OK);
+    c->model->defaults(&d);
     d.points[0] = n, d.points[1] = m;
     return d;
 }

@@ -1,14 +1,186 @@
-/* Prints what a factor and a solve cost, method by method. Passes whatever the figures.
+/* What a factor and a solve cost on matrices of a cloth solid's pattern, method by method:
+ * the nets that the rule of SOLVER_AUTO was measured on. Passes whatever the figures.
  *   test_speed_factor [NET...]    a net: a line number of the list, all by default */
-#include "bench/speed/bench_factor.h"
+#include <math.h>
+
+#include "models/clock.h"
 #include "models/linalg/blas_kernel.h"
+#include "models/linalg/factor.h"
+#include "models/linalg/order.h"
 #include "tests/check.h"
+#include "tests/net_matrix.h"
+
+struct row {
+    struct net_shape shape;
+    enum solver asked;
+    const char *method; /* "banded", "supernodal", ...: what ran                static */
+    int unknowns, parts, half_bandwidth;
+    long entries, bytes;           /* of L; held by the factor                         */
+    double flops;                  /* of one factorisation                             */
+    double residual;               /* |b - A x| / (a_ii |x|), largest: the answer held */
+    struct clock_summary analyse;  /* [s], once                                        */
+    struct clock_summary refactor; /* [s], filling the values not counted              */
+    struct clock_summary solve;    /* [s]                                              */
+};
+
+/* Enough turns for a clock of 30 ns and the noise of a shared machine. */
+enum { REPEATS_MAX = 201 };
+static const double enough = 0.1; /* [s] a repeated measurement goes on at least         */
+
+static void fill(const struct net_matrix *a, const ptrdiff_t *slot, struct factor *f)
+{
+    double *value = factor_values(f);
+    factor_clear_values(f);
+    for (long s = 0; s < a->start[a->n]; s++)
+        value[slot[s]] += a->value[s];
+}
+
+static double residual(const struct net_matrix *a, const double *x, const double *b,
+                       double *y)
+{
+    double size = 0.0, worst = 0.0;
+    net_matrix_multiply(a, x, y);
+    for (int i = 0; i < a->n; i++)
+        size = fmax(size, fabs(x[i]));
+    for (int i = 0; i < a->n; i++)
+        worst = fmax(worst, fabs(b[i] - y[i]) / (a->value[a->start[i]] * size));
+    return worst;
+}
+
+static enum status time_refactor(const struct net_matrix *a, const ptrdiff_t *slot,
+                                 struct factor *f, int repeats, struct clock_summary *out)
+{
+    enum status st = STATUS_OK;
+    double seconds[REPEATS_MAX], total = 0.0;
+    int count = -1; /* the first is a warm-up */
+    while (count < repeats || (total < enough && count < REPEATS_MAX)) {
+        fill(a, slot, f);
+        double begin = clock_now();
+        TRY(factor_refactor(f));
+        double t = clock_now() - begin;
+        if (count >= 0)
+            seconds[count] = t, total += t;
+        count++;
+    }
+    *out = clock_summarise(seconds, count);
+out:
+    return st;
+}
+
+static enum status time_solve(struct factor *f, int n, const double *b, double *x,
+                              int repeats, struct clock_summary *out)
+{
+    enum status st = STATUS_OK;
+    double seconds[REPEATS_MAX], total = 0.0;
+    int count = -1;
+    while (count < repeats || (total < enough && count < REPEATS_MAX)) {
+        memcpy(x, b, n * sizeof *x);
+        double begin = clock_now();
+        TRY(factor_solve(f, x));
+        double t = clock_now() - begin;
+        if (count >= 0)
+            seconds[count] = t, total += t;
+        count++;
+    }
+    *out = clock_summarise(seconds, count);
+out:
+    return st;
+}
+
+static enum status make_slots(const struct net_matrix *a, const struct factor *f,
+                              ptrdiff_t **slot)
+{
+    if (!(*slot = malloc(a->start[a->n] * sizeof **slot)))
+        return STATUS_MEMORY;
+    for (int j = 0; j < a->n; j++)
+        for (long s = a->start[j]; s < a->start[j + 1]; s++)
+            (*slot)[s] = factor_slot(f, a->row[s], j);
+    return STATUS_OK;
+}
+
+static void describe(const struct factor *f, struct row *row)
+{
+    struct factor_info info;
+    factor_describe(f, &info);
+    row->method = info.method;
+    row->parts = info.parts;
+    row->half_bandwidth = info.half_bandwidth;
+    row->entries = info.entries;
+    row->bytes = info.bytes;
+    row->flops = info.flops;
+}
+
+static enum status measure_row(const struct net_shape *shape, enum solver method,
+                               bool nested, int repeats, struct row *row)
+{
+    enum status st = STATUS_MEMORY;
+    struct net_matrix a = {0};
+    struct factor *f = NULL;
+    double *b = NULL;
+    ptrdiff_t *slot = NULL;
+    int *order = NULL;
+
+    memset(row, 0, sizeof *row);
+    row->shape = *shape;
+    row->asked = method;
+    repeats = repeats < REPEATS_MAX ? repeats : REPEATS_MAX;
+    TRY(net_matrix_create(shape, &a));
+    row->unknowns = a.n;
+    b = malloc(3 * a.n * sizeof *b);
+    order = malloc(a.n * sizeof *order);
+    if (!b || !order) {
+        st = STATUS_MEMORY;
+        goto out;
+    }
+    int rows = shape->points_u - shape->held_edge;
+    order_nested(rows, shape->points_v, 6, shape->reach, order);
+    double begin = clock_now();
+    struct factor_pattern pattern = {
+        .n = a.n, .start = a.start, .row = a.row, .order = nested ? order : NULL};
+    TRY(factor_create(&pattern, method, &f));
+    double seconds = clock_now() - begin;
+    row->analyse = clock_summarise(&seconds, 1);
+    TRY(make_slots(&a, f, &slot));
+    TRY(time_refactor(&a, slot, f, repeats, &row->refactor));
+    for (int i = 0; i < a.n; i++)
+        b[i] = 1.0 + i % 7;
+    TRY(time_solve(f, a.n, b, b + a.n, repeats, &row->solve));
+    row->residual = residual(&a, b + a.n, b, b + 2 * a.n);
+    describe(f, row);
+out:
+    free(b);
+    free(slot);
+    free(order);
+    factor_destroy(f);
+    net_matrix_clear(&a);
+    return st;
+}
+
+static const struct net_shape *list_shapes(int *count)
+{
+    /* clang-format off: points_u, points_v, reach, held edge, split */
+    static const struct net_shape shapes[] = {
+        {5, 5, 2, true, false},     {7, 7, 2, true, false},     {10, 10, 2, true, false},
+        {10, 10, 2, true, true},    {14, 14, 2, true, false},   {17, 17, 2, true, false},
+        {20, 20, 2, true, false},   {20, 20, 2, true, true},    {24, 24, 2, true, false},
+        {32, 32, 2, true, false},   {32, 32, 2, true, true},    {50, 50, 2, true, false},
+        {50, 50, 2, true, true},    {100, 100, 2, true, false}, {100, 100, 2, true, true},
+        {10, 10, 1, true, false},   {12, 12, 1, true, false},   {16, 16, 1, true, false},
+        {20, 20, 1, true, false},   {24, 24, 1, true, false},   {32, 32, 1, true, false},
+        {32, 32, 1, true, true},    {40, 40, 1, true, false},   {64, 64, 1, true, false},
+        {100, 100, 1, true, false}, {60, 6, 2, true, false},    {100, 10, 1, true, false},
+        {14, 14, 4, true, false},   {20, 20, 3, true, false},
+    };
+    /* clang-format on */
+    *count = sizeof shapes / sizeof *shapes;
+    return shapes;
+}
 
 static void measure(const struct net_shape *s, enum solver method, bool nested)
 {
-    struct bench_factor_row row;
+    struct row row;
     char net[32];
-    if (!CHECK(bench_factor_measure(s, method, nested, 9, &row) == STATUS_OK))
+    if (!CHECK(measure_row(s, method, nested, 9, &row) == STATUS_OK))
         return;
     snprintf(net, sizeof net, "%dx%dx2 p=%d%s", s->points_u, s->points_v, s->reach,
              s->split ? " split" : "");
@@ -26,7 +198,7 @@ int main(int argc, char **argv)
     const int band_columns = 2500;
     int count;
     blas_kernel_choose(argv);
-    const struct net_shape *shapes = bench_factor_shapes(&count);
+    const struct net_shape *shapes = list_shapes(&count);
     printf("BLAS kernel %s; times in ms: median and least\n", blas_kernel_name());
     printf("net               unknowns method    order  half   entries    Mflop    factor "
            "    least    solve    least analyse residual\n");

@@ -1,20 +1,18 @@
 #include "bench/compare/compare.h"
 
 #include <math.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/compare/fig6.h"
+#include "bench/experiment/batch.h"
 #include "bench/files/folder.h"
-#include "bench/ui/progress.h"
 #include "bench/harness/timing.h"
 #include "bench/truth/truth_plan.h"
+#include "bench/ui/progress.h"
 #include "models/damping.h"
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
-
-enum { MOST_TIMES = 5, MOST_SETTINGS = 256 };
 
 /* Half a second: an edge drop's first quarter swing, before motions part for good. */
 static const double UNTIL = 0.5;
@@ -25,37 +23,12 @@ struct job {
     char *path;
     const char *folder;
     int times;
-    double time[MOST_TIMES];
-    int given; /* settings of the user                                                 */
-    const char *const *set;
-    const char *damping; /* our own setting, or NULL                                   */
-    bool quick, read_only;
+    double time[COMPARE_TIMES];
+    struct settings user;  /* the user's                                               */
+    struct settings truth; /* these, and how the truth is damped                       */
+    struct batch batch;    /* a case a row                                             */
+    bool quick;
 };
-
-/* The user's settings, ours and the rung's into all[]; returns their number. */
-static int settings_of(const struct job *j, const struct ladder_rung *r, bool printed,
-                       const char **all)
-{
-    int count = 0;
-
-    for (int n = 0; n < j->given; n++)
-        all[count++] = j->set[n];
-    if (j->damping && !printed)
-        all[count++] = j->damping;
-    for (int n = 0; r && n < r->count; n++)
-        all[count++] = r->settings[n];
-    return count;
-}
-
-/* The settings that the truth has. */
-static struct settings truth_settings(const struct job *j)
-{
-    const char *all[MOST_SETTINGS];
-    struct settings s = {0};
-
-    settings_set_all(&s, settings_of(j, NULL, false, all), all);
-    return s;
-}
 
 /* Those given by --until; else those of the stored truth up to UNTIL; else up to UNTIL. */
 static enum status read_times(struct job *j, const struct command_line *line,
@@ -69,14 +42,13 @@ static enum status read_times(struct job *j, const struct command_line *line,
         return status_fail(why, STATUS_INPUT, "--until %s: a time in seconds, above 0",
                            word);
     if (!word) {
-        struct settings settings = truth_settings(j);
-        enum status st = truth_stored_times(j->path, &settings, until, MOST_TIMES, j->time,
-                                            &j->times, why);
-        settings_clear(&settings);
+        enum status st =
+            truth_stored_times(j->path, &j->truth, until, COMPARE_TIMES, j->time, &j->times,
+                               why);
         if (st != STATUS_OK || j->times)
             return st;
     }
-    j->times = MOST_TIMES;
+    j->times = COMPARE_TIMES;
     for (int n = 0; n < j->times; n++)
         j->time[n] =
             fmax(1, round((n + 1) * until / j->times / j->scene.step)) * j->scene.step;
@@ -91,12 +63,17 @@ static enum status read_times(struct job *j, const struct command_line *line,
 /* All but the paper's own scheme move as the truth does (truth_plan.h). */
 static void choose_damping(struct job *j)
 {
-    for (int n = 0; n < j->given; n++)
-        if (!strncmp(j->set[n], "damping", 7))
+    const char *truth = truth_plan_damping(&j->scene);
+
+    snprintf(j->compare.physics, sizeof j->compare.physics, "damping %s",
+             damping_name((int)j->scene.damping.kind));
+    settings_append(&j->truth, &j->user);
+    for (int n = 0; n < j->user.count; n++)
+        if (!strncmp(j->user.text[n], "damping", 7))
             return;
-    j->damping = truth_plan_damping(&j->scene);
-    if (!j->damping)
+    if (!truth)
         return;
+    settings_set(&j->truth, truth);
     snprintf(j->compare.physics, sizeof j->compare.physics,
              "undamped, but for the paper's own scheme with velocity_scale %g",
              j->scene.damping.value);
@@ -107,17 +84,13 @@ static enum status prepare(struct job *j, const struct command_line *line,
 {
     enum status st;
     struct discretization unused = {0};
+    int given;
+    const char *const *set = command_values(line, "--set", &given);
 
-    j->set = command_values(line, "--set", &j->given);
     j->quick = command_given(line, "--quick");
-    if (j->given + LADDER_SETTINGS + 1 > MOST_SETTINGS)
-        return status_fail(why, STATUS_INPUT, "--set: at most %d settings",
-                           MOST_SETTINGS - LADDER_SETTINGS - 1);
+    settings_set_all(&j->user, given, set);
     TRY(scene_file_find(line->words[0], &j->path, why));
-    TRY(scene_file_read(j->path, j->given, j->set, &j->scene, &unused, why));
-    discretization_clear(&unused);
-    snprintf(j->compare.physics, sizeof j->compare.physics, "damping %s",
-             damping_name((int)j->scene.damping.kind));
+    TRY(settings_read(&j->user, j->path, &j->scene, &unused, why));
     choose_damping(j);
     TRY(read_times(j, line, why));
     j->compare.scene = j->scene.name;
@@ -125,82 +98,87 @@ static enum status prepare(struct job *j, const struct command_line *line,
     j->compare.length = j->scene.length;
     j->compare.frame = j->scene.step;
 out:
+    discretization_clear(&unused);
     return st;
 }
 
-static bool is_printed(const struct ladder_rung *r)
+static void plan_row(struct job *j, const struct refinement *r)
 {
-    for (int n = 0; n < r->count; n++)
-        if (strstr(r->settings[n], "kinematics=printed"))
-            return true;
-    return false;
-}
+    char name[128];
 
-static enum status run_row(const struct job *j, struct compare_row *row,
-                           struct message *why)
-{
-    const char *all[MOST_SETTINGS];
-    struct rung_plan plan = {.path = j->path,
-                             .setting_count =
-                                 settings_of(j, &row->rung, is_printed(&row->rung), all),
-                             .settings = all,
-                             .model = row->rung.model,
-                             .times = j->times,
-                             .time = j->time,
-                             .folder = j->folder,
-                             .name = row->rung.name};
-    struct message refusal = {""};
-    enum status st = j->read_only ? STATUS_OK : rung_run(&plan, &refusal);
-
-    if (st == STATUS_UNSUPPORTED) {
-        snprintf(row->refused, sizeof row->refused, "%.255s", refusal.text);
-        return STATUS_OK;
-    }
-    if (st == STATUS_OK)
-        st = rung_read(&plan, &row->result, &refusal);
-    if (st != STATUS_OK)
-        return status_fail(why, st, "%s: %s", row->rung.name, refusal.text);
-    row->worst = row->result.frames < j->times ? NAN : 0;
-    for (int n = 0; n < row->result.frames; n++)
-        row->worst =
-            fmax(row->worst, metric_rmse(row->result.xyz[n], j->compare.truth->xyz[n]) /
-                                 j->compare.length);
-    if (row->result.frames < j->times)
-        row->worst = NAN;
-    return STATUS_OK;
+    snprintf(name, sizeof name, "%s_%d_%d_%d", r->contestant->name, r->side, r->divisor,
+             r->iterations);
+    struct measurement_case *c = batch_add(&j->batch, j->path, r->contestant, name);
+    c->plan.end = j->time[j->times - 1];
+    c->keep.times = j->times;
+    c->keep.time = j->time;
+    c->keep.fields = RUN_FIELDS_TIMES;
+    c->timed = MEASUREMENT_WHOLE;
+    settings_append(batch_settings(&j->batch),
+                    contestant_is_paper_scheme(r->contestant) ? &j->user : &j->truth);
+    refinement_settings(r, j->scene.step, batch_settings(&j->batch));
 }
 
 static enum status plan_rows(struct job *j, const char *models, struct message *why)
 {
     struct compare *c = &j->compare;
-    struct ladder_rung *rungs = NULL;
+    struct refinement *all = NULL;
     enum status st;
 
-    TRY(ladder_make(models, j->scene.step, j->quick, &rungs, &c->count, why));
+    TRY(refinement_make(models, j->quick, &all, &c->count, why));
+    TRY(batch_init(&j->batch, j->folder, c->count));
     c->rows = calloc((size_t)c->count + 1, sizeof *c->rows);
-    if (!c->rows)
-        TRY(STATUS_MEMORY);
+    TRY(c->rows ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < c->count; n++) {
-        c->rows[n].rung = rungs[n];
-        c->rows[n].worst = NAN;
+        c->rows[n].at = all[n];
+        plan_row(j, &all[n]);
     }
 out:
-    free(rungs);
+    free(all);
     return st;
+}
+
+static enum status read_row(const struct job *j, int n, struct message *why)
+{
+    struct compare_row *row = &j->compare.rows[n];
+    struct run_result r = {0};
+    enum status st;
+
+    TRY(batch_read(&j->batch, n, true, &r, why));
+    row->worst = 0;
+    for (int t = 0; t < j->times; t++) {
+        row->error[t] =
+            t < r.frames ? metric_rmse(r.xyz[t], j->compare.truth->xyz[t]) / j->scene.length
+                         : NAN;
+        row->worst = isnan(row->error[t]) ? NAN : fmax(row->worst, row->error[t]);
+    }
+    if (r.frames < j->times)
+        row->worst = NAN;
+    row->seconds = r.create.median + r.step.median * (double)r.steps;
+    row->result = r;
+    row->result.xyz = NULL, row->result.time = NULL;
+out:
+    run_result_clear(&r);
+    return st;
+}
+
+static void show(void *context, const char *what, int done, int total)
+{
+    struct progress *bar = context;
+
+    (void)what;
+    bar->total = total;
+    progress_update(bar, done);
 }
 
 static enum status run_all(struct job *j, struct message *why)
 {
-    struct compare *c = &j->compare;
-    struct progress bar = progress_start("compare", c->count, false);
-    enum status st = STATUS_OK;
+    struct progress bar = progress_start("compare", 1, false);
+    const struct measurement_options options = {
+        .what = "compare", .quick = j->quick, .progress = show, .context = &bar};
+    const enum status st = batch_run(&j->batch, &options, why);
 
-    for (int n = 0; n < c->count; n++) {
-        TRY(run_row(j, &c->rows[n], why));
-        progress_update(&bar, n + 1);
-    }
     progress_end(&bar);
-out:
     return st;
 }
 
@@ -209,7 +187,6 @@ static enum status run(const struct command_line *line, struct message *why)
     enum status st;
     struct job j = {0};
     struct truth *truth = NULL;
-    struct settings settings = {0};
     const char *word = command_value(line, "--format");
     const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
     enum table_format format = TABLE_TEXT;
@@ -222,28 +199,26 @@ static enum status run(const struct command_line *line, struct message *why)
                            "--from reads result files and --out writes "
                            "them; give one of the two");
     TRY(prepare(&j, line, why));
-    TRY(plan_rows(&j, command_value(line, "--models"), why));
     snprintf(folder, sizeof folder, "results/compare_%s", j.scene.name);
     j.folder = from ? from : out ? out : folder;
-    j.read_only = from != NULL;
+    TRY(plan_rows(&j, command_value(line, "--models"), why));
     TRY(folder_make(j.folder, why));
-    omp_set_num_threads(1);
-    timing_pin();
+    timing_alone();
     if (!strcmp(j.scene.name, "corners_drop"))
-        TRY(fig6_compare(j.path, j.given, j.set, j.folder, j.read_only, format, stdout,
-                         why));
-    settings = truth_settings(&j);
-    TRY(truth_find(j.path, &settings, j.times, j.time, j.folder,
+        TRY(fig6_compare(j.path, &j.user, j.folder, from != NULL, format, stdout, why));
+    TRY(truth_find(j.path, &j.truth, j.times, j.time, j.folder,
                    j.quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why));
     j.compare.truth = truth;
-    TRY(run_all(&j, why));
-    TRY(compare_print(&j.compare, format, stdout));
-    TRY(compare_print_files(&j.compare, j.folder, why));
+    if (!from)
+        TRY(run_all(&j, why));
+    for (int n = 0; n < j.compare.count; n++)
+        TRY(read_row(&j, n, why));
+    TRY(compare_print(&j.compare, j.folder, format, stdout, why));
 out:
-    for (int n = 0; j.compare.rows && n < j.compare.count; n++)
-        rung_clear(&j.compare.rows[n].result);
     free(j.compare.rows);
-    settings_clear(&settings);
+    batch_clear(&j.batch);
+    settings_clear(&j.user);
+    settings_clear(&j.truth);
     truth_destroy(truth);
     scene_clear(&j.scene);
     free(j.path);
@@ -251,14 +226,15 @@ out:
 }
 
 static const struct command_option options[] = {
-    {"--models", "NAME,NAME,...", false, "which models (all that are built)"},
+    {"--models", "NAME,NAME,...", false,
+     "which models or contestants (all that enter here;\nclothbench list contestants)"},
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
     {"--until", "SECONDS", false,
      "compare five times up to this one (0.5, or those of\nthe stored truth before it)"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false, "where result files, CSV and plot go (results/compare_SCENE)"},
     {"--from", "DIR", false, "tables and plot from result files of an earlier run"},
-    {"--quick", NULL, false, "the cheap half of each ladder"},
+    {"--quick", NULL, false, "the cheap half of each refinement, three repeats"},
     {NULL, NULL, false, NULL},
 };
 
@@ -267,11 +243,12 @@ const struct command compare_command = {
     .summary = "speed against error, all models, one scene",
     .arguments = "SCENE [OPTION]...",
     .text =
-        "Runs each model over a ladder of nets, time steps and iterations with matched\n"
-        "parameters, holds every run against the scene's truth on the material grid and\n"
-        "prints the error against the seconds, the time each model needs for 10, 3, 1\n"
-        "and 0.1 %, and the error that refinement does not remove.\n",
-    .examples = "compare edge_drop\ncompare corners_drop --models iga,shell\n"
+        "Runs each contestant over nets, time steps and iterations from cheap to dear,\n"
+        "holds every run against the scene's truth on the material grid, times all in\n"
+        "turn and prints the error beside the seconds, the time each needs for 10, 3, 1\n"
+        "and 0.1 %, and the error that refinement does not remove. Seconds are medians\n"
+        "of the repeats that stand beside them.\n",
+    .examples = "compare edge_drop\ncompare corners_drop --models iga,shell_3\n"
                 "compare edge_drop --from results/compare_edge_drop --format csv\n",
     .least = 1,
     .most = 1,

@@ -4,12 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/harness/registry.h"
-#include "bench/harness/rung.h"
+#include "bench/experiment/batch.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
 
-enum { TIMES = 8, SETTINGS = 4, MOST_SETTINGS = 256 };
+enum { TIMES = 8, SETTINGS = 2 };
 static const double times[TIMES] = {0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2};
 
 /* Words to numbers, one set for all. Over-stretched: beyond Provot's limit (1995), 10 %.
@@ -18,64 +16,80 @@ static const double OVER_STRETCHED = 1.1, ROUGH = 1.5;
 
 enum { SPRINGS, PROJECTIVE, PLATE, PAPER_CASES };
 
+#define DAMPED  "damping={kind: mass, value: 1}"
+#define MATCHED "discretization.parameters=matched"
+
 /* The paper's three and, below them, what shows on what their verdicts depend. */
 static const struct figure_case {
-    const char *title, *file, *model;
+    const char *title, *file, *contestant;
+    int points; /* a side                                                              */
     int varies; /* which of the three it is a variant of                               */
     const char *settings[SETTINGS];
 } cases[] = {
     /* clang-format off */
-    {"mass-spring, paper's", "springs", "mass_spring", SPRINGS,
-     {"discretization.parameters=paper", "discretization.points=[10,10]"}},
-    {"projective dynamics, paper's", "projective", "projective_dynamics", PROJECTIVE,
-     {"discretization.parameters=paper", "discretization.points=[10,10]"}},
-    {"IGA, paper's", "plate", "iga", PLATE,
-     {"discretization.kinematics=printed", "discretization.points=[10,10,2]"}},
-    {"mass-spring, paper's, 20x20", "springs_20", "mass_spring", SPRINGS,
-     {"discretization.parameters=paper", "discretization.points=[20,20]"}},
-    {"mass-spring, matched", "springs_matched", "mass_spring", SPRINGS,
-     {"discretization.parameters=matched", "discretization.points=[10,10]",
-      "damping={kind: mass, value: 1}"}},
-    {"projective dynamics, paper's, 20x20", "projective_20", "projective_dynamics",
-     PROJECTIVE, {"discretization.parameters=paper", "discretization.points=[20,20]"}},
-    {"projective dynamics, paper's, edges", "projective_edges", "projective_dynamics",
-     PROJECTIVE, {"discretization.parameters=paper", "discretization.points=[10,10]",
-                  "discretization.constraint=edges"}},
-    {"projective dynamics, 100 iterations", "projective_100", "projective_dynamics",
-     PROJECTIVE, {"discretization.parameters=paper", "discretization.points=[10,10]",
-                  "discretization.iterations=100"}},
-    {"projective dynamics, matched", "projective_matched", "projective_dynamics", PROJECTIVE,
-     {"discretization.parameters=matched", "discretization.points=[10,10]",
-      "damping={kind: mass, value: 1}"}},
-    {"IGA, 20x20", "plate_20", "iga", PLATE,
-     {"discretization.kinematics=printed", "discretization.points=[20,20,2]"}},
-    {"IGA, incremental, undamped", "plate_incremental", "iga", PLATE,
-     {"discretization.kinematics=incremental", "discretization.points=[10,10,2]",
-      "damping={kind: none}"}},
-    {"shell, nonlinear", "shell", "shell", -1,
-     {"discretization.points=[16,16]", "discretization.degree=[3,3]",
-      "damping={kind: mass, value: 1}"}},
+    {"mass-spring, paper's", "springs", "mass_spring_paper", 10, SPRINGS, {0}},
+    {"projective dynamics, paper's", "projective", "projective_dynamics_paper", 10,
+     PROJECTIVE, {0}},
+    {"IGA, paper's", "plate", "iga_paper", 10, PLATE, {0}},
+    {"mass-spring, paper's, 20x20", "springs_20", "mass_spring_paper", 20, SPRINGS, {0}},
+    {"mass-spring, matched", "springs_matched", "mass_spring_paper", 10, SPRINGS,
+     {MATCHED, DAMPED}},
+    {"projective dynamics, paper's, 20x20", "projective_20", "projective_dynamics_paper",
+     20, PROJECTIVE, {0}},
+    {"projective dynamics, paper's, edges", "projective_edges", "projective_dynamics_edges",
+     10, PROJECTIVE, {0}},
+    {"projective dynamics, 100 iterations", "projective_100", "projective_dynamics_paper",
+     10, PROJECTIVE, {"discretization.iterations=100"}},
+    {"projective dynamics, matched", "projective_matched", "projective_dynamics_paper", 10,
+     PROJECTIVE, {MATCHED, DAMPED}},
+    {"IGA, 20x20", "plate_20", "iga_paper", 20, PLATE, {0}},
+    {"IGA, incremental, undamped", "plate_incremental", "iga_incremental", 10, PLATE,
+     {"damping={kind: none}"}},
+    {"shell, nonlinear", "shell_nonlinear", "shell_3", 16, -1, {DAMPED}},
     /* clang-format on */
 };
 enum { CASES = sizeof cases / sizeof *cases };
 
 struct figures {
     bool ran;
-    char refused[256];
+    struct message sentence; /* how it ended, or why not */
     int frames;
-    char outcome[128];
     double stretch[TIMES], roughness[TIMES], drop[TIMES];
     double intersections[TIMES]; /* pairs of triangles; NaN if a position is none      */
     double most_stretch, most_roughness;
     double most_intersections;
 };
 
-static void measure(const struct scene *scene, const struct rung_result *r,
+static enum status plan(struct batch *b, const char *path, const struct settings *user,
+                        struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < CASES; n++) {
+        const struct contestant *who;
+        TRY(contestant_find(cases[n].contestant, &who, why));
+        struct measurement_case *c = batch_add(b, path, who, cases[n].file);
+        struct settings *s = batch_settings(b);
+        c->plan.end = times[TIMES - 1];
+        c->keep.times = TIMES;
+        c->keep.time = times;
+        c->keep.fields = RUN_FIELDS_TIMES;
+        settings_set(s, "material.density=1"); /* Fig. 6; Table 2 has 0.5 for this scene */
+        settings_append(s, user);
+        contestant_settings(who, s);
+        contestant_points(who, cases[n].points, cases[n].points, s);
+        settings_list(s, SETTINGS, cases[n].settings);
+    }
+out:
+    return st;
+}
+
+static void measure(const struct scene *scene, const struct run_result *r,
                     struct figures *f)
 {
-    f->ran = true;
+    f->ran = !run_result_refused(r);
     f->frames = r->frames;
-    snprintf(f->outcome, sizeof f->outcome, "%s", r->outcome);
+    f->sentence = r->sentence;
     for (int n = 0; n < r->frames; n++) {
         f->stretch[n] = metric_stretch(scene, r->xyz[n]);
         f->roughness[n] = metric_roughness(scene, r->xyz[n]);
@@ -87,76 +101,42 @@ static void measure(const struct scene *scene, const struct rung_result *r,
     }
 }
 
-static enum status run_case(const struct figure_case *c, const struct rung_plan *base,
-                            const struct scene *scene, bool read_only, struct figures *f,
-                            struct message *why)
-{
-    const char *all[MOST_SETTINGS];
-    struct rung_plan plan = *base;
-    struct rung_result result = {0};
-    struct message refusal = {""};
-    const struct model *model;
-    enum status st;
-
-    if (registry_find(c->model, &model, &refusal) != STATUS_OK) {
-        snprintf(f->refused, sizeof f->refused, "%.255s", refusal.text);
-        return STATUS_OK;
-    }
-    memcpy(all, base->settings, (size_t)base->setting_count * sizeof *all);
-    for (int n = 0; n < SETTINGS && c->settings[n]; n++)
-        all[plan.setting_count++] = c->settings[n];
-    plan.settings = all;
-    plan.model = c->model;
-    plan.name = c->file;
-    st = read_only ? STATUS_OK : rung_run(&plan, &refusal);
-    if (st == STATUS_UNSUPPORTED) {
-        snprintf(f->refused, sizeof f->refused, "%.255s", refusal.text);
-        return STATUS_OK;
-    }
-    if (st == STATUS_OK)
-        st = rung_read(&plan, &result, &refusal);
-    if (st != STATUS_OK)
-        return status_fail(why, st, "%s: %s", c->title, refusal.text);
-    measure(scene, &result, f);
-    rung_clear(&result);
-    return STATUS_OK;
-}
-
 static void figure_row(struct table *t, const struct figure_case *c,
                        const struct figures *f)
 {
     table_row(t);
     table_text(t, "%s", c->title);
-    if (!f->ran) {
-        table_note(t, "%s: %s.", c->title, f->refused);
+    if (!f->ran || f->frames < TIMES)
+        table_note(t, "%s: %s.", c->title, f->sentence.text);
+    if (!f->ran)
         return;
-    }
     table_number(t, f->most_stretch, 4);
     table_number(t, f->most_roughness, 3);
-    table_integer(t, lround(f->most_intersections));
-    for (int n = 1; n < TIMES; n += 2)
-        if (n < f->frames) {
-            table_fixed(t, f->drop[n], 3);
-            table_fixed(t, f->stretch[n], 3);
-        } else {
-            table_dash(t);
-            table_dash(t);
-        }
-    if (f->frames < TIMES)
-        table_note(t, "%s: %s.", c->title, f->outcome);
+    table_fixed(t, f->most_intersections, 0);
+    for (int n = 1; n < TIMES; n += 2) {
+        table_fixed(t, n < f->frames ? f->drop[n] : NAN, 3);
+        table_fixed(t, n < f->frames ? f->stretch[n] : NAN, 3);
+    }
 }
 
 static enum status print_table(const struct figures *figures, enum table_format format,
                                FILE *file)
 {
     static const struct table_column columns[] = {
-        {"case", NULL, TABLE_LEFT}, {"stretch", "most", 0}, {"roughness", "most", 0},
-        {"crossings", "most", 0},   {"drop 0.5 s", "L", 0}, {"stretch", NULL, 0},
-        {"drop 1 s", "L", 0},       {"stretch", NULL, 0},   {"drop 1.5 s", "L", 0},
-        {"stretch", NULL, 0},       {"drop 2 s", "L", 0},   {"stretch", NULL, 0}};
+        {"case", NULL, TABLE_LEFT},
+        {"stretch", "most", .key = "stretch_most"},
+        {"roughness", "most", .key = "roughness_most"},
+        {"crossings", "most", .key = "crossings_most"},
+        {"drop 0.5 s", "L", .key = "drop_over_length_0.5_s"},
+        {"stretch", .key = "stretch_0.5_s"},
+        {"drop 1 s", "L", .key = "drop_over_length_1_s"},
+        {"stretch", .key = "stretch_1_s"},
+        {"drop 1.5 s", "L", .key = "drop_over_length_1.5_s"},
+        {"stretch", .key = "stretch_1.5_s"},
+        {"drop 2 s", "L", .key = "drop_over_length_2_s"},
+        {"stretch", .key = "stretch_2_s"}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Fig. 6: two corners held, 10x10 points unless said");
-    enum status st;
 
     for (int n = 0; n < CASES; n++) {
         if (n == PAPER_CASES)
@@ -168,9 +148,7 @@ static enum status print_table(const struct figures *figures, enum table_format 
                "the mid-surface. Crossings: pairs of intersecting triangles of the sampled "
                "mid-surface.",
                TIMES, times[0], times[TIMES - 1]);
-    st = table_print(t, format, file);
-    table_destroy(t);
-    return st;
+    return table_finish(t, format, file);
 }
 
 static bool over_stretches(const struct figures *all, int n)
@@ -241,40 +219,51 @@ static void judge(const struct sentence *s, const struct figures *figures, FILE 
                 s->says, paper ? "holds" : "does not hold", others);
 }
 
-enum status fig6_compare(const char *path, int setting_count, const char *const *settings,
-                         const char *folder, bool read_only, enum table_format format,
-                         FILE *file, struct message *why)
+static enum status read(const struct batch *b, struct figures figures[CASES],
+                        struct message *why)
+{
+    struct discretization unused = {0};
+    struct scene scene = {0};
+    enum status st;
+
+    TRY(settings_read(b->cases[0].plan.settings, b->cases[0].plan.path, &scene, &unused,
+                      why)); /* all have this sheet */
+    for (int n = 0; n < CASES; n++) {
+        struct run_result r = {0};
+        TRY(batch_read(b, n, true, &r, why));
+        measure(&scene, &r, &figures[n]);
+        run_result_clear(&r);
+    }
+out:
+    scene_clear(&scene);
+    discretization_clear(&unused);
+    return st;
+}
+
+enum status fig6_compare(const char *path, const struct settings *user, const char *folder,
+                         bool read_only, enum table_format format, FILE *file,
+                         struct message *why)
 {
     enum status st;
-    static struct figures figures[CASES];
-    struct scene scene = {0};
-    struct discretization unused = {0};
-    const char *base[MOST_SETTINGS];
-    int count = 0;
+    struct figures figures[CASES] = {{0}};
+    struct batch batch;
 
-    base[count++] = "material.density=1"; /* Fig. 6; Table 2 has 0.5 for this scene     */
-    for (int n = 0; n < setting_count && count < MOST_SETTINGS - SETTINGS; n++)
-        base[count++] = settings[n];
-    struct rung_plan plan = {.path = path,
-                             .setting_count = count,
-                             .settings = base,
-                             .times = TIMES,
-                             .time = times,
-                             .folder = folder};
-    memset(figures, 0, sizeof figures);
-    TRY(scene_file_read(path, count, base, &scene, &unused, why));
-    for (int n = 0; n < CASES; n++)
-        TRY(run_case(&cases[n], &plan, &scene, read_only, &figures[n], why));
+    TRY(batch_init(&batch, folder, CASES));
+    TRY(plan(&batch, path, user, why));
+    if (!read_only)
+        TRY(batch_run(&batch, &(struct measurement_options){.what = "fig6"}, why));
+    TRY(read(&batch, figures, why));
     TRY(print_table(figures, format, file));
+    if (!table_format_is_prose(format))
+        goto out;
     fprintf(file,
-            "\nThe paper's sentences (over-stretched: beyond %.2f; rough: more than "
+            "The paper's sentences (over-stretched: beyond %.2f; rough: more than "
             "%.1f times the IGA plate)\n\n",
             OVER_STRETCHED, ROUGH);
     for (size_t n = 0; n < sizeof sentences / sizeof *sentences; n++)
         judge(&sentences[n], figures, file);
     fprintf(file, "\n");
 out:
-    scene_clear(&scene);
-    discretization_clear(&unused);
+    batch_clear(&batch);
     return st;
 }

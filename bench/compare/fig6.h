@@ -4,13 +4,13 @@
 #ifndef FIG6_H
 #define FIG6_H
 
+#include "bench/harness/settings.h"
 #include "bench/ui/table.h"
-#include "models/status.h"
 
 /* Runs the cases on scene file `path` (corners_drop) with the user's settings, unless
  * `read_only`, keeps their result files in `folder`, prints table and verdicts. */
-enum status fig6_compare(const char *path, int setting_count, const char *const *settings,
-                         const char *folder, bool read_only, enum table_format format,
-                         FILE *file, struct message *why);
+enum status fig6_compare(const char *path, const struct settings *user, const char *folder,
+                         bool read_only, enum table_format format, FILE *file,
+                         struct message *why);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "bench/files/store_read.h"
 #include "bench/harness/timing.h"
-#include "bench/speed/bench_solid.h"
+#include "bench/experiment/bench_solid.h"
 
 /* A solid's frame costs the same all along the motion, so twenty frames a repeat do. */
 enum { FRAMES = 20, QUICK_FRAMES = 5, WARMUP = 2 };
@@ -71,6 +71,16 @@ out:
     return st;
 }
 
+/* Many cases wait to be timed, each time on a fresh state: none keeps its own. */
+static enum status put_away(struct job *j, struct message *why)
+{
+    const enum status st = run_file_end(j->file, why);
+
+    j->run.model->destroy(j->run.state);
+    j->run.state = j->motion.state = NULL;
+    return st;
+}
+
 /* What died before its first frames were over has nothing to be timed. */
 static bool is_timed(const struct job *j)
 {
@@ -114,7 +124,7 @@ static enum status store_phases(const struct measurement_options *options, struc
     fresh.state = NULL;
     TRY(run_build(&fresh, why));
     for (int p = 0; p < BENCH_SOLID_FRAME && st == STATUS_OK; p++) {
-        st = bench_solid_time(fresh.model, fresh.state, p, repeats, seconds);
+        st = bench_solid_time(fresh.state, p, repeats, seconds);
         if (st == STATUS_OK)
             st = run_file_seconds(j->file, name[p], seconds, repeats, 0, why);
     }
@@ -142,10 +152,10 @@ out:
     return st;
 }
 
-/* One bar: the runs, then the repeats of those that are timed. */
+/* One bar for both: the runs that are followed, then those that are timed. */
 struct bar {
     const struct measurement_options *options;
-    int runs, repeats;
+    int before;
 };
 
 static void report(void *context, int done, int total)
@@ -153,16 +163,15 @@ static void report(void *context, int done, int total)
     const struct bar *bar = context;
     const struct measurement_options *o = bar->options;
 
-    (void)total;
     if (o->progress)
-        o->progress(o->context, o->what, done + bar->runs, bar->runs + bar->repeats);
+        o->progress(o->context, o->what, bar->before + done, bar->before + total);
 }
 
 static enum status time_all(const struct measurement_options *options, int count,
                             struct job *jobs, struct message *why)
 {
     struct timing_case *timing = calloc((size_t)count + 1, sizeof *timing);
-    struct bar bar = {options, count, TIMING_REPEATS * count};
+    struct bar bar = {options, count};
     const struct timing_plan plan = {
         .quick = options->quick, .progress = report, .context = &bar};
     enum status st = timing ? STATUS_OK : STATUS_MEMORY;
@@ -192,16 +201,16 @@ enum status measurement_run(const struct measurement_options *options, int count
                             const struct measurement_case *cases, struct message *why)
 {
     struct job *jobs = calloc((size_t)count + 1, sizeof *jobs);
-    struct bar bar = {options, count, TIMING_REPEATS * count};
+    struct bar bar = {options, 0};
     enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
     for (int n = 0; n < count; n++) {
-        report(&bar, n - count, 0);
         TRY(follow(&jobs[n], &cases[n], why));
+        TRY(put_away(&jobs[n], why));
+        report(&bar, n + 1, (TIMING_REPEATS + 1) * count);
     }
     TRY(time_all(options, count, jobs, why));
-    report(&bar, bar.repeats, 0);
     for (int n = 0; n < count; n++) {
         struct run_file *file = jobs[n].file;
         jobs[n].file = NULL;

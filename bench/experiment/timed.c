@@ -133,7 +133,7 @@ static enum status time_phases(struct timed_case *c, int repeats, struct message
     for (int n = 0; n < WARMUP && st == STATUS_OK; n++)
         st = c->model->advance(state, &counters);
     for (int p = 0; p < BENCH_SOLID_FRAME && st == STATUS_OK; p++) {
-        st = bench_solid_time(c->model, state, p, repeats, seconds);
+        st = bench_solid_time(state, p, repeats, seconds);
         if (st == STATUS_OK)
             st = store_seconds(c->store, phase_name[p], seconds, repeats, 0, why);
     }

@@ -7,11 +7,12 @@
 
 #include <stdio.h>
 
-#include "bench/speed/bench_solid.h"
+#include "bench/experiment/bench_solid.h"
 #include "bench/experiment/exhibit.h"
 #include "bench/files/provenance.h"
 #include "bench/files/store_read.h"
 #include "models/clock.h"
+#include "models/model.h"
 
 enum { TIMED_PATH = 4096 };
 

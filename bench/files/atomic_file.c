@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 /* Temporary files to remove on a signal; a file too many is only not removed then. */
-enum { PENDING_MAX = 64 };
+enum { PENDING_MAX = 256 };
 static struct {
     _Atomic(char *) name;
     pid_t owner; /* a forked child must not remove its parent's files */

@@ -18,7 +18,8 @@
  *   energy/kinetic, energy/elastic, energy/potential   [F]   double [J], NaN if not known
  *   counters/steps, ...                            [F]   work done up to the frame
  *   metrics/NAME      [F], attribute `unit`        double
- *   seconds/create, seconds/sample                 [R]            raw, every repeat
+ *   seconds/create                                 [R]            raw, every repeat
+ *   seconds/look                                   [1]            sampling and measuring
  *   seconds/advance                                [R][steps]     raw, every step
  *   seconds/equilibrium                            [R][1]         raw
  *   seconds/timed, seconds/processor               [1]   all that was timed together with
@@ -60,7 +61,7 @@ enum status store_frame(struct store *store, double t, const double *xyz,
                         const struct energy *energy, const struct counters *counters,
                         struct message *why);
 
-/* Raw seconds[rows][columns] of a phase ("create", "advance", "sample"); columns = 0: one
+/* Raw seconds[rows][columns] of a phase ("create", "advance", "look"); columns = 0: one
  * number a repeat. Once per phase. */
 enum status store_seconds(struct store *store, const char *phase, const double *seconds,
                           int rows, int columns, struct message *why);

@@ -112,6 +112,23 @@ void contestant_settings(const struct contestant *c, struct settings *s)
     settings_list(s, CONTESTANT_SETTINGS, c->settings);
 }
 
+const char *contestant_setting(const struct contestant *c, const char *key)
+{
+    const size_t length = strlen(key);
+
+    for (int n = 0; n < CONTESTANT_SETTINGS && c->settings[n]; n++)
+        if (!strncmp(c->settings[n], key, length) && c->settings[n][length] == '=')
+            return c->settings[n] + length + 1;
+    return NULL;
+}
+
+bool contestant_is_paper_scheme(const struct contestant *c)
+{
+    const char *kinematics = contestant_setting(c, "discretization.kinematics");
+
+    return kinematics && !strcmp(kinematics, kinematics_name(KINEMATICS_PRINTED));
+}
+
 void contestant_points(const struct contestant *c, int u, int v, struct settings *s)
 {
     const int points[] = {u, v, c->layers};

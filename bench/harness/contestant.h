@@ -59,6 +59,12 @@ enum status contestant_check(const char *choice, struct message *why);
 /* What makes it what it is, added to settings. */
 void contestant_settings(const struct contestant *c, struct settings *s);
 
+/* The value that it sets a key to; NULL: it does not. Static storage. */
+const char *contestant_setting(const struct contestant *c, const char *key);
+
+/* The paper's own scheme: its damping, a factor on the velocity, is part of it. */
+bool contestant_is_paper_scheme(const struct contestant *c);
+
 /* Points u x v, through the thickness as it has them. */
 void contestant_points(const struct contestant *c, int u, int v, struct settings *s);
 

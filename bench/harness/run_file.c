@@ -28,7 +28,9 @@ struct run_file {
     double time;
     struct energy energy; /* NaN: the model has none                               */
     struct counters work;
-    double seconds;         /* spent looking                                           */
+    double seconds; /* spent looking                                           */
+    bool ended;
+    struct model_size size; /* zeros: not built                                        */
     bool created, advanced; /* those seconds were handed in                            */
     enum status refused;
     struct message sentence;
@@ -217,17 +219,31 @@ out:
     return st;
 }
 
+enum status run_file_end(struct run_file *f, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (f->ended)
+        return st;
+    if (f->waits)
+        st = take(f, true, why);
+    if (f->run->state)
+        f->run->model->size(f->run->state, &f->size);
+    free(f->xyz);
+    free(f->before);
+    f->xyz = f->before = NULL;
+    f->ended = true;
+    return st;
+}
+
 static enum status complete(struct run_file *f, const struct motion *m,
                             const struct run_result *r, struct message *why)
 {
     const struct run *run = f->run;
-    struct model_size size = {0};
     struct store *store = f->store;
     enum status st;
 
-    if (run->state)
-        run->model->size(run->state, &size);
-    TRY(store_size(store, &size, why));
+    TRY(store_size(store, &f->size, why));
     TRY(store_series(f, why));
     if (!f->created)
         TRY(store_seconds(store, "create", &run->create_seconds, 1, 0, why));
@@ -255,8 +271,7 @@ enum status run_file_close(struct run_file *f, const struct motion *m,
 
     if (f->refused && status_is_death(f->refused))
         r.death_time = 0;
-    if (f->waits)
-        TRY(take(f, true, why));
+    TRY(run_file_end(f, why));
     r.create_seconds = f->run->create_seconds;
     r.look_seconds = f->seconds;
     for (int n = 0; m && n < m->steps; n++)

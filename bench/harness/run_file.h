@@ -63,6 +63,10 @@ enum status run_file_rest(struct run_file *file, const struct counters *work,
 /* What could not be built: the status of run_build and its sentence. */
 void run_file_refuse(struct run_file *file, enum status st, const struct message *said);
 
+/* No more looks will come: after it the run's state may be destroyed, and next to no memory
+ * is held. run_file_close does it itself. */
+enum status run_file_end(struct run_file *file, struct message *why);
+
 /* Raw seconds[repeats][columns] of a phase (store.h); "create" and "advance" are else those
  * of the run itself. */
 enum status run_file_seconds(struct run_file *file, const char *phase,

@@ -95,13 +95,11 @@ static enum status make_room(struct timing_case *c)
     return c->create && c->advance ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* How often, once the first repeat has shown how long it takes. */
-static void choose_repeats(const struct timing_plan *plan, double seconds,
-                           struct timing_case *c)
+int timing_repeats(double seconds, bool quick)
 {
-    c->repeats = plan->quick               ? TIMING_REPEATS_QUICK
-                 : seconds <= TIMING_SHORT ? TIMING_REPEATS
-                                           : TIMING_REPEATS_LONG;
+    return quick                     ? TIMING_REPEATS_QUICK
+           : seconds <= TIMING_SHORT ? TIMING_REPEATS
+                                     : TIMING_REPEATS_LONG;
 }
 
 /* The r-th repeat of all that are to be repeated as often. */
@@ -116,8 +114,8 @@ static enum status run_round(const struct timing_plan *plan, int r, int count,
         if (r > 0 && r >= c->repeats)
             continue;
         st = run_once(c, r, why);
-        if (!c->repeats)
-            choose_repeats(plan, clock_now() - start, c);
+        if (!c->repeats) /* the first has shown how long it takes */
+            c->repeats = timing_repeats(clock_now() - start, plan->quick);
         if (plan->progress)
             plan->progress(plan->context, r * count + n + 1, TIMING_REPEATS * count);
     }

@@ -10,6 +10,9 @@
 enum { TIMING_REPEATS = 9, TIMING_REPEATS_LONG = 3, TIMING_REPEATS_QUICK = 3 };
 #define TIMING_SHORT 0.2
 
+/* How often what takes so many seconds is repeated. */
+int timing_repeats(double seconds, bool quick);
+
 struct timing_case {
     const struct run *run; /* read; a fresh state is built for every repeat    borrowed */
     int warmup, frames;    /* steps not counted, and counted, of each repeat            */

@@ -44,23 +44,8 @@ static void describe_discretization(const struct discretization *d, FILE *file)
     fprintf(file, "%s\n", d->weight_count ? ", weights as given" : "");
 }
 
-static void describe_note(const struct model *model, const void *state, FILE *file)
+static void describe_scene(const struct scene *scene, FILE *file)
 {
-    struct message line = {{0}};
-
-    if (model->describe)
-        model->describe(state, &line);
-    if (*line.text)
-        fprintf(file, "note            %s\n", line.text);
-}
-
-void describe_setup(const struct scene *scene, const struct model *model,
-                    const struct discretization *d, const void *state, double seconds,
-                    FILE *file)
-{
-    struct model_size size = {0};
-
-    model->size(state, &size);
     fprintf(
         file,
         "scene           %s: %g x %g m, h = %g m, E = %g Pa, nu = %g, rho = %g kg/m^3\n",
@@ -78,16 +63,29 @@ void describe_setup(const struct scene *scene, const struct model *model,
                 scene->velocity[0], scene->velocity[1], scene->velocity[2], scene->spin[0],
                 scene->spin[1], scene->spin[2]);
     fprintf(file, "\ntime            to %g s in steps of %g s\n", scene->end, scene->step);
-    describe_gamma(scene, d, file);
+}
+
+void describe_setup(const struct run *run, FILE *file)
+{
+    const struct model *model = run->model;
+    struct model_size size = {0};
+    struct message note = {{0}};
+
+    model->size(run->state, &size);
+    if (model->describe)
+        model->describe(run->state, &note);
+    describe_scene(&run->scene, file);
+    describe_gamma(&run->scene, &run->discretization, file);
     fprintf(file, "model           %s: %s\n", model->name, model->title);
-    describe_discretization(d, file);
+    describe_discretization(&run->discretization, file);
     fprintf(
         file,
         "unknowns        %ld of %ld nodes, as %s; solver %s, %ld numbers in its factor\n",
         size.unknowns, size.nodes, size.unknown_basis ? size.unknown_basis : "-",
         size.solver ? size.solver : "none", size.factor_entries);
-    describe_note(model, state, file);
-    fprintf(file, "set-up          %.3f ms\n", 1e3 * seconds);
+    if (*note.text)
+        fprintf(file, "note            %s\n", note.text);
+    fprintf(file, "set-up          %.3f ms\n", 1e3 * run->create_seconds);
 }
 
 void describe_motion(const struct motion *m, FILE *file)
@@ -114,7 +112,7 @@ void describe_motion(const struct motion *m, FILE *file)
     fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());
 }
 
-/* A count if the unit is one. NaN: not known, or the model has no such thing. */
+/* NaN: there is none; the model has no such energy in its kinematics. */
 static void add_row(struct table *t, const char *name, double value, const char *unit)
 {
     table_row(t);
@@ -126,11 +124,11 @@ static void add_row(struct table *t, const char *name, double value, const char 
     table_text(t, "%s", unit);
 }
 
-enum status describe_state(const struct scene *scene, const struct model *model,
-                           const void *state, double t, FILE *file)
+enum status describe_state(const struct run *run, double t, FILE *file)
 {
     static const struct table_column columns[] = {
         {"", NULL, TABLE_LEFT}, {"value", NULL, TABLE_RIGHT}, {"unit", NULL, TABLE_LEFT}};
+    const struct scene *scene = &run->scene;
     enum status st = STATUS_OK;
     struct energy energy = {NAN, NAN, NAN};
     char caption[64];
@@ -139,9 +137,9 @@ enum status describe_state(const struct scene *scene, const struct model *model,
 
     if (!xyz)
         return STATUS_MEMORY;
-    model->sample(state, xyz);
-    if (model->energy)
-        model->energy(state, &energy);
+    run->model->sample(run->state, xyz);
+    if (run->model->energy)
+        run->model->energy(run->state, &energy);
     snprintf(caption, sizeof caption, "At t = %g s:", t);
     table = table_create(3, columns, caption);
     add_row(table, "drop", metric_drop(scene, xyz), "L");
@@ -155,8 +153,7 @@ enum status describe_state(const struct scene *scene, const struct model *model,
     add_row(table, "elastic energy", energy.elastic, "J");
     add_row(table, "potential energy", energy.potential, "J");
     fputc('\n', file);
-    TRY(table_print(table, TABLE_TEXT, file));
-out:
+    st = table_print(table, TABLE_TEXT, file);
     if (st == STATUS_FILE) /* standard error that takes nothing is no reason to fail */
         st = STATUS_OK;
     table_destroy(table);

@@ -5,18 +5,16 @@
 #include <stdio.h>
 
 #include "bench/harness/motion.h"
+#include "bench/harness/run.h"
 
 /* Scene, Gamma (with a warning where small strain is not what the scene is about),
- * discretization spelled out, what was built, seconds of create(). */
-void describe_setup(const struct scene *scene, const struct model *model,
-                    const struct discretization *d, const void *state, double seconds,
-                    FILE *file);
+ * discretization spelled out, what was built, seconds of set-up. */
+void describe_setup(const struct run *run, FILE *file);
 
 /* Frames, seconds a frame, work done, peak memory. */
 void describe_motion(const struct motion *m, FILE *file);
 
 /* Metrics and energies of the present state. STATUS_MEMORY. */
-enum status describe_state(const struct scene *scene, const struct model *model,
-                           const void *state, double t, FILE *file);
+enum status describe_state(const struct run *run, double t, FILE *file);
 
 #endif

@@ -10,10 +10,10 @@
 #include "bench/files/settings_text.h"
 
 static enum status write_one(const char *folder, const char *name, const char *what,
-                             const struct model *model, const struct scene *scene,
-                             const struct discretization *d, const struct matrix *A,
+                             const struct run *run, const struct matrix *A,
                              struct message *why)
 {
+    const struct discretization *d = &run->discretization;
     enum status st = STATUS_OK;
     char path[4096], *settings = NULL, *comment = NULL;
     size_t size;
@@ -33,7 +33,8 @@ static enum status write_one(const char *folder, const char *name, const char *w
         "node = (i m + j) l + k with m = %d points along v, l = %d along w;\n"
         "i along u, j along v, k along w, all from 0. Held components are not removed.\n"
         "%s",
-        what, model->name, model->title, scene->name, d->points[1], d->points[2], settings);
+        what, run->model->name, run->model->title, run->scene.name, d->points[1],
+        d->points[2], settings);
     if (fclose(text) != 0)
         TRY(STATUS_MEMORY);
     TRY(matrix_market_write(path, A, comment, why));
@@ -43,33 +44,33 @@ out:
     return st;
 }
 
-enum status matrices_write(const char *folder, const struct model *model,
-                           const struct scene *scene, const struct discretization *d,
+enum status matrices_write(const char *folder, const struct run_plan *plan,
                            struct message *why)
 {
     enum status st = STATUS_OK;
-    struct discretization points = {0};
+    struct settings settings = {0};
+    struct run_plan points = *plan;
+    struct run run = {0};
     struct matrix K = {0}, M = {0};
-    void *state = NULL;
 
-    if (!model->matrices)
+    if (!plan->contestant->model->matrices)
         return status_fail(why, STATUS_UNSUPPORTED, "%s has no matrices to write",
-                           model->name);
-    TRY(discretization_copy(d, &points));
-    points.unknowns = UNKNOWNS_POINTS;
-    TRY(model->create(scene, &points, &state, why));
-    TRY(model->matrices(state, &K, &M));
+                           plan->contestant->name);
+    settings_append(&settings, plan->settings);
+    settings_word(&settings, "discretization.unknowns", "points");
+    points.settings = &settings;
+    TRY(run_open(&run, &points, why));
+    TRY(run.model->matrices(run.state, &K, &M));
     if (mkdir(folder, 0777) != 0 && errno != EEXIST)
         TRY(status_fail(why, STATUS_FILE, "%s: the folder cannot be made: %s", folder,
                         strerror(errno)));
-    TRY(write_one(folder, "K.mtx", "Stiffness matrix of the rest shape [N/m]", model, scene,
-                  &points, &K, why));
-    TRY(write_one(folder, "M.mtx", "Mass matrix of the rest shape [kg]", model, scene,
-                  &points, &M, why));
+    TRY(write_one(folder, "K.mtx", "Stiffness matrix of the rest shape [N/m]", &run, &K,
+                  why));
+    TRY(write_one(folder, "M.mtx", "Mass matrix of the rest shape [kg]", &run, &M, why));
 out:
     matrix_clear(&K);
     matrix_clear(&M);
-    model->destroy(state);
-    discretization_clear(&points);
+    run_close(&run);
+    settings_clear(&settings);
     return st;
 }

@@ -2,39 +2,54 @@
 
 #include <limits.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "bench/harness/run_file.h"
 #include "bench/run/describe.h"
 #include "bench/run/matrices.h"
 #include "bench/run/probe.h"
-#include "bench/harness/record.h"
-#include "bench/harness/registry.h"
-#include "bench/run/rest.h"
-#include "models/clock.h"
+#include "bench/run/statics.h"
 #include "models/reader/scene_file.h"
 
 enum task { TASK_MOTION, TASK_STATIC, TASK_MODES };
 
 enum { MODES_MOST = 1000 };
 
-struct run {
+struct job {
     enum task task;
     bool settled; /* modes are those about static equilibrium */
     bool quiet;
     long mode_count;
     long every; /* frames: which of them a file keeps */
     enum table_format format;
-    const struct model *model;
-    struct scene scene;
-    struct discretization discretization;
-    struct provenance provenance;
+    const struct contestant *contestant;
+    struct settings settings;
+    char *path;
+    struct run_plan plan;
+    struct run run;
     struct probe probe;
-    struct record *record; /* NULL: nothing is kept */
-    void *state;
-    double create_seconds;
+    struct run_keep keep;
+    struct run_file *file; /* NULL: nothing is kept */
 };
 
-static enum status read_options(struct run *r, const struct command_line *line,
+/* What makes no sense together. */
+static enum status check_options(const struct job *j, const struct command_line *line,
+                                 struct message *why)
+{
+    const bool out = command_given(line, "--out");
+
+    if (command_given(line, "--every") && (j->task != TASK_MOTION || !out))
+        return status_fail(why, STATUS_INPUT,
+                           "--every is for the frames of a motion that --out keeps");
+    if (j->task == TASK_MODES && (j->probe.count || out))
+        return status_fail(why, STATUS_INPUT, "--modes has no positions: %s makes no sense",
+                           j->probe.count ? "--probe" : "--out");
+    if (command_given(line, "--format") && j->task == TASK_MOTION)
+        return status_fail(why, STATUS_INPUT,
+                           "--format is for the tables of --static and --modes");
+    return STATUS_OK;
+}
+
+static enum status read_options(struct job *j, const struct command_line *line,
                                 struct message *why)
 {
     enum status st = STATUS_OK;
@@ -43,193 +58,168 @@ static enum status read_options(struct run *r, const struct command_line *line,
     int count;
     const char *const *points = command_values(line, "--probe", &count);
 
-    r->quiet = command_given(line, "--quiet");
+    j->quiet = command_given(line, "--quiet");
     if (command_given(line, "--static"))
-        r->task = TASK_STATIC;
+        j->task = TASK_STATIC;
     if (command_given(line, "--modes")) {
-        r->settled = r->task == TASK_STATIC;
-        r->task = TASK_MODES;
-        TRY(command_integer(line, "--modes", 1, MODES_MOST, &r->mode_count, why));
+        j->settled = j->task == TASK_STATIC;
+        j->task = TASK_MODES;
+        TRY(command_integer(line, "--modes", 1, MODES_MOST, &j->mode_count, why));
     }
-    r->every = 1;
-    TRY(command_integer(line, "--every", 1, INT_MAX, &r->every, why));
-    if (command_given(line, "--every") &&
-        (r->task != TASK_MOTION || !command_given(line, "--out")))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "--every is for the frames of a motion that --out keeps"));
-    if (r->task == TASK_MODES && (count || command_given(line, "--out")))
-        TRY(status_fail(why, STATUS_INPUT, "--modes has no positions: %s makes no sense",
-                        count ? "--probe" : "--out"));
-    if (format && r->task == TASK_MOTION)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "--format is for the tables of --static and --modes"));
+    j->every = 1;
+    TRY(command_integer(line, "--every", 1, INT_MAX, &j->every, why));
+    TRY(probe_init(&j->probe, count, points, why));
+    TRY(check_options(j, line, why));
     if (format)
-        TRY(table_format_parse(format, &r->format, why));
-    TRY(registry_find(name ? name : registry[0]->name, &r->model, why));
-    TRY(probe_init(&r->probe, count, points, why));
+        TRY(table_format_parse(format, &j->format, why));
+    j->contestant = contestant_table;
+    if (name)
+        TRY(contestant_find(name, &j->contestant, why));
 out:
     return st;
 }
 
-/* Scene and settings. Statics and modes of solids are linear unless the user says
- * otherwise: the setting comes first, later ones win. */
-static enum status read_scene(struct run *r, const struct command_line *line,
+/* Statics and modes of a solid by itself are linear unless the user says otherwise; a
+ * contestant that has kinematics of its own keeps them. */
+static void choose_kinematics(struct job *j)
+{
+    struct discretization d;
+
+    j->contestant->model->defaults(&d);
+    if (j->task != TASK_MOTION && d.kinematics != KINEMATICS_NONLINEAR &&
+        !contestant_setting(j->contestant, "discretization.kinematics"))
+        settings_word(&j->settings, "discretization.kinematics", "linear");
+}
+
+static enum status read_scene(struct job *j, const struct command_line *line,
                               struct message *why)
 {
     enum status st = STATUS_OK;
     int given;
     const char *const *set = command_values(line, "--set", &given);
-    const char **settings = malloc((size_t)(given + 1) * sizeof *settings);
-    int count = 0;
-    char *path = NULL;
 
-    if (!settings)
-        return STATUS_MEMORY;
-    r->model->defaults(&r->discretization);
-    if (r->task != TASK_MOTION && r->discretization.kinematics != KINEMATICS_NONLINEAR)
-        settings[count++] = "discretization.kinematics=linear";
-    for (int n = 0; n < given; n++)
-        settings[count++] = set[n];
-    TRY(scene_file_find(line->words[0], &path, why));
-    TRY(scene_file_read(path, count, settings, &r->scene, &r->discretization, why));
-    if (r->settled && r->discretization.kinematics != KINEMATICS_NONLINEAR)
+    choose_kinematics(j);
+    settings_set_all(&j->settings, given, set);
+    TRY(scene_file_find(line->words[0], &j->path, why));
+    j->plan = (struct run_plan){j->path, j->contestant, &j->settings, 0};
+    TRY(run_read(&j->run, &j->plan, why));
+    if (j->settled && j->run.discretization.kinematics != KINEMATICS_NONLINEAR)
         TRY(status_fail(why, STATUS_INPUT,
                         "--static --modes: modes about static equilibrium need "
                         "discretization.kinematics=nonlinear; linear ones are those of the "
                         "rest shape, --modes alone"));
 out:
-    free(settings);
-    free(path);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a scene that cannot be read is input */
 }
 
-static enum status create_state(struct run *r, struct message *why)
+static enum status open_file(struct job *j, const char *path, struct message *why)
 {
-    double start = clock_now();
-    enum status st = r->model->create(&r->scene, &r->discretization, &r->state, why);
-
-    r->create_seconds = clock_now() - start;
-    return st;
-}
-
-static enum status open_record(struct run *r, const char *path, struct message *why)
-{
-    struct store_run kept = {.scene = &r->scene,
-                             .model = r->model,
-                             .discretization = &r->discretization,
-                             .provenance = &r->provenance};
-    struct motion m;
-
-    if (!path)
-        return STATUS_OK;
-    provenance_collect(&r->provenance);
-    enum status st = motion_init(&m, r->model, &r->scene, r->state);
-    if (st == STATUS_OK)
-        st = record_create(path, &kept, m.frame_count, (int)r->every, &r->record, why);
-    motion_clear(&m);
-    return st;
+    j->keep = (struct run_keep){
+        .file = path, .every = (int)j->every, .fields = RUN_FIELDS_ALL, .doubles = true};
+    return path ? run_file_open(&j->run, &j->keep, &j->file, why) : STATUS_OK;
 }
 
 static enum status watch_frame(void *context, const struct motion *m, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct run *r = context;
+    struct job *j = context;
 
-    if (r->probe.count)
-        TRY(probe_print(&r->probe, r->model, r->state, m->time, stdout, why));
-    if (r->record)
-        TRY(record_frame(r->record, r->state, m->time, &m->counters, why));
+    if (j->probe.count)
+        TRY(probe_print(&j->probe, &j->run, m->time, stdout, why));
+    if (j->file)
+        TRY(run_file_watch(j->file, m, why));
 out:
     return st;
 }
 
 /* The file is completed even after a death: a death is a result. */
-static enum status close_record(struct run *r, const struct motion *m, struct message *why)
+static enum status close_file(struct job *j, const struct motion *m, struct message *why)
 {
-    struct record *record = r->record;
+    struct run_file *file = j->file;
 
-    r->record = NULL;
-    return record ? record_close(record, r->state, r->create_seconds, m, why) : STATUS_OK;
+    j->file = NULL;
+    return file ? run_file_close(file, m, NULL, why) : STATUS_OK;
 }
 
-static enum status run_motion(struct run *r, struct message *why)
+static enum status run_motion(struct job *j, struct message *why)
 {
     enum status st = STATUS_OK;
     struct motion m = {0};
 
-    TRY(motion_init(&m, r->model, &r->scene, r->state));
-    TRY(motion_run(&m, watch_frame, r, r->quiet, why));
-    TRY(close_record(r, &m, why));
-    if (!r->quiet)
+    TRY(motion_init(&m, j->run.model, &j->run.scene, j->run.state));
+    if (j->probe.count)
+        probe_print_header(stdout);
+    TRY(motion_run(&m, watch_frame, j, j->quiet, why));
+    TRY(close_file(j, &m, why));
+    if (!j->quiet)
         describe_motion(&m, stderr);
     if (m.death)
         TRY(motion_tell_death(&m, why));
-    if (!r->quiet)
-        TRY(describe_state(&r->scene, r->model, r->state, m.time, stderr));
+    if (!j->quiet)
+        TRY(describe_state(&j->run, m.time, stderr));
 out:
     motion_clear(&m);
     return st;
 }
 
 /* The table goes to standard output, unless points asked for do. */
-static enum status run_static(struct run *r, struct message *why)
+static enum status run_static(struct job *j, struct message *why)
 {
     enum status st = STATUS_OK;
 
-    TRY(rest_static(&r->scene, r->model, r->state, r->format,
-                    r->probe.count ? stderr : stdout, why));
-    if (r->probe.count) {
-        TRY(probe_print(&r->probe, r->model, r->state, 0, stdout, why));
+    TRY(statics_print(&j->run, j->format, j->probe.count ? stderr : stdout, why));
+    if (j->probe.count) {
+        probe_print_header(stdout);
+        TRY(probe_print(&j->probe, &j->run, 0, stdout, why));
     }
-    if (r->record)
-        TRY(record_frame(r->record, r->state, 0, NULL, why));
-    TRY(close_record(r, NULL, why));
+    if (j->file)
+        TRY(run_file_rest(j->file, &(struct counters){0}, why));
+    TRY(close_file(j, NULL, why));
 out:
     return st;
 }
 
-static enum status run_task(struct run *r, struct message *why)
+static enum status run_task(struct job *j, struct message *why)
 {
-    switch (r->task) {
+    switch (j->task) {
     case TASK_STATIC:
-        return run_static(r, why);
+        return run_static(j, why);
     case TASK_MODES:
-        return rest_modes(&r->scene, r->model, r->state, (int)r->mode_count, r->settled,
-                          r->format, stdout, why);
+        return statics_modes(&j->run, (int)j->mode_count, j->settled, j->format, stdout,
+                             why);
     case TASK_MOTION:
         break;
     }
-    return run_motion(r, why);
+    return run_motion(j, why);
 }
 
 static enum status run(const struct command_line *line, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct run r = {0};
+    struct job j = {0};
     const char *folder = command_value(line, "--matrices");
 
-    TRY(read_options(&r, line, why));
-    TRY(read_scene(&r, line, why));
-    TRY(create_state(&r, why));
-    TRY(open_record(&r, command_value(line, "--out"), why));
-    if (!r.quiet)
-        describe_setup(&r.scene, r.model, &r.discretization, r.state, r.create_seconds,
-                       stderr);
+    TRY(read_options(&j, line, why));
+    TRY(read_scene(&j, line, why));
+    TRY(run_build(&j.run, why));
+    TRY(open_file(&j, command_value(line, "--out"), why));
+    if (!j.quiet)
+        describe_setup(&j.run, stderr);
     if (folder)
-        TRY(matrices_write(folder, r.model, &r.scene, &r.discretization, why));
-    TRY(run_task(&r, why));
+        TRY(matrices_write(folder, &j.plan, why));
+    TRY(run_task(&j, why));
 out:
-    record_discard(r.record);
-    if (r.model)
-        r.model->destroy(r.state);
-    probe_clear(&r.probe);
-    scene_clear(&r.scene);
-    discretization_clear(&r.discretization);
+    run_file_discard(j.file);
+    run_close(&j.run);
+    probe_clear(&j.probe);
+    settings_clear(&j.settings);
+    free(j.path);
     return st;
 }
 
 static const struct command_option options[] = {
-    {"--model", "NAME", false, "iga unless told otherwise; see clothbench list models"},
+    {"--model", "NAME", false,
+     "a model or a contestant; the first of clothbench list\nmodels unless told otherwise"},
     {"--set", "KEY=VALUE", true,
      "a key of the scene (material.young=5e4) or of the\n"
      "discretization (discretization.points=[20,20,2],\n"
@@ -242,8 +232,7 @@ static const struct command_option options[] = {
      "the N lowest natural frequencies instead of motion:\n"
      "about the rest shape, or with --static about nonlinear\n"
      "static equilibrium, and whether that is stable"},
-    {"--format", "FORMAT", false,
-     "of the table of --static or --modes: text, csv,\nmarkdown, latex or json"},
+    {"--format", TABLE_FORMATS, false, "of the table of --static or --modes (text)"},
     {"--probe", "U,V,W", true,
      "where this material point is in every frame, as CSV\n"
      "t,u,v,w,x,y,z with 17 digits on standard output"},

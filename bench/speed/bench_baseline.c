@@ -1,74 +1,238 @@
-#include "bench/speed/bench_baseline.h"
-
+/* The linear algebra of a frame by libraries used as they come, in turn with ours on the
+ * same numbers: named baselines for speed ratios. */
+#include <cholmod.h>
 #include <lapacke.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static int half_bandwidth(const struct bench_matrix *A)
+#include "bench/experiment/bench_solid.h"
+#include "bench/speed/bench_nets.h"
+
+/* A net's matrix, lower triangle by columns, and what the libraries make of it. */
+struct baseline {
+    struct run run;
+    int n, width; /* unknowns, half bandwidth                                          */
+    long *start;
+    int *row;
+    double *value, *band, *x; /* band and x: LAPACK's; NULL: too large                 */
+    cholmod_common common;
+    cholmod_sparse *copy;
+    cholmod_dense *one;
+    cholmod_factor *L;
+};
+
+static void clear(struct baseline *m)
 {
-    int most = 0;
-
-    for (int j = 0; j < A->n; j++)
-        for (long t = A->start[j]; t < A->start[j + 1]; t++)
-            if (A->row[t] - j > most)
-                most = A->row[t] - j;
-    return most;
-}
-
-enum status bench_baseline_lapack(const struct bench_matrix *A, int repeats,
-                                  struct bench_baseline *b)
-{
-    int n = A->n, width = half_bandwidth(A), rows = width + 1;
-    size_t size = (size_t)n * (size_t)rows;
-    double *band = malloc(size * sizeof *band), *x = malloc((size_t)n * sizeof *x);
-    double *factor = malloc((size_t)repeats * sizeof *factor);
-    double *solve = malloc((size_t)repeats * sizeof *solve);
-    enum status st = band && x && factor && solve ? STATUS_OK : STATUS_MEMORY;
-
-    for (int r = -1; r < repeats && st == STATUS_OK; r++) { /* -1: warm-up */
-        memset(band, 0, size * sizeof *band);
-        for (int j = 0; j < n; j++)
-            for (long t = A->start[j]; t < A->start[j + 1]; t++)
-                band[(size_t)j * (size_t)rows + (size_t)(A->row[t] - j)] = A->value[t];
-        for (int j = 0; j < n; j++)
-            x[j] = 1;
-        double start = clock_now();
-        int info = LAPACKE_dpbtrf_work(LAPACK_COL_MAJOR, 'L', n, width, band, rows);
-        double middle = clock_now();
-        if (!info)
-            info =
-                LAPACKE_dpbtrs_work(LAPACK_COL_MAJOR, 'L', n, width, 1, band, rows, x, n);
-        double end = clock_now();
-        if (info)
-            st = STATUS_INDEFINITE;
-        if (r >= 0)
-            factor[r] = middle - start, solve[r] = end - middle;
+    if (m->common.itype || m->L) {
+        cholmod_free_factor(&m->L, &m->common);
+        cholmod_free_dense(&m->one, &m->common);
+        cholmod_free_sparse(&m->copy, &m->common);
+        cholmod_finish(&m->common);
     }
-    if (st == STATUS_OK)
-        *b = (struct bench_baseline){clock_summarise(factor, repeats),
-                                     clock_summarise(solve, repeats), (long)size};
-    free(band);
-    free(x);
-    free(factor);
-    free(solve);
-    return st;
+    free(m->start);
+    free(m->row);
+    free(m->value);
+    free(m->band);
+    free(m->x);
+    run_close(&m->run);
 }
 
-enum status bench_baseline_cholmod(const struct bench_matrix *A, int repeats,
-                                   struct bench_baseline *b)
+static enum status ours(struct baseline *m, enum bench_solid_phase phase, double *seconds)
 {
-    enum status st = STATUS_OK;
-    struct bench_factor_row row;
-    double *one = malloc((size_t)A->n * sizeof *one), *x = malloc((size_t)A->n * sizeof *x);
+    const double start = clock_now();
+    const enum status st = bench_solid_run(m->run.state, phase);
 
-    if (!one || !x)
-        TRY(STATUS_MEMORY);
-    for (int i = 0; i < A->n; i++)
-        one[i] = 1;
-    TRY(bench_factor_matrix(A, SOLVER_CHOLMOD, NULL, repeats, one, x, &row));
-    *b = (struct bench_baseline){row.refactor, row.solve, row.entries};
-out:
-    free(one);
-    free(x);
+    *seconds = clock_now() - start;
     return st;
 }
+
+static enum status our_factor(void *context, double *seconds)
+{
+    return ours(context, BENCH_SOLID_FACTOR, seconds);
+}
+
+static enum status our_solve(void *context, double *seconds)
+{
+    return ours(context, BENCH_SOLID_SOLVE, seconds);
+}
+
+static enum status cholmod_one_factor(void *context, double *seconds)
+{
+    struct baseline *m = context;
+    const double start = clock_now();
+    const bool good =
+        cholmod_factorize(m->copy, m->L, &m->common) && m->L->minor == m->L->n;
+
+    *seconds = clock_now() - start;
+    return good ? STATUS_OK : STATUS_INDEFINITE;
+}
+
+static enum status cholmod_one_solve(void *context, double *seconds)
+{
+    struct baseline *m = context;
+    const double start = clock_now();
+    cholmod_dense *x = cholmod_solve(CHOLMOD_A, m->L, m->one, &m->common);
+
+    *seconds = clock_now() - start;
+    cholmod_free_dense(&x, &m->common);
+    return STATUS_OK;
+}
+
+/* Filling the band is not counted. */
+static enum status lapack_factor(void *context, double *seconds)
+{
+    struct baseline *m = context;
+    const size_t rows = (size_t)m->width + 1;
+
+    memset(m->band, 0, (size_t)m->n * rows * sizeof *m->band);
+    for (int j = 0; j < m->n; j++)
+        for (long t = m->start[j]; t < m->start[j + 1]; t++)
+            m->band[(size_t)j * rows + (size_t)(m->row[t] - j)] = m->value[t];
+    const double start = clock_now();
+    const int info =
+        LAPACKE_dpbtrf_work(LAPACK_COL_MAJOR, 'L', m->n, m->width, m->band, m->width + 1);
+    *seconds = clock_now() - start;
+    return info ? STATUS_INDEFINITE : STATUS_OK;
+}
+
+static enum status lapack_solve(void *context, double *seconds)
+{
+    struct baseline *m = context;
+
+    for (int j = 0; j < m->n; j++)
+        m->x[j] = 1;
+    const double start = clock_now();
+    const int info = LAPACKE_dpbtrs_work(LAPACK_COL_MAJOR, 'L', m->n, m->width, 1, m->band,
+                                         m->width + 1, m->x, m->n);
+    *seconds = clock_now() - start;
+    return info ? STATUS_INDEFINITE : STATUS_OK;
+}
+
+static enum status make_cholmod(struct baseline *m)
+{
+    const size_t n = (size_t)m->n, entries = (size_t)m->start[m->n];
+
+    cholmod_start(&m->common);
+    m->copy =
+        cholmod_allocate_sparse(n, n, entries, true, true, -1, CHOLMOD_REAL, &m->common);
+    m->one = cholmod_ones(n, 1, CHOLMOD_REAL, &m->common);
+    if (!m->copy || !m->one)
+        return STATUS_MEMORY;
+    for (int j = 0; j <= m->n; j++)
+        ((int *)m->copy->p)[j] = (int)m->start[j];
+    memcpy(m->copy->i, m->row, entries * sizeof *m->row);
+    memcpy(m->copy->x, m->value, entries * sizeof *m->value);
+    m->L = cholmod_analyze(m->copy, &m->common);
+    return m->L ? STATUS_OK : STATUS_MEMORY;
+}
+
+static enum status make_band(struct baseline *m)
+{
+    for (int j = 0; j < m->n; j++) /* rows of a column ascend */
+        m->width = (int)fmax(m->width, m->row[m->start[j + 1] - 1] - j);
+    m->band = malloc((size_t)m->n * ((size_t)m->width + 1) * sizeof *m->band);
+    m->x = malloc((size_t)m->n * sizeof *m->x);
+    return m->band && m->x ? STATUS_OK : STATUS_MEMORY;
+}
+
+static enum status make(struct bench *b, const struct bench_net *net, struct baseline *m,
+                        struct message *why)
+{
+    enum status st;
+
+    TRY(bench_part_add(b, &net->run, why));
+    TRY(run_open(&m->run, &b->batch.cases[b->batch.count - 1].plan, why));
+    TRY(bench_solid_run(m->run.state, BENCH_SOLID_ASSEMBLE));
+    TRY(bench_solid_matrix(m->run.state, &m->n, &m->start, &m->row, &m->value));
+    TRY(make_cholmod(m));
+    if (!net->large)
+        TRY(make_band(m));
+out:
+    return st;
+}
+
+/* Factors stand before their solves. */
+static const struct phase {
+    const char *what;
+    enum status (*call)(void *context, double *seconds);
+} phases[] = {{"factor ours", our_factor},
+              {"solve ours", our_solve},
+              {"factor CHOLMOD", cholmod_one_factor},
+              {"solve CHOLMOD", cholmod_one_solve},
+              {"factor LAPACK", lapack_factor},
+              {"solve LAPACK", lapack_solve}};
+enum { PHASES = sizeof phases / sizeof *phases, LAPACK = 4 };
+
+static enum status sample(struct bench *b, struct message *why)
+{
+    struct baseline made[BENCH_NETS] = {{{0}}};
+    struct samples_task tasks[BENCH_NETS * PHASES];
+    enum status st = STATUS_OK;
+    int count = 0;
+
+    for (int n = 0; n < BENCH_NETS; n++) {
+        TRY(make(b, &bench_nets[n], &made[n], why));
+        for (int p = 0; p < (bench_nets[n].large ? LAPACK : PHASES); p++)
+            tasks[count++] = (struct samples_task){bench_nets[n].run.title, phases[p].what,
+                                                   phases[p].call, &made[n]};
+    }
+    b->batch.count = 0; /* plans, not to be run */
+    TRY(samples_time(&b->samples, b->quick, count, tasks));
+out:
+    for (int n = 0; n < BENCH_NETS; n++)
+        clear(&made[n]);
+    return st;
+}
+
+static void ratio_cells(struct table *t, const struct bench *b, const char *net,
+                        const char *phase, const char *library)
+{
+    char theirs[SAMPLES_NAME], ours[SAMPLES_NAME];
+
+    snprintf(theirs, sizeof theirs, "%s %s", phase, library);
+    snprintf(ours, sizeof ours, "%s ours", phase);
+    const double a = samples_number(&b->samples, net, theirs);
+    const double o = samples_number(&b->samples, net, ours);
+    table_number(t, 1e3 * a, 3);
+    table_number(t, 1e3 * o, 3);
+    table_number(t, a / o, 3);
+}
+
+static enum status print(const struct bench *b, struct message *why)
+{
+    static const struct table_column columns[] = {{"case", NULL, TABLE_LEFT},
+                                                  {"baseline", NULL, TABLE_LEFT},
+                                                  {"factor", "ms"},
+                                                  {"ours", "ms", .key = "our_factor_ms"},
+                                                  {"ratio", .key = "factor_ratio"},
+                                                  {"solve", "ms"},
+                                                  {"ours", "ms", .key = "our_solve_ms"},
+                                                  {"ratio", .key = "solve_ratio"},
+                                                  {"repeats"}};
+    static const char *const library[] = {"CHOLMOD", "LAPACK"};
+    struct table *t =
+        table_create(sizeof columns / sizeof *columns, columns,
+                     "The same matrices by libraries as they come, in this run");
+
+    (void)why;
+    for (int n = 0; n < BENCH_NETS; n++)
+        for (int k = 0; k < (bench_nets[n].large ? 1 : 2); k++) {
+            const char *net = bench_nets[n].run.title;
+            table_row(t);
+            table_text(t, "%s", net);
+            table_text(t, "%s%s", library[k], k ? " band" : "");
+            ratio_cells(t, b, net, "factor", library[k]);
+            ratio_cells(t, b, net, "solve", library[k]);
+            table_integer(t, samples_of(&b->samples, net, "factor ours").count);
+        }
+    table_note(t,
+               "CHOLMOD with its defaults, analysis not counted; LAPACK dpbtrf and dpbtrs "
+               "in natural order. Our factor includes filling in the numbers.");
+    return table_finish(t, b->format, stdout);
+}
+
+const struct bench_part bench_part_baselines = {
+    .item = {"baselines", "the same matrices by CHOLMOD and LAPACK as they come"},
+    .sample = sample,
+    .print = print};

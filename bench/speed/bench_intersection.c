@@ -1,14 +1,13 @@
-#include "bench/speed/bench_intersection.h"
-
+/* What counting self-intersections costs, and what its tree saves: surfaces of 100 x 100
+ * points from flat to crumpled. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "bench/speed/bench_part.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/intersection.h"
-
-enum { REPEATS = 15 };
 
 static const double turn = 6.283185307179586;
 
@@ -74,79 +73,120 @@ static const struct shape {
     {"flat", flat},     {"draped", draped},     {"rolled up", rolled},
     {"folded", folded}, {"crumpled", crumpled}, {"doubled", doubled},
 };
+enum { SHAPES = sizeof shapes / sizeof *shapes };
 
-struct cost {
-    long pairs;                /* that intersect                                       */
-    long tests, all_tests;     /* of pairs of triangles: with the tree, without        */
-    struct clock_summary tree; /* [s]                                                  */
-    double all;                /* every pair, once [s]                                 */
+enum way { TREE, EVERY_PAIR, WAYS };
+static const char *const way_name[WAYS] = {"tree", "every pair"};
+
+/* A shape on the grid, and what the last counts of it gave. */
+struct sheet {
+    struct intersection work;
+    double *xyz;
+    long pairs[WAYS]; /* that intersect                                                */
+    long tests[WAYS]; /* of pairs of triangles                                         */
 };
 
-static enum status measure(const struct shape *shape, struct cost *cost,
-                           struct message *why)
+static enum status count_by(struct sheet *s, enum way way, double *seconds)
 {
-    struct intersection work = {0};
-    double seconds[REPEATS], *xyz = malloc(GRID_U * GRID_V * 3 * sizeof *xyz);
-    enum status st = xyz ? STATUS_OK : STATUS_MEMORY;
-    long all;
+    const double start = clock_now();
+    const enum status st =
+        way == TREE
+            ? intersection_count(&s->work, GRID_U, GRID_V, s->xyz, &s->pairs[way])
+            : intersection_count_all(&s->work, GRID_U, GRID_V, s->xyz, &s->pairs[way]);
 
-    TRY(st);
+    *seconds = clock_now() - start;
+    s->tests[way] = s->work.tests;
+    return st;
+}
+
+static enum status count(void *sheet, double *seconds)
+{
+    return count_by(sheet, TREE, seconds);
+}
+
+static enum status count_all(void *sheet, double *seconds)
+{
+    return count_by(sheet, EVERY_PAIR, seconds);
+}
+
+static enum status make(const struct shape *shape, struct sheet *s)
+{
+    s->xyz = malloc(GRID_U * GRID_V * 3 * sizeof *s->xyz);
+    if (!s->xyz)
+        return STATUS_MEMORY;
     for (int n = 0; n < GRID_U * GRID_V; n++) {
         double uvw[3];
         grid_point(n, uvw);
-        shape->point(uvw[0], uvw[1], xyz + 3 * n);
+        shape->point(uvw[0], uvw[1], s->xyz + 3 * n);
     }
-    for (int n = -1; n < REPEATS; n++) { /* the first is a warm-up */
-        double begin = clock_now();
-        TRY(intersection_count(&work, GRID_U, GRID_V, xyz, &cost->pairs));
-        if (n >= 0)
-            seconds[n] = clock_now() - begin;
+    return STATUS_OK;
+}
+
+/* The counts, which both ways must agree on. */
+static enum status keep(struct bench *b, const char *name, const struct sheet *s,
+                        struct message *why)
+{
+    if (s->pairs[TREE] != s->pairs[EVERY_PAIR])
+        return status_fail(why, STATUS_LIBRARY, "%s: the tree finds %ld pairs of %ld", name,
+                           s->pairs[TREE], s->pairs[EVERY_PAIR]);
+    samples_add(&b->samples, name, "pairs", (double)s->pairs[TREE]);
+    samples_add(&b->samples, name, "tests", (double)s->tests[TREE]);
+    samples_add(&b->samples, name, "all tests", (double)s->tests[EVERY_PAIR]);
+    return STATUS_OK;
+}
+
+static enum status sample(struct bench *b, struct message *why)
+{
+    struct sheet sheets[SHAPES] = {{{0}}};
+    struct samples_task tasks[WAYS * SHAPES];
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < SHAPES; n++) {
+        TRY(make(&shapes[n], &sheets[n]));
+        for (int w = 0; w < WAYS; w++)
+            tasks[WAYS * n + w] = (struct samples_task){
+                shapes[n].name, way_name[w], w == TREE ? count : count_all, &sheets[n]};
     }
-    cost->tree = clock_summarise(seconds, REPEATS);
-    cost->tests = work.tests;
-    double begin = clock_now();
-    TRY(intersection_count_all(&work, GRID_U, GRID_V, xyz, &all));
-    cost->all = clock_now() - begin;
-    cost->all_tests = work.tests;
-    if (all != cost->pairs)
-        st = status_fail(why, STATUS_LIBRARY, "%s: the tree finds %ld pairs of %ld",
-                         shape->name, cost->pairs, all);
+    TRY(samples_time(&b->samples, b->quick, WAYS * SHAPES, tasks));
+    for (int n = 0; n < SHAPES; n++)
+        TRY(keep(b, shapes[n].name, &sheets[n], why));
 out:
-    intersection_clear(&work);
-    free(xyz);
+    for (int n = 0; n < SHAPES; n++) {
+        intersection_clear(&sheets[n].work);
+        free(sheets[n].xyz);
+    }
     return st;
 }
 
-enum status bench_intersection_print(enum table_format format, struct message *why)
+static enum status print(const struct bench *b, struct message *why)
 {
-    static const struct table_column columns[] = {{"surface", NULL, TABLE_LEFT},
-                                                  {"pairs", NULL, 0},
-                                                  {"tests", NULL, 0},
-                                                  {"median", "ms", 0},
-                                                  {"quartiles", "ms", 0},
-                                                  {"every pair", "ms", 0},
-                                                  {"gain", NULL, 0}};
-    struct table *t = table_create(7, columns, "Self-intersections of 100 x 100 points");
-    enum status st = STATUS_OK;
-    struct cost cost = {0};
+    static const struct table_column columns[] = {
+        {"surface", NULL, TABLE_LEFT}, {"pairs"}, {"tests"}, BENCH_PART_TIMES,
+        {"every pair", "ms"},          {"gain"}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
+                                   "Self-intersections of 100 x 100 points");
 
-    for (size_t n = 0; n < sizeof shapes / sizeof *shapes; n++) {
-        TRY(measure(&shapes[n], &cost, why));
+    (void)why;
+    for (int n = 0; n < SHAPES; n++) {
+        const char *name = shapes[n].name;
+        const struct clock_summary tree = samples_of(&b->samples, name, way_name[TREE]);
+        const double all = samples_number(&b->samples, name, way_name[EVERY_PAIR]);
         table_row(t);
-        table_text(t, "%s", shapes[n].name);
-        table_integer(t, cost.pairs);
-        table_integer(t, cost.tests);
-        table_number(t, 1e3 * cost.tree.median, 3);
-        table_text(t, "%.3g-%.3g", 1e3 * cost.tree.lower, 1e3 * cost.tree.upper);
-        table_number(t, 1e3 * cost.all, 3);
-        table_number(t, cost.all / cost.tree.median, 3);
+        table_text(t, "%s", name);
+        table_fixed(t, samples_number(&b->samples, name, "pairs"), 0);
+        table_fixed(t, samples_number(&b->samples, name, "tests"), 0);
+        bench_part_times(t, &tree);
+        table_number(t, 1e3 * all, 3);
+        table_number(t, all / tree.median, 3);
     }
     table_note(t,
-               "Made surfaces. Every pair: %ld tests, boxes of triangles first, once; the "
-               "same counts.",
-               cost.all_tests);
-    TRY(table_print(t, format, stdout));
-out:
-    table_destroy(t);
-    return st;
+               "Made surfaces. Every pair: %.0f tests, boxes of triangles first; the same "
+               "counts.",
+               samples_number(&b->samples, shapes[SHAPES - 1].name, "all tests"));
+    return table_finish(t, b->format, stdout);
 }
+
+const struct bench_part bench_part_intersection = {
+    .item = {"intersection", "counting a sheet's self-intersections, flat to crumpled"},
+    .sample = sample,
+    .print = print};

@@ -1,14 +1,14 @@
-#include "bench/speed/bench_projective.h"
-
+/* Projective dynamics: what a frame's parts cost, and what acceleration pays. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/clock.h"
+#include "bench/harness/timing.h"
+#include "bench/speed/bench_part.h"
 #include "models/reader/scene_file.h"
 #include "projective_dynamics/pd_motion.h"
 
-enum { REPEATS = 15, ITERATIONS = 10 };
+enum { ITERATIONS = 10 };
 
 /* Aims [ms a frame], and what others took for the same number of constraints. */
 static const struct net {
@@ -22,6 +22,7 @@ static const struct net {
      "ShapeOp 2.0, Q-Minh 1.6, XPBD 0.75, CHOLMOD loop 0.96 ms (5826 constraints)"},
     {100, 7, "ShapeOp 29, Q-Minh 49, XPBD 7.9, CHOLMOD loop 11.7 ms (59002 constraints)"},
 };
+enum { NETS = sizeof nets / sizeof *nets };
 
 static enum status read_scene(struct scene *scene, struct message *why)
 {
@@ -50,105 +51,131 @@ static struct pd_options options_of(int points, enum constraint constraint, bool
 /* --- a frame's parts ---------------------------------------------------------------------
  */
 
-enum phase { LOCAL, SOLVE, FRAME, PHASES };
+/* A net by one kind of constraint. */
+struct made {
+    char name[SAMPLES_NAME];
+    struct pd_motion motion;
+};
 
-static enum status run_phase(struct pd_motion *m, enum phase phase)
+static enum status local_step(void *context, double *seconds)
 {
-    struct counters counters = {0};
+    struct pd_motion *m = &((struct made *)context)->motion;
+    const double start = clock_now();
 
-    if (phase == FRAME)
-        return pd_motion_frame(m, &counters);
-    if (phase == SOLVE)
-        return pd_system_solve(&m->system, m->before); /* zeros: the same work */
     pd_local_step(&m->local, m->x, m->base, m->next);
+    *seconds = clock_now() - start;
     return STATUS_OK;
 }
 
-/* Repeats of as many calls as take a millisecond, the phases in turn. */
-static enum status time_phases(struct pd_motion *m, struct clock_summary summary[PHASES])
+static enum status solve(void *context, double *seconds)
 {
+    struct pd_motion *m = &((struct made *)context)->motion;
+    const double start = clock_now();
+    const enum status st =
+        pd_system_solve(&m->system, m->before); /* zeros: the same work */
+
+    *seconds = clock_now() - start;
+    return st;
+}
+
+static enum status frame(void *context, double *seconds)
+{
+    struct pd_motion *m = &((struct made *)context)->motion;
+    struct counters counters = {0};
+    const double start = clock_now();
+    const enum status st = pd_motion_frame(m, &counters);
+
+    *seconds = clock_now() - start;
+    return st;
+}
+
+static const struct {
+    const char *what;
+    enum status (*call)(void *context, double *seconds);
+} phases[] = {{"local", local_step}, {"solve", solve}, {"frame", frame}};
+enum { PHASES = sizeof phases / sizeof *phases, KINDS = 2 };
+
+static void name_of(int net, enum constraint constraint, char name[SAMPLES_NAME])
+{
+    snprintf(name, SAMPLES_NAME, "%dx%d %s", nets[net].points, nets[net].points,
+             constraint_name(constraint));
+}
+
+static enum status sample_frames(struct bench *b, const struct scene *scene,
+                                 struct message *why)
+{
+    struct made made[NETS * KINDS] = {{{0}}};
+    struct samples_task tasks[NETS * KINDS * PHASES];
     enum status st = STATUS_OK;
-    double seconds[PHASES][REPEATS];
+    int count = 0;
 
-    for (int r = -1; r < REPEATS; r++) /* -1: warm-up */
-        for (int phase = 0; phase < PHASES; phase++) {
-            double start = clock_now();
-            int calls = 0;
-            do {
-                TRY(run_phase(m, (enum phase)phase));
-                calls++;
-            } while (clock_now() - start < 1e-3);
-            if (r >= 0)
-                seconds[phase][r] = (clock_now() - start) / calls;
-        }
-    for (int phase = 0; phase < PHASES; phase++)
-        summary[phase] = clock_summarise(seconds[phase], REPEATS);
+    for (int n = 0; n < NETS * KINDS; n++) {
+        const enum constraint constraint = CONSTRAINT_TRIANGLES + n % KINDS;
+        struct made *m = &made[n];
+        struct pd_options o = options_of(nets[n / KINDS].points, constraint, false);
+        struct model_size size;
+        name_of(n / KINDS, constraint, m->name);
+        TRY(pd_motion_init(&m->motion, scene, &o, why));
+        pd_motion_size(&m->motion, &size);
+        samples_add(&b->samples, m->name, "constraints", m->motion.energy.constraints);
+        samples_add(&b->samples, m->name, "entries", (double)size.factor_entries);
+        for (int p = 0; p < PHASES; p++)
+            tasks[count++] =
+                (struct samples_task){m->name, phases[p].what, phases[p].call, m};
+    }
+    TRY(samples_time(&b->samples, b->quick, count, tasks));
 out:
+    for (int n = 0; n < NETS * KINDS; n++)
+        pd_motion_clear(&made[n].motion);
     return st;
 }
 
-static enum status frame_row(struct table *t, const struct scene *scene,
-                             const struct net *net, enum constraint constraint,
-                             struct message *why)
+static void frame_row(struct table *t, const struct bench *b, int net,
+                      enum constraint constraint)
 {
-    enum status st;
-    struct pd_motion m = {0};
-    struct clock_summary s[PHASES];
-    struct model_size size;
-    struct pd_options o = options_of(net->points, constraint, false);
+    char name[SAMPLES_NAME];
 
-    TRY(pd_motion_init(&m, scene, &o, why));
-    TRY(time_phases(&m, s));
-    pd_motion_size(&m, &size);
+    name_of(net, constraint, name);
+    const struct clock_summary s = samples_of(&b->samples, name, "frame");
     table_row(t);
-    table_text(t, "%dx%d", net->points, net->points);
+    table_text(t, "%dx%d", nets[net].points, nets[net].points);
     table_text(t, "%s", constraint_name(constraint));
-    table_integer(t, m.energy.constraints);
-    table_integer(t, size.factor_entries);
-    table_number(t, 1e3 * s[LOCAL].median, 3);
-    table_number(t, 1e3 * s[SOLVE].median, 3);
-    table_number(t, 1e3 * s[FRAME].median, 3);
-    table_text(t, "%.3g-%.3g", 1e3 * s[FRAME].lower, 1e3 * s[FRAME].upper);
-    table_number(t, net->aim, 3);
-    table_text(t, "%s", 1e3 * s[FRAME].median <= net->aim ? "yes" : "no");
-out:
-    pd_motion_clear(&m);
-    return st;
+    table_fixed(t, samples_number(&b->samples, name, "constraints"), 0);
+    table_fixed(t, samples_number(&b->samples, name, "entries"), 0);
+    table_number(t, 1e3 * samples_number(&b->samples, name, "local"), 3);
+    table_number(t, 1e3 * samples_number(&b->samples, name, "solve"), 3);
+    bench_part_times(t, &s);
+    bench_part_aim(t, &s, nets[net].aim);
 }
 
-static enum status print_frames(enum table_format format, const struct scene *scene,
-                                struct message *why)
+static enum status print_frames(const struct bench *b)
 {
     static const struct table_column columns[] = {
         {"net", NULL, TABLE_LEFT}, {"stretch by", NULL, TABLE_LEFT},
-        {"constraints", NULL, 0},  {"numbers in L", NULL, 0},
-        {"local", "ms", 0},        {"solve", "ms", 0},
-        {"frame", "ms", 0},        {"quartiles", "ms", 0},
-        {"aim", "ms", 0},          {"reached", NULL, TABLE_LEFT}};
-    struct table *t = table_create(
-        10, columns, "Projective dynamics, frames of 10 iterations, one thread");
-    enum status st = STATUS_OK;
+        {"constraints"},           {"numbers in L"},
+        {"local", "ms"},           {"solve", "ms"},
+        BENCH_PART_TIMES,          BENCH_PART_AIM};
+    struct table *t =
+        table_create(sizeof columns / sizeof *columns, columns,
+                     "Projective dynamics, frames of 10 iterations, one thread");
 
-    for (size_t n = 0; n < sizeof nets / sizeof *nets; n++) {
+    for (int n = 0; n < NETS; n++) {
         for (enum constraint c = CONSTRAINT_TRIANGLES; c <= CONSTRAINT_EDGES; c++)
-            TRY(frame_row(t, scene, &nets[n], c, why));
+            frame_row(t, b, n, c);
         table_note(t, "%d points a side elsewhere, on another machine: %s.", nets[n].points,
                    nets[n].elsewhere);
     }
     table_note(t,
                "Constraints are edges or triangles, and rows of bending; bending about a "
                "flat rest shape lies in the constant matrix and has no local step.");
-    TRY(table_print(t, format, stdout));
-out:
-    table_destroy(t);
-    return st;
+    return table_finish(t, b->format, stdout);
 }
 
 /* --- acceleration ------------------------------------------------------------------------
  */
 
-enum { LENGTHS = 5, START_FRAME = 40, MOST = 400000 };
-static const int lengths[LENGTHS] = {10, 30, 100, 300, 1000};
+enum { LENGTHS = 5, START_FRAME = 40, MOST = 400000, SIDES = 2 };
+static const int lengths[LENGTHS] = {10, 30, 100, 300, 1000}, sides[SIDES] = {10, 20};
 
 static void copy(const struct pd_net *net, const double *from, double *to)
 {
@@ -209,24 +236,41 @@ out:
     return st;
 }
 
-static void approach_row(struct table *t, const struct pd_motion *m, const char *what,
-                         const double *distance, double seconds)
+static void name_approach(int points, bool chebyshev, char name[SAMPLES_NAME])
 {
-    table_row(t);
-    table_text(t, "%dx%d", m->energy.net.n, m->energy.net.m);
-    table_text(t, "%s", what);
-    for (int n = 0; n < LENGTHS; n++)
-        table_number(t, distance[n] / m->scene->length, 2);
-    table_number(t, 1e6 * seconds, 3);
+    snprintf(name, SAMPLES_NAME, "%dx%d %s", points, points,
+             chebyshev ? "Chebyshev" : "plain");
 }
 
-static enum status approach_rows(struct table *t, const struct scene *scene, int points,
-                                 struct message *why)
+/* Distances are the same every time; seconds are not. */
+static enum status sample_approach(struct bench *b, struct pd_motion *m, bool chebyshev,
+                                   const double *start, const double *end)
+{
+    double distance[LENGTHS], seconds;
+    char name[SAMPLES_NAME], what[SAMPLES_NAME];
+    enum status st = STATUS_OK;
+
+    name_approach(m->energy.net.n, chebyshev, name);
+    for (int r = 0; r < timing_repeats(0, b->quick); r++) {
+        TRY(approach(m, chebyshev, start, end, distance, &seconds));
+        samples_add(&b->samples, name, "iteration", seconds);
+    }
+    for (int n = 0; n < LENGTHS; n++) {
+        snprintf(what, sizeof what, "after %d", lengths[n]);
+        samples_add(&b->samples, name, what, distance[n] / m->scene->length);
+    }
+out:
+    return st;
+}
+
+static enum status sample_net(struct bench *b, const struct scene *scene, int points,
+                              struct message *why)
 {
     enum status st;
     struct pd_motion m = {0};
     struct pd_options o = options_of(points, CONSTRAINT_TRIANGLES, true);
-    double *start = NULL, *end = NULL, distance[LENGTHS], seconds;
+    double *start = NULL, *end = NULL;
+    char name[SAMPLES_NAME];
     int needed;
 
     TRY(pd_motion_init(&m, scene, &o, why));
@@ -235,13 +279,11 @@ static enum status approach_rows(struct table *t, const struct scene *scene, int
     if (!start || !end)
         TRY(STATUS_MEMORY);
     TRY(find_ends(&m, start, end, &needed));
-    TRY(approach(&m, false, start, end, distance, &seconds));
-    approach_row(t, &m, "plain", distance, seconds);
-    TRY(approach(&m, true, start, end, distance, &seconds));
-    approach_row(t, &m, "Chebyshev", distance, seconds);
-    table_note(t,
-               "%d points a side: radius %.6f; the end itself took %d plain iterations%s.",
-               points, m.radius, needed, needed == MOST ? ", and is not quite it" : "");
+    name_approach(points, true, name);
+    samples_add(&b->samples, name, "needed", needed);
+    samples_add(&b->samples, name, "radius", m.radius);
+    TRY(sample_approach(b, &m, false, start, end));
+    TRY(sample_approach(b, &m, true, start, end));
 out:
     pd_net_free_fields(&m.energy.net, start);
     pd_net_free_fields(&m.energy.net, end);
@@ -249,43 +291,85 @@ out:
     return st;
 }
 
-static enum status print_acceleration(enum table_format format, const struct scene *scene,
-                                      struct message *why)
+static void approach_row(struct table *t, const struct bench *b, int points, bool chebyshev)
+{
+    char name[SAMPLES_NAME], what[SAMPLES_NAME];
+
+    name_approach(points, chebyshev, name);
+    const struct clock_summary each = samples_of(&b->samples, name, "iteration");
+    table_row(t);
+    table_text(t, "%dx%d", points, points);
+    table_text(t, "%s", chebyshev ? "Chebyshev" : "plain");
+    for (int n = 0; n < LENGTHS; n++) {
+        snprintf(what, sizeof what, "after %d", lengths[n]);
+        table_number(t, samples_number(&b->samples, name, what), 2);
+    }
+    table_number(t, 1e6 * each.median, 3);
+    table_integer(t, each.count);
+    if (!chebyshev)
+        return;
+    const double needed = samples_number(&b->samples, name, "needed");
+    table_note(t,
+               "%d points a side: radius %.6f; the end itself took %.0f plain "
+               "iterations%s.",
+               points, samples_number(&b->samples, name, "radius"), needed,
+               needed >= MOST ? ", and is not quite it" : "");
+}
+
+static enum status print_acceleration(const struct bench *b, const struct scene *scene)
 {
     static const struct table_column columns[] = {{"net", NULL, TABLE_LEFT},
                                                   {"iteration", NULL, TABLE_LEFT},
-                                                  {"10", "L", 0},
-                                                  {"30", "L", 0},
-                                                  {"100", "L", 0},
-                                                  {"300", "L", 0},
-                                                  {"1000", "L", 0},
-                                                  {"each", "us", 0}};
-    struct table *t = table_create(
-        8, columns, "How far one step at 0.2 s is from its end after so many iterations");
-    enum status st = STATUS_OK;
+                                                  {"10", "L"},
+                                                  {"30", "L"},
+                                                  {"100", "L"},
+                                                  {"300", "L"},
+                                                  {"1000", "L"},
+                                                  {"each", "us"},
+                                                  {"repeats"}};
+    struct table *t =
+        table_create(sizeof columns / sizeof *columns, columns,
+                     "How far one step at 0.2 s is from its end after so many iterations");
 
-    TRY(approach_rows(t, scene, 10, why));
-    TRY(approach_rows(t, scene, 20, why));
+    for (int n = 0; n < SIDES; n++)
+        for (int c = 0; c < 2; c++)
+            approach_row(t, b, sides[n], c);
     table_note(t,
                "corners_drop undamped, matched triangles, dt = %g ms; largest distance of "
                "a node over the length.",
                1e3 * scene->step);
-    TRY(table_print(t, format, stdout));
-out:
-    table_destroy(t);
-    return st;
+    return table_finish(t, b->format, stdout);
 }
 
-enum status bench_projective_print(enum table_format format, struct message *why)
+static enum status sample(struct bench *b, struct message *why)
 {
     enum status st;
     struct scene scene = {0};
 
     TRY(read_scene(&scene, why));
-    TRY(print_frames(format, &scene, why));
-    printf("\n");
-    TRY(print_acceleration(format, &scene, why));
+    TRY(sample_frames(b, &scene, why));
+    for (int n = 0; n < SIDES; n++)
+        TRY(sample_net(b, &scene, sides[n], why));
 out:
     scene_clear(&scene);
     return st;
 }
+
+static enum status print(const struct bench *b, struct message *why)
+{
+    enum status st;
+    struct scene scene = {0};
+
+    TRY(read_scene(&scene, why));
+    TRY(print_frames(b));
+    TRY(print_acceleration(b, &scene));
+out:
+    scene_clear(&scene);
+    return st;
+}
+
+const struct bench_part bench_part_projective = {
+    .item = {"projective",
+             "projective dynamics: local step, solve, frame; what acceleration pays"},
+    .sample = sample,
+    .print = print};

@@ -7,7 +7,7 @@
 
 #include "bench/experiment/experiment.h"
 #include "bench/experiment/study.h"
-#include "bench/speed/bench_solid.h"
+#include "bench/experiment/bench_solid.h"
 
 extern const struct experiment table23_second, table23_third;
 

@@ -117,7 +117,7 @@ static enum status run(const struct job *j, struct message *why)
 
     TRY(contestant_find(table4_reading[j->reading].contestant, &contestant, why));
     TRY(plan_case_open(j->plan, j->row * TABLE4_SCENES + j->scene, &c, why));
-    settings_set_all(&s, c.setting_count, (const char *const *)c.settings);
+    settings_append(&s, &c.settings);
     change(j, contestant, &s);
     TRY(run_file_write(
         &(struct run_plan){c.path, contestant, &s, j->options->quick ? 0.3 : 0},

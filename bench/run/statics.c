@@ -1,4 +1,4 @@
-#include "bench/run/rest.h"
+#include "bench/run/statics.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -21,9 +21,9 @@ static void add_point(struct table *t, const struct scene *scene, const double u
 
     scene_rest_point(scene, uvw, rest);
     table_row(t);
-    table_text(t, "%g,%g,%g", uvw[0], uvw[1], uvw[2]);
     for (int i = 0; i < 3; i++)
         table_number(t, uvw[i], 3);
+    table_text(t, "%g,%g,%g", uvw[0], uvw[1], uvw[2]);
     for (int i = 0; i < 3; i++) {
         double d = xyz[i] - rest[i];
         if (fabs(d) < round_off * scene->length)
@@ -35,35 +35,32 @@ static void add_point(struct table *t, const struct scene *scene, const double u
     table_number(t, unit > 0 ? along / sqrt(gravity) / unit : NAN, 7);
 }
 
-enum status rest_static(const struct scene *scene, const struct model *model, void *state,
-                        enum table_format format, FILE *file, struct message *why)
+enum status statics_print(struct run *run, enum table_format format, FILE *file,
+                          struct message *why)
 {
     static const struct table_column columns[] = {
-        {"point u,v,w", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
         {"u", .readers = TABLE_MACHINES},
         {"v", .readers = TABLE_MACHINES},
         {"w", .readers = TABLE_MACHINES},
-        {"dx", "m"},
-        {"dy", "m"},
-        {"dz", "m"},
-        {"deflection", "rho g h L^4/D", .key = "deflection"}};
+        {"point u,v,w", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
+        {"dx", "m", TABLE_RIGHT},
+        {"dy", "m", TABLE_RIGHT},
+        {"dz", "m", TABLE_RIGHT},
+        {"deflection", "rho g h L^4/D", TABLE_RIGHT, .key = "deflection"}};
     static const double at[] = {0, 0.5, 1};
     enum status st = STATUS_OK;
     struct counters counters = {0};
     struct energy energy = {NAN, NAN, NAN};
     struct table *t = NULL;
 
-    if (!model->equilibrium)
-        return status_fail(why, STATUS_UNSUPPORTED, "%s has no --static", model->name);
-    TRY(model->equilibrium(state, &counters, why));
-    if (model->energy)
-        model->energy(state, &energy);
-    t = table_create(sizeof columns / sizeof *columns, columns,
-                     "Displacements in static equilibrium");
+    TRY(run_settle(run, &counters, why));
+    if (run->model->energy)
+        run->model->energy(run->state, &energy);
+    t = table_create(8, columns, "Displacements in static equilibrium");
     for (int n = 0; n < 9; n++) {
         double uvw[3] = {at[n / 3], at[n % 3], 0.5}, xyz[3];
-        model->probe(state, 1, uvw, xyz);
-        add_point(t, scene, uvw, xyz);
+        run->model->probe(run->state, 1, uvw, xyz);
+        add_point(t, &run->scene, uvw, xyz);
     }
     table_note(t,
                "Deflection is displacement along gravity; a beam of this length, clamped "
@@ -108,12 +105,13 @@ static void add_notes(struct table *t, bool settled, int count, const double *om
         table_note(t, "The equilibrium is stable: no mode grows.");
 }
 
-enum status rest_modes(const struct scene *scene, const struct model *model, void *state,
-                       int count, bool settled, enum table_format format, FILE *file,
-                       struct message *why)
+enum status statics_modes(struct run *run, int count, bool settled,
+                          enum table_format format, FILE *file, struct message *why)
 {
-    static const struct table_column columns[] = {
-        {"mode"}, {"omega", "rad/s"}, {"frequency", "Hz"}, {"lambda", "1"}};
+    static const struct table_column columns[] = {{"mode", NULL, TABLE_RIGHT},
+                                                  {"omega", "rad/s", TABLE_RIGHT},
+                                                  {"frequency", "Hz", TABLE_RIGHT},
+                                                  {"lambda", "1", TABLE_RIGHT}};
     enum status st = STATUS_OK;
     double *omega = malloc((size_t)count * sizeof *omega);
     struct counters counters = {0};
@@ -121,16 +119,14 @@ enum status rest_modes(const struct scene *scene, const struct model *model, voi
 
     if (!omega)
         return STATUS_MEMORY;
-    if (!model->modes || (settled && !model->equilibrium))
-        TRY(status_fail(why, STATUS_UNSUPPORTED, "%s has no --modes", model->name));
     if (settled)
-        TRY(model->equilibrium(state, &counters, why));
-    TRY(model->modes(state, count, omega, why));
+        TRY(run_settle(run, &counters, why));
+    TRY(run_modes(run, count, omega, why));
     t = table_create(4, columns,
                      settled ? "Natural frequencies about static equilibrium"
                              : "Natural frequencies about the rest shape");
     for (int n = 0; n < count; n++)
-        add_mode(t, scene, n + 1, omega[n]);
+        add_mode(t, &run->scene, n + 1, omega[n]);
     add_notes(t, settled, count, omega);
     TRY(table_print(t, format, file));
 out:

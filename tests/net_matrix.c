@@ -1,4 +1,4 @@
-#include "bench/speed/net_matrix.h"
+#include "tests/net_matrix.h"
 
 #include <math.h>
 #include <stdint.h>

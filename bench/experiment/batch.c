@@ -1,0 +1,70 @@
+#define _GNU_SOURCE /* asprintf */
+#include "bench/experiment/batch.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+#include "bench/files/folder.h"
+
+enum status batch_init(struct batch *b, const char *folder, int most)
+{
+    const size_t room = (size_t)most + 1;
+
+    *b = (struct batch){.folder = folder, .room = most};
+    b->cases = calloc(room, sizeof *b->cases);
+    b->settings = calloc(room, sizeof *b->settings);
+    b->files = calloc(room, sizeof *b->files);
+    return b->cases && b->settings && b->files ? STATUS_OK : STATUS_MEMORY;
+}
+
+void batch_clear(struct batch *b)
+{
+    for (int n = 0; n < b->count; n++) {
+        settings_clear(&b->settings[n]);
+        free(b->files[n]);
+    }
+    free(b->cases);
+    free(b->settings);
+    free(b->files);
+    *b = (struct batch){0};
+}
+
+struct measurement_case *batch_add(struct batch *b, const char *path,
+                                   const struct contestant *c, const char *name)
+{
+    const int n = b->count++;
+    struct measurement_case *new = &b->cases[n];
+
+    assert(n < b->room);
+    if (asprintf(&b->files[n], "%s/%s.h5", b->folder, name) < 0)
+        b->files[n] = NULL;
+    new->plan = (struct run_plan){path, c, &b->settings[n], 0};
+    new->keep.file = b->files[n];
+    new->keep.fields = RUN_FIELDS_NONE;
+    new->timed = MEASUREMENT_UNTIMED;
+    return new;
+}
+
+struct settings *batch_settings(struct batch *b)
+{
+    return &b->settings[b->count - 1];
+}
+
+enum status batch_run(struct batch *b, const struct measurement_options *options,
+                      struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < b->count; n++)
+        TRY(b->files[n] ? STATUS_OK : STATUS_MEMORY);
+    TRY(folder_make(b->folder, why));
+    TRY(measurement_run(options, b->count, b->cases, why));
+out:
+    return st;
+}
+
+enum status batch_read(const struct batch *b, int n, bool fields, struct run_result *r,
+                       struct message *why)
+{
+    return b->files[n] ? run_result_read(b->files[n], fields, r, why) : STATUS_MEMORY;
+}

@@ -1,0 +1,46 @@
+/* batch.h - cases that are measured together (measurement.h), put together one by one, each
+ * with its result file FOLDER/NAME.h5.
+ *
+ *     struct batch b;
+ *     TRY(batch_init(&b, folder, 2));
+ *     struct measurement_case *c = batch_add(&b, path, contestant, "iga_paper_10");
+ *     c->timed = MEASUREMENT_WHOLE;
+ *     settings_number(batch_settings(&b), "time.step", 0.005);
+ *     TRY(batch_run(&b, &options, why));
+ *     TRY(batch_read(&b, 0, true, &result, why));
+ *     out: batch_clear(&b);
+ */
+#ifndef BATCH_H
+#define BATCH_H
+
+#include "bench/experiment/measurement.h"
+
+struct batch {
+    const char *folder; /*                                                     borrowed */
+    int count, room;
+    struct measurement_case *cases; /* [room]                                     owned */
+    struct settings *settings;      /* [room]                                     owned */
+    char **files;                   /* [room]                                     owned */
+};
+
+/* Room for `most` cases. *b is overwritten. */
+enum status batch_init(struct batch *b, const char *folder, int most);
+void batch_clear(struct batch *b); /* all-zero is allowed */
+
+/* One more, to be filled: it keeps no fields and is not timed unless told so. `path` and
+ * `c` are borrowed until the end, the name is copied. */
+struct measurement_case *batch_add(struct batch *b, const char *path,
+                                   const struct contestant *c, const char *name);
+
+/* Settings of the case added last, on top of the contestant's. */
+struct settings *batch_settings(struct batch *b);
+
+/* Makes the folder and measures all of them. Errors as measurement_run. */
+enum status batch_run(struct batch *b, const struct measurement_options *options,
+                      struct message *why);
+
+/* run_result_read of the n-th. */
+enum status batch_read(const struct batch *b, int n, bool fields, struct run_result *r,
+                       struct message *why);
+
+#endif

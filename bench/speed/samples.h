@@ -1,0 +1,51 @@
+/* samples.h - numbers of a benchmark that is no run: seconds of short calls, every repeat,
+ * and what else its table needs, by case and name. Kept as a CSV file, from which the table
+ * is printed again.
+ */
+#ifndef SAMPLES_H
+#define SAMPLES_H
+
+#include <stdbool.h>
+
+#include "models/clock.h"
+#include "models/status.h"
+
+enum { SAMPLES_NAME = 64 };
+
+struct samples {
+    int count, room;
+    struct sample {
+        char name[SAMPLES_NAME], what[SAMPLES_NAME]; /* no commas                      */
+        double value;
+    } * all; /* [room]                                                           owned */
+    enum status status; /* not STATUS_OK: an addition failed                           */
+};
+void samples_clear(struct samples *s); /* all-zero is allowed, and left */
+
+void samples_add(struct samples *s, const char *name, const char *what, double value);
+
+/* Of all samples of that case and name, in order; count = 0 and NaN: there is none. */
+struct clock_summary samples_of(const struct samples *s, const char *name,
+                                const char *what);
+double samples_number(const struct samples *s, const char *name, const char *what);
+
+/* Something short: makes one call and tells the seconds that count. */
+struct samples_task {
+    const char *name, *what;
+    enum status (*call)(void *context, double *seconds);
+    void *context;
+};
+
+/* All in turn, short ones after an untimed sample, as often as timing.h has it; a sample is
+ * the mean of as many calls as make up a millisecond. */
+enum status samples_time(struct samples *s, bool quick, int count,
+                         const struct samples_task *tasks);
+
+/* FOLDER/NAME.csv: case, quantity, value. STATUS_FILE, STATUS_MEMORY, STATUS_INPUT with a
+ * sentence. */
+enum status samples_save(const struct samples *s, const char *folder, const char *name,
+                         struct message *why);
+enum status samples_read(struct samples *s, const char *folder, const char *name,
+                         struct message *why);
+
+#endif

@@ -1,7 +1,7 @@
+#include "bench/verify/verify_print.h"
+
 #include <math.h>
 #include <string.h>
-
-#include "bench/verify/verify_sheet.h"
 
 enum { DIGITS = 6 };
 
@@ -53,13 +53,13 @@ static bool told(const struct verify_sheet *sheet, int row)
     return false;
 }
 
-static enum status print_sheet(const struct verify_sheet *sheet, enum table_format format,
+static enum status print_sheet(const struct verify_check *check,
+                               const struct verify_sheet *sheet, enum table_format format,
                                FILE *file)
 {
     char caption[512];
 
-    snprintf(caption, sizeof caption, "%s: %s", sheet->check->item.name,
-             sheet->check->item.text);
+    snprintf(caption, sizeof caption, "%s: %s", check->item.name, check->item.text);
     struct table *t = table_create(PEOPLES, columns, caption);
     for (int n = 0; n < sheet->count; n++) {
         if (n && strcmp(sheet->rows[n].quantity, sheet->rows[n - 1].quantity) &&
@@ -67,7 +67,7 @@ static enum status print_sheet(const struct verify_sheet *sheet, enum table_form
             table_rule(t);
         add_row(t, &sheet->rows[n]);
     }
-    table_note(t, "Truth: %s", sheet->check->source);
+    table_note(t, "Truth: %s", check->source);
     for (int n = 0; n < sheet->count; n++)
         if (*sheet->rows[n].note && !told(sheet, n))
             table_note(t, "%s: %s.", sheet->rows[n].subject, sheet->rows[n].note);
@@ -76,7 +76,8 @@ static enum status print_sheet(const struct verify_sheet *sheet, enum table_form
     return st;
 }
 
-static enum status print_flat(const struct verify_sheet *sheets, int count, FILE *file)
+static enum status print_flat(int count, const struct verify_check *const *checks,
+                              const struct verify_sheet *sheets, FILE *file)
 {
     struct table *t = table_create(COLUMNS, columns, NULL);
 
@@ -84,15 +85,16 @@ static enum status print_flat(const struct verify_sheet *sheets, int count, FILE
         for (int n = 0; n < sheets[s].count; n++) {
             add_row(t, &sheets[s].rows[n]);
             table_text(t, "%s", sheets[s].rows[n].note);
-            table_text(t, "%s", sheets[s].check->item.name);
-            table_text(t, "%s", sheets[s].check->source);
+            table_text(t, "%s", checks[s]->item.name);
+            table_text(t, "%s", checks[s]->source);
         }
     enum status st = table_print(t, TABLE_CSV, file);
     table_destroy(t);
     return st;
 }
 
-static enum status print_summary(const struct verify_sheet *sheets, int count,
+static enum status print_summary(int count, const struct verify_check *const *checks,
+                                 const struct verify_sheet *sheets,
                                  enum table_format format, FILE *file)
 {
     struct table_column heads[VERIFY_VERDICTS + 3] = {{"check", NULL, TABLE_LEFT}};
@@ -112,7 +114,7 @@ static enum status print_summary(const struct verify_sheet *sheets, int count,
             spent += sheets[s].rows[n].seconds;
         }
         table_row(t);
-        table_text(t, "%s", sheets[s].check->item.name);
+        table_text(t, "%s", checks[s]->item.name);
         for (int v = 0; v < VERIFY_VERDICTS; v++) {
             table_integer(t, rows[v]);
             sum[v] += rows[v];
@@ -137,19 +139,19 @@ static enum status print_summary(const struct verify_sheet *sheets, int count,
     return st;
 }
 
-enum status verify_sheet_print(const struct verify_sheet *sheets, int count,
-                               enum table_format format, FILE *file, struct message *why)
+enum status verify_print(int count, const struct verify_check *const *checks,
+                         const struct verify_sheet *sheets, enum table_format format,
+                         FILE *file)
 {
     enum status st = STATUS_OK;
 
-    (void)why;
     if (format == TABLE_CSV)
-        return print_flat(sheets, count, file);
+        return print_flat(count, checks, sheets, file);
     for (int s = 0; s < count; s++) {
-        TRY(print_sheet(&sheets[s], format, file));
+        TRY(print_sheet(checks[s], &sheets[s], format, file));
         fputc('\n', file);
     }
-    TRY(print_summary(sheets, count, format, file));
+    TRY(print_summary(count, checks, sheets, format, file));
 out:
     return st;
 }

@@ -46,12 +46,19 @@ void output_print(struct output *out, const char *format, ...)
     va_end(args);
 }
 
+FILE *output_stream(struct output *out)
+{
+    return out->file;
+}
+
 enum status output_close(struct output *out, struct message *why)
 {
     enum status st = STATUS_OK;
 
-    if (fclose(out->file) != 0 && !out->failure)
-        out->failure = errno;
+    errno = 0;
+    const bool failed = ferror(out->file);
+    if ((fclose(out->file) != 0 || failed) && !out->failure)
+        out->failure = errno ? errno : EIO;
     out->file = NULL;
     if (out->failure)
         TRY(status_fail(why, STATUS_FILE, "%s: cannot be written: %s", out->aside.path,

@@ -3,6 +3,8 @@
 #ifndef OUTPUT_H
 #define OUTPUT_H
 
+#include <stdio.h>
+
 #include "models/status.h"
 
 struct output;
@@ -14,6 +16,9 @@ enum status output_create(const char *path, struct output **out, struct message 
 /* printf; a failed write is kept for output_close. */
 void output_print(struct output *out, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/* What output_print prints to, for others that print; not to be closed. */
+FILE *output_stream(struct output *out);
 
 /* Writes what is left, checks every write since the start, syncs, renames, frees. On
  * failure (a full disk) STATUS_FILE with a sentence, and nothing of the file is left. */

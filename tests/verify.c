@@ -8,6 +8,9 @@
 #include "bench/verify/verify_file.h"
 #include "tests/check.h"
 
+static const struct verify_check check = {.item = {"unit_rows", "rows of a test"},
+                                          .source = "made up"};
+
 /* One claim, and one contestant that only this field has. */
 static const struct verify_entry entries[] = {
     {"iga_reduced", 0.01, "asked", {6, 10}, {3}, .dear = true},
@@ -133,11 +136,11 @@ static void check_file(const char *folder)
         verify_row_judge(row, 1 + n / 3000.0, 1, 1e-10);
         row->seconds = n / 7.0;
         if (n % 2)
-            verify_row_note(row, "a, 5 %%2C b\nc ");
+            verify_row_note(row, "a, 5 %%2C b\n\"c\", ");
     }
     CHECK(folder_make(folder, &why) == STATUS_OK);
-    CHECK(verify_file_write(&made, "unit_rows", folder, &why) == STATUS_OK);
-    if (!CHECK(verify_file_read("unit_rows", folder, &read, &why) == STATUS_OK))
+    CHECK(verify_file_write(&check, &made, folder, &why) == STATUS_OK);
+    if (!CHECK(verify_file_read(&check, folder, &read, &why) == STATUS_OK))
         printf("%s\n", why.text);
     CHECK(read.count == made.count);
     for (int n = 0; n < read.count && n < made.count; n++) {
@@ -149,7 +152,31 @@ static void check_file(const char *folder)
     }
     verify_sheet_clear(&made);
     verify_sheet_clear(&read);
-    CHECK(verify_file_read("unit_rows", "/nowhere", &read, &why) == STATUS_FILE);
+    CHECK(verify_file_read(&check, "/nowhere", &read, &why) == STATUS_FILE);
+}
+
+/* What is no such file is refused. */
+static void check_refusals(const char *folder)
+{
+    static const char *const text[] = {
+        "", "a,b\n",
+        "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,remark,"
+        "check,source\n1,2\n",
+        "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,remark,"
+        "check,source\na,b,1,1,0,0,0,nan,fine,0,,c,d\n"};
+    struct verify_sheet read;
+    struct message why = {""};
+    char path[4096];
+
+    snprintf(path, sizeof path, "%s/unit_rows.csv", folder);
+    for (size_t n = 0; n < sizeof text / sizeof *text; n++) {
+        FILE *file = fopen(path, "w");
+        if (!CHECK(file != NULL))
+            return;
+        fputs(text[n], file);
+        fclose(file);
+        CHECK(verify_file_read(&check, folder, &read, &why) == STATUS_INPUT);
+    }
 }
 
 int main(int argc, char **argv)
@@ -158,5 +185,6 @@ int main(int argc, char **argv)
     check_walk();
     check_nets();
     check_file(argc > 1 ? argv[1] : ".");
+    check_refusals(argc > 1 ? argv[1] : ".");
     return check_result();
 }

@@ -107,12 +107,12 @@ static enum status run_check(struct job *job, int n, struct message *why)
     struct verify_sheet *sheet = &job->sheet[n];
 
     if (job->read_only)
-        return verify_file_read(job->check[n]->item.name, job->folder, sheet, why);
+        return verify_file_read(job->check[n], job->folder, sheet, why);
     *sheet = (struct verify_sheet){.models = job->models, .quick = job->quick};
     TRY(job->check[n]->run(sheet, why));
     if (sheet->status != STATUS_OK)
         TRY(status_fail(why, sheet->status, "%s", sheet->why.text));
-    TRY(verify_file_write(sheet, job->check[n]->item.name, job->folder, why));
+    TRY(verify_file_write(job->check[n], sheet, job->folder, why));
 out:
     return st;
 }

@@ -94,8 +94,7 @@ bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *fi
     }
 }
 
-/* A place for one more row. */
-static struct verify_row *grow(struct verify_sheet *sheet)
+struct verify_row *verify_sheet_grow(struct verify_sheet *sheet)
 {
     if (sheet->count == sheet->room) {
         int room = sheet->room ? 2 * sheet->room : 32;
@@ -114,7 +113,7 @@ struct verify_row *verify_sheet_add(struct verify_sheet *sheet,
                                     const struct verify_subject *subject,
                                     const char *quantity, ...)
 {
-    struct verify_row *row = grow(sheet);
+    struct verify_row *row = verify_sheet_grow(sheet);
     va_list arguments;
 
     *row = (struct verify_row){.value = NAN,

@@ -23,8 +23,11 @@ void verify_sheet_clear(struct verify_sheet *sheet); /* all-zero is allowed */
 bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *field, int *n,
                        struct verify_subject *subject);
 
-/* The next row: no numbers yet, the subject's tolerance, verdict NOT_APPLICABLE. Good until
- * the next verify_sheet_add; never NULL. */
+/* A place for one more row, as memory has it. Good until the next; never NULL. */
+struct verify_row *verify_sheet_grow(struct verify_sheet *sheet);
+
+/* The next row: no numbers yet, the subject's tolerance, verdict NOT_APPLICABLE. Likewise.
+ */
 struct verify_row *verify_sheet_add(struct verify_sheet *sheet,
                                     const struct verify_subject *subject,
                                     const char *quantity, ...)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bench/files/folder.h"
+#include "bench/truth/truth_table.h"
 #include "bench/ui/progress.h"
 #include "bench/verify/verify_checks.h"
 #include "bench/verify/verify_file.h"
@@ -104,16 +105,22 @@ out:
 static enum status run_check(struct job *job, int n, struct message *why)
 {
     enum status st;
+    const struct verify_check *check = job->check[n];
     struct verify_sheet *sheet = &job->sheet[n];
+    struct reference *table = NULL;
 
     if (job->read_only)
-        return verify_file_read(job->check[n], job->folder, sheet, why);
+        return verify_file_read(check, job->folder, sheet, why);
     *sheet = (struct verify_sheet){.models = job->models, .quick = job->quick};
-    TRY(job->check[n]->run(sheet, why));
+    if (check->table)
+        TRY(truth_table_open(check->table, &table, why));
+    sheet->table = table;
+    TRY(check->run(sheet, why));
     if (sheet->status != STATUS_OK)
         TRY(status_fail(why, sheet->status, "%s", sheet->why.text));
-    TRY(verify_file_write(job->check[n], sheet, job->folder, why));
+    TRY(verify_file_write(check, sheet, job->folder, why));
 out:
+    reference_close(table);
     return st;
 }
 

@@ -35,6 +35,7 @@
 struct verify_check {
     struct command_item item; /* name and a line on it; first: the command's items        */
     const char *source;       /* the truth: what, by whom, how good                       */
+    const char *table;        /* that it is read from, sheet->table; NULL: none           */
     bool slow;                /* more than some 10 s: --quick leaves it out               */
 
     /* Adds its rows. Deaths and refusals of models are rows, not errors. */

@@ -4,10 +4,12 @@
 
 #include "bench/verify/verify_row.h"
 #include "bench/verify/verify_subject.h"
+#include "fem_ref/reference.h"
 
 struct verify_sheet {
     const char *models; /* of --models; NULL: all                             borrowed */
-    bool quick;         /* a check may leave out the dear half of its rows             */
+    const struct reference *table; /* of the truth; NULL: the check has none borrowed */
+    bool quick; /* a check may leave out the dear half of its rows             */
     int count, room;
     struct verify_row *rows; /* [count]                                       owned    */
     struct verify_row spare; /* where rows go when memory is out                       */

@@ -23,6 +23,20 @@ static enum status tell(struct verify_trial *t, enum status st,
     return STATUS_OK;
 }
 
+enum status verify_trial_scene(const char *name, struct scene *scene, struct message *why)
+{
+    enum status st;
+    struct discretization unused = {0};
+    char *path = NULL;
+
+    TRY(scene_file_find(name, &path, why));
+    TRY(scene_file_read(path, 0, NULL, scene, &unused, why));
+out:
+    discretization_clear(&unused);
+    free(path);
+    return st;
+}
+
 enum status verify_trial_open(struct verify_trial *t, struct message *why)
 {
     enum status st;

@@ -27,6 +27,9 @@ struct verify_trial {
     struct run run;           /* from verify_trial_open and _settle to _close             */
 };
 
+/* The scene of that name, as it stands; scene_clear it. */
+enum status verify_trial_scene(const char *name, struct scene *scene, struct message *why);
+
 /* Opens the model; the same moved to static equilibrium. verify_trial_close in any case. */
 enum status verify_trial_open(struct verify_trial *t, struct message *why);
 enum status verify_trial_settle(struct verify_trial *t, struct message *why);

@@ -8,8 +8,6 @@
 #include "bench/verify/checks/verify_plates.h"
 #include "fem_ref/kirchhoff.h"
 
-extern const struct verify_check verify_cantilever;
-
 /* Weight small enough that every model's answer is that of linear theory: slopes of 1e-3
  * change a strip by 1e-6 (heavy_elastica.csv), and a plate that bends two ways, as any does
  * with nu > 0, stretches by the square of deflection / thickness (von Karman), here 0.05.

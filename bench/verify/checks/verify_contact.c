@@ -3,8 +3,6 @@
 
 #include "bench/verify/verify_check.h"
 
-extern const struct verify_check verify_contact;
-
 /* Forces and accelerations, of the weight and of g: iterations end far below. A sheet that
  * sticks: their ends, 1e-6 to 1e-8 L. Gaps: round-off of the solve. */
 #define BALANCE 1e-6, NULL

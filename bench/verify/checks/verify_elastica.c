@@ -2,10 +2,7 @@
  */
 #include <math.h>
 
-#include "bench/truth/truth_table.h"
 #include "bench/verify/checks/verify_strips.h"
-
-extern const struct verify_check verify_elastica;
 
 /* Of the table, relative. */
 static const double BAR = 1e-10;
@@ -109,25 +106,24 @@ static int read_decade(const struct reference *table, int first,
 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
-    enum status st;
-    struct reference *table = NULL;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
     struct verify_strips_load load[MOST];
     struct verify_subject s;
     int every = sheet->quick ? MOST : 1;
 
-    TRY(truth_table_open("heavy_elastica", &table, why));
     for (int first = 0, count; first < reference_rows(table); first += count) {
         count = read_decade(table, first, load);
         for (int n = 0; verify_sheet_next(sheet, &verify_strips, &n, &s);)
             TRY(add_row(sheet, &s, count, load, every, why));
     }
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_elastica = {
     .item = {"elastica", "tip of a heavy strip, clamped level, at any weight"},
+    .table = "heavy_elastica",
     .source = "inextensible elastica by shooting, tests/reference/heavy_elastica.csv, "
               "1e-10; error: the tip's distance, of its drop; the worst of a decade",
     .run = run,

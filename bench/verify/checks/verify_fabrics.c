@@ -5,11 +5,8 @@
  */
 #include <math.h>
 
-#include "bench/truth/truth_table.h"
 #include "bench/verify/checks/verify_strips.h"
 #include "fem_ref/elastica.h"
-
-extern const struct verify_check verify_fabrics;
 
 static const double GRAVITY = 9.81;
 /* Fabrics have no thickness in the table, and no model but a solid asks for one: half a
@@ -125,13 +122,12 @@ out:
 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
-    enum status st;
-    struct reference *table = NULL;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
     struct verify_subject s;
     double gamma;
 
     TRY(gamma_wanted(&gamma));
-    TRY(truth_table_open("fabrics", &table, why));
     int rows = reference_rows(table), every = sheet->quick ? rows - 1 : 1;
     for (int n = 0; n < rows; n += every) {
         struct fabric f = {reference_text(table, n, "fabric"),
@@ -142,12 +138,12 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
             TRY(add_row(sheet, &s, &f, gamma, why));
     }
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_fabrics = {
     .item = {"fabrics", "bending length of ten fabrics by the cantilever of ASTM D1388"},
+    .table = "fabrics",
     .source =
         "the elastica at 41.5 degrees, Gamma = 8.0042 (fem_ref/elastica.h, 1e-10), for "
         "D and weight of tests/reference/fabrics.csv; error bar: of the overhang found; "

@@ -2,11 +2,8 @@
  * body. */
 #include <math.h>
 
-#include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
 #include "bench/verify/verify_refine.h"
-
-extern const struct verify_check verify_fall;
 
 /* Round-off of a solve with a matrix of condition 2e7, over hundreds of steps; Newton's
  * method and local-global iterations end at 1e-7 L. */
@@ -167,11 +164,10 @@ static enum status add_scaled(struct verify_sheet *sheet, struct verify_subject 
 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
-    enum status st;
-    struct reference *table = NULL;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
     struct verify_subject s;
 
-    TRY(truth_table_open("beam_elastica_cable", &table, why));
     for (int f = 0; f < FALLS; f++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
             TRY(add_fall(sheet, &s, &falls[f], why));
@@ -182,12 +178,12 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
             TRY(add_scaled(sheet, &s, reference_number(table, n, "a"),
                            reference_number(table, n, "v1"), why));
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_fall = {
     .item = {"fall", "free fall, body drag, mass damping and scaled velocities"},
+    .table = "beam_elastica_cable",
     .source = "closed forms; mu / (1 - mu) by tests/reference/beam_elastica_cable.csv",
     .run = run,
 };

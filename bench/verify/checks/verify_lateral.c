@@ -4,10 +4,7 @@
  */
 #include <math.h>
 
-#include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
-
-extern const struct verify_check verify_lateral;
 
 /* The bracket that is asked of every model: stable at 1 - BRACKET of the critical Gamma,
  * one mode that grows at 1 + BRACKET. The shell, a truth for others, claims a third of it.
@@ -209,10 +206,9 @@ static bool chosen(const struct verify_sheet *sheet, const struct plate *p)
 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
-    enum status st;
-    struct reference *table = NULL;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
 
-    TRY(truth_table_open("lateral_buckling", &table, why));
     for (int n = 0; n < reference_rows(table); n++) {
         struct plate p = {reference_number(table, n, "w_over_L"),
                           reference_number(table, n, "nu"),
@@ -223,12 +219,12 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
         TRY(add_plate(sheet, &p, why));
     }
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_lateral = {
     .item = {"lateral", "weight at which a plate on edge buckles sideways"},
+    .table = "lateral_buckling",
     .source =
         "linear stability by Legendre-Ritz, tests/reference/lateral_buckling.csv, 1e-4",
     .run = run,

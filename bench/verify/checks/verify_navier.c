@@ -4,10 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "bench/truth/truth_table.h"
 #include "bench/verify/checks/verify_plates.h"
-
-extern const struct verify_check verify_navier;
 
 /* Where every model's answer is that of linear theory. */
 static const double GAMMA = 0.01;
@@ -24,19 +21,17 @@ static const double ONE_LAYER = 0.05;
  * the corners' r^4 log r; claims 1e-3 down to where degree 4 begins to lock. */
 enum { SOLID_LAYERS = 6 };
 static const double SOLID_LOCKS = 0.01;
+#define SOLID                                                                              \
+    1e-3, "elasticity itself, on five spans a half wave", {8, 14}, {8, 14}, 0,             \
+        "p = 4, r = 5",                                                                    \
+    {                                                                                      \
+        "discretization.degree=[4,4,5]"                                                    \
+    }
 
 static const struct verify_entry entries[] = {
     VERIFY_PLATES(VERIFY_PLATES_CURED),
     {"mass_spring", 0, "isotropic at nu = 1/3"},
-    {"iga_linear",
-     1e-3,
-     "elasticity itself, on five spans a half wave",
-     {8, 14},
-     .more = "p = 4, r = 5",
-     .settings = {"discretization.degree=[4,4,5]"},
-     .layers = SOLID_LAYERS,
-     .degree = 4,
-     .mark = true},
+    {"iga_linear", SOLID, .layers = SOLID_LAYERS, .degree = 4, .mark = true},
     {NULL}};
 static const struct verify_field field = {entries, CONTESTANT_SMALL};
 
@@ -97,11 +92,10 @@ static enum status add_row(struct verify_sheet *sheet, struct verify_subject *s,
 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
-    enum status st;
-    struct reference *table = NULL;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
     struct verify_subject s;
 
-    TRY(truth_table_open("navier_plate", &table, why));
     for (int n = 0; n < reference_rows(table); n++) {
         struct plate p = {.kind = reference_text(table, n, "case"),
                           .h = reference_number(table, n, "h_over_a"),
@@ -116,12 +110,12 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
             TRY(add_row(sheet, &s, &p, why));
     }
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_navier = {
     .item = {"navier", "simply supported plates, thick to thin: deflection, frequencies"},
+    .table = "navier_plate",
     .source = "three-dimensional elasticity for solids, Kirchhoff's plate for surfaces, "
               "tests/reference/navier_plate.csv",
     .slow = true,

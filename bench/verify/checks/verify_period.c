@@ -2,10 +2,7 @@
  * makes of a single frequency. */
 #include <math.h>
 
-#include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
-
-extern const struct verify_check verify_period;
 
 /* The table has 12 digits; positions of 1 m have 11 of a sway of 2e-5 m, each of up to
  * 25000 steps adds its round-off. */
@@ -15,11 +12,7 @@ extern const struct verify_check verify_period;
 static const double YOUNG = 1e5, DENSITY = 0.5, WEIGHT = 9.81;
 
 static const struct verify_entry entries[] = {
-    {"iga_linear",
-     PERIOD,
-     {2},
-     .more = "p = 1",
-     .settings = {"discretization.degree=[1,1,1]"}},
+    {"iga_linear", PERIOD, {2}, {2}, 0, "p = 1", {"discretization.degree=[1,1,1]"}},
     {"hex_linear", PERIOD, {2}},
     {NULL}};
 static const struct verify_field field = {
@@ -62,11 +55,10 @@ static enum status add_row(struct verify_sheet *sheet, const struct verify_subje
 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
-    enum status st;
-    struct reference *table = NULL;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
     struct verify_subject s;
 
-    TRY(truth_table_open("beam_elastica_cable", &table, why));
     for (int k = 0; verify_sheet_next(sheet, &without_mode, &k, &s);)
         verify_row_not_applicable(verify_sheet_add(sheet, &s, "frequency / exact"),
                                   "it has no net with a single mode along itself");
@@ -75,12 +67,12 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
             TRY(add_row(sheet, &s, reference_number(table, n, "a"),
                         reference_number(table, n, "v1"), why));
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_period = {
     .item = {"period", "how average acceleration lengthens a period, at any step"},
+    .table = "beam_elastica_cable",
     .source = "2 atan(omega dt / 2) / (omega dt), tests/reference/beam_elastica_cable.csv",
     .run = run,
 };

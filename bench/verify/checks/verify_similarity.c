@@ -4,8 +4,6 @@
 
 #include "bench/verify/verify_check.h"
 
-extern const struct verify_check verify_similarity;
-
 /* Round-off alone, carried through 40 frames; what units do to powers of ten, a little
  * more.
  */

@@ -2,10 +2,7 @@
  * keeps its direction (3.1) and under an end moment, which turns with it (3.2). */
 #include <math.h>
 
-#include "bench/truth/truth_table.h"
 #include "bench/verify/checks/verify_strips.h"
-
-extern const struct verify_check verify_sze;
 
 /* Of the columns exact1, exact2. */
 static const double BAR = 1e-8;
@@ -166,22 +163,21 @@ static enum status add_moment(struct verify_sheet *sheet, struct verify_subject 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
     static const double shares[] = {0.25, 0.5, 1};
-    enum status st;
-    struct reference *table = NULL;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
     struct verify_subject s;
 
-    TRY(truth_table_open("sze_benchmarks", &table, why));
     TRY(add_steps(sheet, table, why));
     for (int k = 0; k < (sheet->quick ? 1 : 3); k++)
         for (int n = 0; verify_sheet_next(sheet, &verify_strips, &n, &s);)
             TRY(add_moment(sheet, &s, shares[k], why));
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_sze = {
     .item = {"sze", "cantilever under an end load, large rotations (Sze, Liu, Lo 2004)"},
+    .table = "sze_benchmarks",
     .source =
         "3.1: inextensible elastica with an end load, tests/reference/sze_benchmarks.csv, "
         "columns exact1, exact2; error: the tip's distance, of its deflection, the "

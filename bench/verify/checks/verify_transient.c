@@ -8,9 +8,6 @@
 #include "bench/verify/verify_refine.h"
 #include "fem_ref/freefem.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
-
-extern const struct verify_check verify_transient;
 
 /* As in `pendulum`: a solid 1 %, a shell, whose theory is the truth's own, 1e-3. */
 #define SOLID 0.01, NULL
@@ -26,7 +23,12 @@ static const char *const settings[] = {"gravity=[0,0,-9.81e-4]", NULL};
 enum { TIMES = TABLE1_TIMES };
 static const double STEP = 0.00125;
 
-#define EULER "implicit Euler: first order in time"
+#define EULER   "implicit Euler: first order in time"
+#define FORGETS "stress is forgotten after each step"
+#define TO_THE_END                                                                         \
+    .more = "iterated to the end",                                                         \
+    .settings = {"discretization.acceleration=chebyshev",                                  \
+                 "discretization.iterations=100000", "discretization.tolerance=1e-13"}
 #define EVERY_EIGHTH                                                                       \
     {10, 18, 34},                                                                          \
     {                                                                                      \
@@ -45,12 +47,7 @@ static const double STEP = 0.00125;
 static const struct verify_entry entries[] = {
     {"iga_linear", 0, "the paper's space: locks", EVERY_EIGHTH},
     {"iga_paper", 0, "the paper's scheme: viscous, not elastic", {10}, {6}},
-    {"iga_reduced_incremental",
-     0,
-     "stress is forgotten after each step",
-     {10, 18},
-     {6, 10},
-     .dear = true},
+    {"iga_reduced_incremental", 0, FORGETS, {10, 18}, {6, 10}, .dear = true},
     {"iga_reduced_linear", SOLID, EVERY_EIGHTH},
     {"iga_selective_linear", SOLID, EVERY_EIGHTH},
     {"iga_linear_32", SOLID, THREE},
@@ -61,14 +58,7 @@ static const struct verify_entry entries[] = {
     {"shell_linear_3", SHELL, THREE},
     {"shell_3", SHELL, THREE, .dear = true},
     {"mass_spring", 0, EULER, {21, 41}, .settings = {"discretization.tolerance=1e-9"}},
-    {"projective_dynamics",
-     0,
-     EULER,
-     {11, 21},
-     .more = "iterated to the end",
-     .settings = {"discretization.acceleration=chebyshev",
-                  "discretization.iterations=100000", "discretization.tolerance=1e-13"},
-     .dear = true},
+    {"projective_dynamics", 0, EULER, {11, 21}, TO_THE_END, .dear = true},
     {NULL}};
 static const struct verify_field field = {
     entries, CONTESTANT_SMALL,
@@ -82,20 +72,6 @@ struct transient {
     double fallen[TIMES];       /* rms [m]                                              */
     double *uvw, *truth, *field;
 };
-
-static enum status read_scene(struct scene *scene, struct message *why)
-{
-    enum status st;
-    char *path = NULL;
-    struct discretization unused = {0};
-
-    TRY(scene_file_find("cantilever_transient", &path, why));
-    TRY(scene_file_read(path, 0, NULL, scene, &unused, why));
-out:
-    discretization_clear(&unused);
-    free(path);
-    return st;
-}
 
 static enum status read_solid(struct transient *t, struct message *why)
 {
@@ -133,7 +109,7 @@ static enum status transient_init(struct transient *t, struct message *why)
     enum status st;
     const size_t grid = 3 * sizeof(double) * GRID_POINTS;
 
-    TRY(read_scene(&t->scene, why));
+    TRY(verify_trial_scene("cantilever_transient", &t->scene, why));
     TRY(table1_truth_init(&t->plate, &t->scene, why));
     TRY(read_solid(t, why));
     t->uvw = malloc(grid);

@@ -5,9 +5,6 @@
 #include "bench/verify/verify_check.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
-
-extern const struct verify_check verify_truths;
 
 /* A thirtieth of the length, of nets of a dozen points a side that bend without locking:
  * what a reader of a picture of these motions would not see. */
@@ -60,33 +57,18 @@ static enum status add_row(struct verify_sheet *sheet, const struct stored *s,
     return st;
 }
 
-static enum status read_scene(struct stored *s, struct message *why)
-{
-    struct scene scene = {0};
-    struct discretization unused = {0};
-    char *path = NULL;
-    enum status st;
-
-    TRY(scene_file_find(s->scene, &path, why));
-    TRY(scene_file_read(path, 0, NULL, &scene, &unused, why));
-    s->length = scene.length;
-    s->damping = truth_plan_damping(&scene);
-out:
-    scene_clear(&scene);
-    discretization_clear(&unused);
-    free(path);
-    return st;
-}
-
 static enum status add_scene(struct verify_sheet *sheet, struct stored *s, double *xyz,
                              struct message *why)
 {
     double latest = sheet->quick ? QUICK : LATEST;
     char *file = NULL, *physics = NULL;
     struct verify_subject subject;
+    struct scene scene = {0};
     enum status st;
 
-    TRY(read_scene(s, why));
+    TRY(verify_trial_scene(s->scene, &scene, why));
+    s->length = scene.length;
+    s->damping = truth_plan_damping(&scene);
     TRY(named_file_find(&truth_file_kind, s->scene, &file, why));
     TRY(truth_file_read(file, &s->truth, &physics, why));
     s->index = -1;
@@ -95,6 +77,7 @@ static enum status add_scene(struct verify_sheet *sheet, struct stored *s, doubl
     for (int n = 0; s->index >= 0 && verify_sheet_next(sheet, &field, &n, &subject);)
         TRY(add_row(sheet, s, &subject, xyz, why));
 out:
+    scene_clear(&scene);
     truth_made_clear(&s->truth);
     free(physics);
     free(file);

@@ -39,16 +39,16 @@ static void check_verdicts(void)
     CHECK_NEAR(row->error, 2, 0);
     verify_row_judge_error(row, NAN, 0);
     CHECK(row->verdict == VERIFY_MISSED); /* what is no number meets nothing */
-    verify_row_out_of_range(row, "beyond");
+    verify_row_end(row, VERIFY_OUT_OF_RANGE, "beyond");
     CHECK(row->verdict == VERIFY_OUT_OF_RANGE && !verify_row_failed(row));
-    verify_row_died(row, "at 1 s");
+    verify_row_end(row, VERIFY_DIED, "at 1 s");
     CHECK(verify_row_failed(row));
     CHECK(!strcmp(row->note, "asked; beyond; at 1 s"));
 
     row = verify_sheet_add(&sheet, &unclaimed, "tip");
     verify_row_judge(row, 5, 1, 0);
     CHECK(row->verdict == VERIFY_NO_CLAIM && !verify_row_failed(row));
-    verify_row_died(row, "%s", "");
+    verify_row_end(row, VERIFY_DIED, "%s", "");
     CHECK(!verify_row_failed(row)); /* a death nobody claimed against */
     verify_sheet_clear(&sheet);
 }

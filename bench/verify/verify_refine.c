@@ -89,7 +89,7 @@ static enum status refine_step(struct runs *runs, struct verify_row *row,
     if (lived)
         verify_row_judge_error(row, change[0], NAN);
     else
-        verify_row_not_applicable(row, "a coarser step %s", runs->scratch.note);
+        verify_row_end(row, VERIFY_NOT_APPLICABLE, "a coarser step %s", runs->scratch.note);
     row->order = log2(change[1] / change[0]);
     row->seconds += runs->scratch.seconds;
 out:
@@ -115,7 +115,7 @@ enum status verify_refine(struct verify_sheet *sheet, const struct verify_subjec
     if (r->field)
         memcpy(r->field, runs.field[0], 3 * sizeof(double) * (size_t)(r->times * r->n));
     if (r->beyond)
-        verify_row_out_of_range(row, "%s", r->beyond);
+        verify_row_end(row, VERIFY_OUT_OF_RANGE, "%s", r->beyond);
     if (subject->nets > 1) { /* they must leave the finest run's field */
         double *finest = runs.field[0];
         runs.field[0] = runs.field[1];

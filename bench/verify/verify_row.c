@@ -43,22 +43,25 @@ static void add_note(struct verify_row *row, const char *note, va_list arguments
         vsnprintf(row->note + used, sizeof row->note - used, note, arguments);
 }
 
-/* A function that sets a verdict and says why. */
-#define TELL(function, verdict_of)                                                         \
-    void function(struct verify_row *row, const char *note, ...)                           \
-    {                                                                                      \
-        va_list arguments;                                                                 \
-                                                                                           \
-        row->verdict = verdict_of;                                                         \
-        va_start(arguments, note);                                                         \
-        add_note(row, note, arguments);                                                    \
-        va_end(arguments);                                                                 \
-    }
+void verify_row_note(struct verify_row *row, const char *note, ...)
+{
+    va_list arguments;
 
-TELL(verify_row_note, row->verdict) /* the same verdict */
-TELL(verify_row_out_of_range, VERIFY_OUT_OF_RANGE)
-TELL(verify_row_not_applicable, VERIFY_NOT_APPLICABLE)
-TELL(verify_row_died, VERIFY_DIED)
+    va_start(arguments, note);
+    add_note(row, note, arguments);
+    va_end(arguments);
+}
+
+void verify_row_end(struct verify_row *row, enum verify_verdict verdict, const char *note,
+                    ...)
+{
+    va_list arguments;
+
+    row->verdict = verdict;
+    va_start(arguments, note);
+    add_note(row, note, arguments);
+    va_end(arguments);
+}
 
 bool verify_row_failed(const struct verify_row *row)
 {

@@ -42,15 +42,14 @@ struct verify_row {
 void verify_row_judge(struct verify_row *row, double value, double truth, double bar);
 void verify_row_judge_error(struct verify_row *row, double error, double bar);
 
-/* Adds a sentence. The number stays, but is not judged; or there is none. */
+/* Adds a sentence. */
 void verify_row_note(struct verify_row *row, const char *note, ...)
     __attribute__((format(printf, 2, 3)));
-void verify_row_out_of_range(struct verify_row *row, const char *note, ...)
-    __attribute__((format(printf, 2, 3)));
-void verify_row_not_applicable(struct verify_row *row, const char *note, ...)
-    __attribute__((format(printf, 2, 3)));
-void verify_row_died(struct verify_row *row, const char *note, ...)
-    __attribute__((format(printf, 2, 3)));
+
+/* Ends it with no judgement, and the sentence that says why: the number stays (out of
+ * range), or there is none (not applicable, died). */
+void verify_row_end(struct verify_row *row, enum verify_verdict verdict, const char *note,
+                    ...) __attribute__((format(printf, 3, 4)));
 
 /* A claim that does not hold, or that died. */
 bool verify_row_failed(const struct verify_row *row);

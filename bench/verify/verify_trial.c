@@ -14,9 +14,10 @@ static enum status tell(struct verify_trial *t, enum status st,
 {
     t->lived = st == STATUS_OK;
     if (st == STATUS_UNSUPPORTED)
-        verify_row_not_applicable(t->row, "%s", sentence->text);
+        verify_row_end(t->row, VERIFY_NOT_APPLICABLE, "%s", sentence->text);
     else if (status_is_death(st))
-        verify_row_died(t->row, "%s", *sentence->text ? sentence->text : status_text(st));
+        verify_row_end(t->row, VERIFY_DIED, "%s",
+                       *sentence->text ? sentence->text : status_text(st));
     else if (st != STATUS_OK)
         return status_fail(why, st, "%s: %s", t->subject->contestant->title,
                            sentence->text);
@@ -139,7 +140,8 @@ enum status verify_trial_watch(struct verify_trial *t, motion_watcher *watch, vo
     for (int i = 0; i < m.steps; i++)
         t->row->seconds += m.seconds[i];
     if (m.death != STATUS_OK) {
-        verify_row_died(t->row, "at %g s: %s", m.death_time, status_text(m.death));
+        verify_row_end(t->row, VERIFY_DIED, "at %g s: %s", m.death_time,
+                       status_text(m.death));
         t->lived = false;
     }
 out:

@@ -195,7 +195,7 @@ static enum status add_field(struct verify_sheet *sheet, const struct verify_sub
                         "one layer in plane stress thins at the clamp, over a width h, "
                         "where a solid cannot: no net mends that");
     if (t.lived && !s->layers && f->thickness >= THICK)
-        verify_row_out_of_range(row, "a theory of thin sheets");
+        verify_row_end(row, VERIFY_OUT_OF_RANGE, "a theory of thin sheets");
     return st;
 }
 

@@ -34,8 +34,8 @@ static enum status come_to_rest(struct verify_trial *t,
         xyz[i] = both[3 + i];
     const double moved = hypot(both[3] - both[0], both[5] - both[2]);
     if (t->net == t->subject->nets - 1 && moved > REST * load->out) {
-        verify_row_not_applicable(t->row, "not at rest: moved %.2g L in the last half",
-                                  moved);
+        verify_row_end(t->row, VERIFY_NOT_APPLICABLE,
+                       "not at rest: moved %.2g L in the last half", moved);
         t->lived = false;
     }
     return st;
@@ -80,8 +80,8 @@ static enum status add_row(struct verify_sheet *sheet, const struct verify_subje
     if (died)
         verify_row_note(row, "Gamma = %.4g", died->load);
     else if (linear && to > VERIFY_STRIPS_LINEAR_GAMMA)
-        verify_row_out_of_range(row, "small strains reach to Gamma = %g",
-                                VERIFY_STRIPS_LINEAR_GAMMA);
+        verify_row_end(row, VERIFY_OUT_OF_RANGE, "small strains reach to Gamma = %g",
+                       VERIFY_STRIPS_LINEAR_GAMMA);
     return st;
 }
 

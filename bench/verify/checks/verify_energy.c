@@ -82,7 +82,7 @@ static enum status add_rows(struct verify_sheet *sheet, const struct verify_subj
     if (!t.lived)
         return st;
     if (isnan(l.gained)) {
-        verify_row_not_applicable(row, "it has no elastic energy");
+        verify_row_end(row, VERIFY_NOT_APPLICABLE, "it has no elastic energy");
         return st;
     }
     verify_row_judge_error(row, l.gained / l.turned, 0);

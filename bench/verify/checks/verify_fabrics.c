@@ -90,7 +90,7 @@ static enum status bending_length(struct verify_trial *t, void *context, double 
     *c = exp(x[1]) / 2;
     if (!(fabs(x[1] - x[0]) <= FOUND)) {
         t->lived = false;
-        verify_row_died(t->row, "no overhang found in %d tries", MOST_TRIES);
+        verify_row_end(t->row, VERIFY_DIED, "no overhang found in %d tries", MOST_TRIES);
     }
 out:
     return st;
@@ -104,8 +104,8 @@ static enum status add_row(struct verify_sheet *sheet, const struct verify_subje
     struct verify_trial t = {row, s, "cantilever"};
 
     if (!s->contestant->model->equilibrium) {
-        verify_row_not_applicable(row,
-                                  "at this Gamma it does not come to rest (see elastica)");
+        verify_row_end(row, VERIFY_NOT_APPLICABLE,
+                       "at this Gamma it does not come to rest (see elastica)");
         goto out;
     }
     TRY(verify_trial_nets(&t, bending_length, f, f->overhang / 2, FOUND, why));
@@ -114,8 +114,9 @@ static enum status add_row(struct verify_sheet *sheet, const struct verify_subje
     verify_row_note(row, "%s: weight c^3 = %.4g N m for D = %.4g N m", f->name,
                     f->weight * GRAVITY * pow(row->value, 3), f->D);
     if (verify_subject_is_linear(s))
-        verify_row_out_of_range(row, "small strains reach to Gamma = %g, this is at %.4g",
-                                VERIFY_STRIPS_LINEAR_GAMMA, gamma);
+        verify_row_end(row, VERIFY_OUT_OF_RANGE,
+                       "small strains reach to Gamma = %g, this is at %.4g",
+                       VERIFY_STRIPS_LINEAR_GAMMA, gamma);
 out:
     return st;
 }

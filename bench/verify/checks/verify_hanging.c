@@ -105,8 +105,8 @@ static enum status add_row(struct verify_sheet *sheet, const struct verify_subje
     snprintf(row->quantity, sizeof row->quantity,
              "omega_%d sqrt(L / g), worst of 3, Gamma = %g", s->worst + 1, s->gamma);
     if (verify_subject_is_linear(subject) && s->gamma > LINEAR_GAMMA)
-        verify_row_out_of_range(row, "modes without weight reach to Gamma = %g",
-                                LINEAR_GAMMA);
+        verify_row_end(row, VERIFY_OUT_OF_RANGE, "modes without weight reach to Gamma = %g",
+                       LINEAR_GAMMA);
     return st;
 }
 

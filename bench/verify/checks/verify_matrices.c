@@ -114,7 +114,7 @@ static enum status find_matrices(struct verify_trial *t, struct matrices *m,
     st = STATUS_OK;
     t->lived = !none;
     if (none)
-        verify_row_not_applicable(t->row, "%s", none);
+        verify_row_end(t->row, VERIFY_NOT_APPLICABLE, "%s", none);
 out:
     verify_trial_close(t);
     return st;
@@ -177,7 +177,8 @@ static enum status add_box(struct verify_sheet *sheet, const struct verify_subje
     if (!t.lived)
         goto out;
     if (!mass && s->mark) {
-        verify_row_not_applicable(row, "its stiffness differs from the solid's on purpose");
+        verify_row_end(row, VERIFY_NOT_APPLICABLE,
+                       "its stiffness differs from the solid's on purpose");
         goto out;
     }
     const size_t count = (size_t)m.rows * (size_t)m.rows;

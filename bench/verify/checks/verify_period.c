@@ -60,8 +60,9 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
     struct verify_subject s;
 
     for (int k = 0; verify_sheet_next(sheet, &without_mode, &k, &s);)
-        verify_row_not_applicable(verify_sheet_add(sheet, &s, "frequency / exact"),
-                                  "it has no net with a single mode along itself");
+        verify_row_end(verify_sheet_add(sheet, &s, "frequency / exact"),
+                       VERIFY_NOT_APPLICABLE,
+                       "it has no net with a single mode along itself");
     for (int n = 0; (n = reference_find(table, n, "case", "newmark")) >= 0; n++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
             TRY(add_row(sheet, &s, reference_number(table, n, "a"),

@@ -49,7 +49,7 @@ static enum status settle(struct verify_trial *t, double end, struct shape *shap
     settings_number(&t->settings, "time.end", end);
     enum status st = verify_trial_settle(t, why);
     if (t->lived && !t->run.model->energy) {
-        verify_row_not_applicable(t->row, "it tells no energy");
+        verify_row_end(t->row, VERIFY_NOT_APPLICABLE, "it tells no energy");
         t->lived = false;
     }
     if (t->lived) {

@@ -52,7 +52,8 @@ static enum status add_shear(struct verify_sheet *sheet, const struct verify_sub
     if (died)
         verify_row_note(row, "at %.3g of the load", died->load);
     else if (verify_subject_is_linear(s) && load[count - 1].load > LINEAR_LOAD)
-        verify_row_out_of_range(row, "small strains reach to %g of the load", LINEAR_LOAD);
+        verify_row_end(row, VERIFY_OUT_OF_RANGE, "small strains reach to %g of the load",
+                       LINEAR_LOAD);
     return st;
 }
 
@@ -136,9 +137,9 @@ static enum status add_moment(struct verify_sheet *sheet, struct verify_subject 
         verify_sheet_add(sheet, s, "3.2, end turned by %.3g rad: shape", turn);
     struct verify_trial t = {row, s, "cantilever"};
     if (!s->layers || verify_subject_is_linear(s)) {
-        verify_row_not_applicable(row, s->layers
-                                           ? "small strains do not turn"
-                                           : "its edge has no face that could be led");
+        verify_row_end(row, VERIFY_NOT_APPLICABLE,
+                       s->layers ? "small strains do not turn"
+                                 : "its edge has no face that could be led");
         return STATUS_OK;
     }
     settings_number(&t.settings, "sheet.length", LONG);

@@ -5,70 +5,142 @@
 #include <string.h>
 
 #include "bench/files/folder.h"
-#include "bench/verify/verify_sheet.h"
+#include "bench/verify/verify_file.h"
 #include "tests/check.h"
 
-static const struct verify_subject claimed = {"iga, reduced", "iga", NULL, 0.01, "asked"};
-static const struct verify_subject unclaimed = {"shell", "shell", NULL, NAN, NULL};
 static const struct verify_check check = {.item = {"unit_rows", "rows of a test"},
                                           .source = "made up"};
 
+/* One claim, and one contestant that only this field has. */
+static const struct verify_entry entries[] = {
+    {"iga_reduced", 0.01, "asked", {6, 10}, {3}, .dear = true},
+    {"mass_spring_paper", 0, NULL, {5}},
+    {NULL}};
+static const struct verify_field field = {
+    entries, CONTESTANT_LARGE, "hex,shell_3", {8, 14}};
+
 static void check_verdicts(void)
 {
-    struct verify_sheet sheet = {.check = &check};
-    struct verify_row *row = verify_add(&sheet, &claimed, "tip %d", 1);
+    struct verify_sheet sheet = {0};
+    struct verify_subject claimed, unclaimed;
+    int n = 0;
 
-    CHECK(row->verdict == VERIFY_NOT_APPLICABLE && !verify_failed(row));
-    verify_judge(row, 1.011, 1, 0.002);
+    CHECK(verify_sheet_next(&sheet, &field, &n, &claimed));
+    CHECK(verify_sheet_next(&sheet, &field, &n, &unclaimed));
+    struct verify_row *row = verify_sheet_add(&sheet, &claimed, "tip %d", 1);
+
+    CHECK(row->verdict == VERIFY_NOT_APPLICABLE && !verify_row_failed(row));
+    verify_row_judge(row, 1.011, 1, 0.002);
     CHECK(row->verdict == VERIFY_MET); /* within tolerance and bar together */
-    verify_judge(row, 1.011, 1, 0);
-    CHECK(row->verdict == VERIFY_MISSED && verify_failed(row));
-    verify_judge(row, -1, 1, 0);
+    verify_row_judge(row, 1.011, 1, 0);
+    CHECK(row->verdict == VERIFY_MISSED && verify_row_failed(row));
+    verify_row_judge(row, -1, 1, 0);
     CHECK(row->verdict == VERIFY_MISSED); /* a wrong sign is an error of 2 */
     CHECK_NEAR(row->error, 2, 0);
-    verify_judge_error(row, NAN, 0);
+    verify_row_judge_error(row, NAN, 0);
     CHECK(row->verdict == VERIFY_MISSED); /* what is no number meets nothing */
-    verify_out_of_range(row, "beyond");
-    CHECK(row->verdict == VERIFY_OUT_OF_RANGE && !verify_failed(row));
-    verify_died(row, "at 1 s");
-    CHECK(verify_failed(row));
+    verify_row_end(row, VERIFY_OUT_OF_RANGE, "beyond");
+    CHECK(row->verdict == VERIFY_OUT_OF_RANGE && !verify_row_failed(row));
+    verify_row_end(row, VERIFY_DIED, "at 1 s");
+    CHECK(verify_row_failed(row));
     CHECK(!strcmp(row->note, "asked; beyond; at 1 s"));
 
-    row = verify_add(&sheet, &unclaimed, "tip");
-    verify_judge(row, 5, 1, 0);
-    CHECK(row->verdict == VERIFY_NO_CLAIM && !verify_failed(row));
-    verify_died(row, "%s", "");
-    CHECK(!verify_failed(row)); /* a death nobody claimed against */
+    row = verify_sheet_add(&sheet, &unclaimed, "tip");
+    verify_row_judge(row, 5, 1, 0);
+    CHECK(row->verdict == VERIFY_NO_CLAIM && !verify_row_failed(row));
+    verify_row_end(row, VERIFY_DIED, "%s", "");
+    CHECK(!verify_row_failed(row)); /* a death nobody claimed against */
     verify_sheet_clear(&sheet);
 }
 
-static void check_wanted(void)
+/* Names of the walk, "a b c", into text. */
+static void walk(struct verify_sheet *sheet, const struct verify_field *f, char text[512])
 {
-    struct verify_sheet sheet = {.models = NULL};
+    struct verify_subject s;
 
-    CHECK(verify_wanted(&sheet, &claimed));
-    sheet.models = "hex,iga";
-    CHECK(verify_wanted(&sheet, &claimed) && !verify_wanted(&sheet, &unclaimed));
-    sheet.models = "shells";
-    CHECK(!verify_wanted(&sheet, &unclaimed));
+    *text = '\0';
+    for (int n = 0; verify_sheet_next(sheet, f, &n, &s);)
+        snprintf(text + strlen(text), 512 - strlen(text), "%s%s", *text ? " " : "",
+                 s.contestant->name);
+}
+
+/* Entries first, then the others that enter, each as --models has it. */
+static void check_walk(void)
+{
+    static const struct verify_entry wrong[] = {{"nobody"}, {NULL}};
+    struct verify_sheet sheet = {0};
+    char text[512];
+
+    walk(&sheet, &field, text);
+    CHECK(!strcmp(text, "iga_reduced mass_spring_paper mass_spring projective_dynamics "
+                        "iga_nonlinear iga_nonlinear_3 iga_reduced_3 iga_selective"));
+    sheet.models = "hex,mass_spring";
+    walk(&sheet, &field, text);
+    CHECK(!strcmp(text, "mass_spring_paper mass_spring"));
+    sheet.models = "shell_3,iga_reduced"; /* by name, one that is left out, too */
+    walk(&sheet, &field, text);
+    CHECK(!strcmp(text, "iga_reduced shell_3"));
+    sheet.quick = true; /* it is dear */
+    walk(&sheet, &field, text);
+    CHECK(!strcmp(text, "shell_3"));
+    CHECK(sheet.status == STATUS_OK);
+    walk(&sheet, &(struct verify_field){.entry = wrong}, text);
+    CHECK(sheet.status == STATUS_INPUT && strstr(sheet.why.text, "nobody"));
+    sheet.status = STATUS_OK;
+    walk(&sheet, &(struct verify_field){.without = "nobody"}, text);
+    CHECK(sheet.status == STATUS_INPUT);
+}
+
+/* Nets of an entry, of the field, and of the contestant itself, in title and settings. */
+static void check_nets(void)
+{
+    const struct verify_field plain = {NULL};
+    const struct contestant *c = NULL;
+    struct settings all = {0};
+    struct message why = {""};
+    char title[VERIFY_SUBJECT_TEXT];
+
+    CHECK(contestant_find("iga_reduced", &c, &why) == STATUS_OK);
+    struct verify_subject s = verify_subject_of(&field, &entries[0], c);
+    CHECK(s.nets == 2 && s.across[0] == 3 && s.across[1] == 10 && s.tolerance == 0.01);
+    s = verify_subject_of(&field, NULL, c);
+    CHECK(s.nets == 2 && s.along[1] == 14 && s.across[1] == 3 && isnan(s.tolerance));
+    s = verify_subject_of(&plain, NULL, c);
+    CHECK(s.nets == 2 && s.along[1] == c->points[1] && s.across[1] == c->points[1]);
+    s.grade = 2;
+    s.more = "r = 1";
+    verify_subject_title(&s, title);
+    CHECK(!strcmp(title, "IGA, reduced, nonlinear, r = 1, 10x10x2, graded"));
+    verify_subject_settings(&s, 0, &all);
+    const char *points = settings_value(&all, "discretization.points");
+    const char *knots = settings_value(&all, "discretization.knots_u");
+    CHECK(points && !strcmp(points, "[6,6,2]"));
+    CHECK(knots && !strcmp(knots, "[0,0,0,0.0625,0.25,0.5625,1,1,1]"));
+    settings_clear(&all);
+    CHECK_NEAR(verify_subject_order(&s, (double[]){4e-2, 1e-2}, 0), 2, 1e-15);
+    CHECK(isnan(verify_subject_order(&s, (double[]){4e-2, 1e-2}, 0.01)));
+    verify_subject_last(&s, 1);
+    CHECK(s.nets == 1 && s.along[0] == 10);
+    CHECK(isnan(verify_subject_order(&s, (double[]){1e-2}, 0)));
 }
 
 /* Fifty rows: more than fit without growing; with what a file could trip over. */
 static void check_file(const char *folder)
 {
-    struct verify_sheet made = {.check = &check}, read;
+    struct verify_sheet made = {0}, read;
+    struct verify_subject s = verify_subject_of(&field, &entries[0], contestant_table);
     struct message why = {""};
 
     for (int n = 0; n < 50; n++) {
-        struct verify_row *row = verify_add(&made, &claimed, "tip, Gamma = %d", n);
-        verify_judge(row, 1 + n / 3000.0, 1, 1e-10);
+        struct verify_row *row = verify_sheet_add(&made, &s, "tip, Gamma = %d", n);
+        verify_row_judge(row, 1 + n / 3000.0, 1, 1e-10);
         row->seconds = n / 7.0;
         if (n % 2)
-            verify_note(row, "a, 5 %%2C b\nc ");
+            verify_row_note(row, "a, 5 %%2C b\n\"c\", ");
     }
     CHECK(folder_make(folder, &why) == STATUS_OK);
-    CHECK(verify_sheet_write(&made, folder, &why) == STATUS_OK);
-    if (!CHECK(verify_sheet_read(&check, folder, &read, &why) == STATUS_OK))
+    CHECK(verify_file_write(&check, &made, folder, &why) == STATUS_OK);
+    if (!CHECK(verify_file_read(&check, folder, &read, &why) == STATUS_OK))
         printf("%s\n", why.text);
     CHECK(read.count == made.count);
     for (int n = 0; n < read.count && n < made.count; n++) {
@@ -80,13 +152,39 @@ static void check_file(const char *folder)
     }
     verify_sheet_clear(&made);
     verify_sheet_clear(&read);
-    CHECK(verify_sheet_read(&check, "/nowhere", &read, &why) == STATUS_FILE);
+    CHECK(verify_file_read(&check, "/nowhere", &read, &why) == STATUS_FILE);
+}
+
+/* What is no such file is refused. */
+static void check_refusals(const char *folder)
+{
+    static const char *const text[] = {
+        "", "a,b\n",
+        "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,remark,"
+        "check,source\n1,2\n",
+        "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,remark,"
+        "check,source\na,b,1,1,0,0,0,nan,fine,0,,c,d\n"};
+    struct verify_sheet read;
+    struct message why = {""};
+    char path[4096];
+
+    snprintf(path, sizeof path, "%s/unit_rows.csv", folder);
+    for (size_t n = 0; n < sizeof text / sizeof *text; n++) {
+        FILE *file = fopen(path, "w");
+        if (!CHECK(file != NULL))
+            return;
+        fputs(text[n], file);
+        fclose(file);
+        CHECK(verify_file_read(&check, folder, &read, &why) == STATUS_INPUT);
+    }
 }
 
 int main(int argc, char **argv)
 {
     check_verdicts();
-    check_wanted();
+    check_walk();
+    check_nets();
     check_file(argc > 1 ? argv[1] : ".");
+    check_refusals(argc > 1 ? argv[1] : ".");
     return check_result();
 }

@@ -1,5 +1,6 @@
 #include "bench/harness/settings.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,6 +44,45 @@ void settings_list(struct settings *s, int most, const char *const *text)
 {
     for (int n = 0; n < most && text[n]; n++)
         settings_set(s, text[n]);
+}
+
+/* What printf writes after `begin`, on the heap; NULL: no memory. */
+static char *printed(const char *begin, const char *format, va_list arguments)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+
+    if (!out)
+        return NULL;
+    fputs(begin, out);
+    vfprintf(out, format, arguments);
+    if (fclose(out) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+void settings_print(struct settings *s, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    take(s, printed("", format, arguments));
+    va_end(arguments);
+}
+
+void settings_more(struct settings *s, const char *format, ...)
+{
+    va_list arguments;
+
+    if (!s->count)
+        return;
+    char *last = s->text[--s->count];
+    va_start(arguments, format);
+    take(s, printed(last, format, arguments));
+    va_end(arguments);
+    free(last);
 }
 
 void settings_append(struct settings *s, const struct settings *more)

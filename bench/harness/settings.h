@@ -36,6 +36,13 @@ void settings_set(struct settings *s, const char *text);
 void settings_set_all(struct settings *s, int count, const char *const *text);
 void settings_list(struct settings *s, int most, const char *const *text);
 
+/* One as printf writes it; and more at the end of the last one, for values of many parts.
+ */
+void settings_print(struct settings *s, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+void settings_more(struct settings *s, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
 /* All of another list, in order. */
 void settings_append(struct settings *s, const struct settings *more);
 

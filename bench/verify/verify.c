@@ -6,14 +6,16 @@
 #include <string.h>
 
 #include "bench/files/folder.h"
+#include "bench/truth/truth_table.h"
 #include "bench/ui/progress.h"
-#include "bench/harness/registry.h"
-#include "bench/verify/verify_sheet.h"
+#include "bench/verify/verify_checks.h"
+#include "bench/verify/verify_file.h"
+#include "bench/verify/verify_print.h"
 
 enum { MOST_CHECKS = 64 };
 
 static const struct command_option options[] = {
-    {"--models", "A,B,...", false, "rows of these models only (all)"},
+    {"--models", "A,B,...", false, "rows of these models or contestants only (all)"},
     {"--quick", NULL, false, "leaves out the dear checks, and dear rows of others"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false, "where the rows go, a file a check (results/verify)"},
@@ -73,22 +75,6 @@ out:
     return st;
 }
 
-/* Every word of --models must be a model. */
-static enum status check_models(const char *models, struct message *why)
-{
-    enum status st = STATUS_OK;
-    const struct model *model;
-    char text[256], *rest = NULL;
-
-    if (!models || !strcmp(models, "all"))
-        return STATUS_OK;
-    snprintf(text, sizeof text, "%s", models);
-    for (char *word = strtok_r(text, ",", &rest); word; word = strtok_r(NULL, ",", &rest))
-        TRY(registry_find(word, &model, why));
-out:
-    return st;
-}
-
 static enum status prepare(struct job *job, const struct command_line *line,
                            struct message *why)
 {
@@ -108,7 +94,7 @@ static enum status prepare(struct job *job, const struct command_line *line,
                            "--models and --quick are for a new run, not for --from");
     if (word)
         TRY(table_format_parse(word, &job->format, why));
-    TRY(check_models(job->models, why));
+    TRY(contestant_check(job->models, why));
     TRY(choose(job, line, why));
     if (!job->read_only)
         TRY(folder_make(job->folder, why));
@@ -119,17 +105,22 @@ out:
 static enum status run_check(struct job *job, int n, struct message *why)
 {
     enum status st;
+    const struct verify_check *check = job->check[n];
     struct verify_sheet *sheet = &job->sheet[n];
+    struct reference *table = NULL;
 
     if (job->read_only)
-        return verify_sheet_read(job->check[n], job->folder, sheet, why);
-    *sheet = (struct verify_sheet){
-        .check = job->check[n], .models = job->models, .quick = job->quick};
-    TRY(job->check[n]->run(sheet, why));
-    if (sheet->failed)
-        TRY(STATUS_MEMORY);
-    TRY(verify_sheet_write(sheet, job->folder, why));
+        return verify_file_read(check, job->folder, sheet, why);
+    *sheet = (struct verify_sheet){.models = job->models, .quick = job->quick};
+    if (check->table)
+        TRY(truth_table_open(check->table, &table, why));
+    sheet->table = table;
+    TRY(check->run(sheet, why));
+    if (sheet->status != STATUS_OK)
+        TRY(status_fail(why, sheet->status, "%s", sheet->why.text));
+    TRY(verify_file_write(check, sheet, job->folder, why));
 out:
+    reference_close(table);
     return st;
 }
 
@@ -143,7 +134,7 @@ static enum status tell_failures(const struct job *job, struct message *why)
         int before = rows;
         size_t used = strlen(names);
         for (int i = 0; i < job->sheet[n].count; i++)
-            rows += verify_failed(&job->sheet[n].rows[i]);
+            rows += verify_row_failed(&job->sheet[n].rows[i]);
         if (rows > before)
             snprintf(names + used, sizeof names - used, "%s%s", before ? ", " : "",
                      job->check[n]->item.name);
@@ -170,7 +161,7 @@ static enum status run(const struct command_line *line, struct message *why)
         TRY(run_check(job, n, why));
     }
     progress_end(&progress);
-    TRY(verify_sheet_print(job->sheet, job->count, job->format, stdout, why));
+    TRY(verify_print(job->count, job->check, job->sheet, job->format, stdout));
     TRY(tell_failures(job, why));
 out:
     progress_end(&progress);
@@ -179,8 +170,6 @@ out:
     free(job);
     return st;
 }
-
-extern const struct command_item *const verify_items[]; /* verify_checks.c */
 
 const struct command verify_command = {
     .name = "verify",
@@ -197,6 +186,6 @@ const struct command verify_command = {
     .most = MOST_CHECKS,
     .options = options,
     .section = "checks",
-    .items = verify_items,
+    .items = verify_checks_items,
     .run = run,
 };

@@ -1,25 +1,4 @@
-#include "bench/verify/verify.h"
-
-extern const struct verify_check verify_cantilever;
-extern const struct verify_check verify_elastica;
-extern const struct verify_check verify_hanging;
-extern const struct verify_check verify_fabrics;
-extern const struct verify_check verify_matrices;
-extern const struct verify_check verify_navier;
-extern const struct verify_check verify_frequencies;
-extern const struct verify_check verify_sze;
-extern const struct verify_check verify_lateral;
-extern const struct verify_check verify_outside;
-extern const struct verify_check verify_pendulum;
-extern const struct verify_check verify_postbuckling;
-extern const struct verify_check verify_transient;
-extern const struct verify_check verify_energy;
-extern const struct verify_check verify_fall;
-extern const struct verify_check verify_period;
-extern const struct verify_check verify_moving;
-extern const struct verify_check verify_contact;
-extern const struct verify_check verify_truths;
-extern const struct verify_check verify_similarity;
+#include "bench/verify/verify_checks.h"
 
 /* Statics first, then motions, frequencies, and what outside programs computed. */
 #define STATICS(X)                                                                         \
@@ -37,8 +16,11 @@ extern const struct verify_check verify_similarity;
 #define TRUTHS(X)  X(verify_truths)
 #define CHECKS(X)  STATICS(X) BUCKLING(X) MOTIONS(X) OUTSIDE(X) TRUTHS(X)
 
+#define CHECK_EXTERN(name) extern const struct verify_check name;
+CHECKS(CHECK_EXTERN)
+
 #define CHECK_ADDRESS(name) &name,
 const struct verify_check *const verify_checks[] = {CHECKS(CHECK_ADDRESS) NULL};
 
 #define CHECK_ITEM(name) &name.item,
-const struct command_item *const verify_items[] = {CHECKS(CHECK_ITEM) NULL};
+const struct command_item *const verify_checks_items[] = {CHECKS(CHECK_ITEM) NULL};

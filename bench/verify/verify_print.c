@@ -1,47 +1,8 @@
-#include <math.h>
+#include "bench/verify/verify_print.h"
+
 #include <string.h>
 
-#include "bench/verify/verify_sheet.h"
-
-enum { DIGITS = 6 };
-
-static const struct table_column columns[] = {
-    {"quantity", NULL, TABLE_LEFT},       {"model", NULL, TABLE_LEFT},
-    {"value", NULL, TABLE_RIGHT},         {"truth", NULL, TABLE_RIGHT},
-    {"error bar", NULL, TABLE_RIGHT},     {"error", NULL, TABLE_RIGHT},
-    {"tolerance", NULL, TABLE_RIGHT},     {"order", NULL, TABLE_RIGHT},
-    {"verdict", NULL, TABLE_LEFT},        {"time", "s", TABLE_RIGHT},
-    {"remark", NULL, TABLE_LEFT},         {"check", NULL, TABLE_LEFT},
-    {"truth's source", NULL, TABLE_LEFT},
-};
-/* The last two are the caption's, but in CSV. A remark is a note, but in CSV. */
-enum { COLUMNS = sizeof columns / sizeof *columns, PEOPLES = COLUMNS - 3 };
-
-static void add_number(struct table *t, double x, int digits)
-{
-    if (isnan(x))
-        table_dash(t);
-    else
-        table_number(t, x, digits);
-}
-
-static void add_row(struct table *t, const struct verify_row *row)
-{
-    table_row(t);
-    table_text(t, "%s", row->quantity);
-    table_text(t, "%s", row->subject);
-    add_number(t, row->value, DIGITS);
-    add_number(t, row->truth, DIGITS);
-    add_number(t, row->bar, 1);
-    add_number(t, row->error, 2);
-    add_number(t, row->tolerance, 2);
-    if (isnan(row->order))
-        table_dash(t);
-    else
-        table_fixed(t, row->order, 2);
-    table_text(t, "%s", verify_verdict_name((int)row->verdict));
-    table_number(t, row->seconds, 2);
-}
+#include "bench/verify/verify_file.h"
 
 /* Whether an earlier row of the sheet has the same remark: one note does for all. */
 static bool told(const struct verify_sheet *sheet, int row)
@@ -53,81 +14,95 @@ static bool told(const struct verify_sheet *sheet, int row)
     return false;
 }
 
-static enum status print_sheet(const struct verify_sheet *sheet, enum table_format format,
+static enum status print_sheet(const struct verify_check *check,
+                               const struct verify_sheet *sheet, enum table_format format,
                                FILE *file)
 {
+    const struct verify_row *row = sheet->rows;
     char caption[512];
 
-    snprintf(caption, sizeof caption, "%s: %s", sheet->check->item.name,
-             sheet->check->item.text);
-    struct table *t = table_create(PEOPLES, columns, caption);
+    snprintf(caption, sizeof caption, "%s: %s", check->item.name, check->item.text);
+    struct table *t = verify_file_table(caption);
     for (int n = 0; n < sheet->count; n++) {
-        if (n && strcmp(sheet->rows[n].quantity, sheet->rows[n - 1].quantity) &&
-            !strcmp(sheet->rows[n].subject, sheet->rows[0].subject))
+        if (n && strcmp(row[n].quantity, row[n - 1].quantity) &&
+            !strcmp(row[n].subject, row[0].subject))
             table_rule(t);
-        add_row(t, &sheet->rows[n]);
+        verify_file_row(t, check, &row[n]);
     }
-    table_note(t, "Truth: %s", sheet->check->source);
+    table_note(t, "Truth: %s", check->source);
     for (int n = 0; n < sheet->count; n++)
-        if (*sheet->rows[n].note && !told(sheet, n))
-            table_note(t, "%s: %s.", sheet->rows[n].subject, sheet->rows[n].note);
-    enum status st = table_print(t, format, file);
-    table_destroy(t);
-    return st;
+        if (*row[n].note && !told(sheet, n))
+            table_note(t, "%s: %s.", row[n].subject, row[n].note);
+    return table_finish(t, format, file);
 }
 
-static enum status print_flat(const struct verify_sheet *sheets, int count, FILE *file)
+/* For machines: all rows in one table. */
+static enum status print_flat(int count, const struct verify_check *const *checks,
+                              const struct verify_sheet *sheets, enum table_format format,
+                              FILE *file)
 {
-    struct table *t = table_create(COLUMNS, columns, NULL);
+    struct table *t = verify_file_table(NULL);
 
     for (int s = 0; s < count; s++)
-        for (int n = 0; n < sheets[s].count; n++) {
-            add_row(t, &sheets[s].rows[n]);
-            table_text(t, "%s", sheets[s].rows[n].note);
-            table_text(t, "%s", sheets[s].check->item.name);
-            table_text(t, "%s", sheets[s].check->source);
-        }
-    enum status st = table_print(t, TABLE_CSV, file);
-    table_destroy(t);
-    return st;
+        for (int n = 0; n < sheets[s].count; n++)
+            verify_file_row(t, checks[s], &sheets[s].rows[n]);
+    return table_finish(t, format, file);
 }
 
-static enum status print_summary(const struct verify_sheet *sheets, int count,
+/* How many rows end how, and their seconds. */
+struct tally {
+    long rows[VERIFY_VERDICTS], all;
+    double seconds;
+};
+
+static void add(struct tally *to, const struct tally *more)
+{
+    for (int v = 0; v < VERIFY_VERDICTS; v++)
+        to->rows[v] += more->rows[v];
+    to->all += more->all;
+    to->seconds += more->seconds;
+}
+
+static struct tally count_rows(const struct verify_sheet *sheet)
+{
+    struct tally tally = {.all = sheet->count};
+
+    for (int n = 0; n < sheet->count; n++) {
+        tally.rows[sheet->rows[n].verdict]++;
+        tally.seconds += sheet->rows[n].seconds;
+    }
+    return tally;
+}
+
+static void add_tally(struct table *t, const char *name, const struct tally *tally)
+{
+    table_row(t);
+    table_text(t, "%s", name);
+    for (int v = 0; v < VERIFY_VERDICTS; v++)
+        table_integer(t, tally->rows[v]);
+    table_integer(t, tally->all);
+    table_number(t, tally->seconds, 2);
+}
+
+static enum status print_summary(int count, const struct verify_check *const *checks,
+                                 const struct verify_sheet *sheets,
                                  enum table_format format, FILE *file)
 {
     struct table_column heads[VERIFY_VERDICTS + 3] = {{"check", NULL, TABLE_LEFT}};
-    long sum[VERIFY_VERDICTS + 1] = {0};
-    double seconds = 0;
+    struct tally sum = {.all = 0};
 
     for (int v = 0; v < VERIFY_VERDICTS; v++)
-        heads[v + 1] = (struct table_column){verify_verdict_name(v), NULL, TABLE_RIGHT};
-    heads[VERIFY_VERDICTS + 1] = (struct table_column){"rows", NULL, TABLE_RIGHT};
-    heads[VERIFY_VERDICTS + 2] = (struct table_column){"time", "s", TABLE_RIGHT};
+        heads[v + 1] = (struct table_column){verify_verdict_name(v)};
+    heads[VERIFY_VERDICTS + 1] = (struct table_column){"rows"};
+    heads[VERIFY_VERDICTS + 2] = (struct table_column){"time", "s"};
     struct table *t = table_create(VERIFY_VERDICTS + 3, heads, "How many rows end how");
     for (int s = 0; s < count; s++) {
-        long rows[VERIFY_VERDICTS] = {0};
-        double spent = 0;
-        for (int n = 0; n < sheets[s].count; n++) {
-            rows[sheets[s].rows[n].verdict]++;
-            spent += sheets[s].rows[n].seconds;
-        }
-        table_row(t);
-        table_text(t, "%s", sheets[s].check->item.name);
-        for (int v = 0; v < VERIFY_VERDICTS; v++) {
-            table_integer(t, rows[v]);
-            sum[v] += rows[v];
-        }
-        table_integer(t, sheets[s].count);
-        table_number(t, spent, 2);
-        sum[VERIFY_VERDICTS] += sheets[s].count;
-        seconds += spent;
+        const struct tally of_check = count_rows(&sheets[s]);
+        add_tally(t, checks[s]->item.name, &of_check);
+        add(&sum, &of_check);
     }
     table_rule(t);
-    table_row(t);
-    table_text(t, "all");
-    for (int v = 0; v <= VERIFY_VERDICTS; v++)
-        table_integer(t, sum[v]);
-    table_number(t, seconds, 2);
+    add_tally(t, "all", &sum);
     table_note(t, "met: error <= tolerance + error bar. A tolerance is a claim, fixed with "
                   "its reason before the first result; where nothing is claimed, the error "
                   "is measured all the same. The command fails if a claim is missed, or "
@@ -137,19 +112,17 @@ static enum status print_summary(const struct verify_sheet *sheets, int count,
     return st;
 }
 
-enum status verify_sheet_print(const struct verify_sheet *sheets, int count,
-                               enum table_format format, FILE *file, struct message *why)
+enum status verify_print(int count, const struct verify_check *const *checks,
+                         const struct verify_sheet *sheets, enum table_format format,
+                         FILE *file)
 {
     enum status st = STATUS_OK;
 
-    (void)why;
-    if (format == TABLE_CSV)
-        return print_flat(sheets, count, file);
-    for (int s = 0; s < count; s++) {
-        TRY(print_sheet(&sheets[s], format, file));
-        fputc('\n', file);
-    }
-    TRY(print_summary(sheets, count, format, file));
+    if (!table_format_is_prose(format))
+        return print_flat(count, checks, sheets, format, file);
+    for (int s = 0; s < count; s++)
+        TRY(print_sheet(checks[s], &sheets[s], format, file));
+    TRY(print_summary(count, checks, sheets, format, file));
 out:
     return st;
 }

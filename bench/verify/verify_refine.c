@@ -1,10 +1,9 @@
 #include "bench/verify/verify_refine.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { MOST_SETTINGS = 24 };
 
 /* The runs of one subject. */
 struct runs {
@@ -31,19 +30,14 @@ static enum status run(struct runs *runs, struct verify_row *row, int net, int c
                        bool *lived, struct message *why)
 {
     const struct verify_refine *r = runs->r;
-    const char *settings[MOST_SETTINGS] = {0};
-    char step[48];
-    int count = 0;
+    struct verify_trial t = {row, runs->subject, r->scene, net};
 
-    while (r->settings && r->settings[count] && count < MOST_SETTINGS - 3) {
-        settings[count] = r->settings[count];
-        count++;
-    }
-    snprintf(step, sizeof step, "time.step=%.17g", r->step * (1 << coarser));
-    settings[count++] = step;
-    settings[count] = r->net[net];
-    return verify_motion(row, runs->subject, r->scene, settings, r->times, r->time, r->n,
-                         r->uvw, runs->field[0], lived, why);
+    settings_list(&t.settings, INT_MAX, r->settings);
+    settings_number(&t.settings, "time.step", r->step * (1 << coarser));
+    enum status st =
+        verify_trial_motion(&t, r->times, r->time, r->n, r->uvw, runs->field[0], why);
+    *lived = t.lived;
+    return st;
 }
 
 static double error_of(const struct runs *runs)
@@ -60,12 +54,11 @@ static enum status refine_net(struct runs *runs, struct verify_row *row,
     double coarser = NAN;
     bool lived;
 
-    for (int n = 0; n + 1 < runs->r->nets; n++) {
+    for (int n = 0; n + 1 < runs->subject->nets; n++) {
         TRY(run(runs, &runs->scratch, n, 0, &lived, why));
         coarser = lived ? error_of(runs) : NAN;
-        const char *points = strchr(runs->r->net[n], '=');
-        verify_note(row, "error on %s: %.2g", points ? points + 1 : runs->r->net[n],
-                    coarser);
+        verify_row_note(row, "error on %dx%d: %.2g", runs->subject->along[n],
+                        runs->subject->across[n], coarser);
     }
     row->order = log2(coarser / row->error);
     row->seconds += runs->scratch.seconds;
@@ -86,17 +79,17 @@ static enum status refine_step(struct runs *runs, struct verify_row *row,
     for (int n = 1; n < r->steps && lived; n++) {
         double *last = runs->field[0];
         runs->field[0] = runs->field[1], runs->field[1] = last;
-        TRY(run(runs, &runs->scratch, r->nets - 1, n, &lived, why));
+        TRY(run(runs, &runs->scratch, runs->subject->nets - 1, n, &lived, why));
         if (!lived)
             break;
         change[n - 1] = r->measure(r->context, runs->field[0], runs->field[1]);
-        verify_note(row, "error with %g ms: %.2g", 1e3 * r->step * (1 << n),
-                    error_of(runs));
+        verify_row_note(row, "error with %g ms: %.2g", 1e3 * r->step * (1 << n),
+                        error_of(runs));
     }
     if (lived)
-        verify_judge_error(row, change[0], NAN);
+        verify_row_judge_error(row, change[0], NAN);
     else
-        verify_not_applicable(row, "a coarser step %s", runs->scratch.note);
+        verify_row_end(row, VERIFY_NOT_APPLICABLE, "a coarser step %s", runs->scratch.note);
     row->order = log2(change[1] / change[0]);
     row->seconds += runs->scratch.seconds;
 out:
@@ -110,20 +103,20 @@ enum status verify_refine(struct verify_sheet *sheet, const struct verify_subjec
     enum status st;
     struct runs runs;
     struct verify_subject unclaimed = *subject;
-    struct verify_row *row = verify_add(sheet, subject, "%s", quantity);
+    struct verify_row *row = verify_sheet_add(sheet, subject, "%s", quantity);
 
     unclaimed.tolerance = NAN;
     unclaimed.reason = NULL;
     TRY(runs_init(&runs, r, subject));
-    TRY(run(&runs, row, r->nets - 1, 0, lived, why));
+    TRY(run(&runs, row, subject->nets - 1, 0, lived, why));
     if (!*lived)
         goto out;
-    verify_judge_error(row, error_of(&runs), r->bar);
+    verify_row_judge_error(row, error_of(&runs), r->bar);
     if (r->field)
         memcpy(r->field, runs.field[0], 3 * sizeof(double) * (size_t)(r->times * r->n));
     if (r->beyond)
-        verify_out_of_range(row, "%s", r->beyond);
-    if (r->nets > 1) { /* they must leave the finest run's field */
+        verify_row_end(row, VERIFY_OUT_OF_RANGE, "%s", r->beyond);
+    if (subject->nets > 1) { /* they must leave the finest run's field */
         double *finest = runs.field[0];
         runs.field[0] = runs.field[1];
         TRY(refine_net(&runs, row, why));
@@ -131,8 +124,8 @@ enum status verify_refine(struct verify_sheet *sheet, const struct verify_subjec
         runs.field[0] = finest;
     }
     if (r->steps > 1) {
-        row = verify_add(sheet, &unclaimed, "%s: change by step %g to %g ms", quantity,
-                         2e3 * r->step, 1e3 * r->step);
+        row = verify_sheet_add(sheet, &unclaimed, "%s: change by step %g to %g ms",
+                               quantity, 2e3 * r->step, 1e3 * r->step);
         TRY(refine_step(&runs, row, why));
     }
 out:

@@ -1,20 +1,19 @@
-/* verify_refine.h - one subject on nets and with steps that are refined, against positions
- * over time: the finest run's error as a row, with the order observed in space; the change
- * that halving the step makes as another, with the order in time.
+/* verify_refine.h - one subject on its nets and with steps that are refined, against
+ * positions over time: the finest run's error as a row, with the order observed in space;
+ * the change that halving the step makes as another, with the order in time.
  */
 #ifndef VERIFY_REFINE_H
 #define VERIFY_REFINE_H
 
-#include "bench/verify/verify.h"
+#include "bench/verify/verify_sheet.h"
+#include "bench/verify/verify_trial.h"
 
-enum { VERIFY_REFINE_NETS = 3, VERIFY_REFINE_STEPS = 3 };
+enum { VERIFY_REFINE_STEPS = 3 };
 
+/* Nets of the subject have half the spacing of the one before. */
 struct verify_refine {
     const char *scene;
-    const char *const *settings; /* ends with NULL                                     */
-    int nets;                    /* 1 .. VERIFY_REFINE_NETS                            */
-    const char *const *net;      /* [nets] a setting, from coarse to fine, each with half
-                                    the spacing of the one before                      */
+    const char *const *settings; /* KEY=VALUE, ends with NULL                          */
     int steps;                   /* 1 .. VERIFY_REFINE_STEPS                           */
     double step;                 /* the finest; the others are 2, 4, .. times it [s]   */
     int times;

@@ -1,172 +1,135 @@
+#include "bench/verify/verify_sheet.h"
+
 #include <math.h>
-#include <stddef.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/output.h"
-#include "bench/files/provenance.h"
-#include "bench/verify/verify_sheet.h"
+/* No contestant's: enters nowhere, but where it is named. */
+static const unsigned NOWHERE = 1u << 31;
 
-/* Numbers of a row, in the order of their columns. */
-static const struct number {
-    const char *name;
-    size_t place;
-} numbers[] = {
-    {"value", offsetof(struct verify_row, value)},
-    {"truth", offsetof(struct verify_row, truth)},
-    {"bar", offsetof(struct verify_row, bar)},
-    {"error", offsetof(struct verify_row, error)},
-    {"tolerance", offsetof(struct verify_row, tolerance)},
-    {"order", offsetof(struct verify_row, order)},
-    {"seconds", offsetof(struct verify_row, seconds)},
-};
-enum { NUMBERS = sizeof numbers / sizeof *numbers };
-
-static double *number_of(struct verify_row *row, int n)
+static void fail(struct verify_sheet *sheet, enum status st, const struct message *why)
 {
-    return (double *)((char *)row + numbers[n].place);
+    if (sheet->status != STATUS_OK || st == STATUS_OK)
+        return;
+    sheet->status = st;
+    sheet->why = *why;
 }
 
-static void path_of(const struct verify_check *check, const char *folder, char *path,
-                    int size)
+/* Whether an entry names it. */
+static bool is_listed(const struct verify_entry *entry, const struct contestant *c)
 {
-    snprintf(path, (size_t)size, "%s/%s.csv", folder, check->item.name);
+    for (const struct verify_entry *e = entry; e && e->contestant; e++)
+        if (!strcmp(e->contestant, c->name))
+            return true;
+    return false;
 }
 
-/* A cell holds neither comma nor line end, nor blanks at its ends: written as in addresses
- * of the web, %2C. */
-static bool is_plain(const char *text, const char *c)
+/* Whether one that no entry names comes in. A model's name does not ask for the contestant
+ * of that name where it does not enter. */
+static bool comes_in(const struct verify_sheet *sheet, const struct verify_field *field,
+                     const struct contestant *c)
 {
-    return !strchr(",%\n", *c) && (*c != ' ' || (c > text && c[1]));
+    const bool left_out =
+        field->without && contestant_chosen(c, field->without, CONTESTANT_EVERYWHERE);
+    const bool enters = !left_out && c->enters & field->enters;
+
+    if (!field->enters || is_listed(field->entry, c) ||
+        (!enters && !strcmp(c->name, c->model->name)))
+        return false;
+    return contestant_chosen(c, sheet->models, left_out ? NOWHERE : field->enters);
 }
 
-static void print_text(struct output *file, const char *text)
+/* Their number; at the walk's start `without` is looked at. */
+static int begin(struct verify_sheet *sheet, const struct verify_field *field, int n)
 {
-    for (const char *c = text; *c; c++)
-        if (is_plain(text, c))
-            output_print(file, "%c", *c);
-        else
-            output_print(file, "%%%02X", (unsigned char)*c);
+    struct message why = {""};
+    int count = 0;
+
+    if (n == 0 && field->without)
+        fail(sheet, contestant_check(field->without, &why), &why);
+    while (field->entry && field->entry[count].contestant)
+        count++;
+    return count;
 }
 
-/* The text of a cell into text[size]. */
-static void read_text(const char *cell, char *text, size_t size)
+/* The contestant of an entry that is wanted; NULL: it is not. */
+static const struct contestant *listed(struct verify_sheet *sheet,
+                                       const struct verify_entry *entry)
 {
-    size_t length = 0;
-    unsigned code;
+    const struct contestant *c = NULL;
+    struct message why = {""};
+    const enum status st = contestant_find(entry->contestant, &c, &why);
 
-    for (; *cell && length + 1 < size; cell++)
-        if (*cell == '%' && sscanf(cell, "%%%2X", &code) == 1) {
-            text[length++] = (char)code;
-            cell += 2;
-        } else
-            text[length++] = *cell;
-    text[length] = '\0';
-}
-
-static void print_row(struct output *file, struct verify_row *row)
-{
-    print_text(file, row->quantity);
-    output_print(file, ",");
-    print_text(file, row->subject);
-    for (int n = 0; n < NUMBERS; n++) {
-        double x = *number_of(row, n);
-        if (isnan(x))
-            output_print(file, ",");
-        else
-            output_print(file, ",%.17g", x);
+    if (st != STATUS_OK) {
+        fail(sheet, st, &why);
+        return NULL;
     }
-    output_print(file, ",");
-    print_text(file, verify_verdict_name((int)row->verdict));
-    output_print(file, ",");
-    print_text(file, row->note);
-    output_print(file, "\n");
+    return contestant_chosen(c, sheet->models, 0) && !(entry->dear && sheet->quick) ? c
+                                                                                    : NULL;
 }
 
-enum status verify_sheet_write(const struct verify_sheet *sheet, const char *folder,
-                               struct message *why)
+bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *field, int *n,
+                       struct verify_subject *subject)
 {
-    enum status st;
-    struct output *file = NULL;
-    struct provenance provenance;
-    char path[4096];
+    const int entries = begin(sheet, field, *n);
 
-    path_of(sheet->check, folder, path, sizeof path);
-    TRY(output_create(path, &file, why));
-    provenance_collect(&provenance);
-    output_print(file, "# clothbench verify %s\n", sheet->check->item.name);
-    for (int n = 0; n < provenance.count; n++)
-        output_print(file, "# %s: %s\n", provenance.entry[n].key,
-                     provenance.entry[n].value);
-    output_print(file, "quantity,subject");
-    for (int n = 0; n < NUMBERS; n++)
-        output_print(file, ",%s", numbers[n].name);
-    output_print(file, ",verdict,note\n");
-    for (int n = 0; n < sheet->count; n++)
-        print_row(file, &sheet->rows[n]);
-    struct output *whole = file;
-    file = NULL;
-    TRY(output_close(whole, why));
-out:
-    output_discard(file);
-    return st;
-}
-
-/* STATUS_INPUT for a word that is none. */
-static enum status read_verdict(const char *word, enum verify_verdict *verdict,
-                                const char *path, struct message *why)
-{
-    for (int n = 0; n < VERIFY_VERDICTS; n++)
-        if (!strcmp(word, verify_verdict_name(n))) {
-            *verdict = (enum verify_verdict)n;
-            return STATUS_OK;
+    for (;;) {
+        const int at = (*n)++;
+        const struct verify_entry *entry = at < entries ? &field->entry[at] : NULL;
+        const struct contestant *c;
+        if (entry)
+            c = listed(sheet, entry);
+        else {
+            c = &contestant_table[at - entries];
+            if (!c->name)
+                return false;
+            c = comes_in(sheet, field, c) ? c : NULL;
         }
-    return status_fail(why, STATUS_INPUT, "%s: '%s' is no verdict", path, word);
+        if (c) {
+            *subject = verify_subject_of(field, entry, c);
+            return true;
+        }
+    }
 }
 
-static enum status require_columns(const struct reference *table, const char *path,
-                                   struct message *why)
+struct verify_row *verify_sheet_grow(struct verify_sheet *sheet)
 {
-    static const char *const words[] = {"quantity", "subject", "verdict", "note"};
-
-    for (int n = 0; n < 4 + NUMBERS; n++) {
-        const char *name = n < 4 ? words[n] : numbers[n - 4].name;
-        if (reference_column(table, name) < 0)
-            return status_fail(why, STATUS_INPUT, "%s: no column '%s'", path, name);
+    if (sheet->count == sheet->room) {
+        int room = sheet->room ? 2 * sheet->room : 32;
+        struct verify_row *rows = realloc(sheet->rows, (size_t)room * sizeof *rows);
+        if (!rows) {
+            fail(sheet, STATUS_MEMORY, &(struct message){""});
+            return &sheet->spare;
+        }
+        sheet->rows = rows;
+        sheet->room = room;
     }
-    return STATUS_OK;
+    return &sheet->rows[sheet->count++];
 }
 
-enum status verify_sheet_read(const struct verify_check *check, const char *folder,
-                              struct verify_sheet *sheet, struct message *why)
+struct verify_row *verify_sheet_add(struct verify_sheet *sheet,
+                                    const struct verify_subject *subject,
+                                    const char *quantity, ...)
 {
-    enum status st;
-    struct reference *table = NULL;
-    const struct verify_subject nobody = {.title = "", .tolerance = NAN};
-    char path[4096];
+    struct verify_row *row = verify_sheet_grow(sheet);
+    va_list arguments;
 
-    *sheet = (struct verify_sheet){.check = check};
-    path_of(check, folder, path, sizeof path);
-    TRY(reference_open(path, &table, why));
-    TRY(require_columns(table, path, why));
-    for (int n = 0; n < reference_rows(table); n++) {
-        struct verify_row *row = verify_add(sheet, &nobody, "%s", "");
-        read_text(reference_text(table, n, "quantity"), row->quantity,
-                  sizeof row->quantity);
-        read_text(reference_text(table, n, "subject"), row->subject, sizeof row->subject);
-        read_text(reference_text(table, n, "note"), row->note, sizeof row->note);
-        for (int i = 0; i < NUMBERS; i++)
-            *number_of(row, i) = reference_number(table, n, numbers[i].name);
-        TRY(read_verdict(reference_text(table, n, "verdict"), &row->verdict, path, why));
-    }
-    if (sheet->failed)
-        TRY(STATUS_MEMORY);
-out:
-    reference_close(table);
-    if (st != STATUS_OK)
-        verify_sheet_clear(sheet);
-    return st;
+    *row = (struct verify_row){.value = NAN,
+                               .truth = NAN,
+                               .bar = NAN,
+                               .error = NAN,
+                               .order = NAN,
+                               .tolerance = subject->tolerance,
+                               .verdict = VERIFY_NOT_APPLICABLE};
+    va_start(arguments, quantity);
+    vsnprintf(row->quantity, sizeof row->quantity, quantity, arguments);
+    va_end(arguments);
+    verify_subject_title(subject, row->subject);
+    if (subject->reason)
+        verify_row_note(row, "%s", subject->reason);
+    return row;
 }
 
 void verify_sheet_clear(struct verify_sheet *sheet)

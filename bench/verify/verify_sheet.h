@@ -1,34 +1,38 @@
-/* verify_sheet.h - the rows of a verification: made by checks, kept in a file, printed from
- * it. */
+/* verify_sheet.h - the rows of a check, and who is to have one. */
 #ifndef VERIFY_SHEET_H
 #define VERIFY_SHEET_H
 
-#include "bench/ui/table.h"
-#include "bench/verify/verify.h"
+#include "bench/verify/verify_row.h"
+#include "bench/verify/verify_subject.h"
+#include "fem_ref/reference.h"
 
 struct verify_sheet {
-    const struct verify_check *check; /* whose rows they are                  borrowed */
-    const char *models;               /* "iga,hex"; NULL: all                 borrowed */
-    bool quick;
+    const char *models; /* of --models; NULL: all                             borrowed */
+    const struct reference *table; /* of the truth; NULL: the check has none borrowed */
+    bool quick; /* a check may leave out the dear half of its rows             */
     int count, room;
     struct verify_row *rows; /* [count]                                       owned    */
     struct verify_row spare; /* where rows go when memory is out                       */
-    bool failed;             /* it is                                                  */
+    enum status status;      /* not STATUS_OK: something failed on the way             */
+    struct message why;
 };
-
 void verify_sheet_clear(struct verify_sheet *sheet); /* all-zero is allowed */
 
-/* FOLDER/CHECK.csv: a reference table (reference.h) with provenance in its comments. */
-enum status verify_sheet_write(const struct verify_sheet *sheet, const char *folder,
-                               struct message *why);
+/* Walks a field as --models asks for it: its entries, then the others that enter. *n
+ * begins at 0.
+ *     for (int n = 0; verify_sheet_next(sheet, &field, &n, &subject);)
+ */
+bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *field, int *n,
+                       struct verify_subject *subject);
 
-/* The same rows from the file; *sheet is overwritten. STATUS_FILE: there is none. */
-enum status verify_sheet_read(const struct verify_check *check, const char *folder,
-                              struct verify_sheet *sheet, struct message *why);
+/* A place for one more row, as memory has it. Good until the next; never NULL. */
+struct verify_row *verify_sheet_grow(struct verify_sheet *sheet);
 
-/* Tables of sheets[count], and below them how many rows of each check end how. CSV: one
- * table. */
-enum status verify_sheet_print(const struct verify_sheet *sheets, int count,
-                               enum table_format format, FILE *file, struct message *why);
+/* The next row: no numbers yet, the subject's tolerance, verdict NOT_APPLICABLE. Likewise.
+ */
+struct verify_row *verify_sheet_add(struct verify_sheet *sheet,
+                                    const struct verify_subject *subject,
+                                    const char *quantity, ...)
+    __attribute__((format(printf, 3, 4)));
 
 #endif

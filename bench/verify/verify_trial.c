@@ -1,175 +1,152 @@
+#include "bench/verify/verify_trial.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/verify/verify.h"
 #include "models/clock.h"
 #include "models/reader/scene_file.h"
 
-enum { MOST_SETTINGS = 48, SETTINGS_TEXT = 1024 };
-
-/* The check's settings, then the subject's, cut at blanks in `text`. Returns their number.
- */
-static int settings_of(const struct verify_subject *subject, const char *const *settings,
-                       char text[SETTINGS_TEXT], const char *all[MOST_SETTINGS])
-{
-    int count = 0;
-
-    for (int n = 0; settings && settings[n] && count < MOST_SETTINGS; n++)
-        all[count++] = settings[n];
-    snprintf(text, SETTINGS_TEXT, "%s", subject->settings ? subject->settings : "");
-    char *rest = NULL;
-    for (char *word = strtok_r(text, " ", &rest); word && count < MOST_SETTINGS;
-         word = strtok_r(NULL, " ", &rest))
-        all[count++] = word;
-    return count;
-}
-
 /* What a model's status means for the row; an error if it is neither a refusal nor a death.
  */
-static enum status tell(struct verify_row *row, const struct verify_subject *subject,
-                        enum status st, const struct message *sentence, struct message *why)
+static enum status tell(struct verify_trial *t, enum status st,
+                        const struct message *sentence, struct message *why)
 {
+    t->lived = st == STATUS_OK;
     if (st == STATUS_UNSUPPORTED)
-        verify_not_applicable(row, "%s", sentence->text);
+        verify_row_end(t->row, VERIFY_NOT_APPLICABLE, "%s", sentence->text);
     else if (status_is_death(st))
-        verify_died(row, "%s", *sentence->text ? sentence->text : status_text(st));
+        verify_row_end(t->row, VERIFY_DIED, "%s",
+                       *sentence->text ? sentence->text : status_text(st));
     else if (st != STATUS_OK)
-        return status_fail(why, st, "%s: %s", subject->title, sentence->text);
+        return status_fail(why, st, "%s: %s", t->subject->contestant->title,
+                           sentence->text);
     return STATUS_OK;
 }
 
-enum status verify_open(struct verify_row *row, const struct verify_subject *subject,
-                        const char *scene, const char *const *settings, struct trial *trial,
-                        bool *ready, struct message *why)
+enum status verify_trial_scene(const char *name, struct scene *scene, struct message *why)
 {
     enum status st;
-    char *path = NULL, text[SETTINGS_TEXT];
-    const char *all[MOST_SETTINGS];
-    struct message sentence = {""};
+    struct discretization unused = {0};
+    char *path = NULL;
 
-    *ready = false;
-    memset(trial, 0, sizeof *trial);
-    TRY(scene_file_find(scene, &path, why));
-    int count = settings_of(subject, settings, text, all);
-    st = trial_open(trial, path, count, all, subject->model, &sentence);
-    row->seconds += trial->create_seconds;
-    *ready = st == STATUS_OK;
-    TRY(tell(row, subject, st, &sentence, why));
+    TRY(scene_file_find(name, &path, why));
+    TRY(scene_file_read(path, 0, NULL, scene, &unused, why));
 out:
+    discretization_clear(&unused);
     free(path);
     return st;
 }
 
-enum status verify_settle(struct verify_row *row, const struct verify_subject *subject,
-                          const char *scene, const char *const *settings,
-                          struct trial *trial, bool *lived, struct message *why)
+enum status verify_trial_open(struct verify_trial *t, struct message *why)
+{
+    enum status st;
+    char *path = NULL;
+    struct message sentence = {""};
+
+    t->lived = false;
+    verify_subject_settings(t->subject, t->net, &t->settings);
+    TRY(scene_file_find(t->scene, &path, why));
+    TRY(run_read(&t->run,
+                 &(struct run_plan){path, t->subject->contestant, &t->settings, t->end},
+                 why));
+    st = run_build(&t->run, &sentence);
+    t->row->seconds += t->run.create_seconds;
+    if (st == STATUS_INPUT && isnan(t->row->tolerance))
+        st = STATUS_UNSUPPORTED; /* one that the check does not know has no such net */
+    TRY(tell(t, st, &sentence, why));
+out:
+    settings_clear(&t->settings);
+    free(path);
+    return st;
+}
+
+void verify_trial_close(struct verify_trial *t)
+{
+    run_close(&t->run);
+}
+
+enum status verify_trial_settle(struct verify_trial *t, struct message *why)
 {
     enum status st;
     struct counters work = {0};
     struct message sentence = {""};
 
-    TRY(verify_open(row, subject, scene, settings, trial, lived, why));
-    if (!*lived)
+    TRY(verify_trial_open(t, why));
+    if (!t->lived)
         goto out;
-    *lived = false;
-    if (!trial->model->equilibrium) {
-        verify_not_applicable(row, "%s has no static equilibrium", trial->model->name);
-        goto out;
-    }
-    double start = clock_now();
-    st = trial->model->equilibrium(trial->state, &work, &sentence);
-    row->seconds += clock_now() - start;
-    *lived = st == STATUS_OK;
-    TRY(tell(row, subject, st, &sentence, why));
+    const double start = clock_now();
+    st = run_settle(&t->run, &work, &sentence);
+    t->row->seconds += clock_now() - start;
+    TRY(tell(t, st, &sentence, why));
 out:
     return st;
 }
 
-enum status verify_equilibrium(struct verify_row *row, const struct verify_subject *subject,
-                               const char *scene, const char *const *settings, int n,
-                               const double *uvw, double *xyz, bool *lived,
-                               struct message *why)
+enum status verify_trial_equilibrium(struct verify_trial *t, int n, const double *uvw,
+                                     double *xyz, struct message *why)
 {
-    struct trial trial = {0};
-    enum status st = verify_settle(row, subject, scene, settings, &trial, lived, why);
+    const enum status st = verify_trial_settle(t, why);
 
-    if (*lived)
-        trial.model->probe(trial.state, n, uvw, xyz);
-    trial_close(&trial);
+    if (t->lived)
+        t->run.model->probe(t->run.state, n, uvw, xyz);
+    verify_trial_close(t);
     return st;
 }
 
-/* Modes of the trial as it is. */
-static enum status ask_modes(struct verify_row *row, const struct verify_subject *subject,
-                             const struct trial *trial, int count, double *omega,
-                             bool *lived, struct message *why)
-{
-    struct message sentence = {""};
-
-    *lived = false;
-    if (!trial->model->modes) {
-        verify_not_applicable(row, "%s has no frequencies", trial->model->name);
-        return STATUS_OK;
-    }
-    double start = clock_now();
-    enum status st = trial->model->modes(trial->state, count, omega, &sentence);
-    row->seconds += clock_now() - start;
-    *lived = st == STATUS_OK;
-    return tell(row, subject, st, &sentence, why);
-}
-
-enum status verify_modes(struct verify_row *row, const struct verify_subject *subject,
-                         const char *scene, const char *const *settings, int count,
-                         double *omega, bool *lived, struct message *why)
-{
-    struct trial trial = {0};
-    enum status st = verify_open(row, subject, scene, settings, &trial, lived, why);
-
-    if (*lived)
-        st = ask_modes(row, subject, &trial, count, omega, lived, why);
-    trial_close(&trial);
-    return st;
-}
-
-enum status verify_settled_modes(struct verify_row *row,
-                                 const struct verify_subject *subject, const char *scene,
-                                 const char *const *settings, int count, double *omega,
-                                 bool *lived, struct message *why)
-{
-    struct trial trial = {0};
-    enum status st = verify_settle(row, subject, scene, settings, &trial, lived, why);
-
-    if (*lived)
-        st = ask_modes(row, subject, &trial, count, omega, lived, why);
-    trial_close(&trial);
-    return st;
-}
-
-enum status verify_watch(struct verify_row *row, const struct verify_subject *subject,
-                         const char *scene, const char *const *settings, double end,
-                         motion_watcher *watch, void *context, bool *lived,
-                         struct message *why)
+/* Modes of what open() leaves. */
+static enum status find_modes(struct verify_trial *t,
+                              enum status (*open)(struct verify_trial *, struct message *),
+                              int count, double *omega, struct message *why)
 {
     enum status st;
-    struct trial trial = {0};
+    struct message sentence = {""};
+
+    TRY(open(t, why));
+    if (!t->lived)
+        goto out;
+    const double start = clock_now();
+    st = run_modes(&t->run, count, omega, &sentence);
+    t->row->seconds += clock_now() - start;
+    TRY(tell(t, st, &sentence, why));
+out:
+    verify_trial_close(t);
+    return st;
+}
+
+enum status verify_trial_modes(struct verify_trial *t, int count, double *omega,
+                               struct message *why)
+{
+    return find_modes(t, verify_trial_open, count, omega, why);
+}
+
+enum status verify_trial_settled_modes(struct verify_trial *t, int count, double *omega,
+                                       struct message *why)
+{
+    return find_modes(t, verify_trial_settle, count, omega, why);
+}
+
+enum status verify_trial_watch(struct verify_trial *t, motion_watcher *watch, void *context,
+                               struct message *why)
+{
+    enum status st;
     struct motion m = {0};
 
-    TRY(verify_open(row, subject, scene, settings, &trial, lived, why));
-    if (!*lived)
+    TRY(verify_trial_open(t, why));
+    if (!t->lived)
         goto out;
-    trial.scene.end = end;
-    TRY(motion_init(&m, trial.model, &trial.scene, trial.state));
+    TRY(motion_init(&m, t->run.model, &t->run.scene, t->run.state));
     TRY(motion_run(&m, watch, context, true, why));
     for (int i = 0; i < m.steps; i++)
-        row->seconds += m.seconds[i];
+        t->row->seconds += m.seconds[i];
     if (m.death != STATUS_OK) {
-        verify_died(row, "at %g s: %s", m.death_time, status_text(m.death));
-        *lived = false;
+        verify_row_end(t->row, VERIFY_DIED, "at %g s: %s", m.death_time,
+                       status_text(m.death));
+        t->lived = false;
     }
 out:
     motion_clear(&m);
-    trial_close(&trial);
+    verify_trial_close(t);
     return st;
 }
 
@@ -192,13 +169,32 @@ static enum status keep(void *context, const struct motion *m, struct message *w
     return STATUS_OK;
 }
 
-enum status verify_motion(struct verify_row *row, const struct verify_subject *subject,
-                          const char *scene, const char *const *settings, int times,
-                          const double *time, int n, const double *uvw, double *xyz,
-                          bool *lived, struct message *why)
+enum status verify_trial_motion(struct verify_trial *t, int times, const double *time,
+                                int n, const double *uvw, double *xyz, struct message *why)
 {
     struct keeper k = {.times = times, .n = n, .time = time, .uvw = uvw, .xyz = xyz};
 
-    return verify_watch(row, subject, scene, settings, time[times - 1], keep, &k, lived,
-                        why);
+    t->end = time[times - 1];
+    return verify_trial_watch(t, keep, &k, why);
+}
+
+enum status verify_trial_nets(struct verify_trial *t, verify_trial_measure *measure,
+                              void *context, double truth, double bar, struct message *why)
+{
+    enum status st = STATUS_OK;
+    double value = NAN, error[VERIFY_NETS];
+
+    for (t->net = 0; t->net < t->subject->nets; t->net++) {
+        TRY(measure(t, context, &value, why));
+        if (!t->lived)
+            goto out;
+        error[t->net] = isnan(truth) ? value : fabs(value - truth) / fabs(truth);
+    }
+    if (isnan(truth))
+        verify_row_judge_error(t->row, value, bar);
+    else
+        verify_row_judge(t->row, value, truth, bar);
+    t->row->order = verify_subject_order(t->subject, error, bar);
+out:
+    return st;
 }

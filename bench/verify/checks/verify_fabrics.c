@@ -4,12 +4,9 @@
  * model.
  */
 #include <math.h>
-#include <stdio.h>
 
-#include "bench/verify/verify_strips.h"
+#include "bench/verify/checks/verify_strips.h"
 #include "fem_ref/elastica.h"
-
-extern const struct verify_check verify_fabrics;
 
 static const double GRAVITY = 9.81;
 /* Fabrics have no thickness in the table, and no model but a solid asks for one: half a
@@ -46,130 +43,108 @@ out:
 struct fabric {
     const char *name;
     double weight, D; /* area density [kg/m^2], bending stiffness [N m]                */
+    double overhang;  /* that follows from them [m]                                    */
 };
 
-/* Angle of the tip below the edge at an overhang [m]. */
-static enum status tip_angle(struct verify_row *row, const struct verify_strip *strip,
-                             int net, const struct fabric *f, double overhang,
-                             double *angle, bool *lived, struct message *why)
+/* How far below 41.5 degrees the tip is at an overhang [m]. */
+static enum status tip_angle(struct verify_trial *t, const struct fabric *f,
+                             double overhang, double *off, struct message *why)
 {
     const double tip[3] = {1, 0.5, 0.5};
     double xyz[3] = {0};
-    char length[64], width[64], thickness[64], density[64], young[64];
-    struct verify_net n;
 
-    verify_net_make(&strip->nets, net, &n);
-    const char *settings[] = {length,
-                              width,
-                              thickness,
-                              density,
-                              young,
-                              "material.poisson=0",
-                              "gravity=[0,0,-9.81]",
-                              n.points,
-                              *n.knots ? n.knots : NULL,
-                              NULL};
-    snprintf(length, sizeof length, "sheet.length=%.17g", overhang);
-    snprintf(width, sizeof width, "sheet.width=%.17g", VERIFY_STRIPS_WIDTH * overhang);
-    snprintf(thickness, sizeof thickness, "sheet.thickness=%.17g", THICKNESS);
-    snprintf(density, sizeof density, "material.density=%.17g", f->weight / THICKNESS);
-    snprintf(young, sizeof young, "material.young=%.17g",
-             12 * f->D / (THICKNESS * THICKNESS * THICKNESS));
-    enum status st = verify_equilibrium(row, &n.subject, "cantilever", settings, 1, tip,
-                                        xyz, lived, why);
-    *angle = atan2(-xyz[2], xyz[0]);
+    settings_number(&t->settings, "sheet.length", overhang);
+    settings_number(&t->settings, "sheet.width", VERIFY_STRIPS_WIDTH * overhang);
+    settings_number(&t->settings, "sheet.thickness", THICKNESS);
+    settings_number(&t->settings, "material.density", f->weight / THICKNESS);
+    settings_number(&t->settings, "material.young",
+                    12 * f->D / (THICKNESS * THICKNESS * THICKNESS));
+    settings_set(&t->settings, "material.poisson=0");
+    settings_set(&t->settings, "gravity=[0,0,-9.81]");
+    enum status st = verify_trial_equilibrium(t, 1, tip, xyz, why);
+    *off = atan2(-xyz[2], xyz[0]) - angle_wanted();
     return st;
 }
 
-/* The overhang at 41.5 degrees, by the secant method in log(overhang), from a guess. */
-static enum status find_overhang(struct verify_row *row, const struct verify_strip *strip,
-                                 int net, const struct fabric *f, double guess,
-                                 double *overhang, bool *lived, struct message *why)
+/* Half the overhang at 41.5 degrees, by the secant method in log(overhang). */
+static enum status bending_length(struct verify_trial *t, void *context, double *c,
+                                  struct message *why)
 {
+    const struct fabric *f = context;
     enum status st;
-    double x[2] = {log(guess), log(1.05 * guess)}, off[2] = {0};
+    double x[2] = {log(f->overhang), log(1.05 * f->overhang)}, off[2] = {0};
 
     for (int n = 0; n < 2; n++) {
-        TRY(tip_angle(row, strip, net, f, exp(x[n]), &off[n], lived, why));
-        if (!*lived)
-            return STATUS_OK;
-        off[n] -= angle_wanted();
+        TRY(tip_angle(t, f, exp(x[n]), &off[n], why));
+        if (!t->lived)
+            goto out;
     }
     for (int n = 0; n < MOST_TRIES && fabs(x[1] - x[0]) > FOUND; n++) {
         double step = -off[1] * (x[1] - x[0]) / (off[1] - off[0]);
         x[0] = x[1], off[0] = off[1];
         x[1] += fmin(fmax(step, -1), 1);
-        TRY(tip_angle(row, strip, net, f, exp(x[1]), &off[1], lived, why));
-        if (!*lived)
-            return STATUS_OK;
-        off[1] -= angle_wanted();
+        TRY(tip_angle(t, f, exp(x[1]), &off[1], why));
+        if (!t->lived)
+            goto out;
     }
-    *overhang = exp(x[1]);
+    *c = exp(x[1]) / 2;
     if (!(fabs(x[1] - x[0]) <= FOUND)) {
-        *lived = false;
-        verify_died(row, "no overhang found in %d tries", MOST_TRIES);
+        t->lived = false;
+        verify_row_end(t->row, VERIFY_DIED, "no overhang found in %d tries", MOST_TRIES);
     }
 out:
     return st;
 }
 
-static enum status add_row(struct verify_sheet *sheet, const struct verify_strip *strip,
-                           const struct fabric *f, double gamma, struct message *why)
+static enum status add_row(struct verify_sheet *sheet, const struct verify_subject *s,
+                           struct fabric *f, double gamma, struct message *why)
 {
     enum status st = STATUS_OK;
-    const double load = f->weight * GRAVITY, exact = cbrt(gamma * f->D / load);
-    double overhang = NAN, error[VERIFY_NETS];
-    struct verify_net fine;
+    struct verify_row *row = verify_sheet_add(sheet, s, "bending length [m], %s", f->name);
+    struct verify_trial t = {row, s, "cantilever"};
 
-    verify_net_make(&strip->nets, 1, &fine);
-    struct verify_row *row =
-        verify_add(sheet, &fine.subject, "bending length [m], %s", f->name);
-    if (strip->settles) {
-        verify_not_applicable(row, "at this Gamma it does not come to rest (see elastica)");
-        return STATUS_OK;
+    if (!s->contestant->model->equilibrium) {
+        verify_row_end(row, VERIFY_NOT_APPLICABLE,
+                       "at this Gamma it does not come to rest (see elastica)");
+        goto out;
     }
-    for (int net = 0; net < VERIFY_NETS; net++) {
-        bool lived;
-        TRY(find_overhang(row, strip, net, f, exact, &overhang, &lived, why));
-        if (!lived)
-            return STATUS_OK;
-        error[net] = fabs(overhang / exact - 1);
-    }
-    verify_judge(row, overhang / 2, exact / 2, FOUND);
-    row->order = verify_net_order(&strip->nets, error, FOUND);
-    verify_note(row, "%s: weight c^3 = %.4g N m for D = %.4g N m", f->name,
-                load * pow(overhang / 2, 3), f->D);
-    if (strip->linear)
-        verify_out_of_range(row, "small strains reach to Gamma = %g, this is at %.4g",
-                            VERIFY_STRIPS_LINEAR_GAMMA, gamma);
+    TRY(verify_trial_nets(&t, bending_length, f, f->overhang / 2, FOUND, why));
+    if (!t.lived)
+        goto out;
+    verify_row_note(row, "%s: weight c^3 = %.4g N m for D = %.4g N m", f->name,
+                    f->weight * GRAVITY * pow(row->value, 3), f->D);
+    if (verify_subject_is_linear(s))
+        verify_row_end(row, VERIFY_OUT_OF_RANGE,
+                       "small strains reach to Gamma = %g, this is at %.4g",
+                       VERIFY_STRIPS_LINEAR_GAMMA, gamma);
 out:
     return st;
 }
 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
-    enum status st;
-    struct reference *table = NULL;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
+    struct verify_subject s;
     double gamma;
 
     TRY(gamma_wanted(&gamma));
-    TRY(verify_reference("fabrics", &table, why));
-    int rows = reference_rows(table), every = verify_quick(sheet) ? rows - 1 : 1;
+    int rows = reference_rows(table), every = sheet->quick ? rows - 1 : 1;
     for (int n = 0; n < rows; n += every) {
-        const struct fabric f = {reference_text(table, n, "fabric"),
-                                 reference_number(table, n, "area_density_kg_m2"),
-                                 reference_number(table, n, "D_eq_Nm")};
-        for (int s = 0; s < VERIFY_STRIPS; s++)
-            if (verify_wanted(sheet, &verify_strips[s].nets.subject))
-                TRY(add_row(sheet, &verify_strips[s], &f, gamma, why));
+        struct fabric f = {reference_text(table, n, "fabric"),
+                           reference_number(table, n, "area_density_kg_m2"),
+                           reference_number(table, n, "D_eq_Nm")};
+        f.overhang = cbrt(gamma * f.D / (f.weight * GRAVITY));
+        for (int k = 0; verify_sheet_next(sheet, &verify_strips, &k, &s);)
+            TRY(add_row(sheet, &s, &f, gamma, why));
     }
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_fabrics = {
     .item = {"fabrics", "bending length of ten fabrics by the cantilever of ASTM D1388"},
+    .table = "fabrics",
     .source =
         "the elastica at 41.5 degrees, Gamma = 8.0042 (fem_ref/elastica.h, 1e-10), for "
         "D and weight of tests/reference/fabrics.csv; error bar: of the overhang found; "

@@ -1,15 +1,14 @@
 /* A free sheet that falls without deforming: what time stepping and damping make of a rigid
  * body. */
 #include <math.h>
-#include <stdio.h>
 
+#include "bench/verify/verify_check.h"
 #include "bench/verify/verify_refine.h"
-
-extern const struct verify_check verify_fall;
 
 /* Round-off of a solve with a matrix of condition 2e7, over hundreds of steps; Newton's
  * method and local-global iterations end at 1e-7 L. */
-static const double EXACT = 1e-8, SPEED = 1e-6;
+#define EXACT 1e-8
+static const double SPEED = 1e-6;
 #define G  9.81
 #define T  1.0
 #define DT 0.005
@@ -17,32 +16,33 @@ static const double EXACT = 1e-8, SPEED = 1e-6;
 /* Of a damped fall the average acceleration is second order: (alpha dt)^2 / 12 = 5e-5 with
  * alpha = 5; implicit Euler, and a start without acceleration, are first order: dt / t of
  * the way. */
-static const double SECOND = 1e-4, FIRST = DT / T * (1 + 1e-6);
+static const double SECOND = 1e-4;
+#define FIRST (DT / T * (1 + 1e-6))
 
-struct subject {
-    struct verify_subject subject;
-    bool mean; /* its kinetic energy is that of the step's mean speed, not of v         */
-};
-
-#define KINEMATICS(k) "discretization.points=[5,4,2] discretization.kinematics=" k
-#define SHELL(k)      "discretization.points=[5,5] discretization.kinematics=" k
-#define LATE          "starts without acceleration: dt / t"
-#define EULER         "implicit Euler: dt / t"
-static const struct subject subjects[] = {
-    {{"iga, linear", "iga", KINEMATICS("linear"), EXACT, NULL}, false},
-    {{"iga, printed", "iga", KINEMATICS("printed"), NAN, "the paper's scheme"}, true},
-    {{"iga, incremental", "iga", KINEMATICS("incremental"), FIRST, LATE}, true},
-    {{"iga, nonlinear", "iga", KINEMATICS("nonlinear"), EXACT, NULL}, false},
-    {{"hex, linear", "hex", KINEMATICS("linear"), EXACT, NULL}, false},
-    {{"hex, nonlinear", "hex", KINEMATICS("nonlinear"), EXACT, NULL}, false},
-    {{"shell, linear", "shell", SHELL("linear"), EXACT, NULL}, false},
-    {{"shell, nonlinear", "shell", SHELL("nonlinear"), EXACT, NULL}, false},
-    {{"mass_spring", "mass_spring", "discretization.points=[5,5]", FIRST, EULER}, false},
-    {{"projective_dynamics", "projective_dynamics", "discretization.points=[5,5]", FIRST,
-      EULER},
-     false},
-};
-enum { SUBJECTS = sizeof subjects / sizeof *subjects };
+/* Marked: the kinetic energy is that of the step's mean speed, not of v. */
+static const struct verify_entry entries[] = {
+    {"iga_linear", EXACT, NULL, {5}, {4}},
+    {"iga_paper", 0, "the paper's scheme", {5}, {4}, .mark = true},
+    {"iga_incremental",
+     FIRST,
+     "starts without acceleration: dt / t",
+     {5},
+     {4},
+     .mark = true},
+    {"iga_nonlinear", EXACT, NULL, {5}, {4}},
+    {"hex_linear", EXACT, NULL, {5}, {4}},
+    {"hex_nonlinear", EXACT, NULL, {5}, {4}},
+    {"shell_linear", EXACT, NULL, {5}},
+    {"shell_2", EXACT, NULL, {5}},
+    {"mass_spring", FIRST, "implicit Euler: dt / t", {5}},
+    {"projective_dynamics", FIRST, "implicit Euler: dt / t", {5}},
+    {NULL}};
+static const struct verify_field field = {
+    entries,
+    CONTESTANT_LARGE,
+    "iga_nonlinear_3,iga_reduced,iga_reduced_3,iga_selective,hex_incompatible,shell_3",
+    {5},
+    {5}};
 
 /* One kind of fall, until T: rest + way along -z. */
 struct fall {
@@ -72,20 +72,17 @@ static double deviation(const void *context, const double *a, const double *b)
     return worst / *(const double *)context;
 }
 
-static enum status add_fall(struct verify_sheet *sheet, const struct subject *s,
+static enum status add_fall(struct verify_sheet *sheet, struct verify_subject *s,
                             const struct fall *f, struct message *why)
 {
-    const char *settings[] = {f->drag, f->damping, NULL}, *nothing = "sheet.length=1";
+    const char *settings[] = {f->drag, f->damping, NULL};
     const double time = T, way = f->rate > 0
                                      ? G / f->rate * (T - (1 - exp(-f->rate * T)) / f->rate)
                                      : G * T * T / 2;
     double truth[POINTS][3];
-    struct verify_subject subject = s->subject;
     bool lived;
     struct verify_refine r = {.scene = "drag_fall",
                               .settings = settings,
-                              .nets = 1,
-                              .net = &nothing,
                               .steps = VERIFY_REFINE_STEPS,
                               .step = DT,
                               .times = 1,
@@ -101,11 +98,11 @@ static enum status add_fall(struct verify_sheet *sheet, const struct subject *s,
         truth[n][0] = uvw[n][0], truth[n][1] = uvw[n][1];
         truth[n][2] = -way;
     }
-    if (f->rate > 0 && subject.tolerance == EXACT)
-        subject.tolerance = SECOND, subject.reason = "second order";
-    if (f->rate == 0 && subject.tolerance == EXACT)
+    if (f->rate > 0 && s->tolerance == EXACT)
+        s->tolerance = SECOND, s->reason = "second order";
+    if (f->rate == 0 && s->tolerance == EXACT)
         r.steps = 1;
-    return verify_refine(sheet, &subject, &r, f->quantity, &lived, why);
+    return verify_refine(sheet, s, &r, f->quantity, &lived, why);
 }
 
 /* Speed of a sheet of mass rho h L W by its kinetic energy [m/s]. */
@@ -122,77 +119,71 @@ static enum status see_speed(void *context, const struct motion *m, struct messa
     return STATUS_OK;
 }
 
+/* Another claim, where there is one: without the reason of the first. */
+static void claim(struct verify_subject *s, double tolerance)
+{
+    if (!isnan(s->tolerance))
+        s->tolerance = tolerance, s->reason = NULL;
+}
+
 /* Terminal speed rho g / c; exp(-c t / rho) of it is missing. */
-static enum status add_terminal(struct verify_sheet *sheet, const struct subject *s,
+static enum status add_terminal(struct verify_sheet *sheet, struct verify_subject *s,
                                 struct message *why)
 {
-    enum status st;
     const double end = 2, truth = 1.962, missing = exp(-5 * end);
-    struct verify_subject subject = s->subject;
     double speed;
-    bool lived;
 
-    if (!isnan(subject.tolerance))
-        subject.tolerance = missing, subject.reason = NULL;
-    struct verify_row *row = verify_add(sheet, &subject, "terminal speed with drag [m/s]");
-    TRY(verify_watch(row, &subject, "drag_fall", NULL, end, see_speed, &speed, &lived,
-                     why));
-    if (lived)
-        verify_judge(row, speed, truth, missing);
-out:
+    claim(s, missing);
+    struct verify_row *row = verify_sheet_add(sheet, s, "terminal speed with drag [m/s]");
+    struct verify_trial t = {row, s, "drag_fall", .end = end};
+    enum status st = verify_trial_watch(&t, see_speed, &speed, why);
+    if (t.lived)
+        verify_row_judge(row, speed, truth, missing);
     return st;
 }
 
 /* v <- mu v after every step: mu / (1 - mu) g dt, a speed that the step sets. */
-static enum status add_scaled(struct verify_sheet *sheet, const struct subject *s,
+static enum status add_scaled(struct verify_sheet *sheet, struct verify_subject *s,
                               double mu, double truth, struct message *why)
 {
-    enum status st;
     const double dt = 0.001, end = mu > 0.95 ? 2 : 0.2; /* mu^n is missing */
-    char damping[64];
-    const char *settings[] = {"drag.coefficient=0", "time.step=0.001", damping, NULL};
-    struct verify_subject subject = s->subject;
     double speed;
-    bool lived;
 
-    if (!isnan(subject.tolerance))
-        subject.tolerance = SPEED, subject.reason = NULL;
-    struct verify_row *row = verify_add(sheet, &subject, "v <- %g v: speed / (g dt)", mu);
-    snprintf(damping, sizeof damping, "damping={kind: velocity_scale, value: %g}", mu);
-    TRY(verify_watch(row, &subject, "drag_fall", settings, end, see_speed, &speed, &lived,
-                     why));
-    if (lived)
-        verify_judge(row, speed / (G * dt) - (s->mean ? 0.5 : 0), truth,
-                     fmax(pow(mu, end / dt), 1e-12));
-out:
+    claim(s, SPEED);
+    struct verify_row *row = verify_sheet_add(sheet, s, "v <- %g v: speed / (g dt)", mu);
+    struct verify_trial t = {row, s, "drag_fall", .end = end};
+    settings_set(&t.settings, "drag.coefficient=0");
+    settings_set(&t.settings, "time.step=0.001");
+    settings_print(&t.settings, "damping={kind: velocity_scale, value: %g}", mu);
+    enum status st = verify_trial_watch(&t, see_speed, &speed, why);
+    if (t.lived)
+        verify_row_judge(row, speed / (G * dt) - (s->mark ? 0.5 : 0), truth,
+                         fmax(pow(mu, end / dt), 1e-12));
     return st;
 }
 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
-    enum status st;
-    struct reference *table = NULL;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
+    struct verify_subject s;
 
-    TRY(verify_reference("beam_elastica_cable", &table, why));
     for (int f = 0; f < FALLS; f++)
-        for (int s = 0; s < SUBJECTS; s++)
-            if (verify_wanted(sheet, &subjects[s].subject))
-                TRY(add_fall(sheet, &subjects[s], &falls[f], why));
-    for (int s = 0; s < SUBJECTS; s++)
-        if (verify_wanted(sheet, &subjects[s].subject))
-            TRY(add_terminal(sheet, &subjects[s], why));
+        for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
+            TRY(add_fall(sheet, &s, &falls[f], why));
+    for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
+        TRY(add_terminal(sheet, &s, why));
     for (int n = 0; (n = reference_find(table, n, "case", "newmark_vscale")) >= 0; n++)
-        for (int s = 0; s < SUBJECTS; s++)
-            if (verify_wanted(sheet, &subjects[s].subject))
-                TRY(add_scaled(sheet, &subjects[s], reference_number(table, n, "a"),
-                               reference_number(table, n, "v1"), why));
+        for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
+            TRY(add_scaled(sheet, &s, reference_number(table, n, "a"),
+                           reference_number(table, n, "v1"), why));
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_fall = {
     .item = {"fall", "free fall, body drag, mass damping and scaled velocities"},
+    .table = "beam_elastica_cable",
     .source = "closed forms; mu / (1 - mu) by tests/reference/beam_elastica_cable.csv",
     .run = run,
 };

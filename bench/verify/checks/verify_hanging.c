@@ -4,15 +4,13 @@
  */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
-#include "bench/verify/verify_net.h"
-
-extern const struct verify_check verify_hanging;
+#include "bench/verify/verify_check.h"
 
 /* As of the elastica: 1 % is asked of solids, the shell claims half of it. Linear modes
  * know no weight, which is 0.6 % of the first frequency at Gamma = 0.1 and 6 % at 1. */
-static const double SOLID = 0.01, SHELL = 0.005, LINEAR = 0.01, LINEAR_GAMMA = 0.1;
+#define SOLID 0.01, "1 % is asked"
+static const double LINEAR_GAMMA = 0.1;
 static const double BAR = 1e-9; /* of the table, by its header */
 /* The truth does not stretch: rho g L / E is this at most, and h / L at most 1e-2, where
  * shear and rotary inertia take 1e-3 off the third frequency. */
@@ -24,8 +22,6 @@ static const double WIDEST = 0.05;
 
 enum { MODES = 3 };
 
-#define LARGE " discretization.kinematics=nonlinear"
-
 /* Found here, with 1 % claimed and missed from Gamma = 1e4 on: the reduced points of p = 2,
  * one a span, see no membrane strain in a net that zigzags from point to point. Bending
  * holds such modes (reduced rule: near the fourth bending mode of the rest shape), weight
@@ -35,169 +31,111 @@ enum { MODES = 3 };
     "the lowest as bending fades"
 
 /* Knots at (k / spans)^2 near the clamp, where a chain bends over L / sqrt(Gamma). */
-static const struct verify_series subjects[] = {
-    {{"iga, reduced, linear", "iga", "discretization.remedy=reduced", LINEAR,
-      "the weight's share at Gamma = 0.1"},
-     {20, 40},
-     {3, 3},
-     2,
-     2,
-     2},
-    {{"iga, none, nonlinear", "iga", LARGE, NAN, "the paper's space: locks"},
-     {20, 40},
-     {3, 3},
-     2,
-     2,
-     2},
-    {{"iga, reduced, nonlinear", "iga", "discretization.remedy=reduced" LARGE, NAN, ZIGZAG},
-     {20, 40},
-     {3, 3},
-     2,
-     2,
-     2},
-    {{"iga, selective, nonlinear", "iga", "discretization.remedy=selective" LARGE, NAN,
-      ZIGZAG},
-     {20, 40},
-     {3, 3},
-     2,
-     2,
-     2},
-    {{"iga, reduced, p = 3, nonlinear", "iga",
-      "discretization.degree=[3,2,1] discretization.remedy=reduced" LARGE, SOLID,
-      "1 % is asked"},
-     {20, 40},
-     {3, 3},
-     2,
-     3,
-     2},
-    {{"hex, incompatible, nonlinear", "hex", "discretization.remedy=incompatible" LARGE,
-      SOLID, "1 % is asked"},
-     {40, 80},
-     {2, 2},
-     2,
-     1,
-     0},
-    {{"shell, p = 3, nonlinear", "shell", "discretization.degree=[3,3]" LARGE, SHELL,
-      "half of what is asked of solids"},
-     {13, 25},
-     {4, 4},
-     0,
-     3,
-     2},
-    {{"mass_spring, matched", "mass_spring", NULL, NAN, NULL}, {20, 40}, {3, 5}, 0, 1, 0},
-    {{"projective_dynamics, matched", "projective_dynamics", NULL, NAN, NULL},
-     {20, 40},
-     {3, 5},
-     0,
-     1,
-     0},
-};
-/* The last two have no frequencies: a row says so, once. */
-enum { SUBJECTS = sizeof subjects / sizeof *subjects, ASKED = SUBJECTS - 2 };
+#define CHAIN {20, 40}, {3, 3}, 2
+static const struct verify_entry entries[] = {
+    {"iga_reduced_linear", 0.01, "the weight's share at Gamma = 0.1", CHAIN},
+    {"iga_nonlinear", 0, "the paper's space: locks", CHAIN},
+    {"iga_reduced", 0, ZIGZAG, CHAIN},
+    {"iga_selective", 0, ZIGZAG, CHAIN},
+    {"iga_reduced_3", SOLID, CHAIN, .settings = {"discretization.degree=[3,2,1]"}},
+    {"hex_incompatible", SOLID, {40, 80}, {2, 2}},
+    {"shell_3", 0.005, "half of what is asked of solids", {13, 25}, {4, 4}, 2},
+    {"mass_spring", 0, NULL, {20, 40}, {3, 5}},
+    {"projective_dynamics", 0, NULL, {20, 40}, {3, 5}},
+    {NULL}};
+static const struct verify_field field = {
+    entries, CONTESTANT_LARGE, "iga_nonlinear_3,hex_nonlinear", {20, 40}};
 
 struct strip {
     double gamma, omega[MODES]; /* sqrt(L / g) omega of the table                      */
+    double found;               /* the same of the mode that is farthest off           */
+    int worst;                  /* which it is                                         */
 };
 
+/* The error of the mode that is farthest off. */
+static double find_worst(struct strip *s, const double omega[MODES])
+{
+    double error = -1;
+
+    for (int n = 0; n < MODES; n++) {
+        double e = fabs(omega[n] - s->omega[n]) / s->omega[n];
+        if (!(e <= error)) {
+            error = e;
+            s->worst = n;
+            s->found = omega[n];
+        }
+    }
+    return error;
+}
+
 /* sqrt(L / g) omega of one net. */
-static enum status measure(struct verify_row *row, const struct verify_net *net,
-                           double gamma, double omega[MODES], bool *lived,
+static enum status measure(struct verify_trial *t, void *context, double *error,
                            struct message *why)
 {
-    const double h = fmin(THICKEST, sqrt(12 * STRETCH / gamma)), rho = 0.05, g = 9.81;
-    char width[64], thickness[64], young[64];
-    const char *settings[] = {
-        width,
-        thickness,
-        young,
-        "material.poisson=0",
-        "pose={origin: [0,0,0], u: [0,0,-1], v: [0,1,0]}",
-        "supports=[{at: {u: 0}, fix: xyz}, {at: {u: [0,1], v: [0,1]}, fix: y}]",
-        net->points,
-        *net->knots ? net->knots : NULL,
-        NULL};
+    struct strip *s = context;
+    const double gamma = s->gamma, rho = 0.05, g = 9.81;
+    const double h = fmin(THICKEST, sqrt(12 * STRETCH / gamma));
+    double omega[MODES] = {NAN, NAN, NAN};
 
-    snprintf(width, sizeof width, "sheet.width=%.17g", fmin(WIDEST, 1 / sqrt(gamma)));
-    snprintf(thickness, sizeof thickness, "sheet.thickness=%.17g", h);
-    snprintf(young, sizeof young, "material.young=%.17g", 12 * rho * g / (gamma * h * h));
-    enum status st = verify_settled_modes(row, &net->subject, "cantilever", settings, MODES,
-                                          omega, lived, why);
+    settings_number(&t->settings, "sheet.width", fmin(WIDEST, 1 / sqrt(gamma)));
+    settings_number(&t->settings, "sheet.thickness", h);
+    settings_number(&t->settings, "material.young", 12 * rho * g / (gamma * h * h));
+    settings_set(&t->settings, "material.poisson=0");
+    settings_set(&t->settings, "pose={origin: [0,0,0], u: [0,0,-1], v: [0,1,0]}");
+    settings_set(&t->settings, "supports=[{at: {u: 0}, fix: xyz}, "
+                               "{at: {u: [0,1], v: [0,1]}, fix: y}]");
+    enum status st = verify_trial_settled_modes(t, MODES, omega, why);
     for (int n = 0; n < MODES; n++)
         omega[n] *= sqrt(1 / g);
+    *error = find_worst(s, omega);
     return st;
 }
 
-/* The mode that is farthest off. */
-static int worst(const struct strip *s, const double omega[MODES], double *error)
+static enum status add_row(struct verify_sheet *sheet, const struct verify_subject *subject,
+                           struct strip *s, struct message *why)
 {
-    int most = 0;
-
-    *error = -1;
-    for (int n = 0; n < MODES; n++) {
-        double e = fabs(omega[n] - s->omega[n]) / s->omega[n];
-        if (!(e <= *error)) {
-            *error = e;
-            most = n;
-        }
-    }
-    return most;
-}
-
-static enum status add_row(struct verify_sheet *sheet, const struct verify_series *series,
-                           const struct strip *s, struct message *why)
-{
-    enum status st = STATUS_OK;
-    struct verify_net net;
-    double omega[MODES] = {NAN, NAN, NAN}, error[VERIFY_NETS];
-    int mode = 0;
-
-    verify_net_make(series, VERIFY_NETS - 1, &net);
     struct verify_row *row =
-        verify_add(sheet, &net.subject, "omega sqrt(L / g), Gamma = %g", s->gamma);
-    for (int n = 0; n < VERIFY_NETS; n++) {
-        bool lived;
-        verify_net_make(series, n, &net);
-        TRY(measure(row, &net, s->gamma, omega, &lived, why));
-        if (!lived)
-            return STATUS_OK;
-        mode = worst(s, omega, &error[n]);
-    }
-    verify_judge(row, omega[mode], s->omega[mode], BAR);
-    row->order = verify_net_order(series, error, BAR);
+        verify_sheet_add(sheet, subject, "omega sqrt(L / g), Gamma = %g", s->gamma);
+    struct verify_trial t = {row, subject, "cantilever"};
+    enum status st = verify_trial_nets(&t, measure, s, NAN, BAR, why);
+
+    if (!t.lived)
+        return st;
+    verify_row_judge(row, s->found, s->omega[s->worst], BAR);
     snprintf(row->quantity, sizeof row->quantity,
-             "omega_%d sqrt(L / g), worst of 3, Gamma = %g", mode + 1, s->gamma);
-    if (strstr(series->subject.title, ", linear") && s->gamma > LINEAR_GAMMA)
-        verify_out_of_range(row, "modes without weight reach to Gamma = %g", LINEAR_GAMMA);
-out:
+             "omega_%d sqrt(L / g), worst of 3, Gamma = %g", s->worst + 1, s->gamma);
+    if (verify_subject_is_linear(subject) && s->gamma > LINEAR_GAMMA)
+        verify_row_end(row, VERIFY_OUT_OF_RANGE, "modes without weight reach to Gamma = %g",
+                       LINEAR_GAMMA);
     return st;
 }
 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
-    enum status st;
-    struct reference *table = NULL;
-    int every = verify_quick(sheet) ? 3 : 1, count = 0;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
+    struct verify_subject subject;
+    int every = sheet->quick ? 3 : 1, count = 0;
 
-    TRY(verify_reference("beam_elastica_cable", &table, why));
     for (int n = reference_find(table, 0, "case", "hangfreq"); n >= 0;
          n = reference_find(table, n + 1, "case", "hangfreq")) {
-        const struct strip s = {reference_number(table, n, "a"),
-                                {reference_number(table, n, "v1"),
-                                 reference_number(table, n, "v2"),
-                                 reference_number(table, n, "v3")}};
+        struct strip s = {reference_number(table, n, "a"),
+                          {reference_number(table, n, "v1"),
+                           reference_number(table, n, "v2"),
+                           reference_number(table, n, "v3")}};
         if (count++ % every)
             continue;
-        for (int k = 0; k < (count == 1 ? SUBJECTS : ASKED); k++)
-            if (verify_wanted(sheet, &subjects[k].subject))
-                TRY(add_row(sheet, &subjects[k], &s, why));
+        for (int k = 0; verify_sheet_next(sheet, &field, &k, &subject);)
+            if (subject.contestant->model->modes || count == 1) /* told once */
+                TRY(add_row(sheet, &subject, &s, why));
     }
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_hanging = {
     .item = {"hanging", "frequencies of a strip hanging under its weight"},
+    .table = "beam_elastica_cable",
     .source = "small swings of an inextensible strip, tests/reference/"
               "beam_elastica_cable.csv (hangfreq), 1e-9",
     .run = run,

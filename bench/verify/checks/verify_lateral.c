@@ -3,17 +3,14 @@
  * equilibrium changes sign.
  */
 #include <math.h>
-#include <stdio.h>
 
-#include "bench/verify/verify_net.h"
-
-extern const struct verify_check verify_lateral;
+#include "bench/verify/verify_check.h"
 
 /* The bracket that is asked of every model: stable at 1 - BRACKET of the critical Gamma,
  * one mode that grows at 1 + BRACKET. The shell, a truth for others, claims a third of it.
  */
 #define BRACKET 0.03
-static const double SHELL = 0.01;
+#define ASKED   BRACKET, "3 % is asked"
 /* The table's estimate is a difference of refinements; its header puts the true value up to
  * three times that lower. */
 static const double BARS = 3;
@@ -22,126 +19,74 @@ static const double BARS = 3;
  * stay within a fraction of the bracket. */
 static const double THICKNESS = 0.01;
 
-#define LARGE " discretization.kinematics=nonlinear"
-
-static const struct verify_series subjects[] = {
-    {{"iga, none, nonlinear", "iga", LARGE, NAN, "the paper's space: locks"},
-     {12, 24},
-     {6, 12},
-     2,
-     2,
-     0},
-    {{"iga, reduced, nonlinear", "iga", "discretization.remedy=reduced" LARGE, BRACKET,
-      "3 % is asked"},
-     {12, 24},
-     {6, 12},
-     2,
-     2,
-     0},
-    {{"hex, incompatible, nonlinear", "hex", "discretization.remedy=incompatible" LARGE,
-      BRACKET, "3 % is asked"},
-     {32, 64},
-     {8, 16},
-     2,
-     1,
-     0},
-    {{"shell, p = 3, nonlinear", "shell", "discretization.degree=[3,3]" LARGE, SHELL,
-      "a third of what is asked"},
-     {9, 15},
-     {6, 10},
-     0,
-     3,
-     0},
-    {{"mass_spring, matched", "mass_spring", NULL, NAN, NULL}, {10, 20}, {6, 11}, 0, 1, 0},
-    {{"projective_dynamics, matched", "projective_dynamics", NULL, NAN, NULL},
-     {10, 20},
-     {6, 11},
-     0,
-     1,
-     0},
-};
-/* The last two have no frequencies: a row says so, once. */
-enum { SUBJECTS = sizeof subjects / sizeof *subjects, ASKED = SUBJECTS - 2 };
+static const struct verify_entry entries[] = {
+    {"iga_nonlinear", 0, "the paper's space: locks", {12, 24}, {6, 12}},
+    {"iga_reduced", ASKED, {12, 24}, {6, 12}},
+    {"hex_incompatible", ASKED, {32, 64}, {8, 16}},
+    {"shell_3", 0.01, "a third of what is asked", {9, 15}, {6, 10}},
+    {"mass_spring", 0, NULL, {10, 20}, {6, 11}},
+    {"projective_dynamics", 0, NULL, {10, 20}, {6, 11}},
+    {NULL}};
+static const struct verify_field field = {
+    entries,
+    CONTESTANT_LARGE,
+    "iga_nonlinear_3,iga_reduced_3,iga_selective,hex_nonlinear",
+    {12, 24},
+    {6, 12}};
 
 struct plate {
     double width, nu;     /* over the length; Poisson's ratio                          */
     double critical, bar; /* Gamma of the table, its relative error                    */
+    double lambda[2];     /* found at the bracket's ends [1/s^2]                       */
 };
 
-/* One net on one plate. */
-struct judged {
-    struct verify_row *row;
-    const struct verify_net *net;
-    const struct plate *plate;
-    bool lived;
-};
-
-enum { SETTINGS = 12, TEXT = 64 };
-
-/* The plate of weight gamma as settings, in text[]; returns their number. */
-static int settings_of(const struct judged *j, double gamma, char text[][TEXT],
-                       const char *settings[SETTINGS])
+/* The plate of weight gamma. */
+static void add_settings(const struct plate *p, double gamma, struct settings *all)
 {
-    const struct plate *p = j->plate;
     const double h = THICKNESS * p->width;
-    int count = 0;
 
-    snprintf(text[0], TEXT, "sheet.width=%.17g", p->width);
-    snprintf(text[1], TEXT, "sheet.thickness=%.17g", h);
-    snprintf(text[2], TEXT, "material.poisson=%.17g", p->nu);
+    settings_number(all, "sheet.width", p->width);
+    settings_number(all, "sheet.thickness", h);
+    settings_number(all, "material.poisson", p->nu);
     /* D = rho g h L^3 / Gamma for the scene's rho = 0.05, L = 1 */
-    snprintf(text[3], TEXT, "material.young=%.17g",
-             12 * (1 - p->nu * p->nu) * 0.05 * 9.81 / (gamma * h * h));
-    while (count < 4) {
-        settings[count] = text[count];
-        count++;
-    }
-    settings[count++] = "gravity=[0,-9.81,0]";
-    settings[count++] = j->net->points;
-    settings[count] = NULL;
-    return count;
+    settings_number(all, "material.young",
+                    12 * (1 - p->nu * p->nu) * 0.05 * 9.81 / (gamma * h * h));
+    settings_set(all, "gravity=[0,-9.81,0]");
 }
 
 /* Lowest eigenvalue at the plane equilibrium of the plate of weight gamma [1/s^2]. */
-static enum status lowest(struct judged *j, double gamma, double *lambda,
-                          struct message *why)
+static enum status lowest(struct verify_trial *t, const struct plate *p, double gamma,
+                          double *lambda, struct message *why)
 {
-    const char *settings[SETTINGS];
-    char text[4][TEXT];
     double omega = NAN;
 
-    settings_of(j, gamma, text, settings);
-    enum status st = verify_settled_modes(j->row, &j->net->subject, "cantilever", settings,
-                                          1, &omega, &j->lived, why);
+    add_settings(p, gamma, &t->settings);
+    enum status st = verify_trial_settled_modes(t, 1, &omega, why);
     *lambda = omega * fabs(omega);
     return st;
 }
 
 /* How much a sideways jolt of the clamp by 1e-4 L has grown from 4 s to 10 s, in a motion
  * with damping: at the bracket's ends the least damped rate is near +-0.4 / s. */
-static enum status growth(struct judged *j, double gamma, double *factor,
-                          struct message *why)
+static enum status growth(struct verify_trial *t, const struct plate *p, double gamma,
+                          double *factor, struct message *why)
 {
     const double tip[3] = {1, 0.5, 0.5}, time[2] = {4, 10};
-    const char *settings[SETTINGS];
-    char text[4][TEXT];
     double xyz[6] = {NAN, NAN, NAN, NAN, NAN, NAN};
-    int count = settings_of(j, gamma, text, settings);
 
-    settings[count++] = "supports=[{at: {u: 0}, fix: xyz, path: [[0,0,0,0],[0.5,0,0,1e-4],"
-                        "[1,0,0,0]]}]";
-    settings[count++] = "damping={kind: mass, value: 1}";
-    settings[count++] = "time.step=0.02";
-    settings[count] = NULL;
-    enum status st = verify_motion(j->row, &j->net->subject, "cantilever", settings, 2,
-                                   time, 1, tip, xyz, &j->lived, why);
+    add_settings(p, gamma, &t->settings);
+    settings_set(&t->settings, "supports=[{at: {u: 0}, fix: xyz, path: [[0,0,0,0],"
+                               "[0.5,0,0,1e-4],[1,0,0,0]]}]");
+    settings_set(&t->settings, "damping={kind: mass, value: 1}");
+    settings_set(&t->settings, "time.step=0.02");
+    enum status st = verify_trial_motion(t, 2, time, 1, tip, xyz, why);
     *factor = fabs(xyz[5] / xyz[2]);
     return st;
 }
 
 /* The secant method from both ends of the bracket; *critical is NAN if it does not end. */
-static enum status solve(struct judged *j, const double end[2], const double at_end[2],
-                         double *critical, struct message *why)
+static enum status solve(struct verify_trial *t, const struct plate *p, const double end[2],
+                         const double at_end[2], double *critical, struct message *why)
 {
     enum { MOST = 12 };
     const double close = 1e-4; /* then the next step is its square, about */
@@ -157,8 +102,8 @@ static enum status solve(struct judged *j, const double end[2], const double at_
         x[0] = x[1], y[0] = y[1], x[1] = next;
         if (last)
             break;
-        TRY(lowest(j, next, &y[1], why));
-        if (!j->lived)
+        TRY(lowest(t, p, next, &y[1], why));
+        if (!t->lived)
             return STATUS_OK;
         if (n == MOST - 1)
             return STATUS_OK;
@@ -168,119 +113,118 @@ out:
     return st;
 }
 
-/* Eigenvalues at the bracket's ends, and the critical Gamma. */
-static enum status find(struct judged *j, double lambda[2], double *critical,
+/* The critical Gamma; eigenvalues at the bracket's ends into the plate. */
+static enum status find(struct verify_trial *t, void *context, double *critical,
                         struct message *why)
 {
     enum status st = STATUS_OK;
-    const double end[2] = {(1 - BRACKET) * j->plate->critical,
-                           (1 + BRACKET) * j->plate->critical};
+    struct plate *p = context;
+    const double end[2] = {(1 - BRACKET) * p->critical, (1 + BRACKET) * p->critical};
 
-    *critical = NAN;
     for (int n = 0; n < 2; n++) {
-        TRY(lowest(j, end[n], &lambda[n], why));
-        if (!j->lived)
+        TRY(lowest(t, p, end[n], &p->lambda[n], why));
+        if (!t->lived)
             return STATUS_OK;
     }
-    TRY(solve(j, end, lambda, critical, why));
+    TRY(solve(t, p, end, p->lambda, critical, why));
 out:
     return st;
 }
 
-static enum status add_row(struct verify_sheet *sheet, const struct verify_series *series,
-                           const struct plate *plate, bool order, struct message *why)
+static enum status add_row(struct verify_sheet *sheet, const struct verify_subject *s,
+                           struct plate *p, struct message *why)
 {
-    enum status st = STATUS_OK;
-    double lambda[2] = {NAN, NAN}, critical = NAN, error[VERIFY_NETS] = {NAN, NAN};
-    struct verify_net net;
+    struct verify_row *row =
+        verify_sheet_add(sheet, s, "critical Gamma, w / L = %g, nu = %g", p->width, p->nu);
+    struct verify_trial t = {row, s, "cantilever"};
+    enum status st = verify_trial_nets(&t, find, p, p->critical, p->bar, why);
 
-    verify_net_make(series, VERIFY_NETS - 1, &net);
-    struct judged j = {.row = verify_add(sheet, &net.subject,
-                                         "critical Gamma, w / L = %g, nu = %g",
-                                         plate->width, plate->nu),
-                       .plate = plate,
-                       .net = &net};
-    for (int n = order ? 0 : VERIFY_NETS - 1; n < VERIFY_NETS; n++) {
-        verify_net_make(series, n, &net);
-        TRY(find(&j, lambda, &critical, why));
-        if (!j.lived)
-            return STATUS_OK;
-        error[n] = fabs(critical - plate->critical) / plate->critical;
-    }
-    verify_judge(j.row, critical, plate->critical, plate->bar);
-    j.row->order = verify_net_order(series, error, plate->bar);
-    verify_note(j.row, "%s at 0.97, %s at 1.03 of the truth",
-                lambda[0] > 0 ? "stable" : "grows", lambda[1] > 0 ? "stable" : "grows");
+    if (!t.lived)
+        return st;
+    verify_row_note(row, "%s at 0.97, %s at 1.03 of the truth",
+                    p->lambda[0] > 0 ? "stable" : "grows",
+                    p->lambda[1] > 0 ? "stable" : "grows");
     /* The claim is the bracket itself, too. */
-    if (!(lambda[0] > 0 && lambda[1] < 0) && j.row->verdict == VERIFY_MET)
-        j.row->verdict = VERIFY_MISSED;
-out:
+    if (!(p->lambda[0] > 0 && p->lambda[1] < 0) && row->verdict == VERIFY_MET)
+        row->verdict = VERIFY_MISSED;
     return st;
 }
 
 /* The bracket in time: the same disturbance dies below and grows above. */
-static enum status add_motion(struct verify_sheet *sheet,
-                              const struct verify_series *series, const struct plate *plate,
-                              struct message *why)
+static enum status add_motion(struct verify_sheet *sheet, const struct verify_subject *s,
+                              const struct plate *p, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct verify_net net;
     double factor[2];
+    struct verify_row *row = verify_sheet_add(
+        sheet, s, "jolt dies, grows, w / L = %g, nu = %g", p->width, p->nu);
+    struct verify_trial t = {row, s, "cantilever", .net = s->nets - 1};
 
-    verify_net_make(series, VERIFY_NETS - 1, &net);
-    struct judged j = {.row = verify_add(sheet, &net.subject,
-                                         "jolt dies, grows, w / L = %g, nu = %g",
-                                         plate->width, plate->nu),
-                       .plate = plate,
-                       .net = &net};
-    j.row->tolerance = isnan(series->subject.tolerance) ? NAN : BRACKET;
+    row->tolerance = isnan(s->tolerance) ? NAN : BRACKET;
     for (int n = 0; n < 2; n++) {
-        TRY(growth(&j, (1 + (n ? BRACKET : -BRACKET)) * plate->critical, &factor[n], why));
-        if (!j.lived)
-            return STATUS_OK;
+        TRY(growth(&t, p, (1 + (n ? BRACKET : -BRACKET)) * p->critical, &factor[n], why));
+        if (!t.lived)
+            goto out;
     }
-    verify_judge_error(j.row, factor[0] < 1 && factor[1] > 1 ? BRACKET : INFINITY,
-                       plate->bar);
-    verify_note(j.row, "from 4 s to 10 s by %.3g at 0.97, %.3g at 1.03 of the truth",
-                factor[0], factor[1]);
+    verify_row_judge_error(row, factor[0] < 1 && factor[1] > 1 ? BRACKET : INFINITY,
+                           p->bar);
+    verify_row_note(row, "from 4 s to 10 s by %.3g at 0.97, %.3g at 1.03 of the truth",
+                    factor[0], factor[1]);
+out:
+    return st;
+}
+
+/* The rows of a plate: orders where it is half as wide as long. Those without frequencies
+ * are told of once. */
+static enum status add_plate(struct verify_sheet *sheet, struct plate *p,
+                             struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct verify_subject s;
+
+    for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);) {
+        if (p->width != 0.5)
+            verify_subject_last(&s, 1);
+        if (s.contestant->model->modes || (p->width == 0.5 && p->nu == 0))
+            TRY(add_row(sheet, &s, p, why));
+    }
+    if (sheet->quick || p->width != 0.5 || p->nu != 0.3)
+        goto out;
+    for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
+        if (s.contestant->model->modes)
+            TRY(add_motion(sheet, &s, p, why));
 out:
     return st;
 }
 
 static bool chosen(const struct verify_sheet *sheet, const struct plate *p)
 {
-    if (verify_quick(sheet))
+    if (sheet->quick)
         return p->width == 0.5 && (p->nu == 0 || p->nu == 0.3);
     return p->width == 0.1 || p->width == 0.2 || p->width == 0.5 || p->width == 1;
 }
 
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
-    enum status st;
-    struct reference *table = NULL;
+    enum status st = STATUS_OK;
+    const struct reference *table = sheet->table;
 
-    TRY(verify_reference("lateral_buckling", &table, why));
     for (int n = 0; n < reference_rows(table); n++) {
         struct plate p = {reference_number(table, n, "w_over_L"),
                           reference_number(table, n, "nu"),
-                          reference_number(table, n, "Gamma_star_c"), NAN};
+                          reference_number(table, n, "Gamma_star_c")};
         if (isnan(p.width) || !chosen(sheet, &p)) /* the first is a beam: w / L -> 0 */
             continue;
         p.bar = BARS * reference_number(table, n, "est_err") / p.critical;
-        for (int s = 0; s < (p.width == 0.5 && p.nu == 0 ? SUBJECTS : ASKED); s++)
-            if (verify_wanted(sheet, &subjects[s].subject))
-                TRY(add_row(sheet, &subjects[s], &p, p.width == 0.5, why));
-        for (int s = 0; s < ASKED && !verify_quick(sheet); s++)
-            if (p.width == 0.5 && p.nu == 0.3 && verify_wanted(sheet, &subjects[s].subject))
-                TRY(add_motion(sheet, &subjects[s], &p, why));
+        TRY(add_plate(sheet, &p, why));
     }
 out:
-    reference_close(table);
     return st;
 }
 
 const struct verify_check verify_lateral = {
     .item = {"lateral", "weight at which a plate on edge buckles sideways"},
+    .table = "lateral_buckling",
     .source =
         "linear stability by Legendre-Ritz, tests/reference/lateral_buckling.csv, 1e-4",
     .run = run,

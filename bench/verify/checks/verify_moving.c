@@ -1,68 +1,61 @@
 /* A plate whose held edge is accelerated: seen from the edge, a plate at rest under an
  * inertial force. */
 #include <math.h>
-#include <stdio.h>
 
-#include "bench/verify/verify.h"
-
-extern const struct verify_check verify_moving;
+#include "bench/verify/verify_check.h"
 
 /* Both are the same equations: round-off of a solve, over tens of steps, for a linear
  * model; where Newton's method or others iterate they end at 1e-7 L, or at what is asked.
  */
-static const double EXACT = 1e-8, ITERATED = 1e-6;
+#define EXACT    1e-8, NULL
+#define ITERATED 1e-6, NULL
 
-enum { STEPS = 60, TIMES = 3, POINTS = 6, PATH_TEXT = 12288 };
+enum { STEPS = 60, TIMES = 3, POINTS = 6 };
 static const double DT = 0.005, PUSH[3] = {0.5, -0.3, 4};
 
-struct subject {
-    struct verify_subject subject;
-    bool euler; /* its velocities are those of the step before                         */
-};
-
-#define SOLID(k) "discretization.points=[8,6,2] discretization.kinematics=" k
-#define SHELL(k) "discretization.points=[8,6] discretization.kinematics=" k
-#define LATE     "starts without acceleration"
-#define ITERATES "discretization.points=[11,11] discretization.tolerance=1e-9"
-static const struct subject subjects[] = {
-    {{"iga, linear", "iga", SOLID("linear"), EXACT, NULL}, false},
-    {{"iga, printed", "iga", SOLID("printed"), NAN, LATE}, false},
-    {{"iga, incremental", "iga", SOLID("incremental"), NAN, LATE}, false},
-    {{"iga, nonlinear", "iga", SOLID("nonlinear"), ITERATED, NULL}, false},
-    {{"hex, linear", "hex", SOLID("linear"), EXACT, NULL}, false},
-    {{"hex, nonlinear", "hex", SOLID("nonlinear"), ITERATED, NULL}, false},
-    {{"shell, linear", "shell", SHELL("linear"), EXACT, NULL}, false},
-    {{"shell, nonlinear", "shell", SHELL("nonlinear"), ITERATED, NULL}, false},
-    {{"mass_spring", "mass_spring", ITERATES, ITERATED, NULL}, true},
-    {{"projective_dynamics", "projective_dynamics",
-      ITERATES " discretization.iterations=100000 discretization.acceleration=chebyshev",
-      ITERATED, NULL},
-     true},
-};
-enum { SUBJECTS = sizeof subjects / sizeof *subjects };
+/* Marked: its velocities are those of the step before, as with implicit Euler. */
+#define CLOSE "discretization.tolerance=1e-9"
+#define LONG  "discretization.iterations=100000", "discretization.acceleration=chebyshev"
+#define LATE  "starts without acceleration"
+static const struct verify_entry entries[] = {
+    {"iga_linear", EXACT, {8}, {6}},
+    {"iga_paper", 0, LATE, {8}, {6}},
+    {"iga_incremental", 0, LATE, {8}, {6}},
+    {"iga_nonlinear", ITERATED, {8}, {6}},
+    {"hex_linear", EXACT, {8}, {6}},
+    {"hex_nonlinear", ITERATED, {8}, {6}},
+    {"shell_linear", EXACT, {8}, {6}},
+    {"shell_2", ITERATED, {8}, {6}},
+    {"mass_spring", ITERATED, {11}, .settings = {CLOSE}, .mark = true},
+    {"projective_dynamics", ITERATED, {11}, .settings = {CLOSE, LONG}, .mark = true},
+    {NULL}};
+static const struct verify_field field = {
+    entries,
+    CONTESTANT_LARGE,
+    "iga_nonlinear_3,iga_reduced,iga_reduced_3,iga_selective,hex_incompatible,shell_3",
+    {8},
+    {6}};
 
 /* The edge's way over PUSH after n steps, a parabola; for implicit Euler that of its own
  * velocities n dt, which it sees in whole steps. */
-static double way(const struct subject *s, int n)
+static double way(const struct verify_subject *s, int n)
 {
-    return s->euler ? DT * DT * n * (n + 1) / 2 : DT * DT * n * n / 2;
+    return s->mark ? DT * DT * n * (n + 1) / 2 : DT * DT * n * n / 2;
 }
 
 /* One row before the start and one after the end, for differences of the path. */
-static void write_path(const struct subject *s, char *text, size_t size)
+static void add_path(const struct verify_subject *s, struct settings *all)
 {
-    size_t used = (size_t)snprintf(text, size, "supports=[{at: {u: 0}, fix: xyz, path: [");
-
+    settings_set(all, "supports=[{at: {u: 0}, fix: xyz, path: [");
     for (int n = -1; n <= STEPS + 1; n++) {
-        double d = n < 0 && s->euler ? 0 : way(s, n);
-        used += (size_t)snprintf(text + used, size - used, "%s[%.17g,%.17g,%.17g,%.17g]",
-                                 n < 0 ? "" : ",", n * DT, PUSH[0] * d, PUSH[1] * d,
-                                 PUSH[2] * d);
+        double d = n < 0 && s->mark ? 0 : way(s, n);
+        settings_more(all, "%s[%.17g,%.17g,%.17g,%.17g]", n < 0 ? "" : ",", n * DT,
+                      PUSH[0] * d, PUSH[1] * d, PUSH[2] * d);
     }
-    snprintf(text + used, size - used, "]}]");
+    settings_more(all, "]}]");
 }
 
-static double worst_of(const struct subject *s, double (*moved)[POINTS][3],
+static double worst_of(const struct verify_subject *s, double (*moved)[POINTS][3],
                        double (*still)[POINTS][3], const double *time)
 {
     double worst = 0;
@@ -78,33 +71,32 @@ static double worst_of(const struct subject *s, double (*moved)[POINTS][3],
     return worst;
 }
 
-static enum status add_row(struct verify_sheet *sheet, const struct subject *s,
+static enum status add_row(struct verify_sheet *sheet, const struct verify_subject *s,
                            struct message *why)
 {
     static const double uvw[POINTS][3] = {{0, 0.5, 0.5}, {0.5, 0.5, 0.5}, {1, 0, 0.5},
                                           {1, 0.5, 0},   {1, 0.5, 1},     {1, 1, 0.5}};
-    static char path[PATH_TEXT];
     enum status st;
     const double time[TIMES] = {0.1, 0.2, STEPS * DT};
-    double moved[TIMES][POINTS][3], still[TIMES][POINTS][3];
-    char inertia[96];
-    const char *of_moved[] = {"damping={kind: none}", path, NULL};
-    const char *of_still[] = {"damping={kind: none}", "supports=[{at: {u: 0}, fix: xyz}]",
-                              inertia, NULL};
-    bool lived;
+    double at[2][TIMES][POINTS][3]; /* still and moved */
     struct verify_row *row =
-        verify_add(sheet, &s->subject, "seen from the edge / L, until %g s", STEPS * DT);
+        verify_sheet_add(sheet, s, "seen from the edge / L, until %g s", STEPS * DT);
+    struct verify_trial t = {row, s, "moving_edge"};
 
-    write_path(s, path, sizeof path);
-    snprintf(inertia, sizeof inertia, "gravity=[%g,%g,%g]", -PUSH[0], -PUSH[1], -PUSH[2]);
-    TRY(verify_motion(row, &s->subject, "moving_edge", of_still, TIMES, time, POINTS,
-                      uvw[0], still[0][0], &lived, why));
-    if (!lived)
-        goto out;
-    TRY(verify_motion(row, &s->subject, "moving_edge", of_moved, TIMES, time, POINTS,
-                      uvw[0], moved[0][0], &lived, why));
-    if (lived)
-        verify_judge_error(row, worst_of(s, moved, still, time), 0);
+    for (int moved = 0; moved < 2; moved++) {
+        settings_set(&t.settings, "damping={kind: none}");
+        if (moved)
+            add_path(s, &t.settings);
+        else {
+            settings_set(&t.settings, "supports=[{at: {u: 0}, fix: xyz}]");
+            settings_numbers(&t.settings, "gravity", 3,
+                             (double[]){-PUSH[0], -PUSH[1], -PUSH[2]});
+        }
+        TRY(verify_trial_motion(&t, TIMES, time, POINTS, uvw[0], at[moved][0][0], why));
+        if (!t.lived)
+            goto out;
+    }
+    verify_row_judge_error(row, worst_of(s, at[1], at[0], time), 0);
 out:
     return st;
 }
@@ -112,10 +104,10 @@ out:
 static enum status run(struct verify_sheet *sheet, struct message *why)
 {
     enum status st = STATUS_OK;
+    struct verify_subject s;
 
-    for (int s = 0; s < SUBJECTS; s++)
-        if (verify_wanted(sheet, &subjects[s].subject))
-            TRY(add_row(sheet, &subjects[s], why));
+    for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
+        TRY(add_row(sheet, &s, why));
 out:
     return st;
 }

@@ -4,26 +4,12 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "bench/verify/verify.h"
+#include "bench/truth/truth_table.h"
+#include "bench/verify/verify_check.h"
 #include "fem_ref/freefem.h"
 
-extern const struct verify_check verify_outside;
-
-#define LINEAR(remedy) "discretization.kinematics=linear discretization.remedy=" remedy
-#define LARGE(remedy)  "discretization.kinematics=nonlinear discretization.remedy=" remedy
-#define NET(a, b, c)   " discretization.points=[" #a "," #b "," #c "]"
-#define SURFACE(a, b)  " discretization.points=[" #a "," #b "] discretization.degree=[3,3]"
-#define QUADRATIC      " discretization.degree=[2,2,1]"
-#define CUBIC          " discretization.degree=[3,3,2]"
-#define COUNT(array)   ((int)(sizeof(array) / sizeof *(array)))
-
-/* The physics that a file's notes tell, as settings, and one more. */
-struct physics {
-    char text[7][64];
-    const char *list[9]; /* ends with NULL */
-};
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
 /* The larger one; NaN if one is. */
 static double worse(double a, double b)
@@ -31,43 +17,35 @@ static double worse(double a, double b)
     return a > b || isnan(a) ? a : b;
 }
 
-static double note_number(const struct reference *table, const char *key)
-{
-    const char *text = reference_note(table, key);
-    return text ? strtod(text, NULL) : NAN;
-}
-
-static void physics_of(const struct reference *table, const char *more, struct physics *p)
+/* The physics that a file's notes tell. */
+static void add_physics(const struct reference *table, struct settings *all)
 {
     static const char *const key[][2] = {
-        {"length", "sheet.length=%.17g"},      {"width", "sheet.width=%.17g"},
-        {"young", "material.young=%.17g"},     {"poisson", "material.poisson=%.17g"},
-        {"density", "material.density=%.17g"}, {"gravity", "gravity=[0,0,-%.17g]"},
-        {"thickness", "sheet.thickness=%.17g"}};
-    int count = 0;
+        {"length", "sheet.length"},      {"width", "sheet.width"},
+        {"young", "material.young"},     {"poisson", "material.poisson"},
+        {"density", "material.density"}, {"thickness", "sheet.thickness"}};
 
-    memset(p, 0, sizeof *p);
-    p->list[count++] = more;
     for (int n = 0; n < COUNT(key); n++)
-        if (reference_note(table, key[n][0])) {
-            snprintf(p->text[n], sizeof p->text[n], key[n][1],
-                     note_number(table, key[n][0]));
-            p->list[count++] = p->text[n];
-        }
+        if (reference_note(table, key[n][0]))
+            settings_number(all, key[n][1], truth_table_note(table, key[n][0]));
+    if (reference_note(table, "gravity"))
+        settings_numbers(all, "gravity", 3,
+                         (double[]){0, 0, -truth_table_note(table, "gravity")});
 }
 
 /* ------------------------------------------------------------------ matrices -------- */
 
 /* Asked: two codes that do the same sums differ by round-off. The file has 14 digits. */
-static const double MATRIX = 1e-12, DIGITS = 5e-14;
+#define MATRIX 1e-12
+static const double DIGITS = 5e-14;
 
-static const struct verify_subject blocks[] = {
-    {"hex, none, 3x3x2", "hex", "discretization.unknowns=points" NET(3, 3, 2), MATRIX,
-     "the same sums"},
-    {"iga, p = 1, 3x3x2", "iga",
-     "discretization.unknowns=points discretization.degree=[1,1,1]" NET(3, 3, 2), MATRIX,
-     "linear B-splines are the same functions"},
-};
+#define LINEAR MATRIX, "linear B-splines are the same functions"
+#define BLOCKS "discretization.unknowns=points"
+static const struct verify_entry blocks[] = {
+    {"hex", MATRIX, "the same sums", {3}, .settings = {BLOCKS}},
+    {"iga", LINEAR, {3}, {3}, 0, "p = 1", {BLOCKS, "discretization.degree=[1,1,1]"}},
+    {NULL}};
+static const struct verify_field block_field = {.entry = blocks};
 
 /* Largest difference of the triangles' entries, of the largest; INFINITY for other sizes.
  */
@@ -99,24 +77,23 @@ static enum status add_block(struct verify_sheet *sheet, const struct verify_sub
                              const struct reference *table, struct message *why)
 {
     enum status st;
-    struct physics physics;
-    struct trial trial;
     struct matrix K = {0}, M = {0};
-    bool ready;
-    struct verify_row *row = verify_add(sheet, s, "stiffness matrix of a block, CalculiX");
+    struct verify_row *row =
+        verify_sheet_add(sheet, s, "stiffness matrix of a block, CalculiX");
+    struct verify_trial t = {row, s, "cantilever"};
 
-    physics_of(table, "sheet.length=1", &physics);
-    TRY(verify_open(row, s, "cantilever", physics.list, &trial, &ready, why));
-    if (!ready)
+    add_physics(table, &t.settings);
+    TRY(verify_trial_open(&t, why));
+    if (!t.lived)
         goto out;
-    TRY(trial.model->matrices(trial.state, &K, &M));
-    verify_judge_error(row, matrix_error(&K, table, "stiffness"), DIGITS);
-    row = verify_add(sheet, s, "mass matrix of a block, CalculiX");
-    verify_judge_error(row, matrix_error(&M, table, "mass"), DIGITS);
+    TRY(t.run.model->matrices(t.run.state, &K, &M));
+    verify_row_judge_error(row, matrix_error(&K, table, "stiffness"), DIGITS);
+    row = verify_sheet_add(sheet, s, "mass matrix of a block, CalculiX");
+    verify_row_judge_error(row, matrix_error(&M, table, "mass"), DIGITS);
 out:
     matrix_clear(&K);
     matrix_clear(&M);
-    trial_close(&trial);
+    verify_trial_close(&t);
     return st;
 }
 
@@ -124,11 +101,11 @@ static enum status run_blocks(struct verify_sheet *sheet, struct message *why)
 {
     enum status st;
     struct reference *table = NULL;
+    struct verify_subject s;
 
-    TRY(verify_reference("calculix_matrices_box", &table, why));
-    for (int n = 0; n < COUNT(blocks); n++)
-        if (verify_wanted(sheet, &blocks[n]))
-            TRY(add_block(sheet, &blocks[n], table, why));
+    TRY(truth_table_open("calculix_matrices_box", &table, why));
+    for (int n = 0; verify_sheet_next(sheet, &block_field, &n, &s);)
+        TRY(add_block(sheet, &s, table, why));
 out:
     reference_close(table);
     return st;
@@ -137,9 +114,9 @@ out:
 /* ------------------------------------------------------------------ tips ------------ */
 
 /* The same element on the same nodes, to the 7 digits of the file. */
-static const struct verify_subject twin = {"hex, incompatible, 33x33x2", "hex",
-                                           LINEAR("incompatible") NET(33, 33, 2), 1e-6,
-                                           "the same element"};
+static const struct verify_entry twin[] = {
+    {"hex_incompatible_linear", 1e-6, "the same element", {33}}, {NULL}};
+static const struct verify_field twin_field = {.entry = twin};
 
 /* What round-off leaves of an answer in nodes of both faces, which CalculiX solves for: the
  * condition of K, 2.5e12 at h/L = 1e-3 and as h^-4. */
@@ -148,26 +125,26 @@ static double rounding(double h)
     return 1e-16 * 2.5e12 * pow(h / 1e-3, -4);
 }
 
-static enum status add_tip(struct verify_sheet *sheet, const struct reference *table, int n,
-                           struct message *why)
+static enum status add_tip(struct verify_sheet *sheet, const struct verify_subject *s,
+                           const struct reference *table, int n, struct message *why)
 {
     const double uvw[2][3] = {{1, 0.5, 0.5}, {1, 1, 0.5}};
     const char *const column[] = {"middle", "corner"};
-    double h = reference_number(table, n, "thickness"), xyz[2][3];
-    struct physics physics;
-    char thickness[64];
-    bool lived;
+    const double h = reference_number(table, n, "thickness");
+    double xyz[2][3];
     struct verify_row *row =
-        verify_add(sheet, &twin, "tip [m] by C3D8I, h/L = %g, %s", h, column[0]);
+        verify_sheet_add(sheet, s, "tip [m] by C3D8I, h/L = %g, %s", h, column[0]);
+    struct verify_trial t = {row, s, "cantilever"};
 
-    snprintf(thickness, sizeof thickness, "sheet.thickness=%.17g", h);
-    physics_of(table, thickness, &physics);
-    enum status st = verify_equilibrium(row, &twin, "cantilever", physics.list, 2, uvw[0],
-                                        xyz[0], &lived, why);
-    for (int k = 0; k < 2 && st == STATUS_OK && lived; k++) {
+    settings_number(&t.settings, "sheet.thickness", h);
+    add_physics(table, &t.settings);
+    enum status st = verify_trial_equilibrium(&t, 2, uvw[0], xyz[0], why);
+    for (int k = 0; k < 2 && t.lived; k++) {
         if (k == 1)
-            row = verify_add(sheet, &twin, "tip [m] by C3D8I, h/L = %g, %s", h, column[1]);
-        verify_judge(row, -xyz[k][2], reference_number(table, n, column[k]), rounding(h));
+            row =
+                verify_sheet_add(sheet, s, "tip [m] by C3D8I, h/L = %g, %s", h, column[1]);
+        verify_row_judge(row, -xyz[k][2], reference_number(table, n, column[k]),
+                         rounding(h));
     }
     return st;
 }
@@ -176,12 +153,12 @@ static enum status run_tips(struct verify_sheet *sheet, struct message *why)
 {
     enum status st;
     struct reference *table = NULL;
+    struct verify_subject s;
 
-    TRY(verify_reference("calculix_tips", &table, why));
-    for (int n = reference_find(table, 0, "element", "C3D8I");
-         n >= 0 && verify_wanted(sheet, &twin);
-         n = reference_find(table, n + 1, "element", "C3D8I"))
-        TRY(add_tip(sheet, table, n, why));
+    TRY(truth_table_open("calculix_tips", &table, why));
+    for (int n = 0; (n = reference_find(table, n, "element", "C3D8I")) >= 0; n++)
+        for (int k = 0; verify_sheet_next(sheet, &twin_field, &k, &s);)
+            TRY(add_tip(sheet, &s, table, n, why));
 out:
     reference_close(table);
     return st;
@@ -190,22 +167,21 @@ out:
 /* ------------------------------------------------------------------ swing ----------- */
 
 /* Asked of nonlinear solids. */
-static const double SWING = 1e-3;
+#define SWING 1e-3, "asked"
 
-static const struct verify_subject strips[] = {
-    {"iga, p = 3, r = 2, nonlinear, 19x4x3", "iga", LARGE("none") CUBIC NET(19, 4, 3),
-     SWING, "asked"},
-    {"iga, reduced, nonlinear, 66x3x2", "iga", LARGE("reduced") QUADRATIC NET(66, 3, 2),
-     SWING, "asked"},
-    {"hex, incompatible, nonlinear, 129x2x2", "hex", LARGE("incompatible") NET(129, 2, 2),
-     SWING, "asked"},
-    {"shell, p = 3, nonlinear, 35x4", "shell",
-     "discretization.kinematics=nonlinear" SURFACE(35, 4), SWING, "as of solids"},
-    {"mass_spring, matched, 40x3", "mass_spring", " discretization.points=[40,3]", NAN,
-     "implicit Euler damps"},
-    {"projective_dynamics, matched, 40x3", "projective_dynamics",
-     " discretization.points=[40,3]", NAN, "implicit Euler damps"},
-};
+static const struct verify_entry strips[] = {
+    {"iga_nonlinear_3", SWING, {19}, {4}, 0, "r = 2", {"discretization.degree=[3,3,2]"}, 3},
+    {"iga_reduced", SWING, {66}, {3}},
+    {"hex_incompatible", SWING, {129}, {2}},
+    {"shell_3", 1e-3, "as of solids", {35}, {4}},
+    {"mass_spring", 0, "implicit Euler damps", {40}, {3}},
+    {"projective_dynamics", 0, "implicit Euler damps", {40}, {3}},
+    {NULL}};
+static const struct verify_field strip_field = {
+    strips,
+    CONTESTANT_LARGE,
+    "iga_nonlinear,iga_reduced_3,iga_selective,hex_nonlinear",
+    {40}};
 
 enum { TIMES = 6, POINTS = 4 };
 
@@ -233,29 +209,27 @@ static enum status run_swing(struct verify_sheet *sheet, struct message *why)
         {1, 0.5, 0.5}, {0.75, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.25, 0.5, 0.5}};
     enum status st;
     struct reference *table = NULL;
-    struct physics physics;
     double time[TIMES], truth[TIMES * POINTS][2], xyz[TIMES * POINTS][3];
-    bool lived;
+    struct verify_subject s;
 
-    TRY(verify_reference("calculix_swing_h5mm", &table, why));
+    TRY(truth_table_open("calculix_swing_h5mm", &table, why));
     read_swing(table, time, truth);
-    physics_of(table, "time.step=0.005", &physics);
-    for (int s = 0; s < COUNT(strips); s++) {
-        if (!verify_wanted(sheet, &strips[s]))
-            continue;
+    for (int k = 0; verify_sheet_next(sheet, &strip_field, &k, &s);) {
         struct verify_row *row =
-            verify_add(sheet, &strips[s], "swing by C3D20R: position / L until 0.3 s");
+            verify_sheet_add(sheet, &s, "swing by C3D20R: position / L until 0.3 s");
+        struct verify_trial t = {row, &s, "cantilever_transient"};
         double worst = 0;
-        TRY(verify_motion(row, &strips[s], "cantilever_transient", physics.list, TIMES,
-                          time, POINTS, uvw[0], xyz[0], &lived, why));
-        for (int n = 0; lived && n < TIMES * POINTS; n++) {
+        settings_set(&t.settings, "time.step=0.005");
+        add_physics(table, &t.settings);
+        TRY(verify_trial_motion(&t, TIMES, time, POINTS, uvw[0], xyz[0], why));
+        for (int n = 0; t.lived && n < TIMES * POINTS; n++) {
             double far = hypot(xyz[n][0] - truth[n][0], xyz[n][2] - truth[n][1]);
             worst = worse(far, worst);
         }
-        if (lived)
-            verify_judge_error(row, worst,
-                               note_number(table, "mesh_error_m") +
-                                   note_number(table, "step_error_m"));
+        if (t.lived)
+            verify_row_judge_error(row, worst,
+                                   truth_table_note(table, "mesh_error_m") +
+                                       truth_table_note(table, "step_error_m"));
     }
 out:
     reference_close(table);
@@ -265,20 +239,23 @@ out:
 /* ------------------------------------------------------------------ plates let go --- */
 
 /* As in `transient`, on its finest nets: a solid 1 %; a thin shell is to be as good. */
-static const double PLATE = 0.01;
+#define PLATE 0.01, NULL
 
-static const struct verify_subject plates[] = {
-    {"iga, none, linear, 10x10x2", "iga", LINEAR("none") QUADRATIC NET(10, 10, 2), NAN,
-     "the paper's: locks"},
-    {"iga, reduced, linear, 34x18x2", "iga", LINEAR("reduced") QUADRATIC NET(34, 18, 2),
-     PLATE, NULL},
-    {"iga, p = 3, r = 2, linear, 35x19x3", "iga", LINEAR("none") CUBIC NET(35, 19, 3),
-     PLATE, NULL},
-    {"hex, incompatible, linear, 65x33x2", "hex", LINEAR("incompatible") NET(65, 33, 2),
-     PLATE, NULL},
-    {"shell, p = 3, linear, 19x11", "shell",
-     "discretization.kinematics=linear" SURFACE(19, 11), PLATE, NULL},
+static const struct verify_entry plates[] = {
+    {"iga_linear", 0, "the paper's: locks", {10}},
+    {"iga_reduced_linear", PLATE, {34}, {18}},
+    {"iga_linear_32", PLATE, {35}, {19}},
+    {"hex_incompatible_linear", PLATE, {65}, {33}},
+    {"shell_linear_3", PLATE, {19}, {11}},
+    {NULL},
 };
+static const struct verify_field plate_field = {
+    plates,
+    CONTESTANT_SMALL,
+    "iga_linear_3,iga_reduced_linear_3,iga_selective_linear,iga_selective_linear_3,"
+    "hex_linear,shell_linear,mass_spring,projective_dynamics",
+    {35},
+    {19}};
 
 enum { SIDE = FREEFEM_SIDE, PLATE_POINTS = SIDE * SIDE };
 
@@ -305,14 +282,15 @@ static double plate_error(const struct freefem_field *f, const double (*uvw)[3],
 }
 
 static enum status add_plate(struct verify_sheet *sheet, const struct verify_subject *s,
-                             double h, const struct physics *physics,
-                             const struct freefem_field *f, struct message *why)
+                             const struct reference *table, const struct freefem_field *f,
+                             struct message *why)
 {
     double uvw[PLATE_POINTS][3], bar = NAN;
     double(*xyz)[3] = calloc((size_t)f->times * PLATE_POINTS, sizeof *xyz);
-    bool lived;
     struct verify_row *row =
-        verify_add(sheet, s, "let go, field by FreeFEM to 0.4 s, h/L = %g", h);
+        verify_sheet_add(sheet, s, "let go, field by FreeFEM to 0.4 s, h/L = %g",
+                         truth_table_note(table, "thickness"));
+    struct verify_trial t = {row, s, "cantilever_transient"};
 
     if (!xyz)
         return STATUS_MEMORY;
@@ -320,35 +298,38 @@ static enum status add_plate(struct verify_sheet *sheet, const struct verify_sub
         uvw[n][0] = n % SIDE / (SIDE - 1.0), uvw[n][1] = n / SIDE / (SIDE - 1.0);
         uvw[n][2] = 0.5;
     }
-    enum status st = verify_motion(row, s, "cantilever_transient", physics->list, f->times,
-                                   f->time, PLATE_POINTS, uvw[0], xyz[0], &lived, why);
-    if (st == STATUS_OK && lived) {
+    settings_set(&t.settings, "time.step=0.00125");
+    add_physics(table, &t.settings);
+    enum status st =
+        verify_trial_motion(&t, f->times, f->time, PLATE_POINTS, uvw[0], xyz[0], why);
+    if (t.lived) {
         double error = plate_error(f, uvw, xyz, &bar);
-        verify_judge_error(row, error, bar);
+        verify_row_judge_error(row, error, bar);
     }
     free(xyz);
     return st;
 }
 
-/* Reads a field, for the physics that its notes tell. */
-static enum status read_plate(const char *name, struct physics *physics, double *h,
+/* Rows of one field, with the physics that its notes tell. */
+static enum status add_plates(struct verify_sheet *sheet, const char *name,
                               struct freefem_field *f, struct message *why)
 {
     enum status st;
     struct reference *table = NULL;
+    struct verify_subject s;
     char *path = NULL;
 
-    TRY(verify_reference_path(name, &path, why));
+    TRY(truth_table_path(name, &path, why));
     TRY(reference_open(path, &table, why));
-    physics_of(table, "time.step=0.00125", physics);
-    *h = note_number(table, "thickness");
-    struct freefem_job job = {.thickness = *h,
-                              .young = note_number(table, "young"),
-                              .poisson = note_number(table, "poisson"),
-                              .density = note_number(table, "density"),
-                              .gravity = note_number(table, "gravity"),
-                              .steps = (int)note_number(table, "steps")};
+    struct freefem_job job = {.thickness = truth_table_note(table, "thickness"),
+                              .young = truth_table_note(table, "young"),
+                              .poisson = truth_table_note(table, "poisson"),
+                              .density = truth_table_note(table, "density"),
+                              .gravity = truth_table_note(table, "gravity"),
+                              .steps = (int)truth_table_note(table, "steps")};
     TRY(freefem_stored(&job, path, f, why));
+    for (int n = 0; verify_sheet_next(sheet, &plate_field, &n, &s);)
+        TRY(add_plate(sheet, &s, table, f, why));
 out:
     reference_close(table);
     free(path);
@@ -357,21 +338,14 @@ out:
 
 static enum status run_plates(struct verify_sheet *sheet, struct message *why)
 {
-    static const char *const names[] = {"freefem_transient_h10mm",
-                                        "freefem_transient_h1mm"};
     enum status st = STATUS_OK;
     struct freefem_field *f = malloc(sizeof *f);
-    struct physics physics;
-    double h;
 
     if (!f)
         return STATUS_MEMORY;
-    for (int n = 0; n < (verify_quick(sheet) ? 1 : COUNT(names)); n++) {
-        TRY(read_plate(names[n], &physics, &h, f, why));
-        for (int s = 0; s < COUNT(plates); s++)
-            if (verify_wanted(sheet, &plates[s]))
-                TRY(add_plate(sheet, &plates[s], h, &physics, f, why));
-    }
+    TRY(add_plates(sheet, "freefem_transient_h10mm", f, why));
+    if (!sheet->quick)
+        TRY(add_plates(sheet, "freefem_transient_h1mm", f, why));
 out:
     free(f);
     return st;

@@ -1,16 +1,15 @@
 /* Strips of nu = 0 that swing down from level under their weight. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
+#include "bench/truth/truth_table.h"
+#include "bench/verify/verify_check.h"
 #include "bench/verify/verify_refine.h"
-
-extern const struct verify_check verify_pendulum;
 
 /* Asked of the nonlinear solid wherever the strip is heavy: 1 %; of a shell, whose theory
  * is the truth's own: 1e-3 L. */
-static const double SOLID = 0.01, SHELL = 1e-3;
+#define SOLID 0.01, NULL
+#define SHELL 1e-3, NULL
 
 struct swing {
     const char *name, *file;
@@ -18,128 +17,50 @@ struct swing {
     bool hinged, thin, quick;
 };
 
-#define CLAMPED "supports=[{at: {u: 0}, fix: xyz}]"
+#define CLAMPED  "supports=[{at: {u: 0}, fix: xyz}]"
+#define UNDAMPED "damping={kind: none}"
+#define THICK(h) "sheet.thickness=" h
+/* clang-format off */
 static const struct swing swings[] = {
-    {"C0, h = 5 mm, undamped",
-     "pendulum_C0_E1e5_h5mm_undamped",
-     {CLAMPED, "sheet.thickness=0.005", "damping={kind: none}"},
-     false,
-     false,
-     true},
-    {"A5, h = 1 mm, damped",
-     "pendulum_A5_E1e5_h1mm_damp0.5",
-     {CLAMPED, "sheet.thickness=0.001"},
-     false,
-     true,
-     false},
-    {"A0, h = 1 mm, undamped",
-     "pendulum_A0_E1e5_h1mm_undamped",
-     {CLAMPED, "sheet.thickness=0.001", "damping={kind: none}"},
-     false,
-     true,
-     false},
-    {"H5, h = 1 mm, hinged",
-     "pendulum_H5_E1e5_h1mm_damp0.5_hinged",
-     {"sheet.thickness=0.001"},
-     true,
-     true,
-     false},
+    {"C0, h = 5 mm, undamped", "pendulum_C0_E1e5_h5mm_undamped",
+     {CLAMPED, THICK("0.005"), UNDAMPED}, .quick = true},
+    {"A5, h = 1 mm, damped", "pendulum_A5_E1e5_h1mm_damp0.5",
+     {CLAMPED, THICK("0.001")}, .thin = true},
+    {"A0, h = 1 mm, undamped", "pendulum_A0_E1e5_h1mm_undamped",
+     {CLAMPED, THICK("0.001"), UNDAMPED}, .thin = true},
+    {"H5, h = 1 mm, hinged", "pendulum_H5_E1e5_h1mm_damp0.5_hinged",
+     {THICK("0.001")}, .hinged = true, .thin = true},
 };
+/* clang-format on */
 
 /* What the truth's files give, to 1 s: 10 ms apart, which every step divides. Their own
  * energy stays to 1e-9 until 1.2 s. */
-enum { TIMES = 100, POINTS = 4, FINE_NETS = 2 };
+enum { TIMES = 100, POINTS = 4 };
 static const double APART = 0.01, STEP = 0.0025, BAR = 1e-5;
 
-/* Points along u of the finer of two nets, on thick and on thin strips (whose bend at the
- * clamp, about sqrt(D / (rho g h L)) long, sets the scale), less what is not halved. 0: one
- * net and one step only. A hinge holds the middle of the thickness: two layers there. */
-struct subject {
-    struct verify_subject subject;
-    const char *net, *hinge; /* with %d                                                */
-    int thick, thin, more;
-    bool dear; /* no quick row                                                         */
-};
-
-#define NET(points) "discretization.points=[" points "]"
-#define LARGE       "discretization.kinematics=nonlinear"
-#define LOCKS       "the paper's space: locks"
-static const struct subject subjects[] = {
-    {{"iga, none, linear", "iga", "discretization.kinematics=linear", NAN, LOCKS},
-     NET("%d,3,2"),
-     NET("%d,3,3"),
-     0,
-     0,
-     18},
-    {{"iga, none, printed", "iga", "discretization.kinematics=printed", NAN,
-      "the paper's scheme: viscous, not elastic"},
-     NET("%d,3,2"),
-     NET("%d,3,3"),
-     0,
-     0,
-     18},
-    {{"iga, reduced, incremental", "iga",
-      "discretization.kinematics=incremental discretization.remedy=reduced", NAN,
-      "stress is forgotten after each step"},
-     NET("%d,3,2"),
-     NET("%d,3,3"),
-     0,
-     0,
-     18},
-    {{"iga, reduced, nonlinear", "iga", LARGE " discretization.remedy=reduced", SOLID,
-      NULL},
-     NET("%d,3,2"),
-     NET("%d,3,3"),
-     64,
-     128,
-     2},
-    {{"iga, selective, nonlinear", "iga", LARGE " discretization.remedy=selective", SOLID,
-      NULL},
-     NET("%d,3,2"),
-     NET("%d,3,3"),
-     64,
-     128,
-     2,
-     true},
-    {{"iga, p = 3, nonlinear", "iga", LARGE " discretization.degree=[3,3,1]", SOLID, NULL},
-     NET("%d,4,2"),
-     NET("%d,4,3"),
-     32,
-     64,
-     3},
-    {{"hex, incompatible, nonlinear", "hex", LARGE " discretization.remedy=incompatible",
-      SOLID, NULL},
-     NET("%d,2,2"),
-     NET("%d,2,3"),
-     80,
-     320,
-     1},
-    {{"shell, p = 3, nonlinear", "shell", LARGE " discretization.degree=[3,2]", SHELL,
-      NULL},
-     NET("%d,3"),
-     NET("%d,3"),
-     32,
-     128,
-     3},
-    {{"mass_spring, matched", "mass_spring", NULL, NAN,
-      "implicit Euler damps; nothing is claimed of it"},
-     NET("%d,3"),
-     NET("%d,3"),
-     40,
-     80,
-     1},
-    {{"projective_dynamics, matched, iterated to the end", "projective_dynamics",
-      "discretization.acceleration=chebyshev discretization.iterations=100000 "
-      "discretization.tolerance=1e-9",
-      NAN, "implicit Euler damps; nothing is claimed of it"},
-     NET("%d,5"),
-     NET("%d,5"),
-     40,
-     40,
-     1,
-     true},
-};
-enum { SUBJECTS = sizeof subjects / sizeof *subjects };
+/* Spans along u of the finer of two nets, on thick and on thin strips (whose bend at the
+ * clamp, about sqrt(D / (rho g h L)) long, sets the scale). Marked: one net and one step
+ * only. A hinge holds the middle of the thickness: two layers there. */
+#define ONE   {16, 16}, {3, 3}, .mark = true
+#define EULER "implicit Euler damps; nothing is claimed of it"
+#define TO_THE_END                                                                         \
+    .more = "iterated to the end",                                                         \
+    .settings = {"discretization.acceleration=chebyshev",                                  \
+                 "discretization.iterations=100000", "discretization.tolerance=1e-9"}
+static const struct verify_entry entries[] = {
+    {"iga_linear", 0, "the paper's space: locks", ONE},
+    {"iga_paper", 0, "the paper's scheme: viscous, not elastic", ONE},
+    {"iga_reduced_incremental", 0, "stress is forgotten after each step", ONE},
+    {"iga_reduced", SOLID, {64, 128}, {3, 3}},
+    {"iga_selective", SOLID, {64, 128}, {3, 3}, .dear = true},
+    {"iga_nonlinear_3", SOLID, {32, 64}, {4, 4}},
+    {"hex_incompatible", SOLID, {80, 320}, {2, 2}},
+    {"shell_3", SHELL, {32, 128}, {3, 3}, .settings = {"discretization.degree=[3,2]"}},
+    {"mass_spring", 0, EULER, {40, 80}, {3, 3}},
+    {"projective_dynamics", 0, EULER, {40, 40}, {5, 5}, TO_THE_END, .dear = true},
+    {NULL}};
+static const struct verify_field field = {
+    entries, CONTESTANT_LARGE, "iga_nonlinear,iga_reduced_3,hex_nonlinear", {40, 80}};
 
 /* Positions at all times, and when; the strip is 0.1 m wide. */
 static enum status read_truth(const char *file, double *time, double (*xyz)[POINTS][3],
@@ -151,7 +72,7 @@ static enum status read_truth(const char *file, double *time, double (*xyz)[POIN
     struct reference *table = NULL;
     int row = 0;
 
-    TRY(verify_reference(file, &table, why));
+    TRY(truth_table_open(file, &table, why));
     for (int t = 0; t < TIMES; t++) {
         time[t] = APART * (t + 1);
         while (row < reference_rows(table) &&
@@ -185,29 +106,32 @@ static double distance(const void *context, const double *a, const double *b)
     return sqrt(worst);
 }
 
-static enum status add_rows(struct verify_sheet *sheet, const struct subject *s,
+/* The two nets of a swing, of spans so far. */
+static void take_nets(const struct swing *swing, struct verify_subject *s)
+{
+    const int fine = s->along[swing->thin];
+
+    s->along[0] = fine / 2 + s->degree;
+    s->along[1] = fine + s->degree;
+    if (swing->hinged && s->layers)
+        s->layers = 3;
+    if (s->mark)
+        verify_subject_last(s, 1);
+}
+
+static enum status add_rows(struct verify_sheet *sheet, struct verify_subject *s,
                             const struct swing *swing, struct verify_refine *r,
                             struct message *why)
 {
-    enum status st;
-    char quantity[VERIFY_TEXT], nets[FINE_NETS][64];
-    const char *net[FINE_NETS] = {nets[0], nets[1]};
-    const int fine = swing->thin ? s->thin : s->thick;
+    char quantity[VERIFY_TEXT];
     bool lived;
 
-    for (int n = 0; n < FINE_NETS; n++)
-        snprintf(nets[n], sizeof nets[n], swing->hinged ? s->hinge : s->net,
-                 (n ? fine : fine / 2) + s->more);
-    r->net = net;
-    r->nets = fine ? FINE_NETS : 1;
-    r->beyond =
-        strstr(s->subject.title, ", linear") ? "small strains reach to Gamma = 0.9" : NULL;
-    r->steps = fine && !verify_quick(sheet) ? VERIFY_REFINE_STEPS : 1;
+    take_nets(swing, s);
+    r->beyond = verify_subject_is_linear(s) ? "small strains reach to Gamma = 0.9" : NULL;
+    r->steps = s->mark || sheet->quick ? 1 : VERIFY_REFINE_STEPS;
     snprintf(quantity, sizeof quantity, "%s: position / L until %g s", swing->name,
              TIMES * APART);
-    TRY(verify_refine(sheet, &s->subject, r, quantity, &lived, why));
-out:
-    return st;
+    return verify_refine(sheet, s, r, quantity, &lived, why);
 }
 
 static enum status add_swing(struct verify_sheet *sheet, const struct swing *swing,
@@ -229,12 +153,11 @@ static enum status add_swing(struct verify_sheet *sheet, const struct swing *swi
                               .truth = truth[0][0],
                               .bar = BAR,
                               .measure = distance};
+    struct verify_subject s;
 
     TRY(read_truth(swing->file, time, truth, why));
-    for (int s = 0; s < SUBJECTS; s++)
-        if (verify_wanted(sheet, &subjects[s].subject) &&
-            (!subjects[s].dear || !verify_quick(sheet)))
-            TRY(add_rows(sheet, &subjects[s], swing, &r, why));
+    for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
+        TRY(add_rows(sheet, &s, swing, &r, why));
 out:
     return st;
 }
@@ -244,7 +167,7 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
     enum status st = STATUS_OK;
 
     for (size_t n = 0; n < sizeof swings / sizeof *swings; n++)
-        if (swings[n].quick || !verify_quick(sheet))
+        if (swings[n].quick || !sheet->quick)
             TRY(add_swing(sheet, &swings[n], why));
 out:
     return st;

@@ -1,19 +1,17 @@
 /* A cantilevered plate that is let go, as long as its deflection is small. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "bench/truth/truth_plate.h"
+#include "bench/truth/truth_table.h"
+#include "bench/verify/verify_check.h"
 #include "bench/verify/verify_refine.h"
 #include "fem_ref/freefem.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
-
-extern const struct verify_check verify_transient;
 
 /* As in `pendulum`: a solid 1 %, a shell, whose theory is the truth's own, 1e-3. */
-static const double SOLID = 0.01, SHELL = 1e-3;
+#define SOLID 0.01, NULL
+#define SHELL 1e-3, NULL
 
 /* So little of gravity that the plate falls by 8e-5 m, a fifteenth of its thickness: models
  * of large displacements are linear there, too, and linear ones the same as under all of
@@ -22,81 +20,50 @@ static const double SOLID = 0.01, SHELL = 1e-3;
 #define SMALL 1e-4
 static const char *const settings[] = {"gravity=[0,0,-9.81e-4]", NULL};
 
-enum { TIMES = FREEFEM_TIMES, NETS = VERIFY_REFINE_NETS };
+enum { TIMES = FREEFEM_TIMES };
 static const double times[TIMES] = {0.1, 0.2, 0.3, 0.4}; /* [s] */
 static const double STEP = 0.00125;
 
-struct subject {
-    struct verify_subject subject;
-    const char *net[NETS]; /* NULL: fewer                                              */
-    bool dear;
-};
-
-#define POINTS(a, b, c) "discretization.points=[" #a "," #b "," #c "]"
-#define NET(a, b)       "discretization.points=[" #a "," #b "]"
-#define KINEMATICS(k, remedy)                                                              \
-    "discretization.kinematics=" k " discretization.remedy=" remedy
-#define EULER "implicit Euler: first order in time"
+#define EULER   "implicit Euler: first order in time"
+#define FORGETS "stress is forgotten after each step"
+#define TO_THE_END                                                                         \
+    .more = "iterated to the end",                                                         \
+    .settings = {"discretization.acceleration=chebyshev",                                  \
+                 "discretization.iterations=100000", "discretization.tolerance=1e-13"}
 #define EVERY_EIGHTH                                                                       \
+    {10, 18, 34},                                                                          \
     {                                                                                      \
-        POINTS(10, 6, 2), POINTS(18, 10, 2), POINTS(34, 18, 2)                             \
+        6, 10, 18                                                                          \
     }
-static const struct subject subjects[] = {
-    {{"iga, none, linear", "iga", KINEMATICS("linear", "none"), NAN,
-      "the paper's space: locks"},
-     EVERY_EIGHTH,
-     false},
-    {{"iga, none, printed", "iga", KINEMATICS("printed", "none"), NAN,
-      "the paper's scheme: viscous, not elastic"},
-     {POINTS(10, 6, 2)},
-     false},
-    {{"iga, reduced, incremental", "iga", KINEMATICS("incremental", "reduced"), NAN,
-      "stress is forgotten after each step"},
-     {POINTS(10, 6, 2), POINTS(18, 10, 2)},
-     true},
-    {{"iga, reduced, linear", "iga", KINEMATICS("linear", "reduced"), SOLID, NULL},
-     EVERY_EIGHTH,
-     false},
-    {{"iga, selective, linear", "iga", KINEMATICS("linear", "selective"), SOLID, NULL},
-     EVERY_EIGHTH,
-     false},
-    {{"iga, p = 3, r = 2, linear", "iga",
-      KINEMATICS("linear", "none") " discretization.degree=[3,3,2]", SOLID, NULL},
-     {POINTS(11, 7, 3), POINTS(19, 11, 3), POINTS(35, 19, 3)},
-     false},
-    {{"iga, reduced, nonlinear", "iga", KINEMATICS("nonlinear", "reduced"), SOLID, NULL},
-     EVERY_EIGHTH,
-     true},
-    {{"hex, none, linear", "hex", KINEMATICS("linear", "none"), NAN, "locks"},
-     {POINTS(17, 9, 2), POINTS(33, 17, 2), POINTS(65, 33, 2)},
-     true},
-    {{"hex, incompatible, linear", "hex", KINEMATICS("linear", "incompatible"), SOLID,
-      NULL},
-     {POINTS(17, 9, 2), POINTS(33, 17, 2), POINTS(65, 33, 2)},
-     false},
-    {{"hex, incompatible, nonlinear", "hex", KINEMATICS("nonlinear", "incompatible"), SOLID,
-      NULL},
-     {POINTS(17, 9, 2), POINTS(33, 17, 2), POINTS(65, 33, 2)},
-     true},
-    {{"shell, p = 3, linear", "shell",
-      "discretization.kinematics=linear discretization.degree=[3,3]", SHELL, NULL},
-     {NET(11, 7), NET(19, 11), NET(35, 19)},
-     false},
-    {{"shell, p = 3, nonlinear", "shell",
-      "discretization.kinematics=nonlinear discretization.degree=[3,3]", SHELL, NULL},
-     {NET(11, 7), NET(19, 11), NET(35, 19)},
-     true},
-    {{"mass_spring, matched", "mass_spring", "discretization.tolerance=1e-9", NAN, EULER},
-     {NET(21, 21), NET(41, 41)},
-     false},
-    {{"projective_dynamics, matched, iterated to the end", "projective_dynamics",
-      "discretization.acceleration=chebyshev discretization.iterations=100000 "
-      "discretization.tolerance=1e-13",
-      NAN, EULER},
-     {NET(11, 11), NET(21, 21)},
-     true},
-};
-enum { SUBJECTS = sizeof subjects / sizeof *subjects };
+#define THREE                                                                              \
+    {11, 19, 35},                                                                          \
+    {                                                                                      \
+        7, 11, 19                                                                          \
+    }
+#define MANY                                                                               \
+    {17, 33, 65},                                                                          \
+    {                                                                                      \
+        9, 17, 33                                                                          \
+    }
+static const struct verify_entry entries[] = {
+    {"iga_linear", 0, "the paper's space: locks", EVERY_EIGHTH},
+    {"iga_paper", 0, "the paper's scheme: viscous, not elastic", {10}, {6}},
+    {"iga_reduced_incremental", 0, FORGETS, {10, 18}, {6, 10}, .dear = true},
+    {"iga_reduced_linear", SOLID, EVERY_EIGHTH},
+    {"iga_selective_linear", SOLID, EVERY_EIGHTH},
+    {"iga_linear_32", SOLID, THREE},
+    {"iga_reduced", SOLID, EVERY_EIGHTH, .dear = true},
+    {"hex_linear", 0, "locks", MANY, .dear = true},
+    {"hex_incompatible_linear", SOLID, MANY},
+    {"hex_incompatible", SOLID, MANY, .dear = true},
+    {"shell_linear_3", SHELL, THREE},
+    {"shell_3", SHELL, THREE, .dear = true},
+    {"mass_spring", 0, EULER, {21, 41}, .settings = {"discretization.tolerance=1e-9"}},
+    {"projective_dynamics", 0, EULER, {11, 21}, TO_THE_END, .dear = true},
+    {NULL}};
+static const struct verify_field field = {
+    entries, CONTESTANT_SMALL,
+    "iga_linear_3,iga_reduced_linear_3,iga_selective_linear_3,shell_linear", THREE};
 
 /* Truths and room. */
 struct transient {
@@ -107,20 +74,6 @@ struct transient {
     double *uvw, *truth, *field;
 };
 
-static enum status read_scene(struct scene *scene, struct message *why)
-{
-    enum status st;
-    char *path = NULL;
-    struct discretization unused = {0};
-
-    TRY(scene_file_find("cantilever_transient", &path, why));
-    TRY(scene_file_read(path, 0, NULL, scene, &unused, why));
-out:
-    discretization_clear(&unused);
-    free(path);
-    return st;
-}
-
 static enum status read_solid(struct transient *t, struct message *why)
 {
     enum status st;
@@ -129,7 +82,7 @@ static enum status read_solid(struct transient *t, struct message *why)
 
     TRY(freefem_job_of(&t->scene, &job, why));
     job.steps = FREEFEM_TIMES; /* not static */
-    TRY(verify_reference_path("freefem_transient_h1177um", &path, why));
+    TRY(truth_table_path("freefem_transient_h1177um", &path, why));
     TRY(freefem_stored(&job, path, &t->solid, why));
     for (int n = 0; n < TIMES; n++) {
         double *shift = t->solid.shift[n][0][0];
@@ -157,7 +110,7 @@ static enum status transient_init(struct transient *t, struct message *why)
     enum status st;
     const size_t grid = 3 * sizeof(double) * GRID_POINTS;
 
-    TRY(read_scene(&t->scene, why));
+    TRY(verify_trial_scene("cantilever_transient", &t->scene, why));
     TRY(truth_plate_init(&t->plate, &t->scene, TIMES, times, why));
     TRY(read_solid(t, why));
     t->uvw = malloc(grid);
@@ -206,14 +159,13 @@ static double solid_error(const struct transient *t, double *bar)
     return worst;
 }
 
-static enum status add_rows(struct verify_sheet *sheet, const struct subject *s,
+static enum status add_rows(struct verify_sheet *sheet, struct verify_subject *s,
                             const struct transient *t, struct message *why)
 {
     enum status st;
     struct verify_refine r = {.scene = "cantilever_transient",
                               .settings = settings,
-                              .net = s->net,
-                              .steps = VERIFY_REFINE_STEPS,
+                              .steps = sheet->quick ? 1 : VERIFY_REFINE_STEPS,
                               .step = STEP,
                               .times = TIMES,
                               .time = times,
@@ -227,18 +179,14 @@ static enum status add_rows(struct verify_sheet *sheet, const struct subject *s,
     double bar = NAN;
     bool lived;
 
-    while (r.nets < NETS && s->net[r.nets])
-        r.nets++;
-    if (verify_quick(sheet)) { /* the finest two, no coarser step */
-        int skip = r.nets > 2 ? r.nets - 2 : 0;
-        r.net += skip, r.nets -= skip, r.steps = 1;
-    }
-    TRY(verify_refine(sheet, &s->subject, &r, "rms deflection, Kirchhoff", &lived, why));
-    if (lived && !verify_quick(sheet)) {
+    if (sheet->quick) /* the finest two, no coarser step */
+        verify_subject_last(s, 2);
+    TRY(verify_refine(sheet, s, &r, "rms deflection, Kirchhoff", &lived, why));
+    if (lived && !sheet->quick) {
         struct verify_row *row =
-            verify_add(sheet, &s->subject, "rms deflection, 3-D elasticity");
+            verify_sheet_add(sheet, s, "rms deflection, 3-D elasticity");
         double error = solid_error(t, &bar);
-        verify_judge_error(row, error, bar);
+        verify_row_judge_error(row, error, bar);
     }
 out:
     return st;
@@ -248,12 +196,11 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
 {
     enum status st;
     struct transient t = {0};
+    struct verify_subject s;
 
     TRY(transient_init(&t, why));
-    for (int s = 0; s < SUBJECTS; s++)
-        if (verify_wanted(sheet, &subjects[s].subject) &&
-            (!subjects[s].dear || !verify_quick(sheet)))
-            TRY(add_rows(sheet, &subjects[s], &t, why));
+    for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
+        TRY(add_rows(sheet, &s, &t, why));
 out:
     transient_clear(&t);
     return st;

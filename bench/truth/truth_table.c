@@ -1,6 +1,8 @@
+#include "bench/truth/truth_table.h"
+
+#include <math.h>
 #include <stdlib.h>
 
-#include "bench/verify/verify.h"
 #include "models/reader/named_file.h"
 
 /* Tables have no line for lists. */
@@ -19,20 +21,27 @@ static const struct named_file_kind kind = {
     .describe = describe,
 };
 
-enum status verify_reference_path(const char *name, char **path, struct message *why)
+enum status truth_table_path(const char *name, char **path, struct message *why)
 {
     return named_file_find(&kind, name, path, why);
 }
 
-enum status verify_reference(const char *name, struct reference **table,
+enum status truth_table_open(const char *name, struct reference **table,
                              struct message *why)
 {
     enum status st;
     char *path = NULL;
 
-    TRY(verify_reference_path(name, &path, why));
+    TRY(truth_table_path(name, &path, why));
     TRY(reference_open(path, table, why));
 out:
     free(path);
     return st;
+}
+
+double truth_table_note(const struct reference *table, const char *key)
+{
+    const char *text = reference_note(table, key);
+
+    return text ? strtod(text, NULL) : NAN;
 }

@@ -1,0 +1,45 @@
+/* verify_check.h - a check: one truth (a closed form, a table computed elsewhere, an
+ * outside program) and all contestants it applies to. It is one `const struct verify_check`
+ * in a file of its own, bench/verify/checks/verify_NAME.c, named in verify_checks.c and
+ * nowhere else:
+ *
+ *     static const struct verify_entry entries[] = {
+ *         {"iga_reduced", 0.01, "1 % is asked", {16, 32}, {3, 3}}, {NULL}};
+ *     static const struct verify_field field = {entries, CONTESTANT_LARGE};
+ *
+ *     static enum status run(struct verify_sheet *sheet, struct message *why)
+ *     {
+ *         struct verify_subject s;
+ *         for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);) {
+ *             struct verify_row *row = verify_sheet_add(sheet, &s, "tip, Gamma %g", g);
+ *             struct verify_trial t = {row, &s, "cantilever"};
+ *             TRY(verify_trial_equilibrium(&t, 1, uvw, xyz, why));
+ *             if (t.lived)
+ *                 verify_row_judge(row, xyz[2], truth, 1e-10);
+ *         }
+ *     out: ...
+ *     }
+ *
+ * Every contestant has a row: one whose model has no such thing, or whose theory does not
+ * reach so far, says so. Nothing is claimed by default; a claim is a tolerance with its
+ * reason, fixed before the first result, and a claim that is not met makes the command
+ * fail.
+ */
+#ifndef VERIFY_CHECK_H
+#define VERIFY_CHECK_H
+
+#include "bench/ui/command.h"
+#include "bench/verify/verify_sheet.h"
+#include "bench/verify/verify_trial.h"
+
+struct verify_check {
+    struct command_item item; /* name and a line on it; first: the command's items        */
+    const char *source;       /* the truth: what, by whom, how good                       */
+    const char *table;        /* that it is read from, sheet->table; NULL: none           */
+    bool slow;                /* more than some 10 s: --quick leaves it out               */
+
+    /* Adds its rows. Deaths and refusals of models are rows, not errors. */
+    enum status (*run)(struct verify_sheet *sheet, struct message *why);
+};
+
+#endif

@@ -129,10 +129,10 @@ static enum status print_cost(const struct study_cures *s, enum table_format for
 {
     static const struct table_column columns[] = {
         {"space, remedy", NULL, TABLE_LEFT},
-        {"zero modes", "free"},
+        {"zero modes", "free", .key_unit = "1"},
         {"frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
         {"fastest", "ms", .key = "fastest_s", .key_unit = "s", .scale = 1e3},
-        {"over none", "fastest"},
+        {"over none", "fastest", .key_unit = "1"},
         {"assemble", "ms", .key = "assemble_s", .key_unit = "s", .scale = 1e3},
         {"factor", "ms", .key = "factor_s", .key_unit = "s", .scale = 1e3}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,

@@ -56,7 +56,7 @@ static struct table *pivot(const struct study_locking *s, const char *caption, b
 
     for (int n = 0; n < s->count; n++) {
         snprintf(header[n], TEXT, "%sh %g", n ? "" : "at ", 1e3 * s->thickness[n]);
-        columns[fixed + n] = (struct table_column){header[n], "mm"};
+        columns[fixed + n] = (struct table_column){header[n], "mm", .key_unit = "1"};
     }
     struct table *t = table_create(fixed + s->count, columns, caption);
     for (int space = 0; space < STUDY_LOCKING_SPACES; space++) {
@@ -137,11 +137,13 @@ static int find(const struct study_locking *s, double h)
 static enum status print_prototype(const struct study_locking *s, enum table_format format,
                                    FILE *file)
 {
-    static const struct table_column columns[] = {
-        {"space", NULL, TABLE_LEFT}, {"1 mm", "here"},
-        {"1 mm", "prototype"},       {"5 mm", "here"},
-        {"5 mm", "prototype"},       {"20 mm", "here"},
-        {"20 mm", "prototype"}};
+    static const struct table_column columns[] = {{"space", NULL, TABLE_LEFT},
+                                                  {"1 mm", "here", .key_unit = "1"},
+                                                  {"1 mm", "prototype", .key_unit = "1"},
+                                                  {"5 mm", "here", .key_unit = "1"},
+                                                  {"5 mm", "prototype", .key_unit = "1"},
+                                                  {"20 mm", "here", .key_unit = "1"},
+                                                  {"20 mm", "prototype", .key_unit = "1"}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Against an independent prototype, nu = 0.3");
     double worst = -INFINITY, wanted, half;

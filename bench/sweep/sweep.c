@@ -188,7 +188,7 @@ static enum status lead(struct sweep *s, const struct sweep_options *options,
 
     s->folder = (struct sweep_folder){.lock = -1, .log = -1};
     s->out = options->folder;
-    TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, options->resume, why));
+    TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, options->start, why));
     s->pool.slots = s->pool.ranks ? 1 : options->jobs ? options->jobs : omp_get_num_procs();
     s->pool.quiet = options->quiet;
     TRY(run_all(s, name, why));
@@ -235,7 +235,8 @@ static enum status read_options(const struct command_line *line, const struct ra
                          "--jobs: under mpirun every rank runs one case at a time; say "
                          "how many with mpirun -n");
     *o = (struct sweep_options){.folder = command_value(line, "--out"),
-                                .resume = command_given(line, "--resume"),
+                                .start = command_given(line, "--resume") ? SWEEP_RESUME
+                                                                         : SWEEP_NEW,
                                 .jobs = (int)jobs,
                                 .quiet = command_given(line, "--quiet")};
     return st;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "bench/files/folder.h"
+#include "bench/stress/stress.h"
 #include "bench/stress/stress_run.h"
 #include "fem_ref/elastica.h"
 #include "models/clock.h"

@@ -58,7 +58,7 @@ static enum status write_plan(const char *path, const struct stress_choice *choi
         "scene: %s\n"
         "settings: {sheet.thickness: 0.01, time.end: 0.3, snapshots: [0.1, 0.2, 0.3]}\n"
         "cases:\n",
-        stress_scene);
+        stress_case_scene);
     while ((at = stress_choice_next(choice, at)))
         write_case(out, at);
     output_print(out,

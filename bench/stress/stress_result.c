@@ -1,10 +1,10 @@
-/* What a trial of `stress` left: its file, and which of the four ends it is. */
+#include "bench/stress/stress_result.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "bench/files/output.h"
-#include "bench/stress/stress.h"
 
 static const char *const outcome_words[] = {
     [STRESS_RAN] = "ran", [STRESS_SAID_NO] = "refused", [STRESS_DEAD] = "died"};
@@ -17,7 +17,7 @@ const char *stress_end_name(enum stress_end end)
     return names[end];
 }
 
-enum stress_end stress_classify(const struct stress_result *r, double bound)
+enum stress_end stress_result_end(const struct stress_result *r, double bound)
 {
     if (r->outcome == STRESS_SAID_NO)
         return STRESS_REFUSED;
@@ -26,8 +26,8 @@ enum stress_end stress_classify(const struct stress_result *r, double bound)
     return r->error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
 }
 
-void stress_name(const struct stress_case *c, const struct contestant *contestant,
-                 char *text, int size)
+void stress_result_name(const struct stress_case *c, const struct contestant *contestant,
+                        char *text, int size)
 {
     snprintf(text, (size_t)size, "%s.%s", c->item.name, contestant->name);
 }
@@ -37,8 +37,8 @@ static void file_of(const char *folder, const char *name, char *path, int size)
     snprintf(path, (size_t)size, "%s/%s.txt", folder, name);
 }
 
-enum status stress_write(const char *folder, const char *name,
-                         const struct stress_result *r, struct message *why)
+enum status stress_result_write(const char *folder, const char *name,
+                                const struct stress_result *r, struct message *why)
 {
     struct output *out = NULL;
     char path[4096];
@@ -73,8 +73,8 @@ static bool read_result(FILE *file, struct stress_result *r)
     return end && outcome < OUTCOMES;
 }
 
-enum status stress_read(const char *folder, const char *name, struct stress_result *r,
-                        struct message *why)
+enum status stress_result_read(const char *folder, const char *name,
+                               struct stress_result *r, struct message *why)
 {
     char path[4096];
     enum status st = STATUS_OK;

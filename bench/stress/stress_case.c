@@ -1,9 +1,9 @@
 /* The cases of `stress`, as data. */
-#include "bench/stress/stress.h"
+#include "bench/stress/stress_case.h"
 
 #include <stddef.h>
 
-const char *const stress_scene = "cantilever";
+const char *const stress_case_scene = "cantilever";
 
 #define CASE(name, text, ...)                                                              \
     static const struct stress_case name = {.item = {#name, text}, __VA_ARGS__}
@@ -140,7 +140,7 @@ CASE(two_corners, "hung from two corners", .truth = STRESS_SHELL, /* Gamma = 50 
 static const struct command_item map = {"map",
                                         "every step by every stiffness: the stability map"};
 
-const struct command_item *const stress_items[] = {
+const struct command_item *const stress_case_items[] = {
     /* clang-format off */
     &map,
     &thin_2.item, &thin_3.item, &thin_4.item, &thin_5.item, &poisson_0.item,
@@ -156,5 +156,27 @@ const struct command_item *const stress_items[] = {
 
 const struct stress_case *stress_case_at(int n)
 {
-    return (const struct stress_case *)stress_items[n + 1];
+    return (const struct stress_case *)stress_case_items[n + 1];
+}
+
+const char *stress_truth_text(enum stress_truth truth)
+{
+    static const char *const text[STRESS_TRUTHS] = {
+        [STRESS_PLATE] = "tip at rest against the Kirchhoff plate (Ritz), relative",
+        [STRESS_ELASTICA] = "tip at rest against the heavy elastica, over L",
+        [STRESS_VIBRATION] =
+            "tip in time against the Kirchhoff plate's modal solution, over "
+            "its greatest deflection",
+        [STRESS_SIMILAR] =
+            "against the model's own motion in metres, kilograms and seconds, "
+            "RMSE over L",
+        [STRESS_ENERGY] = "drift of the sum of energies, over the energy in play",
+        [STRESS_BUCKLED] = "middle against Euler's elastica, over L",
+        [STRESS_STILL] = "motion where there should be none, RMSE over L",
+        [STRESS_STILL_REST] = "motion away from the model's own equilibrium, RMSE over L",
+        [STRESS_SHIFTED] = "where it comes to rest, RMSE over L",
+        [STRESS_SHELL] = "against a finer nonlinear shell, RMSE over L",
+    };
+
+    return text[truth];
 }

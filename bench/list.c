@@ -20,7 +20,8 @@ static enum status list_files(const struct named_file_kind *kind, struct message
     enum status st = named_file_list(kind, &entries, &count, why);
 
     for (int n = 0; n < count; n++)
-        print_item(entries[n].name, entries[n].text);
+        if (*entries[n].text)
+            print_item(entries[n].name, entries[n].text);
     named_file_list_free(entries, count);
     return st;
 }
@@ -45,7 +46,8 @@ static bool list_items(const char *section)
             continue;
         found = true;
         for (int i = 0; c->items && c->items[i]; i++)
-            print_item(c->items[i]->name, c->items[i]->text);
+            if (c->items[i]->text) /* else its plan has it */
+                print_item(c->items[i]->name, c->items[i]->text);
     }
     return found;
 }
@@ -74,6 +76,10 @@ static enum status list_section(const char *section, struct message *why)
         return list_files(&plan_kind, why);
     if (!strcmp(section, "truths"))
         return list_files(&truth_file_kind, why);
+    if (!strcmp(section, "studies")) {
+        list_items(section);
+        return list_files(&plan_study_kind, why);
+    }
     if (!strcmp(section, "models"))
         list_models();
     else

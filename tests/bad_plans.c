@@ -159,7 +159,7 @@ static void check_good(void)
         CHECK(scene.poisson == (n < 6 ? 0.3 : 0.2) && scene.end == 0.5);
         CHECK_RELATIVE(scene_gamma(&scene), gammas[n / 2 % 3], tol_gamma);
         CHECK(scene.damping.value == strtod(dampings[n % 2], NULL));
-        CHECK(scene.young == 1e5 && !strcmp(c.model, "iga"));
+        CHECK(scene.young == 1e5 && !strcmp(c.contestant->name, "iga"));
         scene_clear(&scene);
         plan_case_clear(&c);
     }

@@ -8,6 +8,5 @@
 #define exhibit_options         experiment_options
 #define exhibit_progress        experiment_progress
 #define exhibit_command_options experiment_command_options
-#define exhibit_run             experiment_run
 
 #endif

@@ -1,13 +1,13 @@
 #include "bench/experiment/experiment.h"
 
 #include <math.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/study_print.h"
 #include "bench/files/folder.h"
-#include "bench/ui/progress.h"
 #include "bench/harness/timing.h"
+#include "bench/ui/progress.h"
 
 const struct command_option experiment_command_options[] = {
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
@@ -48,22 +48,34 @@ static void show(void *context, const char *what, int done, int total)
         progress_end(&bar->progress);
 }
 
-static enum status find(const struct command *command, const char *name,
-                        const struct experiment **experiment, struct message *why)
+static const struct experiment *find(const struct command *command, const char *name)
 {
-    char known[512] = "";
+    for (int n = 0; command->items[n]; n++)
+        if (!strcmp(command->items[n]->name, name))
+            return (const struct experiment *)command->items[n];
+    return NULL;
+}
 
-    for (int n = 0; command->items[n]; n++) {
-        const struct command_item *item = command->items[n];
-        size_t used = strlen(known);
-        if (!strcmp(item->name, name)) {
-            *experiment = (const struct experiment *)item;
-            return STATUS_OK;
-        }
-        snprintf(known + used, sizeof known - used, "%s%s", n ? ", " : "", item->name);
-    }
-    return status_fail(why, STATUS_INPUT, "%s: there is no '%s'; there are %s",
-                       command->name, name, known);
+static enum status refuse(const struct command *command, const char *name, bool plans,
+                          struct message *why)
+{
+    struct named_file_entry *entries = NULL;
+    char known[512] = "";
+    int count = 0;
+
+    for (int n = 0; command->items[n]; n++)
+        snprintf(known + strlen(known), sizeof known - strlen(known), "%s%s", n ? ", " : "",
+                 command->items[n]->name);
+    if (plans)
+        named_file_list(&plan_study_kind, &entries, &count, NULL);
+    for (int n = 0; n < count; n++)
+        if (*entries[n].text && !find(command, entries[n].name))
+            snprintf(known + strlen(known), sizeof known - strlen(known), ", %s",
+                     entries[n].name);
+    named_file_list_free(entries, count);
+    return status_fail(why, STATUS_INPUT, "%s: there is no '%s'; there are %s%s",
+                       command->name, name, known,
+                       plans ? ", or give the path of a plan with levels" : "");
 }
 
 enum { MOST_VALUES = 16 };
@@ -74,7 +86,7 @@ static enum status read_values(const char *text, const struct experiment *experi
 {
     if (!experiment->values)
         return status_fail(why, STATUS_INPUT, "%s has no --values to choose",
-                           experiment->item.name);
+                           experiment->plan ? experiment->plan : experiment->item.name);
     for (const char *rest = text;; rest++) {
         char *end;
         double v = strtod(rest, &end);
@@ -93,8 +105,66 @@ static enum status read_values(const char *text, const struct experiment *experi
     }
 }
 
+static enum status read_plan(const char *name, struct plan *plan, struct message *why)
+{
+    char *path = NULL;
+    enum status st;
+
+    TRY(named_file_find(&plan_kind, name, &path, why));
+    TRY(plan_read(path, plan, why));
+    if (!plan->study_count)
+        st = status_fail(why, STATUS_INPUT,
+                         "%s: the plan has no levels, so it is no study; clothbench sweep "
+                         "runs it",
+                         path);
+out:
+    free(path);
+    return st;
+}
+
+enum status experiment_measure(const struct experiment *e,
+                               const struct experiment_options *options,
+                               struct message *why)
+{
+    const struct measurement_options how = {.quick = options->quick,
+                                            .repeats = options->repeats,
+                                            .progress = options->progress,
+                                            .context = options->context};
+    struct plan plan = {0};
+    enum status st = STATUS_OK;
+
+    if (e->plan) {
+        TRY(read_plan(e->plan, &plan, why));
+        TRY(study_measure(&plan, options->folder, &how, why));
+    }
+    if (e->measure)
+        TRY(e->measure(options, why));
+out:
+    plan_clear(&plan);
+    return st;
+}
+
+enum status experiment_print(const struct experiment *e, const char *folder,
+                             enum table_format format, FILE *file, struct message *why)
+{
+    struct study_results r = {0};
+    struct plan plan = {0};
+    enum status st;
+
+    if (!e->plan)
+        return e->print(folder, format, file, why);
+    TRY(read_plan(e->plan, &plan, why));
+    TRY(study_read(&plan, folder, &r, why));
+    st = e->tell ? e->tell(&r, folder, format, file, why)
+                 : study_print_all(&r, folder, format, file, why);
+out:
+    study_clear(&r);
+    plan_clear(&plan);
+    return st;
+}
+
 /* One thread, on one processor: experiments compare models, not schedulers. */
-static enum status measure(const struct experiment *experiment, struct experiment_options o,
+static enum status measure(const struct experiment *e, struct experiment_options o,
                            struct message *why)
 {
     struct bar bar = {{0}, NULL};
@@ -104,43 +174,81 @@ static enum status measure(const struct experiment *experiment, struct experimen
         return st;
     o.progress = show;
     o.context = &bar;
-    omp_set_num_threads(1);
-    timing_pin();
-    st = experiment->measure(&o, why);
+    timing_alone();
+    st = experiment_measure(e, &o, why);
     progress_end(&bar.progress);
     return st;
 }
 
-enum status experiment_run(const struct command_line *line, struct message *why)
+/* results/table1, results/study_mesh; of a plan somewhere else, by its name. */
+static enum status name_folder(const struct command_line *line, const struct experiment *e,
+                               char usual[128], struct message *why)
+{
+    const char *command = line->command->name;
+    struct plan plan = {0};
+    enum status st = STATUS_OK;
+
+    if (!e->item.name)
+        TRY(read_plan(e->plan, &plan, why));
+    snprintf(usual, 128, "results/%s%s%s", command, strcmp(command, "table") ? "_" : "",
+             e->item.name ? e->item.name : plan.name);
+out:
+    plan_clear(&plan);
+    return st;
+}
+
+/* What the word means: `own` is filled in if it is a plan. */
+static enum status choose(const struct command_line *line, bool plans,
+                          struct experiment *own, const struct experiment **e,
+                          struct message *why)
+{
+    const char *word = line->words[0];
+    char *path = NULL;
+
+    *e = find(line->command, word);
+    if (*e)
+        return STATUS_OK;
+    if (!plans || named_file_find(&plan_study_kind, word, &path, NULL) != STATUS_OK)
+        return refuse(line->command, word, plans, why);
+    free(path);
+    *own = (struct experiment){.plan = word};
+    *e = own;
+    return STATUS_OK;
+}
+
+enum status experiment_command(const struct command_line *line, bool plans,
+                               struct message *why)
 {
     const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
-    const char *word = command_value(line, "--format"), *command = line->command->name;
-    const struct experiment *experiment = NULL;
-    enum table_format format = TABLE_TEXT;
-    enum status st = STATUS_OK;
+    const char *word = command_value(line, "--format");
     const char *values = command_value(line, "--values");
+    const struct experiment *e = NULL;
+    struct experiment own;
+    enum table_format format = TABLE_TEXT;
     double value[MOST_VALUES];
-    char usual[64];
+    char usual[128];
+    enum status st;
 
-    TRY(find(line->command, line->words[0], &experiment, why));
-    snprintf(usual, sizeof usual, "results/%s%s%s", command,
-             strcmp(command, "table") ? "_" : "", experiment->item.name);
-    const char *folder = from ? from : out ? out : usual;
+    TRY(choose(line, plans, &own, &e, why));
+    TRY(name_folder(line, e, usual, why));
     if (from && out)
         return status_fail(why, STATUS_INPUT,
                            "--from reads result files and --out writes "
                            "them; give one of the two");
     if (word)
         TRY(table_format_parse(word, &format, why));
-    struct experiment_options options = {
-        .folder = folder, .quick = command_given(line, "--quick"), .value = value};
+    struct experiment_options options = {.folder = from  ? from
+                                                   : out ? out
+                                                         : usual,
+                                         .quick = command_given(line, "--quick"),
+                                         .value = value};
     if (values)
-        TRY(read_values(values, experiment, &options.value_count, value, why));
+        TRY(read_values(values, e, &options.value_count, value, why));
     if (values && from)
         return status_fail(why, STATUS_INPUT, "--values is for a new run, not for --from");
     if (!from)
-        TRY(measure(experiment, options, why));
-    TRY(experiment->print(folder, format, stdout, why));
+        TRY(measure(e, options, why));
+    TRY(experiment_print(e, options.folder, format, stdout, why));
 out:
     return st;
 }

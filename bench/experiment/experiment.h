@@ -2,8 +2,9 @@
  * files in a folder, and what is printed from these files alone, so that a new format or
  * plot needs no new run. One runner serves the commands `table` and `study`.
  *
- * An experiment is one `const struct experiment` in a file of its own, named in
- * bench/tables/tables.c or bench/studies/studies.c and nowhere else.
+ * Most are the studies of a plan (plan_study.h), and have sentences on them at most. An
+ * experiment is one `const struct experiment`, named in bench/tables/tables.c or
+ * bench/studies/studies.c and nowhere else; a plan of the user's needs none.
  */
 #ifndef EXPERIMENT_H
 #define EXPERIMENT_H
@@ -21,32 +22,49 @@ struct experiment_options {
     void *context;
 };
 
+struct study_results; /* study.h */
+
 struct experiment {
     struct command_item item; /* name and a line on it; first: the command's items are
-                                 pointers to these                                     */
+                                 pointers to these. No line: its plan has it            */
     const char
-        *values; /* what --values gives, with its unit; NULL: the option is refused */
+        *values;      /* what --values gives, with its unit; NULL: the option is refused */
+    const char *plan; /* name or path of the plan whose studies are measured; NULL: none */
 
-    /* Runs all cases, on the one thread it is called on. STATUS_FILE, STATUS_MEMORY with a
-     * sentence; deaths of runs are results. */
+    /* Runs all cases, with a plan those that it does not have (NULL: none), on the one
+     * thread it is called on. STATUS_FILE, STATUS_MEMORY with a sentence; deaths of runs
+     * are results. */
     enum status (*measure)(const struct experiment_options *options, struct message *why);
 
     /* Prints tables and sentences to `file`; CSV, plots and pictures go into the folder,
      * with a line on each. The paper's numbers stand beside ours. */
     enum status (*print)(const char *folder, enum table_format format, FILE *file,
                          struct message *why);
+
+    /* The same with a plan, from what came of it. NULL: study_print_all. */
+    enum status (*tell)(const struct study_results *r, const char *folder,
+                        enum table_format format, FILE *file, struct message *why);
 };
 
 /* Calls options->progress if there is one. */
 void experiment_progress(const struct experiment_options *options, const char *what,
                          int done, int total);
 
-/* What the commands `table` and `study` do; the experiment is the one of command->items
- * that the first word names. Results go to results/<command><name> unless said otherwise.
- */
-enum status experiment_run(const struct command_line *line, struct message *why);
+/* What the commands `table` and `study` do: the experiment that the first word names, or,
+ * with `plans`, the studies of the plan that it names. Results go to
+ * results/<command><name> unless said otherwise. */
+enum status experiment_command(const struct command_line *line, bool plans,
+                               struct message *why);
 
-/* The options that experiment_run reads. */
+/* Runs all of it into options->folder (measure), prints all of it from a folder: for the
+ * above and for tests. */
+enum status experiment_measure(const struct experiment *e,
+                               const struct experiment_options *options,
+                               struct message *why);
+enum status experiment_print(const struct experiment *e, const char *folder,
+                             enum table_format format, FILE *file, struct message *why);
+
+/* The options that experiment_command reads. */
 extern const struct command_option experiment_command_options[];
 
 #endif

@@ -49,17 +49,17 @@ static enum status follow(struct job *j, const struct measurement_case *c,
                           struct message *why)
 {
     struct message said = {""};
-    enum status st;
+    enum status st, built;
 
     j->asked = c;
     TRY(run_read(&j->run, &c->plan, why));
-    st = run_build(&j->run, &said);
-    if (st && !run_file_is_refusal(st))
-        TRY(status_fail(why, st, "%s", said.text));
-    j->built = st == STATUS_OK;
+    built = run_build(&j->run, &said);
+    if (built && !run_file_is_refusal(built))
+        TRY(status_fail(why, built, "%s", said.text));
+    j->built = built == STATUS_OK;
     TRY(run_file_open(&j->run, &c->keep, &j->file, why));
     if (!j->built) {
-        run_file_refuse(j->file, st, &said);
+        run_file_refuse(j->file, built, &said);
         return STATUS_OK;
     }
     if (c->rest)
@@ -78,16 +78,26 @@ static bool is_timed(const struct job *j)
            (j->asked->rest || j->motion.frames > WARMUP);
 }
 
+/* Whether frames cost more at some times of a motion than at others. */
+static bool is_uneven(const struct job *j)
+{
+    return j->run.discretization.kinematics == KINEMATICS_NONLINEAR ||
+           scene_needs(&j->run.scene) & SCENE_NEED_CONTACT;
+}
+
 /* How many of its frames are timed. */
 static void plan_frames(const struct measurement_options *options, const struct job *j,
                         struct timing_case *t)
 {
-    const bool some = j->asked->timed == MEASUREMENT_SOME;
+    const bool some = j->asked->timed == MEASUREMENT_SOME ||
+                      (j->asked->timed == MEASUREMENT_FAIR && !is_uneven(j));
     const int wanted = options->quick ? QUICK_FRAMES : FRAMES;
     const int lived = j->motion.frames;
 
-    *t = (struct timing_case){
-        .run = &j->run, .rest = j->asked->rest, .repeats = options->repeats};
+    *t = (struct timing_case){.run = &j->run,
+                              .rest = j->asked->rest,
+                              .repeats =
+                                  options->repeats ? options->repeats : j->asked->repeats};
     t->warmup = some ? WARMUP : 0;
     t->frames = some ? (int)fmin(wanted, lived - t->warmup) : lived;
 }
@@ -132,20 +142,29 @@ out:
     return st;
 }
 
+/* One bar: the runs, then the repeats of those that are timed. */
+struct bar {
+    const struct measurement_options *options;
+    int runs, repeats;
+};
+
 static void report(void *context, int done, int total)
 {
-    const struct measurement_options *options = context;
+    const struct bar *bar = context;
+    const struct measurement_options *o = bar->options;
 
-    if (options->progress)
-        options->progress(options->context, options->what, done, total);
+    (void)total;
+    if (o->progress)
+        o->progress(o->context, o->what, done + bar->runs, bar->runs + bar->repeats);
 }
 
 static enum status time_all(const struct measurement_options *options, int count,
                             struct job *jobs, struct message *why)
 {
     struct timing_case *timing = calloc((size_t)count + 1, sizeof *timing);
+    struct bar bar = {options, count, TIMING_REPEATS * count};
     const struct timing_plan plan = {
-        .quick = options->quick, .progress = report, .context = (void *)options};
+        .quick = options->quick, .progress = report, .context = &bar};
     enum status st = timing ? STATUS_OK : STATUS_MEMORY;
     int timed = 0;
 
@@ -173,12 +192,16 @@ enum status measurement_run(const struct measurement_options *options, int count
                             const struct measurement_case *cases, struct message *why)
 {
     struct job *jobs = calloc((size_t)count + 1, sizeof *jobs);
+    struct bar bar = {options, count, TIMING_REPEATS * count};
     enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
 
-    for (int n = 0; n < count && st == STATUS_OK; n++)
-        st = follow(&jobs[n], &cases[n], why);
     TRY(st);
+    for (int n = 0; n < count; n++) {
+        report(&bar, n - count, 0);
+        TRY(follow(&jobs[n], &cases[n], why));
+    }
     TRY(time_all(options, count, jobs, why));
+    report(&bar, bar.repeats, 0);
     for (int n = 0; n < count; n++) {
         struct run_file *file = jobs[n].file;
         jobs[n].file = NULL;

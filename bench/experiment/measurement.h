@@ -10,6 +10,8 @@
 #include "bench/harness/run_file.h"
 
 enum measurement_frames {
+    MEASUREMENT_FAIR, /* WHOLE where the cost of a frame changes along the motion (Newton's
+                         iterations, contact), SOME where it does not                   */
     MEASUREMENT_SOME, /* twenty after two: where a frame costs the same all along the motion
                        */
     MEASUREMENT_WHOLE, /* all that it lives through */
@@ -21,13 +23,14 @@ struct measurement_case {
     struct run_keep keep; /* its file is needed                                        */
     bool rest;            /* static equilibrium instead of motion                      */
     enum measurement_frames timed;
+    int repeats; /* 0: as the options have it                                          */
     bool phases; /* a solid that is rebuilt: also its phases, apart                    */
 };
 
 struct measurement_options {
     const char *what; /* for the progress bar                                          */
     bool quick;       /* fewer repeats and frames                                      */
-    int repeats;      /* 0: as timing.h has them                                       */
+    int repeats;      /* 0: as the cases or timing.h have them                         */
     void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
     void *context;
 };

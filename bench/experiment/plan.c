@@ -10,12 +10,6 @@
 
 #define IN(type, member) .offset = offsetof(struct type, member)
 
-static const char *truth_word(int value)
-{
-    static const char *const words[] = {"false", "true"};
-    return 0 <= value && value < 2 ? words[value] : "unknown";
-}
-
 static const char *keep_word(int value)
 {
     static const char *const words[] = {"none", "snapshots"};
@@ -81,23 +75,21 @@ out:
     return st;
 }
 
-static enum status read_settings(const struct schema_key *key, const struct yaml_tree *node,
-                                 void *target, struct message *why)
+static enum status read_studies(const struct schema_key *key, const struct yaml_tree *node,
+                                void *target, struct message *why)
 {
+    enum status st = STATUS_OK;
     struct plan *plan = target;
 
-    return plan_settings_read(node, key->key, &plan->settings, why);
-}
-
-/* `scene` and `model` are settings like others. */
-static enum status read_word(const struct schema_key *key, const struct yaml_tree *node,
-                             void *target, struct message *why)
-{
-    struct plan *plan = target;
-
-    if (node->kind != YAML_TREE_SCALAR || !*node->text)
+    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > PLAN_STUDY_MOST)
         return schema_refuse(key, node, why);
-    return plan_settings_add(&plan->settings, key->key, node, why);
+    plan->studies = calloc((size_t)node->count, sizeof *plan->studies);
+    if (!plan->studies)
+        return STATUS_MEMORY;
+    for (const struct yaml_tree *child = node->first; child; child = child->next)
+        TRY(plan_study_read(child, &plan->studies[plan->study_count++], why));
+out:
+    return st;
 }
 
 /* The text of a plan file as a tree; both are freed by the receiver. */
@@ -170,19 +162,12 @@ out:
     return st;
 }
 
-static enum status read_mark_settings(const struct schema_key *key,
-                                      const struct yaml_tree *node, void *target,
-                                      struct message *why)
-{
-    return plan_settings_read(node, key->key, &((struct plan_mark *)target)->settings, why);
-}
-
 /* clang-format off */
 static const struct schema_key MARK[] = {
     {"text", "on the point", SCHEMA_TEXT, .required = true, IN(plan_mark, text)},
     {"label", "in the legend", SCHEMA_TEXT, .required = true, IN(plan_mark, label)},
     {"at", "settings of its case", SCHEMA_SPECIAL, .required = true,
-     .read = read_mark_settings, .want = "a map {KEY: VALUE, ...}"},
+     .read = plan_settings_read_key, IN(plan_mark, settings), .want = "a map {KEY: VALUE, ...}"},
     {NULL}};
 
 static const struct schema_key MAP[] = {
@@ -197,19 +182,20 @@ static const struct schema_key PLAN[] = {
     {"name", "key in lists and of the results' folder", SCHEMA_TEXT, .required = true,
      IN(plan, name)},
     {"source", "what it is about", SCHEMA_TEXT, .required = true, IN(plan, source)},
-    {"scene", "of all cases", SCHEMA_SPECIAL, .read = read_word,
-     .want = "the name or the path of a scene"},
-    {"model", "of all cases", SCHEMA_SPECIAL, .read = read_word,
-     .want = "the name of a model"},
-    {"settings", "of all cases", SCHEMA_SPECIAL, .read = read_settings,
-     .want = "a map {KEY: VALUE, ...} of keys that --set takes"},
+    {"what", "a line for lists (the source)", SCHEMA_TEXT, IN(plan, what)},
+    {"scene", "of all cases", SCHEMA_SPECIAL, .read = plan_settings_read_word,
+     IN(plan, settings), .want = "the name or the path of a scene"},
+    {"model", "of all cases: a model or a contestant", SCHEMA_SPECIAL, .read = plan_settings_read_word,
+     IN(plan, settings), .want = "the name of a model"},
+    {"settings", "of all cases", SCHEMA_SPECIAL, .read = plan_settings_read_key,
+     IN(plan, settings), .want = "a map {KEY: VALUE, ...} of keys that --set takes"},
     {"axes", "every combination", SCHEMA_SPECIAL, .read = read_axes, .keys = plan_axis_keys,
      .want = "a list of 1 to 16 axes {key: ..., values: [...]}"},
     {"cases", "each with all combinations of the axes", SCHEMA_SPECIAL, .read = read_cases,
      .want = "a list of 1 to 10000 maps {name: ..., KEY: VALUE, ...}"},
     {"look", "frames from one reading of the metrics to the next", SCHEMA_COUNT, .low = 1,
      .high = 1e6, IN(plan, look)},
-    {"intersections", "count self-intersections", SCHEMA_WORD, .word = truth_word,
+    {"intersections", "count self-intersections", SCHEMA_WORD, .word = plan_settings_truth,
      IN(plan, intersections)},
     {"keep", "fields in the result files", SCHEMA_WORD, .word = keep_word, IN(plan, keep)},
     {"time_limit", "of a case on the clock [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
@@ -218,6 +204,10 @@ static const struct schema_key PLAN[] = {
      .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
              "that has them"},
     {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
+    PLAN_STUDY_KEYS(offsetof(struct plan, base)),
+    {"studies", "each of these levels, times, ... unless it has its own", SCHEMA_SPECIAL,
+     .read = read_studies, .keys = plan_study_keys,
+     .want = "a list of 1 to 100 studies {name: ..., scene: ..., settings: {KEY: VALUE}}"},
     {NULL}};
 /* clang-format on */
 
@@ -228,22 +218,54 @@ static enum status read_mark(const struct yaml_tree *node, struct plan_mark *mar
     return schema_read(MARK, node, "a mark", mark, why);
 }
 
+/* What the studies do not say themselves; a plan with levels alone is one study. */
+static enum status settle_studies(struct plan *plan, const struct yaml_tree *root,
+                                  struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *given = NULL;
+    const bool alone = plan->base.level_count && !plan->study_count;
+
+    for (const char *const *key = (const char *const[]){"times", "truth", "timed", NULL};
+         *key && !given; key++)
+        given = yaml_tree_find(root, *key);
+    if (given && !alone && !plan->study_count)
+        return yaml_tree_refuse(given, why, "%s is for studies, but the plan has no levels",
+                                given->key);
+    if (alone) {
+        plan->studies = calloc(1, sizeof *plan->studies);
+        TRY(plan->studies ? STATUS_OK : STATUS_MEMORY);
+        plan->studies[plan->study_count++] = plan_study_none();
+        plan->studies->line = root->line;
+        plan->studies->name = strdup(plan->name);
+        plan->studies->caption = strdup(plan->source);
+        TRY(plan->studies->name && plan->studies->caption ? STATUS_OK : STATUS_MEMORY);
+    }
+    for (int n = 0; n < plan->study_count; n++)
+        TRY(plan_study_inherit(&plan->studies[n], &plan->base));
+out:
+    return st;
+}
+
 static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                              struct message *why)
 {
     enum status st = STATUS_OK;
-    const struct yaml_tree *name, *map;
+    const struct yaml_tree *name, *map, *times;
 
     TRY(schema_read(PLAN, root, "the plan", plan, why));
     name = yaml_tree_find(root, "name");
     if (strlen(plan->name) > 64 ||
-        plan->name[strspn(plan->name, "abcdefghijklmnopqrstuvwxyz0123456789_")])
+        plan->name[strspn(plan->name, "abcdefghijklmnopqrstuvwxyz0123456789_-")])
         return yaml_tree_refuse(name, why,
                                 "name is %s, but must be 1 to 64 of the characters a-z, "
-                                "0-9 and _",
+                                "0-9, _ and -",
                                 yaml_tree_describe(name).text);
     map = yaml_tree_find(root, "map");
     plan->map.line = map ? map->line : root->line;
+    times = yaml_tree_find(root, "times");
+    plan->base.times_line = times ? times->line : 0;
+    TRY(settle_studies(plan, root, why));
     TRY(plan_check(plan, why));
 out:
     return st;
@@ -254,7 +276,7 @@ enum status plan_read(const char *path, struct plan *plan, struct message *why)
     enum status st = STATUS_OK;
     struct yaml_tree *root = NULL;
 
-    *plan = (struct plan){.look = 10, .time_limit = 600};
+    *plan = (struct plan){.look = 10, .time_limit = 600, .base = plan_study_none()};
     if (why)
         why->text[0] = '\0';
     plan->path = strdup(path);
@@ -274,7 +296,8 @@ void plan_keys(void (*line)(void *context, const char *key, const char *text),
     schema_list(PLAN, "", line, context);
 }
 
-static char *describe(const char *path)
+/* What it is about; of `studies`, nothing if it is no study. */
+static char *describe_of(const char *path, bool studies)
 {
     struct plan plan;
     struct message why;
@@ -282,19 +305,29 @@ static char *describe(const char *path)
 
     if (plan_read(path, &plan, &why) != STATUS_OK)
         return strdup(why.text);
-    text = plan.source, plan.source = NULL;
+    text = strdup(studies && !plan.study_count ? "" : plan.what ? plan.what : plan.source);
     plan_clear(&plan);
     return text;
 }
 
+static char *describe(const char *path)
+{
+    return describe_of(path, false);
+}
+
+static char *describe_study(const char *path)
+{
+    return describe_of(path, true);
+}
+
+#define PLAN_FOLDERS                                                                       \
+    .ending = ".yaml", .environment = "CLOTHBENCH_PLANS",                                  \
+    .from_program = PLANS_FROM_PROGRAM, .in_source = PLANS_IN_SOURCE
+
 const struct named_file_kind plan_kind = {
-    .what = "plan",
-    .ending = ".yaml",
-    .environment = "CLOTHBENCH_PLANS",
-    .from_program = PLANS_FROM_PROGRAM,
-    .in_source = PLANS_IN_SOURCE,
-    .describe = describe,
-};
+    .what = "plan", .describe = describe, PLAN_FOLDERS};
+const struct named_file_kind plan_study_kind = {
+    .what = "study", .describe = describe_study, PLAN_FOLDERS};
 
 void plan_clear(struct plan *plan)
 {
@@ -309,8 +342,12 @@ void plan_clear(struct plan *plan)
         free(plan->map.marks[n].label);
         plan_settings_clear(&plan->map.marks[n].settings);
     }
+    for (int n = 0; n < plan->study_count; n++)
+        plan_study_clear(&plan->studies[n], &plan->base);
+    plan_study_clear(&plan->base, &plan->base);
     plan_settings_clear(&plan->settings);
     verdict_clear(&plan->verdicts);
+    free(plan->studies);
     free(plan->axes);
     free(plan->listed);
     free(plan->map.marks);
@@ -322,5 +359,6 @@ void plan_clear(struct plan *plan)
     free(plan->text);
     free(plan->name);
     free(plan->source);
+    free(plan->what);
     *plan = (struct plan){0};
 }

@@ -1,5 +1,6 @@
 /* plan.h - the plan of a sweep: which cases to run, what to read off them, how to judge and
- * draw them. Read from YAML; every error is one sentence `file:line: ...`.
+ * draw them; or of studies, which have levels instead of cases (plan_study.h). Read from
+ * YAML; every error is one sentence `file:line: ...`.
  *
  *     name: stiffness
  *     source: who wants to know
@@ -28,6 +29,7 @@
 #include <stdbool.h>
 
 #include "bench/experiment/plan_axis.h"
+#include "bench/experiment/plan_study.h"
 #include "bench/experiment/verdict.h"
 #include "models/reader/named_file.h"
 
@@ -64,6 +66,7 @@ struct plan {
     char *path; /* of the file                                                   owned */
     char *text; /* the file as read                                              owned */
     char *name, *source;
+    char *what; /* a line for lists, or NULL                                     owned */
     struct plan_settings settings; /* of all cases; scene and model are among them     */
     int axis_count;
     struct plan_axis *axes; /* owned                                                   */
@@ -75,12 +78,16 @@ struct plan {
     double time_limit; /* of a case [s]                                                */
     struct verdict_rules verdicts;
     struct plan_map map;
+    struct plan_study base; /* what its studies have unless they say otherwise         */
+    int study_count;        /* 0: it is for sweeps                                     */
+    struct plan_study *studies; /* owned                                               */
     int key_count;
     const char **keys; /* every key that some case has, in the plan's order; array owned */
 };
 
-/* Where plans with names are: $CLOTHBENCH_PLANS first. */
-extern const struct named_file_kind plan_kind;
+/* Where plans with names are: $CLOTHBENCH_PLANS first. The second describes those that are
+ * no studies as "". */
+extern const struct named_file_kind plan_kind, plan_study_kind;
 
 /* Reads a plan and tries every value in a case, all else at its first. STATUS_INPUT or
  * STATUS_FILE with a sentence; *plan is overwritten, and all-zero on failure. Free with

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/harness/registry.h"
 #include "bench/harness/derived_key.h"
 #include "models/reader/scene_file.h"
 
@@ -25,50 +24,40 @@ const char *plan_case_set_by(const struct plan *plan, const char *key)
     return "material.young";
 }
 
-/* Puts KEY=VALUE behind the settings of a case, which has room. */
-static enum status put(struct plan_case *c, const char *key, const char *value)
+struct run_plan plan_case_run(const struct plan_case *c)
 {
-    const size_t room = strlen(key) + strlen(value) + 2;
-    char *text = malloc(room);
-
-    if (!text)
-        return STATUS_MEMORY;
-    snprintf(text, room, "%s=%s", key, value);
-    c->settings[c->setting_count++] = text;
-    return STATUS_OK;
+    return (struct run_plan){
+        .path = c->path, .contestant = c->contestant, .settings = &c->settings};
 }
 
 enum status plan_case_scene(const struct plan_case *c, struct scene *scene,
                             struct message *why)
 {
-    struct discretization d = {.weights = NULL};
-    const struct model *model;
-    enum status st;
+    const struct run_plan plan = plan_case_run(c);
+    struct run run;
+    enum status st = run_read(&run, &plan, why);
 
-    TRY(registry_find(c->model, &model, why));
-    model->defaults(&d);
-    st = scene_file_read(c->path, c->setting_count, (const char *const *)c->settings, scene,
-                         &d, why);
-    discretization_clear(&d);
-out:
+    *scene = run.scene;
+    run.scene = (struct scene){0};
+    run_close(&run);
     return st;
+}
+
+static void put(struct plan_case *c, const struct plan_settings *settings)
+{
+    for (int n = 0; n < settings->count; n++)
+        settings_word(&c->settings, settings->list[n].key, settings->list[n].value);
 }
 
 enum status plan_case_mark(const struct plan *plan, const struct plan_settings *settings,
                            struct scene *scene, struct message *why)
 {
     struct plan_case c;
-    char **grown;
     enum status st;
 
     *scene = (struct scene){0};
     TRY(plan_case_open(plan, 0, &c, why));
-    grown = realloc(c.settings,
-                    (size_t)(c.setting_count + settings->count + 1) * sizeof *grown);
-    TRY(grown ? STATUS_OK : STATUS_MEMORY);
-    c.settings = grown;
-    for (int n = 0; n < settings->count; n++)
-        TRY(put(&c, settings->list[n].key, settings->list[n].value));
+    put(&c, settings);
     TRY(plan_case_scene(&c, scene, why));
 out:
     plan_case_clear(&c);
@@ -94,8 +83,7 @@ static enum status resolve(const struct plan *plan, const struct plan_setting *s
     snprintf(text, sizeof text, "%.40s cannot be set by %.40s in this scene", s->key, by);
     if (isnan(value))
         TRY(refuse(plan, s->line, why, text));
-    snprintf(text, sizeof text, "%.17g", value);
-    TRY(put(c, by, text));
+    settings_number(&c->settings, by, value);
 out:
     scene_clear(&scene);
     return st;
@@ -155,17 +143,13 @@ enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
     return refuse(plan, s ? s->line : 1, why, text);
 }
 
-/* Fills model, scene file and settings of a case whose `given` is there. */
+/* Fills contestant, scene file and settings of a case whose `given` is there. */
 static enum status build(const struct plan *plan, struct plan_case *c, struct message *why)
 {
     enum status st = STATUS_OK;
     const struct plan_setting *scene = NULL, *model = NULL;
     struct message text;
-    const struct model *known;
 
-    c->settings = calloc((size_t)plan->key_count + 1, sizeof *c->settings);
-    if (!c->settings)
-        return STATUS_MEMORY;
     for (int k = 0; k < plan->key_count; k++) {
         const struct plan_setting *s = c->given[k];
 
@@ -176,13 +160,12 @@ static enum status build(const struct plan *plan, struct plan_case *c, struct me
         else if (!strcmp(s->key, "scene"))
             scene = s;
         else
-            TRY(put(c, s->key, s->value));
+            settings_word(&c->settings, s->key, s->value);
     }
     if (!scene)
         return refuse(plan, 1, why, "the plan lacks the key 'scene', a name or a path");
-    if (registry_find(model->value, &known, &text) != STATUS_OK)
+    if (contestant_find(model->value, &c->contestant, &text) != STATUS_OK)
         return refuse(plan, model->line, why, text.text);
-    c->model = model->value;
     if (plan_case_find_scene(plan, scene->value, &c->path, &text) != STATUS_OK)
         return refuse(plan, scene->line, why, text.text);
     for (int k = 0; k < plan->key_count; k++)
@@ -216,15 +199,23 @@ long plan_case_count(const struct plan *plan)
     return count > PLAN_MAX_CASES ? PLAN_MAX_CASES + 1 : (long)count;
 }
 
-enum status plan_case_given(const struct plan *plan, long number, struct plan_case *c)
+/* A case with what is given to all. */
+static enum status begin(const struct plan *plan, long number, struct plan_case *c)
 {
-    long rest = number;
-
     *c = (struct plan_case){.number = number};
     c->given = calloc((size_t)plan->key_count + 1, sizeof *c->given);
     if (!c->given)
         return STATUS_MEMORY;
     give(plan, &plan->settings, c);
+    return STATUS_OK;
+}
+
+enum status plan_case_given(const struct plan *plan, long number, struct plan_case *c)
+{
+    long rest = number;
+
+    if (begin(plan, number, c) != STATUS_OK)
+        return STATUS_MEMORY;
     for (int n = plan->axis_count - 1; n >= 0; n--) { /* the last changes fastest */
         const struct plan_settings *values = &plan->axes[n].values;
 
@@ -251,11 +242,28 @@ out:
     return st;
 }
 
+enum status plan_case_level(const struct plan *plan, const struct plan_study *study,
+                            const struct plan_level *level, bool quick, struct plan_case *c,
+                            struct message *why)
+{
+    enum status st;
+
+    TRY(begin(plan, 0, c));
+    give(plan, &study->settings, c);
+    if (level)
+        give(plan, &level->settings, c);
+    if (level && quick)
+        give(plan, &level->quick, c);
+    TRY(plan_case_blame(plan, c, build(plan, c, why), why));
+out:
+    if (st != STATUS_OK)
+        plan_case_clear(c);
+    return st;
+}
+
 void plan_case_clear(struct plan_case *c)
 {
-    for (int n = 0; n < c->setting_count; n++)
-        free(c->settings[n]);
-    free(c->settings);
+    settings_clear(&c->settings);
     free(c->given);
     free(c->path);
     *c = (struct plan_case){0};

@@ -1,17 +1,17 @@
-/* plan_case.h - the cases of a plan, one by one, as what a run needs. */
+/* plan_case.h - the cases of a plan, and the levels of its studies, one by one, as what a
+ * run needs. */
 #ifndef PLAN_CASE_H
 #define PLAN_CASE_H
 
 #include "bench/experiment/plan.h"
-#include "models/scene.h"
+#include "bench/harness/run.h"
 
 struct plan_case {
-    long number;       /* from 0                                                       */
-    const char *name;  /* of the listed case, or NULL                         borrowed */
-    const char *model; /*                                                     borrowed */
-    char *path;        /* scene file                                             owned */
-    int setting_count;
-    char **settings; /* KEY=VALUE, stand-ins as what they stand for              owned */
+    long number;      /* from 0                                                       */
+    const char *name; /* of the listed case, or NULL                         borrowed */
+    const struct contestant *contestant;
+    char *path;               /* scene file                                      owned */
+    struct settings settings; /* stand-ins as what they stand for                owned */
     /* [plan->key_count] as the plan gives them; NULL: not in this case; array   owned */
     const struct plan_setting **given;
 };
@@ -25,7 +25,17 @@ enum status plan_case_open(const struct plan *plan, long number, struct plan_cas
                            struct message *why);
 void plan_case_clear(struct plan_case *c);
 
-/* The same without path, model and settings: what the plan says of it. STATUS_MEMORY. */
+/* A level of a study, for a quick run or not; NULL: what all its levels have. The same
+ * errors. */
+enum status plan_case_level(const struct plan *plan, const struct plan_study *study,
+                            const struct plan_level *level, bool quick, struct plan_case *c,
+                            struct message *why);
+
+/* What run.h runs of a case; borrows from it. */
+struct run_plan plan_case_run(const struct plan_case *c);
+
+/* The case `number` without path, contestant and settings: what the plan says of it.
+ * STATUS_MEMORY. */
 enum status plan_case_given(const struct plan *plan, long number, struct plan_case *c);
 
 /* The scene of a case. Errors as scene_file_read: plan_case_blame finds the plan's line. */

@@ -1,10 +1,13 @@
 #include "bench/experiment/plan_check.h"
 
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/experiment/plan_case.h"
-#include "bench/harness/registry.h"
+#include "bench/harness/measures.h"
 #include "bench/harness/derived_key.h"
 
 static const struct yaml_tree *at(const struct plan *plan, int line, struct yaml_tree *node)
@@ -23,31 +26,48 @@ static enum status refuse_twice(const struct plan *plan, const char *key, int li
                             yaml_tree_quote(key).text, old);
 }
 
-static void add_key(struct plan *plan, const char *key)
+static bool add_key(struct plan *plan, const char *key)
 {
+    const char **grown;
+
     for (int k = 0; k < plan->key_count; k++)
         if (!strcmp(plan->keys[k], key))
-            return;
+            return true;
+    grown = realloc(plan->keys, ((size_t)plan->key_count + 1) * sizeof *grown);
+    if (!grown)
+        return false;
+    plan->keys = grown;
     plan->keys[plan->key_count++] = key;
+    return true;
+}
+
+static enum status add_keys_of(struct plan *plan, const struct plan_settings *settings)
+{
+    for (int n = 0; n < settings->count; n++)
+        if (!add_key(plan, settings->list[n].key))
+            return STATUS_MEMORY;
+    return STATUS_OK;
 }
 
 static enum status add_keys(struct plan *plan)
 {
-    int room = plan->settings.count + plan->axis_count;
+    enum status st;
 
+    TRY(add_keys_of(plan, &plan->settings));
     for (int n = 0; n < plan->listed_count; n++)
-        room += plan->listed[n].settings.count;
-    plan->keys = calloc((size_t)room + 1, sizeof *plan->keys);
-    if (!plan->keys)
-        return STATUS_MEMORY;
-    for (int n = 0; n < plan->settings.count; n++)
-        add_key(plan, plan->settings.list[n].key);
-    for (int n = 0; n < plan->listed_count; n++)
-        for (int i = 0; i < plan->listed[n].settings.count; i++)
-            add_key(plan, plan->listed[n].settings.list[i].key);
+        TRY(add_keys_of(plan, &plan->listed[n].settings));
     for (int n = 0; n < plan->axis_count; n++)
-        add_key(plan, plan->axes[n].key);
-    return STATUS_OK;
+        TRY(add_key(plan, plan->axes[n].key) ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < plan->study_count; n++) {
+        const struct plan_study *study = &plan->studies[n];
+        TRY(add_keys_of(plan, &study->settings));
+        for (int k = 0; k < study->level_count; k++) {
+            TRY(add_keys_of(plan, &study->levels[k].settings));
+            TRY(add_keys_of(plan, &study->levels[k].quick));
+        }
+    }
+out:
+    return st;
 }
 
 /* The line that gives a key in the settings, a case, or an axis before number `axes`; 0 if
@@ -167,6 +187,124 @@ out:
     return st;
 }
 
+static enum status refuse_at(const struct plan *plan, int line, struct message *why,
+                             const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+static enum status refuse_at(const struct plan *plan, int line, struct message *why,
+                             const char *format, ...)
+{
+    struct yaml_tree node;
+    struct message text;
+    va_list words;
+
+    va_start(words, format);
+    vsnprintf(text.text, sizeof text.text, format, words);
+    va_end(words);
+    return yaml_tree_refuse(at(plan, line, &node), why, "%s", text.text);
+}
+
+/* A name becomes that of a file, which no other may have. */
+static enum status check_name(const struct plan *plan, const char *what, const char *name,
+                              const char *before, int line, struct message *why)
+{
+    const size_t good = strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_");
+
+    if (!*name || name[good] || strlen(name) > 64)
+        return refuse_at(plan, line, why,
+                         "%s has the name %s, but must have 1 to 64 of the characters a-z, "
+                         "0-9 and _",
+                         what, yaml_tree_quote(name).text);
+    if (before && !strcmp(before, name))
+        return refuse_at(plan, line, why,
+                         "%s has the name %s as another has; its files "
+                         "need a name of their own",
+                         what, yaml_tree_quote(name).text);
+    return STATUS_OK;
+}
+
+/* A frame can be had at every time. */
+static enum status check_times(const struct plan *plan, const struct plan_study *study,
+                               const struct plan_level *level, const struct scene *scene,
+                               struct message *why)
+{
+    for (int n = 0; n < study->time_count + study->quick_count; n++) {
+        const double t = n < study->time_count ? study->times[n]
+                                               : study->quick_times[n - study->time_count];
+        const double frames = t / scene->step;
+        if (fabs(frames - round(frames)) > 1e-6 * frames || frames < 0.5)
+            return refuse_at(plan, study->times_line, why,
+                             "the time %g s is no multiple of the step, %g s, of the level "
+                             "%s",
+                             t, scene->step, yaml_tree_quote(level->label).text);
+    }
+    return STATUS_OK;
+}
+
+static enum status try_level(const struct plan *plan, const struct plan_study *study,
+                             const struct plan_level *level, bool quick,
+                             struct message *why)
+{
+    struct plan_case c;
+    struct scene scene = {0};
+    enum status st;
+
+    TRY(plan_case_level(plan, study, level, quick, &c, why));
+    st = plan_case_blame(plan, &c, plan_case_scene(&c, &scene, why), why);
+    if (st == STATUS_OK)
+        st = check_times(plan, study, level, &scene, why);
+    scene_clear(&scene);
+    plan_case_clear(&c);
+out:
+    return st;
+}
+
+static enum status check_study(const struct plan *plan, int n, struct message *why)
+{
+    const struct plan_study *study = &plan->studies[n];
+    enum status st = STATUS_OK;
+
+    for (int k = 0; k < n || k == 0; k++)
+        TRY(check_name(plan, "a study", study->name, k < n ? plan->studies[k].name : NULL,
+                       study->line, why));
+    if (!study->level_count)
+        return refuse_at(plan, study->line, why,
+                         "the study %s has no levels, and the plan has none for it",
+                         yaml_tree_quote(study->name).text);
+    if (study->truth && !study->time_count)
+        return refuse_at(plan, study->line, why,
+                         "the study %s has truth, but no times; a truth is of a motion",
+                         yaml_tree_quote(study->name).text);
+    for (int k = 0; k < study->level_count; k++) {
+        const struct plan_level *level = &study->levels[k];
+        for (int i = 0; i < k || i == 0; i++)
+            TRY(check_name(plan, "a level", level->name,
+                           i < k ? study->levels[i].name : NULL, level->line, why));
+        TRY(try_level(plan, study, level, false, why));
+        if (level->quick.count)
+            TRY(try_level(plan, study, level, true, why));
+    }
+out:
+    return st;
+}
+
+static enum status check_studies(const struct plan *plan, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (plan->axis_count || plan->listed_count || plan->map.x)
+        return refuse_at(plan,
+                         plan->axis_count     ? plan->axes->line
+                         : plan->listed_count ? plan->listed->line
+                                              : plan->map.line,
+                         why,
+                         "a plan with levels has no axes, cases and map; a study for each "
+                         "of them is the same");
+    for (int n = 0; n < plan->study_count; n++)
+        TRY(check_study(plan, n, why));
+out:
+    return st;
+}
+
 /* The model is the program's first unless somebody says otherwise. */
 static enum status choose_model(struct plan *plan)
 {
@@ -175,7 +313,8 @@ static enum status choose_model(struct plan *plan)
             return STATUS_OK;
     return plan_settings_find(&plan->settings, "model")
                ? STATUS_OK
-               : plan_settings_add_text(&plan->settings, "model", registry[0]->name, 1);
+               : plan_settings_add_text(&plan->settings, "model", contestant_model(0)->name,
+                                        1);
 }
 
 enum status plan_check(struct plan *plan, struct message *why)
@@ -191,7 +330,7 @@ enum status plan_check(struct plan *plan, struct message *why)
         return yaml_tree_refuse(at(plan, 1, &node), why,
                                 "the plan has more than %d cases, the most there may be",
                                 PLAN_MAX_CASES);
-    TRY(try_values(plan, why));
+    TRY(plan->study_count ? check_studies(plan, why) : try_values(plan, why));
     for (int n = 0; n < plan->map.mark_count; n++)
         TRY(check_mark(plan, &plan->map.marks[n], why));
 out:

@@ -95,6 +95,28 @@ out:
     return st;
 }
 
+enum status plan_settings_read_key(const struct schema_key *key,
+                                   const struct yaml_tree *node, void *target,
+                                   struct message *why)
+{
+    return plan_settings_read(node, key->key, (void *)((char *)target + key->offset), why);
+}
+
+enum status plan_settings_read_word(const struct schema_key *key,
+                                    const struct yaml_tree *node, void *target,
+                                    struct message *why)
+{
+    if (node->kind != YAML_TREE_SCALAR || !*node->text)
+        return schema_refuse(key, node, why);
+    return plan_settings_add((void *)((char *)target + key->offset), key->key, node, why);
+}
+
+const char *plan_settings_truth(int value)
+{
+    static const char *const words[] = {"false", "true"};
+    return 0 <= value && value < 2 ? words[value] : "unknown";
+}
+
 const struct plan_setting *plan_settings_find(const struct plan_settings *settings,
                                               const char *key)
 {

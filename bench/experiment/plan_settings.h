@@ -2,7 +2,7 @@
 #ifndef PLAN_SETTINGS_H
 #define PLAN_SETTINGS_H
 
-#include "models/reader/yaml_tree.h"
+#include "models/reader/schema.h"
 
 struct plan_setting {
     char *key, *value; /* as --set takes them: KEY=VALUE                         owned */
@@ -26,6 +26,18 @@ enum status plan_settings_add(struct plan_settings *settings, const char *key,
                               const struct yaml_tree *node, struct message *why);
 enum status plan_settings_add_text(struct plan_settings *settings, const char *key,
                                    const char *value, int line);
+
+/* Readers of schema.h, into the struct plan_settings at key->offset: a map of settings, as
+ * plan_settings_read; the key itself with its value, a word. */
+enum status plan_settings_read_key(const struct schema_key *key,
+                                   const struct yaml_tree *node, void *target,
+                                   struct message *why);
+enum status plan_settings_read_word(const struct schema_key *key,
+                                    const struct yaml_tree *node, void *target,
+                                    struct message *why);
+
+/* The words of schema.h for 0 and 1. */
+const char *plan_settings_truth(int value);
 
 /* The setting of a key; NULL if there is none. */
 const struct plan_setting *plan_settings_find(const struct plan_settings *settings,

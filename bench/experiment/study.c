@@ -1,126 +1,137 @@
 #include "bench/experiment/study.h"
 
-#include <assert.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/harness/fit.h"
 #include "bench/files/folder.h"
-#include "bench/harness/registry.h"
-#include "bench/experiment/timed.h"
-#include "models/grid.h"
+#include "bench/harness/fit.h"
+#include "bench/harness/timing.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
 
-static int append(const char *const *settings, const char **all, int count)
+enum { PATH = 4096 };
+
+void study_file(const struct plan_study *study, const struct plan_level *level,
+                const char *folder, char *path, int size)
 {
-    for (int n = 0; n < STUDY_SETTINGS && settings[n]; n++)
-        all[count++] = settings[n];
-    return count;
+    snprintf(path, (size_t)size, "%s/%s_%s.h5", folder, study->name, level->name);
 }
 
-/* The scene of a level (of the study by itself: NULL) and its discretization. */
-static enum status read_level(const struct study *study, const struct study_level *level,
-                              const struct model *model, struct scene *scene,
-                              struct discretization *d, struct message *why)
+static bool begins(const char *text, const char *with)
 {
-    const char *all[3 * STUDY_SETTINGS];
-    int count = append(study->settings, all, 0);
-    char *path = NULL;
-    enum status st;
-
-    if (level) {
-        count = append(study->numerics, all, count);
-        count = append(level->settings, all, count);
-    }
-    if (model)
-        model->defaults(d);
-    TRY(scene_file_find(study->scene, &path, why));
-    TRY(scene_file_read(path, count, all, scene, d, why));
-    if (study->times)
-        scene->end = study->time[study->times - 1];
-out:
-    free(path);
-    return st;
+    return !strncmp(text, with, strlen(with));
 }
 
-static void file_of(const struct study *study, const struct study_level *level,
-                    const char *folder, char path[TIMED_PATH])
-{
-    snprintf(path, TIMED_PATH, "%s/%s_%s.h5", folder, study->name, level->name);
-}
-
-/* Newton iterations are more in some frames than in others: then all are timed. */
-static int frames_timed(const struct timed_case *c)
-{
-    bool iterates =
-        c->d.kinematics == KINEMATICS_NONLINEAR || !strcmp(c->model->name, "shell");
-
-    return iterates ? (int)lround(c->scene->end / c->scene->step) : 0;
-}
-
-static enum status find_truth(const struct study *study, const char *folder,
+/* The physics of a study and no more: its truth is not of its nets and steps. */
+static enum status find_truth(const struct plan *plan, const struct plan_study *study,
+                              int times, const double *time, const char *folder,
                               enum truth_effort effort, struct truth **truth,
                               struct message *why)
 {
-    const char *all[STUDY_SETTINGS];
-    int count = append(study->settings, all, 0);
-    struct settings settings = {0};
-    char *path = NULL, kept[TIMED_PATH];
+    struct settings physics = {0};
+    struct plan_case c = {0};
+    char kept[PATH];
     enum status st;
 
+    TRY(plan_case_level(plan, study, NULL, false, &c, why));
+    for (int n = 0; n < c.settings.count; n++)
+        if (!begins(c.settings.text[n], "discretization.") &&
+            !begins(c.settings.text[n], "time."))
+            settings_set(&physics, c.settings.text[n]);
+    TRY(physics.status);
     snprintf(kept, sizeof kept, "%s/%s_truth", folder, study->name);
-    TRY(folder_make(kept, why));
-    TRY(scene_file_find(study->scene, &path, why));
-    settings_set_all(&settings, count, all);
-    TRY(truth_find(path, &settings, study->times, study->time, kept, effort, truth, why));
+    if (effort != TRUTH_READ)
+        TRY(folder_make(kept, why));
+    TRY(truth_find(c.path, &physics, times, time, kept, effort, truth, why));
 out:
-    settings_clear(&settings);
-    free(path);
+    settings_clear(&physics);
+    plan_case_clear(&c);
     return st;
 }
 
-enum status study_measure(const struct study *study,
-                          const struct experiment_options *options, struct message *why)
+/* What one level is measured by; `c` and `file` live as long as it. */
+struct job {
+    struct plan_case c;
+    char file[PATH];
+};
+
+static enum status set_up(const struct plan *plan, const struct plan_study *study,
+                          const struct plan_level *level, const char *folder,
+                          bool quick_run, const struct provenance *provenance,
+                          struct job *job, struct measurement_case *m, struct message *why)
 {
-    struct timed_case cases[STUDY_LEVELS] = {{0}};
-    struct scene scenes[STUDY_LEVELS] = {{0}};
-    struct discretization d[STUDY_LEVELS] = {{{0}}};
-    struct provenance provenance;
-    struct truth *truth = NULL;
+    const bool quick = quick_run && study->quick_count;
+    const int times = quick ? study->quick_count : study->time_count;
+    const double *time = quick ? study->quick_times : study->times;
+    const int most = quick_run ? TIMING_REPEATS_QUICK : study->timed;
+    enum status st;
+
+    TRY(plan_case_level(plan, study, level, quick_run, &job->c, why));
+    study_file(study, level, folder, job->file, sizeof job->file);
+    *m = (struct measurement_case){
+        .plan = plan_case_run(&job->c),
+        .keep = {.file = job->file, .times = times, .time = time, .provenance = provenance},
+        .rest = times == 0,
+        .timed = study->timed ? MEASUREMENT_FAIR : MEASUREMENT_UNTIMED,
+        .repeats = most < study->timed ? most : study->timed,
+        .phases = level->phases};
+    m->plan.end = times ? time[times - 1] : 0;
+out:
+    return st;
+}
+
+static enum status measure_truths(const struct plan *plan, const char *folder, bool quick,
+                                  struct message *why)
+{
     enum status st = STATUS_OK;
 
-    assert(study->count <= STUDY_LEVELS && study->times <= STUDY_TIMES);
+    for (int n = 0; n < plan->study_count && st == STATUS_OK; n++) {
+        const struct plan_study *study = &plan->studies[n];
+        struct truth *truth = NULL;
+        if (!study->truth)
+            continue;
+        st = find_truth(plan, study, study->time_count, study->times, folder,
+                        quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why);
+        truth_destroy(truth);
+        if (st == STATUS_UNSUPPORTED) /* told when it is read */
+            st = STATUS_OK;
+    }
+    return st;
+}
+
+enum status study_measure(const struct plan *plan, const char *folder,
+                          const struct measurement_options *options, struct message *why)
+{
+    struct measurement_options how = *options;
+    struct job *jobs = calloc(PLAN_STUDY_MOST * PLAN_STUDY_LEVELS, sizeof *jobs);
+    struct measurement_case *cases =
+        calloc(PLAN_STUDY_MOST * PLAN_STUDY_LEVELS, sizeof *cases);
+    struct provenance provenance;
+    enum status st = jobs && cases ? STATUS_OK : STATUS_MEMORY;
+    int count = 0;
+
+    TRY(st);
+    how.what = plan->name;
     provenance_collect(&provenance);
-    for (int n = 0; n < study->count; n++) {
-        const struct study_level *level = &study->levels[n];
-        struct timed_case *c = &cases[n];
-        TRY(registry_find(level->model ? level->model : "iga", &c->model, why));
-        TRY(read_level(study, level, c->model, &scenes[n], &d[n], why));
-        c->scene = &scenes[n];
-        c->d = d[n];
-        c->times = study->times;
-        c->time = study->time;
-        c->frames = frames_timed(c);
-        file_of(study, level, options->folder, c->path);
-    }
-    TRY(timed_measure(options, study->name, &provenance, study->count, cases, why));
-    if (study->truth)
-        TRY(find_truth(study, options->folder, options->quick ? TRUTH_QUICK : TRUTH_FULL,
-                       &truth, why));
+    for (int n = 0; n < plan->study_count; n++)
+        for (int k = 0; k < plan->studies[n].level_count; k++, count++)
+            TRY(set_up(plan, &plan->studies[n], &plan->studies[n].levels[k], folder,
+                       options->quick, &provenance, &jobs[count], &cases[count], why));
+    TRY(measurement_run(&how, count, cases, why));
+    TRY(measure_truths(plan, folder, options->quick, why));
 out:
-    truth_destroy(truth);
-    for (int n = 0; n < study->count; n++) {
-        scene_clear(&scenes[n]);
-        discretization_clear(&d[n]);
-    }
+    for (int n = 0; n < count; n++)
+        plan_case_clear(&jobs[n].c);
+    free(jobs);
+    free(cases);
     return st;
 }
 
 static void measure_frame(const struct scene *scene, const double *xyz,
                           struct study_frame *f)
 {
+    f->xyz = xyz;
     f->roughness = metric_roughness(scene, xyz);
     f->inner = metric_inner_roughness(scene, xyz);
     f->stretch = metric_stretch(scene, xyz);
@@ -128,133 +139,174 @@ static void measure_frame(const struct scene *scene, const double *xyz,
     f->unevenness = metric_unevenness(scene, xyz);
 }
 
-static enum status read_frames(const struct study *study, const char *path,
-                               const struct scene *scene, struct study_row *row,
-                               struct message *why)
+/* Files of a quick run end earlier if the plan has times for it. */
+static void choose_times(const struct plan_study *plan, struct study *s)
 {
-    const int frames =
-        study->times ? study->times : 1; /* of a motion, or the equilibrium */
-    struct store_read *file = NULL;
-    enum status st;
+    double last = 0;
 
-    TRY(store_read_open(path, &file, why));
-    for (int t = 0; t < frames && t < store_read_frames(file); t++) {
-        struct study_frame *f = &row->frame[t];
-        f->xyz = malloc(3 * GRID_POINTS * sizeof *f->xyz);
-        if (!f->xyz)
-            TRY(STATUS_MEMORY);
-        TRY(store_read_frame(file, t, f->xyz, why));
-        measure_frame(scene, f->xyz, f);
+    for (int n = 0; n < plan->level_count; n++) {
+        const struct run_result *r = &s->row[n].result;
+        last = fmax(last, r->frames ? r->time[r->frames - 1] : 0);
     }
-out:
-    store_read_close(file);
-    return st;
+    const bool quick = plan->quick_count && last > 0 &&
+                       last < 1.001 * plan->quick_times[plan->quick_count - 1];
+    s->time = quick ? plan->quick_times : plan->times;
+    s->frames = quick ? plan->quick_count : plan->time_count;
+    if (!plan->time_count)
+        s->frames = 1;
 }
 
-static enum status read_row(const struct study *study, const struct study_level *level,
-                            const char *folder, struct study_row *row, struct message *why)
+static void fill_row(const struct study *s, struct study_row *row)
 {
-    const struct model *model = NULL;
-    struct scene scene = {0};
-    struct discretization d = {0};
-    struct timed_result timed = {0};
-    char path[TIMED_PATH];
-    enum status st;
+    const struct run_result *r = &row->result;
+    const int frames = r->frames < s->frames ? r->frames : s->frames;
+    const double end = s->time ? s->time[s->frames - 1] : 0;
 
-    for (int t = 0; t < STUDY_TIMES; t++)
+    for (int t = 0; t < PLAN_STUDY_TIMES; t++)
         row->frame[t] = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    row->milliseconds = row->seconds = NAN;
-    file_of(study, level, folder, path);
-    TRY(timed_read(path, &timed, why));
-    if (timed.refused) {
-        snprintf(row->refused, sizeof row->refused, "%.255s", timed.refused);
-        goto out;
-    }
-    snprintf(row->outcome, sizeof row->outcome, "%.255s", timed.outcome);
-    row->unknowns = timed.unknowns;
-    row->factor_entries = timed.factor_entries;
-    TRY(registry_find(level->model ? level->model : "iga", &model, why));
-    TRY(read_level(study, level, model, &scene, &d, why));
-    if (timed.step.count) {
-        row->milliseconds = 1e3 * timed.step.median;
-        row->seconds = timed.step.median * scene.end / scene.step;
-    }
-    TRY(read_frames(study, path, &scene, row, why));
+    for (int t = 0; t < frames; t++)
+        measure_frame(&row->run.scene, r->xyz[t], &row->frame[t]);
+    row->milliseconds = s->plan->timed && r->step.count ? 1e3 * r->step.median : NAN;
+    row->seconds = s->time ? r->step_seconds : 1e-3 * row->milliseconds;
+    if (s->time && !isnan(row->milliseconds))
+        row->seconds = 1e-3 * row->milliseconds * end / row->run.scene.step;
+    row->paper_ms = isnan(row->level->paper_ms) ? s->plan->paper_ms : row->level->paper_ms;
+}
+
+static enum status read_row(const struct plan *plan, const struct plan_study *study,
+                            const struct plan_level *level, const char *folder,
+                            struct study_row *row, struct message *why)
+{
+    struct plan_case c = {0};
+    char path[PATH];
+    enum status st;
+
+    row->level = level;
+    study_file(study, level, folder, path, sizeof path);
+    TRY(run_result_read(path, true, &row->result, why));
+    TRY(plan_case_level(plan, study, level, false, &c, why));
+    const struct run_plan what = plan_case_run(&c);
+    TRY(run_read(&row->run, &what, why));
 out:
-    timed_clear(&timed);
-    scene_clear(&scene);
-    discretization_clear(&d);
+    plan_case_clear(&c);
     return st;
 }
 
-static void compare(const struct study *study, struct study_result *r, int t)
+static void compare(struct study *s, int t)
 {
     const double *finest = NULL, *next = NULL;
 
-    for (int n = study->count - 1; n >= 0; n--) {
-        struct study_frame *f = &r->row[n].frame[t];
+    for (int n = s->plan->level_count - 1; n >= 0; n--) {
+        struct study_frame *f = &s->row[n].frame[t];
         if (!f->xyz)
             continue;
         if (next)
-            f->next = metric_rmse(f->xyz, next) / r->length;
+            f->next = metric_rmse(f->xyz, next) / s->length;
         if (finest)
-            f->finest = metric_rmse(f->xyz, finest) / r->length;
-        if (r->truth)
-            f->error = metric_rmse(f->xyz, r->truth->xyz[t]) / r->length;
+            f->finest = metric_rmse(f->xyz, finest) / s->length;
+        if (s->truth)
+            f->error = metric_rmse(f->xyz, s->truth->xyz[t]) / s->length;
         next = f->xyz;
         finest = finest ? finest : next;
     }
 }
 
-enum status study_read(const struct study *study, const char *folder,
-                       struct study_result *r, struct message *why)
+static enum status read_scene(const struct plan *plan, const struct plan_study *study,
+                              struct scene *scene, struct message *why)
 {
-    struct scene scene = {0};
-    struct discretization unused = {0};
+    struct plan_case c = {0};
     enum status st;
 
-    memset(r, 0, sizeof *r);
-    TRY(read_level(study, NULL, NULL, &scene, &unused, why));
-    r->gamma = scene_gamma(&scene);
-    r->length = scene.length;
-    for (int n = 0; n < study->count; n++)
-        TRY(read_row(study, &study->levels[n], folder, &r->row[n], why));
-    if (study->truth)
-        TRY(find_truth(study, folder, TRUTH_READ, &r->truth, why));
-    for (int t = 0; t < study->times; t++) {
-        if (r->truth)
-            measure_frame(&scene, r->truth->xyz[t], &r->true_frame[t]);
-        compare(study, r, t);
-    }
+    TRY(plan_case_level(plan, study, NULL, false, &c, why));
+    TRY(plan_case_scene(&c, scene, why));
 out:
-    scene_clear(&scene);
-    discretization_clear(&unused);
-    if (st != STATUS_OK)
-        study_result_clear(r);
+    plan_case_clear(&c);
     return st;
 }
 
-void study_result_clear(struct study_result *r)
+static enum status read_one(const struct plan *plan, const struct plan_study *study,
+                            const char *folder, struct study *s, struct message *why)
 {
-    for (int n = 0; n < STUDY_LEVELS; n++)
-        for (int t = 0; t < STUDY_TIMES; t++)
-            free(r->row[n].frame[t].xyz);
-    truth_destroy(r->truth);
-    memset(r, 0, sizeof *r);
+    struct scene scene = {0};
+    enum status st;
+
+    s->plan = study;
+    TRY(read_scene(plan, study, &scene, why));
+    s->gamma = scene_gamma(&scene);
+    s->length = scene.length;
+    for (int n = 0; n < study->level_count; n++)
+        TRY(read_row(plan, study, &study->levels[n], folder, &s->row[n], why));
+    choose_times(study, s);
+    for (int n = 0; n < study->level_count; n++)
+        fill_row(s, &s->row[n]);
+    if (study->truth) {
+        st = find_truth(plan, study, s->frames, s->time, folder, TRUTH_READ, &s->truth,
+                        &s->no_truth);
+        if (st != STATUS_OK && st != STATUS_UNSUPPORTED)
+            TRY(status_fail(why, st, "%s", s->no_truth.text));
+        st = STATUS_OK;
+    }
+    for (int t = 0; t < s->frames; t++) {
+        if (s->truth)
+            measure_frame(&scene, s->truth->xyz[t], &s->true_frame[t]);
+        compare(s, t);
+    }
+out:
+    scene_clear(&scene);
+    return st;
 }
 
-double study_order(const struct study *study, const struct study_result *r, int time)
+enum status study_read(const struct plan *plan, const char *folder, struct study_results *r,
+                       struct message *why)
 {
-    double size[STUDY_LEVELS], value[STUDY_LEVELS];
+    enum status st = STATUS_OK;
+
+    *r = (struct study_results){.plan = plan, .count = plan->study_count};
+    r->study = calloc((size_t)r->count + 1, sizeof *r->study);
+    TRY(r->study ? STATUS_OK : STATUS_MEMORY);
+    study_file(&plan->studies[0], &plan->studies[0].levels[0], folder, r->machine,
+               sizeof r->machine);
+    for (int n = 0; n < r->count; n++)
+        TRY(read_one(plan, &plan->studies[n], folder, &r->study[n], why));
+out:
+    if (st != STATUS_OK)
+        study_clear(r);
+    return st;
+}
+
+void study_clear(struct study_results *r)
+{
+    for (int n = 0; r->study && n < r->count; n++) {
+        for (int k = 0; k < PLAN_STUDY_LEVELS; k++) {
+            run_result_clear(&r->study[n].row[k].result);
+            run_close(&r->study[n].row[k].run);
+        }
+        truth_destroy(r->study[n].truth);
+    }
+    free(r->study);
+    *r = (struct study_results){0};
+}
+
+const struct study *study_find(const struct study_results *r, const char *name)
+{
+    for (int n = 0; n < r->count; n++)
+        if (!strcmp(r->study[n].plan->name, name))
+            return &r->study[n];
+    return NULL;
+}
+
+double study_order(const struct study *s, int time)
+{
+    double size[PLAN_STUDY_LEVELS], value[PLAN_STUDY_LEVELS];
     int count = 0;
 
-    for (int n = 0; n < study->count; n++) {
-        const struct study_frame *f = &r->row[n].frame[time];
-        double v = r->truth ? f->error : f->finest;
-        if (isnan(v) || !(study->levels[n].size > 0))
+    for (int n = 0; n < s->plan->level_count; n++) {
+        const struct study_frame *f = &s->row[n].frame[time];
+        double v = s->truth ? f->error : f->finest;
+        if (isnan(v) || !(s->row[n].level->size > 0))
             continue;
-        size[count] = study->levels[n].size;
+        size[count] = s->row[n].level->size;
         value[count++] = v;
     }
-    return count < (r->truth ? 3 : 2) ? NAN : fit_exponent(count, size, value);
+    return count < (s->truth ? 3 : 2) ? NAN : fit_exponent(count, size, value);
 }

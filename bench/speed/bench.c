@@ -211,7 +211,7 @@ static enum status print_growth(enum table_format format, struct message *why)
     enum status st = STATUS_OK;
 
     for (int n = 0; n < PAPER_GROWTH_ROWS; n++) {
-        int side = paper_table2[PAPER_GROWTH + n].points[0];
+        const int side = 5 * (n + 1);
         char net[64];
         const char *settings[] = {PRINTED, net, NULL};
         struct bench_solid b;
@@ -222,7 +222,7 @@ static enum status print_growth(enum table_format format, struct message *why)
         assemble[n] = b.assemble.median;
         elements[n] = (side - 2) * (side - 2);
         points[n] = 2.0 * side * side;
-        paper[n] = paper_table2[PAPER_GROWTH + n].milliseconds;
+        paper[n] = paper_table2_ms[PAPER_GROWTH + n];
         table_row(t);
         table_text(t, "%dx%dx2", side, side);
         table_integer(t, b.size.unknowns);

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "bench/files/folder.h"
@@ -31,18 +30,6 @@ static void path_of(const char *folder, const char *name, char *path, int size)
     snprintf(path, (size_t)size, "%s/map%s%s", folder, *name ? "/" : "", name);
 }
 
-static void write_case(struct output *out, const struct contestant *c)
-{
-    output_print(out, "  - {name: %s, model: %s, discretization.points: [%d,%d%s]", c->name,
-                 c->model->name, SIDE, SIDE, c->layers ? ",2" : "");
-    for (int n = 0; n < CONTESTANT_SETTINGS && c->settings[n]; n++) {
-        const char *equals = strchr(c->settings[n], '=');
-        output_print(out, ", %.*s: %s", (int)(equals - c->settings[n]), c->settings[n],
-                     equals + 1);
-    }
-    output_print(out, "}\n");
-}
-
 static enum status write_plan(const char *path, const struct stress_choice *choice,
                               struct message *why)
 {
@@ -60,7 +47,8 @@ static enum status write_plan(const char *path, const struct stress_choice *choi
         "cases:\n",
         stress_case_scene);
     while ((at = stress_choice_next(choice, at)))
-        write_case(out, at);
+        output_print(out, "  - {name: %s, model: %s, discretization.points: [%d,%d%s]}\n",
+                     at->name, at->name, SIDE, SIDE, at->layers ? ",2" : "");
     output_print(out,
                  "axes:\n"
                  "  - {key: young_over_density, scale: log, values: %s}\n"

@@ -2,226 +2,242 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "bench/experiment/study_print.h"
+#include "bench/ui/chart.h"
+#include "bench/ui/picture.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
 
-enum { LEVELS = STUDY_THICKNESS_LEVELS, NETS = STUDY_THICKNESS_NETS };
+/* Levels of the plan: the first and the last are the paper's. */
+enum { LEVELS = 3, THIN = 0, THICK = LEVELS - 1 };
 
-static const struct study_level levels[LEVELS] = {
-    {"1 mm", "1mm", NULL, {"sheet.thickness=0.001"}},
-    {"2 mm", "2mm", NULL, {"sheet.thickness=0.002"}},
-    {"5 mm", "5mm", NULL, {"sheet.thickness=0.005"}},
-};
-enum { TIMES = STUDY_THICKNESS_TIMES };
-static const double times[TIMES] = {0.2, 0.4, 0.6, 0.8};
+/* Solids of the plan, then the shell on two nets, whose difference is its error bar. */
+enum { PAPER, BETTER, UNDAMPED, COARSE, FINE, SCHEMES, SOLIDS = COARSE };
 
-const struct study study_thickness_solid[STUDY_THICKNESS_SOLIDS] = {
-    {.name = "printed",
-     .caption = "Fig. 10, a cloak of 1, 2 and 5 mm, the paper's scheme and net, mu = 0.5",
-     .scene = "cloak",
-     .numerics = {"discretization.kinematics=printed"},
-     .count = LEVELS,
-     .levels = levels,
-     .times = TIMES,
-     .time = times},
-    {.name = "printed_better",
-     .caption = "The same on a better net, (3,3,2) 16x16x3",
-     .scene = "cloak",
-     .numerics = {"discretization.kinematics=printed", "discretization.degree=[3,3,2]",
-                  "discretization.points=[16,16,3]"},
-     .count = LEVELS,
-     .levels = levels,
-     .times = TIMES,
-     .time = times},
-    {.name = "incremental",
-     .caption = "The paper's net, incremental, without damping",
-     .scene = "cloak",
-     .settings = {"damping={kind: none}"},
-     .numerics = {"discretization.kinematics=incremental"},
-     .count = LEVELS,
-     .levels = levels,
-     .times = TIMES,
-     .time = times},
+static const char *const solid_name[SOLIDS] = {"printed", "printed_better", "incremental"};
+static const char *const scheme_name[SCHEMES] = {
+    "printed, mu = 0.5, 10x10x2", "printed, mu = 0.5, better net",
+    "incremental, undamped, 10x10x2", "nonlinear shell, undamped, coarse net",
+    "nonlinear shell, undamped, fine net"};
+
+/* A swing is the largest turn, at any of the times, of the line from the neck's middle to
+ * the hem's, out of its angle at rest. */
+struct cloak {
+    const struct study *paper; /* of its scheme and net                                 */
+    const struct study_row *row[SCHEMES][LEVELS];
+    double angle;                  /* at rest [degrees]                                 */
+    double swing[SCHEMES][LEVELS]; /* NaN: none                               [degrees] */
+    double sunk[LEVELS];           /* the hem in linear equilibrium, rms            [m] */
 };
 
-/* What thickness does in linear theory. */
-static const struct study linear = {.name = "linear",
-                                    .caption = "Linear equilibrium",
-                                    .scene = "cloak",
-                                    .numerics = {"discretization.kinematics=linear",
-                                                 "discretization.points=[16,16]",
-                                                 "discretization.degree=[3,3]"},
-                                    .count = LEVELS,
-                                    .levels = (const struct study_level[]){
-                                        {"1 mm", "1mm", "shell", {"sheet.thickness=0.001"}},
-                                        {"2 mm", "2mm", "shell", {"sheet.thickness=0.002"}},
-                                        {"5 mm", "5mm", "shell", {"sheet.thickness=0.005"}},
-                                    }};
-
-/* The nonlinear shell on two nets, undamped: their difference is its error bar. Some
- * minutes a run: not timed with repeats as the levels of a study are. */
-struct shell_run {
-    const char *settings[5];
-    char name[32];
-};
-
-static const char *const net_setting[2][NETS] = {
-    {"discretization.points=[16,16]", "discretization.points=[20,20]"},
-    {"discretization.points=[12,12]", "discretization.points=[14,14]"}, /* quick */
-};
-
-static struct rung_plan shell_plan(struct shell_run *run, const char *path,
-                                   const char *folder, bool quick, int thickness, int net)
+static double thickness(const struct cloak *c, int level)
 {
-    *run = (struct shell_run){
-        .settings = {levels[thickness].settings[0], "damping={kind: none}", "snapshots=[]",
-                     "discretization.degree=[3,3]", net_setting[quick][net]}};
-    snprintf(run->name, sizeof run->name, "shell_%s_%s", levels[thickness].name,
-             net ? "fine" : "coarse");
-    return (struct rung_plan){.path = path,
-                              .setting_count = 5,
-                              .settings = run->settings,
-                              .model = "shell",
-                              .times = TIMES,
-                              .time = times,
-                              .folder = folder,
-                              .name = run->name};
+    return c->row[PAPER][level]->run.scene.thickness;
 }
 
-static enum status measure(const struct experiment_options *options, struct message *why)
-{
-    char *path = NULL;
-    enum status st;
-
-    for (int n = 0; n < STUDY_THICKNESS_SOLIDS; n++)
-        TRY(study_measure(&study_thickness_solid[n], options, why));
-    TRY(study_measure(&linear, options, why));
-    TRY(scene_file_find("cloak", &path, why));
-    for (int n = 0; n < LEVELS * NETS; n++) {
-        struct shell_run run;
-        struct rung_plan plan =
-            shell_plan(&run, path, options->folder, options->quick, n / NETS, n % NETS);
-        experiment_progress(options, "nonlinear shell", n, LEVELS * NETS);
-        TRY(rung_run(&plan, why));
-    }
-    experiment_progress(options, "nonlinear shell", LEVELS * NETS, LEVELS * NETS);
-out:
-    free(path);
-    return st;
-}
-
-double study_thickness_of(int level)
-{
-    return strtod(strchr(levels[level].settings[0], '=') + 1, NULL);
-}
-
-static double *rest_field(const struct scene *scene)
-{
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
-
-    for (int n = 0; xyz && n < GRID_POINTS; n++) {
-        double uvw[3];
-        grid_point(n, uvw);
-        scene_rest_point(scene, uvw, xyz + 3 * n);
-    }
-    return xyz;
-}
-
-/* Rms displacement of the hem [m]. */
+/* Rms displacement of the hem [m]; NaN without a field. */
 static double hem_moved(const double *rest, const double *xyz)
 {
     double sum = 0;
 
-    for (int n = GRID_U - 1; n < GRID_POINTS; n += GRID_U)
+    for (int n = GRID_U - 1; xyz && n < GRID_POINTS; n += GRID_U)
         for (int c = 0; c < 3; c++)
             sum += pow(xyz[3 * n + c] - rest[3 * n + c], 2);
-    return sqrt(sum / (GRID_V * GRID_W));
+    return xyz ? sqrt(sum / (GRID_V * GRID_W)) : NAN;
 }
 
-static void widen(double *swing, const struct scene *scene, double angle, const double *xyz)
+static double swing_of(const struct cloak *c, const struct study_row *row)
 {
-    if (xyz)
-        *swing = fmax(*swing, metric_angle(scene, xyz) - angle); /* NaN: none so far */
+    double swing = NAN;
+
+    for (int t = 0; t < c->paper->frames; t++)
+        if (row->frame[t].xyz)
+            swing =
+                fmax(swing, metric_angle(&row->run.scene, row->frame[t].xyz) - c->angle);
+    return swing;
 }
 
-static enum status read_level(struct study_thickness *s, int level, const char *path,
-                              const char *folder, const struct scene *scene,
-                              const double *rest, struct message *why)
+static enum status measure(const struct study_results *r, struct cloak *c)
 {
-    const double *sunk = s->linear.row[level].frame[0].xyz;
-    enum status st = STATUS_OK;
+    const struct study *linear = study_find(r, "linear"), *shell = study_find(r, "shell");
+    double *rest = malloc(3 * GRID_POINTS * sizeof *rest), uvw[3];
 
-    s->sunk[level] = sunk ? hem_moved(rest, sunk) : NAN;
-    for (int n = 0; n < STUDY_THICKNESS_SCHEMES; n++)
-        s->swing[n][level] = NAN;
-    for (int n = 0; n < STUDY_THICKNESS_SOLIDS * TIMES; n++) {
-        const int scheme = n / TIMES;
-        widen(&s->swing[scheme][level], scene, s->angle,
-              s->solid[scheme].row[level].frame[n % TIMES].xyz);
-    }
-    for (int net = 0; net < NETS; net++) {
-        struct rung_result *r = &s->shell[level][net];
-        struct shell_run run;
-        struct rung_plan plan = shell_plan(&run, path, folder, false, level, net);
-        TRY(rung_read(&plan, r, why));
-        for (int t = 0; t < r->frames; t++)
-            widen(&s->swing[STUDY_THICKNESS_SOLIDS + net][level], scene, s->angle,
-                  r->xyz[t]);
-    }
-out:
-    return st;
-}
-
-enum status study_thickness_read(const char *folder, struct study_thickness **s,
-                                 struct message *why)
-{
-    struct study_thickness *new = calloc(1, sizeof *new);
-    struct discretization unused = {0};
-    struct scene scene = {0};
-    double *rest = NULL;
-    char *path = NULL;
-    enum status st = new ? STATUS_OK : STATUS_MEMORY;
-
-    TRY(st);
-    for (int n = 0; n < STUDY_THICKNESS_SOLIDS; n++)
-        TRY(study_read(&study_thickness_solid[n], folder, &new->solid[n], why));
-    TRY(study_read(&linear, folder, &new->linear, why));
-    TRY(scene_file_find("cloak", &path, why));
-    TRY(scene_file_read(path, 1, levels[0].settings, &scene, &unused, why));
-    rest = rest_field(&scene);
     if (!rest)
-        TRY(STATUS_MEMORY);
-    new->angle = metric_angle(&scene, rest);
-    new->length = scene.length;
-    new->gamma = scene_gamma(&scene);
-    for (int n = 0; n < LEVELS; n++)
-        TRY(read_level(new, n, path, folder, &scene, rest, why));
-    *s = new, new = NULL;
-out:
-    study_thickness_destroy(new);
-    scene_clear(&scene);
+        return STATUS_MEMORY;
+    c->paper = study_find(r, "printed");
+    for (int n = 0; n < GRID_POINTS; n++) {
+        grid_point(n, uvw);
+        scene_rest_point(&c->paper->row[0].run.scene, uvw, rest + 3 * n);
+    }
+    c->angle = metric_angle(&c->paper->row[0].run.scene, rest);
+    for (int h = 0; h < LEVELS; h++) {
+        for (int n = 0; n < SCHEMES; n++) {
+            c->row[n][h] = n < SOLIDS ? &study_find(r, solid_name[n])->row[h]
+                                      : &shell->row[2 * h + n - COARSE];
+            c->swing[n][h] = swing_of(c, c->row[n][h]);
+        }
+        c->sunk[h] = hem_moved(rest, linear->row[h].frame[0].xyz);
+    }
     free(rest);
-    free(path);
+    return STATUS_OK;
+}
+
+static struct table *swing_table(const struct cloak *c)
+{
+    static const struct table_column columns[] = {
+        {"scheme", NULL, TABLE_LEFT, .key = "shown", .readers = TABLE_PEOPLE},
+        {"scheme", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+        {"unknowns"},
+        {"h", "mm", .key = "thickness_m", .key_unit = "m", .scale = 1e3},
+        {"swing", "degrees"},
+        {"stepping", "s"}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
+                                   "Fig. 10: how far the cloak swings, and cost");
+
+    for (int n = 0; n < SCHEMES; n++) {
+        if (n)
+            table_rule(t);
+        for (int h = 0; h < LEVELS; h++) {
+            table_row(t);
+            table_text(t, "%s", h ? "" : scheme_name[n]);
+            table_text(t, "%s", scheme_name[n]);
+            table_fixed(t, c->row[n][h]->result.unknowns, 0);
+            table_number(t, thickness(c, h), 1);
+            table_fixed(t, c->swing[n][h], 1);
+            table_number(t, c->row[n][h]->seconds, 3);
+        }
+    }
+    return t;
+}
+
+static enum status print_swing(const struct cloak *c, const char *folder,
+                               enum table_format format, FILE *file, struct message *why)
+{
+    const double *time = c->paper->time;
+    struct table *t = swing_table(c);
+    struct chart *chart = chart_create("Fig. 10: swing of the cloak");
+    const struct chart_axis x = {"thickness", "mm", .low = 0, .high = 6};
+    const struct chart_axis y = {"swing", "degrees", .low = 0, .high = NAN};
+    enum status st;
+
+    chart_axes(chart, &x, &y);
+    for (int n = 0; n < SCHEMES; n++) {
+        chart_series(chart, &(struct chart_series){scheme_name[n]});
+        chart_rows(chart, t, "thickness_m", "swing_degrees", 1,
+                   &(struct chart_where){"scheme", scheme_name[n]});
+    }
+    TRY(chart_save(chart, folder, "thickness", why));
+    TRY(table_save(t, folder, "thickness", why));
+    table_note(t,
+               "Swing: the largest turn of the line from the neck's middle to the hem's at "
+               "%g, %g, %g or %g s, from %.3g degrees below level at rest. Stepping: all "
+               "frames to %g s; of the shell in one run.",
+               time[0], time[1], time[2], time[3], c->angle, time[3]);
+    return table_finish(t, format, file);
+out:
+    table_destroy(t);
     return st;
 }
 
-void study_thickness_destroy(struct study_thickness *s)
+static enum status draw(const struct cloak *c, const char *folder, struct message *why)
 {
-    if (!s)
-        return;
-    for (int n = 0; n < STUDY_THICKNESS_SOLIDS; n++)
-        study_result_clear(&s->solid[n]);
-    study_result_clear(&s->linear);
-    for (int n = 0; n < LEVELS * NETS; n++)
-        rung_clear(&s->shell[n / NETS][n % NETS]);
-    free(s);
+    static const struct {
+        int scheme;
+        const char *title;
+    } column[] = {{PAPER, "printed"},
+                  {BETTER, "printed, better net"},
+                  {UNDAMPED, "incremental"},
+                  {FINE, "nonlinear shell"}};
+    enum { COLUMNS = sizeof column / sizeof *column, PANELS = LEVELS * COLUMNS };
+    const int last = c->paper->frames - 1;
+    struct picture_panel panel[PANELS];
+    char title[PANELS][64];
+
+    for (int n = 0; n < PANELS; n++) {
+        const int h = n / COLUMNS;
+        snprintf(title[n], sizeof *title, "%s\n%g mm, t = %g s", column[n % COLUMNS].title,
+                 1e3 * thickness(c, h), c->paper->time[last]);
+        panel[n] = (struct picture_panel){
+            title[n], c->row[column[n % COLUMNS].scheme][h]->frame[last].xyz};
+    }
+    return picture_save(folder, "thickness_sheets", COLUMNS, PANELS, panel, why);
 }
 
-const struct experiment study_thickness_experiment = {
-    .item = {"thickness", "Ren et al. 2024, Fig. 10: a cloak of 1 mm and of 5 mm swings"},
-    .measure = measure,
-    .print = study_thickness_print,
-};
+static void judge_scheme(const struct cloak *c, int n, const char *words, FILE *file)
+{
+    const double *swing = c->swing[n];
+
+    study_print_verdict(file, "the thinner one swings more", swing[THIN] > swing[THICK],
+                        "%s: %.1f degrees at %g mm, %.1f at %g mm.", words, swing[THIN],
+                        1e3 * thickness(c, THIN), swing[THICK], 1e3 * thickness(c, THICK));
+}
+
+static void judge_shell(const struct cloak *c, FILE *file)
+{
+    const double *fine = c->swing[FINE], *coarse = c->swing[COARSE];
+    double apart = fmax(fabs(fine[THIN] - coarse[THIN]), fabs(fine[THICK] - coarse[THICK]));
+    double effect = fabs(fine[THIN] - fine[THICK]);
+
+    judge_scheme(c, FINE, "Nonlinear shell", file);
+    fprintf(file,
+            "\nThe shell's nets differ by up to %.1f degrees, its thicknesses by %.1f: "
+            "which of "
+            "them swings\nmore is %s.\n",
+            apart, effect, 2 * apart < effect ? "resolved" : "not resolved by these nets");
+}
+
+/* What thickness does to statics, and to the look of the paper's scheme. */
+static void explain(const struct cloak *c, FILE *file)
+{
+    const double gamma = scene_gamma(&c->row[PAPER][THIN]->run.scene);
+    double h = thickness(c, THICK) / thickness(c, THIN);
+    double thin = c->swing[BETTER][THIN] - c->swing[PAPER][THIN];
+    double thick = c->swing[BETTER][THICK] - c->swing[PAPER][THICK];
+    double effect = fabs(c->swing[PAPER][THIN] - c->swing[PAPER][THICK]);
+
+    fprintf(
+        file,
+        "Linear theory: Gamma ~ 1/h^2, %.4g and %.4g. At rest, what only bends would sink "
+        "%.3g times\nas far when thin, what only stretches just as far; this cloak's hem "
+        "sinks %.3g times as far\n(%.3g m and %.3g m): its curvature makes it stretch.\n",
+        gamma, gamma / (h * h), h * h, c->sunk[THIN] / c->sunk[THICK], c->sunk[THIN],
+        c->sunk[THICK]);
+    fprintf(
+        file,
+        "The paper's scheme has no elastic memory: at any thickness its cloak flows down "
+        "as a viscous\nsheet, and h enters through bending alone. A better net lets the "
+        "thin one swing %.1f degrees\nfarther and the thick one %.1f: the paper's net "
+        "locks, and that is %s its two thicknesses\ndiffer by (%.1f).\n",
+        thin, thick, thin > effect ? "more than" : "less than", effect);
+}
+
+static enum status tell(const struct study_results *r, const char *folder,
+                        enum table_format format, FILE *file, struct message *why)
+{
+    struct cloak c;
+    enum status st;
+
+    TRY(measure(r, &c));
+    for (int n = 0; n < SOLIDS; n++) {
+        TRY(study_print(study_find(r, solid_name[n]), format, file));
+        TRY(study_print_files(study_find(r, solid_name[n]), folder, why));
+    }
+    TRY(print_swing(&c, folder, format, file, why));
+    TRY(draw(&c, folder, why));
+    if (!table_format_is_prose(format))
+        return STATUS_OK;
+    fprintf(file,
+            "The paper's sentence (its cloak's shape, size and pose are not known; these "
+            "are ours)\n\n");
+    judge_scheme(&c, PAPER, "The paper's scheme on its net", file);
+    judge_scheme(&c, BETTER, "The paper's scheme on a better net", file);
+    judge_scheme(&c, UNDAMPED, "Incremental, undamped, the paper's net", file);
+    judge_shell(&c, file);
+    explain(&c, file);
+out:
+    return st;
+}
+
+const struct experiment study_thickness_swing = {
+    .item = {"thickness", NULL}, .plan = "thickness", .tell = tell};

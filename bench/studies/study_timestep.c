@@ -1,79 +1,66 @@
 #include "bench/studies/study_timestep.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "bench/harness/fit.h"
-
-const double study_timestep_time[STUDY_TIMESTEP_TIMES] = {0.1, 0.2, 0.3, 0.4};
-
-static const struct study_level levels[STUDY_TIMESTEP_LEVELS] = {
-    {"10 ms", "10", NULL, {"time.step=0.01"}, 0.01, 0},
-    {"5 ms", "5", NULL, {"time.step=0.005"}, 0.005, 0}, /* the paper's */
-    {"2.5 ms", "2_5", NULL, {"time.step=0.0025"}, 0.0025, 0},
-    {"1.25 ms", "1_25", NULL, {"time.step=0.00125"}, 0.00125, 0},
-    {"0.625 ms", "0_625", NULL, {"time.step=0.000625"}, 0.000625, 0},
-};
-
-#define KIND(file, text, kinematics, damping)                                              \
-    {                                                                                      \
-        .name = file, .caption = text, .scene = "edge_drop",                               \
-        .settings = {"snapshots=[]", "discretization.kinematics=" kinematics,              \
-                     "damping=" damping},                                                  \
-        .count = STUDY_TIMESTEP_LEVELS, .levels = levels, .times = STUDY_TIMESTEP_TIMES,   \
-        .time = study_timestep_time                                                        \
-    }
-#define SCALE "{kind: velocity_scale, value: 0.5}"
-#define RATE  "{kind: velocity_rate, value: 2}"
-#define MASS  "{kind: mass, value: 2}"
-
-const struct study study_timestep_kind[STUDY_TIMESTEP_KINDS] = {
-    KIND("printed_scale", "printed, v <- 0.5 v", "printed", SCALE),
-    KIND("printed_mass", "printed, C = 2 M", "printed", MASS),
-    KIND("incremental_scale", "incremental, v <- 0.5 v", "incremental", SCALE),
-    KIND("incremental_mass", "incremental, C = 2 M", "incremental", MASS),
-    KIND("nonlinear_scale", "nonlinear, v <- 0.5 v", "nonlinear", SCALE),
-    KIND("nonlinear_rate", "nonlinear, v <- (1 - 2 dt) v", "nonlinear", RATE),
-    KIND("nonlinear_mass", "nonlinear, C = 2 M", "nonlinear", MASS),
-};
+#include "models/grid.h"
 
 double study_timestep_factor(double mu)
 {
     return (1 + mu) / (2 * (1 - mu));
 }
 
-static enum status measure(const struct experiment_options *options, struct message *why)
+const struct study_frame *study_timestep_frame(const struct study_timestep *s,
+                                               enum study_timestep_kind kind, int level)
 {
-    enum status st = STATUS_OK;
-
-    for (int kind = 0; kind < STUDY_TIMESTEP_KINDS; kind++)
-        TRY(study_measure(&study_timestep_kind[kind], options, why));
-    TRY(study_timestep_viscous_measure(options, why));
-out:
-    return st;
+    return &s->kind[kind].row[level].frame[STUDY_TIMESTEP_TIMES - 1];
 }
 
-enum status study_timestep_read(const char *folder, struct study_timestep **s,
-                                struct message *why)
+/* Depth [m] of the middle of the free edge in a frame; NaN after a death. */
+static double depth(const struct study_row *row, int frame)
 {
-    struct study_timestep *new = calloc(1, sizeof *new);
-    enum status st = new ? STATUS_OK : STATUS_MEMORY;
+    const double *xyz = row->frame[frame].xyz;
+    double z = 0;
 
-    TRY(st);
-    for (int kind = 0; kind < STUDY_TIMESTEP_KINDS; kind++)
-        TRY(study_read(&study_timestep_kind[kind], folder, &new->kind[kind], why));
-    TRY(study_timestep_viscous_read(folder, new, why));
-    *s = new, new = NULL;
-out:
-    study_timestep_destroy(new);
-    return st;
+    for (int k = 0; xyz && k < GRID_W; k++)
+        for (int j = GRID_V / 2 - 1; j <= GRID_V / 2; j++)
+            z -= xyz[((k * GRID_V + j) * GRID_U + GRID_U - 1) * 3 + 2] / 4;
+    return xyz ? z : NAN;
 }
 
-void study_timestep_destroy(struct study_timestep *s)
+static struct study_timestep_fall fall_of(const struct study *printed,
+                                          const struct study *incremental, int n)
 {
-    for (int kind = 0; s && kind < STUDY_TIMESTEP_KINDS; kind++)
-        study_result_clear(&s->kind[kind]);
-    free(s);
+    const struct study_row *a = &printed->row[n], *b = &incremental->row[n];
+    const double tau = printed->time[1] - printed->time[0];
+    const double mu = a->run.scene.damping.value;
+
+    return (struct study_timestep_fall){
+        .mu = mu,
+        .step = a->run.scene.step,
+        .expected = -a->run.scene.gravity[2] * study_timestep_factor(mu),
+        .acceleration = (depth(a, 2) - 2 * depth(a, 1) + depth(a, 0)) / (tau * tau),
+        .speed = (depth(b, 2) - depth(b, 1)) / tau};
+}
+
+void study_timestep_read(const struct study_results *r, struct study_timestep *s)
+{
+    const struct study *printed = study_find(r, "fall_printed");
+    const struct study *incremental = study_find(r, "fall_incremental");
+    const struct study *creep = study_find(r, "creep");
+    const struct study *sag = study_find(r, "creep_static");
+
+    s->kind = r->study;
+    for (int n = 0; n < STUDY_TIMESTEP_FALLS; n++)
+        s->fall[n] = fall_of(printed, incremental, n);
+    for (int n = 0; n < STUDY_TIMESTEP_CREEPS; n++) {
+        const struct study_row *row = &creep->row[n];
+        s->creep[n] = (struct study_timestep_creep){
+            .young = row->run.scene.young,
+            .step = row->run.scene.step,
+            .speed = (depth(row, 1) - depth(row, 0)) / (creep->time[1] - creep->time[0]),
+            .sag = depth(&sag->row[n], 0)};
+    }
 }
 
 double study_timestep_order(const struct study_timestep *s, enum study_timestep_kind kind)
@@ -82,19 +69,11 @@ double study_timestep_order(const struct study_timestep *s, enum study_timestep_
     int count = 0;
 
     for (int n = 0; n < STUDY_TIMESTEP_LEVELS; n++) {
-        double v = s->kind[kind].row[n].frame[STUDY_TIMESTEP_TIMES - 1].next;
+        double v = study_timestep_frame(s, kind, n)->next;
         if (isnan(v))
             continue;
-        size[count] = levels[n].size;
+        size[count] = s->kind[kind].row[n].level->size;
         next[count++] = v;
     }
     return count < 2 ? NAN : fit_exponent(count, size, next);
 }
-
-const struct experiment study_timestep_experiment = {
-    .item = {"timestep",
-             "steps of 10 to 0.6 ms: v <- mu v is no rate, the printed scheme is "
-             "a viscous sheet, and what has a limit"},
-    .measure = measure,
-    .print = study_timestep_print,
-};

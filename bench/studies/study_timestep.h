@@ -1,5 +1,5 @@
-/* study_timestep.h - one scene at ever shorter steps: which scheme's motion has a limit,
- * and what the step does in those that have none.
+/* study_timestep.h - the plan timestep: one scene at ever shorter steps, which scheme's
+ * motion has a limit, and what the step does in those that have none.
  *
  * `velocity_scale` multiplies the velocity by mu after every step, however short: the rate
  * it damps at is log(1/mu) / dt. `printed` never resets its displacement d, which acts as
@@ -10,12 +10,12 @@
 #ifndef STUDY_TIMESTEP_H
 #define STUDY_TIMESTEP_H
 
+#include "bench/experiment/experiment.h"
 #include "bench/experiment/study.h"
-#include "bench/experiment/timed.h"
 
 extern const struct experiment study_timestep_experiment;
 
-/* edge_drop by kinematics and damping, and the steps each is run with. */
+/* edge_drop by kinematics and damping: the first studies of the plan. */
 enum study_timestep_kind {
     STUDY_TIMESTEP_PAPER,          /* printed, v <- mu v                                */
     STUDY_TIMESTEP_PAPER_MASS,     /* printed, C = 2 M                                  */
@@ -27,16 +27,12 @@ enum study_timestep_kind {
     STUDY_TIMESTEP_KINDS
 };
 enum { STUDY_TIMESTEP_LEVELS = 5, STUDY_TIMESTEP_TIMES = 4 };
-extern const struct study study_timestep_kind[STUDY_TIMESTEP_KINDS];
-extern const double study_timestep_time[STUDY_TIMESTEP_TIMES]; /* [s]                  */
 
-extern const double study_timestep_viscous_gravity; /* of the free sheets [m/s^2]       */
-
-/* A free sheet under `printed` and `incremental`, v <- mu v, in units of what the header
- * says: acceleration over g (1 + mu) / (2 (1 - mu)), speed over dt times that. */
+/* A free sheet under `printed` and `incremental`, v <- mu v; `expected`: what the header
+ * says of its acceleration, which times the step is its speed under `incremental`. */
 enum { STUDY_TIMESTEP_FALLS = 8 };
 struct study_timestep_fall {
-    double mu, step, acceleration, speed; /* -, [s], [m/s^2], [m/s]                     */
+    double mu, step, expected, acceleration, speed; /* -, [s], [m/s^2] twice, [m/s]      */
 };
 
 /* A cantilever under `printed` creeps: speed of its tip, and how far linear statics bends
@@ -47,29 +43,25 @@ struct study_timestep_creep {
 };
 
 struct study_timestep {
-    struct study_result kind[STUDY_TIMESTEP_KINDS];
+    const struct study *kind; /* [STUDY_TIMESTEP_KINDS]                       borrowed  */
     struct study_timestep_fall fall[STUDY_TIMESTEP_FALLS];
     struct study_timestep_creep creep[STUDY_TIMESTEP_CREEPS];
 };
-enum status study_timestep_read(const char *folder, struct study_timestep **s,
-                                struct message *why);
-void study_timestep_destroy(struct study_timestep *s); /* NULL is allowed */
+
+/* From what came of the plan, which it borrows from. */
+void study_timestep_read(const struct study_results *r, struct study_timestep *s);
 
 /* (1 + mu) / (2 (1 - mu)) */
 double study_timestep_factor(double mu);
+
+/* A level at the last time. */
+const struct study_frame *study_timestep_frame(const struct study_timestep *s,
+                                               enum study_timestep_kind kind, int level);
 
 /* Exponent e of (difference from the next shorter step) ~ dt^e at the last time: the
  * observed order if the motion has a limit; NaN with fewer than two differences. */
 double study_timestep_order(const struct study_timestep *s, enum study_timestep_kind kind);
 
-/* The parts with a free sheet and a creeping one (study_timestep_viscous.c). */
-enum status study_timestep_viscous_measure(const struct experiment_options *options,
-                                           struct message *why);
-enum status study_timestep_viscous_read(const char *folder, struct study_timestep *s,
-                                        struct message *why);
-
-enum status study_timestep_print(const char *folder, enum table_format format, FILE *file,
-                                 struct message *why); /* study_timestep_print.c         */
 void study_timestep_text(const struct study_timestep *s, FILE *file); /* ..._text.c      */
 
 #endif

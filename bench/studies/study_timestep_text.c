@@ -8,20 +8,14 @@
 
 enum { LAST = STUDY_TIMESTEP_TIMES - 1, FINEST = STUDY_TIMESTEP_LEVELS - 1 };
 
-static const struct study_frame *frame(const struct study_timestep *s,
-                                       enum study_timestep_kind kind, int level)
-{
-    return &s->kind[kind].row[level].frame[LAST];
-}
-
 /* Drop at the last time ~ dt^e. */
 static double drop_exponent(const struct study_timestep *s, enum study_timestep_kind kind)
 {
     double size[STUDY_TIMESTEP_LEVELS], drop[STUDY_TIMESTEP_LEVELS];
 
     for (int n = 0; n < STUDY_TIMESTEP_LEVELS; n++) {
-        size[n] = study_timestep_kind[kind].levels[n].size;
-        drop[n] = frame(s, kind, n)->drop;
+        size[n] = s->kind[kind].row[n].level->size;
+        drop[n] = study_timestep_frame(s, kind, n)->drop;
     }
     return fit_exponent(STUDY_TIMESTEP_LEVELS, size, drop);
 }
@@ -39,8 +33,8 @@ static void tell_scale(const struct study_timestep *s, FILE *file)
         "incremental one as dt^%.2f: the shorter the step, the stiffer\n  the air, and in "
         "the "
         "limit nothing moves.",
-        frame(s, STUDY_TIMESTEP_SHEET, 0)->drop,
-        frame(s, STUDY_TIMESTEP_SHEET, FINEST)->drop, e,
+        study_timestep_frame(s, STUDY_TIMESTEP_SHEET, 0)->drop,
+        study_timestep_frame(s, STUDY_TIMESTEP_SHEET, FINEST)->drop, e,
         drop_exponent(s, STUDY_TIMESTEP_INCREMENT));
 }
 
@@ -68,7 +62,7 @@ static void tell_stability(const struct study_timestep *s, FILE *file)
     int dead = 0;
 
     for (int n = 0; n < STUDY_TIMESTEP_LEVELS; n++)
-        dead += !frame(s, STUDY_TIMESTEP_PAPER_MASS, n)->xyz;
+        dead += !study_timestep_frame(s, STUDY_TIMESTEP_PAPER_MASS, n)->xyz;
     study_print_verdict(file, "implicit integration is unconditionally stable", dead == 0,
                         "\n  With mass damping instead of v <- mu v the printed scheme "
                         "dies at %d of %d steps, "
@@ -83,8 +77,10 @@ static void tell_limits(const struct study_timestep *s, FILE *file)
     double rate = study_timestep_order(s, STUDY_TIMESTEP_SHEET_RATE);
     double mass = study_timestep_order(s, STUDY_TIMESTEP_SHEET_MASS);
     double increment = study_timestep_order(s, STUDY_TIMESTEP_INCREMENT_MASS);
-    const struct study_frame *a = frame(s, STUDY_TIMESTEP_SHEET_RATE, FINEST);
-    const struct study_frame *b = frame(s, STUDY_TIMESTEP_SHEET_MASS, FINEST);
+    const struct study_frame *a =
+        study_timestep_frame(s, STUDY_TIMESTEP_SHEET_RATE, FINEST);
+    const struct study_frame *b =
+        study_timestep_frame(s, STUDY_TIMESTEP_SHEET_MASS, FINEST);
 
     if (a->xyz && b->xyz)
         fprintf(
@@ -100,19 +96,16 @@ static void tell_limits(const struct study_timestep *s, FILE *file)
         "viscosity E dt again: halving the step changes\n  its motion as dt^%.2f%s, and "
         "its stretch at 0.4 s goes from %.3f at 10 ms to %.3f at 0.625 ms.\n",
         increment, increment < 0.5 ? ", no limit in sight" : "",
-        frame(s, STUDY_TIMESTEP_INCREMENT_MASS, 0)->stretch,
-        frame(s, STUDY_TIMESTEP_INCREMENT_MASS, FINEST)->stretch);
+        study_timestep_frame(s, STUDY_TIMESTEP_INCREMENT_MASS, 0)->stretch,
+        study_timestep_frame(s, STUDY_TIMESTEP_INCREMENT_MASS, FINEST)->stretch);
 }
 
 static void tell_viscous(const struct study_timestep *s, FILE *file)
 {
     double step[STUDY_TIMESTEP_CREEPS], speed[STUDY_TIMESTEP_CREEPS], fall = 0, creep = 0;
 
-    for (int n = 0; n < STUDY_TIMESTEP_FALLS; n++) {
-        double expected =
-            study_timestep_viscous_gravity * study_timestep_factor(s->fall[n].mu);
-        fall = fmax(fall, fabs(s->fall[n].acceleration / expected - 1));
-    }
+    for (int n = 0; n < STUDY_TIMESTEP_FALLS; n++)
+        fall = fmax(fall, fabs(s->fall[n].acceleration / s->fall[n].expected - 1));
     for (int n = 0; n < STUDY_TIMESTEP_CREEPS; n++) {
         const struct study_timestep_creep *c = &s->creep[n];
         step[n] = c->young * c->step;

@@ -26,30 +26,26 @@ struct sweep {
 static enum status work(void *context, long number, struct message *why)
 {
     const struct sweep *s = context;
-    const struct contestant *contestant;
     struct plan_case c = {0};
     struct scene scene = {0};
-    struct settings settings = {0};
     char path[SWEEP_FOLDER_PATH];
     enum status st;
 
     TRY(plan_case_open(s->plan, number, &c, why));
-    TRY(contestant_find(c.model, &contestant, why));
     TRY(plan_case_scene(&c, &scene, why));
-    settings_set_all(&settings, c.setting_count, (const char *const *)c.settings);
+    const struct run_plan run = plan_case_run(&c);
     sweep_folder_file(&s->folder, number, "h5", path);
-    st = run_file_write(
-        &(struct run_plan){.path = c.path, .contestant = contestant, .settings = &settings},
-        &(struct run_keep){.file = path,
-                           .every = s->plan->look,
-                           .times = scene.snapshot_count,
-                           .time = scene.snapshots,
-                           .fields = s->plan->keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES
-                                                                          : RUN_FIELDS_NONE,
-                           .intersections = s->plan->intersections},
-        NULL, why);
+    st = run_file_write(&run,
+                        &(struct run_keep){.file = path,
+                                           .every = s->plan->look,
+                                           .times = scene.snapshot_count,
+                                           .time = scene.snapshots,
+                                           .fields = s->plan->keep == PLAN_KEEP_SNAPSHOTS
+                                                         ? RUN_FIELDS_TIMES
+                                                         : RUN_FIELDS_NONE,
+                                           .intersections = s->plan->intersections},
+                        NULL, why);
 out:
-    settings_clear(&settings);
     scene_clear(&scene);
     plan_case_clear(&c);
     return st;
@@ -265,6 +261,11 @@ static enum status run(const struct command_line *line, struct message *why)
     TRY(read_options(line, ranks, &options, why));
     TRY(named_file_find(&plan_kind, line->words[0], &path, why));
     TRY(plan_read(path, &s.own, why));
+    if (s.own.study_count)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: the plan has levels, so it is no sweep; clothbench study runs "
+                        "it",
+                        path));
     TRY(lead(&s, &options, line->words[0], stdout, why));
 out:
     if (ranks && !ranks->rank)

@@ -1,310 +1,98 @@
 #include "bench/tables/table23.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "bench/harness/registry.h"
-#include "bench/files/store_scene.h"
+#include "bench/harness/fit.h"
 #include "models/contact.h"
 #include "models/grid.h"
-#include "models/reader/scene_file.h"
 
-const char *const table23_kind_name[TABLE23_KINDS] = {"printed", "incremental", "linear"};
-
-/* The paper does not say what moves in Figs. 12 and 13 and in Table 3; a frame of a solid
- * costs the same whatever its supports and its material. */
-static const char *const scene_of[PAPER_TABLE2_ROWS] = {
-    "edge_drop", "corners_drop", "ground",    "edge_drop", "edge_drop",
-    "edge_drop", "edge_drop",    "edge_drop", "edge_drop", "flag"};
-
-/* Kept besides the seconds: where the sheet is then, and the work done up to it [s]. */
-static const double kept[] = {0.5}, kept_quick[] = {0.1};
-
-/* A sheet that falls on an obstacle: its frames cost more once it lies there, so that all
- * of them are timed, from the fall to well after the landing [s]. */
-static const double landed[] = {1}, landed_quick[] = {0.3};
-
-int table23_rows(enum table23 which)
+const struct run_result *table23_result(const struct table23 *t, int row,
+                                        enum table23_kind kind)
 {
-    return which == TABLE23_SECOND ? PAPER_TABLE2_ROWS : PAPER_TABLE3_ROWS;
+    return &t->r->study[row].row[kind].result;
 }
 
-struct table23_row table23_row(enum table23 which, int n)
+const struct discretization *table23_net(const struct table23 *t, int row)
 {
-    const struct paper_cost *paper =
-        which == TABLE23_SECOND ? &paper_table2[n] : &paper_table3[n];
-    const struct paper_cost *material =
-        which == TABLE23_SECOND ? paper : &paper_table2[PAPER_GROWTH];
-    struct table23_row row = {.paper = paper,
-                              .scene = which == TABLE23_SECOND ? scene_of[n] : "edge_drop",
-                              .young = material->young,
-                              .poisson = material->poisson,
-                              .density = material->density,
-                              .damping = material->damping};
-    int turn = paper->points[0] == 2 ? 1 : 0; /* 2 x n x n */
-
-    for (int i = 0; i < 3; i++) {
-        row.degree[i] = paper->degree[(i + turn) % 3];
-        row.points[i] = paper->points[(i + turn) % 3];
-    }
-    return row;
+    return &t->r->study[row].row[TABLE23_PRINTED].run.discretization;
 }
 
-int table23_control_points(const struct table23_row *row)
+static double phase(const struct table23 *t, int row, int which)
 {
-    return row->points[0] * row->points[1] * row->points[2];
+    const struct clock_summary *s = &table23_result(t, row, TABLE23_PRINTED)->phase[which];
+
+    return s->count ? 1e3 * s->median : NAN;
 }
 
-int table23_elements(const struct table23_row *row)
-{
-    int count = 1;
-
-    for (int i = 0; i < 3; i++)
-        count *= row->points[i] - row->degree[i];
-    return count;
-}
-
-double table23_assembly_work(const struct table23_row *row)
+static double assembly_work(const struct discretization *d, double elements)
 {
     double functions = 1; /* and Gauss points: degree + 1 in each direction */
 
     for (int i = 0; i < 3; i++)
-        functions *= row->degree[i] + 1;
-    return table23_elements(row) * functions * functions * functions;
+        functions *= d->degree[i] + 1;
+    return elements * functions * functions * functions;
 }
 
-/* FOLDER/fig_7_edge_fixed_printed.h5, FOLDER/133_15x15_linear.h5. */
-static void file_of(const char *folder, const struct table23_row *row,
-                    enum table23_kind kind, char path[TIMED_PATH])
+static double entries(const struct table23 *t, int row)
 {
-    snprintf(path, TIMED_PATH, "%s/%s_%d%d%d_%dx%d_e%.0f_mu%.0f_%s.h5", folder, row->scene,
-             row->degree[0], row->degree[1], row->degree[2], row->points[0], row->points[1],
-             row->young, 100 * row->damping, table23_kind_name[kind]);
+    const struct run_result *r = table23_result(t, row, TABLE23_PRINTED);
+
+    return run_result_refused(r) ? NAN : r->factor_entries;
 }
 
-static enum status read_scene(const char *path, const struct table23_row *row,
-                              enum table23_kind kind, struct scene *scene,
-                              struct message *why)
+double table23_value(const struct table23 *t, int row, enum table23_quantity q)
 {
-    enum { SETTINGS = 4, TEXT = 96 };
-    struct discretization unused = {0};
-    char text[SETTINGS][TEXT];
-    const char *settings[SETTINGS];
-    enum status st;
+    const struct discretization *d = table23_net(t, row);
+    const struct study *s = &t->r->study[row];
+    double points = 1, elements = 1;
 
-    snprintf(text[0], TEXT, "material.young=%.17g", row->young);
-    snprintf(text[1], TEXT, "material.poisson=%.17g", row->poisson);
-    snprintf(text[2], TEXT, "material.density=%.17g", row->density);
-    if (kind == TABLE23_PRINTED)
-        snprintf(text[3], TEXT, "damping={kind: velocity_scale, value: %.17g}",
-                 row->damping);
-    else
-        snprintf(text[3], TEXT, "damping={kind: none}");
-    for (int n = 0; n < SETTINGS; n++)
-        settings[n] = text[n];
-    st = scene_file_read(path, SETTINGS, settings, scene, &unused, why);
-    discretization_clear(&unused);
-    return st;
-}
-
-static enum status set_up(const struct experiment_options *options,
-                          const struct table23_row *row, enum table23_kind kind,
-                          struct scene *scene, struct timed_case *c, struct message *why)
-{
-    static const enum kinematics kinematics[TABLE23_KINDS] = {
-        KINEMATICS_PRINTED, KINEMATICS_INCREMENTAL, KINEMATICS_LINEAR};
-    struct message nowhere = {""};
-    char *path = NULL;
-    enum status st;
-
-    file_of(options->folder, row, kind, c->path);
-    if (scene_file_find(row->scene, &path, &nowhere) != STATUS_OK)
-        return timed_refuse(c->path, nowhere.text, why);
-    TRY(registry_find("iga", &c->model, why));
-    TRY(read_scene(path, row, kind, scene, why));
-    c->scene = scene;
-    c->model->defaults(&c->d);
-    c->d.kinematics = kinematics[kind];
-    memcpy(c->d.degree, row->degree, sizeof row->degree);
-    memcpy(c->d.points, row->points, sizeof row->points);
-    c->time = options->quick ? kept_quick : kept;
-    c->times = 1;
-    c->phases = kind == TABLE23_PRINTED;
-    if (scene_needs(scene) & SCENE_NEED_CONTACT) {
-        c->time = options->quick ? landed_quick : landed;
-        c->frames = (int)lround(*c->time / scene->step);
+    for (int i = 0; i < 3; i++) {
+        points *= d->points[i];
+        elements *= d->points[i] - d->degree[i];
     }
-out:
-    free(path);
-    return st;
-}
-
-enum status table23_measure(enum table23 which, const struct experiment_options *options,
-                            struct message *why)
-{
-    int rows = table23_rows(which), count = rows * TABLE23_KINDS, done = 0;
-    struct timed_case *cases = calloc((size_t)count, sizeof *cases);
-    struct scene *scenes = calloc((size_t)count, sizeof *scenes);
-    struct provenance provenance;
-    enum status st = cases && scenes ? STATUS_OK : STATUS_MEMORY;
-
-    TRY(st);
-    provenance_collect(&provenance);
-    for (; done < count; done++) {
-        struct table23_row row = table23_row(which, done / TABLE23_KINDS);
-        TRY(set_up(options, &row, done % TABLE23_KINDS, &scenes[done], &cases[done], why));
+    switch (q) {
+    case TABLE23_PAPER_MS:
+        return s->plan->paper_ms;
+    case TABLE23_PRINTED_MS:
+    case TABLE23_INCREMENTAL_MS:
+    case TABLE23_PREFACTORED_MS:
+        return s->row[q - TABLE23_PRINTED_MS].milliseconds;
+    case TABLE23_ASSEMBLE_MS:
+    case TABLE23_FACTOR_MS:
+    case TABLE23_SOLVE_MS:
+        return phase(t, row, q - TABLE23_ASSEMBLE_MS);
+    case TABLE23_POINTS:
+        return points;
+    case TABLE23_ELEMENTS:
+        return elements;
+    case TABLE23_ENTRIES:
+        return entries(t, row);
+    case TABLE23_ASSEMBLY_WORK:
+        return assembly_work(d, elements);
+    case TABLE23_FACTOR_WORK:
+        return pow(entries(t, row), 2) / s->row[TABLE23_PRINTED].result.unknowns;
     }
-    TRY(timed_measure(options, which == TABLE23_SECOND ? "table 2" : "table 3", &provenance,
-                      count, cases, why));
-out:
-    for (int n = 0; n < done; n++)
-        scene_clear(&scenes[n]);
-    free(scenes);
-    free(cases);
-    return st;
+    return NAN;
 }
 
-/* How far the sheet was from its obstacle at the last time kept. */
-static enum status load_gap(const struct store_read *file, const struct scene *scene,
-                            double *gap, struct message *why)
+double table23_exponent(const struct table23 *t, int first, int count,
+                        enum table23_quantity q)
 {
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
-    enum status st = xyz ? STATUS_OK : STATUS_MEMORY;
+    double x[TABLE23_GROWTH_ROWS], y[TABLE23_GROWTH_ROWS];
 
-    TRY(st);
-    if (store_read_frames(file)) {
-        TRY(store_read_frame(file, store_read_frames(file) - 1, xyz, why));
-        *gap = contact_least_gap(scene, GRID_POINTS, xyz);
+    for (int n = 0; n < count; n++) {
+        x[n] = table23_value(t, first + n, TABLE23_POINTS);
+        y[n] = table23_value(t, first + n, q);
     }
-out:
-    free(xyz);
-    return st;
+    return fit_exponent(count, x, y);
 }
 
-static enum status load_scene(const char *path, double *gamma, double *gap,
-                              struct message *why)
+double table23_gap(const struct table23 *t, int row)
 {
-    struct store_read *file = NULL;
-    struct scene scene = {0};
-    enum status st;
+    const struct study_row *printed = &t->r->study[row].row[TABLE23_PRINTED];
+    const int frames = printed->result.frames;
 
-    TRY(store_read_open(path, &file, why));
-    TRY(store_scene(file, path, &scene, why));
-    *gamma = scene_gamma(&scene);
-    if (scene_needs(&scene) & SCENE_NEED_CONTACT)
-        TRY(load_gap(file, &scene, gap, why));
-out:
-    scene_clear(&scene);
-    store_read_close(file);
-    return st;
+    return frames ? contact_least_gap(&printed->run.scene, GRID_POINTS,
+                                      printed->result.xyz[frames - 1])
+                  : NAN;
 }
-
-static enum status load_row(struct table23_data *d, const char *folder, int n,
-                            struct message *why)
-{
-    enum status st = STATUS_OK;
-    char path[TIMED_PATH];
-
-    d->gamma[n] = d->gap[n] = NAN;
-    for (int kind = 0; kind < TABLE23_KINDS; kind++) {
-        file_of(folder, &d->row[n], kind, path);
-        TRY(timed_read(path, &d->cell[n][kind], why));
-        if (d->cell[n][kind].refused)
-            continue;
-        if (isnan(d->gamma[n]))
-            TRY(load_scene(path, &d->gamma[n], &d->gap[n], why));
-        if (!*d->machine)
-            strcpy(d->machine, path);
-    }
-out:
-    return st;
-}
-
-enum status table23_load(enum table23 which, const char *folder, struct table23_data **d,
-                         struct message *why)
-{
-    struct table23_data *new = calloc(1, sizeof *new);
-    enum status st = new ? STATUS_OK : STATUS_MEMORY;
-
-    TRY(st);
-    new->which = which;
-    new->rows = table23_rows(which);
-    for (int n = 0; n < new->rows; n++) {
-        new->row[n] = table23_row(which, n);
-        TRY(load_row(new, folder, n, why));
-    }
-    *d = new, new = NULL;
-out:
-    table23_destroy(new);
-    return st;
-}
-
-void table23_destroy(struct table23_data *d)
-{
-    if (!d)
-        return;
-    for (int n = 0; n < d->rows; n++)
-        for (int kind = 0; kind < TABLE23_KINDS; kind++)
-            timed_clear(&d->cell[n][kind]);
-    free(d);
-}
-
-static double milliseconds(const struct clock_summary *s)
-{
-    return s->count ? 1e3 * s->median : NAN;
-}
-
-double table23_cost(const struct table23_data *d, int row, enum table23_kind kind)
-{
-    return milliseconds(&d->cell[row][kind].step);
-}
-
-double table23_phase(const struct table23_data *d, int row, enum bench_solid_phase phase)
-{
-    return milliseconds(&d->cell[row][TABLE23_PRINTED].phase[phase]);
-}
-
-double table23_factor_work(const struct table23_data *d, int row)
-{
-    const struct timed_result *r = &d->cell[row][TABLE23_PRINTED];
-
-    return r->refused ? NAN : r->factor_entries * r->factor_entries / r->unknowns;
-}
-
-static enum status measure_second(const struct experiment_options *options,
-                                  struct message *why)
-{
-    return table23_measure(TABLE23_SECOND, options, why);
-}
-
-static enum status print_second(const char *folder, enum table_format format, FILE *file,
-                                struct message *why)
-{
-    return table23_print(TABLE23_SECOND, folder, format, file, why);
-}
-
-static enum status measure_third(const struct experiment_options *options,
-                                 struct message *why)
-{
-    return table23_measure(TABLE23_THIRD, options, why);
-}
-
-static enum status print_third(const char *folder, enum table_format format, FILE *file,
-                               struct message *why)
-{
-    return table23_print(TABLE23_THIRD, folder, format, file, why);
-}
-
-const struct experiment table23_second = {
-    .item = {"2", "Ren et al. 2024, Table 2: milliseconds a frame over ten scenes, and how "
-                  "they grow with the net"},
-    .measure = measure_second,
-    .print = print_second,
-};
-
-const struct experiment table23_third = {
-    .item = {"3", "Ren et al. 2024, Table 3: milliseconds a frame over degree and net"},
-    .measure = measure_third,
-    .print = print_third,
-};

@@ -43,12 +43,10 @@ static int add_name(struct names *names, const char *name)
 {
     int n = 0;
 
-    if (names->count == NAMES)
-        name = "other";
     while (n < names->count && strcmp(names->name[n], name))
         n++;
     if (n == NAMES)
-        n--;
+        n = NAMES - 1;
     if (n == names->count) {
         names->name[n] = strdup(n == NAMES - 1 ? "other" : name);
         if (!names->name[n])

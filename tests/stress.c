@@ -10,8 +10,8 @@ static const double bound = 0.01;
 
 static enum stress_end end_of(enum stress_outcome outcome, double error)
 {
-    return stress_classify(&(struct stress_result){.outcome = outcome, .error = error},
-                           bound);
+    return stress_result_end(&(struct stress_result){.outcome = outcome, .error = error},
+                             bound);
 }
 
 static void check_ends(void)
@@ -40,15 +40,15 @@ static void check_file(const char *folder)
 
     REQUIRE(folder_make(folder, NULL) == STATUS_OK);
     for (size_t n = 0; n < sizeof all / sizeof *all; n++) {
-        REQUIRE(stress_write(folder, "a.b", &all[n], NULL) == STATUS_OK);
-        REQUIRE(stress_read(folder, "a.b", &r, NULL) == STATUS_OK);
+        REQUIRE(stress_result_write(folder, "a.b", &all[n], NULL) == STATUS_OK);
+        REQUIRE(stress_result_read(folder, "a.b", &r, NULL) == STATUS_OK);
         CHECK(r.outcome == all[n].outcome &&
               !strcmp(r.sentence.text, all[n].sentence.text));
         CHECK(r.error == all[n].error || (isnan(r.error) && isnan(all[n].error)));
         CHECK(r.time == all[n].time || (isnan(r.time) && isnan(all[n].time)));
         CHECK(r.seconds == all[n].seconds);
     }
-    CHECK(stress_read(folder, "none", &r, &why) == STATUS_FILE && *why.text);
+    CHECK(stress_result_read(folder, "none", &r, &why) == STATUS_FILE && *why.text);
 }
 
 static void check_broken(const char *folder, const char *text)
@@ -60,7 +60,7 @@ static void check_broken(const char *folder, const char *text)
     snprintf(path, sizeof path, "%s/broken.txt", folder);
     FILE *file = fopen(path, "w");
     REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
-    CHECK(stress_read(folder, "broken", &r, &why) == STATUS_INPUT);
+    CHECK(stress_result_read(folder, "broken", &r, &why) == STATUS_INPUT);
     CHECK(strstr(why.text, "broken.txt"));
 }
 
@@ -158,7 +158,7 @@ static struct stress_result check_run(const char *path, const char *folder, cons
     struct stress_result r;
 
     REQUIRE(stress_judge(&job, &r, NULL) == STATUS_OK);
-    const enum stress_end end = stress_classify(&r, job.c->bound);
+    const enum stress_end end = stress_result_end(&r, job.c->bound);
     if (!CHECK(end == want))
         printf("%s, %s: %s with error %g (%s)\n", c, contestant, stress_end_name(end),
                r.error, r.sentence.text);
@@ -259,7 +259,7 @@ int main(int argc, char **argv)
     char *path = NULL;
 
     REQUIRE(argc == 3);
-    REQUIRE(scene_file_find(stress_scene, &path, NULL) == STATUS_OK);
+    REQUIRE(scene_file_find(stress_case_scene, &path, NULL) == STATUS_OK);
     if (!strcmp(argv[1], "unit")) {
         check_ends();
         check_choice();

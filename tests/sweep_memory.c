@@ -38,10 +38,11 @@ static long lead(const char *folder, int count)
     fclose(file);
     enum status st = plan_read(path, &plan, &why);
     if (st == STATUS_OK)
-        st = sweep_run(&plan,
-                       &(struct sweep_options){
-                           .folder = folder, .resume = true, .jobs = 2, .quiet = true},
-                       stdout, &why);
+        st = sweep_run(
+            &plan,
+            &(struct sweep_options){
+                .folder = folder, .start = SWEEP_RESUME, .jobs = 2, .quiet = true},
+            stdout, &why);
     if (st != STATUS_OK)
         printf("%s\n", why.text);
     getrusage(RUSAGE_SELF, &used);

@@ -33,8 +33,8 @@ static enum status work(void *context, long number, struct message *why)
         return STATUS_OK;
     }
     TRY(stress_judge(job, &result, why));
-    stress_name(job->c, job->contestant, name, sizeof name);
-    st = stress_write(job->folder, name, &result, why);
+    stress_result_name(job->c, job->contestant, name, sizeof name);
+    st = stress_result_write(job->folder, name, &result, why);
 out:
     return st;
 }
@@ -53,8 +53,8 @@ static enum status settle(void *context, long number, const struct child_end *en
 
     if (end->outcome == CHILD_DONE || !job->contestant)
         return STATUS_OK;
-    stress_name(job->c, job->contestant, name, sizeof name);
-    return stress_write(job->folder, name, &dead, why);
+    stress_result_name(job->c, job->contestant, name, sizeof name);
+    return stress_result_write(job->folder, name, &dead, why);
 }
 
 /* The jobs asked for into list[], NULL: none; returns their number. `truths`: of the cases
@@ -112,7 +112,7 @@ static enum status measure(const struct options *o, struct message *why)
     enum status st;
 
     TRY(folder_make(o->folder, why));
-    TRY(scene_file_find(stress_scene, &path, why));
+    TRY(scene_file_find(stress_case_scene, &path, why));
     TRY(run_jobs(o, path, true, why));
     TRY(run_jobs(o, path, false, why));
     if (stress_choice_map(&o->choice))
@@ -178,6 +178,6 @@ const struct command stress_command = {
     .most = 64,
     .options = options,
     .section = "cases",
-    .items = stress_items,
+    .items = stress_case_items,
     .run = run,
 };

@@ -14,59 +14,10 @@
 #ifndef STRESS_H
 #define STRESS_H
 
-#include "bench/harness/contestant.h"
+#include "bench/stress/stress_case.h"
+#include "bench/stress/stress_result.h"
 #include "bench/truth/truth.h"
-#include "bench/ui/command.h"
 #include "bench/ui/table.h"
-
-enum stress_end { STRESS_ACCURATE, STRESS_DEGRADED, STRESS_REFUSED, STRESS_DIED };
-
-/* "accurate", ...; static storage. */
-const char *stress_end_name(enum stress_end end);
-
-/* What the error of a case is measured against, and how. */
-enum stress_truth {
-    STRESS_PLATE,      /* tip at rest against the Kirchhoff plate; relative              */
-    STRESS_ELASTICA,   /* tip at rest against the heavy elastica; distance / L           */
-    STRESS_VIBRATION,  /* tip in time against the Kirchhoff plate's modal solution; over
-                          its greatest deflection                                        */
-    STRESS_SIMILAR,    /* motion against the model's own in other units; RMSE / L        */
-    STRESS_ENERGY,     /* greatest drift of energy over the energy in play               */
-    STRESS_BUCKLED,    /* middle of a shortened strip against Euler's elastica; / L      */
-    STRESS_STILL,      /* motion where there should be none; RMSE / L                    */
-    STRESS_STILL_REST, /* the same from the model's own static equilibrium               */
-    STRESS_SHIFTED,    /* where a thrown sheet comes to rest; RMSE / L                   */
-    STRESS_SHELL,      /* motion against a finer nonlinear shell (truth.h); RMSE / L     */
-    STRESS_TRUTHS
-};
-
-/* One sentence on it. */
-const char *stress_truth_text(enum stress_truth truth);
-
-enum { STRESS_SETTINGS = 8 };
-
-struct stress_case {
-    struct command_item item; /* name [a-z0-9_]+, and what is hard; first: items of the
-                                 command are pointers to these                         */
-    enum stress_truth truth;
-    double gamma;                          /* sets E; 0: left as it is                  */
-    const char *physics[STRESS_SETTINGS];  /* KEY=VALUE on stress_scene; NULL ends      */
-    const char *numerics[STRESS_SETTINGS]; /* the same, of every contestant            */
-    int side;            /* points a side of nets; 0: 10; 1: one element             */
-    double weight_ratio; /* NURBS weights: of every other row to the rest; 0: none     */
-    double length, mass, time; /* SIMILAR: the other units in ours [m], [kg], [s]      */
-    double bound;              /* of the error, to be accurate                         */
-    const char *why;           /* that bound                                           */
-    bool quick;                /* part of --quick                                      */
-    const char *quick_end;     /* setting of time.end then; NULL: as ever              */
-};
-
-extern const char *const stress_scene; /* what all cases start from, by name           */
-/* The command's words: the map, then the cases; ends with NULL. */
-extern const struct command_item *const stress_items[];
-
-/* Case n = 0, 1, ...; NULL past the last. */
-const struct stress_case *stress_case_at(int n);
 
 /* What was asked for. */
 struct stress_choice {
@@ -86,36 +37,6 @@ const struct contestant *stress_choice_next(const struct stress_choice *choice,
 /* STATUS_INPUT with a sentence: no such case or contestant. */
 enum status stress_choice_check(const struct stress_choice *choice, struct message *why);
 
-/* How a run went. */
-struct stress_result {
-    enum stress_outcome { STRESS_RAN, STRESS_SAID_NO, STRESS_DEAD } outcome;
-    double error;   /* ran; NaN otherwise                                              */
-    double time;    /* of death, or until when the error was within the bound; NaN [s] */
-    double seconds; /* of processor time                                               */
-    struct message sentence; /* why refused or dead; what else is worth knowing        */
-};
-
-/* The one of four. An error that is no number is a death. */
-enum stress_end stress_classify(const struct stress_result *r, double bound);
-
-/* The file of a result. STATUS_FILE, STATUS_INPUT: it is none. */
-enum status stress_write(const char *folder, const char *name,
-                         const struct stress_result *r, struct message *why);
-enum status stress_read(const char *folder, const char *name, struct stress_result *r,
-                        struct message *why);
-
-/* CASE.CONTESTANT into text[size]. */
-void stress_name(const struct stress_case *c, const struct contestant *contestant,
-                 char *text, int size);
-
-struct stress_job {
-    const struct stress_case *c;         /*                                      borrowed */
-    const struct contestant *contestant; /*                                      borrowed */
-    const char *path;                    /* of stress_scene's file               borrowed */
-    const char *folder;                  /* for truths that are kept             borrowed */
-    bool quick;
-};
-
 /* Runs one job here and now: refusals and deaths are results. Anything but STATUS_OK is the
  * harness's own failure. */
 enum status stress_judge(const struct stress_job *job, struct stress_result *r,
@@ -130,8 +51,8 @@ enum status stress_find_truth(const struct stress_job *job, enum truth_effort ef
 enum status stress_map_measure(const char *folder, const struct stress_choice *choice,
                                int jobs, struct message *why);
 
-/* What it shows: map.png and stability.csv in FOLDER/map and a table (file
- * NULL: no table); *there: there is one. */
+/* What it shows: map.png and stability.csv in FOLDER/map and a table (file NULL: none);
+ * *there: there is a map. */
 enum status stress_map_print(const char *folder, enum table_format format, FILE *file,
                              bool *there, struct message *why);
 

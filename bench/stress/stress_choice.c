@@ -35,9 +35,9 @@ enum status stress_choice_check(const struct stress_choice *choice, struct messa
 {
     for (int w = 0; w < choice->word_count; w++) {
         int n = 0;
-        while (stress_items[n] && strcmp(stress_items[n]->name, choice->words[w]))
+        while (stress_case_items[n] && strcmp(stress_case_items[n]->name, choice->words[w]))
             n++;
-        if (!stress_items[n])
+        if (!stress_case_items[n])
             return status_fail(why, STATUS_INPUT,
                                "stress: there is no case '%s'; clothbench list cases has "
                                "them",

@@ -4,11 +4,13 @@
 #include <stdlib.h>
 
 #include "bench/files/folder.h"
+#include "bench/stress/stress.h"
 #include "bench/stress/stress_run.h"
 #include "fem_ref/elastica.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 
 static const double tip[3] = {1, 0.5, 0.5}, middle[3] = {0.5, 0.5, 0.5};
 
@@ -208,20 +210,18 @@ out:
 static enum status judge_shifted(struct stress_run *r, struct message *why)
 {
     const struct scene *s = &r->run.scene;
-    double shift[3], uvw[3];
-    enum status st;
+    double shift[3], *rest = metric_rest_field(s);
+    enum status st = rest ? STATUS_OK : STATUS_MEMORY;
 
+    TRY(st);
     scene_support_shift(&s->supports[0], s->end, shift);
     TRY(stress_run_move(r, NULL, why));
     r->run.model->sample(r->run.state, r->xyz);
-    for (int n = 0; n < GRID_POINTS; n++) {
-        grid_point(n, uvw);
-        scene_rest_point(s, uvw, r->first + 3 * (size_t)n);
-        for (int i = 0; i < 3; i++)
-            r->first[3 * (size_t)n + (size_t)i] += shift[i];
-    }
-    r->result->error = metric_rmse(r->xyz, r->first) / s->length;
+    for (int n = 0; n < 3 * GRID_POINTS; n++)
+        rest[n] += shift[n % 3];
+    r->result->error = metric_rmse(r->xyz, rest) / s->length;
 out:
+    free(rest);
     return st;
 }
 

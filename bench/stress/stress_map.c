@@ -1,20 +1,17 @@
 /* The stability map of `stress`: which step serves which stiffness, model by model. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
-#include "bench/files/store_read.h"
 #include "bench/files/store_scene.h"
 #include "bench/stress/stress.h"
 #include "bench/sweep/sweep.h"
 #include "bench/sweep/sweep_map.h"
-#include "models/grid.h"
 #include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 
 /* A sheet of 1 m x 1 m x 1 cm let go for 0.3 s. Each run is held against that of the same
  * model, net and stiffness with the finest step: what is told apart is the step's part
@@ -33,18 +30,6 @@ static void path_of(const char *folder, const char *name, char *path, int size)
     snprintf(path, (size_t)size, "%s/map%s%s", folder, *name ? "/" : "", name);
 }
 
-static void write_case(struct output *out, const struct contestant *c)
-{
-    output_print(out, "  - {name: %s, model: %s, discretization.points: [%d,%d%s]", c->name,
-                 c->model->name, SIDE, SIDE, c->layers ? ",2" : "");
-    for (int n = 0; n < CONTESTANT_SETTINGS && c->settings[n]; n++) {
-        const char *equals = strchr(c->settings[n], '=');
-        output_print(out, ", %.*s: %s", (int)(equals - c->settings[n]), c->settings[n],
-                     equals + 1);
-    }
-    output_print(out, "}\n");
-}
-
 static enum status write_plan(const char *path, const struct stress_choice *choice,
                               struct message *why)
 {
@@ -60,9 +45,10 @@ static enum status write_plan(const char *path, const struct stress_choice *choi
         "scene: %s\n"
         "settings: {sheet.thickness: 0.01, time.end: 0.3, snapshots: [0.1, 0.2, 0.3]}\n"
         "cases:\n",
-        stress_scene);
+        stress_case_scene);
     while ((at = stress_choice_next(choice, at)))
-        write_case(out, at);
+        output_print(out, "  - {name: %s, model: %s, discretization.points: [%d,%d%s]}\n",
+                     at->name, at->name, SIDE, SIDE, at->layers ? ",2" : "");
     output_print(out,
                  "axes:\n"
                  "  - {key: young_over_density, scale: log, values: %s}\n"
@@ -75,29 +61,6 @@ out:
     return st;
 }
 
-/* A new run does not go on with an old one. */
-static enum status forget(const char *folder, struct message *why)
-{
-    static const char *const endings[] = {"h5", "txt", "xdmf"};
-    struct sweep_folder old = {.lock = -1, .log = -1};
-    char path[SWEEP_FOLDER_PATH + 32];
-    bool more = true;
-
-    path_of(folder, "", old.path, sizeof old.path);
-    for (long n = 0; more; n++) {
-        more = n < 1000;
-        for (int e = 0; e < 3; e++) {
-            sweep_folder_file(&old, n, endings[e], path);
-            more |= unlink(path) == 0;
-        }
-    }
-    path_of(folder, "manifest.txt", path, sizeof path);
-    if (unlink(path) == 0 || errno == ENOENT)
-        return STATUS_OK;
-    return status_fail(why, STATUS_FILE, "%s: cannot be removed: %s", path,
-                       strerror(errno));
-}
-
 enum status stress_map_measure(const char *folder, const struct stress_choice *choice,
                                int jobs, struct message *why)
 {
@@ -107,13 +70,13 @@ enum status stress_map_measure(const char *folder, const struct stress_choice *c
 
     path_of(folder, "", path, sizeof path);
     TRY(folder_make(path, why));
-    TRY(forget(folder, why));
     path_of(folder, "plan.yaml", path, sizeof path);
     TRY(write_plan(path, choice, why));
     TRY(plan_read(path, &plan, why));
     path_of(folder, "", path, sizeof path);
     st = sweep_run(&plan,
-                   &(struct sweep_options){.folder = path, .jobs = jobs, .quiet = true},
+                   &(struct sweep_options){
+                       .folder = path, .start = SWEEP_AGAIN, .jobs = jobs, .quiet = true},
                    stdout, why);
 out:
     plan_clear(&plan);
@@ -131,16 +94,14 @@ struct map {
     struct plan plan;
     struct sweep_folder folder;
     int models, stiffnesses, steps;
-    double *xyz, *reference[TIMES]; /* fields; the finest step's                 owned */
-    double moved[TIMES];            /* by the reference [m]; NaN: it has died          */
+    struct run_result reference; /* with fields: that of the finest step               */
+    double moved[TIMES];         /* by the reference [m] */
 };
 
 static void clear_map(struct map *m)
 {
     plan_clear(&m->plan);
-    free(m->xyz);
-    for (int k = 0; k < TIMES; k++)
-        free(m->reference[k]);
+    run_result_clear(&m->reference);
 }
 
 /* *there is false where no map was made. */
@@ -160,79 +121,70 @@ static enum status open_map(struct map *m, const char *folder, bool *there,
     m->models = m->plan.listed_count;
     m->stiffnesses = m->plan.axes[0].values.count;
     m->steps = m->plan.axes[1].values.count;
-    m->xyz = malloc(3 * GRID_POINTS * sizeof *m->xyz);
-    st = m->xyz ? STATUS_OK : STATUS_MEMORY;
-    for (int k = 0; k < TIMES; k++) {
-        m->reference[k] = malloc(3 * GRID_POINTS * sizeof *m->xyz);
-        if (!m->reference[k])
-            st = STATUS_MEMORY;
-    }
 out:
     return st;
 }
 
-static enum status read_reference(struct map *m, const struct store_read *file,
-                                  const char *path, struct message *why)
+/* Takes the run with the finest step over. */
+static enum status set_reference(struct map *m, struct run_result *r, const char *path,
+                                 struct message *why)
 {
+    struct store_read *file = NULL;
     struct scene scene = {0};
-    double uvw[3];
+    double *rest = NULL;
     enum status st;
 
+    m->reference = *r;
+    *r = (struct run_result){0};
+    TRY(store_read_open(path, &file, why));
     TRY(store_scene(file, path, &scene, why));
-    for (int n = 0; n < GRID_POINTS; n++) {
-        grid_point(n, uvw);
-        scene_rest_point(&scene, uvw, m->xyz + 3 * (size_t)n);
-    }
-    for (int k = 0; k < TIMES; k++) {
-        TRY(store_read_frame(file, k, m->reference[k], why));
-        m->moved[k] = metric_rmse(m->reference[k], m->xyz);
-    }
+    rest = metric_rest_field(&scene);
+    TRY(rest ? STATUS_OK : STATUS_MEMORY);
+    for (int k = 0; k < TIMES; k++)
+        m->moved[k] = metric_rmse(m->reference.xyz[k], rest);
 out:
+    store_read_close(file);
     scene_clear(&scene);
+    free(rest);
     return st;
 }
 
-/* The worst of the times. */
-static enum status compare(struct map *m, const struct store_read *file, double *error,
-                           struct message *why)
+/* The worst of the times; NaN without a reference. */
+static double worst(const struct map *m, const struct run_result *r)
 {
-    enum status st = STATUS_OK;
+    double error = m->reference.xyz ? 0 : NAN;
 
-    *error = 0;
-    for (int k = 0; k < TIMES; k++) {
-        TRY(store_read_frame(file, k, m->xyz, why));
-        const double at = metric_rmse(m->xyz, m->reference[k]) / m->moved[k];
-        if (!(at <= *error))
-            *error = at;
+    for (int k = 0; m->reference.xyz && k < TIMES; k++) {
+        const double at = metric_rmse(r->xyz[k], m->reference.xyz[k]) / m->moved[k];
+        if (!(at <= error))
+            error = at;
     }
-out:
-    return st;
+    return error;
 }
 
 static enum status judge(struct map *m, long number, const struct sweep_row *row,
                          struct spot *spot, struct message *why)
 {
+    const bool refused = run_result_refused(&row->result);
     const bool finest = number % m->steps == 0;
     char path[SWEEP_FOLDER_PATH];
-    struct store_read *file = NULL;
+    struct run_result r = {0};
     enum status st = STATUS_OK;
 
-    *spot = (struct spot){.end = run_result_refused(&row->result) ? STRESS_REFUSED
-                                                                  : STRESS_DIED,
-                          .error = NAN};
-    for (int k = 0; finest && k < TIMES; k++)
-        m->moved[k] = NAN;
+    *spot = (struct spot){.end = refused ? STRESS_REFUSED : STRESS_DIED, .error = NAN};
+    if (finest)
+        run_result_clear(&m->reference);
     if (!row->ran || row->result.outcome != STATUS_OK)
         return STATUS_OK;
     sweep_folder_file(&m->folder, number, "h5", path);
-    TRY(store_read_open(path, &file, why));
-    spot->reference = finest;
+    TRY(run_result_read(path, true, &r, why));
     if (finest)
-        TRY(read_reference(m, file, path, why));
-    TRY(compare(m, file, &spot->error, why));
+        TRY(set_reference(m, &r, path, why));
+    spot->reference = finest;
+    spot->error = worst(m, finest ? &m->reference : &r);
     spot->end = spot->error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
 out:
-    store_read_close(file);
+    run_result_clear(&r);
     return st;
 }
 

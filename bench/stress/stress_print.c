@@ -4,28 +4,6 @@
 
 #include "bench/stress/stress.h"
 
-const char *stress_truth_text(enum stress_truth truth)
-{
-    static const char *const text[STRESS_TRUTHS] = {
-        [STRESS_PLATE] = "tip at rest against the Kirchhoff plate (Ritz), relative",
-        [STRESS_ELASTICA] = "tip at rest against the heavy elastica, over L",
-        [STRESS_VIBRATION] =
-            "tip in time against the Kirchhoff plate's modal solution, over "
-            "its greatest deflection",
-        [STRESS_SIMILAR] =
-            "against the model's own motion in metres, kilograms and seconds, "
-            "RMSE over L",
-        [STRESS_ENERGY] = "drift of the sum of energies, over the energy in play",
-        [STRESS_BUCKLED] = "middle against Euler's elastica, over L",
-        [STRESS_STILL] = "motion where there should be none, RMSE over L",
-        [STRESS_STILL_REST] = "motion away from the model's own equilibrium, RMSE over L",
-        [STRESS_SHIFTED] = "where it comes to rest, RMSE over L",
-        [STRESS_SHELL] = "against a finer nonlinear shell, RMSE over L",
-    };
-
-    return text[truth];
-}
-
 /* Where the results are, and how they are printed. */
 struct print {
     const char *folder;
@@ -40,9 +18,9 @@ static bool has_result(const struct print *p, const struct stress_case *c,
 {
     char name[256];
 
-    stress_name(c, contestant, name, sizeof name);
+    stress_result_name(c, contestant, name, sizeof name);
     return stress_choice_case(p->choice, c) &&
-           stress_read(p->folder, name, r, NULL) == STATUS_OK;
+           stress_result_read(p->folder, name, r, NULL) == STATUS_OK;
 }
 
 static bool has_any(const struct print *p, const struct stress_case *c)
@@ -59,7 +37,7 @@ static bool has_any(const struct print *p, const struct stress_case *c)
 static void add_overview_cell(struct table *t, const struct stress_case *c,
                               const struct stress_result *r)
 {
-    const enum stress_end end = stress_classify(r, c->bound);
+    const enum stress_end end = stress_result_end(r, c->bound);
 
     if (end == STRESS_ACCURATE || end == STRESS_DEGRADED)
         table_text(t, "%s %.0e", end == STRESS_ACCURATE ? "ok" : "off", r->error);
@@ -79,7 +57,7 @@ static void add_overview(struct table *t, const struct print *p,
     table_text(t, "%s", c->item.name);
     while ((at = stress_choice_next(p->choice, at)))
         if (has_result(p, c, at, &r)) {
-            count[stress_classify(&r, c->bound)]++;
+            count[stress_result_end(&r, c->bound)]++;
             add_overview_cell(t, c, &r);
         } else {
             table_dash(t);
@@ -144,7 +122,7 @@ static void add_detail(struct table *t, const struct stress_case *c,
     table_text(t, "%s", c->item.name);
     table_text(t, "%s", contestant->name);
     table_number(t, c->bound, 1);
-    table_text(t, "%s", stress_end_name(stress_classify(r, c->bound)));
+    table_text(t, "%s", stress_end_name(stress_result_end(r, c->bound)));
     table_number(t, isfinite(r->error) ? r->error : NAN, 3);
     table_number(t, r->time, 3);
     table_fixed(t, r->seconds, 2);

@@ -1,11 +1,10 @@
-/* What a trial of `stress` left: its file, and which of the four ends it is. */
+#include "bench/stress/stress_result.h"
+
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "bench/files/output.h"
-#include "bench/stress/stress.h"
 
 static const char *const outcome_words[] = {
     [STRESS_RAN] = "ran", [STRESS_SAID_NO] = "refused", [STRESS_DEAD] = "died"};
@@ -18,7 +17,7 @@ const char *stress_end_name(enum stress_end end)
     return names[end];
 }
 
-enum stress_end stress_classify(const struct stress_result *r, double bound)
+enum stress_end stress_result_end(const struct stress_result *r, double bound)
 {
     if (r->outcome == STRESS_SAID_NO)
         return STRESS_REFUSED;
@@ -27,8 +26,8 @@ enum stress_end stress_classify(const struct stress_result *r, double bound)
     return r->error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
 }
 
-void stress_name(const struct stress_case *c, const struct contestant *contestant,
-                 char *text, int size)
+void stress_result_name(const struct stress_case *c, const struct contestant *contestant,
+                        char *text, int size)
 {
     snprintf(text, (size_t)size, "%s.%s", c->item.name, contestant->name);
 }
@@ -38,8 +37,8 @@ static void file_of(const char *folder, const char *name, char *path, int size)
     snprintf(path, (size_t)size, "%s/%s.txt", folder, name);
 }
 
-enum status stress_write(const char *folder, const char *name,
-                         const struct stress_result *r, struct message *why)
+enum status stress_result_write(const char *folder, const char *name,
+                                const struct stress_result *r, struct message *why)
 {
     struct output *out = NULL;
     char path[4096];
@@ -55,48 +54,27 @@ out:
     return st;
 }
 
-/* The rest of a line that begins with `key` and a blank into text[size]. */
-static bool read_line(FILE *file, const char *key, char *text, int size)
-{
-    char line[sizeof((struct message *)NULL)->text + 64];
-    const size_t length = strlen(key);
-
-    if (!fgets(line, sizeof line, file) || strncmp(line, key, length) ||
-        line[length] != ' ' || !strchr(line, '\n'))
-        return false;
-    line[strcspn(line, "\n")] = '\0';
-    snprintf(text, (size_t)size, "%s", line + length + 1);
-    return true;
-}
-
-static bool read_number(FILE *file, const char *key, double *number)
-{
-    char text[64], *end = text;
-
-    if (!read_line(file, key, text, sizeof text))
-        return false;
-    *number = strtod(text, &end);
-    return end != text && !*end;
-}
-
+/* As stress_write has it, to the last line's end. */
 static bool read_result(FILE *file, struct stress_result *r)
 {
-    char word[64];
+    char word[16];
     int outcome = 0;
 
-    if (!read_line(file, "outcome", word, sizeof word))
+    if (fscanf(file, "outcome %15s error %lf time %lf seconds %lf sentence%*1[ ]", word,
+               &r->error, &r->time, &r->seconds) != 4 ||
+        !fgets(r->sentence.text, sizeof r->sentence.text, file))
         return false;
     while (outcome < OUTCOMES && strcmp(outcome_words[outcome], word))
         outcome++;
     r->outcome = (enum stress_outcome)outcome;
-    return outcome < OUTCOMES && read_number(file, "error", &r->error) &&
-           read_number(file, "time", &r->time) &&
-           read_number(file, "seconds", &r->seconds) &&
-           read_line(file, "sentence", r->sentence.text, sizeof r->sentence.text);
+    char *end = strchr(r->sentence.text, '\n');
+    if (end)
+        *end = '\0';
+    return end && outcome < OUTCOMES;
 }
 
-enum status stress_read(const char *folder, const char *name, struct stress_result *r,
-                        struct message *why)
+enum status stress_result_read(const char *folder, const char *name,
+                               struct stress_result *r, struct message *why)
 {
     char path[4096];
     enum status st = STATUS_OK;

@@ -4,7 +4,8 @@
 
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
-#include "bench/stress/stress.h"
+#include "bench/stress/stress_result.h"
+#include "bench/truth/truth.h"
 #include "fem_ref/kirchhoff.h"
 
 struct stress_run {

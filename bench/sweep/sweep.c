@@ -33,18 +33,18 @@ static enum status work(void *context, long number, struct message *why)
 
     TRY(plan_case_open(s->plan, number, &c, why));
     TRY(plan_case_scene(&c, &scene, why));
+    const struct run_plan run = plan_case_run(&c);
     sweep_folder_file(&s->folder, number, "h5", path);
-    st = run_file_write(
-        &(struct run_plan){
-            .path = c.path, .contestant = c.contestant, .settings = &c.settings},
-        &(struct run_keep){.file = path,
-                           .every = s->plan->look,
-                           .times = scene.snapshot_count,
-                           .time = scene.snapshots,
-                           .fields = s->plan->keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES
-                                                                          : RUN_FIELDS_NONE,
-                           .intersections = s->plan->intersections},
-        NULL, why);
+    st = run_file_write(&run,
+                        &(struct run_keep){.file = path,
+                                           .every = s->plan->look,
+                                           .times = scene.snapshot_count,
+                                           .time = scene.snapshots,
+                                           .fields = s->plan->keep == PLAN_KEEP_SNAPSHOTS
+                                                         ? RUN_FIELDS_TIMES
+                                                         : RUN_FIELDS_NONE,
+                                           .intersections = s->plan->intersections},
+                        NULL, why);
 out:
     scene_clear(&scene);
     plan_case_clear(&c);
@@ -184,7 +184,7 @@ static enum status lead(struct sweep *s, const struct sweep_options *options,
 
     s->folder = (struct sweep_folder){.lock = -1, .log = -1};
     s->out = options->folder;
-    TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, options->resume, why));
+    TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, options->start, why));
     s->pool.slots = s->pool.ranks ? 1 : options->jobs ? options->jobs : omp_get_num_procs();
     s->pool.quiet = options->quiet;
     TRY(run_all(s, name, why));
@@ -231,7 +231,8 @@ static enum status read_options(const struct command_line *line, const struct ra
                          "--jobs: under mpirun every rank runs one case at a time; say "
                          "how many with mpirun -n");
     *o = (struct sweep_options){.folder = command_value(line, "--out"),
-                                .resume = command_given(line, "--resume"),
+                                .start = command_given(line, "--resume") ? SWEEP_RESUME
+                                                                         : SWEEP_NEW,
                                 .jobs = (int)jobs,
                                 .quiet = command_given(line, "--quiet")};
     return st;

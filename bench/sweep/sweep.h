@@ -3,14 +3,14 @@
 #ifndef SWEEP_H
 #define SWEEP_H
 
+#include "bench/sweep/sweep_folder.h"
 #include "bench/ui/command.h"
-#include "bench/experiment/plan.h"
 
 struct sweep_options {
     const char *folder; /* NULL: results/sweep_NAME                                    */
-    bool resume;        /* goes on with what is there; else that is refused            */
-    int jobs;           /* cases at a time; 0: as many as there are processors         */
-    bool quiet;         /* no progress bar, no summary                                 */
+    enum sweep_start start;
+    int jobs;   /* cases at a time; 0: as many as there are processors         */
+    bool quiet; /* no progress bar, no summary                                 */
 };
 
 /* Runs what is not done yet of a plan, writes table.csv, seconds.csv and the map, prints a

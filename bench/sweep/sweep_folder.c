@@ -165,19 +165,27 @@ static enum status lock(const struct sweep_folder *folder, struct message *why)
                        folder->path);
 }
 
-/* Files that a killed process was writing. */
-static void remove_leftovers(const struct sweep_folder *folder)
+static bool ends_with(const char *name, const char *ending)
+{
+    const size_t length = strlen(name), end = strlen(ending);
+
+    return length >= end && !strcmp(name + length - end, ending);
+}
+
+/* Files that a killed process was writing; or all cases, and what they were of. */
+static void remove_files(const struct sweep_folder *folder, bool all)
 {
     DIR *directory = opendir(folder->path);
     const struct dirent *file;
 
     while (directory && (file = readdir(directory))) {
         char path[SWEEP_FOLDER_PATH + 257];
-        const size_t length = strlen(file->d_name);
+        const char *name = file->d_name;
+        const bool ours = !strncmp(name, "case_", 5) || !strcmp(name, "manifest.txt");
 
-        if (length < 5 || strcmp(file->d_name + length - 5, ".part"))
+        if (!ends_with(name, ".part") && !(all && ours))
             continue;
-        snprintf(path, sizeof path, "%s/%s", folder->path, file->d_name);
+        snprintf(path, sizeof path, "%s/%s", folder->path, name);
         unlink(path);
     }
     if (directory)
@@ -185,7 +193,8 @@ static void remove_leftovers(const struct sweep_folder *folder)
 }
 
 enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
-                              const struct plan *plan, bool resume, struct message *why)
+                              const struct plan *plan, enum sweep_start start,
+                              struct message *why)
 {
     enum status st;
 
@@ -196,9 +205,9 @@ enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
     TRY(folder_make(folder->path, why));
     TRY(open_file(folder, "lock", &folder->lock, why));
     TRY(lock(folder, why));
-    TRY(settle_manifest(folder, plan, resume, why));
+    remove_files(folder, start == SWEEP_AGAIN);
+    TRY(settle_manifest(folder, plan, start == SWEEP_RESUME, why));
     TRY(open_file(folder, "log.txt", &folder->log, why));
-    remove_leftovers(folder);
 out:
     if (st != STATUS_OK)
         sweep_folder_close(folder);

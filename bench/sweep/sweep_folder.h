@@ -32,12 +32,16 @@ struct sweep_row {
     struct message why;
 };
 
-/* Makes the folder and its manifest, or, with `resume`, compares: STATUS_INPUT with a
+/* What is done with what is there: it is refused, gone on with, removed. */
+enum sweep_start { SWEEP_NEW, SWEEP_RESUME, SWEEP_AGAIN };
+
+/* Makes the folder and its manifest, or, to resume, compares: STATUS_INPUT with a
  * sentence if it belongs to another plan, or has results and is not to be resumed;
  * STATUS_FILE: cannot be written, or another sweep is at work in it. Removes what a killed
  * one left half done. Close it with sweep_folder_close. */
 enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
-                              const struct plan *plan, bool resume, struct message *why);
+                              const struct plan *plan, enum sweep_start start,
+                              struct message *why);
 void sweep_folder_close(struct sweep_folder *folder);
 
 /* Name of the file of case `number` (from 0), "h5" or "txt", into path. */

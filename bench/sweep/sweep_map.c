@@ -43,12 +43,10 @@ static int add_name(struct names *names, const char *name)
 {
     int n = 0;
 
-    if (names->count == NAMES)
-        name = "other";
     while (n < names->count && strcmp(names->name[n], name))
         n++;
     if (n == NAMES)
-        n--;
+        n = NAMES - 1;
     if (n == names->count) {
         names->name[n] = strdup(n == NAMES - 1 ? "other" : name);
         if (!names->name[n])
@@ -246,56 +244,37 @@ static const char *colour_of(const char *label, int n)
     return palette[(n + COLOURS - 1) % COLOURS];
 }
 
-/* Cells to the edge; the plan's own values where there is room for them. */
-static void fit_axis(const struct dimension *d, struct chart_axis *axis,
-                     struct chart_tic *tics)
-{
-    const struct plan_settings *values = &d->axis->values;
-    double side[2];
-
-    axis->low = INFINITY, axis->high = -INFINITY;
-    for (int n = 0; n < values->count; n++) {
-        const double at = place_of(d, n);
-        find_cell(d, at, side);
-        axis->low = fmin(axis->low, side[0]);
-        axis->high = fmax(axis->high, side[1]);
-        tics[n] = (struct chart_tic){at, values->list[n].value};
-    }
-    if (d->words || values->count <= TICS)
-        axis->tics = tics, axis->tic_count = values->count;
-}
-
-/* An axis as people call it; other keys as they are. */
+/* An axis as people call it; other keys as they are. Values of a plan are its tics where
+ * there is room for them. */
 static struct chart_axis axis_of(const struct dimension *d, struct chart_tic *tics)
 {
-    static const struct chart_axis known[] = {
-        {"Gamma, weight against bending"},
-        {"E / rho", "m^2/s^2"},
-        {"Young's modulus", "Pa"},
-        {"Poisson's ratio"},
-        {"density", "kg/m^3"},
-        {"damping"},
-        {"thickness", "m"},
-        {"time step", "s"},
+    static const struct {
+        const char *key;
+        struct chart_axis axis;
+    } known[] = {
+        {"gamma", {"Gamma, weight against bending"}},
+        {"young_over_density", {"E / rho", "m^2/s^2"}},
+        {"material.young", {"Young's modulus", "Pa"}},
+        {"material.poisson", {"Poisson's ratio"}},
+        {"material.density", {"density", "kg/m^3"}},
+        {"damping.value", {"damping"}},
+        {"sheet.thickness", {"thickness", "m"}},
+        {"time.step", {"time step", "s"}},
     };
-    static const char *const keys[] = {"gamma",
-                                       "young_over_density",
-                                       "material.young",
-                                       "material.poisson",
-                                       "material.density",
-                                       "damping.value",
-                                       "sheet.thickness",
-                                       "time.step"};
     struct chart_axis axis = {.name = d->name};
 
-    if (d->measure >= 0)
-        axis.unit = strcmp(measure_unit(d->measure), "1") ? measure_unit(d->measure) : NULL;
-    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++)
-        if (!strcmp(d->name, keys[n]))
-            axis = known[n];
+    if (d->measure >= 0 && strcmp(measure_unit(d->measure), "1"))
+        axis.unit = measure_unit(d->measure);
+    for (size_t n = 0; n < sizeof known / sizeof *known; n++)
+        if (!strcmp(d->name, known[n].key))
+            axis = known[n].axis;
     axis.log = d->log;
-    if (d->axis)
-        fit_axis(d, &axis, tics);
+    const int count = d->axis ? d->axis->values.count : 0;
+    if (tics && (count <= TICS || d->words)) {
+        for (int n = 0; n < count; n++)
+            tics[n] = (struct chart_tic){place_of(d, n), d->axis->values.list[n].value};
+        axis.tics = tics, axis.tic_count = count;
+    }
     return axis;
 }
 
@@ -375,7 +354,8 @@ static void name_panel(const struct sweep_map *m, struct chart *c, int panel)
     if (!strcmp(m->panel.name, "name"))
         snprintf(text, sizeof text, "%s", m->panels.name[panel]);
     else
-        snprintf(text, sizeof text, "%s = %s", m->panel.name, m->panels.name[panel]);
+        snprintf(text, sizeof text, "%s = %s", axis_of(&m->panel, NULL).name,
+                 m->panels.name[panel]);
     chart_panel(c, text);
 }
 

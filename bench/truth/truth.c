@@ -10,6 +10,7 @@
 #include "fem_ref/kirchhoff_field.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 
 void truth_destroy(struct truth *t)
 {
@@ -41,33 +42,18 @@ static struct truth *make(int times, const double *time)
     return t;
 }
 
-/* Rms displacement from rest [m]. */
-static enum status displacement(const struct scene *scene, const double *xyz, double *rms)
-{
-    double *rest = malloc(3 * GRID_POINTS * sizeof *rest), uvw[3];
-
-    if (!rest)
-        return STATUS_MEMORY;
-    for (int n = 0; n < GRID_POINTS; n++) {
-        grid_point(n, uvw);
-        scene_rest_point(scene, uvw, rest + 3 * n);
-    }
-    *rms = metric_rmse(xyz, rest);
-    free(rest);
-    return STATUS_OK;
-}
-
 static enum status from_kirchhoff(const struct scene *scene, struct truth *t,
                                   struct message *why)
 {
     enum status st;
     struct kirchhoff_plate plate;
     struct kirchhoff *k = NULL;
-    double gamma = scene_gamma(scene), rms;
+    double gamma = scene_gamma(scene), *rest = metric_rest_field(scene);
     /* What linear theory leaves out (TRUTH_GAMMA), and what Kirchhoff's does. */
     double relative = KIRCHHOFF_TRANSIENT_ERROR + 0.0125 * gamma * gamma +
                       2 * pow(scene->thickness / scene->length, 2);
 
+    TRY(rest ? STATUS_OK : STATUS_MEMORY);
     TRY(kirchhoff_field_plate(scene, &plate, why));
     TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
     for (int n = 0; n < t->times; n++) {
@@ -75,8 +61,7 @@ static enum status from_kirchhoff(const struct scene *scene, struct truth *t,
         if (!t->xyz[n])
             TRY(STATUS_MEMORY);
         TRY(kirchhoff_field_sample(k, scene, t->time[n], t->xyz[n], why));
-        TRY(displacement(scene, t->xyz[n], &rms));
-        t->error[n] = relative * rms;
+        t->error[n] = relative * metric_rmse(t->xyz[n], rest);
     }
     snprintf(t->source, sizeof t->source,
              "Kirchhoff plate, modal solution exact in time; Gamma = %.3g leaves linear "
@@ -84,6 +69,7 @@ static enum status from_kirchhoff(const struct scene *scene, struct truth *t,
              gamma);
 out:
     kirchhoff_destroy(k);
+    free(rest);
     return st;
 }
 

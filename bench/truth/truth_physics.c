@@ -103,18 +103,3 @@ enum status truth_physics(const struct scene *s, char **text)
     *text = result;
     return STATUS_OK;
 }
-
-void truth_physics_difference(const char *a, const char *b, char *line, int size)
-{
-    *line = '\0';
-    while (*a || *b) {
-        size_t la = strcspn(a, "\n"), lb = strcspn(b, "\n");
-        if (la != lb || strncmp(a, b, la) != 0) {
-            const char *which = lb ? b : a;
-            snprintf(line, (size_t)size, "%.*s", (int)(lb ? lb : la), which);
-            return;
-        }
-        a += la + (a[la] == '\n');
-        b += lb + (b[lb] == '\n');
-    }
-}

@@ -9,8 +9,4 @@
  * obstacles. *text is freed by the receiver. STATUS_MEMORY. */
 enum status truth_physics(const struct scene *scene, char **text);
 
-/* The first line in which two such texts differ, that of `b` (of `a`, where b has ended)
- * into line[size]; empty if they are the same. */
-void truth_physics_difference(const char *a, const char *b, char *line, int size);
-
 #endif

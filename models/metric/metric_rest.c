@@ -166,3 +166,15 @@ double metric_rest_distance(const struct scene *scene, const double lo[3],
     }
     return nearest;
 }
+
+double *metric_rest_field(const struct scene *scene)
+{
+    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
+
+    for (int n = 0; xyz && n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        scene_rest_point(scene, uvw, xyz + 3 * (size_t)n);
+    }
+    return xyz;
+}

@@ -38,4 +38,7 @@ double metric_rest_highest(const struct scene *scene, const double lo[3],
 double metric_rest_distance(const struct scene *scene, const double lo[3],
                             const double hi[3], double near, const double x[3]);
 
+/* The rest shape on the whole grid (grid.h) [m]; freed by the receiver; NULL: no memory. */
+double *metric_rest_field(const struct scene *scene);
+
 #endif

@@ -55,35 +55,28 @@ static bool is_all(const char *choice)
     return !choice || !strcmp(choice, "all");
 }
 
-static bool enters(const struct contestant *c, unsigned where)
-{
-    return !where || c->enters & where;
-}
-
-/* A model's name is that of a contestant, too: it means this one where no other enters. */
-static bool any_enters(const struct model *model, unsigned where)
+static bool has_entered(const struct model *model, unsigned where)
 {
     for (const struct contestant *c = contestant_table; c->name; c++)
-        if (c->model == model && enters(c, where))
+        if (c->model == model && c->enters & where)
             return true;
     return false;
 }
 
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where)
 {
+    const bool enters = !where || c->enters & where;
     size_t length;
 
     if (is_all(choice))
-        return enters(c, where);
+        return enters;
     for (const char *at = choice; *at; at += length + (at[length] == ',')) {
         length = strcspn(at, ",");
-        if (is(at, length, c->model->name)) {
-            if (enters(c, where) ||
-                (is(at, length, c->name) && !any_enters(c->model, where)))
-                return true;
-        } else if (is(at, length, c->name)) {
+        const bool model = is(at, length, c->model->name);
+        if (model ? enters : is(at, length, c->name))
             return true;
-        }
+        if (model && is(at, length, c->name) && !has_entered(c->model, where))
+            return true;
     }
     return false;
 }
@@ -110,6 +103,23 @@ enum status contestant_check(const char *choice, struct message *why)
 void contestant_settings(const struct contestant *c, struct settings *s)
 {
     settings_list(s, CONTESTANT_SETTINGS, c->settings);
+}
+
+const char *contestant_setting(const struct contestant *c, const char *key)
+{
+    const size_t length = strlen(key);
+
+    for (int n = 0; n < CONTESTANT_SETTINGS && c->settings[n]; n++)
+        if (!strncmp(c->settings[n], key, length) && c->settings[n][length] == '=')
+            return c->settings[n] + length + 1;
+    return NULL;
+}
+
+bool contestant_is_paper_scheme(const struct contestant *c)
+{
+    const char *kinematics = contestant_setting(c, "discretization.kinematics");
+
+    return kinematics && !strcmp(kinematics, kinematics_name(KINEMATICS_PRINTED));
 }
 
 void contestant_points(const struct contestant *c, int u, int v, struct settings *s)

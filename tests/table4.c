@@ -59,8 +59,17 @@ static void test_runs(const struct table4_data *d)
         for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
             const double *value = d->run[r][TABLE4_FLAG][row].result.value;
             const struct paper_table4_row *p = &paper_table4[row];
+            CHECK(!run_result_refused(&d->run[r][TABLE4_FLAG][row].result));
             CHECK_RELATIVE(value[MEASURE_YOUNG_OVER_DENSITY], p->young / p->density, 1e-15);
         }
+    /* the slower the shell is made, the later it is where it will be */
+    const struct table4_run *rate = d->run[TABLE4_SHELL_RATE][TABLE4_DROP];
+    CHECK(rate[15].result.value[MEASURE_DROP_MAX] <
+          rate[16].result.value[MEASURE_DROP_MAX]);
+    CHECK(rate[16].result.value[MEASURE_DROP_MAX] <
+          rate[17].result.value[MEASURE_DROP_MAX]);
+    CHECK(rate[17].result.value[MEASURE_DROP_MAX] <
+          d->run[TABLE4_SHELL][TABLE4_DROP][17].result.value[MEASURE_DROP_MAX]);
     /* the same sheet with an elastic law does not stretch as the printed one does */
     CHECK(row7->value[MEASURE_STRETCH_MAX] > 1.1);
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
@@ -149,6 +158,30 @@ static bool prints(enum table_format format, const char *part)
     return found;
 }
 
+/* Programs get a number a cell: rows judged alike, met, extra of each answer; of each
+ * reading the rows called so on both scenes. */
+static void test_cells(const struct table4_data *d)
+{
+    char agreement[256], whose[256];
+    int used;
+
+    used = snprintf(agreement, sizeof agreement, "\n\"linear, v <- mu v\",flag,0");
+    for (int label = -1; label < PAPER_LABELS; label++) {
+        struct table4_agreement a = table4_agree(d, TABLE4_LINEAR, TABLE4_FLAG, label);
+        used += snprintf(agreement + used, sizeof agreement - (size_t)used, ",%d,%d,%d",
+                         a.agree, a.hit, a.extra);
+    }
+    CHECK(prints(TABLE_CSV, agreement));
+    used = snprintf(whose, sizeof whose, "\nover-stretched,8");
+    for (int r = 0; r < TABLE4_READINGS; r++)
+        for (int s = 0; s < TABLE4_SCENES; s++) {
+            struct table4_agreement a = table4_agree(d, r, s, PAPER_OVER_STRETCHED);
+            used +=
+                snprintf(whose + used, sizeof whose - (size_t)used, ",%d", a.hit + a.extra);
+        }
+    CHECK(prints(TABLE_CSV, whose));
+}
+
 static void test_print(void)
 {
     struct message why = {""};
@@ -183,6 +216,7 @@ int main(int argc, char **argv)
     test_runs(d);
     test_agreement(d);
     test_rules(d);
+    test_cells(d);
     test_print();
     table4_clear(d);
     return check_result();

@@ -55,35 +55,28 @@ static bool is_all(const char *choice)
     return !choice || !strcmp(choice, "all");
 }
 
-static bool enters(const struct contestant *c, unsigned where)
-{
-    return !where || c->enters & where;
-}
-
-/* A model's name is that of a contestant, too: it means this one where no other enters. */
-static bool any_enters(const struct model *model, unsigned where)
+static bool has_entered(const struct model *model, unsigned where)
 {
     for (const struct contestant *c = contestant_table; c->name; c++)
-        if (c->model == model && enters(c, where))
+        if (c->model == model && c->enters & where)
             return true;
     return false;
 }
 
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where)
 {
+    const bool enters = !where || c->enters & where;
     size_t length;
 
     if (is_all(choice))
-        return enters(c, where);
+        return enters;
     for (const char *at = choice; *at; at += length + (at[length] == ',')) {
         length = strcspn(at, ",");
-        if (is(at, length, c->model->name)) {
-            if (enters(c, where) ||
-                (is(at, length, c->name) && !any_enters(c->model, where)))
-                return true;
-        } else if (is(at, length, c->name)) {
+        const bool model = is(at, length, c->model->name);
+        if (model ? enters : is(at, length, c->name))
             return true;
-        }
+        if (model && is(at, length, c->name) && !has_entered(c->model, where))
+            return true;
     }
     return false;
 }

@@ -48,9 +48,9 @@ const struct model *contestant_model(int n);
 enum status contestant_find(const char *name, const struct contestant **c,
                             struct message *why);
 
-/* Whether the choice "a,b" of --models has it, by its name or its model's; NULL and "all":
- * those that enter there, by a bit of the above (0: all). A model's name chooses those of
- * its contestants that enter there; where none does, the one of its own name. */
+/* Whether the choice "a,b" of --models has it: a contestant's name chooses it, a model's
+ * name, NULL and "all" choose those that enter there, by a bit of the above (0: all); where
+ * none of a model does, its name chooses the model by itself. */
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where);
 
 /* Every word of a choice names a model or a contestant. STATUS_INPUT with a sentence. */

@@ -38,25 +38,31 @@ static void clear(struct baseline *m)
     run_close(&m->run);
 }
 
-static enum status our_factor(struct baseline *m)
+static enum status our_factor(void *made)
 {
+    struct baseline *m = made;
+
     return bench_solid_run(m->run.state, BENCH_SOLID_FACTOR);
 }
 
-static enum status our_solve(struct baseline *m)
+static enum status our_solve(void *made)
 {
+    struct baseline *m = made;
+
     return bench_solid_run(m->run.state, BENCH_SOLID_SOLVE);
 }
 
-static enum status their_factor(struct baseline *m)
+static enum status their_factor(void *made)
 {
+    struct baseline *m = made;
     const bool good = cholmod_factorize(m->copy, m->L, &m->common);
 
     return good && m->L->minor == m->L->n ? STATUS_OK : STATUS_INDEFINITE;
 }
 
-static enum status their_solve(struct baseline *m)
+static enum status their_solve(void *made)
 {
+    struct baseline *m = made;
     cholmod_dense *x = cholmod_solve(CHOLMOD_A, m->L, m->one, &m->common);
 
     cholmod_free_dense(&x, &m->common);
@@ -64,8 +70,9 @@ static enum status their_solve(struct baseline *m)
 }
 
 /* Before each factor; not counted. */
-static void fill_band(struct baseline *m)
+static void fill_band(void *made)
 {
+    struct baseline *m = made;
     const size_t rows = (size_t)m->width + 1;
 
     memset(m->band, 0, (size_t)m->n * rows * sizeof *m->band);
@@ -75,21 +82,26 @@ static void fill_band(struct baseline *m)
 }
 
 /* Before each solve. */
-static void fill_ones(struct baseline *m)
+static void fill_ones(void *made)
 {
+    struct baseline *m = made;
     for (int j = 0; j < m->n; j++)
         m->x[j] = 1;
 }
 
-static enum status band_factor(struct baseline *m)
+static enum status band_factor(void *made)
 {
+    struct baseline *m = made;
+
     return LAPACKE_dpbtrf_work(LAPACK_COL_MAJOR, 'L', m->n, m->width, m->band, m->width + 1)
                ? STATUS_INDEFINITE
                : STATUS_OK;
 }
 
-static enum status band_solve(struct baseline *m)
+static enum status band_solve(void *made)
 {
+    struct baseline *m = made;
+
     return LAPACKE_dpbtrs_work(LAPACK_COL_MAJOR, 'L', m->n, m->width, 1, m->band,
                                m->width + 1, m->x, m->n)
                ? STATUS_INDEFINITE
@@ -99,30 +111,13 @@ static enum status band_solve(struct baseline *m)
 /* Factors stand before their solves. */
 static const struct phase {
     const char *what;
-    enum status (*call)(struct baseline *m);
-    void (*prepare)(struct baseline *m); /* NULL: nothing                              */
+    enum status (*call)(void *made);
+    void (*prepare)(void *made);
 } phases[] = {
     {"factor ours", our_factor, NULL},         {"solve ours", our_solve, NULL},
     {"factor CHOLMOD", their_factor, NULL},    {"solve CHOLMOD", their_solve, NULL},
     {"factor LAPACK", band_factor, fill_band}, {"solve LAPACK", band_solve, fill_ones}};
 enum { PHASES = sizeof phases / sizeof *phases, LAPACK = 4, NETS = 4 };
-
-struct call {
-    const struct phase *phase;
-    struct baseline *on;
-};
-
-static enum status make_call(void *context, double *seconds)
-{
-    const struct call *c = context;
-
-    if (c->phase->prepare)
-        c->phase->prepare(c->on);
-    const double start = clock_now();
-    const enum status st = c->phase->call(c->on);
-    *seconds = clock_now() - start;
-    return st;
-}
 
 static enum status make_cholmod(struct baseline *m)
 {
@@ -172,7 +167,6 @@ out:
 static enum status sample(struct bench *b, struct message *why)
 {
     struct baseline made[NETS] = {{{0}}};
-    struct call calls[NETS * PHASES];
     struct samples_task tasks[NETS * PHASES];
     enum status st = STATUS_OK;
     int count = 0;
@@ -181,11 +175,9 @@ static enum status sample(struct bench *b, struct message *why)
         const struct bench_row *row = &bench_part_solids.rows[n];
         TRY(bench_part_add(b, row, why));
         TRY(make(&b->batch.cases[n].plan, &made[n], why));
-        for (int p = 0; p < (made[n].band ? PHASES : LAPACK); p++, count++) {
-            calls[count] = (struct call){&phases[p], &made[n]};
-            tasks[count] =
-                (struct samples_task){row->title, phases[p].what, make_call, &calls[count]};
-        }
+        for (int p = 0; p < (made[n].band ? PHASES : LAPACK); p++)
+            tasks[count++] = (struct samples_task){
+                row->title, phases[p].what, phases[p].call, phases[p].prepare, &made[n]};
     }
     TRY(samples_time(&b->samples, b->quick, count, tasks));
 out:

@@ -123,6 +123,15 @@ for format in text csv markdown latex json; do
     [ "$out" = "$printed" ] || fail "verify --from prints another $format"
 done
 
+# --- bench: so are times, from every repeat that was kept -----------------------------------
+good bench contestants growth --models iga_linear,shell --quick --out times --format json
+printed=$out
+says out '"repeats": 3' '"contestant": "shell_3"'
+good bench contestants growth --models iga_linear,shell --from times --format json
+[ "$out" = "$printed" ] || fail 'bench --from prints other times'
+refused "no benchmark 'dance'; there are solids" bench dance
+refused 'one of the two' bench growth --from times --out more
+
 # --- bad usage --------------------------------------------------------------------------
 refused 'which command'
 refused "no command 'dance'" dance

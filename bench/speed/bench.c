@@ -38,22 +38,22 @@ void bench_part_aim(struct table *t, const struct clock_summary *s, double aim)
 /* Twenty frames after two: measurement.h. */
 static const double SOME = 0.11;
 
-enum status bench_part_add(struct bench *b, const struct bench_run *run,
+enum status bench_part_add(struct bench *b, const struct bench_row *row,
                            struct message *why)
 {
     const struct contestant *who;
     char name[64];
-    const enum status st = contestant_find(run->contestant, &who, why);
+    const enum status st = contestant_find(row->contestant, &who, why);
 
     if (st != STATUS_OK)
         return st;
-    snprintf(name, sizeof name, "%s_%d", run->contestant, b->batch.count);
+    snprintf(name, sizeof name, "%s_%d", row->contestant, b->batch.count);
     struct measurement_case *c = batch_add(&b->batch, b->path, who, name);
-    c->plan.end = run->end > 0 ? run->end : SOME;
-    c->timed = run->end > 0 ? MEASUREMENT_WHOLE : MEASUREMENT_SOME;
-    c->phases = !(run->end > 0);
-    settings_list(batch_settings(&b->batch), sizeof run->settings / sizeof *run->settings,
-                  run->settings);
+    c->plan.end = row->end > 0 ? row->end : SOME;
+    c->timed = row->end > 0 ? MEASUREMENT_WHOLE : MEASUREMENT_SOME;
+    c->phases = !(row->end > 0);
+    settings_list(batch_settings(&b->batch), sizeof row->settings / sizeof *row->settings,
+                  row->settings);
     return STATUS_OK;
 }
 
@@ -96,7 +96,10 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
 
     snprintf(folder, sizeof folder, "%s/%s", all, part->item.name);
     b->folder = folder;
-    TRY(batch_init(&b->batch, folder, BENCH_CASES));
+    TRY(batch_init(&b->batch, folder, BENCH_PART_RUNS));
+    b->part = part;
+    for (int n = 0; n < part->count; n++)
+        TRY(bench_part_add(b, &part->rows[n], why));
     if (part->plan)
         TRY(part->plan(b, why));
     if (!read_only)
@@ -104,7 +107,7 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
     if (part->sample)
         TRY(samples_read(&b->samples, folder, "samples", why));
     TRY(part->print(b, why));
-    if (b->batch.count && table_format_is_prose(b->format)) {
+    if (!part->sample && table_format_is_prose(b->format)) {
         measurement_machine(b->batch.files[0], stdout);
         printf("\n");
     }

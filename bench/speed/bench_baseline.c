@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "bench/experiment/bench_solid.h"
-#include "bench/speed/bench_nets.h"
+#include "bench/speed/bench_part.h"
 
 /* A net's matrix, lower triangle by columns, and what the libraries make of it. */
 struct baseline {
@@ -38,76 +38,86 @@ static void clear(struct baseline *m)
     run_close(&m->run);
 }
 
-static enum status ours(struct baseline *m, enum bench_solid_phase phase, double *seconds)
+static enum status our_factor(void *made)
 {
-    const double start = clock_now();
-    const enum status st = bench_solid_run(m->run.state, phase);
+    struct baseline *m = made;
 
-    *seconds = clock_now() - start;
-    return st;
+    return bench_solid_run(m->run.state, BENCH_SOLID_FACTOR);
 }
 
-static enum status our_factor(void *context, double *seconds)
+static enum status our_solve(void *made)
 {
-    return ours(context, BENCH_SOLID_FACTOR, seconds);
+    struct baseline *m = made;
+
+    return bench_solid_run(m->run.state, BENCH_SOLID_SOLVE);
 }
 
-static enum status our_solve(void *context, double *seconds)
+static enum status their_factor(void *made)
 {
-    return ours(context, BENCH_SOLID_SOLVE, seconds);
+    struct baseline *m = made;
+    const bool good = cholmod_factorize(m->copy, m->L, &m->common);
+
+    return good && m->L->minor == m->L->n ? STATUS_OK : STATUS_INDEFINITE;
 }
 
-static enum status cholmod_one_factor(void *context, double *seconds)
+static enum status their_solve(void *made)
 {
-    struct baseline *m = context;
-    const double start = clock_now();
-    const bool good =
-        cholmod_factorize(m->copy, m->L, &m->common) && m->L->minor == m->L->n;
-
-    *seconds = clock_now() - start;
-    return good ? STATUS_OK : STATUS_INDEFINITE;
-}
-
-static enum status cholmod_one_solve(void *context, double *seconds)
-{
-    struct baseline *m = context;
-    const double start = clock_now();
+    struct baseline *m = made;
     cholmod_dense *x = cholmod_solve(CHOLMOD_A, m->L, m->one, &m->common);
 
-    *seconds = clock_now() - start;
     cholmod_free_dense(&x, &m->common);
     return STATUS_OK;
 }
 
-/* Filling the band is not counted. */
-static enum status lapack_factor(void *context, double *seconds)
+/* Before each factor; not counted. */
+static void fill_band(void *made)
 {
-    struct baseline *m = context;
+    struct baseline *m = made;
     const size_t rows = (size_t)m->width + 1;
 
     memset(m->band, 0, (size_t)m->n * rows * sizeof *m->band);
     for (int j = 0; j < m->n; j++)
         for (long t = m->start[j]; t < m->start[j + 1]; t++)
             m->band[(size_t)j * rows + (size_t)(m->row[t] - j)] = m->value[t];
-    const double start = clock_now();
-    const int info =
-        LAPACKE_dpbtrf_work(LAPACK_COL_MAJOR, 'L', m->n, m->width, m->band, m->width + 1);
-    *seconds = clock_now() - start;
-    return info ? STATUS_INDEFINITE : STATUS_OK;
 }
 
-static enum status lapack_solve(void *context, double *seconds)
+/* Before each solve. */
+static void fill_ones(void *made)
 {
-    struct baseline *m = context;
-
+    struct baseline *m = made;
     for (int j = 0; j < m->n; j++)
         m->x[j] = 1;
-    const double start = clock_now();
-    const int info = LAPACKE_dpbtrs_work(LAPACK_COL_MAJOR, 'L', m->n, m->width, 1, m->band,
-                                         m->width + 1, m->x, m->n);
-    *seconds = clock_now() - start;
-    return info ? STATUS_INDEFINITE : STATUS_OK;
 }
+
+static enum status band_factor(void *made)
+{
+    struct baseline *m = made;
+
+    return LAPACKE_dpbtrf_work(LAPACK_COL_MAJOR, 'L', m->n, m->width, m->band, m->width + 1)
+               ? STATUS_INDEFINITE
+               : STATUS_OK;
+}
+
+static enum status band_solve(void *made)
+{
+    struct baseline *m = made;
+
+    return LAPACKE_dpbtrs_work(LAPACK_COL_MAJOR, 'L', m->n, m->width, 1, m->band,
+                               m->width + 1, m->x, m->n)
+               ? STATUS_INDEFINITE
+               : STATUS_OK;
+}
+
+/* Factors stand before their solves. */
+static const struct phase {
+    const char *what;
+    enum status (*call)(void *made);
+    void (*prepare)(void *made);
+} phases[] = {
+    {"factor ours", our_factor, NULL},         {"solve ours", our_solve, NULL},
+    {"factor CHOLMOD", their_factor, NULL},    {"solve CHOLMOD", their_solve, NULL},
+    {"factor LAPACK", band_factor, fill_band}, {"solve LAPACK", band_solve, fill_ones}};
+enum { PHASES = sizeof phases / sizeof *phases, LAPACK = 4, NETS = 4 };
 
 static enum status make_cholmod(struct baseline *m)
 {
@@ -127,6 +137,9 @@ static enum status make_cholmod(struct baseline *m)
     return m->L ? STATUS_OK : STATUS_MEMORY;
 }
 
+/* A band of a large net would take 7 GB. */
+static const int BAND_MOST = 10000;
+
 static enum status make_band(struct baseline *m)
 {
     for (int j = 0; j < m->n; j++) /* rows of a column ascend */
@@ -136,51 +149,39 @@ static enum status make_band(struct baseline *m)
     return m->band && m->x ? STATUS_OK : STATUS_MEMORY;
 }
 
-static enum status make(struct bench *b, const struct bench_net *net, struct baseline *m,
+static enum status make(const struct run_plan *plan, struct baseline *m,
                         struct message *why)
 {
     enum status st;
 
-    TRY(bench_part_add(b, &net->run, why));
-    TRY(run_open(&m->run, &b->batch.cases[b->batch.count - 1].plan, why));
+    TRY(run_open(&m->run, plan, why));
     TRY(bench_solid_run(m->run.state, BENCH_SOLID_ASSEMBLE));
     TRY(bench_solid_matrix(m->run.state, &m->n, &m->start, &m->row, &m->value));
     TRY(make_cholmod(m));
-    if (!net->large)
+    if (m->n < BAND_MOST)
         TRY(make_band(m));
 out:
     return st;
 }
 
-/* Factors stand before their solves. */
-static const struct phase {
-    const char *what;
-    enum status (*call)(void *context, double *seconds);
-} phases[] = {{"factor ours", our_factor},
-              {"solve ours", our_solve},
-              {"factor CHOLMOD", cholmod_one_factor},
-              {"solve CHOLMOD", cholmod_one_solve},
-              {"factor LAPACK", lapack_factor},
-              {"solve LAPACK", lapack_solve}};
-enum { PHASES = sizeof phases / sizeof *phases, LAPACK = 4 };
-
 static enum status sample(struct bench *b, struct message *why)
 {
-    struct baseline made[BENCH_NETS] = {{{0}}};
-    struct samples_task tasks[BENCH_NETS * PHASES];
+    struct baseline made[NETS] = {{{0}}};
+    struct samples_task tasks[NETS * PHASES];
     enum status st = STATUS_OK;
     int count = 0;
 
-    for (int n = 0; n < BENCH_NETS; n++) {
-        TRY(make(b, &bench_nets[n], &made[n], why));
-        for (int p = 0; p < (bench_nets[n].large ? LAPACK : PHASES); p++)
-            tasks[count++] = (struct samples_task){bench_nets[n].run.title, phases[p].what,
-                                                   phases[p].call, &made[n]};
+    for (int n = 0; n < NETS; n++) {
+        const struct bench_row *row = &bench_part_solids.rows[n];
+        TRY(bench_part_add(b, row, why));
+        TRY(make(&b->batch.cases[n].plan, &made[n], why));
+        for (int p = 0; p < (made[n].band ? PHASES : LAPACK); p++)
+            tasks[count++] = (struct samples_task){
+                row->title, phases[p].what, phases[p].call, phases[p].prepare, &made[n]};
     }
-    b->batch.count = 0; /* plans, not to be run */
     TRY(samples_time(&b->samples, b->quick, count, tasks));
 out:
-    for (int n = 0; n < BENCH_NETS; n++)
+    for (int n = 0; n < NETS; n++)
         clear(&made[n]);
     return st;
 }
@@ -216,9 +217,11 @@ static enum status print(const struct bench *b, struct message *why)
                      "The same matrices by libraries as they come, in this run");
 
     (void)why;
-    for (int n = 0; n < BENCH_NETS; n++)
-        for (int k = 0; k < (bench_nets[n].large ? 1 : 2); k++) {
-            const char *net = bench_nets[n].run.title;
+    for (int n = 0; n < NETS; n++)
+        for (int k = 0; k < 2; k++) {
+            const char *net = bench_part_solids.rows[n].title;
+            if (!samples_of(&b->samples, net, k ? "factor LAPACK" : "factor CHOLMOD").count)
+                continue;
             table_row(t);
             table_text(t, "%s", net);
             table_text(t, "%s%s", library[k], k ? " band" : "");

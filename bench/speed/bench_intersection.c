@@ -86,27 +86,23 @@ struct sheet {
     long tests[WAYS]; /* of pairs of triangles                                         */
 };
 
-static enum status count_by(struct sheet *s, enum way way, double *seconds)
+static enum status count(void *sheet)
 {
-    const double start = clock_now();
-    const enum status st =
-        way == TREE
-            ? intersection_count(&s->work, GRID_U, GRID_V, s->xyz, &s->pairs[way])
-            : intersection_count_all(&s->work, GRID_U, GRID_V, s->xyz, &s->pairs[way]);
+    struct sheet *s = sheet;
+    enum status st = intersection_count(&s->work, GRID_U, GRID_V, s->xyz, &s->pairs[TREE]);
 
-    *seconds = clock_now() - start;
-    s->tests[way] = s->work.tests;
+    s->tests[TREE] = s->work.tests;
     return st;
 }
 
-static enum status count(void *sheet, double *seconds)
+static enum status count_all(void *sheet)
 {
-    return count_by(sheet, TREE, seconds);
-}
+    struct sheet *s = sheet;
+    enum status st =
+        intersection_count_all(&s->work, GRID_U, GRID_V, s->xyz, &s->pairs[EVERY_PAIR]);
 
-static enum status count_all(void *sheet, double *seconds)
-{
-    return count_by(sheet, EVERY_PAIR, seconds);
+    s->tests[EVERY_PAIR] = s->work.tests;
+    return st;
 }
 
 static enum status make(const struct shape *shape, struct sheet *s)
@@ -144,8 +140,9 @@ static enum status sample(struct bench *b, struct message *why)
     for (int n = 0; n < SHAPES; n++) {
         TRY(make(&shapes[n], &sheets[n]));
         for (int w = 0; w < WAYS; w++)
-            tasks[WAYS * n + w] = (struct samples_task){
-                shapes[n].name, way_name[w], w == TREE ? count : count_all, &sheets[n]};
+            tasks[WAYS * n + w] =
+                (struct samples_task){shapes[n].name, way_name[w],
+                                      w == TREE ? count : count_all, NULL, &sheets[n]};
     }
     TRY(samples_time(&b->samples, b->quick, WAYS * SHAPES, tasks));
     for (int n = 0; n < SHAPES; n++)

@@ -9,38 +9,47 @@
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 
-struct bench {
-    const char *folder, *path; /* of the results; of edge_drop's scene file             */
-    const char *models;        /* as --models has them                                  */
-    enum table_format format;
-    bool quick;
-    struct batch batch;     /* of the part at work                                      */
-    struct samples samples; /* likewise                                                 */
+/* A run on edge_drop, with what to reach [ms] (0: no aim) and what others took for the same
+ * work, on another two-core machine: named, never in a ratio. */
+struct bench_row {
+    const char *title, *contestant;
+    const char *settings[4]; /* KEY=VALUE; NULL ends                                    */
+    double end; /* all frames up to it are timed [s]; 0: twenty, and the phases, apart  */
+    double frame, phase[3];
+    const char *elsewhere; /* NULL: nothing                                             */
 };
 
-enum { BENCH_CASES = 64 };
+struct bench {
+    const struct bench_part *part; /* at work                                           */
+    const char *folder, *path;     /* of its results; of edge_drop's scene file         */
+    const char *models;            /* as --models has them                              */
+    enum table_format format;
+    bool quick;
+    struct batch batch;     /* the part's runs                                          */
+    struct samples samples; /* its other numbers                                        */
+};
+
+enum { BENCH_PART_RUNS = 64 };
 
 struct bench_part {
     struct command_item item;
-    enum status (*plan)(struct bench *b, struct message *why);   /* its runs; NULL: none */
-    enum status (*sample)(struct bench *b, struct message *why); /* else; NULL: nothing  */
+    const char *caption, *note; /* of its table                                         */
+    int count;
+    const struct bench_row *rows; /* [count] its runs; or else:                          */
+    enum status (*plan)(struct bench *b, struct message *why);
+    enum status (*sample)(struct bench *b, struct message *why); /* NULL: nothing       */
     enum status (*print)(const struct bench *b, struct message *why);
 };
 extern const struct bench_part bench_part_solids, bench_part_baselines, bench_part_levers,
     bench_part_growth, bench_part_intersection, bench_part_projective, bench_part_nonlinear,
     bench_part_swings, bench_part_contestants;
 
-/* A run on edge_drop. */
-struct bench_run {
-    const char *title, *contestant;
-    const char *settings[4]; /* KEY=VALUE; NULL ends                                    */
-    double end; /* all frames up to it are timed [s]; 0: twenty, and the phases, apart  */
-};
-enum status bench_part_add(struct bench *b, const struct bench_run *run,
+/* Plans one more run. */
+enum status bench_part_add(struct bench *b, const struct bench_row *row,
                            struct message *why);
 
-/* A row's cells of seconds: median, least, quartiles, how many repeats; what to reach, in
- * milliseconds (0: no aim), and whether the median does. */
+/* A row's cells of seconds: median, least, quartiles, how many repeats; what to reach, and
+ * whether the median does. */
 #define BENCH_PART_TIMES                                                                   \
     {"median", "ms"}, {"min", "ms"}, {"lower", "ms"}, {"upper", "ms"},                     \
     {                                                                                      \

@@ -57,41 +57,31 @@ struct made {
     struct pd_motion motion;
 };
 
-static enum status local_step(void *context, double *seconds)
+static enum status local_step(void *motion)
 {
-    struct pd_motion *m = &((struct made *)context)->motion;
-    const double start = clock_now();
+    struct pd_motion *m = motion;
 
     pd_local_step(&m->local, m->x, m->base, m->next);
-    *seconds = clock_now() - start;
     return STATUS_OK;
 }
 
-static enum status solve(void *context, double *seconds)
+static enum status solve(void *motion)
 {
-    struct pd_motion *m = &((struct made *)context)->motion;
-    const double start = clock_now();
-    const enum status st =
-        pd_system_solve(&m->system, m->before); /* zeros: the same work */
+    struct pd_motion *m = motion;
 
-    *seconds = clock_now() - start;
-    return st;
+    return pd_system_solve(&m->system, m->before); /* zeros: the same work */
 }
 
-static enum status frame(void *context, double *seconds)
+static enum status frame(void *motion)
 {
-    struct pd_motion *m = &((struct made *)context)->motion;
     struct counters counters = {0};
-    const double start = clock_now();
-    const enum status st = pd_motion_frame(m, &counters);
 
-    *seconds = clock_now() - start;
-    return st;
+    return pd_motion_frame(motion, &counters);
 }
 
 static const struct {
     const char *what;
-    enum status (*call)(void *context, double *seconds);
+    enum status (*call)(void *motion);
 } phases[] = {{"local", local_step}, {"solve", solve}, {"frame", frame}};
 enum { PHASES = sizeof phases / sizeof *phases, KINDS = 2 };
 
@@ -120,8 +110,8 @@ static enum status sample_frames(struct bench *b, const struct scene *scene,
         samples_add(&b->samples, m->name, "constraints", m->motion.energy.constraints);
         samples_add(&b->samples, m->name, "entries", (double)size.factor_entries);
         for (int p = 0; p < PHASES; p++)
-            tasks[count++] =
-                (struct samples_task){m->name, phases[p].what, phases[p].call, m};
+            tasks[count++] = (struct samples_task){m->name, phases[p].what, phases[p].call,
+                                                   NULL, &m->motion};
     }
     TRY(samples_time(&b->samples, b->quick, count, tasks));
 out:

@@ -54,18 +54,20 @@ static const double SAMPLE = 1e-3; /* [s] a sample lasts at least */
 
 static enum status sample(const struct samples_task *task, double *seconds)
 {
-    double sum = 0, one;
+    const double begin = clock_now();
+    double sum = 0;
     int calls = 0;
     enum status st = STATUS_OK;
 
-    const double start = clock_now();
     do {
-        TRY(task->call(task->context, &one));
-        sum += one;
+        if (task->prepare)
+            task->prepare(task->context);
+        const double start = clock_now();
+        st = task->call(task->context);
+        sum += clock_now() - start;
         calls++;
-    } while (clock_now() - start < SAMPLE);
+    } while (st == STATUS_OK && clock_now() - begin < SAMPLE);
     *seconds = sum / calls;
-out:
     return st;
 }
 

@@ -29,10 +29,11 @@ struct clock_summary samples_of(const struct samples *s, const char *name,
                                 const char *what);
 double samples_number(const struct samples *s, const char *name, const char *what);
 
-/* Something short: makes one call and tells the seconds that count. */
+/* Something short. */
 struct samples_task {
     const char *name, *what;
-    enum status (*call)(void *context, double *seconds);
+    enum status (*call)(void *context);
+    void (*prepare)(void *context); /* before each call, not timed; NULL: nothing      */
     void *context;
 };
 

@@ -1,0 +1,270 @@
+/* Parts that are runs on edge_drop: frames and phases against aims, what each choice gives,
+ * growth with the net. */
+#include <math.h>
+
+#include "bench/experiment/bench_solid.h"
+#include "bench/harness/fit.h"
+#include "bench/speed/bench_part.h"
+#include "bench/truth/paper.h"
+
+#define LEN(array) (sizeof array / sizeof *array)
+
+#define UNDAMPED   "damping={kind: none}"
+#define MATCHED    "discretization.parameters=matched"
+#define BAND       "discretization.solver=banded"
+#define SUPERNODES "discretization.solver=cholmod"
+#define TOGETHER   "discretization.unknowns=points"
+#define NET(n)     "discretization.points=[" #n "," #n ",2]"
+#define SPRINGS_32 "discretization.points=[32,32]"
+
+/* clang-format off */
+static const struct bench_row solids[] = {
+    {"iga 10x10x2 rebuilt", "iga_paper", {0}, 0, 0.7, {0},
+     "G+Smo 34.5 ms, MFEM 59 ms a frame; PetIGA K 3.1, M 1.8, factor 6.6 ms"},
+    {"iga 10x10x2 prefactored", "iga_linear", {UNDAMPED}, 0, 0.025, {0},
+     "PetIGA 0.044 ms a step"},
+    {"hex 32x32x2 rebuilt", "hex_paper", {NET(32)}, 0, 12, {0},
+     "PetIGA 50, MFEM 94, G+Smo 107, CalculiX 114 ms a step"},
+    {"iga 100x100x2 prefactored", "iga_linear", {UNDAMPED, NET(100)}, 0, 20, {80, 800, 0},
+     "PetIGA K 517 ms, factor 2200 ms, step 39 ms; CHOLMOD solve 29.5 ms"},
+};
+
+static const struct bench_row motions[] = {
+    {"shell 10x10, p = 2", "shell_2", {UNDAMPED}, 0.4, 1, {0}, NULL},
+    {"shell 10x10, p = 3", "shell_3", {UNDAMPED}, 0.4, 2, {0}, NULL},
+    {"mass-spring 32x32, to its tolerance", "mass_spring_paper",
+     {UNDAMPED, MATCHED, SPRINGS_32}, 0.4, 2, {0}, NULL},
+    {"mass-spring 32x32, one iteration", "mass_spring_paper",
+     {UNDAMPED, MATCHED, SPRINGS_32, "discretization.iterations=1"}, 0.4, 2, {0}, NULL},
+    {"iga 10x10x2, none (the paper's)", "iga_nonlinear", {UNDAMPED}, 0.4, 5, {0}, NULL},
+    {"iga 10x10x2, reduced", "iga_reduced", {UNDAMPED}, 0.4, 5, {0}, NULL},
+    {"iga 10x10x2, selective", "iga_selective", {UNDAMPED}, 0.4, 5, {0}, NULL},
+};
+
+static const struct bench_row swings[] = {
+    {"iga 20x20x2, p = 3, none", "iga_nonlinear_3", {UNDAMPED, NET(20)}, 1, 300, {0}, NULL},
+    {"iga 20x20x2, p = 3, selective", "iga_selective_3", {UNDAMPED, NET(20)}, 1, 300, {0},
+     NULL},
+};
+
+/* In pairs: without the choice, and with it. */
+static const struct bench_row levers[] = {
+    {"band instead of supernodes", "iga_paper", {SUPERNODES}, 0, 0, {0}, NULL},
+    {"iga 10x10x2 rebuilt", "iga_paper", {BAND}, 0, 0, {0}, NULL},
+    {"band instead of supernodes", "hex_paper", {SUPERNODES, NET(32)}, 0, 0, {0}, NULL},
+    {"hex 32x32x2 rebuilt", "hex_paper", {BAND, NET(32)}, 0, 0, {0}, NULL},
+    {"membrane and bending apart", "iga_linear", {UNDAMPED, TOGETHER}, 0, 0, {0}, NULL},
+    {"iga 10x10x2 prefactored", "iga_linear", {UNDAMPED}, 0, 0, {0}, NULL},
+    {"membrane and bending apart", "iga_linear", {UNDAMPED, TOGETHER, NET(40)}, 0, 0, {0},
+     NULL},
+    {"iga 40x40x2 prefactored", "iga_linear", {UNDAMPED, NET(40)}, 0, 0, {0}, NULL},
+    {"one factorisation for all steps", "iga_paper", {0}, 0, 0, {0}, NULL},
+    {"iga 10x10x2", "iga_linear", {UNDAMPED}, 0, 0, {0}, NULL},
+};
+
+/* Those of the paper's Table 2. */
+static const struct bench_row growing[PAPER_GROWTH_ROWS] = {
+    {"5x5x2", "iga_paper", {NET(5)}, 0, 0, {0}, NULL},
+    {"10x10x2", "iga_paper", {NET(10)}, 0, 0, {0}, NULL},
+    {"15x15x2", "iga_paper", {NET(15)}, 0, 0, {0}, NULL},
+    {"20x20x2", "iga_paper", {NET(20)}, 0, 0, {0}, NULL},
+};
+/* clang-format on */
+
+static void phase_row(struct table *t, const struct bench_row *row, const char *phase,
+                      const struct clock_summary *s, double aim)
+{
+    table_row(t);
+    table_text(t, "%s", row->title);
+    table_text(t, "%s", phase);
+    bench_part_times(t, s);
+    bench_part_aim(t, s, aim);
+}
+
+static void add_run(struct table *t, const struct bench_row *row,
+                    const struct run_result *r)
+{
+    static const char *const phase[] = {"K and M", "factor", "solve"};
+
+    phase_row(t, row, "frame", &r->step, row->frame);
+    for (int p = 0; p < BENCH_SOLID_FRAME && r->phase[p].count; p++)
+        phase_row(t, row, phase[p], &r->phase[p], row->phase[p]);
+    if (r->outcome)
+        table_note(t, "%s: %s.", row->title, r->sentence.text);
+    if (row->elsewhere)
+        table_note(t,
+                   "%s: %.0f unknowns, %.0f numbers in L, set-up %.3g ms. Elsewhere, on "
+                   "another machine: %s.",
+                   row->title, r->unknowns, r->factor_entries, 1e3 * r->create.median,
+                   row->elsewhere);
+}
+
+static enum status print_runs(const struct bench *b, struct message *why)
+{
+    static const struct table_column columns[] = {{"case", NULL, TABLE_LEFT},
+                                                  {"phase", NULL, TABLE_LEFT},
+                                                  BENCH_PART_TIMES,
+                                                  BENCH_PART_AIM};
+    struct table *t = table_create(LEN(columns), columns, b->part->caption);
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < b->batch.count; n++) {
+        struct run_result r;
+        TRY(batch_read(&b->batch, n, false, &r, why));
+        add_run(t, &b->part->rows[n], &r);
+        run_result_clear(&r);
+    }
+    if (b->part->note)
+        table_note(t, "%s", b->part->note);
+    return table_finish(t, b->format, stdout);
+out:
+    table_destroy(t);
+    return st;
+}
+
+const struct bench_part bench_part_solids = {
+    .item = {"solids",
+             "IGA plate and hexahedra: K and M, factor, solve, frame, against their aims"},
+    .caption = "Speed of the solids, one thread",
+    .count = LEN(solids),
+    .rows = solids,
+    .print = print_runs};
+
+const struct bench_part bench_part_nonlinear = {
+    .item = {"nonlinear", "shell, springs and nonlinear solids over whole motions"},
+    .caption = "Frames of the models that iterate, edge_drop to 0.4 s, undamped",
+    .note = "A repeat counts with its mean frame: frames differ, as iterations grow where "
+            "the sheet buckles. Elsewhere, on another machine: gsKLShell 10x10 118 ms "
+            "(p = 2) and 484 ms (p = 3) for one Newton iteration; the paper's shell 130 ms "
+            "a frame.",
+    .count = LEN(motions),
+    .rows = motions,
+    .print = print_runs};
+
+const struct bench_part bench_part_swings = {
+    .item = {"swings", "a second of nonlinear solids on 20x20x2 points of degree 3"},
+    .caption = "A swing of 1 s, 200 frames, edge_drop, undamped",
+    .note = "The aim is 60 s for the swing. The first is the baseline.",
+    .count = LEN(swings),
+    .rows = swings,
+    .print = print_runs};
+
+/* --- levers ------------------------------------------------------------------------------
+ */
+
+static enum status print_levers(const struct bench *b, struct message *why)
+{
+    static const struct table_column columns[] = {{"lever", NULL, TABLE_LEFT},
+                                                  {"case", NULL, TABLE_LEFT},
+                                                  {"without", "ms"},
+                                                  {"with", "ms"},
+                                                  {"gain"},
+                                                  {"repeats"}};
+    struct table *t = table_create(LEN(columns), columns, b->part->caption);
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n + 1 < b->batch.count; n += 2) {
+        struct run_result without, with;
+        TRY(batch_read(&b->batch, n, false, &without, why));
+        TRY(batch_read(&b->batch, n + 1, false, &with, why));
+        table_row(t);
+        table_text(t, "%s", levers[n].title);
+        table_text(t, "%s", levers[n + 1].title);
+        table_number(t, 1e3 * without.step.median, 3);
+        table_number(t, 1e3 * with.step.median, 3);
+        table_number(t, without.step.median / with.step.median, 3);
+        table_integer(t, with.step.count);
+        run_result_clear(&without);
+        run_result_clear(&with);
+    }
+    return table_finish(t, b->format, stdout);
+out:
+    table_destroy(t);
+    return st;
+}
+
+const struct bench_part bench_part_levers = {
+    .item = {"levers", "what the band, the splitting of unknowns, one factorisation give"},
+    .caption = "What each lever gives, a frame",
+    .count = LEN(levers),
+    .rows = levers,
+    .print = print_levers};
+
+/* --- growth ------------------------------------------------------------------------------
+ */
+
+enum { NETS = PAPER_GROWTH_ROWS };
+
+/* What a fit needs, a number a net. */
+struct growth {
+    double unknowns[NETS], points[NETS], elements[NETS];
+    double cost[NETS], assemble[NETS], paper[NETS];
+};
+
+static void note_growth(struct table *t, const struct growth *g)
+{
+    table_note(
+        t,
+        "K and M alone grow as unknowns^%.2f and as elements^%.2f: a net of n "
+        "points a side has (n - 2)^2 elements, so that elements per unknown more than "
+        "double from 5 to 20.",
+        fit_exponent(NETS, g->unknowns, g->assemble),
+        fit_exponent(NETS, g->elements, g->assemble));
+    table_note(
+        t,
+        "Cost grows as unknowns^%.2f (aim 1.2 or less), as control points^%.2f; the "
+        "paper's as control points^%.2f over all four nets, ^%.2f over the last three.",
+        fit_exponent(NETS, g->unknowns, g->cost), fit_exponent(NETS, g->points, g->cost),
+        fit_exponent(NETS, g->points, g->paper),
+        fit_exponent(NETS - 1, g->points + 1, g->paper + 1));
+}
+
+static void add_net(struct table *t, int n, const struct run_result *r, struct growth *g)
+{
+    const int side = 5 * (n + 1); /* of those rows of Table 2 */
+
+    g->unknowns[n] = r->unknowns;
+    g->points[n] = 2.0 * side * side;
+    g->elements[n] = (side - 2) * (side - 2);
+    g->cost[n] = r->step.median;
+    g->assemble[n] = r->phase[BENCH_SOLID_ASSEMBLE].median;
+    g->paper[n] = paper_table2_ms[PAPER_GROWTH + n];
+    table_row(t);
+    table_text(t, "%s", growing[n].title);
+    table_fixed(t, r->unknowns, 0);
+    table_number(t, 1e3 * g->cost[n], 3);
+    table_number(t, 1e3 * g->assemble[n], 3);
+    table_number(t, 1e3 * r->phase[BENCH_SOLID_FACTOR].median, 3);
+    table_number(t, g->paper[n], 4);
+    table_number(t, g->paper[n] / (1e3 * g->cost[n]), 3);
+    table_integer(t, r->step.count);
+}
+
+static enum status print_growth(const struct bench *b, struct message *why)
+{
+    static const struct table_column columns[] = {
+        {"net", NULL, TABLE_LEFT}, {"unknowns"},    {"frame", "ms"}, {"K and M", "ms"},
+        {"factor", "ms"},          {"paper", "ms"}, {"ratio"},       {"repeats"}};
+    struct table *t = table_create(LEN(columns), columns, b->part->caption);
+    struct growth g;
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < NETS; n++) {
+        struct run_result r;
+        TRY(batch_read(&b->batch, n, false, &r, why));
+        add_net(t, n, &r, &g);
+        run_result_clear(&r);
+    }
+    note_growth(t, &g);
+    return table_finish(t, b->format, stdout);
+out:
+    table_destroy(t);
+    return st;
+}
+
+const struct bench_part bench_part_growth = {
+    .item = {"growth", "cost of a frame over nets of 5 to 20 points a side"},
+    .caption = "Growth of a rebuilt frame with the net",
+    .count = NETS,
+    .rows = growing,
+    .print = print_growth};

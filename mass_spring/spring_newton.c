@@ -120,18 +120,6 @@ static double product(size_t count, const double *a, const double *b)
     return sum;
 }
 
-static double largest(size_t count, const double *x)
-{
-    double most = 0;
-
-    for (size_t t = 0; t < count; t += 3) {
-        double far = x[t] * x[t] + x[t + 1] * x[t + 1] + x[t + 2] * x[t + 2];
-        if (!(far <= most))
-            most = far;
-    }
-    return sqrt(most);
-}
-
 /* Conjugate gradients from d = 0 for K d = r, with the factor of an earlier K for a
  * preconditioner; r stays. Every iterate points down. True if the residual fell to
  * `tolerance` of r, in the norm of the preconditioner. */
@@ -292,7 +280,7 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
                                                       : CONTACT_FRICTION_KEPT,
                               r, d, counters));
         counters->assemblies++, counters->iterations++;
-        double size = largest(count, d);
+        double size = blocks_longest(s->net->nodes, d);
         if (!isfinite(size))
             TRY(STATUS_NAN);
         if (most == 1) {

@@ -150,29 +150,10 @@ static enum status make_room(struct shell_motion *m)
     return STATUS_OK;
 }
 
-static enum status body_strain(const void *self, const double *x, double *strain)
-{
-    return shell_assembly_strain(self, x, strain);
-}
-
-static enum status body_force(const void *self, const struct large_path *path,
-                              const double *x, double *force)
-{
-    return shell_assembly_force(self, path, x, force);
-}
-
-static enum status body_tangent(const void *self, const struct large_path *path,
-                                const double *x, struct large_foresight foresight,
-                                double (*K)[9])
-{
-    return shell_assembly_tangent(self, path, x, foresight, K);
-}
-
 static enum status make_large(struct shell_motion *m)
 {
     m->large = (struct large_motion){
-        .body = {&m->assembly, shell_assembly_strains(&m->assembly), body_strain,
-                 body_force, body_tangent},
+        .body = m->assembly.body,
         .scene = m->scene,
         .graph = &m->assembly.graph,
         .M = m->assembly.M,
@@ -208,8 +189,8 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     compute_load(m);
     TRY(add_loads(m));
     supports_initial_velocity(&m->supports, scene, m->space->rest, NULL, m->newmark.v);
-    TRY(shell_assembly_tangent(&m->assembly, &statics, m->x, (struct large_foresight){0},
-                               m->K));
+    TRY(large_body_tangent(&m->assembly.body, &statics, m->x, (struct large_foresight){0},
+                           m->K));
     if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(make_large(m));
     else if (!scene->obstacle_count)

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/linalg/blocks.h"
 #include "models/linalg/gauss.h"
 
 /* Which derivative of the u and of the v function makes each row of a table. */
@@ -102,22 +103,6 @@ static void number_elements(struct shell_space *space, const int gauss[2])
     }
 }
 
-/* Slabs of order columns of elements: two slabs further no function is shared. */
-static enum status set_slabs(struct shell_space *space)
-{
-    int columns = space->direction[0].spans, rows = space->direction[1].spans;
-    int wide = space->direction[0].order;
-
-    space->slabs = (columns + wide - 1) / wide;
-    space->slab = malloc(((size_t)space->slabs + 1) * sizeof *space->slab);
-    if (!space->slab)
-        return STATUS_MEMORY;
-    for (int s = 0; s < space->slabs; s++)
-        space->slab[s] = s * wide * rows;
-    space->slab[space->slabs] = space->elements;
-    return STATUS_OK;
-}
-
 static enum status copy_points(struct shell_space *space, const double *point,
                                const double *weight)
 {
@@ -163,7 +148,8 @@ enum status shell_space_init(struct shell_space *space, const struct bspline bas
     if (!new.ien || !new.parametric)
         TRY(STATUS_MEMORY);
     number_elements(&new, points);
-    TRY(set_slabs(&new));
+    TRY(blocks_slabs(new.elements, new.direction[1].spans, new.direction[0].order,
+                     &new.slabs, &new.slab));
     *space = new;
     memset(&new, 0, sizeof new);
 out:

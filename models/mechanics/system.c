@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/room.h"
+
 /* One entry of the lower triangle among free unknowns: block pair n, component i of node a
  * (column) and j of node b (row). */
 static bool entry(const struct blocks *graph, const struct supports *held,
@@ -89,15 +91,11 @@ enum status system_init(struct system *s, const struct blocks *graph,
     TRY(pattern(graph, held, parity, &start, &row));
     struct factor_pattern p = {held->free_count, start, row, unknowns};
     TRY(factor_create(&p, solver, &new.factor));
-    st = STATUS_MEMORY;
-    new.slot = malloc(9 * (size_t)graph->start[graph->nodes] * sizeof *new.slot);
-    new.packed = malloc(((size_t)held->free_count + 1) * sizeof *new.packed);
-    if (!new.slot || !new.packed)
-        goto out;
+    TRY(room_cut(&new.room, ROOM(new.slot, 9 * graph->start[graph->nodes]),
+                 ROOM(new.packed, held->free_count)));
     find_slots(&new, parity);
     *s = new;
     memset(&new, 0, sizeof new);
-    st = STATUS_OK;
 out:
     system_clear(&new);
     free(start);
@@ -111,8 +109,7 @@ void system_clear(struct system *s)
     if (!s)
         return;
     factor_destroy(s->factor);
-    free(s->slot);
-    free(s->packed);
+    free(s->room);
     memset(s, 0, sizeof *s);
 }
 

@@ -14,6 +14,7 @@ struct system {
     const struct supports *held; /* borrowed                                        */
     const unsigned char *parity; /* borrowed or NULL                                */
     struct factor *factor;
+    void *room;     /* of the arrays; owned, as the factor is                          */
     int *slot;      /* [pairs][9] place of each block entry in the factor's values     */
     double *packed; /* [free_count]                                                    */
 };

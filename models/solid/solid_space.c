@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/linalg/blocks.h"
+
 void solid_space_clear(struct solid_space *space)
 {
     if (!space)
@@ -17,14 +19,6 @@ void solid_space_clear(struct solid_space *space)
 
 enum status solid_space_set_slabs(struct solid_space *space, int per_column, int width)
 {
-    int columns = space->elements / per_column, wide = width > 0 ? width : 1;
-
-    space->slabs = (columns + wide - 1) / wide;
-    space->slab = malloc(((size_t)space->slabs + 1) * sizeof *space->slab);
-    if (!space->slab)
-        return STATUS_MEMORY;
-    for (int s = 0; s < space->slabs; s++)
-        space->slab[s] = s * wide * per_column;
-    space->slab[space->slabs] = space->elements;
-    return STATUS_OK;
+    return blocks_slabs(space->elements, per_column, width > 0 ? width : 1, &space->slabs,
+                        &space->slab);
 }

@@ -41,18 +41,8 @@ static enum status add_loads(struct spring_motion *m, const int points[2])
 {
     const struct dead_load_line line[3] = {
         {.n = points[0], .degree = 1}, {.n = points[1], .degree = 1}, {.n = 1}};
-    const size_t count = 3 * (size_t)m->net.nodes;
-    enum status st;
 
-    if (!m->scene->load_count)
-        return STATUS_OK;
-    m->dead = calloc(count, sizeof *m->dead);
-    if (!m->dead)
-        return STATUS_MEMORY;
-    st = dead_load_add(m->scene, line, m->dead);
-    for (size_t n = 0; n < count; n++)
-        m->load[n] += m->dead[n];
-    return st;
+    return dead_load_make(m->scene, line, &m->dead, m->load);
 }
 
 static enum status allocate(struct spring_motion *m)

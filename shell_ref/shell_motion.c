@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/linalg/order.h"
 #include "models/mechanics/dead_load.h"
 
 /* The membrane's mean stress is taken from (1/2 + lag) of the step: a viscosity lag dt
@@ -28,22 +29,12 @@ static void compute_load(struct shell_motion *m)
 static enum status add_loads(struct shell_motion *m)
 {
     const struct bspline *b = m->space->basis;
-    const size_t count = 3 * (size_t)m->space->nodes;
     struct dead_load_line line[3] = {{0}, {0}, {.n = 1}};
-    enum status st;
 
-    if (!m->scene->load_count)
-        return STATUS_OK;
-    m->dead = calloc(count, sizeof *m->dead);
-    if (!m->dead)
-        return STATUS_MEMORY;
     for (int i = 0; i < 2; i++)
         line[i] = (struct dead_load_line){
             b[i].n, b[i].p, b[i].n - b[i].p + 1, b[i].U + b[i].p, bspline_values, &b[i]};
-    st = dead_load_add(m->scene, line, m->dead);
-    for (size_t t = 0; t < count; t++)
-        m->load[t] += m->dead[t];
-    return st;
+    return dead_load_make(m->scene, line, &m->dead, m->load);
 }
 
 /* Widens an edge in direction d to the second row of control points, at either end. */
@@ -124,18 +115,6 @@ static unsigned char *find_parity(const struct shell_motion *m)
     return parity;
 }
 
-/* Node order with v slowest for nets wider than long: a narrower band. NULL otherwise. */
-static int *find_order(const struct shell_space *space)
-{
-    int n = space->basis[0].n, m = space->basis[1].n, count = 0;
-    int *order = m > n ? malloc((size_t)space->nodes * sizeof *order) : NULL;
-
-    for (int j = 0; order && j < m; j++)
-        for (int i = 0; i < n; i++)
-            order[count++] = i * m + j;
-    return order;
-}
-
 static enum status make_room(struct shell_motion *m)
 {
     size_t nodes = (size_t)m->space->nodes, bytes = 3 * nodes * sizeof(double);
@@ -195,7 +174,7 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
         TRY(make_large(m));
     else if (!scene->obstacle_count)
         m->parity = find_parity(m);
-    order = find_order(m->space);
+    order = order_wide(m->space->basis[0].n, m->space->basis[1].n, 1);
     TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order,
                     d->solver));
     TRY(contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
@@ -257,11 +236,8 @@ static enum status start_linear(struct shell_motion *m, struct counters *counter
 
     if (m->supports.moving)
         held = newmark_follow(&m->supports, m->scene, m->time, n->dt, m->held);
-    TRY(newmark_start(n, &m->system, stiffness(m), m->assembly.M, m->load,
-                      m->supports.moving ? &held : NULL));
-    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
-    counters->factorisations += 2;
-    counters->solves++;
+    TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
+                      m->supports.moving ? &held : NULL, counters));
     m->started = true;
 out:
     return st;
@@ -346,14 +322,5 @@ void shell_motion_contact(const struct shell_motion *m, struct model_contact *co
 
 void shell_motion_size(const struct shell_motion *m, struct model_size *size)
 {
-    struct factor_info info;
-
-    factor_describe(m->system.factor, &info);
-    *size = (struct model_size){
-        .nodes = m->space->nodes,
-        .unknowns = m->supports.free_count,
-        .factor_entries = info.entries,
-        .solver = info.method,
-        .unknown_basis = "control points",
-    };
+    *size = system_size(&m->system, "control points");
 }

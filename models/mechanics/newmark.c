@@ -110,6 +110,20 @@ out:
     return st;
 }
 
+enum status newmark_begin(struct newmark *n, struct system *s, const double (*K)[9],
+                          const double *M, const double *load,
+                          const struct newmark_held *held, struct counters *counters)
+{
+    enum status st;
+
+    TRY(newmark_start(n, s, K, M, load, held));
+    TRY(system_factor(s, newmark_k(n), K, newmark_m(n), M));
+    counters->factorisations += 2;
+    counters->solves++;
+out:
+    return st;
+}
+
 void newmark_predict(struct newmark *n, struct system *s, const double (*K)[9],
                      const double *M, const double *load, const struct newmark_held *held)
 {

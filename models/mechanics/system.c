@@ -113,6 +113,19 @@ void system_clear(struct system *s)
     memset(s, 0, sizeof *s);
 }
 
+struct model_size system_size(const struct system *s, const char *unknown_basis)
+{
+    struct factor_info info = {.method = "none"};
+
+    if (s->factor)
+        factor_describe(s->factor, &info);
+    return (struct model_size){.nodes = s->held->nodes,
+                               .unknowns = s->held->free_count,
+                               .factor_entries = info.entries,
+                               .solver = info.method,
+                               .unknown_basis = unknown_basis};
+}
+
 enum status system_factor(struct system *s, double k, const double (*K)[9], double m,
                           const double *M)
 {

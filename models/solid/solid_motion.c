@@ -40,16 +40,7 @@ static void compute_load(struct solid_motion *m)
 enum status solid_motion_add_loads(struct solid_motion *m,
                                    const struct dead_load_line line[3])
 {
-    enum status st;
-
-    if (!m->scene->load_count)
-        return STATUS_OK;
-    m->dead = calloc(3 * (size_t)m->space->nodes, sizeof *m->dead);
-    if (!m->dead)
-        return STATUS_MEMORY;
-    st = dead_load_add(m->scene, line, m->dead);
-    compute_load(m);
-    return st;
+    return dead_load_make(m->scene, line, &m->dead, m->load);
 }
 
 /* `printed` knows velocity as d / dt (solid_motion.h). */
@@ -177,11 +168,8 @@ static enum status start_linear(struct solid_motion *m, struct counters *counter
 
     if (m->supports.moving)
         held = path_motion(m, m->time);
-    TRY(newmark_start(n, &m->system, stiffness(m), m->assembly.M, m->load,
-                      m->supports.moving ? &held : NULL));
-    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
-    counters->factorisations += 2;
-    counters->solves++;
+    TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
+                      m->supports.moving ? &held : NULL, counters));
     m->started = true;
 out:
     return st;
@@ -309,14 +297,6 @@ void solid_motion_contact(const struct solid_motion *m, struct model_contact *co
 
 void solid_motion_size(const struct solid_motion *m, struct model_size *size)
 {
-    struct factor_info info;
-
-    factor_describe(m->system.factor, &info);
-    *size = (struct model_size){
-        .nodes = m->space->nodes,
-        .unknowns = m->supports.free_count,
-        .factor_entries = info.entries,
-        .solver = info.method,
-        .unknown_basis = m->space->thickness_basis ? "thickness" : "control points",
-    };
+    *size =
+        system_size(&m->system, m->space->thickness_basis ? "thickness" : "control points");
 }

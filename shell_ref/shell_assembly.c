@@ -143,6 +143,16 @@ static struct large_body body_of(const struct shell_assembly *s)
                                .tangent = add_tangent};
 }
 
+void shell_assembly_clear(struct shell_assembly *s)
+{
+    for (int t = 0; t < s->threads; t++)
+        shell_element_clear(&s->work[t]);
+    blocks_clear(&s->graph);
+    free(s->place);
+    free(s->room);
+    memset(s, 0, sizeof *s);
+}
+
 enum status shell_assembly_init(struct shell_assembly *s, const struct shell_space *space,
                                 const struct shell_material *material, struct message *why)
 {
@@ -169,18 +179,6 @@ enum status shell_assembly_init(struct shell_assembly *s, const struct shell_spa
 out:
     shell_assembly_clear(&new);
     return st;
-}
-
-void shell_assembly_clear(struct shell_assembly *s)
-{
-    if (!s)
-        return;
-    for (int t = 0; t < s->threads; t++)
-        shell_element_clear(&s->work[t]);
-    blocks_clear(&s->graph);
-    free(s->place);
-    free(s->room);
-    memset(s, 0, sizeof *s);
 }
 
 enum status shell_assembly_energy(const struct shell_assembly *s, const double *x,

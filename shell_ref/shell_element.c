@@ -6,6 +6,12 @@
 #include "shell_ref/shell_frame.h"
 #include "shell_ref/shell_tangent.h"
 
+void shell_element_clear(struct shell_element *e)
+{
+    free(e->memory);
+    memset(e, 0, sizeof *e);
+}
+
 enum status shell_element_init(struct shell_element *e, const struct shell_space *space)
 {
     enum status st;
@@ -26,14 +32,6 @@ enum status shell_element_init(struct shell_element *e, const struct shell_space
     e->gauss = space->gauss;
 out:
     return st;
-}
-
-void shell_element_clear(struct shell_element *e)
-{
-    if (!e)
-        return;
-    free(e->memory);
-    memset(e, 0, sizeof *e);
 }
 
 void shell_element_load(struct shell_element *e, const struct shell_space *space,

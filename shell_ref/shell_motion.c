@@ -7,6 +7,7 @@
 #include "models/damping.h"
 #include "models/linalg/order.h"
 #include "models/mechanics/dead_load.h"
+#include "models/room.h"
 
 /* The membrane's mean stress is taken from (1/2 + lag) of the step: a viscosity lag dt
  * against its ringing, which nothing else damps. Stretching is small wherever a thin sheet
@@ -117,16 +118,14 @@ static unsigned char *find_parity(const struct shell_motion *m)
 
 static enum status make_room(struct shell_motion *m)
 {
-    size_t nodes = (size_t)m->space->nodes, bytes = 3 * nodes * sizeof(double);
+    size_t nodes = (size_t)m->space->nodes;
+    enum status st = room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->load, 3 * nodes),
+                              ROOM(m->held, 4 * (size_t)m->supports.held_count),
+                              ROOM(m->K, m->assembly.graph.start[nodes]));
 
-    m->x = malloc(bytes);
-    m->load = malloc(bytes);
-    m->held = calloc(4 * (size_t)m->supports.held_count + 1, sizeof *m->held);
-    m->K = malloc((size_t)m->assembly.graph.start[nodes] * sizeof *m->K);
-    if (!m->x || !m->load || !m->held || !m->K)
-        return STATUS_MEMORY;
-    memcpy(m->x, m->space->rest, bytes);
-    return STATUS_OK;
+    if (st == STATUS_OK)
+        memcpy(m->x, m->space->rest, 3 * nodes * sizeof *m->x);
+    return st;
 }
 
 static enum status make_large(struct shell_motion *m)
@@ -184,6 +183,21 @@ out:
     return st;
 }
 
+void shell_motion_clear(struct shell_motion *m)
+{
+    system_clear(&m->system);
+    newmark_clear(&m->newmark);
+    supports_clear(&m->supports);
+    shell_assembly_clear(&m->assembly);
+    free(m->held_scene.supports);
+    free(m->parity);
+    free(m->room);
+    free(m->dead);
+    large_motion_clear(&m->large);
+    contact_step_clear(&m->contact);
+    memset(m, 0, sizeof *m);
+}
+
 enum status shell_motion_init(struct shell_motion *m, const struct scene *scene,
                               const struct shell_space *space,
                               const struct discretization *d, struct message *why)
@@ -199,26 +213,6 @@ enum status shell_motion_init(struct shell_motion *m, const struct scene *scene,
     if (st != STATUS_OK)
         shell_motion_clear(m);
     return st;
-}
-
-void shell_motion_clear(struct shell_motion *m)
-{
-    if (!m)
-        return;
-    system_clear(&m->system);
-    newmark_clear(&m->newmark);
-    supports_clear(&m->supports);
-    shell_assembly_clear(&m->assembly);
-    free(m->held_scene.supports);
-    free(m->parity);
-    free(m->K);
-    free(m->x);
-    free(m->load);
-    free(m->dead);
-    free(m->held);
-    large_motion_clear(&m->large);
-    contact_step_clear(&m->contact);
-    memset(m, 0, sizeof *m);
 }
 
 static const double (*stiffness(const struct shell_motion *m))[9]

@@ -56,6 +56,13 @@ static int collect_row(int a, int local, const int *ien, const long *first, cons
     return count;
 }
 
+void blocks_clear(struct blocks *g)
+{
+    free(g->start);
+    free(g->node);
+    memset(g, 0, sizeof *g);
+}
+
 enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
                         const int *ien)
 {
@@ -87,8 +94,7 @@ enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
         pairs += count;
     }
     new.start[nodes] = pairs;
-    *g = new;
-    memset(&new, 0, sizeof new);
+    HAND_OVER(g, new);
     st = STATUS_OK;
 out:
     blocks_clear(&new);
@@ -97,15 +103,6 @@ out:
     free(mark);
     free(row);
     return st;
-}
-
-void blocks_clear(struct blocks *g)
-{
-    if (!g)
-        return;
-    free(g->start);
-    free(g->node);
-    memset(g, 0, sizeof *g);
 }
 
 long blocks_find(const struct blocks *g, int a, int b)

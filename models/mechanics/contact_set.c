@@ -41,6 +41,12 @@ static enum status check_rest(const struct contact_set *c, const double *x,
     return STATUS_OK;
 }
 
+void contact_set_clear(struct contact_set *c)
+{
+    free(c->room);
+    memset(c, 0, sizeof *c);
+}
+
 enum status contact_set_init(struct contact_set *c, const struct scene *scene,
                              const struct supports *held, const double *x, double offset,
                              struct message *why)
@@ -63,19 +69,10 @@ enum status contact_set_init(struct contact_set *c, const struct scene *scene,
                  ROOM(new.node, nodes), ROOM(new.projector, nodes), ROOM(new.drag, nodes),
                  ROOM(new.factored, nodes), ROOM(new.touched, nodes),
                  ROOM(new.work, 15 * nodes)));
-    *c = new;
-    memset(&new, 0, sizeof new);
+    HAND_OVER(c, new);
 out:
     contact_set_clear(&new);
     return st;
-}
-
-void contact_set_clear(struct contact_set *c)
-{
-    if (!c)
-        return;
-    free(c->room);
-    memset(c, 0, sizeof *c);
 }
 
 bool contact_set_used(const struct contact_set *c)

@@ -9,6 +9,13 @@
 /* Substeps are step / 2^0 ... step / 2^HALVINGS. */
 enum { HALVINGS = 8, FINEST = 1 << HALVINGS };
 
+void large_motion_clear(struct large_motion *m)
+{
+    free(m->room);
+    free(m->strain_old);
+    memset(m, 0, sizeof *m);
+}
+
 enum status large_motion_init(struct large_motion *m)
 {
     size_t bytes = 3 * (size_t)m->graph->nodes * sizeof(double);
@@ -17,15 +24,6 @@ enum status large_motion_init(struct large_motion *m)
     m->room = malloc(6 * bytes);
     m->strain_old = malloc(large_body_strains(&m->body) * sizeof *m->strain_old);
     return m->room && m->strain_old ? STATUS_OK : STATUS_MEMORY;
-}
-
-void large_motion_clear(struct large_motion *m)
-{
-    if (!m)
-        return;
-    free(m->room);
-    free(m->strain_old);
-    memset(m, 0, sizeof *m);
 }
 
 static size_t count_of(const struct large_motion *m)

@@ -3,6 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+void newmark_clear(struct newmark *n)
+{
+    free(n->d);
+    memset(n, 0, sizeof *n);
+}
+
 enum status newmark_init(struct newmark *n, int nodes, double dt, double alpha, double beta)
 {
     size_t count = 3 * (size_t)nodes;
@@ -18,14 +24,6 @@ enum status newmark_init(struct newmark *n, int nodes, double dt, double alpha, 
                           .a = room + 2 * count,
                           .work = room + 3 * count};
     return STATUS_OK;
-}
-
-void newmark_clear(struct newmark *n)
-{
-    if (!n)
-        return;
-    free(n->d);
-    memset(n, 0, sizeof *n);
 }
 
 double newmark_k(const struct newmark *n)

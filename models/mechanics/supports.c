@@ -85,8 +85,7 @@ enum status supports_init(struct supports *s, const struct scene *scene, int nod
         new.moving |= scene->supports[owner[n]].path_count > 0;
         new.owner[new.held_count++] = uvw[n / 3][2] == SUPPORTS_DIFFERENCE ? -1 : owner[n];
     }
-    *s = new;
-    memset(&new, 0, sizeof new);
+    HAND_OVER(s, new);
 out:
     supports_clear(&new);
     free(owner);
@@ -127,8 +126,6 @@ void supports_initial_velocity(const struct supports *s, const struct scene *sce
 
 void supports_clear(struct supports *s)
 {
-    if (!s)
-        return;
     free(s->room);
     memset(s, 0, sizeof *s);
 }

@@ -77,6 +77,13 @@ static int *order_unknowns(const struct supports *held, const int *order)
     return p;
 }
 
+void system_clear(struct system *s)
+{
+    factor_destroy(s->factor);
+    free(s->room);
+    memset(s, 0, sizeof *s);
+}
+
 enum status system_init(struct system *s, const struct blocks *graph,
                         const struct supports *held, const unsigned char *parity,
                         const int *order, enum solver solver)
@@ -94,23 +101,13 @@ enum status system_init(struct system *s, const struct blocks *graph,
     TRY(room_cut(&new.room, ROOM(new.slot, 9 * graph->start[graph->nodes]),
                  ROOM(new.packed, held->free_count)));
     find_slots(&new, parity);
-    *s = new;
-    memset(&new, 0, sizeof new);
+    HAND_OVER(s, new);
 out:
     system_clear(&new);
     free(start);
     free(row);
     free(unknowns);
     return st;
-}
-
-void system_clear(struct system *s)
-{
-    if (!s)
-        return;
-    factor_destroy(s->factor);
-    free(s->room);
-    memset(s, 0, sizeof *s);
 }
 
 struct model_size system_size(const struct system *s, const char *unknown_basis)

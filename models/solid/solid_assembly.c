@@ -23,6 +23,16 @@ static int longest_run(const struct solid_space *s)
     return 1;
 }
 
+void solid_assembly_clear(struct solid_assembly *s)
+{
+    for (int t = 0; t < s->threads; t++)
+        solid_element_clear(&s->work[t]);
+    blocks_clear(&s->graph);
+    free(s->place);
+    free(s->room);
+    memset(s, 0, sizeof *s);
+}
+
 enum status solid_assembly_init(struct solid_assembly *s, const struct solid_space *space,
                                 const struct solid_material *material)
 {
@@ -38,23 +48,10 @@ enum status solid_assembly_init(struct solid_assembly *s, const struct solid_spa
                  ROOM(new.volume, space->nodes), ROOM(new.work, omp_get_max_threads())));
     for (; new.threads < omp_get_max_threads(); new.threads++)
         TRY(solid_element_init(&new.work[new.threads], space));
-    *s = new;
-    memset(&new, 0, sizeof new);
+    HAND_OVER(s, new);
 out:
     solid_assembly_clear(&new);
     return st;
-}
-
-void solid_assembly_clear(struct solid_assembly *s)
-{
-    if (!s)
-        return;
-    for (int t = 0; t < s->threads; t++)
-        solid_element_clear(&s->work[t]);
-    blocks_clear(&s->graph);
-    free(s->place);
-    free(s->room);
-    memset(s, 0, sizeof *s);
 }
 
 static void scatter(struct solid_assembly *s, const struct solid_element *e, int element)

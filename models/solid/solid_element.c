@@ -26,6 +26,13 @@ struct solid_material solid_element_material(double young, double poisson, doubl
     };
 }
 
+void solid_element_clear(struct solid_element *e)
+{
+    solid_layer_destroy(e->layer);
+    free(e->memory);
+    memset(e, 0, sizeof *e);
+}
+
 enum status solid_element_init(struct solid_element *e, const struct solid_space *space)
 {
     enum status st;
@@ -54,15 +61,6 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
         TRY(solid_layer_create(space, &e->layer));
 out:
     return st;
-}
-
-void solid_element_clear(struct solid_element *e)
-{
-    if (!e)
-        return;
-    solid_layer_destroy(e->layer);
-    free(e->memory);
-    memset(e, 0, sizeof *e);
 }
 
 static void cross(const double a[4], const double b[4], double out[3])

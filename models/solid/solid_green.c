@@ -195,6 +195,14 @@ static struct large_body body_of(const struct solid_green *s)
                                .tangent = add_tangent};
 }
 
+void solid_green_clear(struct solid_green *s)
+{
+    for (int t = 0; t < s->threads; t++)
+        solid_green_element_clear(&s->work[t]);
+    free(s->room);
+    memset(s, 0, sizeof *s);
+}
+
 enum status solid_green_init(struct solid_green *s, const struct solid_assembly *assembly)
 {
     enum status st;
@@ -218,16 +226,6 @@ enum status solid_green_init(struct solid_green *s, const struct solid_assembly 
 out:
     solid_green_clear(&new);
     return st;
-}
-
-void solid_green_clear(struct solid_green *s)
-{
-    if (!s)
-        return;
-    for (int t = 0; t < s->threads; t++)
-        solid_green_element_clear(&s->work[t]);
-    free(s->room);
-    memset(s, 0, sizeof *s);
 }
 
 enum status solid_green_energy(const struct solid_green *s, const double *x, double *energy)

@@ -8,6 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+void solid_green_element_clear(struct solid_green_element *e)
+{
+    solid_layer_destroy(e->layer);
+    free(e->memory);
+    memset(e, 0, sizeof *e);
+}
+
 enum status solid_green_element_init(struct solid_green_element *e,
                                      const struct solid_space *space)
 {
@@ -33,15 +40,6 @@ enum status solid_green_element_init(struct solid_green_element *e,
         TRY(solid_layer_create(space, &e->layer));
 out:
     return st;
-}
-
-void solid_green_element_clear(struct solid_green_element *e)
-{
-    if (!e)
-        return;
-    solid_layer_destroy(e->layer);
-    free(e->memory);
-    memset(e, 0, sizeof *e);
 }
 
 /* E += factor D^T D / 2. */

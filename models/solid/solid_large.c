@@ -12,6 +12,16 @@ struct solid_large {
     double (*K)[9]; /* [pairs] tangent; the assembly keeps the stiffness at rest       */
 };
 
+void solid_large_destroy(struct solid_large *large)
+{
+    if (!large)
+        return;
+    large_motion_clear(&large->motion);
+    solid_green_clear(&large->green);
+    free(large->K);
+    free(large);
+}
+
 enum status solid_large_create(struct solid_motion *m, struct solid_large **large)
 {
     enum status st;
@@ -44,16 +54,6 @@ enum status solid_large_create(struct solid_motion *m, struct solid_large **larg
 out:
     solid_large_destroy(new);
     return st;
-}
-
-void solid_large_destroy(struct solid_large *large)
-{
-    if (!large)
-        return;
-    large_motion_clear(&large->motion);
-    solid_green_clear(&large->green);
-    free(large->K);
-    free(large);
 }
 
 enum status solid_large_step(struct solid_motion *m, struct counters *counters)

@@ -9,6 +9,13 @@
 
 enum { VECTORS = SOLID_LAYER_VECTORS };
 
+void solid_layer_destroy(struct solid_layer *s)
+{
+    if (s)
+        free(s->memory);
+    free(s);
+}
+
 enum status solid_layer_create(const struct solid_space *space, struct solid_layer **layer)
 {
     enum status st;
@@ -27,13 +34,6 @@ enum status solid_layer_create(const struct solid_space *space, struct solid_lay
     memcpy(s->most, space->layer_points, sizeof s->most);
 out:
     return st;
-}
-
-void solid_layer_destroy(struct solid_layer *s)
-{
-    if (s)
-        free(s->memory);
-    free(s);
 }
 
 int solid_layer_strains(const int points[2])

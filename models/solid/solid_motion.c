@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/room.h"
 #include "models/solid/solid_contact.h"
 #include "models/solid/solid_large.h"
 
@@ -59,6 +60,19 @@ static void start_moving(struct solid_motion *m)
             v[t] *= m->newmark.dt;
 }
 
+void solid_motion_clear(struct solid_motion *m)
+{
+    solid_large_destroy(m->large);
+    system_clear(&m->system);
+    contact_step_clear(&m->contact);
+    newmark_clear(&m->newmark);
+    supports_clear(&m->supports);
+    solid_assembly_clear(&m->assembly);
+    free(m->room);
+    free(m->dead);
+    memset(m, 0, sizeof *m);
+}
+
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               const struct solid_space *space,
                               const struct discretization *d, const int *order,
@@ -75,12 +89,9 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     TRY(newmark_init(&new.newmark, space->nodes, scene->step,
                      mass_damping(scene, d->kinematics), damping_stiffness(scene)));
     new.newmark.gamma = drag_on_d(scene, d->kinematics);
-    st = STATUS_MEMORY;
-    new.x = malloc(bytes);
-    new.load = malloc(bytes);
-    new.held = calloc(4 * (size_t) new.supports.held_count + 1, sizeof *new.held);
-    if (!new.x || !new.load || !new.held)
-        goto out;
+    TRY(room_cut(&new.room, ROOM(new.x, 3 * (size_t)space->nodes),
+                 ROOM(new.load, 3 * (size_t)space->nodes),
+                 ROOM(new.held, 4 * (size_t) new.supports.held_count)));
     memcpy(new.x, space->rest, bytes);
     st = solid_assembly_compute(&new.assembly, new.x);
     if (st != STATUS_OK) {
@@ -105,23 +116,6 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
 out:
     solid_motion_clear(&new);
     return st;
-}
-
-void solid_motion_clear(struct solid_motion *m)
-{
-    if (!m)
-        return;
-    solid_large_destroy(m->large);
-    system_clear(&m->system);
-    contact_step_clear(&m->contact);
-    newmark_clear(&m->newmark);
-    supports_clear(&m->supports);
-    solid_assembly_clear(&m->assembly);
-    free(m->x);
-    free(m->load);
-    free(m->dead);
-    free(m->held);
-    memset(m, 0, sizeof *m);
 }
 
 static double *held_row(struct solid_motion *m, int row)

@@ -4,21 +4,25 @@
 #include <string.h>
 
 #include "models/linalg/blocks.h"
+#include "models/room.h"
 
 void solid_space_clear(struct solid_space *space)
 {
-    if (!space)
-        return;
-    free(space->ien);
+    free(space->room);
     free(space->slab);
-    free(space->uvw);
-    free(space->rest);
     free(space->parity);
     memset(space, 0, sizeof *space);
 }
 
-enum status solid_space_set_slabs(struct solid_space *space, int per_column, int width)
+enum status solid_space_allocate(struct solid_space *space, int per_column, int width)
 {
-    return blocks_slabs(space->elements, per_column, width > 0 ? width : 1, &space->slabs,
-                        &space->slab);
+    enum status st;
+
+    TRY(room_cut(&space->room, ROOM(space->ien, space->elements * (size_t)space->local),
+                 ROOM(space->uvw, space->nodes),
+                 ROOM(space->rest, 3 * (size_t)space->nodes)));
+    TRY(blocks_slabs(space->elements, per_column, width > 0 ? width : 1, &space->slabs,
+                     &space->slab));
+out:
+    return st;
 }

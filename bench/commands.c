@@ -5,7 +5,7 @@
 #include "bench/speed/bench.h"
 #include "bench/compare/compare.h"
 #include "bench/list.h"
-#include "bench/run/run.h"
+#include "bench/run/run_command.h"
 #include "bench/stress/stress.h"
 #include "bench/studies/studies.h"
 #include "bench/sweep/sweep.h"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/aside.h"
+#include "bench/files/atomic_file.h"
 #include "bench/commands.h"
 #include "bench/files/output.h"
 #include "bench/sweep/plan.h"
@@ -154,7 +154,7 @@ int main(int argc, char **argv)
     if (!getenv("OMP_NUM_THREADS"))
         omp_set_num_threads(1); /* seconds are those of one thread unless told otherwise */
     output_keep_after_closed_pipe();
-    aside_catch_signals();
+    atomic_file_catch_signals();
 
     enum status st = run(argc - 1, argv + 1, &why);
     enum status written = output_close_standard(&lost);

@@ -67,50 +67,11 @@ static void find_clamped(const struct pd_motion *m, bool *clamped)
     }
 }
 
-/* The factor by which the slowest error shrinks: the largest eigenvalue of A^-1 K_stretch
- * about the rest shape, across the sheet, where edges resist nothing. Power iteration. */
-static enum status find_radius(struct pd_motion *m)
-{
-    enum { TURNS = 200 };
-    const struct pd_net *net = &m->energy.net;
-    ptrdiff_t stride = pd_net_stride(net);
-    double *z = m->next, *y = m->before;
-
-    memset(z, 0, (size_t)stride * sizeof *z);
-    for (int k = 0; k < net->nodes; k++)
-        z[k] = (k * 7 % 11) - 5;
-    for (int turn = 0; turn < TURNS; turn++) {
-        double size = 0;
-        memset(y, 0, (size_t)(3 * stride - net->pad) * sizeof *y);
-        for (int kind = 0; kind < PD_EDGES; kind++) {
-            int to[2];
-            pd_net_ends(net, (enum pd_edge)kind, to);
-            for (int k = 0; k < net->nodes; k++) {
-                double pull = m->local.factor * m->energy.edge[kind][k] *
-                              (z[k + to[1]] - z[k + to[0]]);
-                y[k + to[1]] += pull;
-                y[k + to[0]] -= pull;
-            }
-        }
-        for (int k = 0; k < net->nodes; k++)
-            y[k] = m->system.held[k] ? 0 : y[k];
-        enum status st = pd_system_solve(&m->system, y);
-        if (st != STATUS_OK)
-            return st;
-        for (int k = 0; k < net->nodes; k++)
-            size += y[k] * y[k];
-        m->radius = sqrt(size); /* z has length 1, but for the first turn */
-        for (int k = 0; k < net->nodes; k++)
-            z[k] = m->radius > 0 ? y[k] / m->radius : 0;
-    }
-    m->radius = fmin(m->radius, 1 - 1e-9);
-    return STATUS_OK;
-}
-
 static enum status allocate(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
-    double **fields[] = {&m->x, &m->v, &m->base, &m->start, &m->next, &m->before};
+    double **fields[] = {&m->x,    &m->v,      &m->base, &m->start,
+                         &m->next, &m->before, &m->saved};
 
     for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
         if (!(*fields[n] = pd_net_fields(net, 3)))
@@ -163,7 +124,8 @@ void pd_motion_clear(struct pd_motion *m)
     if (!m)
         return;
     const struct pd_net *net = &m->energy.net;
-    double *fields[] = {m->x, m->v, m->base, m->start, m->next, m->before, m->dead};
+    double *fields[] = {m->x,    m->v,      m->base,  m->start,
+                        m->next, m->before, m->saved, m->dead};
     for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
         pd_net_free_fields(net, fields[n]);
     free(m->shift);
@@ -200,7 +162,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     TRY(allocate(m));
     TRY(add_loads(m));
     if (options->chebyshev)
-        TRY(find_radius(m));
+        TRY(pd_motion_find_radius(m));
     start(m);
 out:
     free(clamped);
@@ -272,28 +234,6 @@ static double farthest(const struct pd_motion *m, const double *a, const double 
     return sqrt(most);
 }
 
-/* Chebyshev's weight of iteration `number`, from the one before (Wang 2015, eq. 12). */
-static double chebyshev_weight(int number, double radius, double before)
-{
-    if (number == 0)
-        return 1;
-    return number == 1 ? 2 / (2 - radius * radius) : 4 / (4 - radius * radius * before);
-}
-
-/* next <- w (next - before) + before */
-static void overshoot(struct pd_motion *m, int number)
-{
-    const struct pd_net *net = &m->energy.net;
-
-    m->weight = chebyshev_weight(number, m->radius, m->weight);
-    for (int c = 0; number > 0 && c < 3; c++) {
-        double *next = m->next + c * pd_net_stride(net);
-        const double *before = m->before + c * pd_net_stride(net);
-        for (int k = 0; k < net->nodes; k++)
-            next[k] = m->weight * (next[k] - before[k]) + before[k];
-    }
-}
-
 enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved)
 {
     enum status st;
@@ -305,7 +245,7 @@ enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved)
     }
     TRY(pd_system_solve(&m->system, m->next));
     if (m->options.chebyshev)
-        overshoot(m, number);
+        pd_motion_overshoot(m, number);
     if (m->options.chebyshev)
         m->contact.scale = m->weight;
     if (m->scene->obstacle_count)
@@ -333,12 +273,16 @@ static enum status step(struct pd_motion *m, struct counters *counters)
     enum status st;
     const struct pd_net *net = &m->energy.net;
     const struct pd_options *o = &m->options;
-    double near = o->tolerance * m->scene->length, moved = INFINITY;
+    double near = o->tolerance * m->scene->length, moved = INFINITY, value = INFINITY;
+    int number = 0;
     long pushes = m->contact.dual.solves;
 
     pd_motion_begin(m);
     for (int n = 0; n < o->iterations && !(o->tolerance > 0 && moved <= near); n++) {
-        TRY(pd_motion_iterate(m, n, o->tolerance > 0 ? &moved : NULL));
+        TRY(pd_motion_iterate(m, number++, o->tolerance > 0 ? &moved : NULL));
+        if (o->chebyshev && pd_motion_is_due(number, n + 1 == o->iterations) &&
+            pd_motion_take_back(m, &number, &value))
+            moved = INFINITY;
         counters->iterations++;
         counters->solves++;
     }

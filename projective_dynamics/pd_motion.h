@@ -25,7 +25,7 @@ struct pd_options {
     int substeps;     /* steps a frame, >= 1                                           */
     int iterations;   /* a step: as many, or at most so many if tolerance > 0; >= 1    */
     double tolerance; /* stop where no node moves farther, as a share of the length    */
-    bool chebyshev;   /* Wang 2015                                                     */
+    bool chebyshev;   /* Wang 2015, and taken back where it does not descend           */
     enum solver solver;
 };
 
@@ -43,8 +43,9 @@ struct pd_motion {
     double weight;    /* of the last iteration                                         */
     double *x, *v;    /* three fields each                                   owned    */
     double *base, *start, *next, *before; /* work, the same                  owned    */
-    double *shift;                        /* [held]                          owned    */
-    double *dead; /* accelerations by the scene's loads, as x; NULL: none    owned    */
+    double *saved; /* Chebyshev: what it may fall back to, as x              owned    */
+    double *shift; /* [held]                          owned    */
+    double *dead;  /* accelerations by the scene's loads, as x; NULL: none    owned    */
     double time;
     bool counted; /* the factorisation of create                                       */
 };
@@ -70,6 +71,16 @@ double pd_motion_objective(const struct pd_motion *m);
 
 void pd_motion_energy(const struct pd_motion *m, struct energy *energy);
 void pd_motion_size(const struct pd_motion *m, struct model_size *size);
+
+/* Acceleration, pd_motion_accelerate.c: m->radius, once the system is factored; m->next of
+ * iteration `number` = 0, 1, ... since the last plain start overshot; whether it is time to
+ * look back, after `number` of them (`last`: of the step); whether that look took them
+ * back: m->x is again what it was at the look before, and *number is 0. *value is the least
+ * objective so far, INFINITY at first. */
+enum status pd_motion_find_radius(struct pd_motion *m);
+void pd_motion_overshoot(struct pd_motion *m, int number);
+bool pd_motion_is_due(int number, bool last);
+bool pd_motion_take_back(struct pd_motion *m, int *number, double *value);
 
 void pd_motion_contact(const struct pd_motion *m, struct model_contact *contact);
 

@@ -2,6 +2,7 @@
  * leaves nothing behind. The corpus is tests/bad_scenes/, what is expected of it is in its
  * expected.csv: file,line,part of the sentence. */
 #include <dirent.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "models/reader/scene_file.h"
@@ -243,6 +244,12 @@ static void check_files(void)
     snprintf(path, sizeof path, "%s/none.yaml", folder);
     st = read_scene(path, &scene, &why);
     check_refusal("missing", st, STATUS_FILE, &scene, &why, path, "No such file");
+
+    snprintf(path, sizeof path, "%s/pipe.yaml", folder);
+    REQUIRE(mkfifo(path, 0600) == 0); /* nobody writes: opening it would wait for ever */
+    st = read_scene(path, &scene, &why);
+    check_refusal("pipe", st, STATUS_FILE, &scene, &why, path, "it is a pipe");
+    unlink(path);
 
     /* Names that would break a line or a sentence. */
     snprintf(path, sizeof path, "%s/a\nb.yaml", folder);

@@ -28,9 +28,10 @@ foreach(line IN LISTS lines)
   set(sees_${folder} ${folder} ${sees})
 endforeach()
 
-# What counts as one file: a.c and a.h, and a part a_b.c that has no header of its own.
+# What counts as one file: a.c and a.h, a part a_b.c that has no header of its own, and
+# a_parts.h, which such parts share.
 function(whole_file file result)
-  string(REGEX REPLACE "\\.[ch]$" "" own ${file})
+  string(REGEX REPLACE "(_parts)?\\.[ch]$" "" own ${file})
   set(stem ${own})
   while(NOT EXISTS ${SOURCE}/${stem}.h AND stem MATCHES "^(.*)_[^_/]*$")
     set(stem ${CMAKE_MATCH_1})

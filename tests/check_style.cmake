@@ -1,10 +1,13 @@
-# What a reader should not meet: long files and lines, notes to self, tabs, trailing blanks,
-# places on somebody's machine, and assert in tests, where -DNDEBUG would silence it.
+# What a reader should not meet: crowded rooms, long files and lines, notes to self, tabs,
+# trailing blanks, places on somebody's machine, and assert in tests, where -DNDEBUG
+# would silence it.
 #   cmake -D SOURCE=top -P check_style.cmake
 cmake_minimum_required(VERSION 3.25)
 set(longest_file 450)  # lines of C; 400 is the aim
+set(largest_room 7000) # lines of C in one folder
 set(longest_line 100)  # 92 is the aim, and clang-format's
 set(faults 0)
+set(rooms "")
 
 function(fault place text)
   message("${place}: ${text}")
@@ -35,6 +38,14 @@ foreach(file IN LISTS files more)
   if(file MATCHES "\\.[ch]$" AND count GREATER longest_file)
     fault(${file} "${count} lines; ${longest_file} at most")
   endif()
+  if(file MATCHES "\\.[ch]$" AND NOT file MATCHES "^tests/")
+    get_filename_component(room ${file} DIRECTORY)
+    if(NOT room IN_LIST rooms)
+      set(lines_${room} 0)
+    endif()
+    list(APPEND rooms ${room})
+    math(EXPR lines_${room} "${lines_${room}} + ${count}")
+  endif()
   set(number 0)
   foreach(line IN LISTS lines)
     math(EXPR number "${number} + 1")
@@ -60,6 +71,13 @@ foreach(file IN LISTS files more)
       endif()
     endif()
   endforeach()
+endforeach()
+
+list(REMOVE_DUPLICATES rooms)
+foreach(room IN LISTS rooms)
+  if(lines_${room} GREATER largest_room)
+    fault(${room} "${lines_${room}} lines in one room; ${largest_room} at most")
+  endif()
 endforeach()
 
 list(LENGTH files count)

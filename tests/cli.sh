@@ -111,7 +111,7 @@ good list checks
 says out elastica
 
 # --- verify: rows are printed again, the same, from their files -----------------------------
-for format in text csv markdown latex; do
+for format in text csv markdown latex json; do
     good verify elastica --quick --models mass_spring --format "$format" --out rows_$format
     printed=$out
     good verify elastica --format "$format" --from rows_$format
@@ -151,13 +151,13 @@ refused "no check 'dance'; there are elastica" verify dance
 refused "no model 'ibm'" verify elastica --models iga,ibm
 refused 'give one of the two' verify elastica --from a --out b
 refused 'are for a new run' verify elastica --from a --quick
-refused 'text, csv, markdown or latex' verify elastica --format html
+refused 'text, csv, markdown, latex or json' verify elastica --format html
 refused 'not for --from' study locking --values 0.001 --from nowhere
 refused 'whole number from 1' run edge_drop --out a.h5 --every 0
 refused '--every is for the frames' run edge_drop --every 2
 refused '--every is for the frames' run edge_drop --static --out a.h5 --every 2
 refused 'is for the tables' run edge_drop --format csv
-refused 'text, csv, markdown or latex' run edge_drop --static --format html
+refused 'text, csv, markdown, latex or json' run edge_drop --static --format html
 for point in 1 1,1 1,1,1,1 1,1,x 1,1,1.5 -1,0,0 nan,0,0 ',,' '' '1,1,1 '; do
     refused 'must be u,v,w' run edge_drop --probe "$point"
 done
@@ -197,7 +197,13 @@ good run edge_drop "${short[@]}" --probe 1,0.5,0.5 --probe 0.3,0.7,1
 
 # --- statics and modes ------------------------------------------------------------------
 good run cantilever --static --quiet --format csv
-says out 'point u,v,w' 'deflection' '"1,0.5,0.5"'
+says out 'u,v,w,dx_m,dy_m,dz_m,deflection' '1,0.5,0.5,'
+good run cantilever --static --quiet --format json
+python3 -c 'import json, sys
+table = json.load(sys.stdin)
+tip = table["rows"][7]
+assert (tip["u"], tip["v"]) == (1, 0.5) and tip["dz_m"] < 0, tip
+assert table["units"]["dz_m"] == "m"' <out || fail "--format json prints $out"
 good run cantilever --static --quiet --format latex
 says out '\begin{tabular}' '\end{table}'
 good run cantilever --static --quiet --probe 1,0.5,0.5
@@ -214,7 +220,8 @@ says out 'no mode grows'
 good run edge_drop "${short[@]}" --out kept.h5 --matrices matrices
 [ -s kept.h5 ] || fail '--out: no file'
 [ -s kept.xdmf ] || fail '--out: no XDMF'
-[ "$(head -c 8 kept.h5 | tail -c 7 | head -c 3)" = HDF ] || fail 'kept.h5 is no HDF5 file'
+[ "$(head -c 520 kept.h5 | tail -c 7 | head -c 3)" = HDF ] || fail 'kept.h5 is no HDF5 file'
+head -n 1 kept.h5 | grep -qa 'clothbench result file, sealed' || fail 'kept.h5 has no seal'
 for name in K M; do
     grep -q '^%%MatrixMarket matrix coordinate real symmetric' matrices/$name.mtx ||
         fail "$name.mtx: no header"

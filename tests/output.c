@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/files/aside.h"
+#include "bench/files/atomic_file.h"
 #include "tests/check.h"
 
 static char folder[] = "/tmp/clothbench-output-XXXXXX";
@@ -113,18 +113,18 @@ static void test_others(void)
  * parent's stays. */
 static void test_signal(int number)
 {
-    struct aside mine = {0};
+    struct atomic_file mine = {0};
     struct message why;
     int before = files_in(folder), outcome = 0;
 
-    REQUIRE(aside_open(in_folder("parent.txt"), &mine, &why) == STATUS_OK);
+    REQUIRE(atomic_file_open(in_folder("parent.txt"), &mine, &why) == STATUS_OK);
     fflush(stdout);
     pid_t child = fork();
     REQUIRE(child >= 0);
     if (child == 0) {
         struct output *out = NULL;
         signal(number, SIG_DFL); /* ignored in some background shells */
-        aside_catch_signals();
+        atomic_file_catch_signals();
         if (output_create(in_folder("child.txt"), &out, &why) != STATUS_OK ||
             files_in(folder) != before + 2)
             _exit(1);
@@ -135,7 +135,7 @@ static void test_signal(int number)
     REQUIRE(waitpid(child, &outcome, 0) == child);
     CHECK(WIFSIGNALED(outcome) && WTERMSIG(outcome) == number);
     CHECK(files_in(folder) == before + 1);
-    aside_discard(&mine);
+    atomic_file_discard(&mine);
     CHECK(files_in(folder) == before);
 }
 

@@ -1,7 +1,8 @@
-/* Tables of results in their four formats, against text written out here. */
+/* Tables of results in each of their formats, against text written out here. */
 #include "bench/ui/table.h"
 
 #include <math.h>
+#include <unistd.h>
 
 #include "tests/check.h"
 
@@ -53,7 +54,7 @@ static void check_formats(void)
           "\n"
           "\nOf 9 repeats.\n");
     print(t, TABLE_CSV,
-          "# Cost\nmodel,time [ms],n\n\"a|b, \"\"c\"\"\",0.10000000000000001,12345\n"
+          "# Cost\nmodel,time_ms,n\n\"a|b, \"\"c\"\"\",0.10000000000000001,12345\n"
           "50%_x,,\n,,\n# Of 9 repeats.\n");
     print(t, TABLE_MARKDOWN,
           "**Cost**\n\n| model | time [ms] | n |\n|:---|---:|---:|\n"
@@ -84,8 +85,142 @@ static void check_numbers(void)
     table_row(t);
     table_number(t, 1.5e-9, 3);
     print(t, TABLE_TEXT,
-          "       x\n--------\n     123\n     2.0\n     nan\n    0.33\n1.50e-09\n");
+          "       x\n--------\n     123\n     2.0\n       -\n    0.33\n1.50e-09\n");
     table_destroy(t);
+}
+
+/* One set of columns for people and for machines. */
+static const struct table_column both[] = {
+    {"case", NULL, TABLE_LEFT},
+    {"a frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
+    {"net", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
+    {"to next", "% L", .scale = 100, .key = "to_next_over_length", .key_unit = "1"},
+    {"p", .readers = TABLE_MACHINES},
+    {"unknowns"}};
+
+static struct table *make_both(void)
+{
+    struct table *t = table_create(6, both, "Both");
+
+    table_row(t);
+    table_text(t, "a \"b\"\\\n\x01");
+    table_number(t, 0.0125, 3);
+    table_text(t, "10x10");
+    table_fixed(t, 0.125, 1);
+    table_integer(t, 2);
+    table_fixed(t, 540, 0);
+    table_row(t);
+    table_text(t, "# no comment, a name");
+    table_number(t, NAN, 3);
+    table_dash(t);
+    table_missing(t, "not reached");
+    table_number(t, -INFINITY, 2);
+    table_fixed(t, -NAN, 0);
+    table_row(t);
+    table_text(t, "short");
+    table_note(t, "A \"note\".");
+    return t;
+}
+
+static void check_readers(void)
+{
+    struct table *t = make_both();
+
+    print(t, TABLE_TEXT,
+          "Both\n\n"
+          "case                  a frame  net        to next  unknowns\n"
+          "                           ms                 % L\n"
+          "-----------------------------------------------------------\n"
+          "a \"b\"\\\n\x01                 12.5  10x10         12.5       540\n"
+          "# no comment, a name        -  -      not reached         -\n"
+          "short\n"
+          "\nA \"note\".\n");
+    print(t, TABLE_CSV,
+          "# Both\ncase,frame_s,to_next_over_length,p,unknowns\n"
+          "\"a \"\"b\"\"\\\n\x01\",0.012500000000000001,0.125,2,540\n"
+          "\"# no comment, a name\",nan,,-inf,nan\nshort,,,,\n# A \"note\".\n");
+    print(t, TABLE_JSON,
+          "{\"caption\": \"Both\", \"units\": {\"frame_s\": \"s\", "
+          "\"to_next_over_length\": \"1\"}, \"rows\": ["
+          "{\"case\": \"a \\\"b\\\"\\\\\\u000a\\u0001\", "
+          "\"frame_s\": 0.012500000000000001, \"to_next_over_length\": 0.125, \"p\": 2, "
+          "\"unknowns\": 540}, "
+          "{\"case\": \"# no comment, a name\", \"frame_s\": null, "
+          "\"to_next_over_length\": null, \"p\": \"-inf\", \"unknowns\": null}, "
+          "{\"case\": \"short\", \"frame_s\": null, \"to_next_over_length\": null, "
+          "\"p\": null, \"unknowns\": null}], \"notes\": [\"A \\\"note\\\".\"]}\n");
+    print(t, TABLE_MARKDOWN,
+          "**Both**\n\n| case | a frame [ms] | net | to next [% L] | unknowns |\n"
+          "|:---|---:|:---|---:|---:|\n| a \"b\"\\ \x01 | 12.5 | 10x10 | 12.5 | 540 |\n"
+          "| # no comment, a name | - | - | not reached | - |\n| short |  |  |  |  |\n"
+          "\nA \"note\".\n");
+    CHECK(table_rows(t) == 3 && table_find(t, "p") == 4);
+    CHECK(table_value(t, 0, 1) == 0.0125 && table_shown(t, 0, 1) == 12.5);
+    CHECK(isnan(table_value(t, 1, 1)) && isnan(table_value(t, 2, 1)));
+    CHECK(!strcmp(table_words(t, 2, 0), "short") && !*table_words(t, 1, 3));
+    table_destroy(t);
+    CHECK(table_format_is_prose(TABLE_LATEX) && !table_format_is_prose(TABLE_JSON));
+}
+
+/* Keys made of header and unit; none twice. */
+static void check_keys(void)
+{
+    static const struct table_column some[] = {
+        {"a frame", "ms"}, {"to next", "L"},  {"lowest", "% L"},      {"fall", "m/s^2"},
+        {"10 %", "s"},     {"stretch", NULL}, {"stretch", NULL},      {"stretch", "1"},
+        {"", NULL},        {"E dt", "Pa m"},  {"nu (1+mu)/2", "Pa/s"}};
+    struct table *t = table_create(11, some, NULL);
+
+    print(t, TABLE_CSV,
+          "a_frame_ms,to_next_over_length,lowest_over_length_percent,fall_m_per_s2,"
+          "10_percent_s,stretch,stretch_2,stretch_3,column,e_dt_pa_m,nu_1_mu_per_2_pa_per_"
+          "s\n");
+    table_destroy(t);
+}
+
+static void check_file(const char *name, const char *want)
+{
+    char text[512] = "";
+    FILE *file = fopen(name, "r");
+
+    REQUIRE(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
+    remove(name);
+    if (!CHECK(!strcmp(text, want)))
+        printf("--- is\n%s--- want\n%s", text, want);
+}
+
+/* Files have keys and rows only; in pieces or at once they are the same. */
+static void check_files(void)
+{
+    static const char want[] =
+        "model,time_ms,n\n\"a|b, \"\"c\"\"\",0.10000000000000001,12345\n"
+        "50%_x,,\n,,\n";
+    struct message why;
+    struct table *t = make();
+
+    CHECK(table_save(t, "/tmp", "clothbench-table", &why) == STATUS_OK);
+    check_file("/tmp/clothbench-table.csv", want);
+    CHECK(table_save(t, "/nowhere", "table", &why) == STATUS_FILE);
+    CHECK(table_save(NULL, "/tmp", "table", &why) == STATUS_MEMORY);
+    remove("/tmp/clothbench-full.csv");
+    REQUIRE(symlink("/dev/full", "/tmp/clothbench-full.csv") == 0);
+    CHECK(table_save(t, "/tmp", "clothbench-full", &why) == STATUS_FILE);
+    remove("/tmp/clothbench-full.csv");
+    FILE *file = fopen("/tmp/clothbench-table.csv", "w");
+    REQUIRE(file);
+    CHECK(table_flush(t, file) == STATUS_OK);
+    CHECK(table_rows(t) == 0);
+    table_row(t);
+    table_text(t, "more");
+    CHECK(table_flush(t, file) == STATUS_OK);
+    CHECK(table_flush(t, file) == STATUS_OK);
+    fclose(file);
+    char more[256];
+    snprintf(more, sizeof more, "%smore,,\n", want);
+    check_file("/tmp/clothbench-table.csv", more);
+    CHECK(table_finish(t, TABLE_LATEX, stdout) == STATUS_OK);
 }
 
 static void check_failures_told(void)
@@ -102,6 +237,8 @@ static void check_failures_told(void)
     if (full) {
         setvbuf(full, NULL, _IONBF, 0);
         CHECK(table_print(t, TABLE_CSV, full) == STATUS_FILE);
+        CHECK(table_print(t, TABLE_JSON, full) == STATUS_FILE);
+        CHECK(table_flush(t, full) == STATUS_FILE);
         fclose(full);
     }
     table_destroy(t);
@@ -129,6 +266,9 @@ int main(void)
 {
     check_formats();
     check_numbers();
+    check_readers();
+    check_keys();
+    check_files();
     check_failures_told();
     check_wrapping();
     return check_result();

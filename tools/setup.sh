@@ -22,6 +22,7 @@ packages=(
     "liblapacke-dev: LAPACK from C"
     "libarpack2-dev: eigenvalues of large sparse matrices"
     "libhdf5-dev: result files"
+    "zlib1g-dev: checksums of result files"
     "libyaml-dev: reads scene files"
     "gnuplot-nox: draws the charts"
 )

@@ -241,7 +241,7 @@ static const struct command_option options[] = {
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
     {"--until", "SECONDS", false,
      "compare five times up to this one (0.5, or those of\nthe stored truth before it)"},
-    {"--format", "text|csv|markdown|latex", false, "how to print (text)"},
+    {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false, "where result files, CSV and plot go (results/compare_SCENE)"},
     {"--from", "DIR", false, "tables and plot from result files of an earlier run"},
     {"--quick", NULL, false, "the cheap half of each ladder"},

@@ -10,7 +10,7 @@
 #include "bench/harness/timing.h"
 
 const struct command_option exhibit_command_options[] = {
-    {"--format", "text|csv|markdown|latex", false, "how to print (text)"},
+    {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false,
      "where result files, plots and pictures go\n"
      "(results/table1, results/study_mesh, ...)"},

@@ -7,7 +7,7 @@
 
 #include "bench/files/output.h"
 #include "bench/files/store.h"
-#include "bench/harness/timing.h"
+#include "bench/harness/oldtiming.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 
@@ -146,24 +146,24 @@ static bool is_timed(const struct timed_case *c)
     return c->store && (c->times || c->rest);
 }
 
-static enum status time_cases(const struct timing_plan *plan, int count,
+static enum status time_cases(const struct oldtiming_plan *plan, int count,
                               struct timed_case *cases, struct message *why)
 {
     assert(count > 0);
-    struct timing_case *timing = calloc((size_t)count, sizeof *timing);
+    struct oldtiming_case *timing = calloc((size_t)count, sizeof *timing);
     enum status st = timing ? STATUS_OK : STATUS_MEMORY;
     int timed = 0;
 
     TRY(st);
     for (int n = 0; n < count; n++)
         if (is_timed(&cases[n]))
-            timing[timed++] = (struct timing_case){.model = cases[n].model,
-                                                   .scene = cases[n].scene,
-                                                   .discretization = &cases[n].d,
-                                                   .frames = cases[n].frames,
-                                                   .rest = cases[n].rest};
+            timing[timed++] = (struct oldtiming_case){.model = cases[n].model,
+                                                      .scene = cases[n].scene,
+                                                      .discretization = &cases[n].d,
+                                                      .frames = cases[n].frames,
+                                                      .rest = cases[n].rest};
     double start = clock_now(), processor = clock_processor();
-    TRY(timing_run(plan, timed, timing, why));
+    TRY(oldtiming_run(plan, timed, timing, why));
     double all = clock_now() - start, ours = clock_processor() - processor;
     for (int n = 0, k = 0; n < count; n++) {
         if (!is_timed(&cases[n]))
@@ -180,7 +180,7 @@ static enum status time_cases(const struct timing_plan *plan, int count,
     }
 out:
     for (int k = 0; k < timed; k++)
-        timing_clear(&timing[k]);
+        oldtiming_clear(&timing[k]);
     free(timing);
     return st;
 }
@@ -192,11 +192,11 @@ enum status timed_measure(const struct exhibit_options *options, const char *wha
     assert(options->repeats >= 0 && options->repeats <= REPEATS);
     struct reporter reporter = {options, what};
     int usual = options->quick ? QUICK_REPEATS : REPEATS;
-    struct timing_plan plan = {.repeats = options->repeats ? options->repeats : usual,
-                               .warmup = WARMUP,
-                               .frames = options->quick ? QUICK_FRAMES : FRAMES,
-                               .progress = report,
-                               .context = &reporter};
+    struct oldtiming_plan plan = {.repeats = options->repeats ? options->repeats : usual,
+                                  .warmup = WARMUP,
+                                  .frames = options->quick ? QUICK_FRAMES : FRAMES,
+                                  .progress = report,
+                                  .context = &reporter};
     double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
     enum status st = xyz ? STATUS_OK : STATUS_MEMORY;
 

@@ -54,13 +54,32 @@ static herr_t put_attribute(hid_t object, const char *key, hid_t type, const voi
     return result;
 }
 
+/* Attributes end at 64 kB. */
+enum { ATTRIBUTE_MOST = 60000 };
+
+static herr_t put_long_text(hid_t object, const char *key, hid_t type, const char *text)
+{
+    hid_t space = H5Screate(H5S_SCALAR);
+    hid_t set = H5Dcreate2(object, key, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    herr_t result = set < 0 ? -1 : H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
+
+    if (set >= 0 && H5Dclose(set) < 0)
+        result = -1;
+    H5Sclose(space);
+    return result;
+}
+
 herr_t hdf5_file_put_text(hid_t object, const char *key, const char *text)
 {
-    /* of variable length: fixed ones end at 64 kB */
+    const size_t length = strlen(text);
     hid_t type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(type, H5T_VARIABLE);
+
+    /* of fixed length: the library crashes on damaged texts of variable length */
+    H5Tset_size(type, length ? length : 1);
+    H5Tset_strpad(type, H5T_STR_NULLPAD);
     H5Tset_cset(type, H5T_CSET_UTF8);
-    herr_t result = put_attribute(object, key, type, &text);
+    herr_t result = length > ATTRIBUTE_MOST ? put_long_text(object, key, type, text)
+                                            : put_attribute(object, key, type, text);
     H5Tclose(type);
     return result;
 }

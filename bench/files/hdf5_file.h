@@ -16,8 +16,8 @@ void hdf5_file_start(void);
  * the system's word for it where there is one. */
 enum status hdf5_file_fail(const char *path, const char *doing, struct message *why);
 
-/* Attributes of an open group, dataset or file; text is UTF-8 of any length. Negative:
- * failed. */
+/* Attributes of an open group, dataset or file; text is UTF-8. A text of more than 60,000
+ * bytes becomes a dataset of that name. Negative: failed. */
 herr_t hdf5_file_put_text(hid_t object, const char *key, const char *text);
 herr_t hdf5_file_put_long(hid_t object, const char *key, long value);
 herr_t hdf5_file_put_double(hid_t object, const char *key, double value);

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/mman.h>
 
-#include "bench/files/aside.h"
+#include "bench/files/atomic_file.h"
 #include "models/linalg/cholmod_status.h"
 
 /* CHOLMOD copies comments from a file: this one has no place on disk. Puts the % and the
@@ -61,11 +61,11 @@ enum status matrix_market_write(const char *path, const struct matrix *m,
                                 const char *comment, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct aside aside = {0};
+    struct atomic_file aside = {0};
     char name[64];
     FILE *file = NULL, *comments = NULL;
 
-    TRY(aside_open(path, &aside, why));
+    TRY(atomic_file_open(path, &aside, why));
     errno = 0;
     file = fopen(aside.temporary, "w");
     comments = comment_file(comment);
@@ -79,10 +79,10 @@ enum status matrix_market_write(const char *path, const struct matrix *m,
     if (st == STATUS_FILE)
         status_fail(why, st, "%s: cannot be written: %s", path, strerror(errno));
     TRY(st);
-    TRY(aside_commit(&aside, why));
+    TRY(atomic_file_commit(&aside, why));
 out:
     if (comments)
         fclose(comments);
-    aside_discard(&aside);
+    atomic_file_discard(&aside);
     return st;
 }

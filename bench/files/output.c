@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/aside.h"
+#include "bench/files/atomic_file.h"
 
 struct output {
-    struct aside aside;
+    struct atomic_file target;
     FILE *file;
     int failure; /* errno of the first failed write, 0 if none */
 };
@@ -22,8 +22,8 @@ enum status output_create(const char *path, struct output **out, struct message 
 
     if (!o)
         return STATUS_MEMORY;
-    TRY(aside_open(path, &o->aside, why));
-    o->file = fopen(o->aside.temporary, "w");
+    TRY(atomic_file_open(path, &o->target, why));
+    o->file = fopen(o->target.temporary, "w");
     if (!o->file)
         TRY(status_fail(why, STATUS_FILE, "%s: cannot be opened: %s", path,
                         strerror(errno)));
@@ -46,17 +46,24 @@ void output_print(struct output *out, const char *format, ...)
     va_end(args);
 }
 
+FILE *output_stream(struct output *out)
+{
+    return out->file;
+}
+
 enum status output_close(struct output *out, struct message *why)
 {
     enum status st = STATUS_OK;
 
-    if (fclose(out->file) != 0 && !out->failure)
-        out->failure = errno;
+    errno = 0;
+    const bool failed = ferror(out->file);
+    if ((fclose(out->file) != 0 || failed) && !out->failure)
+        out->failure = errno ? errno : EIO;
     out->file = NULL;
     if (out->failure)
-        TRY(status_fail(why, STATUS_FILE, "%s: cannot be written: %s", out->aside.path,
+        TRY(status_fail(why, STATUS_FILE, "%s: cannot be written: %s", out->target.path,
                         strerror(out->failure)));
-    TRY(aside_commit(&out->aside, why));
+    TRY(atomic_file_commit(&out->target, why));
 out:
     output_discard(out);
     return st;
@@ -68,13 +75,14 @@ void output_discard(struct output *out)
         return;
     if (out->file)
         fclose(out->file);
-    aside_discard(&out->aside);
+    atomic_file_discard(&out->target);
     free(out);
 }
 
 void output_keep_after_closed_pipe(void)
 {
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
 }
 
 enum status output_close_standard(struct message *why)

@@ -1,19 +1,24 @@
-/* output.h - text that leaves the program: files written aside (aside.h) with every write
- * checked, and the check of standard output at the end. */
+/* output.h - text that leaves the program: files written aside (atomic_file.h) with every
+ * write checked, and the check of standard output at the end. */
 #ifndef OUTPUT_H
 #define OUTPUT_H
+
+#include <stdio.h>
 
 #include "models/status.h"
 
 struct output;
 
 /* Starts a text file that gets its name only when it is complete. STATUS_FILE as in
- * aside_open; on failure *out is untouched. */
+ * atomic_file_open; on failure *out is untouched. */
 enum status output_create(const char *path, struct output **out, struct message *why);
 
 /* printf; a failed write is kept for output_close. */
 void output_print(struct output *out, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/* What output_print prints to, for others that print; not to be closed. */
+FILE *output_stream(struct output *out);
 
 /* Writes what is left, checks every write since the start, syncs, renames, frees. On
  * failure (a full disk) STATUS_FILE with a sentence, and nothing of the file is left. */
@@ -22,8 +27,9 @@ enum status output_close(struct output *out, struct message *why);
 /* Gives the file up: nothing of it is left. NULL is allowed. */
 void output_discard(struct output *out);
 
-/* First thing in main: a reader who goes away (`clothbench ... | head`) becomes a failed
- * write, told by output_close_standard, instead of a silent end. */
+/* First thing in main: a reader who goes away (`clothbench ... | head`) and a file that
+ * grows past the user's limit (ulimit -f) become failed writes, told in a sentence, instead
+ * of a silent end. */
 void output_keep_after_closed_pipe(void);
 
 /* Last thing in main: flushes and closes standard output. STATUS_FILE with a sentence for

@@ -9,13 +9,14 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "bench/files/aside.h"
+#include "bench/files/atomic_file.h"
 #include "bench/files/hdf5_file.h"
+#include "bench/files/seal.h"
 #include "bench/files/xdmf.h"
 #include "models/grid.h"
 #include "models/reader/scene_schema.h"
 
-#define FORMAT "clothbench run 1"
+#define FORMAT "clothbench run 2"
 
 /* One number a frame; the order of frame_values. */
 static const char *const series_name[] = {
@@ -26,7 +27,7 @@ static const char *const series_name[] = {
 enum { SERIES = sizeof series_name / sizeof *series_name };
 
 struct store {
-    struct aside aside;
+    struct atomic_file target;
     hid_t file, xyz;
     int frames, fields, room;
     double *time;           /* [room]         owned; written at the end                  */
@@ -39,7 +40,7 @@ struct store {
 
 static enum status fail(const struct store *s, struct message *why)
 {
-    return hdf5_file_fail(s->aside.path, "cannot be written", why);
+    return hdf5_file_fail(s->target.path, "cannot be written", why);
 }
 
 static enum status put_run(struct store *s, const struct store_run *run,
@@ -126,11 +127,14 @@ enum status store_create(const char *path, const struct store_run *run,
     s->file = s->xyz = H5I_INVALID_HID;
     s->single = run->single;
     s->packed = run->packed;
-    TRY(aside_open(path, &s->aside, why));
-    if (s->aside.in_place)
+    TRY(atomic_file_open(path, &s->target, why));
+    if (s->target.in_place)
         TRY(status_fail(why, STATUS_FILE, "%s: a result file cannot be a device or pipe",
                         path));
-    s->file = H5Fcreate(s->aside.temporary, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    hid_t create = H5Pcreate(H5P_FILE_CREATE);
+    H5Pset_userblock(create, SEAL_BLOCK);
+    s->file = H5Fcreate(s->target.temporary, H5F_ACC_TRUNC, create, H5P_DEFAULT);
+    H5Pclose(create);
     if (s->file < 0)
         TRY(fail(s, why));
     TRY(put_run(s, run, why));
@@ -332,12 +336,13 @@ static enum status close_file(struct store *s, struct message *why)
 enum status store_close(struct store *s, struct message *why)
 {
     enum status st = STATUS_OK;
-    char *path = strdup(s->aside.path);
+    char *path = strdup(s->target.path);
 
     TRY(path ? STATUS_OK : STATUS_MEMORY);
     TRY(put_end(s, why));
     TRY(close_file(s, why));
-    TRY(aside_commit(&s->aside, why));
+    TRY(seal_write(s->target.temporary, why));
+    TRY(atomic_file_commit(&s->target, why));
     if (s->fields)
         TRY(xdmf_write(path, s->field_time, s->fields, why));
 out:
@@ -370,7 +375,7 @@ void store_discard(struct store *s)
         H5Dclose(s->xyz);
     if (s->file >= 0)
         H5Fclose(s->file);
-    aside_discard(&s->aside);
+    atomic_file_discard(&s->target);
     free(s->time);
     free(s->field_time);
     for (int i = 0; i < SERIES; i++)

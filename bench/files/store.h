@@ -1,6 +1,8 @@
 /* store.h - the result file of one run: scene, model, discretization, motion, seconds.
  *
- * HDF5, in /, F = frames kept, K <= F = those of them with their field, R = repeats:
+ * HDF5, after a first line of text, the seal (seal.h), by which a damaged file is told;
+ * texts are of fixed length. In /, F = frames kept, K <= F = those of them with their
+ * field, R = repeats:
  *
  *   attributes        format, scene (its YAML text), scene_name, scene_source, model,
  *                     model_title, model_source, discretization (lines `key=value` as
@@ -24,8 +26,8 @@
  *   seconds/assemble, seconds/factor, seconds/solve  [R]          raw, phases of a step
  *
  * Beside FILE.h5 stands FILE.xdmf, if there are fields, which opens in ParaView (path with
- * a slash in it). Both are written aside and renamed (aside.h): a run that fails leaves
- * neither.
+ * a slash in it). Both are written aside and renamed (atomic_file.h): a run that fails
+ * leaves neither.
  */
 #ifndef STORE_H
 #define STORE_H

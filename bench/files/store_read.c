@@ -1,19 +1,23 @@
 #include "bench/files/store_read.h"
 
 #include <assert.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <errno.h>
 
 #include "bench/files/hdf5_file.h"
+#include "bench/files/seal.h"
 #include "models/grid.h"
 
 struct store_read {
     char *path;
     hid_t file, xyz;
     int frames;
+    long size; /* [bytes]: nothing in a sound file is larger */
 };
+
+enum { FRAME_LEAST = GRID_POINTS * 3 * 4 }; /* of 32-bit numbers [bytes] */
+enum { TEXT_MOST = 1 << 24 };
 
 static enum status fail(const struct store_read *f, const char *what, struct message *why)
 {
@@ -36,14 +40,16 @@ static bool open_xyz(struct store_read *f)
                 size[2] == GRID_V && size[3] == GRID_U && size[4] == 3;
     if (space >= 0)
         H5Sclose(space);
-    f->frames = (int)size[0];
+    /* Deflate packs a thousandfold at most. */
+    good = good && size[0] <= INT_MAX &&
+           size[0] * FRAME_LEAST <= 1032 * H5Dget_storage_size(f->xyz);
+    f->frames = good ? (int)size[0] : 0;
     return good;
 }
 
 enum status store_read_open(const char *path, struct store_read **file, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct stat info;
     struct store_read *f = calloc(1, sizeof *f);
 
     if (!f)
@@ -52,10 +58,7 @@ enum status store_read_open(const char *path, struct store_read **file, struct m
     f->file = f->xyz = H5I_INVALID_HID;
     f->path = strdup(path);
     TRY(f->path ? STATUS_OK : STATUS_MEMORY);
-    if (stat(path, &info) != 0)
-        TRY(status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path, strerror(errno)));
-    if (!S_ISREG(info.st_mode) || H5Fis_hdf5(path) <= 0)
-        TRY(status_fail(why, STATUS_INPUT, "%s: is not a result file (not HDF5)", path));
+    TRY(seal_check(path, &f->size, why));
     f->file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
     if (f->file < 0)
         TRY(hdf5_file_fail(path, "cannot be read", why));
@@ -133,6 +136,10 @@ enum status store_read_array(const struct store_read *f, const char *name, doubl
     int rank = space < 0 ? -1 : H5Sget_simple_extent_ndims(space);
     if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space, size, NULL) < 0)
         TRY(fail(f, name, why));
+    const hsize_t most = (hsize_t)(f->size < INT_MAX ? f->size : INT_MAX);
+    if (size[0] > most || size[1] > most || size[0] * size[1] > most)
+        TRY(status_fail(why, STATUS_INPUT, "%s: %s is larger than the file", f->path,
+                        name));
     array = malloc((size_t)(size[0] * size[1] + 1) * sizeof *array);
     TRY(array ? STATUS_OK : STATUS_MEMORY);
     if (H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array) < 0)
@@ -149,34 +156,63 @@ out:
     return st;
 }
 
+/* One text of fixed length, as an attribute or, if long, a dataset: its type and room. */
+static bool is_text(hid_t type, hid_t space, size_t *size)
+{
+    *size = type < 0 ? 0 : H5Tget_size(type);
+    return type >= 0 && space >= 0 && H5Tget_class(type) == H5T_STRING &&
+           H5Tis_variable_str(type) == 0 && H5Sget_simple_extent_npoints(space) == 1 &&
+           *size <= TEXT_MOST;
+}
+
 enum status store_read_text(const struct store_read *f, const char *group, const char *key,
                             char **text, struct message *why)
 {
-    char *library_text = NULL;
-    hid_t type = H5Tcopy(H5T_C_S1);
-    hid_t attribute = H5Aopen_by_name(f->file, group, key, H5P_DEFAULT, H5P_DEFAULT);
+    const bool short_one = H5Aexists_by_name(f->file, group, key, H5P_DEFAULT) > 0;
+    hid_t object = short_one
+                       ? H5Aopen_by_name(f->file, group, key, H5P_DEFAULT, H5P_DEFAULT)
+                       : H5I_INVALID_HID;
+    size_t size;
 
-    H5Tset_size(type, H5T_VARIABLE);
-    H5Tset_cset(type, H5T_CSET_UTF8);
-    bool good = attribute >= 0 && H5Aread(attribute, type, &library_text) >= 0;
-    *text = good ? strdup(library_text ? library_text : "") : NULL;
-    if (library_text)
-        H5free_memory(library_text);
-    if (attribute >= 0)
-        H5Aclose(attribute);
-    H5Tclose(type);
-    if (!good)
-        return fail(f, key, why);
-    return *text ? STATUS_OK : STATUS_MEMORY;
+    if (!short_one && !strcmp(group, "/") && store_read_has(f, key))
+        object = H5Dopen2(f->file, key, H5P_DEFAULT);
+    hid_t type = object < 0  ? H5I_INVALID_HID
+                 : short_one ? H5Aget_type(object)
+                             : H5Dget_type(object);
+    hid_t space = object < 0  ? H5I_INVALID_HID
+                  : short_one ? H5Aget_space(object)
+                              : H5Dget_space(object);
+    bool good = is_text(type, space, &size);
+    *text = good ? calloc(size + 1, 1) : NULL;
+    if (*text)
+        good =
+            (short_one ? H5Aread(object, type, *text)
+                       : H5Dread(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, *text)) >= 0;
+    if (space >= 0)
+        H5Sclose(space);
+    if (type >= 0)
+        H5Tclose(type);
+    if (object >= 0 && (short_one ? H5Aclose(object) : H5Dclose(object)) < 0)
+        good = false;
+    if (good)
+        return *text ? STATUS_OK : STATUS_MEMORY;
+    free(*text);
+    *text = NULL;
+    return status_fail(why, STATUS_INPUT, "%s: has no text %s", f->path, key);
 }
 
 enum status store_read_number(const struct store_read *f, const char *key, double *number,
                               struct message *why)
 {
     hid_t attribute = H5Aopen(f->file, key, H5P_DEFAULT);
-    bool good = attribute >= 0 && H5Aread(attribute, H5T_NATIVE_DOUBLE, number) >= 0;
+    hid_t space = attribute < 0 ? H5I_INVALID_HID : H5Aget_space(attribute);
+    bool good = space >= 0 && H5Sget_simple_extent_npoints(space) == 1 &&
+                H5Aread(attribute, H5T_NATIVE_DOUBLE, number) >= 0;
 
+    if (space >= 0)
+        H5Sclose(space);
     if (attribute >= 0)
         H5Aclose(attribute);
-    return good ? STATUS_OK : fail(f, key, why);
+    return good ? STATUS_OK
+                : status_fail(why, STATUS_INPUT, "%s: has no number %s", f->path, key);
 }

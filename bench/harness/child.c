@@ -14,7 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "bench/files/aside.h"
+#include "bench/files/atomic_file.h"
 #include "models/clock.h"
 
 /* What the child says. */
@@ -86,7 +86,7 @@ static void be_child(struct child *c, pid_t parent, const sigset_t *mask,
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent)
         _exit(1); /* it died before that */
-    aside_catch_signals();
+    atomic_file_catch_signals();
     sigprocmask(SIG_SETMASK, mask, NULL);
     omp_set_num_threads(1);
     my_note = c->note;

@@ -70,7 +70,7 @@ static enum status advance(struct motion *m)
     enum status st = m->model->advance(m->state, &m->counters);
 
     m->seconds[m->steps++] = clock_now() - start;
-    if (st == STATUS_OK)
+    if (st == STATUS_OK && !m->judged)
         st = look(m);
     if (!status_is_death(st))
         return st;

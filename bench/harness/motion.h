@@ -19,6 +19,7 @@ struct motion {
     double *seconds;           /* [frame_count] of each step; a fatal one has its, too */
     int steps;                 /* numbers in `seconds`                                 */
     struct counters counters;
+    bool judged;       /* set after motion_init: every frame was judged in a run before  */
     enum status death; /* STATUS_OK: it lives                                          */
     double death_time; /* of the frame that could not be had                       [s] */
 };

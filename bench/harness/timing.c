@@ -2,10 +2,12 @@
 #include "bench/harness/timing.h"
 
 #include <math.h>
+#include <omp.h>
 #include <sched.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/harness/motion.h"
 #include "models/clock.h"
 
 int timing_pin(void)
@@ -20,6 +22,12 @@ int timing_pin(void)
     return sched_setaffinity(0, sizeof set, &set) == 0 ? cpu : -1;
 }
 
+void timing_alone(void)
+{
+    omp_set_num_threads(1);
+    timing_pin();
+}
+
 void timing_clear(struct timing_case *c)
 {
     if (!c)
@@ -29,55 +37,108 @@ void timing_clear(struct timing_case *c)
     c->create = c->advance = NULL;
 }
 
-/* One repeat of one case. A death ends it: the seconds left are not a number. */
-static enum status run_once(const struct timing_plan *plan, const struct timing_case *c,
-                            int repeat, struct message *why)
+static enum status step(const struct timing_case *c, struct run *fresh, double *seconds,
+                        struct message *why)
 {
-    int frames = c->frames, warmup = frames == plan->frames && !c->rest ? plan->warmup : 0;
-    void *state = NULL;
-    struct counters counters = {0};
-    double *advance = c->advance + (size_t)repeat * (size_t)frames;
-    double start = clock_now();
-    enum status st = c->model->create(c->scene, c->discretization, &state, why);
+    struct motion m = {0};
+    enum status st;
 
-    c->create[repeat] = clock_now() - start;
-    if (st != STATUS_OK)
-        return st;
-    for (int n = 0; n < frames; n++)
-        advance[n] = NAN;
-    for (int n = -warmup; n < frames && st == STATUS_OK; n++) {
-        start = clock_now();
-        st = c->rest ? c->model->equilibrium(state, &counters, why)
-                     : c->model->advance(state, &counters);
-        if (n >= 0 && st == STATUS_OK)
-            advance[n] = clock_now() - start;
-    }
-    c->model->destroy(state);
+    TRY(motion_init(&m, fresh->model, &fresh->scene, fresh->state));
+    m.judged = true;
+    m.frame_count =
+        c->warmup + c->frames < m.frame_count ? c->warmup + c->frames : m.frame_count;
+    TRY(motion_run(&m, NULL, NULL, true, why));
+    for (int n = c->warmup; n < m.frames; n++)
+        seconds[n - c->warmup] = m.seconds[n];
+out:
+    motion_clear(&m);
+    return st;
+}
+
+static enum status settle(struct run *fresh, double *seconds, struct message *why)
+{
+    struct counters work = {0};
+    const double start = clock_now();
+    const enum status st = run_settle(fresh, &work, why);
+
+    if (st == STATUS_OK)
+        *seconds = clock_now() - start;
     return status_is_death(st) ? STATUS_OK : st;
+}
+
+/* One repeat of one case: all of it is as before but for the state. */
+static enum status run_once(const struct timing_case *c, int repeat, struct message *why)
+{
+    struct run fresh = *c->run;
+    double *advance = c->advance + (size_t)repeat * (size_t)c->frames;
+    enum status st;
+
+    fresh.state = NULL;
+    for (int n = 0; n < c->frames; n++)
+        advance[n] = NAN;
+    TRY(run_build(&fresh, why));
+    c->create[repeat] = fresh.create_seconds;
+    st = c->rest ? settle(&fresh, advance, why) : step(c, &fresh, advance, why);
+out:
+    fresh.model->destroy(fresh.state);
+    return st;
+}
+
+static enum status make_room(struct timing_case *c)
+{
+    const size_t repeats = c->repeats ? (size_t)c->repeats : TIMING_REPEATS;
+
+    if (c->rest)
+        c->frames = 1, c->warmup = 0;
+    c->create = malloc(repeats * sizeof(double));
+    c->advance = malloc((repeats * (size_t)c->frames + 1) * sizeof(double));
+    return c->create && c->advance ? STATUS_OK : STATUS_MEMORY;
+}
+
+/* How often, once the first repeat has shown how long it takes. */
+static void choose_repeats(const struct timing_plan *plan, double seconds,
+                           struct timing_case *c)
+{
+    c->repeats = plan->quick               ? TIMING_REPEATS_QUICK
+                 : seconds <= TIMING_SHORT ? TIMING_REPEATS
+                                           : TIMING_REPEATS_LONG;
+}
+
+/* The r-th repeat of all that are to be repeated as often. */
+static enum status run_round(const struct timing_plan *plan, int r, int count,
+                             struct timing_case *cases, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < count && st == STATUS_OK; n++) {
+        struct timing_case *c = &cases[n];
+        const double start = clock_now();
+        if (r > 0 && r >= c->repeats)
+            continue;
+        st = run_once(c, r, why);
+        if (!c->repeats)
+            choose_repeats(plan, clock_now() - start, c);
+        if (plan->progress)
+            plan->progress(plan->context, r * count + n + 1, TIMING_REPEATS * count);
+    }
+    return st;
 }
 
 enum status timing_run(const struct timing_plan *plan, int count, struct timing_case *cases,
                        struct message *why)
 {
     enum status st = STATUS_OK;
-    size_t repeats = (size_t)plan->repeats;
+    int most = 1;
 
-    for (int n = 0; n < count; n++) {
-        if (cases[n].rest)
-            cases[n].frames = 1;
-        else if (!cases[n].frames)
-            cases[n].frames = plan->frames;
-        cases[n].create = malloc(repeats * sizeof(double));
-        cases[n].advance = malloc(repeats * (size_t)cases[n].frames * sizeof(double));
-        if (!cases[n].create || !cases[n].advance)
-            st = STATUS_MEMORY;
+    for (int n = 0; n < count && st == STATUS_OK; n++)
+        st = make_room(&cases[n]);
+    for (int r = 0; r < most && st == STATUS_OK; r++) {
+        st = run_round(plan, r, count, cases, why);
+        for (int n = 0; n < count; n++)
+            most = cases[n].repeats > most ? cases[n].repeats : most;
     }
-    for (int r = 0; r < plan->repeats; r++)
-        for (int n = 0; n < count && st == STATUS_OK; n++) {
-            st = run_once(plan, &cases[n], r, why);
-            if (plan->progress)
-                plan->progress(plan->context, r * count + n + 1, plan->repeats * count);
-        }
+    if (plan->progress && st == STATUS_OK)
+        plan->progress(plan->context, TIMING_REPEATS * count, TIMING_REPEATS * count);
     for (int n = 0; n < count && st != STATUS_OK; n++)
         timing_clear(&cases[n]);
     return st;

@@ -1,32 +1,34 @@
-/* timing.h - seconds of several cases, fairly: repeats interleaved (case 1, 2, ..., 1, 2,
+/* timing.h - seconds of several runs, fairly: repeats interleaved (run 1, 2, ..., 1, 2,
  * ...) against drift of the machine, each on a fresh state, warm-up steps not counted.
  */
 #ifndef TIMING_H
 #define TIMING_H
 
-#include <stdbool.h>
+#include "bench/harness/run.h"
 
-#include "models/model.h"
+/* Repeats of what takes up to TIMING_SHORT seconds, and of what takes longer. */
+enum { TIMING_REPEATS = 9, TIMING_REPEATS_LONG = 3, TIMING_REPEATS_QUICK = 3 };
+#define TIMING_SHORT 0.2
 
 struct timing_case {
-    const struct model *model;
-    const struct scene *scene; /* borrowed                                */
-    const struct discretization *discretization; /* borrowed                           */
-    int frames;      /* of a repeat, where a frame's cost changes along the motion; 0: the
-                        plan's, after its warm-up                                      */
-    bool rest;       /* static equilibrium is timed instead: frames = 1                */
-    double *create;  /* [repeats]           set-up                    [s]      owned   */
+    const struct run *run; /* read; a fresh state is built for every repeat    borrowed */
+    int warmup, frames;    /* steps not counted, and counted, of each repeat            */
+    bool rest;             /* static equilibrium is timed instead: frames = 1           */
+    int repeats;           /* 0: by the rule above, from the first repeat's seconds      */
+    double *create;        /* [repeats]           set-up                   [s]   owned   */
     double *advance; /* [repeats][frames]   one time step each; NaN after a death  owned */
 };
 
 struct timing_plan {
-    int repeats, warmup, frames;
-    /* Called after each run of a case; NULL: not. */
+    bool quick; /* three repeats of everything that says 0 */
+    /* Called after each repeat of a run; NULL: not. */
     void (*progress)(void *context, int done, int total);
     void *context;
 };
 
-/* Fills create and advance of every case. On failure they are freed and NULL. */
+/* Fills repeats, create and advance of every case. Every step of them must have been judged
+ * before (motion.h): frames beyond a death are not asked for. On failure they are freed and
+ * NULL. */
 enum status timing_run(const struct timing_plan *plan, int count, struct timing_case *cases,
                        struct message *why);
 void timing_clear(struct timing_case *c);
@@ -34,5 +36,8 @@ void timing_clear(struct timing_case *c);
 /* Keeps this thread on the processor it runs on; returns its number, -1 if that is refused.
  */
 int timing_pin(void);
+
+/* One thread, on one processor: what is timed compares models, not schedulers. */
+void timing_alone(void);
 
 #endif

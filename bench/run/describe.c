@@ -3,6 +3,7 @@
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bench/ui/table.h"
 #include "models/damping.h"
@@ -113,37 +114,16 @@ void describe_motion(const struct motion *m, FILE *file)
     fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());
 }
 
+/* A count if the unit is one. NaN: not known, or the model has no such thing. */
 static void add_row(struct table *t, const char *name, double value, const char *unit)
 {
     table_row(t);
     table_text(t, "%s", name);
-    table_number(t, value, 6);
-    table_text(t, "%s", unit);
-}
-
-/* NaN: not known. */
-static void add_count(struct table *t, const char *name, double value, const char *unit)
-{
-    table_row(t);
-    table_text(t, "%s", name);
-    if (isnan(value))
-        table_dash(t);
+    if (!strcmp(unit, "pairs"))
+        table_fixed(t, value, 0);
     else
-        table_integer(t, (long)value);
+        table_number(t, value, 6);
     table_text(t, "%s", unit);
-}
-
-/* NaN: the model has no such energy in its kinematics. */
-static void add_energy(struct table *t, const char *name, double value)
-{
-    if (!isnan(value)) {
-        add_row(t, name, value, "J");
-        return;
-    }
-    table_row(t);
-    table_text(t, "%s", name);
-    table_dash(t);
-    table_text(t, "J");
 }
 
 enum status describe_state(const struct scene *scene, const struct model *model,
@@ -170,10 +150,10 @@ enum status describe_state(const struct scene *scene, const struct model *model,
     add_row(table, "roughness", metric_roughness(scene, xyz), "1");
     if (scene->obstacle_count)
         add_row(table, "penetration", metric_penetration(scene, xyz), "m");
-    add_count(table, "self-intersections", metric_intersections(xyz), "pairs");
-    add_energy(table, "kinetic energy", energy.kinetic);
-    add_energy(table, "elastic energy", energy.elastic);
-    add_energy(table, "potential energy", energy.potential);
+    add_row(table, "self-intersections", metric_intersections(xyz), "pairs");
+    add_row(table, "kinetic energy", energy.kinetic, "J");
+    add_row(table, "elastic energy", energy.elastic, "J");
+    add_row(table, "potential energy", energy.potential, "J");
     fputc('\n', file);
     TRY(table_print(table, TABLE_TEXT, file));
 out:

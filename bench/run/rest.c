@@ -22,6 +22,8 @@ static void add_point(struct table *t, const struct scene *scene, const double u
     scene_rest_point(scene, uvw, rest);
     table_row(t);
     table_text(t, "%g,%g,%g", uvw[0], uvw[1], uvw[2]);
+    for (int i = 0; i < 3; i++)
+        table_number(t, uvw[i], 3);
     for (int i = 0; i < 3; i++) {
         double d = xyz[i] - rest[i];
         if (fabs(d) < round_off * scene->length)
@@ -30,21 +32,21 @@ static void add_point(struct table *t, const struct scene *scene, const double u
         along += d * scene->gravity[i];
         gravity += scene->gravity[i] * scene->gravity[i];
     }
-    if (unit > 0)
-        table_number(t, along / sqrt(gravity) / unit, 7);
-    else
-        table_dash(t);
+    table_number(t, unit > 0 ? along / sqrt(gravity) / unit : NAN, 7);
 }
 
 enum status rest_static(const struct scene *scene, const struct model *model, void *state,
                         enum table_format format, FILE *file, struct message *why)
 {
     static const struct table_column columns[] = {
-        {"point u,v,w", NULL, TABLE_LEFT},
-        {"dx", "m", TABLE_RIGHT},
-        {"dy", "m", TABLE_RIGHT},
-        {"dz", "m", TABLE_RIGHT},
-        {"deflection", "rho g h L^4/D", TABLE_RIGHT}};
+        {"point u,v,w", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
+        {"u", .readers = TABLE_MACHINES},
+        {"v", .readers = TABLE_MACHINES},
+        {"w", .readers = TABLE_MACHINES},
+        {"dx", "m"},
+        {"dy", "m"},
+        {"dz", "m"},
+        {"deflection", "rho g h L^4/D", .key = "deflection"}};
     static const double at[] = {0, 0.5, 1};
     enum status st = STATUS_OK;
     struct counters counters = {0};
@@ -56,7 +58,8 @@ enum status rest_static(const struct scene *scene, const struct model *model, vo
     TRY(model->equilibrium(state, &counters, why));
     if (model->energy)
         model->energy(state, &energy);
-    t = table_create(5, columns, "Displacements in static equilibrium");
+    t = table_create(sizeof columns / sizeof *columns, columns,
+                     "Displacements in static equilibrium");
     for (int n = 0; n < 9; n++) {
         double uvw[3] = {at[n / 3], at[n % 3], 0.5}, xyz[3];
         model->probe(state, 1, uvw, xyz);
@@ -83,7 +86,7 @@ static void add_mode(struct table *t, const struct scene *scene, int n, double o
     table_integer(t, n);
     table_number(t, omega, 9);
     if (omega < 0)
-        table_text(t, "unstable");
+        table_missing(t, "unstable");
     else
         table_number(t, omega / two_pi, 9);
     table_number(t, omega * unit, 9);
@@ -109,10 +112,8 @@ enum status rest_modes(const struct scene *scene, const struct model *model, voi
                        int count, bool settled, enum table_format format, FILE *file,
                        struct message *why)
 {
-    static const struct table_column columns[] = {{"mode", NULL, TABLE_RIGHT},
-                                                  {"omega", "rad/s", TABLE_RIGHT},
-                                                  {"frequency", "Hz", TABLE_RIGHT},
-                                                  {"lambda", "1", TABLE_RIGHT}};
+    static const struct table_column columns[] = {
+        {"mode"}, {"omega", "rad/s"}, {"frequency", "Hz"}, {"lambda", "1"}};
     enum status st = STATUS_OK;
     double *omega = malloc((size_t)count * sizeof *omega);
     struct counters counters = {0};

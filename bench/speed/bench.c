@@ -267,7 +267,7 @@ static const struct {
 };
 
 static const struct command_option options[] = {
-    {"--format", "text|csv|markdown|latex", false, "how to print (text)"},
+    {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {NULL, NULL, false, NULL},
 };
 

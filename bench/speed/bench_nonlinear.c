@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bench/harness/registry.h"
-#include "bench/harness/timing.h"
+#include "bench/harness/oldtiming.h"
 #include "models/clock.h"
 #include "models/reader/scene_file.h"
 
@@ -49,7 +49,7 @@ struct made {
 };
 
 static enum status make(const struct nonlinear_case *c, int frames, struct made *m,
-                        struct timing_case *timing, struct message *why)
+                        struct oldtiming_case *timing, struct message *why)
 {
     enum status st;
     const char *settings[SETTINGS + 1] = {"damping={kind: none}"};
@@ -71,7 +71,7 @@ out:
 }
 
 static void row(struct table *t, const struct nonlinear_case *c,
-                const struct timing_case *timing)
+                const struct oldtiming_case *timing)
 {
     double mean[REPEATS];
     struct clock_summary frame = clock_summarise(timing->advance, REPEATS * FRAMES), repeat;
@@ -97,10 +97,10 @@ static void row(struct table *t, const struct nonlinear_case *c,
 }
 
 static enum status run(int count, const struct nonlinear_case *c, int repeats, int frames,
-                       struct made *made, struct timing_case *timing, double *share,
+                       struct made *made, struct oldtiming_case *timing, double *share,
                        struct message *why)
 {
-    struct timing_plan plan = {.repeats = repeats, .frames = frames};
+    struct oldtiming_plan plan = {.repeats = repeats, .frames = frames};
     double start = clock_now(), processor = clock_processor();
     enum status st = STATUS_OK;
 
@@ -108,7 +108,7 @@ static enum status run(int count, const struct nonlinear_case *c, int repeats, i
     memset(timing, 0, (size_t)count * sizeof *timing);
     for (int n = 0; n < count; n++)
         TRY(make(&c[n], frames, &made[n], &timing[n], why));
-    TRY(timing_run(&plan, count, timing, why));
+    TRY(oldtiming_run(&plan, count, timing, why));
     *share = (clock_processor() - processor) / (clock_now() - start);
 out:
     return st;
@@ -121,10 +121,10 @@ static void note_share(struct table *t, double share)
                share < 0.95 ? ": the machine was busy, and the times are too long" : "");
 }
 
-static void clear(int count, struct made *made, struct timing_case *timing)
+static void clear(int count, struct made *made, struct oldtiming_case *timing)
 {
     for (int n = 0; n < count; n++) {
-        timing_clear(&timing[n]);
+        oldtiming_clear(&timing[n]);
         scene_clear(&made[n].scene);
         discretization_clear(&made[n].d);
     }
@@ -137,7 +137,7 @@ static enum status print_frames(enum table_format format, struct message *why)
         {"quartiles", "ms", 0},          {"mean", "ms", 0},   {"aim", "ms", 0},
         {"reached by", NULL, TABLE_LEFT}};
     struct made made[CASES];
-    struct timing_case timing[CASES];
+    struct oldtiming_case timing[CASES];
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Frames of the models that iterate, edge_drop to 0.4 s, "
                                    "undamped");
@@ -167,7 +167,7 @@ static enum status print_swings(enum table_format format, struct message *why)
                                                   {"aim", "s", 0},
                                                   {"reached", NULL, TABLE_LEFT}};
     struct made made[SWINGS];
-    struct timing_case timing[SWINGS];
+    struct oldtiming_case timing[SWINGS];
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "A swing of 1 s, edge_drop, undamped, one run each");
     double first = 0, share = 1;

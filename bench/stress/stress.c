@@ -215,7 +215,7 @@ static const struct command_option options[] = {
     {"--models", "A,B,...", false, "models, or variants of them such as iga_reduced (all)"},
     {"--quick", NULL, false, "some of the cases, in less than a minute"},
     {"--jobs", "N", false, "runs at a time (as many as there are processors)"},
-    {"--format", "text|csv|markdown|latex", false, "how to print (text)"},
+    {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false, "where results go (results/stress)"},
     {"--from", "DIR", false, "print again from the results of an earlier run"},
     {NULL, NULL, false, NULL},

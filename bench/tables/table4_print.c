@@ -257,7 +257,7 @@ enum status table4_print(const char *folder, enum table_format format, FILE *fil
     fputc('\n', file);
     TRY(print_whose(d, format, file));
     fputc('\n', file);
-    if (format != TABLE_CSV) {
+    if (table_format_is_prose(format)) {
         char path[TIMED_PATH];
         table4_path(folder, TABLE4_PRINTED, TABLE4_FLAG, 0, path, sizeof path);
         timed_machine(path, file);

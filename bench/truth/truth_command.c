@@ -132,7 +132,7 @@ static const struct command_option options[] = {
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
     {"--out", "FILE", false, "where the truth goes (results/truths/SCENE.h5)"},
     {"--stored", NULL, false, "only print the table of the truth that is stored"},
-    {"--format", "text|csv|markdown|latex", false, "how to print (text)"},
+    {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--quick", NULL, false, "coarse nets, 0.2 s: for trying out"},
     {NULL, NULL, false, NULL},
 };

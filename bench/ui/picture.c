@@ -66,18 +66,6 @@ out:
     return st;
 }
 
-/* In a string of gnuplot within "": \n stays a line end, quotes go. */
-static void write_title(struct output *out, const char *title)
-{
-    output_print(out, "set title \"");
-    for (; *title; title++)
-        if (*title == '\n')
-            output_print(out, "\\n");
-        else if (*title != '"' && *title != '\\' && *title != '`')
-            output_print(out, "%c", *title);
-    output_print(out, "\" offset 0,0.5\n");
-}
-
 /* Turns of the view about x and z [degrees], and how far a cube may be enlarged before it
  * touches the title: gnuplot leaves room for any turn. */
 static const double TILT = 62, TURN = 35, ENLARGE = 1.12;
@@ -109,6 +97,8 @@ static void write_view(struct output *out, const struct box *box)
         low -= more, high += more;
         side[d] = high - low;
         floor = low; /* of z in the end */
+        output_print(out, "set %clabel '%c [m]' font ',8' tc rgb '#606060' offset %d,0\n",
+                     axis[d], axis[d], d == 2);
         output_print(out, "set %crange [%.4g:%.4g]\nset %ctics %g offset %s\n", axis[d],
                      low, high, axis[d],
                      side[d] > 3     ? 1.
@@ -121,29 +111,26 @@ static void write_view(struct output *out, const struct box *box)
                  TILT, TURN, zoom_of(side), floor);
 }
 
-static enum status write_script(const char *folder, const char *name, int columns,
-                                int count, const struct picture_panel *panels,
-                                const struct box *box, struct message *why)
+static void write_script(struct output *out, const char *name, int columns, int count,
+                         const struct picture_panel *panels, const struct box *box)
 {
-    struct output *out = NULL;
-    int rows = (count + columns - 1) / columns, index = 0;
-    char path[PATH];
-    enum status st;
+    const int rows = (count + columns - 1) / columns;
+    int index = 0;
 
-    snprintf(path, sizeof path, "%s/%s.gp", folder, name);
-    TRY(output_create(path, &out, why));
-    output_print(
-        out,
-        "set terminal pngcairo noenhanced size %d,%d font ',10'\n"
-        "set output '%s.png'\nset multiplot layout %d,%d\n"
-        "set lmargin 0\nset rmargin 0\nset tmargin 2\nset bmargin 0\n"
-        "set border 31 lc rgb '#909090'\nunset key\nunset colorbox\nset cbrange [0:1]\n"
-        "set pm3d depthorder border lc rgb '#30405060' lw 0.3\n"
-        "set pm3d lighting primary 0.55 specular 0.15\n",
-        WIDTH * columns, HEIGHT * rows, name, rows, columns);
+    plot_page(out, name, PLOT_PNG, WIDTH * columns, HEIGHT * rows);
+    output_print(out,
+                 "set multiplot layout %d,%d\n"
+                 "set lmargin 0\nset rmargin 0\nset tmargin 2\nset bmargin 0\n"
+                 "set border 31 lc rgb '#909090'\nunset key\nunset colorbox\n"
+                 "set cbrange [0:1]\n"
+                 "set pm3d depthorder border lc rgb '#30405060' lw 0.3\n"
+                 "set pm3d lighting primary 0.55 specular 0.15\n",
+                 rows, columns);
     write_view(out, box);
     for (int n = 0; n < count; n++) {
-        write_title(out, panels[n].title);
+        output_print(out, "set title ");
+        plot_text(out, panels[n].title);
+        output_print(out, " offset 0,0.5\n");
         if (panels[n].xyz)
             output_print(out,
                          "splot '%s.dat' index %d using 1:2:3 with pm3d fc rgb '#7aa6d8'\n",
@@ -151,24 +138,30 @@ static enum status write_script(const char *folder, const char *name, int column
         else
             output_print(out, "splot NaN notitle\n");
     }
-    output_print(out, "unset multiplot\n");
-    return output_close(out, why);
-out:
-    return st;
 }
 
 enum status picture_surfaces(const char *folder, const char *name, int columns, int count,
                              const struct picture_panel *panels, struct message *why)
 {
     struct box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    char script[PATH];
+    struct output *out = NULL;
     enum status st;
 
     assert(columns > 0 && count > 0);
+    TRY(plot_begin(folder, name, &out, why));
     TRY(write_data(folder, name, count, panels, &box, why));
-    TRY(write_script(folder, name, columns, count, panels, &box, why));
-    snprintf(script, sizeof script, "%s.gp", name);
-    TRY(plot_run(folder, script, why));
+    write_script(out, name, columns, count, panels, &box);
+    TRY(plot_end(folder, name, &out, why));
 out:
+    output_discard(out);
     return st;
+}
+
+enum status picture_save(const char *folder, const char *name, int columns, int count,
+                         const struct picture_panel *panels, struct message *why)
+{
+    struct message plot = {""};
+    const enum status st = picture_surfaces(folder, name, columns, count, panels, &plot);
+
+    return plot_tell(st, folder, name, ".png", &plot, why);
 }

@@ -1,10 +1,82 @@
 #include "bench/ui/plot.h"
 
+#include <ctype.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { NOT_FOUND = 127 };
+enum { NOT_FOUND = 127, PATH = 4096 };
+
+/* A name that neither a shell nor gnuplot, which takes '|...' for a command, reads more
+ * into.
+ */
+static enum status check_name(const char *name, struct message *why)
+{
+    bool plain = isalnum((unsigned char)*name);
+
+    for (const char *c = name; *c; c++)
+        plain = plain && (isalnum((unsigned char)*c) || strchr("_-.", *c));
+    return plain ? STATUS_OK
+                 : status_fail(why, STATUS_INPUT,
+                               "plot '%s': a name has letters, digits, _, - and . only",
+                               name);
+}
+
+enum status plot_begin(const char *folder, const char *name, struct output **out,
+                       struct message *why)
+{
+    char path[PATH];
+    enum status st;
+
+    TRY(check_name(name, why));
+    snprintf(path, sizeof path, "%s/%s.gp", folder, name);
+    TRY(output_create(path, out, why));
+    output_print(*out, "set encoding utf8\n");
+out:
+    return st;
+}
+
+/* Sizes are those of a screen of 96 points an inch; so is the type. */
+void plot_page(struct output *out, const char *name, enum plot_kind kind, int width,
+               int height)
+{
+    static const char *const ending[] = {"png", "svg", "pdf"};
+
+    output_print(out, "unset multiplot\nunset output\nreset\n");
+    if (kind == PLOT_PNG)
+        output_print(out,
+                     "set terminal pngcairo noenhanced size %d,%d font 'Sans,10'\n"
+                     "scale = 1.\n",
+                     width, height);
+    else if (kind == PLOT_SVG)
+        output_print(out,
+                     "set terminal svg noenhanced size %d,%d font 'Sans,13'\n"
+                     "scale = 0.6\n",
+                     width, height);
+    else
+        output_print(out,
+                     "set terminal pdfcairo noenhanced size %gin,%gin font 'Sans,10' "
+                     "fontscale 0.75 linewidth 1.4 dashlength 1.4\nscale = 1.\n",
+                     width / 96., height / 96.);
+    output_print(out, "set output '%s.%s'\n", name, ending[kind]);
+}
+
+/* Within '' nothing means anything but ' itself, which doubled at the start would end the
+ * string; it stands within "" for itself. */
+void plot_text(struct output *out, const char *text)
+{
+    output_print(out, "'");
+    for (; *text; text++)
+        if (*text == '\n')
+            output_print(out, "'.\"\\n\".'");
+        else if (*text == '\'')
+            output_print(out, "'.\"'\".'");
+        else
+            output_print(out, "%c", iscntrl((unsigned char)*text) ? ' ' : *text);
+    output_print(out, "'");
+}
 
 enum status plot_run(const char *folder, const char *script, struct message *why)
 {
@@ -15,7 +87,7 @@ enum status plot_run(const char *folder, const char *script, struct message *why
         return status_fail(why, STATUS_LIBRARY, "gnuplot cannot be started");
     if (child == 0) {
         if (chdir(folder) == 0)
-            execlp("gnuplot", "gnuplot", script, (char *)NULL);
+            execlp("gnuplot", "gnuplot", "-d", script, (char *)NULL);
         _exit(NOT_FOUND);
     }
     if (waitpid(child, &code, 0) < 0 || !WIFEXITED(code))
@@ -25,5 +97,33 @@ enum status plot_run(const char *folder, const char *script, struct message *why
                            "no plot: gnuplot is not installed (Debian: gnuplot-nox)");
     if (WEXITSTATUS(code))
         return status_fail(why, STATUS_LIBRARY, "gnuplot failed on %s/%s", folder, script);
+    return STATUS_OK;
+}
+
+enum status plot_end(const char *folder, const char *name, struct output **out,
+                     struct message *why)
+{
+    struct output *whole = *out;
+    char script[PATH];
+    enum status st;
+
+    *out = NULL;
+    output_print(whole, "unset multiplot\nunset output\n");
+    TRY(output_close(whole, why));
+    snprintf(script, sizeof script, "%s.gp", name);
+    TRY(plot_run(folder, script, why));
+out:
+    return st;
+}
+
+enum status plot_tell(enum status st, const char *folder, const char *name,
+                      const char *endings, const struct message *plot, struct message *why)
+{
+    if (st == STATUS_OK)
+        fprintf(stderr, "%s%s in %s\n", name, endings, folder);
+    else if (st != STATUS_UNSUPPORTED && st != STATUS_LIBRARY)
+        return status_fail(why, st, "%s", *plot->text ? plot->text : status_text(st));
+    else
+        fprintf(stderr, "%s: %s\n", name, plot->text);
     return STATUS_OK;
 }

@@ -1,11 +1,42 @@
-/* plot.h - pictures by gnuplot, where it is installed. */
+/* plot.h - what a script for gnuplot begins and ends with, texts in it, and its run. All
+ * that depends on gnuplot's terminals stands in plot.c. */
 #ifndef PLOT_H
 #define PLOT_H
 
+#include "bench/files/output.h"
 #include "models/status.h"
 
-/* Hands `script` to gnuplot, which runs in `folder`. STATUS_OK; STATUS_UNSUPPORTED with a
- * sentence if there is no gnuplot; STATUS_LIBRARY if it fails. */
+/* Starts FOLDER/NAME.gp. NAME has letters, digits, _, - and . only: STATUS_INPUT. Also
+ * STATUS_FILE. Data blocks of gnuplot come first. */
+enum status plot_begin(const char *folder, const char *name, struct output **out,
+                       struct message *why);
+
+enum plot_kind { PLOT_PNG, PLOT_SVG, PLOT_PDF, PLOT_KINDS };
+
+/* What is written from here to the next page or plot_end is drawn into NAME.png, NAME.svg
+ * or NAME.pdf, `width` x `height` points of a screen. Point sizes are multiples of the
+ * variable `scale`. Loops of gnuplot would be shorter, and read quotes and braces in words
+ * as their own. */
+void plot_page(struct output *out, const char *name, enum plot_kind kind, int width,
+               int height);
+
+/* Any words as a string of gnuplot, which takes no part of them for its own: line ends are
+ * kept, other control characters become blanks. The only way for words into a script. */
+void plot_text(struct output *out, const char *text);
+
+/* Closes the script of plot_begin, whose *out is NULL then, and has gnuplot draw it.
+ * STATUS_OK; STATUS_UNSUPPORTED with a sentence if there is no gnuplot; STATUS_LIBRARY if
+ * it fails; STATUS_FILE. */
+enum status plot_end(const char *folder, const char *name, struct output **out,
+                     struct message *why);
+
+/* Tells people on standard error which files NAME.ENDINGS there are in `folder`, or `plot`,
+ * why there are none. A status that only means "no picture" becomes STATUS_OK: results are
+ * worth having without; others come back with *why. */
+enum status plot_tell(enum status st, const char *folder, const char *name,
+                      const char *endings, const struct message *plot, struct message *why);
+
+/* Of scripts written elsewhere; goes with the last of them. */
 enum status plot_run(const char *folder, const char *script, struct message *why);
 
 #endif

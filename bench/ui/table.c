@@ -1,4 +1,5 @@
-/* table.c - what a table holds; table_print.c says how it looks. */
+/* table.c - what a table holds; table_print.c says how it looks to people, table_machine.c
+ * to machines. */
 #include "bench/ui/table_cells.h"
 
 #include <assert.h>
@@ -8,18 +9,44 @@
 #include <string.h>
 
 /* One name a value of enum table_format, in its order. */
-static const char *const format_names[] = {"text", "csv", "markdown", "latex"};
+static const char *const format_names[] = {"text", "csv", "markdown", "latex", "json"};
+enum { FORMATS = sizeof format_names / sizeof *format_names };
 
 enum status table_format_parse(const char *word, enum table_format *format,
                                struct message *why)
 {
-    for (int n = 0; n < 4; n++)
+    for (int n = 0; n < FORMATS; n++)
         if (!strcmp(word, format_names[n])) {
             *format = (enum table_format)n;
             return STATUS_OK;
         }
     return status_fail(why, STATUS_INPUT,
-                       "--format %s: a format is text, csv, markdown or latex", word);
+                       "--format %s: a format is text, csv, markdown, latex or json", word);
+}
+
+bool table_format_is_prose(enum table_format format)
+{
+    return format != TABLE_CSV && format != TABLE_JSON;
+}
+
+/* Columns of the table's own, each with a key of its own. */
+static bool copy_columns(struct table *t, const struct table_column *columns)
+{
+    t->columns = malloc((size_t)t->column_count * sizeof *t->columns);
+    if (!t->columns)
+        return false;
+    memcpy(t->columns, columns, (size_t)t->column_count * sizeof *columns);
+    for (int n = 0; n < t->column_count; n++) {
+        const char *key = columns[n].key;
+        t->columns[n].key = key ? strdup(key) : table_machine_key(t->columns, n);
+        if (!t->columns[n].key) {
+            t->column_count = n; /* what there is to free */
+            return false;
+        }
+        for (int k = 0; k < n; k++)
+            assert(strcmp(t->columns[k].key, t->columns[n].key) != 0);
+    }
+    return true;
 }
 
 struct table *table_create(int column_count, const struct table_column *columns,
@@ -31,13 +58,11 @@ struct table *table_create(int column_count, const struct table_column *columns,
     if (!t)
         return NULL;
     t->column_count = column_count;
-    t->columns = malloc((size_t)column_count * sizeof *t->columns);
     t->caption = caption ? strdup(caption) : NULL;
-    if (!t->columns || (caption && !t->caption)) {
+    if (!copy_columns(t, columns) || (caption && !t->caption)) {
         table_destroy(t);
         return NULL;
     }
-    memcpy(t->columns, columns, (size_t)column_count * sizeof *columns);
     return t;
 }
 
@@ -49,6 +74,8 @@ void table_destroy(struct table *t)
         free(t->cells[n].text);
     for (int n = 0; n < t->note_count; n++)
         free(t->notes[n]);
+    for (int n = 0; t->columns && n < t->column_count; n++)
+        free((char *)t->columns[n].key);
     free(t->cells);
     free(t->ruled);
     free(t->notes);
@@ -73,13 +100,14 @@ static bool grow(void *array, size_t old, size_t count, size_t size)
  * the last one. */
 static bool room(struct table *t)
 {
-    size_t rows = (size_t)t->row_count, columns = (size_t)t->column_count;
+    const size_t rows = (size_t)t->room, more = rows ? 2 * rows : 4;
+    const size_t columns = (size_t)t->column_count;
 
     if (t->failed || t->room > t->row_count)
         return !t->failed;
-    t->failed = !grow(&t->cells, rows * columns, (rows + 1) * columns, sizeof *t->cells) ||
-                !grow(&t->ruled, rows, rows + 1, sizeof *t->ruled);
-    t->room = t->row_count + !t->failed;
+    t->failed = !grow(&t->cells, rows * columns, more * columns, sizeof *t->cells) ||
+                !grow(&t->ruled, rows, more, sizeof *t->ruled);
+    t->room = t->failed ? t->room : (int)more;
     return !t->failed;
 }
 
@@ -137,8 +165,17 @@ void table_text(struct table *t, const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    add_cell(t, (struct table_cell){.text = format_text(format, arguments)});
+    add_cell(t, (struct table_cell){format_text(format, arguments), TABLE_CELL_TEXT, NAN});
     va_end(arguments);
+}
+
+/* What people see of a value in the next cell. */
+static double shown(const struct table *t, double value)
+{
+    const bool there = t && !t->failed && t->filled < t->column_count;
+    const double scale = there ? t->columns[t->filled].scale : 0;
+
+    return scale != 0 ? value * scale : value;
 }
 
 void table_number(struct table *t, double value, int digits)
@@ -146,7 +183,7 @@ void table_number(struct table *t, double value, int digits)
     char *text;
 
     assert(digits > 0 && digits <= 17);
-    text = print_text("%#.*g", digits, value);
+    text = isnan(value) ? print_text("-") : print_text("%#.*g", digits, shown(t, value));
     if (text && *text && text[strlen(text) - 1] == '.')
         text[strlen(text) - 1] = '\0'; /* # keeps zeros, and with them a bare point */
     add_cell(t, (struct table_cell){text, TABLE_CELL_NUMBER, value});
@@ -154,18 +191,31 @@ void table_number(struct table *t, double value, int digits)
 
 void table_fixed(struct table *t, double value, int decimals)
 {
-    add_cell(t, (struct table_cell){print_text("%.*f", decimals, value), TABLE_CELL_NUMBER,
-                                    value});
+    char *text =
+        isnan(value) ? print_text("-") : print_text("%.*f", decimals, shown(t, value));
+
+    add_cell(t, (struct table_cell){text, TABLE_CELL_NUMBER, value});
 }
 
 void table_integer(struct table *t, long value)
 {
-    add_cell(t, (struct table_cell){.text = print_text("%ld", value)});
+    add_cell(
+        t, (struct table_cell){print_text("%ld", value), TABLE_CELL_NUMBER, (double)value});
 }
 
 void table_dash(struct table *t)
 {
-    add_cell(t, (struct table_cell){print_text("-"), TABLE_CELL_DASH, NAN});
+    table_missing(t, "-");
+}
+
+void table_missing(struct table *t, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    add_cell(t,
+             (struct table_cell){format_text(format, arguments), TABLE_CELL_MISSING, NAN});
+    va_end(arguments);
 }
 
 void table_note(struct table *t, const char *format, ...)
@@ -184,4 +234,55 @@ void table_note(struct table *t, const char *format, ...)
         return;
     }
     t->notes[t->note_count++] = text;
+}
+
+bool table_has(const struct table *t, int column, enum table_readers readers)
+{
+    return t->columns[column].readers == readers || t->columns[column].readers == TABLE_ALL;
+}
+
+int table_rows(const struct table *t)
+{
+    return t && !t->failed ? t->row_count : 0;
+}
+
+int table_find(const struct table *t, const char *key)
+{
+    int column = 0;
+
+    while (column < t->column_count && strcmp(t->columns[column].key, key) != 0)
+        column++;
+    assert(column < t->column_count);
+    return column;
+}
+
+const struct table_column *table_column(const struct table *t, int column)
+{
+    return &t->columns[column];
+}
+
+static const struct table_cell *cell_at(const struct table *t, int row, int column)
+{
+    return &t->cells[(long)row * t->column_count + column];
+}
+
+double table_value(const struct table *t, int row, int column)
+{
+    const struct table_cell *cell = cell_at(t, row, column);
+
+    return cell->kind == TABLE_CELL_NUMBER ? cell->value : NAN;
+}
+
+double table_shown(const struct table *t, int row, int column)
+{
+    const double scale = t->columns[column].scale;
+
+    return table_value(t, row, column) * (scale != 0 ? scale : 1);
+}
+
+const char *table_words(const struct table *t, int row, int column)
+{
+    const struct table_cell *cell = cell_at(t, row, column);
+
+    return cell->kind == TABLE_CELL_TEXT ? cell->text : "";
 }

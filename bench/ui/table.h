@@ -1,15 +1,21 @@
-/* table.h - tables of results, printed as aligned text, CSV, Markdown or LaTeX.
+/* table.h - data of results in named columns: the one way out for people (aligned text,
+ * Markdown, LaTeX), for machines (CSV, JSON) and to charts (chart.h).
  *
  * A table is filled row by row, cell by cell, and printed at the end. Running out of memory
  * on the way is remembered and told by table_print, so that filling needs no checks:
  *
+ *     static const struct table_column columns[] = {
+ *         {"model", NULL, TABLE_LEFT},
+ *         {"a frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
+ *         {"unknowns", .readers = TABLE_MACHINES}};
  *     struct table *t = table_create(COUNT(columns), columns, "Cost of a frame");
  *     table_row(t);
  *     table_text(t, "%s", model->title);
  *     table_number(t, 0.0123456, 3);
+ *     table_integer(t, 540);
  *     table_note(t, "Median of %d repeats.", repeats);
- *     TRY(table_print(t, TABLE_TEXT, stdout));
- *     table_destroy(t);
+ *     TRY(table_save(t, folder, "cost", why));
+ *     TRY(table_finish(t, TABLE_TEXT, stdout));
  */
 #ifndef TABLE_H
 #define TABLE_H
@@ -19,18 +25,36 @@
 
 #include "models/status.h"
 
-enum table_format { TABLE_TEXT, TABLE_CSV, TABLE_MARKDOWN, TABLE_LATEX };
+enum table_format { TABLE_TEXT, TABLE_CSV, TABLE_MARKDOWN, TABLE_LATEX, TABLE_JSON };
+
+/* What --format takes, for tables of options. */
+#define TABLE_FORMATS "text|csv|markdown|latex|json"
 
 /* The words of --format. STATUS_INPUT with a sentence that lists them. */
 enum status table_format_parse(const char *word, enum table_format *format,
                                struct message *why);
 
+/* Text, Markdown or LaTeX: sentences may stand beside the tables. False for CSV and JSON,
+ * which nothing but tables and their `# ` lines may be in. */
+bool table_format_is_prose(enum table_format format);
+
 enum table_align { TABLE_RIGHT, TABLE_LEFT };
+
+/* Who gets a column: people read text, Markdown and LaTeX, machines CSV and JSON; nobody
+ * gets one that is filled for the sake of its fellows. */
+enum table_readers { TABLE_ALL, TABLE_PEOPLE, TABLE_MACHINES, TABLE_NOBODY };
 
 struct table_column {
     const char *header;     /* borrowed until destroy; [a-z] words, short              */
     const char *unit;       /* "ms", "1", ...; NULL: none, as for names       borrowed */
     enum table_align align; /* right is for numbers                                    */
+
+    /* For machines: "frame_ms", with the unit where there is one. NULL: made of header and
+     * unit, `a frame` in `ms` gives a_frame_ms; a second one of that name gets _2. */
+    const char *key;
+    enum table_readers readers;
+    double scale;         /* people see value * scale, in `unit`; 0: 1                   */
+    const char *key_unit; /* of the value itself, in JSON; NULL: `unit`                  */
 };
 
 struct table;
@@ -48,15 +72,20 @@ void table_row(struct table *t);
 void table_rule(struct table *t);
 
 /* The next cell of the row: words; a number to `digits` significant digits, trailing zeros
- * kept; a number to `decimals` places; a whole number; a number that does not exist for a
- * reason told elsewhere (a dash; nothing in CSV). CSV has numbers with 17 digits whatever
- * the digits asked for; NaN and infinities are printed as such. */
+ * kept; a number to `decimals` places (0 for whole numbers that may be missing); a whole
+ * number. Machines get numbers with 17 digits whatever the digits asked for. NaN is a
+ * number that does not exist: a dash, `nan` in CSV, null in JSON. Infinities are `inf`. */
 void table_text(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void table_number(struct table *t, double value, int digits);
 void table_fixed(struct table *t, double value, int decimals);
 void table_integer(struct table *t, long value);
+
+/* The next cell where nothing was asked for, or nothing came: a dash, or words that say
+ * why; empty in CSV, null in JSON. */
 void table_dash(struct table *t);
+void table_missing(struct table *t, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* A sentence or paragraph below the table; wrapped in text, `# ` lines below CSV. */
 void table_note(struct table *t, const char *format, ...)
@@ -65,6 +94,29 @@ void table_note(struct table *t, const char *format, ...)
 /* STATUS_MEMORY, or STATUS_FILE if the stream does not take it (the stream is not flushed).
  */
 enum status table_print(const struct table *t, enum table_format format, FILE *file);
+
+/* table_print, an empty line after it, table_destroy: for one of several tables. JSON has a
+ * table a line, an object {"caption", "units": {KEY: UNIT}, "rows": [{KEY: VALUE}],
+ * "notes"}. */
+enum status table_finish(struct table *t, enum table_format format, FILE *file);
+
+/* FOLDER/NAME.csv: a line of keys, a line each row, as many cells in each; no caption and
+ * no notes. Written aside (output.h). STATUS_FILE, STATUS_MEMORY. */
+enum status table_save(const struct table *t, const char *folder, const char *name,
+                       struct message *why);
+
+/* Prints the rows so far as table_save has them, the line of keys before the first, and
+ * forgets them: for tables longer than memory. Status as table_print. */
+enum status table_flush(struct table *t, FILE *file);
+
+/* What is in a table. `key` is that of CSV and must be one; cells as in CSV, NaN and "" for
+ * what has no number or no words; table_shown: as people see it. */
+int table_rows(const struct table *t);
+int table_find(const struct table *t, const char *key);
+const struct table_column *table_column(const struct table *t, int column);
+double table_value(const struct table *t, int row, int column);
+double table_shown(const struct table *t, int row, int column);
+const char *table_words(const struct table *t, int row, int column);
 
 /* Words as notes are printed in text: lines of at most its width, then a line end. */
 void table_print_wrapped(const char *text, FILE *file);

@@ -1,4 +1,4 @@
-/* table_print.c - how a table looks in each format. */
+/* table_print.c - how a table looks to people, in each format. */
 #include "bench/ui/table_cells.h"
 
 #include <stdlib.h>
@@ -6,14 +6,14 @@
 
 enum { TEXT_WIDTH = 96 };
 
-static const struct table_cell *cell_at(const struct table *t, int row, int column)
+static bool is_wanted(const struct table *t, int column)
 {
-    return &t->cells[(long)row * t->column_count + column];
+    return table_has(t, column, TABLE_PEOPLE);
 }
 
 static const char *text_at(const struct table *t, int row, int column)
 {
-    const char *text = cell_at(t, row, column)->text;
+    const char *text = t->cells[(long)row * t->column_count + column].text;
     return text ? text : "";
 }
 
@@ -57,6 +57,8 @@ static void print_cells(const struct table *t, const int *width,
     int pending = 0;
 
     for (int n = 0; n < t->column_count; n++) {
+        if (!is_wanted(t, n))
+            continue;
         const char *cell = text(t, row, n);
         int blanks = width[n] - screen_width(cell);
         bool right = t->columns[n].align == TABLE_RIGHT;
@@ -83,11 +85,11 @@ static const char *unit_at(const struct table *t, int row, int column)
     return t->columns[column].unit ? t->columns[column].unit : "";
 }
 
-static void print_line(const int *width, int count, FILE *file)
+static void print_line(const struct table *t, const int *width, FILE *file)
 {
     int total = -2;
-    for (int n = 0; n < count; n++)
-        total += width[n] + 2;
+    for (int n = 0; n < t->column_count; n++)
+        total += is_wanted(t, n) ? width[n] + 2 : 0;
     for (int n = 0; n < total; n++)
         fputc('-', file);
     fputc('\n', file);
@@ -118,7 +120,7 @@ static enum status print_text(const struct table *t, FILE *file)
         return STATUS_MEMORY;
     for (int n = 0; n < count; n++) {
         width[n] = widest(t, n);
-        units = units || t->columns[n].unit;
+        units = units || (is_wanted(t, n) && t->columns[n].unit);
     }
     if (t->caption) {
         table_print_wrapped(t->caption, file);
@@ -127,10 +129,10 @@ static enum status print_text(const struct table *t, FILE *file)
     print_cells(t, width, header_at, 0, file);
     if (units)
         print_cells(t, width, unit_at, 0, file);
-    print_line(width, count, file);
+    print_line(t, width, file);
     for (int row = 0; row < t->row_count; row++) {
         if (row && t->ruled[row])
-            print_line(width, count, file);
+            print_line(t, width, file);
         print_cells(t, width, text_at, row, file);
     }
     for (int n = 0; n < t->note_count; n++) {
@@ -139,55 +141,6 @@ static enum status print_text(const struct table *t, FILE *file)
     }
     free(width);
     return STATUS_OK;
-}
-
-/* --- CSV: RFC 4180, with `# ` lines above and below ----------------------------------- */
-
-static void print_comment(const char *text, FILE *file)
-{
-    fputs("# ", file);
-    for (; *text; text++)
-        fputs(*text == '\n' ? "\n# " : (char[]){*text, '\0'}, file);
-    fputc('\n', file);
-}
-
-static void print_field(const char *text, FILE *file)
-{
-    if (!text[strcspn(text, ",\"\n\r")] && *text != '#') {
-        fputs(text, file);
-        return;
-    }
-    fputc('"', file);
-    for (; *text; text++)
-        fputs(*text == '"' ? "\"\"" : (char[]){*text, '\0'}, file);
-    fputc('"', file);
-}
-
-static void print_csv(const struct table *t, FILE *file)
-{
-    if (t->caption)
-        print_comment(t->caption, file);
-    for (int n = 0; n < t->column_count; n++) {
-        const struct table_column *c = &t->columns[n];
-        char header[256];
-        snprintf(header, sizeof header, c->unit ? "%s [%s]" : "%s", c->header, c->unit);
-        fputs(n ? "," : "", file);
-        print_field(header, file);
-    }
-    fputc('\n', file);
-    for (int row = 0; row < t->row_count; row++) {
-        for (int n = 0; n < t->column_count; n++) {
-            const struct table_cell *cell = cell_at(t, row, n);
-            fputs(n ? "," : "", file);
-            if (cell->kind == TABLE_CELL_NUMBER)
-                fprintf(file, "%.17g", cell->value);
-            else if (cell->kind == TABLE_CELL_TEXT)
-                print_field(text_at(t, row, n), file);
-        }
-        fputc('\n', file);
-    }
-    for (int n = 0; n < t->note_count; n++)
-        print_comment(t->notes[n], file);
 }
 
 /* --- Markdown ---------------------------------------------------------------------------
@@ -207,6 +160,8 @@ static void print_markdown(const struct table *t, FILE *file)
     if (t->caption)
         fprintf(file, "**%s**\n\n", t->caption);
     for (int n = 0; n < t->column_count; n++) {
+        if (!is_wanted(t, n))
+            continue;
         fputs("| ", file);
         print_markdown_cell(t->columns[n].header, file);
         if (t->columns[n].unit)
@@ -215,14 +170,16 @@ static void print_markdown(const struct table *t, FILE *file)
     }
     fputs("|\n", file);
     for (int n = 0; n < t->column_count; n++)
-        fputs(t->columns[n].align == TABLE_RIGHT ? "|---:" : "|:---", file);
+        if (is_wanted(t, n))
+            fputs(t->columns[n].align == TABLE_RIGHT ? "|---:" : "|:---", file);
     fputs("|\n", file);
     for (int row = 0; row < t->row_count; row++) {
-        for (int n = 0; n < t->column_count; n++) {
-            fputs("| ", file);
-            print_markdown_cell(text_at(t, row, n), file);
-            fputc(' ', file);
-        }
+        for (int n = 0; n < t->column_count; n++)
+            if (is_wanted(t, n)) {
+                fputs("| ", file);
+                print_markdown_cell(text_at(t, row, n), file);
+                fputc(' ', file);
+            }
         fputs("|\n", file);
     }
     for (int n = 0; n < t->note_count; n++)
@@ -253,6 +210,8 @@ static void print_latex_text(const char *text, FILE *file)
 
 static void print_latex(const struct table *t, FILE *file)
 {
+    const char *between = "";
+
     fputs("\\begin{table}\n\\centering\n", file);
     if (t->caption) {
         fputs("\\caption{", file);
@@ -261,23 +220,32 @@ static void print_latex(const struct table *t, FILE *file)
     }
     fputs("\\begin{tabular}{", file);
     for (int n = 0; n < t->column_count; n++)
-        fputc(t->columns[n].align == TABLE_RIGHT ? 'r' : 'l', file);
+        if (is_wanted(t, n))
+            fputc(t->columns[n].align == TABLE_RIGHT ? 'r' : 'l', file);
     fputs("}\n\\hline\n", file);
     for (int n = 0; n < t->column_count; n++) {
+        if (!is_wanted(t, n))
+            continue;
+        fputs(between, file);
+        between = " & ";
         print_latex_text(t->columns[n].header, file);
         if (t->columns[n].unit) {
             fputs(" [", file);
             print_latex_text(t->columns[n].unit, file);
             fputc(']', file);
         }
-        fputs(n == t->column_count - 1 ? " \\\\\n\\hline\n" : " & ", file);
     }
+    fputs(" \\\\\n\\hline\n", file);
     for (int row = 0; row < t->row_count; row++) {
         fputs(row && t->ruled[row] ? "\\hline\n" : "", file);
-        for (int n = 0; n < t->column_count; n++) {
-            print_latex_text(text_at(t, row, n), file);
-            fputs(n == t->column_count - 1 ? " \\\\\n" : " & ", file);
-        }
+        between = "";
+        for (int n = 0; n < t->column_count; n++)
+            if (is_wanted(t, n)) {
+                fputs(between, file);
+                between = " & ";
+                print_latex_text(text_at(t, row, n), file);
+            }
+        fputs(" \\\\\n", file);
     }
     fputs("\\hline\n\\end{tabular}\n", file);
     for (int n = 0; n < t->note_count; n++) {
@@ -299,7 +267,10 @@ enum status table_print(const struct table *t, enum table_format format, FILE *f
         st = print_text(t, file);
         break;
     case TABLE_CSV:
-        print_csv(t, file);
+        table_machine_csv(t, file);
+        break;
+    case TABLE_JSON:
+        table_machine_json(t, file);
         break;
     case TABLE_MARKDOWN:
         print_markdown(t, file);
@@ -310,5 +281,15 @@ enum status table_print(const struct table *t, enum table_format format, FILE *f
     }
     if (st == STATUS_OK && ferror(file))
         st = STATUS_FILE;
+    return st;
+}
+
+enum status table_finish(struct table *t, enum table_format format, FILE *file)
+{
+    enum status st = table_print(t, format, file);
+
+    table_destroy(t);
+    if (st == STATUS_OK)
+        fputc('\n', file);
     return st;
 }

@@ -15,7 +15,7 @@ enum { MOST_CHECKS = 64 };
 static const struct command_option options[] = {
     {"--models", "A,B,...", false, "rows of these models only (all)"},
     {"--quick", NULL, false, "leaves out the dear checks, and dear rows of others"},
-    {"--format", "text|csv|markdown|latex", false, "how to print (text)"},
+    {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false, "where the rows go, a file a check (results/verify)"},
     {"--from", "DIR", false, "print again from the files of an earlier run"},
     {NULL, NULL, false, NULL},

@@ -205,7 +205,8 @@ static enum status create_parts(struct factor *f, const struct factor_pattern *a
                                 enum solver method)
 {
     enum status st = STATUS_OK;
-    int *unknown = malloc(a->n * sizeof *unknown), *local = malloc(a->n * sizeof *local);
+    int *unknown = malloc((a->n + 1) * sizeof *unknown);
+    int *local = malloc((a->n + 1) * sizeof *local);
     int *begin = calloc(f->part_count + 1, sizeof *begin);
     if (!unknown || !local || !begin) {
         st = STATUS_MEMORY;
@@ -268,18 +269,18 @@ enum status factor_create(const struct factor_pattern *a, enum solver method,
 {
     enum status st = STATUS_MEMORY;
     struct factor *f = calloc(1, sizeof *f);
+    const size_t room = (size_t)a->n + 1; /* n = 0: held everywhere */
 
-    assert(a->n > 0);
     if (!f)
-        return STATUS_MEMORY;
+        return st;
     blas_kernel_set_threads(1);
     f->n = a->n;
-    f->part_of = malloc(a->n * sizeof *f->part_of);
-    f->place = malloc(a->n * sizeof *f->place);
+    f->part_of = malloc(room * sizeof *f->part_of);
+    f->place = malloc(room * sizeof *f->place);
     if (!f->part_of || !f->place)
         goto out;
     f->part_count = find_parts(a, f->place, f->part_of);
-    f->part = calloc(f->part_count, sizeof *f->part);
+    f->part = calloc(f->part_count + 1, sizeof *f->part);
     f->first_row = calloc(f->part_count + 1, sizeof *f->first_row);
     f->first_slot = calloc(f->part_count + 1, sizeof *f->first_slot);
     if (!f->part || !f->first_row || !f->first_slot)

@@ -16,6 +16,9 @@ enum status pencil_modes(const struct pencil *p, const struct supports *held,
     int *row[2] = {NULL};
     double *value[2] = {NULL};
 
+    if (!held->free_count)
+        return status_fail(why, STATUS_INPUT,
+                           "modes: the sheet is held everywhere; it has none");
     if (count < 1 || count > held->free_count)
         return status_fail(why, STATUS_INPUT, "modes: 1 to %d can be had, not %d",
                            held->free_count, count);

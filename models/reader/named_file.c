@@ -27,13 +27,18 @@ enum status named_file_read(const struct named_file_kind *kind, const char *path
     const size_t most = YAML_TREE_MAX_TEXT + 1;
     enum status st = STATUS_OK;
     struct stat about;
-    FILE *file = fopen(path, "rb");
+    FILE *file;
 
     *bytes = NULL;
+    if (stat(path, &about) != 0)
+        return refuse_file(kind, path, strerror(errno), why);
+    if (S_ISDIR(about.st_mode))
+        return refuse_file(kind, path, "it is a directory", why);
+    if (S_ISFIFO(about.st_mode)) /* it would be waited for, and is gone once read */
+        return refuse_file(kind, path, "it is a pipe, which can be read only once", why);
+    file = fopen(path, "rb");
     if (!file)
         return refuse_file(kind, path, strerror(errno), why);
-    if (!fstat(fileno(file), &about) && S_ISDIR(about.st_mode))
-        TRY(refuse_file(kind, path, "it is a directory", why));
     *bytes = malloc(most);
     if (!*bytes)
         TRY(status_fail(why, STATUS_MEMORY, "a %s file: %s", kind->what,

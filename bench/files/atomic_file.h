@@ -1,18 +1,18 @@
-/* aside.h - a file is written aside under a temporary name in the same folder and renamed
- * when it is complete: whoever looks at the wanted name sees the old file or the whole new
- * one, never half of it.
+/* atomic_file.h - a file is written aside under a temporary name in the same folder and
+ * renamed when it is complete: whoever looks at the wanted name sees the old file or the
+ * whole new one, never half of it.
  *
  * A symbolic link is followed. A device or pipe (/dev/full, /dev/stdout) is written in
  * place.
  */
-#ifndef ASIDE_H
-#define ASIDE_H
+#ifndef ATOMIC_FILE_H
+#define ATOMIC_FILE_H
 
 #include <stdbool.h>
 
 #include "models/status.h"
 
-struct aside {
+struct atomic_file {
     char *path;      /* the wanted name, as the user wrote it                   owned */
     char *target;    /* the same with symbolic links followed                   owned */
     char *temporary; /* what to write to                                        owned */
@@ -22,17 +22,17 @@ struct aside {
 /* Finds a free temporary name and leaves an empty file there, so that a run learns at its
  * start what would stop it at its end. STATUS_FILE with a sentence: a folder, no such
  * folder, no permission. On failure *a is all-zero. */
-enum status aside_open(const char *path, struct aside *a, struct message *why);
+enum status atomic_file_open(const char *path, struct atomic_file *a, struct message *why);
 
 /* After the temporary file was closed by its writer: syncs it to disk, renames it, syncs
  * the folder; clears *a. On failure the temporary file is removed. */
-enum status aside_commit(struct aside *a, struct message *why);
+enum status atomic_file_commit(struct atomic_file *a, struct message *why);
 
 /* Removes the temporary file and clears *a; all-zero is allowed. */
-void aside_discard(struct aside *a);
+void atomic_file_discard(struct atomic_file *a);
 
 /* From now on SIGINT, SIGTERM and SIGHUP remove the temporary files of this process before
  * they end it. Signals that are ignored stay so. Call once, early in main. */
-void aside_catch_signals(void);
+void atomic_file_catch_signals(void);
 
 #endif

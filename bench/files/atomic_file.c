@@ -1,5 +1,5 @@
 #define _XOPEN_SOURCE 700 /* realpath */
-#include "bench/files/aside.h"
+#include "bench/files/atomic_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -48,7 +48,7 @@ static void remove_pending(int signal_number)
     raise(signal_number); /* SA_RESETHAND: the default action now ends the process */
 }
 
-void aside_catch_signals(void)
+void atomic_file_catch_signals(void)
 {
     static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
@@ -60,18 +60,18 @@ void aside_catch_signals(void)
     }
 }
 
-static void clear(struct aside *a)
+static void clear(struct atomic_file *a)
 {
     if (a->temporary)
         pending_remove(a->temporary);
     free(a->path);
     free(a->target);
     free(a->temporary);
-    *a = (struct aside){0};
+    *a = (struct atomic_file){0};
 }
 
 /* TARGET.PID-N.part for the first N that is free: creates it. */
-static enum status create_temporary(struct aside *a, struct message *why)
+static enum status create_temporary(struct atomic_file *a, struct message *why)
 {
     size_t size = strlen(a->target) + 48;
     a->temporary = malloc(size);
@@ -92,12 +92,12 @@ static enum status create_temporary(struct aside *a, struct message *why)
                        strerror(errno));
 }
 
-enum status aside_open(const char *path, struct aside *a, struct message *why)
+enum status atomic_file_open(const char *path, struct atomic_file *a, struct message *why)
 {
     enum status st = STATUS_OK;
     struct stat info;
 
-    *a = (struct aside){.path = strdup(path)};
+    *a = (struct atomic_file){.path = strdup(path)};
     bool exists = stat(path, &info) == 0;
     a->target = exists ? realpath(path, NULL) : strdup(path);
     if (!a->path || !a->target)
@@ -143,7 +143,7 @@ static void sync_folder(const char *target)
     free(folder);
 }
 
-enum status aside_commit(struct aside *a, struct message *why)
+enum status atomic_file_commit(struct atomic_file *a, struct message *why)
 {
     enum status st = STATUS_OK;
 
@@ -156,11 +156,11 @@ enum status aside_commit(struct aside *a, struct message *why)
     clear(a);
 out:
     if (st != STATUS_OK)
-        aside_discard(a);
+        atomic_file_discard(a);
     return st;
 }
 
-void aside_discard(struct aside *a)
+void atomic_file_discard(struct atomic_file *a)
 {
     if (a->temporary && !a->in_place)
         unlink(a->temporary);

@@ -1,4 +1,4 @@
-#include "bench/run/run.h"
+#include "bench/run/run_command.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -158,8 +158,6 @@ static enum status run_motion(struct run *r, struct message *why)
     struct motion m = {0};
 
     TRY(motion_init(&m, r->model, &r->scene, r->state));
-    if (r->probe.count)
-        probe_print_header(stdout);
     TRY(motion_run(&m, watch_frame, r, r->quiet, why));
     TRY(close_record(r, &m, why));
     if (!r->quiet)
@@ -181,7 +179,6 @@ static enum status run_static(struct run *r, struct message *why)
     TRY(rest_static(&r->scene, r->model, r->state, r->format,
                     r->probe.count ? stderr : stdout, why));
     if (r->probe.count) {
-        probe_print_header(stdout);
         TRY(probe_print(&r->probe, r->model, r->state, 0, stdout, why));
     }
     if (r->record)
@@ -246,7 +243,7 @@ static const struct command_option options[] = {
      "about the rest shape, or with --static about nonlinear\n"
      "static equilibrium, and whether that is stable"},
     {"--format", "FORMAT", false,
-     "of the table of --static or --modes: text, csv,\nmarkdown or latex"},
+     "of the table of --static or --modes: text, csv,\nmarkdown, latex or json"},
     {"--probe", "U,V,W", true,
      "where this material point is in every frame, as CSV\n"
      "t,u,v,w,x,y,z with 17 digits on standard output"},

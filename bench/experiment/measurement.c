@@ -1,0 +1,231 @@
+#include "bench/experiment/measurement.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "bench/files/store_read.h"
+#include "bench/harness/timing.h"
+#include "bench/speed/bench_solid.h"
+
+/* A solid's frame costs the same all along the motion, so twenty frames a repeat do. */
+enum { FRAMES = 20, QUICK_FRAMES = 5, WARMUP = 2 };
+
+/* Share of the processor below which a machine counts as busy. */
+static const double ENOUGH = 0.95;
+
+/* A case on its way. */
+struct job {
+    const struct measurement_case *asked;
+    struct run run;
+    struct motion motion;
+    struct run_file *file;
+    bool built, moved;
+    struct timing_case *timing; /* NULL: it is not timed                                */
+};
+
+static void discard(struct job *j)
+{
+    run_file_discard(j->file);
+    motion_clear(&j->motion);
+    run_close(&j->run);
+}
+
+static enum status rest(struct job *j, struct message *said, struct message *why)
+{
+    struct counters work = {0};
+    const enum status st = run_settle(&j->run, &work, said);
+
+    if (st == STATUS_OK)
+        return run_file_rest(j->file, &work, why);
+    if (!run_file_is_refusal(st))
+        return status_fail(why, st, "%s", said->text);
+    run_file_refuse(j->file, st, said);
+    j->built = false;
+    return STATUS_OK;
+}
+
+/* Opens a case and follows it; what the model says to it is a result. */
+static enum status follow(struct job *j, const struct measurement_case *c,
+                          struct message *why)
+{
+    struct message said = {""};
+    enum status st;
+
+    j->asked = c;
+    TRY(run_read(&j->run, &c->plan, why));
+    st = run_build(&j->run, &said);
+    if (st && !run_file_is_refusal(st))
+        TRY(status_fail(why, st, "%s", said.text));
+    j->built = st == STATUS_OK;
+    TRY(run_file_open(&j->run, &c->keep, &j->file, why));
+    if (!j->built) {
+        run_file_refuse(j->file, st, &said);
+        return STATUS_OK;
+    }
+    if (c->rest)
+        return rest(j, &said, why);
+    TRY(motion_init(&j->motion, j->run.model, &j->run.scene, j->run.state));
+    j->moved = true;
+    st = motion_run(&j->motion, run_file_watch, j->file, true, why);
+out:
+    return st;
+}
+
+/* What died before its first frames were over has nothing to be timed. */
+static bool is_timed(const struct job *j)
+{
+    return j->built && j->asked->timed != MEASUREMENT_UNTIMED &&
+           (j->asked->rest || j->motion.frames > WARMUP);
+}
+
+/* How many of its frames are timed. */
+static void plan_frames(const struct measurement_options *options, const struct job *j,
+                        struct timing_case *t)
+{
+    const bool some = j->asked->timed == MEASUREMENT_SOME;
+    const int wanted = options->quick ? QUICK_FRAMES : FRAMES;
+    const int lived = j->motion.frames;
+
+    *t = (struct timing_case){
+        .run = &j->run, .rest = j->asked->rest, .repeats = options->repeats};
+    t->warmup = some ? WARMUP : 0;
+    t->frames = some ? (int)fmin(wanted, lived - t->warmup) : lived;
+}
+
+static enum status store_phases(const struct measurement_options *options, struct job *j,
+                                struct message *why)
+{
+    static const char *const name[BENCH_SOLID_FRAME] = {"assemble", "factor", "solve"};
+    const int repeats = options->quick ? TIMING_REPEATS_QUICK : TIMING_REPEATS;
+    double seconds[TIMING_REPEATS];
+    struct run fresh = j->run;
+    enum status st;
+
+    fresh.state = NULL;
+    TRY(run_build(&fresh, why));
+    for (int p = 0; p < BENCH_SOLID_FRAME && st == STATUS_OK; p++) {
+        st = bench_solid_time(fresh.model, fresh.state, p, repeats, seconds);
+        if (st == STATUS_OK)
+            st = run_file_seconds(j->file, name[p], seconds, repeats, 0, why);
+    }
+out:
+    fresh.model->destroy(fresh.state);
+    return status_is_death(st) ? STATUS_OK : st;
+}
+
+static enum status store_times(const struct measurement_options *options, struct job *j,
+                               const double together[2], struct message *why)
+{
+    const struct timing_case *t = j->timing;
+    enum status st = STATUS_OK;
+
+    if (!t)
+        return STATUS_OK;
+    TRY(run_file_seconds(j->file, "create", t->create, t->repeats, 0, why));
+    TRY(run_file_seconds(j->file, t->rest ? "equilibrium" : "advance", t->advance,
+                         t->repeats, t->frames, why));
+    TRY(run_file_seconds(j->file, "timed", &together[0], 1, 0, why));
+    TRY(run_file_seconds(j->file, "processor", &together[1], 1, 0, why));
+    if (j->asked->phases)
+        st = store_phases(options, j, why);
+out:
+    return st;
+}
+
+static void report(void *context, int done, int total)
+{
+    const struct measurement_options *options = context;
+
+    if (options->progress)
+        options->progress(options->context, options->what, done, total);
+}
+
+static enum status time_all(const struct measurement_options *options, int count,
+                            struct job *jobs, struct message *why)
+{
+    struct timing_case *timing = calloc((size_t)count + 1, sizeof *timing);
+    const struct timing_plan plan = {
+        .quick = options->quick, .progress = report, .context = (void *)options};
+    enum status st = timing ? STATUS_OK : STATUS_MEMORY;
+    int timed = 0;
+
+    TRY(st);
+    for (int n = 0; n < count; n++)
+        if (is_timed(&jobs[n])) {
+            jobs[n].timing = &timing[timed];
+            plan_frames(options, &jobs[n], &timing[timed++]);
+        }
+    const double start = clock_now(), processor = clock_processor();
+    TRY(timing_run(&plan, timed, timing, why));
+    const double together[2] = {clock_now() - start, clock_processor() - processor};
+    for (int n = 0; n < count; n++)
+        TRY(store_times(options, &jobs[n], together, why));
+out:
+    for (int n = 0; n < timed; n++)
+        timing_clear(&timing[n]);
+    for (int n = 0; n < count; n++)
+        jobs[n].timing = NULL;
+    free(timing);
+    return st;
+}
+
+enum status measurement_run(const struct measurement_options *options, int count,
+                            const struct measurement_case *cases, struct message *why)
+{
+    struct job *jobs = calloc((size_t)count + 1, sizeof *jobs);
+    enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
+
+    for (int n = 0; n < count && st == STATUS_OK; n++)
+        st = follow(&jobs[n], &cases[n], why);
+    TRY(st);
+    TRY(time_all(options, count, jobs, why));
+    for (int n = 0; n < count; n++) {
+        struct run_file *file = jobs[n].file;
+        jobs[n].file = NULL;
+        TRY(run_file_close(file, jobs[n].moved ? &jobs[n].motion : NULL, NULL, why));
+    }
+out:
+    for (int n = 0; jobs && n < count; n++)
+        discard(&jobs[n]);
+    free(jobs);
+    return st;
+}
+
+/* Milliseconds of a busy machine are too long; a reader should know. */
+static void tell_share(const struct store_read *run, FILE *file)
+{
+    double *all = NULL, *ours = NULL;
+    int rows, columns;
+
+    if (store_read_has(run, "seconds/timed") && store_read_has(run, "seconds/processor") &&
+        store_read_array(run, "seconds/timed", &all, &rows, &columns, NULL) == STATUS_OK &&
+        store_read_array(run, "seconds/processor", &ours, &rows, &columns, NULL) ==
+            STATUS_OK) {
+        fprintf(file, "; a processor for %.0f %% of the time", 100 * *ours / *all);
+        if (*ours < ENOUGH * *all)
+            fprintf(file, ": the machine was busy, the milliseconds are too long");
+    }
+    free(all);
+    free(ours);
+}
+
+void measurement_machine(const char *path, FILE *file)
+{
+    static const char *const keys[] = {
+        "commit",      "changed_files", "compiler",    "flags",        "cpu",
+        "blas_kernel", "cholmod",       "omp_threads", "blas_threads", "date"};
+    struct store_read *run = NULL;
+
+    if (store_read_open(path, &run, NULL) != STATUS_OK)
+        return;
+    fprintf(file, "\nMeasured:");
+    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
+        char *text = NULL;
+        if (store_read_text(run, "provenance", keys[n], &text, NULL) == STATUS_OK)
+            fprintf(file, "%s%s %s", n ? "; " : " ", keys[n], text);
+        free(text);
+    }
+    tell_share(run, file);
+    fprintf(file, "\n");
+    store_read_close(run);
+}

@@ -1,0 +1,107 @@
+#include "bench/harness/contestant.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const struct model *contestant_model(int n)
+{
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        if (!strcmp(c->name, c->model->name) && n-- == 0)
+            return c->model;
+    return NULL;
+}
+
+/* "a, b" into text[size]: the models' names, or all. */
+static void list_names(bool models, char *text, size_t size)
+{
+    size_t used = 0;
+
+    *text = '\0';
+    for (const struct contestant *c = contestant_table; c->name && used < size; c++)
+        if (strcmp(c->name, c->model->name) ? !models : models)
+            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "",
+                                     c->name);
+}
+
+static enum status refuse(const char *name, int length, struct message *why)
+{
+    char models[256], others[640];
+
+    list_names(true, models, sizeof models);
+    list_names(false, others, sizeof others);
+    return status_fail(why, STATUS_INPUT,
+                       "there is no model '%.*s'; models: %s; contestants: %s", length,
+                       name, models, others);
+}
+
+enum status contestant_find(const char *name, const struct contestant **found,
+                            struct message *why)
+{
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        if (!strcmp(c->name, name)) {
+            *found = c;
+            return STATUS_OK;
+        }
+    return refuse(name, (int)strlen(name), why);
+}
+
+static bool is(const char *word, size_t length, const char *name)
+{
+    return strlen(name) == length && !strncmp(word, name, length);
+}
+
+static bool is_all(const char *choice)
+{
+    return !choice || !strcmp(choice, "all");
+}
+
+bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where)
+{
+    const bool enters = !where || c->enters & where;
+    size_t length;
+
+    if (is_all(choice))
+        return enters;
+    for (const char *at = choice; *at; at += length + (at[length] == ',')) {
+        length = strcspn(at, ",");
+        if (is(at, length, c->name) || (enters && is(at, length, c->model->name)))
+            return true;
+    }
+    return false;
+}
+
+enum status contestant_check(const char *choice, struct message *why)
+{
+    size_t length;
+
+    if (is_all(choice))
+        return STATUS_OK;
+    if (!*choice)
+        return status_fail(why, STATUS_INPUT, "no model is named");
+    for (const char *at = choice; *at; at += length + (at[length] == ',')) {
+        const struct contestant *c = contestant_table;
+        length = strcspn(at, ",");
+        while (c->name && !is(at, length, c->name))
+            c++;
+        if (!c->name)
+            return refuse(at, (int)length, why);
+    }
+    return STATUS_OK;
+}
+
+void contestant_settings(const struct contestant *c, struct settings *s)
+{
+    settings_list(s, CONTESTANT_SETTINGS, c->settings);
+}
+
+void contestant_points(const struct contestant *c, int u, int v, struct settings *s)
+{
+    const int points[] = {u, v, c->layers};
+
+    settings_integers(s, "discretization.points", c->layers ? 3 : 2, points);
+}
+
+int contestant_least(const struct contestant *c)
+{
+    return c->degree + 1;
+}

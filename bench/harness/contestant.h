@@ -1,0 +1,67 @@
+/* contestant.h - who competes: a model with the settings that make it what it is.
+ *
+ * contestant_table.c names them all, and the models with them; compare, stress, verify,
+ * studies, the timing table and --model take theirs from it. A new model enters everything
+ * with its row. Each model has a row of its own name: the model with its own defaults.
+ */
+#ifndef CONTESTANT_H
+#define CONTESTANT_H
+
+#include "bench/harness/settings.h"
+#include "models/model.h"
+
+enum { CONTESTANT_SETTINGS = 4, CONTESTANT_STEPS = 4 };
+
+/* Where it is entered without being asked for; bits. By name it enters anywhere. */
+enum {
+    CONTESTANT_COMPARE = 1, /* speed against error                                     */
+    CONTESTANT_STRESS = 2,  /* hard cases, and the map of steps and stiffness          */
+    CONTESTANT_SMALL = 4,   /* verify: plates and strips that bend a little            */
+    CONTESTANT_LARGE = 8,   /* verify: those that bend a lot                           */
+    CONTESTANT_SPEED = 16,  /* the timing table of `bench`                             */
+    CONTESTANT_EVERYWHERE = 31,
+};
+
+struct contestant {
+    const char *name;   /* [a-z0-9_]+, of command line and files                       */
+    const char *title;  /* what tables and plots call it                               */
+    const char *column; /* the same where columns are narrow                           */
+    const struct model *model;
+    unsigned enters;                           /* CONTESTANT_ bits                    */
+    const char *settings[CONTESTANT_SETTINGS]; /* KEY=VALUE; NULL ends                */
+    int layers; /* control points or nodes through the thickness; 0: a surface         */
+    int degree; /* along u: a net has points - degree spans                            */
+
+    /* How it is refined, from cheap to dear; zeros end the lists. */
+    int points[CONTESTANT_STEPS];     /* a side                                        */
+    int divisors[CONTESTANT_STEPS];   /* steps that the scene's frame is divided into  */
+    int iterations[CONTESTANT_STEPS]; /* of a step; none: the model has no such choice */
+};
+
+/* All, in the order of the tables; name NULL ends. */
+extern const struct contestant contestant_table[];
+
+/* The n-th model, in the order of the table; NULL past the last. */
+const struct model *contestant_model(int n);
+
+/* By its name. STATUS_INPUT with a sentence that lists the names: there is no such one. */
+enum status contestant_find(const char *name, const struct contestant **c,
+                            struct message *why);
+
+/* Whether the choice "a,b" of --models has it, by its name or its model's; NULL and "all":
+ * those that enter there, by a bit of the above (0: all). */
+bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where);
+
+/* Every word of a choice names a model or a contestant. STATUS_INPUT with a sentence. */
+enum status contestant_check(const char *choice, struct message *why);
+
+/* What makes it what it is, added to settings. */
+void contestant_settings(const struct contestant *c, struct settings *s);
+
+/* Points u x v, through the thickness as it has them. */
+void contestant_points(const struct contestant *c, int u, int v, struct settings *s);
+
+/* One net of the least kind: points a side for one span. */
+int contestant_least(const struct contestant *c);
+
+#endif

@@ -1,0 +1,123 @@
+/* The table. A row: name, title, column; model; where it enters; settings; layers, degree;
+ * points a side, divisors of the frame, iterations. */
+#include <stddef.h>
+
+#include "bench/harness/contestant.h"
+#include "fem_ref/hex_model.h"
+#include "iga/plate_model.h"
+#include "mass_spring/spring_model.h"
+#include "projective_dynamics/projective_dynamics_model.h"
+#include "shell_ref/shell_model.h"
+
+#define COMPARE CONTESTANT_COMPARE
+#define STRESS  CONTESTANT_STRESS
+#define SMALL   CONTESTANT_SMALL
+#define LARGE   CONTESTANT_LARGE
+#define SPEED   CONTESTANT_SPEED
+
+#define PRINTED      "discretization.kinematics=printed"
+#define INCREMENTAL  "discretization.kinematics=incremental"
+#define LINEAR       "discretization.kinematics=linear"
+#define NONLINEAR    "discretization.kinematics=nonlinear"
+#define REDUCED      "discretization.remedy=reduced"
+#define SELECTIVE    "discretization.remedy=selective"
+#define INCOMPATIBLE "discretization.remedy=incompatible"
+#define CUBIC        "discretization.degree=[3,3,1]"
+#define CUBIC_THICK  "discretization.degree=[3,3,2]"
+#define QUADRATIC_2  "discretization.degree=[2,2]"
+#define CUBIC_2      "discretization.degree=[3,3]"
+#define PAPER        "discretization.parameters=paper"
+#define MATCHED      "discretization.parameters=matched"
+
+/* clang-format off */
+const struct contestant contestant_table[] = {
+    /* Each model by itself. */
+    {"iga", "IGA", "IGA def.", &plate_model, 0, {0}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+    {"hex", "hexahedra", "hex def.", &hex_model, 0, {0}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
+    {"shell", "shell", "shell", &shell_model, STRESS | SPEED, {0}, 0, 2, {6, 10, 16},
+     {1, 4}, {0}},
+    {"mass_spring", "mass-spring, matched", "springs", &spring_model,
+     CONTESTANT_EVERYWHERE, {MATCHED}, 0, 1, {10, 20, 40}, {1, 4, 16}, {0}},
+    {"projective_dynamics", "projective dynamics, matched", "PD", &projective_dynamics_model,
+     CONTESTANT_EVERYWHERE, {MATCHED}, 0, 1, {10, 20, 40}, {1, 4, 16}, {10, 100}},
+
+    /* The isogeometric plate. */
+    {"iga_paper", "IGA, printed (paper)", "IGA paper", &plate_model,
+     COMPARE | STRESS | SPEED, {PRINTED}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+    {"iga_incremental", "IGA, incremental", "IGA incr.", &plate_model, COMPARE | SPEED,
+     {INCREMENTAL}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+    {"iga_linear", "IGA, linear", "IGA lin.", &plate_model, COMPARE | SMALL | SPEED,
+     {LINEAR}, 2, 2, {5, 10, 20, 40}, {1, 4}, {0}},
+    {"iga_linear_3", "IGA, linear, p = 3", "IGA lin. 3", &plate_model, SMALL,
+     {LINEAR, CUBIC}, 2, 3, {7, 10, 20}, {1, 4}, {0}},
+    {"iga_linear_32", "IGA, linear, p = 3, r = 2", "IGA lin. 32", &plate_model, SMALL,
+     {LINEAR, CUBIC_THICK}, 3, 3, {7, 10, 20}, {1, 4}, {0}},
+    {"iga_reduced_linear", "IGA, reduced, linear", "IGA red. lin.", &plate_model, SMALL,
+     {LINEAR, REDUCED}, 2, 2, {6, 10, 20}, {1, 4}, {0}},
+    {"iga_reduced_linear_3", "IGA, reduced, linear, p = 3", "IGA red. lin. 3", &plate_model,
+     SMALL, {LINEAR, REDUCED, CUBIC}, 2, 3, {7, 10, 20}, {1, 4}, {0}},
+    {"iga_selective_linear", "IGA, selective, linear", "IGA sel. lin.", &plate_model, SMALL,
+     {LINEAR, SELECTIVE}, 2, 2, {6, 10, 20}, {1, 4}, {0}},
+    {"iga_selective_linear_3", "IGA, selective, linear, p = 3", "IGA sel. lin. 3",
+     &plate_model, SMALL, {LINEAR, SELECTIVE, CUBIC}, 2, 3, {7, 10, 20}, {1, 4}, {0}},
+    {"iga_reduced_incremental", "IGA, reduced, incremental", "IGA red. incr.", &plate_model,
+     COMPARE, {INCREMENTAL, REDUCED}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+    {"iga_nonlinear", "IGA, nonlinear", "IGA", &plate_model, STRESS | LARGE | SPEED,
+     {NONLINEAR}, 2, 2, {6, 10, 16}, {1, 4}, {0}},
+    {"iga_nonlinear_3", "IGA, nonlinear, p = 3", "IGA 3", &plate_model, LARGE,
+     {NONLINEAR, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
+    {"iga_reduced", "IGA, reduced, nonlinear", "IGA red.", &plate_model,
+     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, REDUCED}, 2, 2, {6, 10, 16}, {1, 4}, {0}},
+    {"iga_reduced_3", "IGA, reduced, nonlinear, p = 3", "IGA red. 3", &plate_model, LARGE,
+     {NONLINEAR, REDUCED, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
+    {"iga_selective", "IGA, selective, nonlinear", "IGA sel.", &plate_model,
+     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, SELECTIVE}, 2, 2, {6, 10, 16}, {1, 4},
+     {0}},
+    {"iga_selective_3", "IGA, selective, nonlinear, p = 3", "IGA sel. 3", &plate_model,
+     COMPARE | SPEED, {NONLINEAR, SELECTIVE, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
+
+    /* Trilinear hexahedra. */
+    {"hex_paper", "hexahedra, printed (paper)", "hex paper", &hex_model, SPEED, {PRINTED},
+     2, 1, {10, 20, 32}, {1, 4}, {0}},
+    {"hex_linear", "hexahedra, linear", "hex lin.", &hex_model, SMALL, {LINEAR}, 2, 1,
+     {16, 32}, {1, 4}, {0}},
+    {"hex_incompatible_linear", "hexahedra, incompatible, linear", "hex inc. lin.",
+     &hex_model, COMPARE | SMALL, {LINEAR, INCOMPATIBLE}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
+    {"hex_incremental", "hexahedra, incremental", "hex incr.", &hex_model, COMPARE,
+     {INCREMENTAL}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
+    {"hex_incompatible_incremental", "hexahedra, incompatible, incremental",
+     "hex inc. incr.", &hex_model, COMPARE, {INCREMENTAL, INCOMPATIBLE}, 2, 1, {10, 20, 40},
+     {1, 4}, {0}},
+    {"hex_nonlinear", "hexahedra, nonlinear", "hex", &hex_model, STRESS | LARGE, {NONLINEAR},
+     2, 1, {10, 20}, {1, 4}, {0}},
+    {"hex_incompatible", "hexahedra, incompatible, nonlinear", "hex inc.", &hex_model,
+     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, INCOMPATIBLE}, 2, 1, {10, 20}, {1, 4},
+     {0}},
+
+    /* The Kirchhoff-Love shell. */
+    {"shell_linear", "shell, linear, p = 2", "shell lin.", &shell_model, SMALL,
+     {LINEAR, QUADRATIC_2}, 0, 2, {10, 20}, {1, 4}, {0}},
+    {"shell_linear_3", "shell, linear, p = 3", "shell lin. 3", &shell_model, SMALL,
+     {LINEAR, CUBIC_2}, 0, 3, {7, 10}, {1, 4}, {0}},
+    {"shell_2", "shell, p = 2", "shell 2", &shell_model, COMPARE, {NONLINEAR, QUADRATIC_2},
+     0, 2, {6, 10, 16}, {1, 4}, {0}},
+    {"shell_3", "shell, p = 3", "shell 3", &shell_model, COMPARE | LARGE | SPEED,
+     {NONLINEAR, CUBIC_2}, 0, 3, {6, 10, 16}, {1, 4}, {0}},
+
+    /* Springs and constraints. */
+    {"mass_spring_paper", "mass-spring, the paper's set", "springs paper", &spring_model, 0,
+     {PAPER}, 0, 1, {10, 20}, {1, 4}, {0}},
+    {"mass_spring_explicit", "mass-spring, explicit", "springs expl.", &spring_model, 0,
+     {"discretization.integrator=explicit"}, 0, 1, {10, 20, 40}, {1}, {0}},
+    {"projective_dynamics_paper", "projective dynamics, the paper's set", "PD paper",
+     &projective_dynamics_model, 0, {PAPER}, 0, 1, {10, 20}, {1, 4}, {0}},
+    {"projective_dynamics_edges", "projective dynamics, the paper's set, edges", "PD edges",
+     &projective_dynamics_model, 0, {PAPER, "discretization.constraint=edges"}, 0, 1,
+     {10, 20}, {1, 4}, {0}},
+    {"projective_dynamics_1000", "projective dynamics, 1000 accelerated iterations",
+     "PD 1000", &projective_dynamics_model, STRESS,
+     {"discretization.iterations=1000", "discretization.acceleration=chebyshev"}, 0, 1,
+     {10, 20}, {1, 4}, {0}},
+    {NULL},
+};
+/* clang-format on */

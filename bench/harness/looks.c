@@ -1,0 +1,129 @@
+#include "bench/harness/looks.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "models/metric/metric.h"
+
+const char *looks_name(int series)
+{
+    return series < MEASURES_METRICS       ? measures_metric[series].name
+           : series == LOOKS_INTERSECTIONS ? "intersections"
+                                           : "speed";
+}
+
+const char *looks_unit(int series)
+{
+    return series < MEASURES_METRICS       ? measures_metric[series].unit
+           : series == LOOKS_INTERSECTIONS ? "1"
+                                           : "m/s";
+}
+
+enum status looks_init(struct looks *l, int room)
+{
+    size_t size = (size_t)(room + 1) * sizeof(double);
+    bool good;
+
+    *l = (struct looks){.room = room};
+    l->time = malloc(size);
+    l->energy = malloc((size_t)(room + 1) * sizeof *l->energy);
+    good = l->time && l->energy;
+    for (int n = 0; n < LOOKS_SERIES; n++)
+        good = (l->series[n] = malloc(size)) && good;
+    return good ? STATUS_OK : STATUS_MEMORY;
+}
+
+void looks_clear(struct looks *l)
+{
+    free(l->time);
+    free(l->energy);
+    for (int n = 0; n < LOOKS_SERIES; n++)
+        free(l->series[n]);
+    *l = (struct looks){0};
+}
+
+/* Of the numbers that exist; NaN if none does. */
+static double largest(int count, const double *value)
+{
+    double most = NAN;
+
+    for (int n = 0; n < count; n++)
+        most = fmax(most, value[n]);
+    return most;
+}
+
+static double last(int count, const double *value)
+{
+    return count ? value[count - 1] : NAN;
+}
+
+static double first_crossing(const struct looks *l)
+{
+    const double *crossings = l->series[LOOKS_INTERSECTIONS];
+
+    if (l->count == 0 || isnan(crossings[0]))
+        return NAN;
+    for (int n = 0; n < l->count; n++)
+        if (crossings[n] > 0)
+            return l->time[n];
+    return INFINITY;
+}
+
+static void reduce_series(const struct looks *l, const struct scene *scene, double *value)
+{
+    static const struct {
+        int series, most, end; /* end < 0: none */
+    } pair[] = {
+        {MEASURES_STRETCH, MEASURE_STRETCH_MAX, MEASURE_STRETCH_END},
+        {MEASURES_DROP, MEASURE_DROP_MAX, MEASURE_DROP_END},
+        {MEASURES_ANGLE, MEASURE_ANGLE_MAX, MEASURE_ANGLE_END},
+        {MEASURES_ROUGHNESS, MEASURE_ROUGHNESS_MAX, MEASURE_ROUGHNESS_END},
+        {MEASURES_PENETRATION, MEASURE_PENETRATION_MAX, -1},
+        {LOOKS_INTERSECTIONS, MEASURE_INTERSECTIONS_MAX, MEASURE_INTERSECTIONS_END},
+        {LOOKS_SPEED, MEASURE_SPEED_MAX, MEASURE_SPEED_END},
+    };
+
+    for (size_t n = 0; n < sizeof pair / sizeof *pair; n++) {
+        value[pair[n].most] = largest(l->count, l->series[pair[n].series]);
+        if (pair[n].end >= 0)
+            value[pair[n].end] = last(l->count, l->series[pair[n].series]);
+    }
+    if (!scene->obstacle_count)
+        value[MEASURE_PENETRATION_MAX] = NAN;
+    value[MEASURE_INTERSECTION_TIME] = first_crossing(l);
+    value[MEASURE_END_TIME] = last(l->count, l->time);
+}
+
+static enum status reduce_energy(const struct looks *l, double *value)
+{
+    double *drift = malloc((size_t)(l->count + 1) * sizeof *drift);
+
+    if (!drift)
+        return STATUS_MEMORY;
+    metric_energy_drift(l->count, l->energy, drift);
+    value[MEASURE_ENERGY_DRIFT_MAX] = largest(l->count, drift);
+    value[MEASURE_ENERGY_DRIFT_END] = last(l->count, drift);
+    free(drift);
+    return STATUS_OK;
+}
+
+static void reduce_scene(const struct scene *scene, double *value)
+{
+    const double *g = scene->gravity;
+    double weight = scene->density * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+
+    value[MEASURE_GAMMA] = scene_gamma(scene);
+    value[MEASURE_YOUNG_OVER_DENSITY] = scene->young / scene->density;
+    value[MEASURE_HANGING_STRAIN] = weight * scene->length / scene->young;
+}
+
+enum status looks_reduce(const struct looks *l, const struct scene *scene,
+                         enum status outcome, double death_time, double *value)
+{
+    reduce_series(l, scene, value);
+    reduce_scene(scene, value);
+    value[MEASURE_BLOWUP_TIME] = status_is_death(outcome) ? death_time
+                                 : outcome == STATUS_OK   ? INFINITY
+                                                          : NAN;
+    return reduce_energy(l, value);
+}

@@ -1,0 +1,40 @@
+#include "bench/harness/measures.h"
+
+#include "models/metric/metric.h"
+
+const struct measures_metric measures_metric[MEASURES_METRICS] = {
+    [MEASURES_DROP] = {"drop", "1", metric_drop},
+    [MEASURES_ANGLE] = {"angle", "degrees", metric_angle},
+    [MEASURES_STRETCH] = {"stretch", "1", metric_stretch},
+    [MEASURES_ROUGHNESS] = {"roughness", "1", metric_roughness},
+    [MEASURES_PENETRATION] = {"penetration", "m", metric_penetration},
+};
+
+static const struct {
+    const char *name, *unit, *sentence;
+} words[] = {
+#define MEASURE_WORDS(code, name, unit, sentence) {#name, unit, sentence},
+    MEASURE_LIST(MEASURE_WORDS)
+#undef MEASURE_WORDS
+        {"unknown", "", ""},
+};
+
+static int known(int measure)
+{
+    return 0 <= measure && measure < MEASURES ? measure : MEASURES;
+}
+
+const char *measure_name(int measure)
+{
+    return words[known(measure)].name;
+}
+
+const char *measure_unit(int measure)
+{
+    return words[known(measure)].unit;
+}
+
+const char *measure_sentence(int measure)
+{
+    return words[known(measure)].sentence;
+}

@@ -1,0 +1,66 @@
+/* measures.h - what a run is reduced to: the metrics of a moment, and the numbers read off
+ * all moments that were looked at.
+ */
+#ifndef MEASURES_H
+#define MEASURES_H
+
+#include "models/scene.h"
+
+/* Metrics of one field. */
+enum {
+    MEASURES_DROP,
+    MEASURES_ANGLE,
+    MEASURES_STRETCH,
+    MEASURES_ROUGHNESS,
+    MEASURES_PENETRATION,
+    MEASURES_METRICS
+};
+
+struct measures_metric {
+    const char *name, *unit; /* as in result files (store.h)                           */
+    double (*value)(const struct scene *scene, const double *xyz);
+};
+extern const struct measures_metric measures_metric[MEASURES_METRICS];
+
+/* Numbers of a run: name, unit, sentence. `Largest` and `end` are of the looks that the run
+ * lived to see. A time that did not come is INFINITY; a number that does not exist
+ * (penetration without obstacles, the energy of a scheme that has none, anything of a run
+ * without looks) is NaN. */
+#define MEASURE_LIST(X)                                                                    \
+    X(STRETCH_MAX, stretch_max, "1", "largest principal stretch of the mid-surface")       \
+    X(STRETCH_END, stretch_end, "1", "the same at the end")                                \
+    X(DROP_MAX, drop_max, "1", "lowest point below the support, over the length")          \
+    X(DROP_END, drop_end, "1", "the same at the end")                                      \
+    X(ANGLE_MAX, angle_max, "degrees", "largest angle of the middle line below level")     \
+    X(ANGLE_END, angle_end, "degrees", "the same at the end")                              \
+    X(ROUGHNESS_MAX, roughness_max, "1", "largest rms curvature, times the length")        \
+    X(ROUGHNESS_END, roughness_end, "1", "the same at the end")                            \
+    X(PENETRATION_MAX, penetration_max, "m", "largest depth below an obstacle")            \
+    X(INTERSECTIONS_MAX, intersections_max, "1", "most pairs of triangles that cross")     \
+    X(INTERSECTIONS_END, intersections_end, "1", "the same at the end")                    \
+    X(INTERSECTION_TIME, intersection_time, "s",                                           \
+      "first look at which the sheet crosses"                                              \
+      " itself")                                                                           \
+    X(SPEED_MAX, speed_max, "m/s", "largest rms speed between two looks")                  \
+    X(SPEED_END, speed_end, "m/s", "the same between the last two")                        \
+    X(ENERGY_DRIFT_MAX, energy_drift_max, "1", "largest share of the energy in play won")  \
+    X(ENERGY_DRIFT_END, energy_drift_end, "1", "share won or lost at the end")             \
+    X(BLOWUP_TIME, blowup_time, "s", "when the run died")                                  \
+    X(END_TIME, end_time, "s", "the last look")                                            \
+    X(GAMMA, gamma, "1", "weight against bending, rho g h L^3 / D")                        \
+    X(YOUNG_OVER_DENSITY, young_over_density, "m^2/s^2", "E / rho")                        \
+    X(HANGING_STRAIN, hanging_strain, "1", "rho g L / E, of a strip that hangs at rest")
+
+enum measure {
+#define MEASURE_CODE(code, name, unit, sentence) MEASURE_##code,
+    MEASURE_LIST(MEASURE_CODE)
+#undef MEASURE_CODE
+        MEASURES
+};
+
+/* Words for them; "unknown" beyond the last. Static storage. */
+const char *measure_name(int measure);
+const char *measure_unit(int measure);
+const char *measure_sentence(int measure);
+
+#endif

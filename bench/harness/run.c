@@ -1,0 +1,65 @@
+#include "bench/harness/run.h"
+
+#include <string.h>
+
+#include "models/clock.h"
+
+enum status run_read(struct run *r, const struct run_plan *plan, struct message *why)
+{
+    struct settings all = {0};
+    enum status st;
+
+    memset(r, 0, sizeof *r);
+    r->contestant = plan->contestant;
+    r->model = plan->contestant->model;
+    r->model->defaults(&r->discretization);
+    contestant_settings(plan->contestant, &all);
+    if (plan->settings)
+        settings_append(&all, plan->settings);
+    st = settings_read(&all, plan->path, &r->scene, &r->discretization, why);
+    if (st == STATUS_OK && plan->end > 0)
+        r->scene.end = plan->end;
+    settings_clear(&all);
+    return st;
+}
+
+enum status run_build(struct run *r, struct message *why)
+{
+    const double start = clock_now();
+    const enum status st = r->model->create(&r->scene, &r->discretization, &r->state, why);
+
+    r->create_seconds = clock_now() - start;
+    return st;
+}
+
+enum status run_open(struct run *r, const struct run_plan *plan, struct message *why)
+{
+    const enum status st = run_read(r, plan, why);
+
+    return st == STATUS_OK ? run_build(r, why) : st;
+}
+
+enum status run_settle(struct run *r, struct counters *work, struct message *why)
+{
+    if (!r->model->equilibrium)
+        return status_fail(why, STATUS_UNSUPPORTED, "%s has no static equilibrium",
+                           r->model->name);
+    return r->model->equilibrium(r->state, work, why);
+}
+
+enum status run_modes(struct run *r, int count, double *omega, struct message *why)
+{
+    if (!r->model->modes)
+        return status_fail(why, STATUS_UNSUPPORTED, "%s has no natural frequencies",
+                           r->model->name);
+    return r->model->modes(r->state, count, omega, why);
+}
+
+void run_close(struct run *r)
+{
+    if (r->model)
+        r->model->destroy(r->state);
+    scene_clear(&r->scene);
+    discretization_clear(&r->discretization);
+    memset(r, 0, sizeof *r);
+}

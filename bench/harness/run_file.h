@@ -1,0 +1,74 @@
+/* run_file.h - a run on its way into its result file (store.h), the only kind there is: the
+ * looks that were taken at it (looks.h), some or all with their fields, seconds, work and
+ * how it ended. run_result.h reads it back.
+ *
+ *     struct run_result r;
+ *     TRY(run_file_write(&(struct run_plan){...}, &(struct run_keep){...}, &r, why));
+ *
+ * Who wants more on the way (probes, repeats that are timed) opens, watches and closes by
+ * itself.
+ */
+#ifndef RUN_FILE_H
+#define RUN_FILE_H
+
+#include "bench/files/provenance.h"
+#include "bench/harness/motion.h"
+#include "bench/harness/run.h"
+#include "bench/harness/run_result.h"
+
+enum run_fields {
+    RUN_FIELDS_TIMES, /* of the looks at `time` alone                                  */
+    RUN_FIELDS_ALL,   /* of all looks; where a run dies, of the last frame it lived, too */
+    RUN_FIELDS_NONE,
+};
+
+/* What to keep of a run; all borrowed. */
+struct run_keep {
+    const char *file;   /* FILE.h5; NULL: none, the result alone                       */
+    int every;          /* frames from look to look, the last one, too; 0: none        */
+    int times;          /* further looks at                                            */
+    const double *time; /* [times], multiples of the step, increasing [s]              */
+    enum run_fields fields;
+    bool intersections; /* count self-intersections at every look                      */
+    bool doubles;       /* fields as 64-bit numbers, not 32                            */
+    const struct provenance *provenance; /* NULL: as things stand                      */
+};
+
+struct run_file;
+
+/* For a run that was read, built or not. *file is untouched on failure; `run` and `keep`
+ * are borrowed until the end. STATUS_FILE, STATUS_MEMORY with a sentence. */
+enum status run_file_open(const struct run *run, const struct run_keep *keep,
+                          struct run_file **file, struct message *why);
+
+/* A motion_watcher with the run_file as its context: takes the looks that are due. */
+enum status run_file_watch(void *file, const struct motion *m, struct message *why);
+
+/* The one look of a run at rest. */
+enum status run_file_rest(struct run_file *file, const struct counters *work,
+                          struct message *why);
+
+/* What could not be built: the status of run_build and its sentence. */
+void run_file_refuse(struct run_file *file, enum status st, const struct message *said);
+
+/* Raw seconds[repeats][columns] of a phase (store.h); "create" and "advance" are else those
+ * of the run itself. */
+enum status run_file_seconds(struct run_file *file, const char *phase,
+                             const double *seconds, int repeats, int columns,
+                             struct message *why);
+
+/* Completes the file and fills *result (may be NULL), without fields. `m` is NULL for a
+ * state that did not move. Frees in any case; on failure nothing is left of the file. */
+enum status run_file_close(struct run_file *file, const struct motion *m,
+                           struct run_result *result, struct message *why);
+void run_file_discard(struct run_file *file); /* gives it up; NULL is allowed */
+
+/* Whether what run_build says is a result, told in the file, and no failure of ours. */
+bool run_file_is_refusal(enum status st);
+
+/* All of it: a death is a result, and so is a model that refuses. The same bits with and
+ * without file, fields kept or not. STATUS_INPUT: scene or settings are impossible. */
+enum status run_file_write(const struct run_plan *plan, const struct run_keep *keep,
+                           struct run_result *result, struct message *why);
+
+#endif

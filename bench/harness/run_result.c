@@ -1,0 +1,241 @@
+#include "bench/harness/run_result.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/files/store_read.h"
+#include "bench/files/store_scene.h"
+#include "bench/harness/looks.h"
+#include "models/grid.h"
+
+static enum status find_outcome(const char *text, const char *path, enum status *outcome,
+                                struct message *why)
+{
+#define RUN_OUTCOME(code, sentence) STATUS_##code,
+    static const enum status all[] = {STATUS_LIST(RUN_OUTCOME)};
+#undef RUN_OUTCOME
+
+    for (size_t n = 0; n < sizeof all / sizeof *all; n++)
+        if (!strcmp(text, status_text(all[n]))) {
+            *outcome = all[n];
+            return STATUS_OK;
+        }
+    return status_fail(why, STATUS_INPUT, "%s: unknown outcome '%.100s'", path, text);
+}
+
+/* An array of as many numbers as there are looks into value[], every `stride`-th. */
+static enum status read_numbers(const struct store_read *file, const char *path,
+                                const char *name, int count, int stride, double *value,
+                                struct message *why)
+{
+    enum status st;
+    double *array = NULL;
+    int rows, columns;
+
+    TRY(store_read_array(file, name, &array, &rows, &columns, why));
+    if (rows != count || columns != 1)
+        TRY(status_fail(why, STATUS_INPUT, "%s: %s has %d numbers for %d looks", path, name,
+                        rows * columns, count));
+    for (int n = 0; n < count; n++)
+        value[n * stride] = array[n];
+out:
+    free(array);
+    return st;
+}
+
+static enum status read_looks(const struct store_read *file, const char *path,
+                              struct looks *l, struct message *why)
+{
+    enum status st;
+    double *time = NULL;
+    char name[64];
+    int count, columns;
+
+    TRY(store_read_array(file, "time", &time, &count, &columns, why));
+    TRY(looks_init(l, count));
+    l->count = count;
+    TRY(read_numbers(file, path, "time", count, 1, l->time, why));
+    for (int n = 0; n < LOOKS_SERIES; n++) {
+        snprintf(name, sizeof name, "metrics/%s", looks_name(n));
+        TRY(read_numbers(file, path, name, count, 1, l->series[n], why));
+    }
+    TRY(read_numbers(file, path, "energy/kinetic", count, 3, &l->energy->kinetic, why));
+    TRY(read_numbers(file, path, "energy/elastic", count, 3, &l->energy->elastic, why));
+    TRY(read_numbers(file, path, "energy/potential", count, 3, &l->energy->potential, why));
+out:
+    free(time);
+    return st;
+}
+
+/* Summary, over the repeats, of each one's mean over its steps (a death leaves some out) of
+ * an array of seconds, if it is there; the first repeat's sum and number of steps. */
+static enum status read_seconds(const struct store_read *file, const char *name,
+                                struct clock_summary *summary, double *sum, long *steps,
+                                struct message *why)
+{
+    double *seconds = NULL, total = 0;
+    int rows, columns, repeats = 0;
+    enum status st;
+
+    if (!store_read_has(file, name))
+        return STATUS_OK;
+    TRY(store_read_array(file, name, &seconds, &rows, &columns, why));
+    for (int r = 0; r < rows; r++) {
+        double mean = 0;
+        int count = 0;
+        for (int n = 0; n < columns; n++)
+            if (!isnan(seconds[r * columns + n])) {
+                mean += seconds[r * columns + n];
+                count++;
+            }
+        if (r == 0 && sum)
+            *sum += mean;
+        if (r == 0 && steps)
+            *steps = count;
+        total = count ? mean / count : NAN;
+        if (count)
+            seconds[repeats++] = total;
+    }
+    if (repeats && summary)
+        *summary = clock_summarise(seconds, repeats);
+out:
+    free(seconds);
+    return st;
+}
+
+static enum status read_times(const struct store_read *file, struct run_result *r,
+                              struct message *why)
+{
+    static const char *const phase[RUN_RESULT_PHASES] = {"seconds/assemble",
+                                                         "seconds/factor", "seconds/solve"};
+    enum status st;
+
+    TRY(read_seconds(file, "seconds/create", &r->create, &r->create_seconds, NULL, why));
+    TRY(read_seconds(file, "seconds/advance", &r->step, &r->step_seconds, &r->steps, why));
+    TRY(read_seconds(file, "seconds/equilibrium", &r->step, NULL, NULL, why));
+    TRY(read_seconds(file, "seconds/look", NULL, &r->look_seconds, NULL, why));
+    for (int p = 0; p < RUN_RESULT_PHASES; p++)
+        TRY(read_seconds(file, phase[p], &r->phase[p], NULL, NULL, why));
+out:
+    return st;
+}
+
+static enum status read_work(const struct store_read *file, struct counters *work,
+                             struct message *why)
+{
+    const struct {
+        const char *name;
+        long *count;
+    } counters[] = {{"counters/steps", &work->steps},
+                    {"counters/assemblies", &work->assemblies},
+                    {"counters/factorisations", &work->factorisations},
+                    {"counters/solves", &work->solves},
+                    {"counters/iterations", &work->iterations}};
+    enum status st = STATUS_OK;
+
+    for (size_t n = 0; n < sizeof counters / sizeof *counters; n++) {
+        double *value = NULL;
+        int rows, columns;
+        TRY(store_read_array(file, counters[n].name, &value, &rows, &columns, why));
+        *counters[n].count = rows ? lround(value[rows - 1]) : 0;
+        free(value);
+    }
+out:
+    return st;
+}
+
+static enum status read_fields(const struct store_read *file, bool fields,
+                               struct run_result *r, struct message *why)
+{
+    const int frames = store_read_frames(file);
+    int columns;
+    enum status st = STATUS_OK;
+
+    if (store_read_has(file, "xyz_time"))
+        TRY(store_read_array(file, "xyz_time", &r->time, &r->frames, &columns, why));
+    if (!fields)
+        return st;
+    r->xyz = calloc((size_t)frames + 1, sizeof *r->xyz);
+    TRY(r->xyz ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < frames; n++) {
+        r->xyz[n] = malloc(3 * GRID_POINTS * sizeof **r->xyz);
+        TRY(r->xyz[n] ? STATUS_OK : STATUS_MEMORY);
+        TRY(store_read_frame(file, n, r->xyz[n], why));
+    }
+out:
+    return st;
+}
+
+bool run_result_refused(const struct run_result *r)
+{
+    return r->outcome == STATUS_UNSUPPORTED || r->outcome == STATUS_INPUT;
+}
+
+void run_result_tell(struct run_result *r, const char *refusal)
+{
+    if (status_is_death(r->outcome))
+        status_fail(&r->sentence, r->outcome, "died at t = %.6g s: %s", r->death_time,
+                    status_text(r->outcome));
+    else
+        status_fail(&r->sentence, r->outcome, "%s", r->outcome ? refusal : "done");
+}
+
+static enum status read_end(const struct store_read *file, const char *path,
+                            struct run_result *r, struct message *why)
+{
+    char *outcome = NULL, *note = NULL;
+    enum status st;
+
+    r->death_time = NAN;
+    TRY(store_read_text(file, "/", "outcome", &outcome, why));
+    TRY(find_outcome(outcome, path, &r->outcome, why));
+    if (run_result_refused(r))
+        TRY(store_read_text(file, "/", "note", &note, why));
+    else if (r->outcome)
+        TRY(store_read_number(file, "death_time", &r->death_time, why));
+    run_result_tell(r, note ? note : "");
+out:
+    free(outcome);
+    free(note);
+    return st;
+}
+
+enum status run_result_read(const char *path, bool fields, struct run_result *result,
+                            struct message *why)
+{
+    enum status st;
+    struct run_result r = {0};
+    struct looks looks = {0};
+    struct store_read *file = NULL;
+    struct scene scene = {0};
+
+    TRY(store_read_open(path, &file, why));
+    TRY(read_end(file, path, &r, why));
+    TRY(store_read_number(file, "unknowns", &r.unknowns, why));
+    TRY(store_read_number(file, "factor_entries", &r.factor_entries, why));
+    TRY(store_scene(file, path, &scene, why));
+    TRY(read_looks(file, path, &looks, why));
+    TRY(read_times(file, &r, why));
+    TRY(read_work(file, &r.work, why));
+    TRY(looks_reduce(&looks, &scene, r.outcome, r.death_time, r.value));
+    TRY(read_fields(file, fields, &r, why));
+    *result = r;
+    r = (struct run_result){0};
+out:
+    run_result_clear(&r);
+    scene_clear(&scene);
+    looks_clear(&looks);
+    store_read_close(file);
+    return st;
+}
+
+void run_result_clear(struct run_result *r)
+{
+    for (int n = 0; r->xyz && n < r->frames; n++)
+        free(r->xyz[n]);
+    free(r->xyz);
+    free(r->time);
+    *r = (struct run_result){0};
+}

@@ -1,0 +1,42 @@
+/* run_result.h - what came of a run, as it was kept (run_file.h) or read from its file. */
+#ifndef RUN_RESULT_H
+#define RUN_RESULT_H
+
+#include "bench/harness/measures.h"
+#include "models/clock.h"
+#include "models/model.h"
+
+enum { RUN_RESULT_PHASES = 3 }; /* "assemble", "factor", "solve" of store.h */
+
+struct run_result {
+    enum status outcome;     /* STATUS_OK; a death; what else run_build says: refused   */
+    struct message sentence; /* "done"; what it died of and when; why it was refused    */
+    double death_time;       /* [s]; NaN: it did not die                                */
+    double value[MEASURES];
+    struct counters work; /* up to the last look                                        */
+    double create_seconds, step_seconds, look_seconds; /* of the first repeat           */
+    long steps;
+
+    /* Read from the file alone: */
+    double unknowns, factor_entries;
+    struct clock_summary create; /* over the repeats [s]; count = 0: not timed          */
+    struct clock_summary step;   /* likewise of their mean steps, or of the equilibrium */
+    struct clock_summary phase[RUN_RESULT_PHASES];
+    int frames;   /* fields kept; fewer than asked for after a death                   */
+    double *time; /* [frames] [s]                                               owned  */
+    double **xyz; /* [frames] (grid.h) [m]; NULL unless asked for              owned   */
+};
+
+/* A model would not; nothing else is known then but the sentence. */
+bool run_result_refused(const struct run_result *r);
+
+/* Fills the sentence from outcome and death_time; `refusal` is the model's. */
+void run_result_tell(struct run_result *r, const char *refusal);
+
+/* The same numbers, bit for bit, from the file of a run, with its fields or without.
+ * STATUS_FILE: there is none; STATUS_INPUT: it is not that of a run; with a sentence. */
+enum status run_result_read(const char *path, bool fields, struct run_result *r,
+                            struct message *why);
+void run_result_clear(struct run_result *r); /* all-zero is allowed */
+
+#endif

@@ -1,0 +1,49 @@
+/* settings.h - what a run is told besides its scene: keys of scene and discretization with
+ * their values, in order; the later ones win.
+ *
+ * A list begins all-zero and grows as it needs. What goes wrong on the way (no memory, a
+ * text that is no KEY=VALUE) is remembered and told by settings_read, so that filling needs
+ * no checks:
+ *
+ *     struct settings s = {0};
+ *     settings_word(&s, "discretization.kinematics", "printed");
+ *     settings_integers(&s, "discretization.points", 3, (int[]){10, 10, 2});
+ *     settings_number(&s, "time.end", 0.5);
+ *     TRY(settings_read(&s, path, &scene, &discretization, why));
+ *     out: settings_clear(&s);
+ */
+#ifndef SETTINGS_H
+#define SETTINGS_H
+
+#include "models/discretization.h"
+#include "models/scene.h"
+
+struct settings {
+    int count;
+    char **text;        /* [count] KEY=VALUE as --set takes it            all owned */
+    enum status status; /* not STATUS_OK: an addition failed                        */
+};
+void settings_clear(struct settings *s); /* all-zero is allowed, and left */
+
+void settings_word(struct settings *s, const char *key, const char *value);
+void settings_number(struct settings *s, const char *key, double value);
+void settings_integer(struct settings *s, const char *key, long value);
+void settings_integers(struct settings *s, const char *key, int count, const int *value);
+void settings_numbers(struct settings *s, const char *key, int count, const double *value);
+
+/* One KEY=VALUE; many of them; those of a table that NULL, or `most`, ends. */
+void settings_set(struct settings *s, const char *text);
+void settings_set_all(struct settings *s, int count, const char *const *text);
+void settings_list(struct settings *s, int most, const char *const *text);
+
+/* All of another list, in order. */
+void settings_append(struct settings *s, const struct settings *more);
+
+/* The last value of a key as it was given; NULL: the key is not there. Borrowed. */
+const char *settings_value(const struct settings *s, const char *key);
+
+/* scene_file_read with these settings. */
+enum status settings_read(const struct settings *s, const char *path, struct scene *scene,
+                          struct discretization *d, struct message *why);
+
+#endif

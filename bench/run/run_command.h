@@ -1,0 +1,9 @@
+/* run_command.h - `clothbench run`: one model on one scene. */
+#ifndef RUN_COMMAND_H
+#define RUN_COMMAND_H
+
+#include "bench/ui/command.h"
+
+extern const struct command run_command;
+
+#endif

@@ -1,0 +1,117 @@
+/* chart.h - a chart is data: panels with axes, series of points, bands, marks. It becomes
+ * one script of gnuplot and NAME.png, NAME.svg (for pages) and NAME.pdf (for papers).
+ *
+ *     struct chart *c = chart_create("A frame, the paper and here");
+ *     chart_axes(c, &(struct chart_axis){"control points", .log = true},
+ *                &(struct chart_axis){"a frame", "ms", .log = true});
+ *     chart_series(c, &(struct chart_series){"paper"});
+ *     chart_rows(c, table, "control_points", "paper_ms", 0, NULL);
+ *     chart_band(c, "truth's error bar", 0, bar);
+ *     TRY(chart_save(c, folder, "cost", why));
+ *
+ * The legend stands below, never over data. A look (colour, point, dash) belongs to a
+ * label: the same label looks the same in every panel and stands in the legend once. Words
+ * are copied; none is ever read as a command by gnuplot, whatever it holds. Running out of
+ * memory on the way is remembered and told by chart_write.
+ */
+#ifndef CHART_H
+#define CHART_H
+
+#include <stdbool.h>
+
+#include "bench/ui/table.h"
+
+struct chart;
+
+/* Most lines of a panel that eyes follow. */
+enum { CHART_LINES_MOST = 8 };
+
+/* A panel without title and without axes' names is there from the start. NULL without
+ * memory, which every function below takes. */
+struct chart *chart_create(const char *title);
+void chart_destroy(struct chart *c); /* NULL is allowed */
+
+/* Panels side by side in a row; 0, as at the start: by their number. */
+void chart_columns(struct chart *c, int columns);
+
+struct chart_tic {
+    double at;
+    const char *text; /* NULL: the number */
+};
+
+struct chart_axis {
+    const char *name; /* for people, no key                                              */
+    const char *unit; /* stands in brackets behind it; NULL, "1": none */
+    bool log;
+    double low, high; /* equal: as the data; NaN at one end: that end as the data        */
+    int tic_count;    /* 0: gnuplot's                                                    */
+    const struct chart_tic *tics;
+};
+
+/* Name and unit of a column, as people see it. */
+struct chart_axis chart_axis_of(const struct table *t, const char *key, bool log);
+
+/* Of the panel, and of those that are started after it. */
+void chart_axes(struct chart *c, const struct chart_axis *x, const struct chart_axis *y);
+
+/* The next panel; the first call names the panel that is there, if it is empty still. */
+void chart_panel(struct chart *c, const char *title);
+
+enum chart_style {
+    CHART_LINESPOINTS,
+    CHART_LINE,
+    CHART_POINTS,
+    CHART_DOTS,
+    CHART_STEPS,
+    CHART_BAND,    /* filled from low to high of chart_bar                             */
+    CHART_SQUARES, /* for classes                                                      */
+    CHART_CELLS    /* boxes of chart_cell, for classes                                 */
+};
+
+struct chart_series {
+    const char *label; /* NULL: not in the legend                                        */
+    enum chart_style style;
+    int colour;      /* from 1; 0: the label's, the next one for a new label           */
+    bool second;     /* of its colour: dashed, open points                             */
+    bool sorted;     /* its points by x, in whatever order they come                   */
+    const char *rgb; /* "#8cd17d", for a class that has its own; NULL: by `colour`     */
+};
+
+/* Starts a series of the panel; points go to the series started last. A point that is no
+ * number, or <= 0 on a log axis, is left out. */
+void chart_series(struct chart *c, const struct chart_series *series);
+void chart_point(struct chart *c, double x, double y);
+void chart_bar(struct chart *c, double x, double y, double low, double high);
+void chart_cell(struct chart *c, double x, double y, const double x_side[2],
+                const double y_side[2]);
+
+/* A row is taken if the cell of `key` has these words or, without words, this number. */
+struct chart_where {
+    const char *key, *text;
+    double number; /* as in CSV */
+};
+
+/* A point for each row of a table that meets all conditions, as people see the numbers
+ * (table_column.scale). */
+void chart_rows(struct chart *c, const struct table *t, const char *x, const char *y,
+                int count, const struct chart_where *where);
+
+/* Across the panel: the error bar of a truth; a line if low and high are one. */
+void chart_band(struct chart *c, const char *label, double low, double high);
+
+/* Words at a point. */
+void chart_mark(struct chart *c, double x, double y, const char *text);
+
+/* FOLDER/NAME.gp and what it draws. STATUS_UNSUPPORTED with a sentence if a panel has more
+ * lines than CHART_LINES_MOST, or if there is no gnuplot (the script is there then);
+ * STATUS_LIBRARY if it fails; STATUS_FILE, STATUS_INPUT as plot_begin, STATUS_MEMORY. */
+enum status chart_write(const struct chart *c, const char *folder, const char *name,
+                        struct message *why);
+
+/* The same with a line on standard error for people, whether it is drawn or why not, and
+ * destroys the chart. Only STATUS_FILE, STATUS_INPUT and STATUS_MEMORY are failures:
+ * results are worth having without their picture. */
+enum status chart_save(struct chart *c, const char *folder, const char *name,
+                       struct message *why);
+
+#endif

@@ -1,0 +1,353 @@
+/* chart_script.c - a chart as a script of gnuplot: numbers in data blocks, then the panels
+ * and the legend, each at its place on the page. */
+#include "bench/ui/chart_parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/ui/plot.h"
+
+/* Points of a screen: one panel alone, one of several, lines of text. */
+enum { WIDE = 900, HIGH = 520, NARROW = 480, LOW = 380, LINE = 20 };
+
+/* --- data ----------------------------------------------------------------------------- */
+
+static bool is_drawn(const struct chart_axis axis[2], const struct chart_place *at)
+{
+    return isfinite(at->x) && isfinite(at->y) && !(axis[0].log && at->x <= 0) &&
+           !(axis[1].log && at->y <= 0);
+}
+
+static int drawn_of(const struct chart_pane *p, const struct chart_item *item)
+{
+    int count = 0;
+
+    for (int n = 0; n < item->count; n++)
+        count += is_drawn(p->axis, &item->at[n]);
+    return count;
+}
+
+static int by_x(const void *a, const void *b)
+{
+    const struct chart_place *left = a, *right = b;
+
+    return (left->x > right->x) - (left->x < right->x);
+}
+
+static void write_block(struct output *out, const struct chart_pane *p, int pane, int n)
+{
+    const struct chart_item *item = &p->item[n];
+
+    if (item->as.sorted && item->count)
+        qsort(item->at, (size_t)item->count, sizeof *item->at, by_x);
+    output_print(out, "$p%d_%d << EOD\n", pane, n);
+    for (int k = 0; k < item->count; k++) {
+        const struct chart_place *at = &item->at[k];
+        if (!is_drawn(p->axis, at))
+            continue;
+        output_print(out, "%.9g %.9g", at->x, at->y);
+        if (item->celled)
+            output_print(out, " %.9g %.9g", at->x_side[0], at->x_side[1]);
+        if (item->barred)
+            output_print(out, " %.9g %.9g", at->y_side[0], at->y_side[1]);
+        output_print(out, "\n");
+    }
+    output_print(out, "EOD\n");
+}
+
+/* --- a panel -------------------------------------------------------------------------- */
+
+/* The data's ends on an axis; whether they are those of cells, which fill their panel. */
+static bool ends_of(const struct chart_pane *p, int axis, double *low, double *high)
+{
+    bool celled = false;
+
+    *low = INFINITY, *high = -INFINITY;
+    for (int n = 0; n < p->item_count; n++)
+        for (int k = 0; k < p->item[n].count; k++) {
+            const struct chart_place *at = &p->item[n].at[k];
+            const double value = axis ? at->y : at->x;
+            const double *side = axis ? at->y_side : at->x_side;
+            if (!is_drawn(p->axis, at))
+                continue;
+            celled = celled || p->item[n].celled;
+            *low = fmin(*low, p->item[n].celled ? side[0] : value);
+            *high = fmax(*high, p->item[n].celled ? side[1] : value);
+        }
+    return celled;
+}
+
+static void write_end(struct output *out, double value)
+{
+    if (isnan(value))
+        output_print(out, "*");
+    else
+        output_print(out, "%.9g", value);
+}
+
+/* gnuplot numbers decades only: on fewer than two of them 1, 2 and 5 of each. */
+static void write_decade_tics(struct output *out, char name, double low, double high)
+{
+    static const int of_decade[] = {1, 2, 5};
+    const char *comma = "";
+
+    if (!(low > 0) || high / low > 150 || high / low < 1.0001)
+        return;
+    output_print(out, "set %ctics (", name);
+    for (int decade = (int)floor(log10(low)); decade <= (int)ceil(log10(high)); decade++)
+        for (int n = 0; n < 3; n++) {
+            output_print(out, "%s%.9g", comma, of_decade[n] * pow(10, decade));
+            comma = ",";
+        }
+    output_print(out, ")\n");
+}
+
+static void write_tics(struct output *out, char name, const struct chart_axis *axis)
+{
+    output_print(out, "set %ctics (", name);
+    for (int n = 0; n < axis->tic_count; n++) {
+        char number[32];
+        snprintf(number, sizeof number, "%g", axis->tics[n].at);
+        output_print(out, n ? "," : "");
+        plot_text(out, axis->tics[n].text ? axis->tics[n].text : number);
+        output_print(out, " %.9g", axis->tics[n].at);
+    }
+    output_print(out, ")\n");
+}
+
+static void write_axis(struct output *out, const struct chart_pane *p, int n)
+{
+    const struct chart_axis *axis = &p->axis[n];
+    const char name = n ? 'y' : 'x';
+    char label[256];
+    double low, high;
+
+    const bool celled = ends_of(p, n, &low, &high);
+    snprintf(label, sizeof label,
+             axis->unit && strcmp(axis->unit, "1") != 0 ? "%s [%s]" : "%s",
+             axis->name ? axis->name : "", axis->unit);
+    output_print(out, "set %clabel ", name);
+    plot_text(out, label);
+    output_print(out, "\nset format %c '%%g'\n", name);
+    if (axis->log)
+        output_print(out, "set logscale %c\n", name);
+    if (axis->low != axis->high) {
+        output_print(out, "set %crange [", name);
+        write_end(out, axis->low);
+        output_print(out, ":");
+        write_end(out, axis->high);
+        output_print(out, "]\n");
+        low = isnan(axis->low) ? low : axis->low;
+        high = isnan(axis->high) ? high : axis->high;
+    } else if (low > high) { /* nothing to be seen: gnuplot wants a range all the same */
+        output_print(out, "set %crange [1:10]\n", name);
+    } else if (celled) {
+        output_print(out, "set %crange [%.9g:%.9g]\n", name, low, high);
+    } else if (low == high) {
+        const double room = fmax(fabs(low) / 2, 1e-9);
+        output_print(out, "set %crange [%.9g:%.9g]\n", name, low - room, high + room);
+    }
+    if (axis->tic_count)
+        write_tics(out, name, axis);
+    else if (axis->log)
+        write_decade_tics(out, name, low, high);
+}
+
+/* Objects lie behind the data. */
+static void write_stripes(struct output *out, const struct chart_pane *p)
+{
+    for (int n = 0; n < p->stripe_count; n++) {
+        const struct chart_stripe *s = &p->stripe[n];
+        if (isnan(s->low) || isnan(s->high) || (p->axis[1].log && s->high <= 0))
+            continue;
+        if (s->low == s->high) {
+            output_print(out,
+                         "set arrow from graph 0, first %.9g to graph 1, first %.9g nohead "
+                         "lw 1.5 dt (6,4) lc rgb '#808080' back\n",
+                         s->low, s->high);
+            continue;
+        }
+        output_print(out, "set object rectangle from graph 0, ");
+        if (p->axis[1].log && s->low <= 0)
+            output_print(out, "graph 0");
+        else
+            output_print(out, "first %.9g", s->low);
+        output_print(out, " to graph 1, first %.9g fc rgb '%s' fs solid noborder behind\n",
+                     s->high, chart_look_band);
+    }
+}
+
+static void write_marks(struct output *out, const struct chart_pane *p)
+{
+    for (int n = 0; n < p->note_count; n++) {
+        const struct chart_note *note = &p->note[n];
+        if (!is_drawn(p->axis, &(struct chart_place){.x = note->x, .y = note->y}))
+            continue;
+        output_print(out, "set label ");
+        plot_text(out, note->text);
+        output_print(out,
+                     " at first %.9g, first %.9g center offset 0,0.8 font ',9' front\n",
+                     note->x, note->y);
+    }
+}
+
+static void write_series(struct output *out, const struct chart_pane *p, int pane, int n)
+{
+    const struct chart_item *item = &p->item[n];
+    const enum chart_style style = item->as.style;
+
+    if (!drawn_of(p, item))
+        return;
+    if (item->barred && style != CHART_CELLS && style != CHART_BAND)
+        output_print(
+            out,
+            "$p%d_%d using 1:2:3:4 with yerrorbars pt 0 lw 1 lc rgb '%s' notitle, \\\n",
+            pane, n, chart_look_rgb(item));
+    output_print(out, "$p%d_%d using %s", pane, n,
+                 style == CHART_CELLS  ? "1:2:3:4:5:6"
+                 : style == CHART_BAND ? "1:3:4"
+                                       : "1:2");
+    chart_look_write(out, item, false);
+    output_print(out, " notitle, \\\n");
+}
+
+static void write_pane(struct output *out, const struct chart_pane *p, int pane)
+{
+    output_print(out, "unset object\nunset arrow\nunset label\nunset logscale\n"
+                      "set autoscale\nset xtics autofreq\nset ytics autofreq\n"
+                      "set tics out nomirror\nset grid xtics ytics lt 1 lw 0.8 lc rgb "
+                      "'#d8d8d8'\nunset key\n"
+                      "set title ");
+    plot_text(out, p->title ? p->title : "");
+    output_print(out, "\n");
+    write_axis(out, p, 0);
+    write_axis(out, p, 1);
+    write_stripes(out, p);
+    write_marks(out, p);
+    output_print(out, "plot \\\n");
+    for (int n = 0; n < p->item_count; n++)
+        write_series(out, p, pane, n);
+    output_print(out, "NaN notitle\n");
+}
+
+/* --- the page ------------------------------------------------------------------------- */
+
+/* Words in lines of at most `most` characters, torn at blanks: gnuplot tears none. */
+static int wrap(const char *text, int most, char *wrapped, int size)
+{
+    int lines = 1, column = 0;
+    char *blank = NULL;
+
+    snprintf(wrapped, (size_t)size, "%s", text);
+    for (char *at = wrapped; *at; at++) {
+        blank = *at == ' ' ? at : blank;
+        if (++column <= most || !blank)
+            continue;
+        *blank = '\n';
+        column = (int)(at - blank);
+        blank = NULL;
+        lines++;
+    }
+    return lines;
+}
+
+/* How a chart is laid out on its page, in points. */
+struct layout {
+    int columns, rows, width, height, pane_height, foot;
+    char title[1024];
+    struct chart_legend legend;
+};
+
+static struct layout layout_of(const struct chart *c)
+{
+    static const int columns_of[] = {1, 1, 2, 3, 2, 3, 3, 3, 4, 3};
+    const int panes = c->pane_count;
+    struct layout y = {.pane_height = panes == 1 ? HIGH : LOW};
+
+    y.columns = c->columns ? c->columns : panes < 10 ? columns_of[panes] : 4;
+    y.rows = (panes + y.columns - 1) / y.columns;
+    y.width = y.columns == 1 ? WIDE : NARROW * y.columns;
+    y.legend = chart_legend_of(c, y.width);
+    y.foot = y.legend.rows ? LINE * y.legend.rows + 16 : 0;
+    const int lines =
+        c->title ? wrap(c->title, y.width / CHART_CHARACTER, y.title, sizeof y.title) : 0;
+    y.height = 8 + LINE * lines + y.rows * y.pane_height + y.foot;
+    return y;
+}
+
+static void write_page(struct output *out, const struct chart *c, const struct layout *y)
+{
+    output_print(out, "set multiplot title ");
+    plot_text(out, y->title);
+    output_print(out, "\n");
+    for (int p = 0; p < c->pane_count; p++) {
+        const int up = y->rows - 1 - p / y->columns;
+        output_print(out, "set size %.6g,%.6g\nset origin %.6g,%.6g\n", 1. / y->columns,
+                     (double)y->pane_height / y->height,
+                     (double)(p % y->columns) / y->columns,
+                     (y->foot + (double)y->pane_height * up) / y->height);
+        write_pane(out, &c->pane[p], p);
+    }
+    if (y->legend.count) {
+        output_print(out, "set size 1,%.6g\nset origin 0,0\n", (double)y->foot / y->height);
+        chart_legend_write(out, &y->legend);
+    }
+}
+
+static void write_script(struct output *out, const struct chart *c, const char *name)
+{
+    const struct layout y = layout_of(c);
+
+    for (int p = 0; p < c->pane_count; p++)
+        for (int n = 0; n < c->pane[p].item_count; n++)
+            if (drawn_of(&c->pane[p], &c->pane[p].item[n]))
+                write_block(out, &c->pane[p], p, n);
+    for (int kind = 0; kind < PLOT_KINDS; kind++) {
+        plot_page(out, name, (enum plot_kind)kind, y.width, y.height);
+        write_page(out, c, &y);
+    }
+}
+
+static bool is_class(const struct chart_item *item)
+{
+    return item->as.style == CHART_SQUARES || item->as.style == CHART_CELLS;
+}
+
+/* Lines of a panel; classes, which eyes need not follow, do not count, nor do those that
+ * repeat a label or have none. */
+static int lines_of(const struct chart_pane *p)
+{
+    int count = 0;
+
+    for (int n = 0; n < p->item_count; n++) {
+        bool counts = p->item[n].as.label && !is_class(&p->item[n]) && !p->item[n].as.rgb;
+        for (int k = 0; k < n && counts; k++)
+            counts = !p->item[k].as.label ||
+                     strcmp(p->item[k].as.label, p->item[n].as.label) != 0;
+        count += counts;
+    }
+    return count;
+}
+
+enum status chart_write(const struct chart *c, const char *folder, const char *name,
+                        struct message *why)
+{
+    struct output *out = NULL;
+    enum status st;
+
+    if (!c || c->failed)
+        return STATUS_MEMORY;
+    for (int n = 0; n < c->pane_count; n++)
+        if (lines_of(&c->pane[n]) > CHART_LINES_MOST)
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "no plot: a panel of %s has %d lines, and eyes follow %d",
+                               name, lines_of(&c->pane[n]), CHART_LINES_MOST);
+    TRY(plot_begin(folder, name, &out, why));
+    write_script(out, c, name);
+    TRY(plot_end(folder, name, &out, why));
+out:
+    output_discard(out);
+    return st;
+}

@@ -1,0 +1,255 @@
+/* table_machine.c - tables for machines: keys, CSV (RFC 4180), JSON. */
+#include "bench/ui/table_cells.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/files/output.h"
+
+enum { KEY = 128, PATH = 4096 };
+
+/* --- keys ----------------------------------------------------------------------------- */
+
+/* Letters, digits and _ of words, behind what `key` has. */
+static void add_words(char key[KEY], const char *words)
+{
+    for (; *words; words++) {
+        const size_t used = strlen(key);
+        const char *as = *words == '%' ? "percent" : *words == '/' ? "_per_" : NULL;
+        if (used + 8 > KEY)
+            return;
+        if (as)
+            strcpy(key + used, as + (*as == '_' && used && key[used - 1] == '_'));
+        else if (isalnum((unsigned char)*words))
+            key[used] = (char)tolower((unsigned char)*words);
+        else if (*words != '^' && used && key[used - 1] != '_')
+            key[used] = '_';
+    }
+}
+
+static void add_unit(char key[KEY], const char *unit)
+{
+    const size_t used = strlen(key);
+    const bool length = !strcmp(unit, "L"), share = !strcmp(unit, "% L");
+
+    if (used + 24 > KEY || !strcmp(unit, "1"))
+        return;
+    strcpy(key + used, length || share ? "_over_length" : "_");
+    if (share)
+        strcat(key, "_percent");
+    else if (!length)
+        add_words(key, unit);
+}
+
+char *table_machine_key(const struct table_column *columns, int n)
+{
+    const struct table_column *c = &columns[n];
+    char key[KEY] = "";
+    int twins = 1;
+
+    add_words(key, c->header);
+    if (c->unit)
+        add_unit(key, c->unit);
+    for (char *end = key + strlen(key); end > key && end[-1] == '_';)
+        *--end = '\0';
+    for (int k = 0; k < n; k++) {
+        const size_t size = strlen(key);
+        const char *other = columns[k].key;
+        twins += !strncmp(other, key, size) && (!other[size] || other[size] == '_') &&
+                 strspn(other + size, "_0123456789") == strlen(other + size);
+    }
+    if (twins > 1)
+        snprintf(key + strlen(key), KEY - strlen(key), "_%d", twins);
+    return strdup(*key ? key : "column");
+}
+
+/* --- CSV ------------------------------------------------------------------------------ */
+
+static bool is_wanted(const struct table *t, int column)
+{
+    return table_has(t, column, TABLE_MACHINES);
+}
+
+static void print_comment(const char *text, FILE *file)
+{
+    fputs("# ", file);
+    for (; *text; text++)
+        fputs(*text == '\n' ? "\n# " : (char[]){*text, '\0'}, file);
+    fputc('\n', file);
+}
+
+static void print_field(const char *text, FILE *file)
+{
+    if (!text[strcspn(text, ",\"\n\r")] && *text != '#') {
+        fputs(text, file);
+        return;
+    }
+    fputc('"', file);
+    for (; *text; text++)
+        fputs(*text == '"' ? "\"\"" : (char[]){*text, '\0'}, file);
+    fputc('"', file);
+}
+
+static void print_cell(const struct table_cell *cell, FILE *file)
+{
+    if (cell->kind == TABLE_CELL_TEXT)
+        print_field(cell->text, file);
+    else if (cell->kind == TABLE_CELL_NUMBER && isnan(cell->value))
+        fputs("nan", file); /* whatever its sign */
+    else if (cell->kind == TABLE_CELL_NUMBER)
+        fprintf(file, "%.17g", cell->value);
+}
+
+static void print_keys(const struct table *t, FILE *file)
+{
+    const char *comma = "";
+
+    for (int n = 0; n < t->column_count; n++)
+        if (is_wanted(t, n)) {
+            fputs(comma, file);
+            print_field(t->columns[n].key, file);
+            comma = ",";
+        }
+    fputc('\n', file);
+}
+
+static void print_rows(const struct table *t, FILE *file)
+{
+    for (int row = 0; row < t->row_count; row++) {
+        const char *comma = "";
+        for (int n = 0; n < t->column_count; n++)
+            if (is_wanted(t, n)) {
+                fputs(comma, file);
+                print_cell(&t->cells[(long)row * t->column_count + n], file);
+                comma = ",";
+            }
+        fputc('\n', file);
+    }
+}
+
+void table_machine_csv(const struct table *t, FILE *file)
+{
+    if (t->caption)
+        print_comment(t->caption, file);
+    print_keys(t, file);
+    print_rows(t, file);
+    for (int n = 0; n < t->note_count; n++)
+        print_comment(t->notes[n], file);
+}
+
+enum status table_flush(struct table *t, FILE *file)
+{
+    if (!t || t->failed)
+        return STATUS_MEMORY;
+    if (!t->flushed)
+        print_keys(t, file);
+    print_rows(t, file);
+    for (long n = 0; n < (long)t->row_count * t->column_count; n++)
+        free(t->cells[n].text);
+    if (t->cells)
+        memset(t->cells, 0, (size_t)t->room * (size_t)t->column_count * sizeof *t->cells);
+    t->flushed = true;
+    t->row_count = t->filled = 0;
+    return ferror(file) ? STATUS_FILE : STATUS_OK;
+}
+
+enum status table_save(const struct table *t, const char *folder, const char *name,
+                       struct message *why)
+{
+    struct output *out = NULL;
+    char path[PATH];
+    enum status st;
+
+    if (!t || t->failed)
+        return STATUS_MEMORY;
+    snprintf(path, sizeof path, "%s/%s.csv", folder, name);
+    TRY(output_create(path, &out, why));
+    print_keys(t, output_stream(out));
+    print_rows(t, output_stream(out));
+    st = output_close(out, why);
+out:
+    return st;
+}
+
+/* --- JSON ----------------------------------------------------------------------------- */
+
+static void print_string(const char *text, FILE *file)
+{
+    fputc('"', file);
+    for (; *text; text++) {
+        const unsigned char c = (unsigned char)*text;
+        if (c == '"' || c == '\\')
+            fprintf(file, "\\%c", c);
+        else if (c < ' ' || c == 127)
+            fprintf(file, "\\u%04x", c);
+        else
+            fputc(c, file);
+    }
+    fputc('"', file);
+}
+
+static void print_value(const struct table_cell *cell, FILE *file)
+{
+    if (cell->kind == TABLE_CELL_TEXT)
+        print_string(cell->text, file);
+    else if (cell->kind == TABLE_CELL_MISSING || isnan(cell->value))
+        fputs("null", file);
+    else if (isinf(cell->value))
+        fputs(cell->value > 0 ? "\"inf\"" : "\"-inf\"", file);
+    else
+        fprintf(file, "%.17g", cell->value);
+}
+
+static void print_units(const struct table *t, FILE *file)
+{
+    const char *comma = "";
+
+    for (int n = 0; n < t->column_count; n++) {
+        const struct table_column *c = &t->columns[n];
+        const char *unit = c->key_unit ? c->key_unit : c->unit;
+        if (!unit || !is_wanted(t, n))
+            continue;
+        fputs(comma, file);
+        print_string(c->key, file);
+        fputs(": ", file);
+        print_string(unit, file);
+        comma = ", ";
+    }
+}
+
+static void print_object(const struct table *t, int row, FILE *file)
+{
+    const char *comma = "";
+
+    fputc('{', file);
+    for (int n = 0; n < t->column_count; n++)
+        if (is_wanted(t, n)) {
+            fputs(comma, file);
+            print_string(t->columns[n].key, file);
+            fputs(": ", file);
+            print_value(&t->cells[(long)row * t->column_count + n], file);
+            comma = ", ";
+        }
+    fputc('}', file);
+}
+
+void table_machine_json(const struct table *t, FILE *file)
+{
+    fputs("{\"caption\": ", file);
+    print_string(t->caption ? t->caption : "", file);
+    fputs(", \"units\": {", file);
+    print_units(t, file);
+    fputs("}, \"rows\": [", file);
+    for (int row = 0; row < t->row_count; row++) {
+        fputs(row ? ", " : "", file);
+        print_object(t, row, file);
+    }
+    fputs("], \"notes\": [", file);
+    for (int n = 0; n < t->note_count; n++) {
+        fputs(n ? ", " : "", file);
+        print_string(t->notes[n], file);
+    }
+    fputs("]}\n", file);
+}

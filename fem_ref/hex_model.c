@@ -8,11 +8,9 @@
 #include "models/solid/solid_model.h"
 
 struct hex {
-    struct solid_motion motion; /* first: solid_model.h                                */
-    struct solid_space space;
+    struct solid_sheet sheet; /* first: solid_model.h                                  */
     struct hex_tables tables;
     int points[3];
-    double misfit; /* solid_model.h                                                    */
 };
 
 static void defaults(struct discretization *d)
@@ -67,35 +65,9 @@ static void destroy(void *state)
 
     if (!h)
         return;
-    solid_motion_clear(&h->motion);
-    solid_space_clear(&h->space);
+    solid_motion_clear(&h->sheet.motion);
+    solid_space_clear(&h->sheet.space);
     free(h);
-}
-
-static enum status set_parity(struct hex *h, const struct scene *scene)
-{
-    int *degree = malloc((size_t)h->space.nodes * sizeof *degree);
-
-    if (!degree)
-        return STATUS_MEMORY;
-    for (int a = 0; a < h->space.nodes; a++)
-        degree[a] = a % 2;
-    h->space.parity = solid_model_parity(scene, h->space.nodes, degree);
-    free(degree);
-    return STATUS_OK;
-}
-
-/* Cell of x among `points` nodes on [0,1], and the two weights there. */
-static int cell(int points, double x, double weight[2])
-{
-    double s = x * (points - 1);
-    int i = s < 0 ? 0 : (int)s;
-
-    if (i > points - 2)
-        i = points - 2;
-    weight[1] = s - i;
-    weight[0] = 1 - weight[1];
-    return i;
 }
 
 static void layer_values(const void *context, double w, double *N)
@@ -111,9 +83,9 @@ static enum status add_loads(struct hex *h)
 
     for (int i = 0; i < 3; i++)
         line[i] = (struct dead_load_line){.n = h->points[i], .degree = 1};
-    if (h->space.thickness_basis)
+    if (h->sheet.space.thickness_basis)
         line[2].value = layer_values;
-    return solid_motion_add_loads(&h->motion, line);
+    return solid_motion_add_loads(&h->sheet.motion, line);
 }
 
 /* Trilinear interpolation of the nodes' positions. */
@@ -125,8 +97,8 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
         double weight[3][2], sum[3] = {0};
         int at[3];
         for (int i = 0; i < 3; i++)
-            at[i] = cell(h->points[i], uvw[i], weight[i]);
-        if (h->space.thickness_basis) {
+            at[i] = grid_cell(h->points[i], uvw[i], weight[i]);
+        if (h->sheet.space.thickness_basis) {
             weight[2][0] = 1;
             weight[2][1] = 2 * uvw[2] - 1;
         }
@@ -135,7 +107,7 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
             int node = ((at[0] + a) * h->points[1] + at[1] + b) * h->points[2] + at[2] + c;
             double N = weight[0][a] * weight[1][b] * weight[2][c];
             for (int i = 0; i < 3; i++)
-                sum[i] += N * h->motion.x[3 * (size_t)node + i];
+                sum[i] += N * h->sheet.motion.x[3 * (size_t)node + i];
         }
         memcpy(xyz, sum, sizeof sum);
     }
@@ -143,11 +115,7 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
 
 static void sample(const void *state, double *xyz)
 {
-    for (int n = 0; n < GRID_POINTS; n++) {
-        double uvw[3];
-        grid_point(n, uvw);
-        probe(state, 1, uvw, xyz + 3 * (size_t)n);
-    }
+    grid_sample(probe, state, xyz);
 }
 
 static enum status create(const struct scene *scene, const struct discretization *d,
@@ -156,10 +124,9 @@ static enum status create(const struct scene *scene, const struct discretization
     enum status st;
     bool thickness;
     double *x = NULL;
-    int *order = NULL;
     struct hex *h = NULL;
 
-    TRY(solid_model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
     TRY(discretization_refuse(d, 0, why));
     TRY(refuse(d, why));
     TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));
@@ -171,36 +138,16 @@ static enum status create(const struct scene *scene, const struct discretization
     if (!x)
         TRY(STATUS_MEMORY);
     memcpy(h->points, d->points, sizeof h->points);
-    TRY(hex_space_init(&h->space, &h->tables, d->points, x, thickness,
+    TRY(hex_space_init(&h->sheet.space, &h->tables, d->points, x, thickness,
                        d->remedy == REMEDY_INCOMPATIBLE));
-    if (thickness)
-        TRY(set_parity(h, scene));
-    order = solid_model_order(d->points[0], d->points[1], d->points[2]);
-    TRY(solid_motion_init(&h->motion, scene, &h->space, d, order, why));
+    TRY(solid_model_init(&h->sheet, scene, d, d->points, why));
     TRY(add_loads(h));
-    TRY(solid_model_misfit(scene, sample, h, &h->misfit));
+    TRY(solid_model_misfit(&h->sheet, sample));
     *state = h, h = NULL;
 out:
     destroy(h);
     free(x);
-    free(order);
     return st;
-}
-
-static void describe(const void *state, struct message *line)
-{
-    const struct hex *h = state;
-
-    solid_model_describe(h->misfit, line);
-}
-
-static enum status matrices(const void *state, struct matrix *K, struct matrix *M)
-{
-    const struct hex *h = state;
-
-    if (h->space.thickness_basis)
-        return STATUS_UNSUPPORTED;
-    return solid_rest_matrices(&h->motion, K, M);
 }
 
 const struct model hex_model = {
@@ -215,11 +162,11 @@ const struct model hex_model = {
     .sample = sample,
     .probe = probe,
     .size = solid_model_size,
-    .describe = describe,
+    .describe = solid_model_describe,
     .energy = solid_model_energy,
     .contact = solid_model_contact,
     .equilibrium = solid_model_equilibrium,
     .modes = solid_model_modes,
-    .matrices = matrices,
+    .matrices = solid_model_matrices,
     .destroy = destroy,
 };

@@ -97,7 +97,7 @@ enum status hex_space_init(struct solid_space *space, struct hex_tables *tables,
                            const int points[3], const double *x, bool thickness,
                            bool incompatible)
 {
-    enum status st = STATUS_MEMORY;
+    enum status st;
     int per_column = (points[1] - 1) * (points[2] - 1);
     struct solid_space new = {
         .nodes = points[0] * points[1] * points[2],
@@ -115,12 +115,7 @@ enum status hex_space_init(struct solid_space *space, struct hex_tables *tables,
         new.mode_gradient = &tables->mode[0][0][0];
         new.centre_gradient = &tables->centre[0][0];
     }
-    new.ien = malloc((size_t) new.elements *HEX_LOCAL * sizeof *new.ien);
-    new.uvw = malloc((size_t) new.nodes * sizeof *new.uvw);
-    new.rest = malloc((size_t) new.nodes * 3 * sizeof *new.rest);
-    if (!new.ien || !new.uvw || !new.rest)
-        goto out;
-    TRY(solid_space_set_slabs(&new, per_column, 1));
+    TRY(solid_space_allocate(&new, per_column, 1));
     number_elements(&new, points);
     place_nodes(&new, points, x);
     *space = new;

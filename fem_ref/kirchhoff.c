@@ -164,6 +164,18 @@ static enum status sort_modes(struct kirchhoff *k)
     return STATUS_OK;
 }
 
+void kirchhoff_destroy(struct kirchhoff *k)
+{
+    if (!k)
+        return;
+    ritz_clear(&k->along);
+    ritz_clear(&k->across);
+    family_clear(&k->family[0]);
+    family_clear(&k->family[1]);
+    free(k->order);
+    free(k);
+}
+
 enum status kirchhoff_create(const struct kirchhoff_plate *plate, int terms,
                              struct kirchhoff **out)
 {
@@ -189,18 +201,6 @@ enum status kirchhoff_create(const struct kirchhoff_plate *plate, int terms,
 out:
     kirchhoff_destroy(k);
     return st;
-}
-
-void kirchhoff_destroy(struct kirchhoff *k)
-{
-    if (!k)
-        return;
-    ritz_clear(&k->along);
-    ritz_clear(&k->across);
-    family_clear(&k->family[0]);
-    family_clear(&k->family[1]);
-    free(k->order);
-    free(k);
 }
 
 /* -------------------------------------------------------------------- modes --------- */

@@ -15,21 +15,6 @@
 static const char *const always[] = {"OMP_NUM_THREADS=1", "OPENBLAS_NUM_THREADS=1",
                                      "LC_ALL=C", NULL};
 
-enum status program_open(struct program_folder *folder, struct message *why)
-{
-    struct program_folder f;
-    const char *parent = getenv("TMPDIR");
-    int length = snprintf(f.path, sizeof f.path, "%s/clothbench_XXXXXX",
-                          parent && *parent ? parent : "/tmp");
-
-    if (length >= (int)sizeof f.path || !mkdtemp(f.path))
-        return status_fail(why, STATUS_FILE, "no temporary folder in %s: %s",
-                           parent && *parent ? parent : "/tmp", strerror(errno));
-    snprintf(f.log, sizeof f.log, "%s/log", f.path);
-    *folder = f;
-    return STATUS_OK;
-}
-
 void program_close(struct program_folder *folder)
 {
     DIR *files = *folder->path ? opendir(folder->path) : NULL;
@@ -43,6 +28,21 @@ void program_close(struct program_folder *folder)
     if (*folder->path)
         rmdir(folder->path);
     *folder = (struct program_folder){0};
+}
+
+enum status program_open(struct program_folder *folder, struct message *why)
+{
+    struct program_folder f;
+    const char *parent = getenv("TMPDIR");
+    int length = snprintf(f.path, sizeof f.path, "%s/clothbench_XXXXXX",
+                          parent && *parent ? parent : "/tmp");
+
+    if (length >= (int)sizeof f.path || !mkdtemp(f.path))
+        return status_fail(why, STATUS_FILE, "no temporary folder in %s: %s",
+                           parent && *parent ? parent : "/tmp", strerror(errno));
+    snprintf(f.log, sizeof f.log, "%s/log", f.path);
+    *folder = f;
+    return STATUS_OK;
 }
 
 static int count(const char *const *list)

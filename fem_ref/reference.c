@@ -155,6 +155,17 @@ static enum status parse(struct reference *t, size_t size, const char *path,
     return STATUS_OK;
 }
 
+void reference_close(struct reference *t)
+{
+    if (!t)
+        return;
+    free(t->text);
+    free(t->comment);
+    free(t->name);
+    free(t->cell);
+    free(t);
+}
+
 enum status reference_open(const char *path, struct reference **table, struct message *why)
 {
     enum status st;
@@ -169,17 +180,6 @@ enum status reference_open(const char *path, struct reference **table, struct me
 out:
     reference_close(t);
     return st;
-}
-
-void reference_close(struct reference *t)
-{
-    if (!t)
-        return;
-    free(t->text);
-    free(t->comment);
-    free(t->name);
-    free(t->cell);
-    free(t);
 }
 
 int reference_rows(const struct reference *t)

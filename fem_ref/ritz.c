@@ -60,6 +60,13 @@ static void set_low_free(struct ritz *r)
     bend[3 * n + 1] = sqrt(3);
 }
 
+void ritz_clear(struct ritz *r)
+{
+    for (int a = 0; a < 3; a++)
+        free(r->coefficient[a]);
+    *r = (struct ritz){0};
+}
+
 enum status ritz_init(struct ritz *r, enum ritz_end end, int count)
 {
     assert(count >= 4 && count <= RITZ_MAX);
@@ -80,13 +87,6 @@ enum status ritz_init(struct ritz *r, enum ritz_end end, int count)
             set_integrated(r, i, i - 2);
     }
     return STATUS_OK;
-}
-
-void ritz_clear(struct ritz *r)
-{
-    for (int a = 0; a < 3; a++)
-        free(r->coefficient[a]);
-    *r = (struct ritz){0};
 }
 
 void ritz_eval(const struct ritz *r, int d, double x, double *out)

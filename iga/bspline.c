@@ -82,6 +82,19 @@ enum status bspline_init(struct bspline *b, int p, int count, const double *U,
     return STATUS_OK;
 }
 
+enum status bspline_init_direction(struct bspline *b, const struct discretization *d, int i,
+                                   struct message *why)
+{
+    if (!d->knot_count[i])
+        return bspline_init_uniform(b, d->degree[i], d->points[i], why);
+    if (d->knot_count[i] != d->points[i] + d->degree[i] + 1)
+        return status_fail(why, STATUS_INPUT,
+                           "knots_%c: %d knots given, but %d points of degree %d need %d",
+                           'u' + i, d->knot_count[i], d->points[i], d->degree[i],
+                           d->points[i] + d->degree[i] + 1);
+    return bspline_init(b, d->degree[i], d->knot_count[i], d->knots[i], why);
+}
+
 enum status bspline_copy(const struct bspline *from, struct bspline *to)
 {
     return bspline_init(to, from->p, from->n + from->p + 1, from->U, NULL);

@@ -9,7 +9,7 @@
 #ifndef BSPLINE_H
 #define BSPLINE_H
 
-#include "models/status.h"
+#include "models/discretization.h"
 
 enum { BSPLINE_MAX_DEGREE = 5, BSPLINE_MAX_ORDER = BSPLINE_MAX_DEGREE + 1 };
 
@@ -26,6 +26,10 @@ enum status bspline_init_uniform(struct bspline *b, int p, int n, struct message
  * notation above they break. */
 enum status bspline_init(struct bspline *b, int p, int count, const double *U,
                          struct message *why);
+
+/* Direction i of a discretization: its knots, or uniform ones. */
+enum status bspline_init_direction(struct bspline *b, const struct discretization *d, int i,
+                                   struct message *why);
 enum status bspline_copy(const struct bspline *from, struct bspline *to);
 void bspline_clear(struct bspline *b);
 

@@ -17,32 +17,17 @@ struct samples {
 };
 
 struct plate {
-    struct solid_motion motion; /* first: solid_model.h                                */
-    struct solid_space space;
+    struct solid_sheet sheet; /* first: solid_model.h                                  */
     struct plate_tables tables;
     struct patch patch;
     struct samples grid[3];
     double (*uvw)[3]; /* with weights given: parameters of the grid's points    owned  */
-    double misfit;    /* solid_model.h                                                 */
 };
 
 static void defaults(struct discretization *d)
 {
     *d = (struct discretization){
         .points = {10, 10, 2}, .degree = {2, 2, 1}, .kinematics = KINEMATICS_PRINTED};
-}
-
-static enum status make_basis(const struct discretization *d, int i, struct bspline *b,
-                              struct message *why)
-{
-    if (!d->knot_count[i])
-        return bspline_init_uniform(b, d->degree[i], d->points[i], why);
-    if (d->knot_count[i] != d->points[i] + d->degree[i] + 1)
-        return status_fail(why, STATUS_INPUT,
-                           "knots_%c: %d knots given, but %d points of degree %d need %d",
-                           'u' + i, d->knot_count[i], d->points[i], d->degree[i],
-                           d->points[i] + d->degree[i] + 1);
-    return bspline_init(b, d->degree[i], d->knot_count[i], d->knots[i], why);
 }
 
 static void make_box(const struct scene *scene, struct patch *patch)
@@ -104,7 +89,7 @@ static enum status make_patch(const struct scene *scene, const struct discretiza
         return status_fail(why, STATUS_INPUT,
                            "weights: a curved rest shape brings its own; give none");
     for (int i = 0; i < 3; i++)
-        TRY(make_basis(d, i, &basis[i], why));
+        TRY(bspline_init_direction(&basis[i], d, i, why));
     TRY(patch_init(patch, basis));
     if (scene->shape == SCENE_CLOAK)
         TRY(make_cloak(scene, patch, why));
@@ -125,7 +110,7 @@ static int alive(const struct plate *p, int i, double x, double *value)
     int span = bspline_span(b, x);
 
     if (i == 2)
-        plate_space_thickness(&p->patch, p->space.thickness_basis, x, value);
+        plate_space_thickness(&p->patch, p->sheet.space.thickness_basis, x, value);
     else
         bspline_eval(b, span, x, 0, value);
     return span - b->p;
@@ -136,23 +121,23 @@ static void layer_values(const void *context, double w, double *N)
 {
     const struct plate *p = context;
 
-    plate_space_thickness(&p->patch, p->space.thickness_basis, w, N);
+    plate_space_thickness(&p->patch, p->sheet.space.thickness_basis, w, N);
 }
 
 static enum status add_loads(struct plate *p, struct message *why)
 {
     struct dead_load_line line[3];
 
-    if (p->motion.scene->load_count && p->patch.weight)
+    if (p->sheet.motion.scene->load_count && p->patch.weight)
         return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no loads with weights");
     for (int i = 0; i < 3; i++) {
         const struct bspline *b = &p->patch.basis[i];
         line[i] = (struct dead_load_line){b->n,        b->p,           b->n - b->p + 1,
                                           b->U + b->p, bspline_values, b};
     }
-    if (p->space.thickness_basis)
+    if (p->sheet.space.thickness_basis)
         line[2].value = layer_values, line[2].context = p;
-    return solid_motion_add_loads(&p->motion, line);
+    return solid_motion_add_loads(&p->sheet.motion, line);
 }
 
 static enum status make_samples(struct plate *p, int i, int count)
@@ -232,13 +217,13 @@ static void evaluate(const struct plate *p, const int first[3], const double *co
                 double share = weight ? N[0][a] * weight[node] : N[0][a];
                 weight_u += share;
                 for (int i = 0; i < 3; i++)
-                    over_u[i] += share * p->motion.x[3 * (size_t)node + i];
+                    over_u[i] += share * p->sheet.motion.x[3 * (size_t)node + i];
             }
             weight_v += N[1][b] * weight_u;
             for (int i = 0; i < 3; i++)
                 over_v[i] += N[1][b] * over_u[i];
         }
-        if (c == 0 || !p->space.thickness_basis)
+        if (c == 0 || !p->sheet.space.thickness_basis)
             total += N[2][c] * weight_v;
         for (int i = 0; i < 3; i++)
             sum[i] += N[2][c] * over_v[i];
@@ -279,23 +264,14 @@ static void sample(const void *state, double *xyz)
             }
 }
 
-static int *thickness_degrees(const struct solid_space *space, int l)
-{
-    int *degree = malloc((size_t)space->nodes * sizeof *degree);
-
-    for (int a = 0; degree && a < space->nodes; a++)
-        degree[a] = a % l;
-    return degree;
-}
-
 static void destroy(void *state)
 {
     struct plate *p = state;
 
     if (!p)
         return;
-    solid_motion_clear(&p->motion);
-    plate_space_clear(&p->space, &p->tables);
+    solid_motion_clear(&p->sheet.motion);
+    plate_space_clear(&p->sheet.space, &p->tables);
     patch_clear(&p->patch);
     for (int i = 0; i < 3; i++) {
         free(p->grid[i].first);
@@ -332,10 +308,9 @@ static enum status create(const struct scene *scene, const struct discretization
 {
     enum status st;
     bool thickness;
-    int *degree = NULL, *order = NULL;
     struct plate *p = NULL;
 
-    TRY(solid_model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
     TRY(discretization_refuse(d, 0, why));
     TRY(check_remedy(d, why));
     p = calloc(1, sizeof *p);
@@ -345,28 +320,19 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(solid_model_basis(
         scene, d, p->patch.basis[2].n == p->patch.basis[2].p + 1 && !d->weight_count,
         &thickness, why));
-    TRY(plate_space_init(&p->space, &p->tables, &p->patch, d->gauss, thickness));
+    TRY(plate_space_init(&p->sheet.space, &p->tables, &p->patch, d->gauss, thickness));
     if (d->remedy == REMEDY_REDUCED)
-        TRY(plate_space_reduce(&p->space, &p->tables, &p->patch));
+        TRY(plate_space_reduce(&p->sheet.space, &p->tables, &p->patch));
     if (d->remedy == REMEDY_SELECTIVE)
-        TRY(plate_space_select(&p->space, &p->tables, &p->patch));
-    if (thickness) {
-        degree = thickness_degrees(&p->space, p->patch.basis[2].n);
-        if (!degree)
-            TRY(STATUS_MEMORY);
-        p->space.parity = solid_model_parity(scene, p->space.nodes, degree);
-    }
-    order =
-        solid_model_order(p->patch.basis[0].n, p->patch.basis[1].n, p->patch.basis[2].n);
+        TRY(plate_space_select(&p->sheet.space, &p->tables, &p->patch));
     TRY(make_grid(p, scene));
-    TRY(solid_motion_init(&p->motion, scene, &p->space, d, order, why));
+    const struct bspline *b = p->patch.basis;
+    TRY(solid_model_init(&p->sheet, scene, d, (const int[]){b[0].n, b[1].n, b[2].n}, why));
     TRY(add_loads(p, why));
-    TRY(solid_model_misfit(scene, sample, p, &p->misfit));
+    TRY(solid_model_misfit(&p->sheet, sample));
     *state = p, p = NULL;
 out:
     destroy(p);
-    free(degree);
-    free(order);
     return st;
 }
 
@@ -376,26 +342,10 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
 
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double at[1][3] = {{uvw[0], uvw[1], uvw[2]}};
-        if (p->uvw && find_material_points(p, p->motion.scene, 1, uvw, at))
+        if (p->uvw && find_material_points(p, p->sheet.motion.scene, 1, uvw, at))
             at[0][0] = NAN; /* cannot be: the rest shape was inverted at create */
         evaluate_at(p, at[0], xyz);
     }
-}
-
-static void describe(const void *state, struct message *line)
-{
-    const struct plate *p = state;
-
-    solid_model_describe(p->misfit, line);
-}
-
-static enum status matrices(const void *state, struct matrix *K, struct matrix *M)
-{
-    const struct plate *p = state;
-
-    if (p->space.thickness_basis)
-        return STATUS_UNSUPPORTED;
-    return solid_rest_matrices(&p->motion, K, M);
 }
 
 const struct model plate_model = {
@@ -409,12 +359,12 @@ const struct model plate_model = {
     .sample = sample,
     .probe = probe,
     .size = solid_model_size,
-    .describe = describe,
+    .describe = solid_model_describe,
     .energy = solid_model_energy,
     .contact = solid_model_contact,
     .net = solid_model_net,
     .equilibrium = solid_model_equilibrium,
     .modes = solid_model_modes,
-    .matrices = matrices,
+    .matrices = solid_model_matrices,
     .destroy = destroy,
 };

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/mechanics/supports.h"
+#include "models/room.h"
 
 void plate_space_legendre(int degree, double w, double *value, double *derivative)
 {
@@ -35,10 +36,7 @@ void plate_space_thickness(const struct patch *patch, bool thickness, double w, 
 
 static void direction_clear(struct plate_direction *d)
 {
-    free(d->first);
-    free(d->N);
-    free(d->dN);
-    free(d->weight);
+    free(d->room);
     free(d->points);
     memset(d, 0, sizeof *d);
 }
@@ -56,13 +54,12 @@ enum status plate_space_direction(struct plate_direction *d, const struct bsplin
         return STATUS_MEMORY;
     d->spans = bspline_spans(b, span);
     points = (size_t)(d->spans * d->gauss);
-    d->first = malloc((size_t)d->spans * sizeof *d->first);
-    d->N = malloc(points * (size_t)d->order * sizeof *d->N);
-    d->dN = malloc(points * (size_t)d->order * sizeof *d->dN);
-    d->weight = malloc(points * sizeof *d->weight);
-    if (!d->first || !d->N || !d->dN || !d->weight) {
+    enum status st =
+        room_cut(&d->room, ROOM(d->first, d->spans), ROOM(d->N, points * (size_t)d->order),
+                 ROOM(d->dN, points * (size_t)d->order), ROOM(d->weight, points));
+    if (st != STATUS_OK) {
         free(span);
-        return STATUS_MEMORY;
+        return st;
     }
     for (int e = 0; e < d->spans; e++) {
         double lo = b->U[span[e]], size = b->U[span[e] + 1] - lo;
@@ -241,6 +238,21 @@ static void place_nodes(struct solid_space *space, const struct patch *patch)
                             space->rest + 3 * (size_t)a);
 }
 
+void plate_space_clear(struct solid_space *space, struct plate_tables *tables)
+{
+    solid_space_clear(space);
+    if (!tables)
+        return;
+    for (int i = 0; i < 3; i++)
+        direction_clear(&tables->direction[i]);
+    for (int i = 0; i < 2; i++) {
+        direction_clear(&tables->reduced[i]);
+        direction_clear(&tables->bend[i]);
+    }
+    free(tables->product);
+    memset(tables, 0, sizeof *tables);
+}
+
 enum status plate_space_init(struct solid_space *space, struct plate_tables *tables,
                              const struct patch *patch, const int gauss[3], bool thickness)
 {
@@ -258,12 +270,7 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
     new.thickness_basis = thickness;
     new.functions = functions;
     new.tables = tables;
-    new.ien = malloc((size_t) new.elements *(size_t) new.local * sizeof *new.ien);
-    new.uvw = malloc((size_t) new.nodes * sizeof *new.uvw);
-    new.rest = malloc((size_t) new.nodes * 3 * sizeof *new.rest);
-    if (!new.ien || !new.uvw || !new.rest)
-        TRY(STATUS_MEMORY);
-    TRY(solid_space_set_slabs(&new, d[1].spans * d[2].spans, patch->basis[0].p));
+    TRY(solid_space_allocate(&new, d[1].spans * d[2].spans, patch->basis[0].p));
     number_elements(&new, &t, patch);
     place_nodes(&new, patch);
     *space = new, *tables = t;
@@ -271,19 +278,4 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
 out:
     plate_space_clear(&new, &t);
     return st;
-}
-
-void plate_space_clear(struct solid_space *space, struct plate_tables *tables)
-{
-    solid_space_clear(space);
-    if (!tables)
-        return;
-    for (int i = 0; i < 3; i++)
-        direction_clear(&tables->direction[i]);
-    for (int i = 0; i < 2; i++) {
-        direction_clear(&tables->reduced[i]);
-        direction_clear(&tables->bend[i]);
-    }
-    free(tables->product);
-    memset(tables, 0, sizeof *tables);
 }

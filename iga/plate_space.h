@@ -13,9 +13,10 @@
 struct plate_direction {
     int spans, order, gauss; /* order = p + 1 functions                                */
     int *points;             /* [spans] of the gauss points in use; NULL: all  owned   */
-    int *first;              /* [spans] first function alive                   owned   */
-    double *N, *dN;          /* values and derivatives                         owned   */
-    double *weight;          /* [spans][gauss]                                 owned   */
+    void *room;              /* of the arrays below                            owned   */
+    int *first;              /* [spans] first function alive                           */
+    double *N, *dN;          /* values and derivatives                                 */
+    double *weight;          /* [spans][gauss]                                         */
 };
 
 struct plate_tables {

@@ -9,6 +9,7 @@
 #include "mass_spring/spring_strain.h"
 #include "models/damping.h"
 #include "models/mechanics/dead_load.h"
+#include "models/room.h"
 
 /* Of the explicit method's greatest step, where it chooses: springs that turn and stretch
  * are a little stiffer than at rest. */
@@ -41,18 +42,8 @@ static enum status add_loads(struct spring_motion *m, const int points[2])
 {
     const struct dead_load_line line[3] = {
         {.n = points[0], .degree = 1}, {.n = points[1], .degree = 1}, {.n = 1}};
-    const size_t count = 3 * (size_t)m->net.nodes;
-    enum status st;
 
-    if (!m->scene->load_count)
-        return STATUS_OK;
-    m->dead = calloc(count, sizeof *m->dead);
-    if (!m->dead)
-        return STATUS_MEMORY;
-    st = dead_load_add(m->scene, line, m->dead);
-    for (size_t n = 0; n < count; n++)
-        m->load[n] += m->dead[n];
-    return st;
+    return dead_load_make(m->scene, line, &m->dead, m->load);
 }
 
 static enum status allocate(struct spring_motion *m)
@@ -60,21 +51,11 @@ static enum status allocate(struct spring_motion *m)
     size_t nodes = (size_t)m->net.nodes;
     size_t pairs = (size_t)m->net.graph.start[nodes];
 
-    m->mass = malloc(nodes * sizeof *m->mass);
-    m->drag = malloc(nodes * sizeof *m->drag);
-    m->weight = malloc(nodes * sizeof *m->weight);
-    m->x = malloc(3 * nodes * sizeof *m->x);
-    m->v = calloc(3 * nodes, sizeof *m->v);
-    m->load = malloc(3 * nodes * sizeof *m->load);
-    m->start = malloc(3 * nodes * sizeof *m->start);
-    m->target = malloc(3 * nodes * sizeof *m->target);
-    m->shift = malloc(((size_t)m->newton.supports.held_count + 1) * sizeof *m->shift);
-    if (m->beta > 0 && !(m->V = malloc(pairs * sizeof *m->V)))
-        return STATUS_MEMORY;
-    return m->mass && m->drag && m->weight && m->x && m->v && m->load && m->start &&
-                   m->target && m->shift
-               ? STATUS_OK
-               : STATUS_MEMORY;
+    return room_cut(
+        &m->room, ROOM(m->mass, nodes), ROOM(m->drag, nodes), ROOM(m->weight, nodes),
+        ROOM(m->x, 3 * nodes), ROOM(m->v, 3 * nodes), ROOM(m->load, 3 * nodes),
+        ROOM(m->start, 3 * nodes), ROOM(m->target, 3 * nodes),
+        ROOM(m->shift, m->newton.supports.held_count), ROOM(m->V, m->beta > 0 ? pairs : 0));
 }
 
 double spring_motion_limit(const struct spring_motion *m)
@@ -120,6 +101,17 @@ static double shortest_spring(const struct spring_net *net)
     return fmin(net->cell[0], net->cell[1]);
 }
 
+void spring_motion_clear(struct spring_motion *m)
+{
+    if (!m)
+        return;
+    spring_newton_clear(&m->newton);
+    spring_net_clear(&m->net);
+    free(m->room);
+    free(m->dead);
+    memset(m, 0, sizeof *m);
+}
+
 enum status spring_motion_init(struct spring_motion *m, const struct scene *scene,
                                const struct discretization *d, struct message *why)
 {
@@ -147,26 +139,6 @@ out:
     if (st != STATUS_OK)
         spring_motion_clear(m);
     return st;
-}
-
-void spring_motion_clear(struct spring_motion *m)
-{
-    if (!m)
-        return;
-    spring_newton_clear(&m->newton);
-    spring_net_clear(&m->net);
-    free(m->mass);
-    free(m->drag);
-    free(m->weight);
-    free(m->x);
-    free(m->v);
-    free(m->load);
-    free(m->dead);
-    free(m->start);
-    free(m->target);
-    free(m->shift);
-    free(m->V);
-    memset(m, 0, sizeof *m);
 }
 
 void spring_motion_hold(struct spring_motion *m, double t)

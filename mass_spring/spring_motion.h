@@ -34,13 +34,14 @@ struct spring_motion {
     double beta;         /* stiffness damping                                   [s]   */
     double limit;        /* greatest stable step of the explicit method at rest [s]   */
     double rest_energy;  /* round-off of the energy at rest                     [J]   */
-    double *mass, *drag, *weight; /* [nodes] m, c, m / dt^2 + c / dt         owned     */
-    double *x, *v;          /* [nodes][3]                                      owned     */
-    double *load;           /* [nodes][3] gravity, wind and loads          [N] owned     */
-    double *dead;           /* [nodes][3] of which the scene's loads, or NULL  owned     */
-    double *start, *target; /* [nodes][3] work                               owned     */
-    double *shift;          /* [held_count] work                               owned     */
-    double (*V)[9];         /* [pairs] with beta, else NULL                    owned     */
+    void *room;          /* of the arrays but dead                  owned     */
+    double *mass, *drag, *weight; /* [nodes] m, c, m / dt^2 + c / dt                   */
+    double *x, *v;                /* [nodes][3]                                        */
+    double *load;                 /* [nodes][3] gravity, wind and loads      [N]       */
+    double *dead;           /* [nodes][3] of which the scene's loads, or NULL  owned   */
+    double *start, *target; /* [nodes][3] work                                         */
+    double *shift;          /* [held_count] work                                       */
+    double (*V)[9];         /* [pairs] with beta, else NULL                            */
     long substep;           /* taken so far                                              */
     double push[3];         /* of obstacles, mean over the last frame              [N]   */
     int pushed;             /* points that they bore in its last substep                 */

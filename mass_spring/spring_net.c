@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/room.h"
+
 /* Steps (in i, in j) to the next node of a line. */
 static const struct line {
     enum spring_direction direction;
@@ -170,15 +172,17 @@ static enum status allocate(struct spring_net *net)
 {
     size_t nodes = (size_t)net->nodes;
 
-    net->uvw = malloc(nodes * sizeof *net->uvw);
-    net->rest = malloc(3 * nodes * sizeof *net->rest);
-    net->area = malloc(nodes * sizeof *net->area);
-    net->springs = malloc(LINE_COUNT * nodes * sizeof *net->springs);
-    net->hinges = malloc(LINE_COUNT * nodes * sizeof *net->hinges);
-    net->clamps = malloc(2 * LINE_COUNT * nodes * sizeof *net->clamps);
-    return net->uvw && net->rest && net->area && net->springs && net->hinges && net->clamps
-               ? STATUS_OK
-               : STATUS_MEMORY;
+    return room_cut(&net->room, ROOM(net->uvw, nodes), ROOM(net->rest, 3 * nodes),
+                    ROOM(net->area, nodes), ROOM(net->springs, LINE_COUNT * nodes),
+                    ROOM(net->hinges, LINE_COUNT * nodes),
+                    ROOM(net->clamps, 2 * LINE_COUNT * nodes));
+}
+
+void spring_net_clear(struct spring_net *net)
+{
+    blocks_clear(&net->graph);
+    free(net->room);
+    memset(net, 0, sizeof *net);
 }
 
 enum status spring_net_init(struct spring_net *net, const struct scene *scene,
@@ -205,26 +209,11 @@ enum status spring_net_init(struct spring_net *net, const struct scene *scene,
     }
     TRY(make_graph(&new));
     find_pairs(&new);
-    *net = new;
-    memset(&new, 0, sizeof new);
+    HAND_OVER(net, new);
 out:
     spring_net_clear(&new);
     free(clamped);
     return st;
-}
-
-void spring_net_clear(struct spring_net *net)
-{
-    if (!net)
-        return;
-    blocks_clear(&net->graph);
-    free(net->uvw);
-    free(net->rest);
-    free(net->area);
-    free(net->springs);
-    free(net->hinges);
-    free(net->clamps);
-    memset(net, 0, sizeof *net);
 }
 
 int spring_net_reach(const struct spring_net *net)

@@ -39,14 +39,15 @@ struct spring_net {
     int points[2], nodes;
     double cell[2]; /* a_u, a_v                                    [m]   */
     struct spring_law law;
-    double (*uvw)[3]; /* [nodes] material parameters, w = 1/2      owned   */
-    double *rest;     /* [nodes][3]                          [m]   owned   */
-    double *area;     /* [nodes] of the sheet that is theirs [m^2] owned   */
+    void *room;       /* of the arrays                               owned   */
+    double (*uvw)[3]; /* [nodes] material parameters, w = 1/2              */
+    double *rest;     /* [nodes][3]                          [m]           */
+    double *area;     /* [nodes] of the sheet that is theirs [m^2]         */
     int spring_count, hinge_count, clamp_count;
-    struct spring *springs; /* owned                                             */
-    struct hinge *hinges;   /* owned                                             */
-    struct clamp *clamps;   /* owned                                             */
-    struct blocks graph;    /* owned                                             */
+    struct spring *springs;
+    struct hinge *hinges;
+    struct clamp *clamps;
+    struct blocks graph;
 };
 
 /* points: n, m >= 2. */

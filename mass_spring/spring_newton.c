@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/linalg/order.h"
+#include "models/room.h"
 
 /* A net that is pressed may have to buckle within the step, away from a saddle that
  * attracts at first. MOST_LINEAR: about what a factorisation costs, in iterations. */
@@ -34,6 +35,15 @@ static enum status make_system(struct spring_newton *s, enum solver solver)
     return st;
 }
 
+void spring_newton_clear(struct spring_newton *s)
+{
+    system_clear(&s->system);
+    contact_set_clear(&s->contact);
+    supports_clear(&s->supports);
+    free(s->room);
+    memset(s, 0, sizeof *s);
+}
+
 enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
                                const struct spring_net *net, enum solver solver,
                                struct message *why)
@@ -43,11 +53,8 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
 
     *s = (struct spring_newton){.net = net};
     TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, why));
-    s->K = malloc(pairs * sizeof *s->K);
-    s->hinges = malloc(pairs * sizeof *s->hinges);
-    s->work = malloc(18 * (size_t)net->nodes * sizeof *s->work);
-    if (!s->K || !s->hinges || !s->work)
-        TRY(STATUS_MEMORY);
+    TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->hinges, pairs),
+                 ROOM(s->work, 18 * (size_t)net->nodes)));
     spring_force_hinges(net, s->hinges);
     if (s->supports.free_count)
         TRY(make_system(s, solver));
@@ -57,19 +64,6 @@ out:
     if (st != STATUS_OK)
         spring_newton_clear(s);
     return st;
-}
-
-void spring_newton_clear(struct spring_newton *s)
-{
-    if (!s)
-        return;
-    system_clear(&s->system);
-    contact_set_clear(&s->contact);
-    supports_clear(&s->supports);
-    free(s->K);
-    free(s->hinges);
-    free(s->work);
-    memset(s, 0, sizeof *s);
 }
 
 /* Minus the gradient at x, zero at held unknowns; `work` for the viscous part. */
@@ -118,18 +112,6 @@ static double product(size_t count, const double *a, const double *b)
     for (size_t t = 0; t < count; t++)
         sum += a[t] * b[t];
     return sum;
-}
-
-static double largest(size_t count, const double *x)
-{
-    double most = 0;
-
-    for (size_t t = 0; t < count; t += 3) {
-        double far = x[t] * x[t] + x[t + 1] * x[t + 1] + x[t + 2] * x[t + 2];
-        if (!(far <= most))
-            most = far;
-    }
-    return sqrt(most);
 }
 
 /* Conjugate gradients from d = 0 for K d = r, with the factor of an earlier K for a
@@ -292,7 +274,7 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
                                                       : CONTACT_FRICTION_KEPT,
                               r, d, counters));
         counters->assemblies++, counters->iterations++;
-        double size = largest(count, d);
+        double size = blocks_longest(s->net->nodes, d);
         if (!isfinite(size))
             TRY(STATUS_NAN);
         if (most == 1) {

@@ -29,9 +29,10 @@ struct spring_newton {
     struct supports supports;
     struct system system;
     struct contact_set contact;
-    double (*K)[9];      /* [pairs]                                            owned   */
-    double (*hinges)[9]; /* [pairs] spring_force_hinges                        owned   */
-    double *work;        /* [6][nodes][3]                                      owned   */
+    void *room;          /* of the arrays                                      owned   */
+    double (*K)[9];      /* [pairs]                                                    */
+    double (*hinges)[9]; /* [pairs] spring_force_hinges                                */
+    double *work;        /* [6][nodes][3]                                              */
     bool factored;       /* the system holds the factor of a K, maybe an old one       */
 };
 

@@ -53,14 +53,9 @@ enum status discretization_refuse(const struct discretization *d, unsigned used,
         unsigned bit;
         const char *key;
     } keys[] = {
-        {d->parameters != 0, DISCRETIZATION_PARAMETERS, "parameters"},
-        {d->integrator != 0, DISCRETIZATION_INTEGRATOR, "integrator"},
-        {d->substeps != 0, DISCRETIZATION_SUBSTEPS, "substeps"},
-        {d->iterations != 0, DISCRETIZATION_ITERATIONS, "iterations"},
-        {d->tolerance != 0, DISCRETIZATION_TOLERANCE, "tolerance"},
-        {d->strain_limit != 0, DISCRETIZATION_STRAIN_LIMIT, "strain_limit"},
-        {d->constraint != 0, DISCRETIZATION_CONSTRAINT, "constraint"},
-        {d->acceleration != 0, DISCRETIZATION_ACCELERATION, "acceleration"},
+#define DISCRETIZATION_KEY(name, member) {d->member != 0, DISCRETIZATION_##name, #member},
+        DISCRETIZATION_LIST(DISCRETIZATION_KEY)
+#undef DISCRETIZATION_KEY
     };
 
     for (size_t n = 0; n < sizeof keys / sizeof *keys; n++)
@@ -118,85 +113,24 @@ enum status discretization_refuse_net(const struct discretization *d, unsigned u
     return discretization_refuse(d, used, why);
 }
 
-/* The word at `value`, or "unknown" for a value that no enum has. */
-#define WORD(words, value)                                                                 \
-    ((size_t)(value) < sizeof(words) / sizeof *(words) ? (words)[value] : "unknown")
+/* NAME_name(value): the word of a value, or "unknown" for one that no enum has. */
+#define WORDS(name, ...)                                                                   \
+    const char *name##_name(int value)                                                     \
+    {                                                                                      \
+        static const char *const words[] = {__VA_ARGS__};                                  \
+        return value >= 0 && (size_t)value < sizeof words / sizeof *words ? words[value]   \
+                                                                          : "unknown";     \
+    }
 
-const char *kinematics_name(enum kinematics k)
-{
-    static const char *const words[] = {
-        [KINEMATICS_LINEAR] = "linear",
-        [KINEMATICS_PRINTED] = "printed",
-        [KINEMATICS_INCREMENTAL] = "incremental",
-        [KINEMATICS_NONLINEAR] = "nonlinear",
-    };
-    return WORD(words, k);
-}
-
-const char *remedy_name(enum remedy r)
-{
-    static const char *const words[] = {
-        [REMEDY_NONE] = "none",
-        [REMEDY_INCOMPATIBLE] = "incompatible",
-        [REMEDY_REDUCED] = "reduced",
-        [REMEDY_SELECTIVE] = "selective",
-    };
-    return WORD(words, r);
-}
-
-const char *unknowns_name(enum unknowns u)
-{
-    static const char *const words[] = {
-        [UNKNOWNS_AUTO] = "auto",
-        [UNKNOWNS_POINTS] = "points",
-        [UNKNOWNS_THICKNESS] = "thickness",
-    };
-    return WORD(words, u);
-}
-
-const char *solver_name(enum solver s)
-{
-    static const char *const words[] = {
-        [SOLVER_AUTO] = "auto",
-        [SOLVER_BANDED] = "banded",
-        [SOLVER_SUPERNODAL] = "supernodal",
-        [SOLVER_CHOLMOD] = "cholmod",
-    };
-    return WORD(words, s);
-}
-
-const char *parameters_name(enum parameters p)
-{
-    static const char *const words[] = {
-        [PARAMETERS_MATCHED] = "matched",
-        [PARAMETERS_PAPER] = "paper",
-    };
-    return WORD(words, p);
-}
-
-const char *integrator_name(enum integrator i)
-{
-    static const char *const words[] = {
-        [INTEGRATOR_IMPLICIT] = "implicit",
-        [INTEGRATOR_EXPLICIT] = "explicit",
-    };
-    return WORD(words, i);
-}
-
-const char *constraint_name(enum constraint c)
-{
-    static const char *const words[] = {
-        [CONSTRAINT_TRIANGLES] = "triangles",
-        [CONSTRAINT_EDGES] = "edges",
-    };
-    return WORD(words, c);
-}
-
-const char *acceleration_name(enum acceleration a)
-{
-    static const char *const words[] = {
-        [ACCELERATION_NONE] = "none",
-        [ACCELERATION_CHEBYSHEV] = "chebyshev",
-    };
-    return WORD(words, a);
-}
+WORDS(kinematics, [KINEMATICS_LINEAR] = "linear", [KINEMATICS_PRINTED] = "printed",
+      [KINEMATICS_INCREMENTAL] = "incremental", [KINEMATICS_NONLINEAR] = "nonlinear")
+WORDS(remedy, [REMEDY_NONE] = "none", [REMEDY_INCOMPATIBLE] = "incompatible",
+      [REMEDY_REDUCED] = "reduced", [REMEDY_SELECTIVE] = "selective")
+WORDS(unknowns, [UNKNOWNS_AUTO] = "auto", [UNKNOWNS_POINTS] = "points",
+      [UNKNOWNS_THICKNESS] = "thickness")
+WORDS(solver, [SOLVER_AUTO] = "auto", [SOLVER_BANDED] = "banded",
+      [SOLVER_SUPERNODAL] = "supernodal", [SOLVER_CHOLMOD] = "cholmod")
+WORDS(parameters, [PARAMETERS_MATCHED] = "matched", [PARAMETERS_PAPER] = "paper")
+WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit")
+WORDS(constraint, [CONSTRAINT_TRIANGLES] = "triangles", [CONSTRAINT_EDGES] = "edges")
+WORDS(acceleration, [ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev")

@@ -74,16 +74,27 @@ struct discretization {
     enum acceleration acceleration;
 };
 
-/* The keys above that not every model has a use for; bits. */
-enum {
-    DISCRETIZATION_PARAMETERS = 1,
-    DISCRETIZATION_INTEGRATOR = 2,
-    DISCRETIZATION_SUBSTEPS = 4,
-    DISCRETIZATION_ITERATIONS = 8,
-    DISCRETIZATION_TOLERANCE = 16,
-    DISCRETIZATION_STRAIN_LIMIT = 32,
-    DISCRETIZATION_CONSTRAINT = 64,
-    DISCRETIZATION_ACCELERATION = 128,
+/* The keys above that not every model has a use for, zero if unset; bits. */
+#define DISCRETIZATION_LIST(X)                                                             \
+    X(PARAMETERS, parameters)                                                              \
+    X(INTEGRATOR, integrator)                                                              \
+    X(SUBSTEPS, substeps)                                                                  \
+    X(ITERATIONS, iterations)                                                              \
+    X(TOLERANCE, tolerance)                                                                \
+    X(STRAIN_LIMIT, strain_limit)                                                          \
+    X(CONSTRAINT, constraint)                                                              \
+    X(ACCELERATION, acceleration)
+
+enum discretization_place {
+#define DISCRETIZATION_PLACE(name, member) DISCRETIZATION_PLACE_##name,
+    DISCRETIZATION_LIST(DISCRETIZATION_PLACE)
+#undef DISCRETIZATION_PLACE
+};
+enum discretization_bit {
+#define DISCRETIZATION_BIT(name, member)                                                   \
+    DISCRETIZATION_##name = 1u << DISCRETIZATION_PLACE_##name,
+    DISCRETIZATION_LIST(DISCRETIZATION_BIT)
+#undef DISCRETIZATION_BIT
 };
 
 /* STATUS_INPUT with a sentence if any of those keys is set that is not in `used`. */
@@ -103,14 +114,15 @@ void discretization_clear(struct discretization *d);
 enum status discretization_copy(const struct discretization *from,
                                 struct discretization *to);
 
-/* Words for the enums, as written on the command line. Static storage. */
-const char *kinematics_name(enum kinematics k);
-const char *remedy_name(enum remedy r);
-const char *unknowns_name(enum unknowns u);
-const char *solver_name(enum solver s);
-const char *parameters_name(enum parameters p);
-const char *integrator_name(enum integrator i);
-const char *constraint_name(enum constraint c);
-const char *acceleration_name(enum acceleration a);
+/* Words for the enums, as written on the command line; "unknown" for other values. Static
+ * storage. */
+const char *kinematics_name(int kinematics);
+const char *remedy_name(int remedy);
+const char *unknowns_name(int unknowns);
+const char *solver_name(int solver);
+const char *parameters_name(int parameters);
+const char *integrator_name(int integrator);
+const char *constraint_name(int constraint);
+const char *acceleration_name(int acceleration);
 
 #endif

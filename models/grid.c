@@ -9,3 +9,25 @@ void grid_point(int n, double uvw[3])
     uvw[1] = n / GRID_U % GRID_V / (GRID_V - 1.0);
     uvw[2] = n / (GRID_U * GRID_V) / (GRID_W - 1.0);
 }
+
+void grid_sample(void (*probe)(const void *state, int n, const double *uvw, double *xyz),
+                 const void *state, double *xyz)
+{
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        probe(state, 1, uvw, xyz + 3 * n);
+    }
+}
+
+int grid_cell(int points, double x, double weight[2])
+{
+    double s = x * (points - 1);
+    int i = s < 0 ? 0 : (int)s;
+
+    if (i > points - 2)
+        i = points - 2;
+    weight[1] = s - i;
+    weight[0] = 1 - weight[1];
+    return i;
+}

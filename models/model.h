@@ -48,6 +48,14 @@ struct matrix {
 };
 void matrix_clear(struct matrix *m);
 
+/* STATUS_UNSUPPORTED with a sentence naming what is missing, if the scene needs more than
+ * `serves`, SCENE_NEED_* bits. model_refuse_net: for a net of points on the mid-surface; a
+ * support on part of the thickness is served if it takes the mid-surface: it holds the
+ * points, and the sheet may turn about them. */
+enum status model_refuse(const struct scene *scene, unsigned serves, struct message *why);
+enum status model_refuse_net(const struct scene *scene, unsigned serves,
+                             struct message *why);
+
 struct model {
     const char *name;   /* key: command line, result file, test name                   */
     const char *title;  /* as printed in tables                                        */

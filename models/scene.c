@@ -7,6 +7,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+void scene_clear(struct scene *scene)
+{
+    for (int i = 0; i < scene->support_count; i++)
+        free(scene->supports[i].path);
+    free(scene->supports);
+    free(scene->loads);
+    free(scene->obstacles);
+    free(scene->snapshots);
+    free(scene->name);
+    free(scene->source);
+    free(scene->text);
+    memset(scene, 0, sizeof *scene);
+}
+
 enum status scene_init(struct scene *scene)
 {
     *scene = (struct scene){
@@ -29,64 +43,47 @@ enum status scene_init(struct scene *scene)
     return STATUS_MEMORY;
 }
 
-void scene_clear(struct scene *scene)
+/* Makes room for one more of `size` bytes behind array[count]. NULL without memory; the
+ * array then stays. */
+static void *grow(void *array, int count, size_t size)
 {
-    for (int i = 0; i < scene->support_count; i++)
-        free(scene->supports[i].path);
-    free(scene->supports);
-    free(scene->loads);
-    free(scene->obstacles);
-    free(scene->snapshots);
-    free(scene->name);
-    free(scene->source);
-    free(scene->text);
-    memset(scene, 0, sizeof *scene);
+    return realloc(array, ((size_t)count + 1) * size);
 }
 
 enum status scene_add_support(struct scene *scene, const struct scene_support *support)
 {
     struct scene_support copy = *support;
-    size_t count = (size_t)scene->support_count + 1;
-    struct scene_support *grown = realloc(scene->supports, count * sizeof *grown);
+    struct scene_support *s = grow(scene->supports, scene->support_count, sizeof *s);
+    size_t bytes = (size_t)support->path_count * sizeof *copy.path;
 
-    if (!grown)
+    if (!s)
         return STATUS_MEMORY;
-    scene->supports = grown;
-    copy.path = NULL;
-    if (support->path_count > 0) {
-        size_t bytes = (size_t)support->path_count * sizeof *copy.path;
-
-        copy.path = malloc(bytes);
-        if (!copy.path)
-            return STATUS_MEMORY;
+    scene->supports = s;
+    copy.path = bytes ? malloc(bytes) : NULL;
+    if (bytes && !copy.path)
+        return STATUS_MEMORY;
+    if (bytes)
         memcpy(copy.path, support->path, bytes);
-    }
-    grown[scene->support_count++] = copy;
+    s[scene->support_count++] = copy;
     return STATUS_OK;
 }
 
 enum status scene_add_load(struct scene *scene, const struct scene_load *load)
 {
-    size_t count = (size_t)scene->load_count + 1;
-    struct scene_load *grown = realloc(scene->loads, count * sizeof *grown);
+    struct scene_load *l = grow(scene->loads, scene->load_count, sizeof *l);
 
-    if (!grown)
-        return STATUS_MEMORY;
-    scene->loads = grown;
-    grown[scene->load_count++] = *load;
-    return STATUS_OK;
+    if (l)
+        scene->loads = l, l[scene->load_count++] = *load;
+    return l ? STATUS_OK : STATUS_MEMORY;
 }
 
 enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle *obstacle)
 {
-    size_t count = (size_t)scene->obstacle_count + 1;
-    struct scene_obstacle *grown = realloc(scene->obstacles, count * sizeof *grown);
+    struct scene_obstacle *o = grow(scene->obstacles, scene->obstacle_count, sizeof *o);
 
-    if (!grown)
-        return STATUS_MEMORY;
-    scene->obstacles = grown;
-    grown[scene->obstacle_count++] = *obstacle;
-    return STATUS_OK;
+    if (o)
+        scene->obstacles = o, o[scene->obstacle_count++] = *obstacle;
+    return o ? STATUS_OK : STATUS_MEMORY;
 }
 
 static unsigned support_needs(const struct scene_support *s)

@@ -9,6 +9,7 @@
 #define STATUS_H
 
 #include <stdbool.h>
+#include <string.h>
 
 /* The last five are numerical deaths: outcomes with a time stamp, not errors. */
 #define STATUS_LIST(X)                                                                     \
@@ -41,6 +42,9 @@ struct message {
         if ((st = (call)) != STATUS_OK)                                                    \
             goto out;                                                                      \
     } while (0)
+
+/* *to = from, which is left all-zero: what `out:` clears it no longer owns. */
+#define HAND_OVER(to, from) (*(to) = (from), memset(&(from), 0, sizeof(from)))
 
 /* The sentence of a code. Static storage. */
 const char *status_text(enum status st);

@@ -5,10 +5,24 @@
 #include <string.h>
 
 #include "models/contact.h"
+#include "models/room.h"
 
 /* BLOCKS: swaps of all at once without progress before single ones; PASSES: of friction in
  * one iteration. */
 enum { BLOCKS = 4, PASSES = 2, REFINEMENTS = 2 };
+
+void pd_contact_clear(struct pd_contact *c)
+{
+    if (!c || !c->system)
+        return;
+    pd_dual_clear(&c->dual);
+    pd_net_free_fields(c->system->net, c->alone);
+    pd_net_free_fields(c->system->net, c->free);
+    pd_net_free_fields(c->system->net, c->way);
+    free(c->touch);
+    free(c->row_memory);
+    memset(c, 0, sizeof *c);
+}
 
 enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
                             struct pd_system *system, const double *mass,
@@ -40,22 +54,6 @@ out:
     if (st != STATUS_OK)
         pd_contact_clear(c);
     return st;
-}
-
-void pd_contact_clear(struct pd_contact *c)
-{
-    if (!c || !c->system)
-        return;
-    pd_dual_clear(&c->dual);
-    pd_net_free_fields(c->system->net, c->alone);
-    pd_net_free_fields(c->system->net, c->free);
-    pd_net_free_fields(c->system->net, c->way);
-    free(c->touch);
-    free(c->row);
-    free(c->row_touch);
-    free(c->row_value);
-    free(c->row_error);
-    memset(c, 0, sizeof *c);
 }
 
 /* --- geometry ----------------------------------------------------------------------------
@@ -114,19 +112,11 @@ enum status pd_contact_room(struct pd_contact *c, int rows)
     if (rows <= c->row_room)
         return STATUS_OK;
     size_t n = 2 * (size_t)rows;
-    free(c->row);
-    free(c->row_touch);
-    free(c->row_value);
-    free(c->row_error);
-    c->row_room = (int)n;
-    c->row = malloc(n * sizeof *c->row);
-    c->row_touch = malloc(n * sizeof *c->row_touch);
-    c->row_value = malloc(n * sizeof *c->row_value);
-    c->row_error = malloc(n * sizeof *c->row_error);
-    if (c->row && c->row_touch && c->row_value && c->row_error)
-        return STATUS_OK;
-    c->row_room = 0;
-    return STATUS_MEMORY;
+    free(c->row_memory);
+    enum status st = room_cut(&c->row_memory, ROOM(c->row, n), ROOM(c->row_touch, n),
+                              ROOM(c->row_value, n), ROOM(c->row_error, n));
+    c->row_room = st == STATUS_OK ? (int)n : 0;
+    return st;
 }
 
 void pd_contact_row(struct pd_contact *c, int t, const double direction[3], double error)

@@ -54,9 +54,10 @@ struct pd_contact {
     int nodes, count;       /* touches                                                 */
     struct pd_touch *touch; /* [count]                                       owned     */
     int row_count, row_room;
-    struct pd_push *row;           /* of the present active set              owned     */
-    int *row_touch;                /* [rows]                                 owned     */
-    double *row_value, *row_error; /* [rows]                                 owned     */
+    void *row_memory;              /* of the rows                            owned     */
+    struct pd_push *row;           /* of the present active set                        */
+    int *row_touch;                /* [rows]                                           */
+    double *row_value, *row_error; /* [rows]                                           */
     /* three fields each: without any force of obstacles; with those of slipping nodes; what
      * the present rows push                                                   owned   */
     double *alone, *free, *way;

@@ -9,6 +9,22 @@ enum { FIRST_ROOM = 32, MOST_LINEAR = 1000 };
 /* A pivot below this part of its diagonal is round-off: the row depends on others. */
 static const double DEPENDENT = 1e-13;
 
+void pd_dual_clear(struct pd_dual *d)
+{
+    free(d->place);
+    free(d->column);
+    for (int n = 0; n < 3; n++)
+        free(d->entry[n]);
+    for (int n = 0; n < 2 && d->system; n++)
+        pd_net_free_fields(d->system->net, d->field[n]);
+    for (int n = 0; n < PD_DUAL_KINDS; n++) {
+        free(d->factor[n].row);
+        free(d->factor[n].S);
+    }
+    free(d->work);
+    memset(d, 0, sizeof *d);
+}
+
 enum status pd_dual_init(struct pd_dual *d, struct pd_system *system)
 {
     size_t nodes = (size_t)system->net->nodes;
@@ -25,24 +41,6 @@ enum status pd_dual_init(struct pd_dual *d, struct pd_system *system)
     for (size_t k = 0; k < nodes; k++)
         d->place[k] = -1;
     return STATUS_OK;
-}
-
-void pd_dual_clear(struct pd_dual *d)
-{
-    if (!d)
-        return;
-    free(d->place);
-    free(d->column);
-    for (int n = 0; n < 3; n++)
-        free(d->entry[n]);
-    for (int n = 0; n < 2 && d->system; n++)
-        pd_net_free_fields(d->system->net, d->field[n]);
-    for (int n = 0; n < PD_DUAL_KINDS; n++) {
-        free(d->factor[n].row);
-        free(d->factor[n].S);
-    }
-    free(d->work);
-    memset(d, 0, sizeof *d);
 }
 
 /* --- entries of A^-1 ---------------------------------------------------------------------

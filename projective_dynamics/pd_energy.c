@@ -126,6 +126,17 @@ static enum status allocate(struct pd_energy *e)
     return e->mass && e->area && e->rest && e->rows ? STATUS_OK : STATUS_MEMORY;
 }
 
+void pd_energy_clear(struct pd_energy *e)
+{
+    for (int c = 0; c < PD_EDGES; c++)
+        pd_net_free_fields(&e->net, e->edge[c]);
+    pd_net_free_fields(&e->net, e->mass);
+    pd_net_free_fields(&e->net, e->area);
+    pd_net_free_fields(&e->net, e->rest);
+    free(e->rows);
+    memset(e, 0, sizeof *e);
+}
+
 enum status pd_energy_init(struct pd_energy *e, const struct scene *scene, int n, int m,
                            enum constraint constraint, enum parameters parameters,
                            const bool *clamped)
@@ -149,24 +160,10 @@ enum status pd_energy_init(struct pd_energy *e, const struct scene *scene, int n
     new.row_count = bending.count;
     new.constraints += new.row_count;
     new.rest_value = pd_energy_value(&new, new.rest);
-    *e = new;
-    memset(&new, 0, sizeof new);
+    HAND_OVER(e, new);
 out:
     pd_energy_clear(&new);
     return st;
-}
-
-void pd_energy_clear(struct pd_energy *e)
-{
-    if (!e)
-        return;
-    for (int c = 0; c < PD_EDGES; c++)
-        pd_net_free_fields(&e->net, e->edge[c]);
-    pd_net_free_fields(&e->net, e->mass);
-    pd_net_free_fields(&e->net, e->area);
-    pd_net_free_fields(&e->net, e->rest);
-    free(e->rows);
-    memset(e, 0, sizeof *e);
 }
 
 /* --- value ------------------------------------------------------------------------------

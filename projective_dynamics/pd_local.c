@@ -217,6 +217,14 @@ static void fill_weights(struct pd_local *local)
     }
 }
 
+void pd_local_clear(struct pd_local *local)
+{
+    if (local->energy)
+        pd_net_free_fields(&local->energy->net, local->weight);
+    free(local->buffer);
+    memset(local, 0, sizeof *local);
+}
+
 enum status pd_local_init(struct pd_local *local, const struct pd_energy *energy,
                           double factor)
 {
@@ -239,14 +247,4 @@ enum status pd_local_init(struct pd_local *local, const struct pd_energy *energy
     }
     fill_weights(local);
     return STATUS_OK;
-}
-
-void pd_local_clear(struct pd_local *local)
-{
-    if (!local)
-        return;
-    if (local->energy)
-        pd_net_free_fields(&local->energy->net, local->weight);
-    free(local->buffer);
-    memset(local, 0, sizeof *local);
 }

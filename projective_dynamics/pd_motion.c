@@ -119,6 +119,24 @@ static void start(struct pd_motion *m)
     }
 }
 
+void pd_motion_clear(struct pd_motion *m)
+{
+    if (!m)
+        return;
+    const struct pd_net *net = &m->energy.net;
+    double *fields[] = {m->x,    m->v,      m->base,  m->start,
+                        m->next, m->before, m->saved, m->dead};
+    for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
+        pd_net_free_fields(net, fields[n]);
+    free(m->shift);
+    pd_contact_clear(&m->contact);
+    pd_local_clear(&m->local);
+    pd_system_clear(&m->system);
+    pd_energy_clear(&m->energy);
+    supports_clear(&m->supports);
+    memset(m, 0, sizeof *m);
+}
+
 enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                            const struct pd_options *options, struct message *why)
 {
@@ -151,24 +169,6 @@ out:
     if (st != STATUS_OK)
         pd_motion_clear(m);
     return st;
-}
-
-void pd_motion_clear(struct pd_motion *m)
-{
-    if (!m)
-        return;
-    const struct pd_net *net = &m->energy.net;
-    double *fields[] = {m->x,    m->v,      m->base,  m->start,
-                        m->next, m->before, m->saved, m->dead};
-    for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
-        pd_net_free_fields(net, fields[n]);
-    free(m->shift);
-    pd_contact_clear(&m->contact);
-    pd_local_clear(&m->local);
-    pd_system_clear(&m->system);
-    pd_energy_clear(&m->energy);
-    supports_clear(&m->supports);
-    memset(m, 0, sizeof *m);
 }
 
 /* --- the step ----------------------------------------------------------------------------

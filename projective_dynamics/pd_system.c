@@ -202,6 +202,21 @@ out:
     return st;
 }
 
+void pd_system_clear(struct pd_system *s)
+{
+    for (int g = 0; g < s->group_count; g++) {
+        factor_destroy(s->group[g].factor);
+        free(s->group[g].coupling_free);
+        free(s->group[g].coupling_held);
+        free(s->group[g].coupling);
+    }
+    free(s->stencil);
+    if (s->net)
+        pd_net_free_fields(s->net, s->constant);
+    free(s->held);
+    memset(s, 0, sizeof *s);
+}
+
 enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
                            const struct supports *supports, double mass_factor,
                            double factor, enum solver solver)
@@ -222,28 +237,10 @@ enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
     for (int h = 0; h < supports->held_count; h++)
         new.held[supports->held[h] % 3 * nodes + (size_t)supports->held[h] / 3] = true;
     TRY(make_groups(&new, solver));
-    *s = new;
-    memset(&new, 0, sizeof new);
+    HAND_OVER(s, new);
 out:
     pd_system_clear(&new);
     return st;
-}
-
-void pd_system_clear(struct pd_system *s)
-{
-    if (!s)
-        return;
-    for (int g = 0; g < s->group_count; g++) {
-        factor_destroy(s->group[g].factor);
-        free(s->group[g].coupling_free);
-        free(s->group[g].coupling_held);
-        free(s->group[g].coupling);
-    }
-    free(s->stencil);
-    if (s->net)
-        pd_net_free_fields(s->net, s->constant);
-    free(s->held);
-    memset(s, 0, sizeof *s);
 }
 
 /* --- the step ----------------------------------------------------------------------------

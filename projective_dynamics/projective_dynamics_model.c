@@ -9,7 +9,6 @@
 enum { DEFAULT_ITERATIONS = 10, MOST_ITERATIONS = 1000000 };
 static const double DEFAULT_TOLERANCE = 1e-6; /* of the length; if iterations = 0        */
 
-/* A support on part of the thickness is served if the mid-surface is in that part. */
 #define SERVES                                                                             \
     (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |         \
      SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_LOADS |                  \
@@ -23,25 +22,9 @@ static void defaults(struct discretization *d)
                                  .iterations = DEFAULT_ITERATIONS};
 }
 
-static enum status refuse_scene(const struct scene *scene, enum parameters parameters,
-                                struct message *why)
+static enum status refuse_damping(const struct scene *scene, struct message *why)
 {
-    unsigned missing =
-        scene_needs(scene) & ~SERVES & ~(unsigned)SCENE_NEED_THICKNESS_SUPPORTS;
-    char text[256];
-
-    for (int n = 0; n < scene->support_count; n++)
-        if (scene->supports[n].lo[2] > 0.5 || scene->supports[n].hi[2] < 0.5)
-            missing |= SCENE_NEED_THICKNESS_SUPPORTS;
-    if (missing) {
-        scene_needs_text(missing, text, sizeof text);
-        return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no %s%s", text,
-                           missing & SCENE_NEED_THICKNESS_SUPPORTS
-                               ? " that leave out the mid-surface"
-                               : "");
-    }
-    if (parameters == PARAMETERS_MATCHED && scene->damping.kind == DAMPING_RAYLEIGH &&
-        scene->damping.beta != 0)
+    if (scene->damping.kind == DAMPING_RAYLEIGH && scene->damping.beta != 0)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "unsupported: no damping by stiffness (rayleigh beta); the "
                            "constant matrix has no stiffness that turns with the sheet");
@@ -86,7 +69,9 @@ static enum status create(const struct scene *scene, const struct discretization
     struct pd_motion *m = NULL;
     struct pd_options options;
 
-    TRY(refuse_scene(scene, d->parameters, why));
+    TRY(model_refuse_net(scene, SERVES, why));
+    if (d->parameters == PARAMETERS_MATCHED)
+        TRY(refuse_damping(scene, why));
     TRY(discretization_refuse_net(d, USED, "projective_dynamics", why));
     m = calloc(1, sizeof *m);
     if (!m)
@@ -113,11 +98,7 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
 
 static void sample(const void *state, double *xyz)
 {
-    for (int n = 0; n < GRID_POINTS; n++) {
-        double uvw[3];
-        grid_point(n, uvw);
-        probe(state, 1, uvw, xyz + 3 * (size_t)n);
-    }
+    grid_sample(probe, state, xyz);
 }
 
 static void size(const void *state, struct model_size *size)

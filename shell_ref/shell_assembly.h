@@ -9,44 +9,31 @@
 
 #include <stddef.h>
 
-#include "models/mechanics/large_motion.h"
+#include "models/mechanics/large_body.h"
 #include "shell_ref/shell_element.h"
 
 struct shell_assembly {
     const struct shell_space *space; /* borrowed                                       */
     struct shell_material material;
     struct blocks graph;
-    double *M;    /* [pairs] consistent mass rho h                [kg]         owned   */
-    double *area; /* [nodes] int N_a dA at rest                   [m^2]        owned   */
-    double *rest; /* [elements][SHELL_REST_ROWS][padded]                       owned   */
+    struct large_body body; /* the lag is for the membrane strains                     */
+    void *room;   /* of the arrays but place                               owned   */
+    double *M;    /* [pairs] consistent mass rho h                [kg]                 */
+    double *area; /* [nodes] int N_a dA at rest                   [m^2]                */
+    double *rest; /* [elements][SHELL_REST_ROWS][padded]                               */
     int *place;   /* [elements][local][order u] pair of (node, first of run)   owned   */
     int threads;
-    struct shell_element *work; /* [threads]                                   owned   */
+    struct shell_element *work; /* [threads]                                           */
 };
 
-/* Threads: as many as OpenMP would give at this moment. STATUS_INPUT with a sentence if the
- * rest shape has no normal somewhere. */
+/* *s stays where it is. Threads: as many as OpenMP would give at this moment. STATUS_INPUT
+ * with a sentence if the rest shape has no normal somewhere. */
 enum status shell_assembly_init(struct shell_assembly *s, const struct shell_space *space,
                                 const struct shell_material *material, struct message *why);
 void shell_assembly_clear(struct shell_assembly *s);
 
-/* Numbers in an array of strains, [elements][SHELL_STRAINS][padded]. */
-size_t shell_assembly_strains(const struct shell_assembly *s);
-
-/* The parts of a large_body; the lag is for the membrane strains. STATUS_NAN, or
- * STATUS_INVERTED where the surface has no normal; results are then of no use. */
-enum status shell_assembly_strain(const struct shell_assembly *s, const double *x,
-                                  double *strain);
+/* Elastic energy at x[nodes][3] [J]. STATUS_NAN where the surface has no normal. */
 enum status shell_assembly_energy(const struct shell_assembly *s, const double *x,
                                   double *energy);
-enum status shell_assembly_force(const struct shell_assembly *s,
-                                 const struct large_path *path, const double *x,
-                                 double *force);
-
-/* K[pairs], symmetric: exact in statics without foresight; in time, where the derivative of
- * the force is not symmetric, with the geometry's strain variations on both sides. */
-enum status shell_assembly_tangent(const struct shell_assembly *s,
-                                   const struct large_path *path, const double *x,
-                                   struct large_foresight foresight, double (*K)[9]);
 
 #endif

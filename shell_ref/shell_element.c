@@ -2,53 +2,36 @@
 
 #include <stdlib.h>
 
+#include "models/room.h"
 #include "shell_ref/shell_frame.h"
 #include "shell_ref/shell_tangent.h"
 
+void shell_element_clear(struct shell_element *e)
+{
+    free(e->memory);
+    memset(e, 0, sizeof *e);
+}
+
 enum status shell_element_init(struct shell_element *e, const struct shell_space *space)
 {
+    enum status st;
     size_t local = (size_t)space->local, row = SHELL_PADDED(local);
     size_t points = (size_t)space->padded, gauss = (size_t)space->gauss;
-    const struct {
-        double **part;
-        size_t count;
-    } room[] = {
-        {&e->T, SHELL_DERIVATIVES * local * points},
-        {&e->strain, SHELL_STRAINS * points},
-        {&e->X[0], SHELL_PADDED(3 * local)},
-        {&e->X[1], SHELL_PADDED(3 * local)},
-        {&e->X[2], SHELL_PADDED(3 * local)},
-        {&e->f, SHELL_PADDED(3 * local)},
-        {&e->left, gauss * SHELL_TANGENT_LEFT * row},
-        {&e->right, gauss * SHELL_TANGENT_RIGHT * row},
-        {&e->K, local * 9 * row},
-    };
-    size_t total = 0, parts = sizeof room / sizeof *room;
 
     memset(e, 0, sizeof *e);
-    for (size_t t = 0; t < parts; t++)
-        total += room[t].count;
-    total = (total + 7) / 8 * 8;
-    e->memory = aligned_alloc(64, total * sizeof(double));
-    if (!e->memory)
-        return STATUS_MEMORY;
-    memset(e->memory, 0, total * sizeof(double));
-    double *next = e->memory;
-    for (size_t t = 0; t < parts; next += room[t++].count)
-        *room[t].part = next;
+    TRY(room_cut(
+        &e->memory, ROOM(e->T, SHELL_DERIVATIVES * local * points),
+        ROOM(e->strain, SHELL_STRAINS * points), ROOM(e->X[0], SHELL_PADDED(3 * local)),
+        ROOM(e->X[1], SHELL_PADDED(3 * local)), ROOM(e->X[2], SHELL_PADDED(3 * local)),
+        ROOM(e->f, SHELL_PADDED(3 * local)),
+        ROOM(e->left, gauss * SHELL_TANGENT_LEFT * row),
+        ROOM(e->right, gauss * SHELL_TANGENT_RIGHT * row), ROOM(e->K, local * 9 * row)));
     e->local = space->local;
     e->row = (int)row;
     e->padded = space->padded;
     e->gauss = space->gauss;
-    return STATUS_OK;
-}
-
-void shell_element_clear(struct shell_element *e)
-{
-    if (!e)
-        return;
-    free(e->memory);
-    memset(e, 0, sizeof *e);
+out:
+    return st;
 }
 
 void shell_element_load(struct shell_element *e, const struct shell_space *space,

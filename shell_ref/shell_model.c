@@ -30,13 +30,10 @@ static void defaults(struct discretization *d)
 static enum status refuse(const struct scene *scene, const struct discretization *d,
                           struct message *why)
 {
-    const unsigned serves = shell_model.serves;
-    char text[256];
+    enum status st = model_refuse(scene, shell_model.serves, why);
 
-    if (scene_needs(scene) & ~serves) {
-        scene_needs_text(scene_needs(scene) & ~serves, text, sizeof text);
-        return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no %s", text);
-    }
+    if (st != STATUS_OK)
+        return st;
     if (d->points[2] > 1 || d->knot_count[2] || d->gauss[2])
         return status_fail(why, STATUS_INPUT,
                            "a shell has one point through the thickness: use "
@@ -55,19 +52,6 @@ static enum status refuse(const struct scene *scene, const struct discretization
                            "shell takes no weights: a flat sheet has no use for them, and "
                            "a curved one brings its own");
     return STATUS_OK;
-}
-
-static enum status make_basis(const struct discretization *d, int i, struct bspline *b,
-                              struct message *why)
-{
-    if (!d->knot_count[i])
-        return bspline_init_uniform(b, d->degree[i], d->points[i], why);
-    if (d->knot_count[i] != d->points[i] + d->degree[i] + 1)
-        return status_fail(why, STATUS_INPUT,
-                           "knots_%c: %d knots given, but %d points of degree %d need %d",
-                           'u' + i, d->knot_count[i], d->points[i], d->degree[i],
-                           d->points[i] + d->degree[i] + 1);
-    return bspline_init(b, d->degree[i], d->knot_count[i], d->knots[i], why);
 }
 
 /* The flat sheet: control points at Greville abscissae, so that parameter = coordinate. */
@@ -93,7 +77,7 @@ static enum status make_space(const struct scene *scene, const struct discretiza
     double *point = NULL, *weight = NULL;
 
     for (int i = 0; i < 2; i++)
-        TRY(make_basis(d, i, &basis[i], why));
+        TRY(bspline_init_direction(&basis[i], d, i, why));
     size_t nodes = (size_t)(basis[0].n * basis[1].n);
     point = malloc(3 * nodes * sizeof *point);
     weight = malloc(nodes * sizeof *weight);

@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/linalg/order.h"
 #include "models/mechanics/dead_load.h"
+#include "models/room.h"
 
 /* The membrane's mean stress is taken from (1/2 + lag) of the step: a viscosity lag dt
  * against its ringing, which nothing else damps. Stretching is small wherever a thin sheet
@@ -28,22 +30,12 @@ static void compute_load(struct shell_motion *m)
 static enum status add_loads(struct shell_motion *m)
 {
     const struct bspline *b = m->space->basis;
-    const size_t count = 3 * (size_t)m->space->nodes;
     struct dead_load_line line[3] = {{0}, {0}, {.n = 1}};
-    enum status st;
 
-    if (!m->scene->load_count)
-        return STATUS_OK;
-    m->dead = calloc(count, sizeof *m->dead);
-    if (!m->dead)
-        return STATUS_MEMORY;
     for (int i = 0; i < 2; i++)
         line[i] = (struct dead_load_line){
             b[i].n, b[i].p, b[i].n - b[i].p + 1, b[i].U + b[i].p, bspline_values, &b[i]};
-    st = dead_load_add(m->scene, line, m->dead);
-    for (size_t t = 0; t < count; t++)
-        m->load[t] += m->dead[t];
-    return st;
+    return dead_load_make(m->scene, line, &m->dead, m->load);
 }
 
 /* Widens an edge in direction d to the second row of control points, at either end. */
@@ -124,55 +116,22 @@ static unsigned char *find_parity(const struct shell_motion *m)
     return parity;
 }
 
-/* Node order with v slowest for nets wider than long: a narrower band. NULL otherwise. */
-static int *find_order(const struct shell_space *space)
-{
-    int n = space->basis[0].n, m = space->basis[1].n, count = 0;
-    int *order = m > n ? malloc((size_t)space->nodes * sizeof *order) : NULL;
-
-    for (int j = 0; order && j < m; j++)
-        for (int i = 0; i < n; i++)
-            order[count++] = i * m + j;
-    return order;
-}
-
 static enum status make_room(struct shell_motion *m)
 {
-    size_t nodes = (size_t)m->space->nodes, bytes = 3 * nodes * sizeof(double);
+    size_t nodes = (size_t)m->space->nodes;
+    enum status st = room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->load, 3 * nodes),
+                              ROOM(m->held, 4 * (size_t)m->supports.held_count),
+                              ROOM(m->K, m->assembly.graph.start[nodes]));
 
-    m->x = malloc(bytes);
-    m->load = malloc(bytes);
-    m->held = calloc(4 * (size_t)m->supports.held_count + 1, sizeof *m->held);
-    m->K = malloc((size_t)m->assembly.graph.start[nodes] * sizeof *m->K);
-    if (!m->x || !m->load || !m->held || !m->K)
-        return STATUS_MEMORY;
-    memcpy(m->x, m->space->rest, bytes);
-    return STATUS_OK;
-}
-
-static enum status body_strain(const void *self, const double *x, double *strain)
-{
-    return shell_assembly_strain(self, x, strain);
-}
-
-static enum status body_force(const void *self, const struct large_path *path,
-                              const double *x, double *force)
-{
-    return shell_assembly_force(self, path, x, force);
-}
-
-static enum status body_tangent(const void *self, const struct large_path *path,
-                                const double *x, struct large_foresight foresight,
-                                double (*K)[9])
-{
-    return shell_assembly_tangent(self, path, x, foresight, K);
+    if (st == STATUS_OK)
+        memcpy(m->x, m->space->rest, 3 * nodes * sizeof *m->x);
+    return st;
 }
 
 static enum status make_large(struct shell_motion *m)
 {
     m->large = (struct large_motion){
-        .body = {&m->assembly, shell_assembly_strains(&m->assembly), body_strain,
-                 body_force, body_tangent},
+        .body = m->assembly.body,
         .scene = m->scene,
         .graph = &m->assembly.graph,
         .M = m->assembly.M,
@@ -208,13 +167,13 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     compute_load(m);
     TRY(add_loads(m));
     supports_initial_velocity(&m->supports, scene, m->space->rest, NULL, m->newmark.v);
-    TRY(shell_assembly_tangent(&m->assembly, &statics, m->x, (struct large_foresight){0},
-                               m->K));
+    TRY(large_body_tangent(&m->assembly.body, &statics, m->x, (struct large_foresight){0},
+                           m->K));
     if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(make_large(m));
     else if (!scene->obstacle_count)
         m->parity = find_parity(m);
-    order = find_order(m->space);
+    order = order_wide(m->space->basis[0].n, m->space->basis[1].n, 1);
     TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order,
                     d->solver));
     TRY(contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
@@ -222,6 +181,21 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
 out:
     free(order);
     return st;
+}
+
+void shell_motion_clear(struct shell_motion *m)
+{
+    system_clear(&m->system);
+    newmark_clear(&m->newmark);
+    supports_clear(&m->supports);
+    shell_assembly_clear(&m->assembly);
+    free(m->held_scene.supports);
+    free(m->parity);
+    free(m->room);
+    free(m->dead);
+    large_motion_clear(&m->large);
+    contact_step_clear(&m->contact);
+    memset(m, 0, sizeof *m);
 }
 
 enum status shell_motion_init(struct shell_motion *m, const struct scene *scene,
@@ -241,26 +215,6 @@ enum status shell_motion_init(struct shell_motion *m, const struct scene *scene,
     return st;
 }
 
-void shell_motion_clear(struct shell_motion *m)
-{
-    if (!m)
-        return;
-    system_clear(&m->system);
-    newmark_clear(&m->newmark);
-    supports_clear(&m->supports);
-    shell_assembly_clear(&m->assembly);
-    free(m->held_scene.supports);
-    free(m->parity);
-    free(m->K);
-    free(m->x);
-    free(m->load);
-    free(m->dead);
-    free(m->held);
-    large_motion_clear(&m->large);
-    contact_step_clear(&m->contact);
-    memset(m, 0, sizeof *m);
-}
-
 static const double (*stiffness(const struct shell_motion *m))[9]
 {
     return (const double(*)[9])m->K;
@@ -276,11 +230,8 @@ static enum status start_linear(struct shell_motion *m, struct counters *counter
 
     if (m->supports.moving)
         held = newmark_follow(&m->supports, m->scene, m->time, n->dt, m->held);
-    TRY(newmark_start(n, &m->system, stiffness(m), m->assembly.M, m->load,
-                      m->supports.moving ? &held : NULL));
-    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
-    counters->factorisations += 2;
-    counters->solves++;
+    TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
+                      m->supports.moving ? &held : NULL, counters));
     m->started = true;
 out:
     return st;
@@ -365,14 +316,5 @@ void shell_motion_contact(const struct shell_motion *m, struct model_contact *co
 
 void shell_motion_size(const struct shell_motion *m, struct model_size *size)
 {
-    struct factor_info info;
-
-    factor_describe(m->system.factor, &info);
-    *size = (struct model_size){
-        .nodes = m->space->nodes,
-        .unknowns = m->supports.free_count,
-        .factor_entries = info.entries,
-        .solver = info.method,
-        .unknown_basis = "control points",
-    };
+    *size = system_size(&m->system, "control points");
 }

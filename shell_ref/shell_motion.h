@@ -33,11 +33,12 @@ struct shell_motion {
     struct system system;
     struct newmark newmark; /* nonlinear: v and the last acceleration a                */
     unsigned char *parity;  /* [nodes][3] or NULL: which components couple      owned   */
-    double (*K)[9]; /* [pairs] linear: of the rest shape               [N/m]   owned   */
-    double *x;      /* [nodes][3] present control points               [m]     owned   */
-    double *load;   /* [nodes][3] gravity, wind and loads              [N]     owned   */
+    void *room;     /* of the arrays but dead                                  owned   */
+    double (*K)[9]; /* [pairs] linear: of the rest shape               [N/m]           */
+    double *x;      /* [nodes][3] present control points               [m]             */
+    double *load;   /* [nodes][3] gravity, wind and loads              [N]             */
     double *dead;   /* [nodes][3] of which the scene's loads; NULL: none       owned   */
-    double *held;   /* [4][held_count] target d, v, a; work                    owned   */
+    double *held;   /* [4][held_count] target d, v, a; work                            */
     double time;    /* [s]                                                             */
     bool started;   /* linear: the constant system is factored; nonlinear: strain_old
                        belongs to x                                                    */

@@ -11,8 +11,8 @@ static const struct large_path statics = {.s1 = 1, .g1 = 1};
 /* To the tangent of the rest shape, wherever x is. */
 static enum status rest_stiffness(const struct shell_motion *m, double (*K)[9])
 {
-    return shell_assembly_tangent(&m->assembly, &statics, m->space->rest,
-                                  (struct large_foresight){0}, K);
+    return large_body_tangent(&m->assembly.body, &statics, m->space->rest,
+                              (struct large_foresight){0}, K);
 }
 
 static enum status linear(struct shell_motion *m, struct counters *counters)

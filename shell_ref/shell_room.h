@@ -18,7 +18,7 @@ struct shell_material {
 /* Room for one element; one per thread. */
 struct shell_element {
     int local, row, padded, gauss; /* functions, padded; Gauss points padded, and not  */
-    double *memory;                /*                                          owned   */
+    void *memory;                  /*                                          owned   */
     double *T;                     /* [SHELL_DERIVATIVES][local][padded]               */
     double *X[3];                  /* [local][3]: present, geometry, last change       */
     double *strain;                /* [SHELL_STRAINS][padded]                          */

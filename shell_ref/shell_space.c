@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/linalg/blocks.h"
 #include "models/linalg/gauss.h"
+#include "models/room.h"
 
 /* Which derivative of the u and of the v function makes each row of a table. */
 static const int derivative_u[SHELL_DERIVATIVES] = {0, 1, 0, 2, 0, 1};
@@ -12,17 +14,12 @@ static const int derivative_v[SHELL_DERIVATIVES] = {0, 0, 1, 0, 2, 1};
 
 void shell_space_clear(struct shell_space *space)
 {
-    if (!space)
-        return;
     for (int d = 0; d < 2; d++) {
         bspline_clear(&space->basis[d]);
         free(space->direction[d].span);
         free(space->direction[d].table);
     }
-    free(space->weight);
-    free(space->rest);
-    free(space->parametric);
-    free(space->ien);
+    free(space->room);
     free(space->slab);
     memset(space, 0, sizeof *space);
 }
@@ -102,40 +99,6 @@ static void number_elements(struct shell_space *space, const int gauss[2])
     }
 }
 
-/* Slabs of order columns of elements: two slabs further no function is shared. */
-static enum status set_slabs(struct shell_space *space)
-{
-    int columns = space->direction[0].spans, rows = space->direction[1].spans;
-    int wide = space->direction[0].order;
-
-    space->slabs = (columns + wide - 1) / wide;
-    space->slab = malloc(((size_t)space->slabs + 1) * sizeof *space->slab);
-    if (!space->slab)
-        return STATUS_MEMORY;
-    for (int s = 0; s < space->slabs; s++)
-        space->slab[s] = s * wide * rows;
-    space->slab[space->slabs] = space->elements;
-    return STATUS_OK;
-}
-
-static enum status copy_points(struct shell_space *space, const double *point,
-                               const double *weight)
-{
-    size_t nodes = (size_t)space->nodes;
-
-    space->rest = malloc(3 * nodes * sizeof *space->rest);
-    if (!space->rest)
-        return STATUS_MEMORY;
-    memcpy(space->rest, point, 3 * nodes * sizeof *space->rest);
-    if (!weight)
-        return STATUS_OK;
-    space->weight = malloc(nodes * sizeof *space->weight);
-    if (!space->weight)
-        return STATUS_MEMORY;
-    memcpy(space->weight, weight, nodes * sizeof *space->weight);
-    return STATUS_OK;
-}
-
 enum status shell_space_init(struct shell_space *space, const struct bspline basis[2],
                              const double *point, const double *weight, const int gauss[2],
                              struct message *why)
@@ -153,19 +116,20 @@ enum status shell_space_init(struct shell_space *space, const struct bspline bas
     new.local = (basis[0].p + 1) * (basis[1].p + 1);
     new.gauss = points[0] * points[1];
     new.padded = SHELL_PADDED(new.gauss);
-    TRY(copy_points(&new, point, weight));
     TRY(tabulate(&new, 0, points[0], points[1]));
     TRY(tabulate(&new, 1, points[1], points[1]));
     new.elements = new.direction[0].spans *new.direction[1].spans;
-    new.ien = malloc((size_t) new.elements *(size_t) new.local * sizeof *new.ien);
-    new.parametric =
-        calloc((size_t) new.elements *(size_t) new.padded, sizeof *new.parametric);
-    if (!new.ien || !new.parametric)
-        TRY(STATUS_MEMORY);
+    TRY(room_cut(&new.room, ROOM(new.ien, new.elements *(size_t) new.local),
+                 ROOM(new.parametric, new.elements *(size_t) new.padded),
+                 ROOM(new.rest, 3 * (size_t) new.nodes),
+                 ROOM(new.weight, weight ? new.nodes : 0)));
+    memcpy(new.rest, point, 3 * (size_t) new.nodes * sizeof *point);
+    if (weight)
+        memcpy(new.weight, weight, (size_t) new.nodes * sizeof *weight);
     number_elements(&new, points);
-    TRY(set_slabs(&new));
-    *space = new;
-    memset(&new, 0, sizeof new);
+    TRY(blocks_slabs(new.elements, new.direction[1].spans, new.direction[0].order,
+                     &new.slabs, &new.slab));
+    HAND_OVER(space, new);
 out:
     shell_space_clear(&new);
     return st;

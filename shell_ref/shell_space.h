@@ -34,14 +34,15 @@ struct shell_direction {
 
 struct shell_space {
     struct bspline basis[2]; /* u, v                                           owned   */
-    double *weight;          /* [nodes] > 0; NULL: all 1                       owned   */
-    double *rest;            /* [nodes][3] control points at rest  [m]         owned   */
+    void *room;              /* of weight, rest, parametric and ien            owned   */
+    double *weight;          /* [nodes] > 0; NULL: all 1                               */
+    double *rest;            /* [nodes][3] control points at rest  [m]                 */
     int nodes, elements;
     int local;         /* functions per element, (p+1)(q+1)                           */
     int gauss, padded; /* Gauss points per element; rows of them, padded              */
     struct shell_direction direction[2];
-    double *parametric; /* [elements][padded] parametric quadrature weights    owned   */
-    int *ien;           /* [elements][local] ascending                         owned   */
+    double *parametric; /* [elements][padded] parametric quadrature weights            */
+    int *ien;           /* [elements][local] ascending                                 */
     int slabs, *slab;   /* elements slab[s] .. slab[s+1]; s and s+2 share no node owned */
 };
 

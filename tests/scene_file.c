@@ -1,5 +1,6 @@
 /* The scene reader: shipped scenes, settings, names. Refusals are in bad_scenes.c. */
 #include "models/reader/scene_file.h"
+#include "models/reader/scene_schema.h"
 #include "tests/check.h"
 
 static const char MINIMAL[] = "name: minimal\n"
@@ -143,6 +144,44 @@ static void check_settings(void)
     discretization_clear(&d);
 }
 
+/* Every key as it was set, printed as the settings that set it again. */
+static void check_printed(void)
+{
+    static const char *const settings[] = {
+        "discretization.points=[20,30,3]",
+        "discretization.degree=[3,4,2]",
+        "discretization.gauss=[4,4,0]",
+        "discretization.knots_w=[0,0.10000000000000001,1]",
+        "discretization.weights=[1,2.5]",
+        "discretization.kinematics=printed",
+        "discretization.remedy=incompatible",
+        "discretization.unknowns=thickness",
+        "discretization.solver=cholmod",
+        "discretization.parameters=paper",
+        "discretization.integrator=explicit",
+        "discretization.substeps=7",
+        "discretization.iterations=8",
+        "discretization.tolerance=1.0000000000000001e-09",
+        "discretization.strain_limit=0.25",
+        "discretization.constraint=edges",
+        "discretization.acceleration=chebyshev"};
+    const int count = sizeof settings / sizeof *settings;
+    struct scene s;
+    struct discretization d = defaults();
+    char *text = NULL, *line;
+
+    REQUIRE(parse(MINIMAL, count, settings, &s, &d) == STATUS_OK);
+    REQUIRE(scene_schema_print(&d, &text) == STATUS_OK);
+    line = strtok(text, "\n");
+    for (int n = 0; n < count; n++, line = strtok(NULL, "\n"))
+        if (!CHECK(line && !strcmp(line, settings[n])))
+            printf("  printed: %s\n  set:     %s\n", line ? line : "nothing", settings[n]);
+    CHECK(!line);
+    free(text);
+    scene_clear(&s);
+    discretization_clear(&d);
+}
+
 /* Settings outrank what they make meaningless in the file. */
 static void check_outranked(void)
 {
@@ -238,6 +277,7 @@ int main(void)
     check_minimal();
     check_everything();
     check_settings();
+    check_printed();
     check_outranked();
     check_failure();
     check_shipped();

@@ -106,8 +106,8 @@ static void problem_init(struct problem *p, const struct bspline basis[2],
     p->held.nodes = p->space.nodes;
     p->held.free_index = calloc(3 * (size_t)p->space.nodes, sizeof(int));
     REQUIRE(p->K && p->load && p->held.free_index);
-    CHECK(shell_assembly_tangent(&p->s, &statics, p->space.rest,
-                                 (struct large_foresight){0}, p->K) == STATUS_OK);
+    CHECK(large_body_tangent(&p->s.body, &statics, p->space.rest,
+                             (struct large_foresight){0}, p->K) == STATUS_OK);
 }
 
 static int node_of(const struct problem *p, int i, int j)

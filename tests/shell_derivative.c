@@ -35,7 +35,7 @@ static void check_force(const struct shell_assembly *s, const double *x, const d
     double *f = malloc(2 * count * sizeof *f), *moved = f + count, best = 1;
 
     REQUIRE(f);
-    CHECK(shell_assembly_force(s, &statics, x, f) == STATUS_OK);
+    CHECK(large_body_force(&s->body, &statics, x, f) == STATUS_OK);
     double want = shell_dot(count, f, d), scale = norm(count, f) * norm(count, d);
     for (double step = 1e-3; step > 1e-8; step /= 4) {
         double energy[2];
@@ -58,14 +58,14 @@ static void check_tangent(const struct shell_assembly *s, const double *x, const
     double(*K)[9] = malloc((size_t)s->graph.start[s->graph.nodes] * sizeof *K);
 
     REQUIRE(want && K);
-    CHECK(shell_assembly_tangent(s, &statics, x, (struct large_foresight){0}, K) ==
+    CHECK(large_body_tangent(&s->body, &statics, x, (struct large_foresight){0}, K) ==
           STATUS_OK);
     blocks_multiply(&s->graph, (const double(*)[9])K, d, want);
     for (double step = 1e-3; step > 1e-8; step /= 4) {
         for (int side = 0; side < 2; side++) {
             for (size_t t = 0; t < count; t++)
                 moved[t] = x[t] + (side ? step : -step) * d[t];
-            CHECK(shell_assembly_force(s, &statics, moved, f[side]) == STATUS_OK);
+            CHECK(large_body_force(&s->body, &statics, moved, f[side]) == STATUS_OK);
         }
         for (size_t t = 0; t < count; t++)
             moved[t] = (f[1][t] - f[0][t]) / (2 * step) - want[t];
@@ -100,7 +100,7 @@ static void check_rigid(const struct shell_assembly *s, double deformed)
         }
     }
     CHECK_NEAR(energy_at(s, x) / deformed, 0, RIGID_ENERGY);
-    CHECK(shell_assembly_force(s, &statics, x, f) == STATUS_OK);
+    CHECK(large_body_force(&s->body, &statics, x, f) == STATUS_OK);
     CHECK_NEAR(norm(count, f) / deformed, 0, RIGID_FORCE);
     free(x);
 }

@@ -38,7 +38,7 @@ static void check_force(const struct solid_green *g, const double *x, const doub
     double *f = malloc(2 * count * sizeof *f), *moved = f + count, best = 1, want = 0;
 
     REQUIRE(f);
-    CHECK(solid_green_force(g, &statics, x, f) == STATUS_OK);
+    CHECK(large_body_force(&g->body, &statics, x, f) == STATUS_OK);
     for (size_t t = 0; t < count; t++)
         want += f[t] * d[t];
     for (double step = 1e-3; step > 1e-8; step /= 4) {
@@ -64,13 +64,14 @@ static void check_tangent(const struct solid_green *g, const double *x, const do
     double(*K)[9] = malloc((size_t)graph->start[graph->nodes] * sizeof *K);
 
     REQUIRE(want && K);
-    CHECK(solid_green_tangent(g, &statics, x, (struct large_foresight){0}, K) == STATUS_OK);
+    CHECK(large_body_tangent(&g->body, &statics, x, (struct large_foresight){0}, K) ==
+          STATUS_OK);
     blocks_multiply(graph, (const double(*)[9])K, d, want);
     for (double step = 1e-3; step > 1e-8; step /= 4) {
         for (int side = 0; side < 2; side++) {
             for (size_t t = 0; t < count; t++)
                 moved[t] = x[t] + (side ? step : -step) * d[t];
-            CHECK(solid_green_force(g, &statics, moved, f[side]) == STATUS_OK);
+            CHECK(large_body_force(&g->body, &statics, moved, f[side]) == STATUS_OK);
         }
         for (size_t t = 0; t < count; t++)
             moved[t] = (f[1][t] - f[0][t]) / (2 * step) - want[t];
@@ -89,8 +90,8 @@ static void check_rest(const struct solid_green *g)
     double(*K)[9] = malloc((size_t)pairs * sizeof *K), most = 0, apart = 0;
 
     REQUIRE(K);
-    CHECK(solid_green_tangent(g, &statics, g->assembly->space->rest,
-                              (struct large_foresight){0}, K) == STATUS_OK);
+    CHECK(large_body_tangent(&g->body, &statics, g->assembly->space->rest,
+                             (struct large_foresight){0}, K) == STATUS_OK);
     for (long n = 0; n < pairs; n++)
         for (int t = 0; t < 9; t++) {
             most = fmax(most, fabs(g->assembly->K[n][t]));
@@ -120,7 +121,7 @@ static void check_rigid(const struct solid_green *g, double deformed)
         }
     }
     CHECK_NEAR(energy_at(g, x) / deformed, 0, RIGID_ENERGY);
-    CHECK(solid_green_force(g, &statics, x, f) == STATUS_OK);
+    CHECK(large_body_force(&g->body, &statics, x, f) == STATUS_OK);
     CHECK_NEAR(norm(count, f) / deformed, 0, RIGID_FORCE);
     free(x);
 }
@@ -142,10 +143,10 @@ static void check_foresight(const struct solid_green *g)
         d[t] = spin[j] * rest[node + k] - spin[k] * rest[node + j];
         x[t] = rest[t] + d[t];
     }
-    CHECK(solid_green_tangent(g, &statics, x, (struct large_foresight){.change = d}, K) ==
-          STATUS_OK);
-    CHECK(solid_green_tangent(g, &statics, x, (struct large_foresight){.none = true},
-                              K + pairs) == STATUS_OK);
+    CHECK(large_body_tangent(&g->body, &statics, x, (struct large_foresight){.change = d},
+                             K) == STATUS_OK);
+    CHECK(large_body_tangent(&g->body, &statics, x, (struct large_foresight){.none = true},
+                             K + pairs) == STATUS_OK);
     for (long n = 0; n < pairs; n++)
         for (int t = 0; t < 9; t++) {
             most = fmax(most, fabs(K[n][t]));
@@ -199,14 +200,14 @@ static void check_deaths(void)
     solid_box(&box, &patch);
     solid_make(&s, SOLID_IGA, &patch, (int[3]){0, 0, 0}, false, &material);
     REQUIRE(solid_green_init(&g, &s.assembly) == STATUS_OK);
-    double x[3 * 32], *strain = malloc(solid_green_strains(&g) * sizeof *strain);
+    double x[3 * 32], *strain = malloc(large_body_strains(&g.body) * sizeof *strain);
     REQUIRE(strain && s.space.nodes == 32);
     memcpy(x, s.space.rest, sizeof x);
     x[2] += 1; /* one corner of the lower face far above the upper one */
-    CHECK(solid_green_strain(&g, x, strain) == STATUS_INVERTED);
+    CHECK(large_body_strain(&g.body, x, strain) == STATUS_INVERTED);
     CHECK(solid_green_energy(&g, x, &energy) == STATUS_INVERTED);
     x[2] = NAN;
-    CHECK(solid_green_strain(&g, x, strain) == STATUS_NAN);
+    CHECK(large_body_strain(&g.body, x, strain) == STATUS_NAN);
     free(strain);
     solid_green_clear(&g);
     solid_clear(&s);

@@ -31,18 +31,6 @@ static void defaults(struct discretization *d)
         .points = {10, 10, 1}, .degree = {1, 1, 1}, .kinematics = KINEMATICS_LINEAR};
 }
 
-/* Physics that the model leaves out: never ignored in silence. */
-static enum status refuse_scene(const struct scene *scene, struct message *why)
-{
-    char text[256];
-    unsigned missing = scene_needs(scene) & ~SERVES;
-
-    if (!missing)
-        return STATUS_OK;
-    scene_needs_text(missing, text, sizeof text);
-    return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no %s", text);
-}
-
 /* Every key that would have no effect is refused, so that nobody believes it had one. */
 static enum status refuse(const struct discretization *d, struct message *why)
 {
@@ -113,7 +101,7 @@ static enum status create(const struct scene *scene, const struct discretization
     enum status st;
     struct toy *t = NULL;
 
-    TRY(refuse_scene(scene, why));
+    TRY(model_refuse(scene, SERVES, why)); /* never ignored in silence */
     TRY(refuse(d, why));
     t = calloc(1, sizeof *t);
     if (!t)

@@ -12,9 +12,9 @@
 #include "bench/files/atomic_file.h"
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
-#include "bench/files/settings_text.h"
 #include "bench/files/xdmf.h"
 #include "models/grid.h"
+#include "models/reader/scene_schema.h"
 
 #define FORMAT "clothbench run 2"
 
@@ -64,7 +64,7 @@ static enum status put_run(struct store *s, const struct store_run *run,
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
         if (hdf5_file_put_text(s->file, row[i].key, row[i].text ? row[i].text : "") < 0)
             TRY(fail(s, why));
-    TRY(settings_text(run->discretization, &settings));
+    TRY(scene_schema_print(run->discretization, &settings));
     if (hdf5_file_put_text(s->file, "discretization", settings) < 0 ||
         hdf5_file_put_double(s->file, "length", scene->length) < 0 ||
         hdf5_file_put_double(s->file, "width", scene->width) < 0 ||

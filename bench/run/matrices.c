@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 
 #include "bench/files/matrix_market.h"
-#include "bench/files/settings_text.h"
+#include "models/reader/scene_schema.h"
 
 static enum status write_one(const char *folder, const char *name, const char *what,
                              const struct run *run, const struct matrix *A,
@@ -21,7 +21,7 @@ static enum status write_one(const char *folder, const char *name, const char *w
 
     if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path)
         return status_fail(why, STATUS_INPUT, "--matrices: the folder's name is too long");
-    TRY(settings_text(d, &settings));
+    TRY(scene_schema_print(d, &settings));
     text = open_memstream(&comment, &size);
     if (!text)
         TRY(STATUS_MEMORY);

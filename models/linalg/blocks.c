@@ -1,6 +1,8 @@
 #include "models/linalg/blocks.h"
 
 #include <assert.h>
+#include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -54,6 +56,13 @@ static int collect_row(int a, int local, const int *ien, const long *first, cons
     return count;
 }
 
+void blocks_clear(struct blocks *g)
+{
+    free(g->start);
+    free(g->node);
+    memset(g, 0, sizeof *g);
+}
+
 enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
                         const int *ien)
 {
@@ -85,8 +94,7 @@ enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
         pairs += count;
     }
     new.start[nodes] = pairs;
-    *g = new;
-    memset(&new, 0, sizeof new);
+    HAND_OVER(g, new);
     st = STATUS_OK;
 out:
     blocks_clear(&new);
@@ -95,15 +103,6 @@ out:
     free(mark);
     free(row);
     return st;
-}
-
-void blocks_clear(struct blocks *g)
-{
-    if (!g)
-        return;
-    free(g->start);
-    free(g->node);
-    memset(g, 0, sizeof *g);
 }
 
 long blocks_find(const struct blocks *g, int a, int b)
@@ -119,6 +118,49 @@ long blocks_find(const struct blocks *g, int a, int b)
             high = middle;
     }
     return low < g->start[a + 1] && g->node[low] == b ? low : -1;
+}
+
+enum status blocks_places(const struct blocks *g, int elements, int local, int run,
+                          const int *ien, int **place)
+{
+    int runs = local / run;
+    int *p = malloc((size_t)elements * (size_t)(local * runs) * sizeof *p);
+
+    if (!(*place = p) || g->start[g->nodes] > INT_MAX / 9)
+        return STATUS_MEMORY;
+    for (int e = 0; e < elements; e++, ien += local, p += local * runs)
+        for (int a = 0; a < local; a++)
+            for (int r = a / run; r < runs; r++) {
+                int first = r * run > a ? r * run : a;
+                p[a * runs + r] = (int)blocks_find(g, ien[a], ien[first]);
+            }
+    return STATUS_OK;
+}
+
+enum status blocks_slabs(int elements, int per_column, int wide, int *slabs, int **slab)
+{
+    int columns = elements / per_column;
+
+    *slabs = (columns + wide - 1) / wide;
+    *slab = malloc(((size_t)*slabs + 1) * sizeof **slab);
+    if (!*slab)
+        return STATUS_MEMORY;
+    for (int s = 0; s < *slabs; s++)
+        (*slab)[s] = s * wide * per_column;
+    (*slab)[*slabs] = elements;
+    return STATUS_OK;
+}
+
+double blocks_longest(int nodes, const double *x)
+{
+    double most = 0;
+
+    for (int a = 0; a < nodes; a++, x += 3) {
+        double far = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+        if (!(far <= most))
+            most = far;
+    }
+    return sqrt(most);
 }
 
 void blocks_multiply(const struct blocks *g, const double (*K)[9], const double *x,

@@ -8,6 +8,7 @@
 
 #include "models/linalg/blas_kernel.h"
 #include "models/linalg/factor.h"
+#include "models/room.h"
 
 /* --- dense ------------------------------------------------------------------------------
  */
@@ -27,13 +28,10 @@ static enum status lowest_dense(const struct eigen_matrix *K, const struct eigen
     enum status st = STATUS_OK;
     int n = K->n, found = 0, info;
     size_t square = (size_t)n * n;
-    double *k = malloc(square * sizeof *k), *m = malloc(square * sizeof *m);
-    double *all = malloc(n * sizeof *all); /* dsygvx wants room for all n */
-    int *failed = malloc(n * sizeof *failed);
-    if (!k || !m || !all || !failed) {
-        st = STATUS_MEMORY;
-        goto out;
-    }
+    void *room;
+    double *k, *m, *all; /* dsygvx wants room for all n */
+    int *failed;
+    TRY(room_cut(&room, ROOM(k, square), ROOM(m, square), ROOM(all, n), ROOM(failed, n)));
     spread(K, k);
     spread(M, m);
     info = LAPACKE_dsygvx(LAPACK_COL_MAJOR, 1, vector ? 'V' : 'N', 'I', 'L', n, k, n, m, n,
@@ -48,10 +46,7 @@ static enum status lowest_dense(const struct eigen_matrix *K, const struct eigen
     else
         memcpy(lambda, all, count * sizeof *lambda);
 out:
-    free(k);
-    free(m);
-    free(all);
-    free(failed);
+    free(room);
     return st;
 }
 
@@ -168,23 +163,22 @@ static enum status factor_shifted(const struct shifting *s, double *sigma,
 static enum status shifting_init(const struct eigen_matrix *K, const struct eigen_matrix *M,
                                  struct shifting *s, struct message *why)
 {
-    enum status st = STATUS_MEMORY;
+    enum status st;
+    void *room = NULL;
+    long *start;
+    int *row;
 
     *s = (struct shifting){K, M, magnitude(K) / magnitude(M), NULL};
     if (!positive_diagonal(M) || !(s->mean > 0.0))
         return status_fail(why, STATUS_INDEFINITE,
                            "eigenvalues: a mass on the diagonal is not positive, or no "
                            "stiffness is there");
-    long *start = malloc((K->n + 1) * sizeof *start);
-    int *row = malloc((K->start[K->n] + M->start[M->n]) * sizeof *row);
-    if (!start || !row)
-        goto out;
+    TRY(room_cut(&room, ROOM(start, K->n + 1), ROOM(row, K->start[K->n] + M->start[M->n])));
     merge_patterns(K, M, start, row);
     st = factor_create(&(struct factor_pattern){.n = K->n, .start = start, .row = row},
                        SOLVER_AUTO, &s->f);
 out:
-    free(start);
-    free(row);
+    free(room);
     return st;
 }
 
@@ -192,40 +186,30 @@ struct lanczos {
     int n, nev, ncv, lworkl, iparam[11], ipntr[11], *select;
     double tol; /* 0: round-off; dsaupd writes here what it took */
     double *resid, *v, *workd, *workl;
+    void *room; /* of the arrays */
 };
-
-static void lanczos_clear(struct lanczos *l)
-{
-    free(l->select);
-    free(l->resid);
-    free(l->v);
-    free(l->workd);
-    free(l->workl);
-}
 
 static enum status lanczos_init(struct lanczos *l, int n, int nev)
 {
+    enum status st;
     /* Twice the wanted ones is ARPACK's advice; a few more save restarts for few wanted. */
     *l = (struct lanczos){.n = n, .nev = nev, .ncv = 2 * nev + 20 < n ? 2 * nev + 20 : n};
     l->lworkl = l->ncv * (l->ncv + 8);
-    l->select = calloc(l->ncv, sizeof *l->select);
-    l->resid = malloc(n * sizeof *l->resid);
-    l->v = malloc((size_t)n * l->ncv * sizeof *l->v);
-    l->workd = malloc(3 * (size_t)n * sizeof *l->workd);
-    l->workl = malloc(l->lworkl * sizeof *l->workl);
     l->iparam[0] = 1;    /* exact shifts  */
     l->iparam[2] = 1000; /* restarts      */
     l->iparam[3] = 1;    /* block size    */
     l->iparam[6] = 3;    /* shift-invert  */
-    if (!l->select || !l->resid || !l->v || !l->workd || !l->workl)
-        return STATUS_MEMORY;
+    TRY(room_cut(&l->room, ROOM(l->select, l->ncv), ROOM(l->resid, n),
+                 ROOM(l->v, (size_t)n * l->ncv), ROOM(l->workd, 3 * n),
+                 ROOM(l->workl, l->lworkl)));
     /* A start vector that no mode is likely to be orthogonal to, the same every run. */
     unsigned long state = 1;
     for (int i = 0; i < n; i++) {
         state = state * 6364136223846793005u + 1442695040888963407u;
         l->resid[i] = (double)(state >> 11) * 0x1p-53 - 0.5;
     }
-    return STATUS_OK;
+out:
+    return st;
 }
 
 /* ARPACK's reverse communication: it asks, we multiply or solve. */
@@ -285,7 +269,7 @@ static enum status lowest_sparse(const struct eigen_matrix *K, const struct eige
     TRY(lanczos_run(&l, M, s.f, why));
     TRY(lanczos_take(&l, sigma, lambda, vector, why));
 out:
-    lanczos_clear(&l);
+    free(l.room);
     factor_destroy(s.f);
     return st;
 }

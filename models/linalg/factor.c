@@ -246,6 +246,24 @@ double *factor_numbers(ptrdiff_t count)
     return x;
 }
 
+void factor_destroy(struct factor *f)
+{
+    if (!f)
+        return;
+    for (int p = 0; f->part && p < f->part_count; p++)
+        if (f->part[p].method)
+            f->part[p].method->destroy(&f->part[p]);
+    free(f->part);
+    free(f->first_row);
+    free(f->first_slot);
+    free(f->part_of);
+    free(f->place);
+    free(f->value);
+    free(f->work);
+    free(f->work_three);
+    free(f);
+}
+
 enum status factor_create(const struct factor_pattern *a, enum solver method,
                           struct factor **out)
 {
@@ -277,24 +295,6 @@ out:
     else
         factor_destroy(f);
     return st;
-}
-
-void factor_destroy(struct factor *f)
-{
-    if (!f)
-        return;
-    for (int p = 0; f->part && p < f->part_count; p++)
-        if (f->part[p].method)
-            f->part[p].method->destroy(&f->part[p]);
-    free(f->part);
-    free(f->first_row);
-    free(f->first_slot);
-    free(f->part_of);
-    free(f->place);
-    free(f->value);
-    free(f->work);
-    free(f->work_three);
-    free(f);
 }
 
 /* --- values -----------------------------------------------------------------------------

@@ -12,8 +12,10 @@
 #include "models/linalg/factor_part.h"
 #include "models/linalg/tile.h"
 #include "models/linalg/tile_three.h"
+#include "models/room.h"
 
 struct banded {
+    void *room;       /* of the arrays but pair                                        */
     int half;         /* half-bandwidth in unknowns                                    */
     int tiles;        /* tile columns                                                  */
     int *last;        /* [tiles] last tile row of a tile column                        */
@@ -78,22 +80,20 @@ static void find_profile(struct banded *band, const struct factor_pattern *a,
 static enum status create(const struct factor_pattern *a, int *position,
                           struct factor_part *part)
 {
+    enum status st;
     struct banded *band = part->state = calloc(1, sizeof *band);
     if (!band)
         return STATUS_MEMORY;
     band->half = choose_order(a, position);
     band->tiles = (a->n + TILE - 1) / TILE;
-    band->last = malloc(band->tiles * sizeof *band->last);
-    band->first = malloc(band->tiles * sizeof *band->first);
-    band->start = malloc((band->tiles + 1) * sizeof *band->start);
-    band->inverse = malloc(band->tiles * TILE * sizeof *band->inverse);
-    band->column = malloc(band->tiles * sizeof *band->column);
-    if (!band->column || !band->last || !band->first || !band->start || !band->inverse)
-        return STATUS_MEMORY;
+    TRY(room_cut(&band->room, ROOM(band->last, band->tiles), ROOM(band->first, band->tiles),
+                 ROOM(band->start, band->tiles + 1),
+                 ROOM(band->inverse, band->tiles * TILE), ROOM(band->column, band->tiles)));
     find_profile(band, a, position);
     part->rows = band->tiles * TILE;
     part->slots = band->start[band->tiles];
-    return STATUS_OK;
+out:
+    return st;
 }
 
 static ptrdiff_t slot(const struct factor_part *part, int i, int j)
@@ -218,24 +218,11 @@ static void destroy(struct factor_part *part)
     struct banded *band = part->state;
     if (!band)
         return;
-    free(band->last);
-    free(band->first);
-    free(band->start);
-    free(band->inverse);
+    free(band->room);
     free(band->pair);
-    free(band->column);
     free(band);
     part->state = NULL;
 }
 
 const struct factor_method factor_banded = {
-    .name = "banded",
-    .create = create,
-    .slot = slot,
-    .refactor = refactor,
-    .solve = solve,
-    .prepare_three = prepare_three,
-    .solve_three = solve_three,
-    .describe = describe,
-    .destroy = destroy,
-};
+    "banded", create, slot, refactor, solve, prepare_three, solve_three, describe, destroy};

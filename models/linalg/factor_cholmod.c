@@ -175,14 +175,6 @@ static void destroy(struct factor_part *part)
     part->state = NULL;
 }
 
-const struct factor_method factor_cholmod = {
-    .name = "cholmod",
-    .create = create,
-    .slot = slot,
-    .refactor = refactor,
-    .solve = solve,
-    .prepare_three = prepare_three,
-    .solve_three = solve_three,
-    .describe = describe,
-    .destroy = destroy,
-};
+const struct factor_method factor_cholmod = {"cholmod",   create,   slot,
+                                             refactor,    solve,    prepare_three,
+                                             solve_three, describe, destroy};

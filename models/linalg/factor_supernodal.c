@@ -18,6 +18,7 @@
 #include "models/linalg/front.h"
 #include "models/linalg/tile.h"
 #include "models/linalg/tile_three.h"
+#include "models/room.h"
 
 struct supernode {
     int first, count;      /* its columns: positions first .. first + count            */
@@ -33,6 +34,7 @@ struct supernode {
 };
 
 struct supernodal {
+    void *room;             /* of nodes, rows and places                               */
     int count;              /* supernodes, children before parents                     */
     struct supernode *node; /* [count]                                                 */
     int *of_column;         /* [n]                                                     */
@@ -193,15 +195,12 @@ static void plan_arena(struct supernodal *s, int *live)
 
 static enum status take_supernodes(struct supernodal *s, const cholmod_factor *l)
 {
+    enum status st;
     const int *super = l->super, *pi = l->pi;
     s->count = (int)l->nsuper;
-    s->node = calloc(s->count, sizeof *s->node);
-    s->of_column = malloc(l->n * sizeof *s->of_column);
-    s->row = malloc((l->ssize + 1) * sizeof *s->row);
-    s->place = malloc((l->ssize + 1) * sizeof *s->place);
-    s->inverse_start = malloc(s->count * sizeof *s->inverse_start);
-    if (!s->node || !s->of_column || !s->row || !s->place || !s->inverse_start)
-        return STATUS_MEMORY;
+    TRY(room_cut(&s->room, ROOM(s->node, s->count), ROOM(s->of_column, l->n),
+                 ROOM(s->row, l->ssize), ROOM(s->place, l->ssize),
+                 ROOM(s->inverse_start, s->count)));
     memcpy(s->row, l->s, l->ssize * sizeof *s->row);
     for (int k = 0; k < s->count; k++) {
         struct supernode *node = &s->node[k];
@@ -212,7 +211,8 @@ static enum status take_supernodes(struct supernodal *s, const cholmod_factor *l
         for (int i = 0; i < node->count; i++)
             s->of_column[node->first + i] = k;
     }
-    return STATUS_OK;
+out:
+    return st;
 }
 
 static enum status lay_out(struct supernodal *s, ptrdiff_t *slots)
@@ -418,11 +418,7 @@ static void destroy(struct factor_part *part)
     struct supernodal *s = part->state;
     if (!s)
         return;
-    free(s->node);
-    free(s->of_column);
-    free(s->row);
-    free(s->place);
-    free(s->inverse_start);
+    free(s->room);
     free(s->arena);
     free(s->inverse);
     free(s->column);
@@ -432,14 +428,6 @@ static void destroy(struct factor_part *part)
     part->state = NULL;
 }
 
-const struct factor_method factor_supernodal = {
-    .name = "supernodal",
-    .create = create,
-    .slot = slot,
-    .refactor = refactor,
-    .solve = solve,
-    .prepare_three = prepare_three,
-    .solve_three = solve_three,
-    .describe = describe,
-    .destroy = destroy,
-};
+const struct factor_method factor_supernodal = {"supernodal", create,   slot,
+                                                refactor,     solve,    prepare_three,
+                                                solve_three,  describe, destroy};

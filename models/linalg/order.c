@@ -1,6 +1,7 @@
 #include "models/linalg/order.h"
 
 #include <assert.h>
+#include <stdlib.h>
 
 struct net {
     int m, size, reach;
@@ -48,4 +49,16 @@ void order_nested(int n, int m, int size, int reach, int *order)
     struct net net = {.m = m, .size = size, .reach = reach, .order = order};
     assert(n >= 1 && m >= 1 && size >= 1 && reach >= 1);
     dissect(&net, 0, n, 0, m);
+}
+
+int *order_wide(int n, int m, int l)
+{
+    int *order = m > n ? malloc((size_t)n * (size_t)m * (size_t)l * sizeof *order) : NULL;
+    int count = 0;
+
+    for (int j = 0; order && j < m; j++)
+        for (int i = 0; i < n; i++)
+            for (int k = 0; k < l; k++)
+                order[count++] = (i * m + j) * l + k;
+    return order;
 }

@@ -8,4 +8,8 @@
  * the longer side. order[n m size], caller's: order[new] = old. n, m, size, reach >= 1. */
 void order_nested(int n, int m, int size, int reach, int *order);
 
+/* Node order with v slowest, for nets n x m x l wider than long (a narrower band); NULL
+ * otherwise or without memory. Owned by the caller. */
+int *order_wide(int n, int m, int l);
+
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/contact.h"
+#include "models/room.h"
 
 static const double ROUNDING = 1e-13;
 
@@ -40,11 +41,17 @@ static enum status check_rest(const struct contact_set *c, const double *x,
     return STATUS_OK;
 }
 
+void contact_set_clear(struct contact_set *c)
+{
+    free(c->room);
+    memset(c, 0, sizeof *c);
+}
+
 enum status contact_set_init(struct contact_set *c, const struct scene *scene,
                              const struct supports *held, const double *x, double offset,
                              struct message *why)
 {
-    enum status st = STATUS_MEMORY;
+    enum status st;
     size_t nodes = (size_t)held->nodes;
     struct contact_set new = {.scene = scene,
                               .held = held,
@@ -58,37 +65,14 @@ enum status contact_set_init(struct contact_set *c, const struct scene *scene,
         return STATUS_OK;
     }
     TRY(check_rest(&new, x, why));
-    st = STATUS_MEMORY;
-    new.pair = calloc(nodes * (size_t) new.obstacles, sizeof *new.pair);
-    new.node = calloc(nodes, sizeof *new.node);
-    new.projector = calloc(nodes, sizeof *new.projector);
-    new.drag = calloc(nodes, sizeof *new.drag);
-    new.factored = calloc(nodes, sizeof *new.factored);
-    new.touched = calloc(nodes, sizeof *new.touched);
-    new.work = calloc(15 * nodes, sizeof *new.work);
-    if (!new.pair || !new.node || !new.projector || !new.drag || !new.factored ||
-        !new.touched || !new.work)
-        goto out;
-    *c = new;
-    memset(&new, 0, sizeof new);
-    st = STATUS_OK;
+    TRY(room_cut(&new.room, ROOM(new.pair, nodes * (size_t) new.obstacles),
+                 ROOM(new.node, nodes), ROOM(new.projector, nodes), ROOM(new.drag, nodes),
+                 ROOM(new.factored, nodes), ROOM(new.touched, nodes),
+                 ROOM(new.work, 15 * nodes)));
+    HAND_OVER(c, new);
 out:
     contact_set_clear(&new);
     return st;
-}
-
-void contact_set_clear(struct contact_set *c)
-{
-    if (!c)
-        return;
-    free(c->pair);
-    free(c->node);
-    free(c->projector);
-    free(c->drag);
-    free(c->factored);
-    free(c->touched);
-    free(c->work);
-    memset(c, 0, sizeof *c);
 }
 
 bool contact_set_used(const struct contact_set *c)

@@ -43,15 +43,16 @@ struct contact_set {
     double offset;   /* distance that nodes keep: 0, or h/2 of a mid-surface     [m]   */
     double rounding; /* round-off of positions, 1e-13 of the scene's size (sheet and
                         obstacles): gaps are closed to it                        [m]   */
-    struct contact_pair *pair; /* [nodes][obstacles]                           owned   */
-    struct contact_node *node; /* [nodes]                                      owned   */
-    double (*projector)[9];    /* [nodes] onto the directions left free        owned   */
-    unsigned char *touched;    /* [nodes] projector is not the identity        owned   */
-    double (*drag)[9];         /* [nodes] friction's part of the matrix        owned   */
-    double (*factored)[18];    /* [nodes] projector and drag of the present factor owned  */
+    void *room;      /* of the arrays                                owned   */
+    struct contact_pair *pair; /* [nodes][obstacles]                                   */
+    struct contact_node *node; /* [nodes]                                              */
+    double (*projector)[9];    /* [nodes] onto the directions left free                */
+    unsigned char *touched;    /* [nodes] projector is not the identity                */
+    double (*drag)[9];         /* [nodes] friction's part of the matrix                */
+    double (*factored)[18];    /* [nodes] projector and drag of the present factor     */
     bool is_factored;
     long unsettled; /* steps whose friction was cut short (contact_solve.h)            */
-    double *work;   /* [5][nodes][3]                                           owned   */
+    double *work;   /* [5][nodes][3]                                                   */
 };
 
 /* A normal adds a direction to others if the part of it outside their span is longer. */

@@ -3,6 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+void contact_step_clear(struct contact_step *c)
+{
+    contact_set_clear(&c->set);
+    system_clear(&c->mass);
+    free(c->arrest);
+    memset(c, 0, sizeof *c);
+}
+
 enum status contact_step_init(struct contact_step *c, const struct scene *scene,
                               const struct blocks *graph, const struct supports *supports,
                               const double *x, double offset, const int *order,
@@ -21,16 +29,6 @@ out:
     if (st != STATUS_OK)
         contact_step_clear(c);
     return st;
-}
-
-void contact_step_clear(struct contact_step *c)
-{
-    if (!c)
-        return;
-    contact_set_clear(&c->set);
-    system_clear(&c->mass);
-    free(c->arrest);
-    memset(c, 0, sizeof *c);
 }
 
 enum status contact_step_impact(struct contact_step *c, const double *M, double dt,

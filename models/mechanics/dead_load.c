@@ -79,3 +79,18 @@ enum status dead_load_add(const struct scene *scene, const struct dead_load_line
     free(all);
     return STATUS_OK;
 }
+
+enum status dead_load_make(const struct scene *scene, const struct dead_load_line line[3],
+                           double **dead, double *load)
+{
+    const size_t count = 3 * (size_t)line[0].n * (size_t)line[1].n * (size_t)line[2].n;
+
+    if (!scene->load_count)
+        return STATUS_OK;
+    if (!(*dead = calloc(count, sizeof **dead)))
+        return STATUS_MEMORY;
+    enum status st = dead_load_add(scene, line, *dead);
+    for (size_t t = 0; t < count; t++)
+        load[t] += (*dead)[t];
+    return st;
+}

@@ -23,4 +23,9 @@ struct dead_load_line {
 enum status dead_load_add(const struct scene *scene, const struct dead_load_line line[3],
                           double *f);
 
+/* The scene's loads into *dead[nodes][3], owned by the caller, and added to load[nodes][3];
+ * NULL if there are none. */
+enum status dead_load_make(const struct scene *scene, const struct dead_load_line line[3],
+                           double **dead, double *load);
+
 #endif

@@ -27,20 +27,44 @@ struct large_foresight {
     bool none;            /* no stress at all: a tangent that is never indefinite      */
 };
 
-/* What moves. All on coefficients x[nodes][3]; STATUS_NAN, or STATUS_INVERTED where x is no
- * body; results are then of no use. */
+/* What moves: elements whose nodes have coefficients x[nodes][3], and what each is asked. A
+ * thread keeps what it found: geometry, force and tangent come after the element's strain.
+ * Elements of one slab are one thread's, in order; slabs s and s + 2 share no node. */
 struct large_body {
     const void *self;
-    size_t strains; /* numbers in an array of strains                                  */
-    enum status (*strain)(const void *self, const double *x, double *strain);
-    enum status (*force)(const void *self, const struct large_path *path, const double *x,
-                         double *force);
-    /* K[pairs], symmetric: exact in statics without foresight; in time, where the
-     * derivative of the force is not symmetric, with the geometry's strain variations on
-     * both sides. */
-    enum status (*tangent)(const void *self, const struct large_path *path, const double *x,
-                           struct large_foresight foresight, double (*K)[9]);
+    int nodes, slabs, threads;
+    const int *slab; /* [slabs + 1]                                          borrowed  */
+    long pairs;      /* of K                                                           */
+    size_t strains;  /* numbers an element                                             */
+    size_t lagged;   /* of which the first so many feel the lag                        */
+
+    /* Strains at x, in the thread's own room, or NULL if x is no body there. With `change`
+     * the strains that its linearisation foresaw. */
+    double *(*strain)(const void *self, int thread, int element, const double *x,
+                      const double *change);
+    /* The geometry becomes (1 - share) x_old + share x; x_old is NULL if share == 1. */
+    void (*geometry)(const void *self, int thread, int element, const double *x_old,
+                     double share);
+    /* Add the element's to force[nodes][3] and K[pairs], of the strains in the room. */
+    void (*force)(const void *self, int thread, int element, double *force);
+    void (*tangent)(const void *self, int thread, int element,
+                    const struct large_path *path, double (*K)[9]);
 };
+
+/* Numbers in an array of strains. */
+size_t large_body_strains(const struct large_body *b);
+
+/* All elements, in parallel; the sums' order does not depend on the number of threads.
+ * STATUS_NAN, or STATUS_INVERTED where x is no body; results are then of no use.
+ *
+ * K is symmetric: exact in statics without foresight; in time, where the derivative of the
+ * force is not symmetric, with the geometry's strain variations on both sides. */
+enum status large_body_strain(const struct large_body *b, const double *x, double *strain);
+enum status large_body_force(const struct large_body *b, const struct large_path *path,
+                             const double *x, double *force);
+enum status large_body_tangent(const struct large_body *b, const struct large_path *path,
+                               const double *x, struct large_foresight foresight,
+                               double (*K)[9]);
 
 /* Loads that follow the shape, for tests: adds `factor` times the load to force[nodes][3]
  * and, unless K is NULL, minus its derivative to K. */

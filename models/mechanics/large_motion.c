@@ -9,23 +9,21 @@
 /* Substeps are step / 2^0 ... step / 2^HALVINGS. */
 enum { HALVINGS = 8, FINEST = 1 << HALVINGS };
 
+void large_motion_clear(struct large_motion *m)
+{
+    free(m->room);
+    free(m->strain_old);
+    memset(m, 0, sizeof *m);
+}
+
 enum status large_motion_init(struct large_motion *m)
 {
     size_t bytes = 3 * (size_t)m->graph->nodes * sizeof(double);
 
     m->factored = -1;
     m->room = malloc(6 * bytes);
-    m->strain_old = malloc(m->body.strains * sizeof *m->strain_old);
+    m->strain_old = malloc(large_body_strains(&m->body) * sizeof *m->strain_old);
     return m->room && m->strain_old ? STATUS_OK : STATUS_MEMORY;
-}
-
-void large_motion_clear(struct large_motion *m)
-{
-    if (!m)
-        return;
-    free(m->room);
-    free(m->strain_old);
-    memset(m, 0, sizeof *m);
 }
 
 static size_t count_of(const struct large_motion *m)
@@ -120,7 +118,7 @@ static enum status substep(struct large_motion *m, double t, double dt,
     finish(m, dt, x_old);
     if (m->contact)
         TRY(meet_obstacles(m, dt, counters));
-    TRY(m->body.strain(m->body.self, m->x, m->strain_old));
+    TRY(large_body_strain(&m->body, m->x, m->strain_old));
     return STATUS_OK;
 out:
     memcpy(m->x, x_old, count * sizeof *x_old);
@@ -143,7 +141,7 @@ enum status large_motion_step(struct large_motion *m, double time,
             for (int h = 0; h < m->supports->held_count; h++)
                 m->newmark->v[m->supports->held[h]] = held.v[h];
         }
-        st = m->body.strain(m->body.self, m->x, m->strain_old);
+        st = large_body_strain(&m->body, m->x, m->strain_old);
         if (st != STATUS_OK)
             return st;
         m->started = true;

@@ -21,7 +21,7 @@ static enum status residual(struct large_motion *m, const struct large_equation 
                             const double *x, double *r, double *work)
 {
     size_t count = count_of(m);
-    enum status st = m->body.force(m->body.self, &q->path, x, r);
+    enum status st = large_body_force(&m->body, &q->path, x, r);
 
     if (st != STATUS_OK)
         return st;
@@ -77,7 +77,7 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
     m->factored = -1;
     for (int attempt = 0; attempt < 2; attempt++) {
         foresight.none = m->stressless;
-        TRY(m->body.tangent(m->body.self, &q->path, x, foresight, m->K));
+        TRY(large_body_tangent(&m->body, &q->path, x, foresight, m->K));
         counters->assemblies++;
         if (m->follower.add)
             m->follower.add(m->follower.context, x, q->load, m->newmark->work, m->K);
@@ -95,19 +95,6 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         m->factored = q->mass;
 out:
     return st;
-}
-
-/* Of a point's move, not of a component: iterations must end alike in a turned scene. */
-static double largest(size_t count, const double *x)
-{
-    double most = 0;
-
-    for (size_t t = 0; t < count; t += 3) {
-        double far = x[t] * x[t] + x[t + 1] * x[t + 1] + x[t + 2] * x[t + 2];
-        if (!(far <= most))
-            most = far;
-    }
-    return sqrt(most);
 }
 
 /* The state of an iteration; vectors [nodes][3]. */
@@ -164,7 +151,7 @@ static enum status solve(struct large_motion *m, const struct large_equation *q,
         st = system_solve(m->system, i->next);
         counters->solves++;
     }
-    *size = largest(count, i->next);
+    *size = blocks_longest(m->graph->nodes, i->next);
     return st != STATUS_OK ? st : isfinite(*size) ? STATUS_OK : STATUS_NAN;
 }
 

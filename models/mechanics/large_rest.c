@@ -53,7 +53,7 @@ static enum status increment_to(struct large_motion *m, enum stage stage, double
     const struct large_equation q = {
         .path = statics, .load = stage == LOADING ? part : 1, .limit = 30};
 
-    TRY(m->body.strain(m->body.self, last, m->strain_old));
+    TRY(large_body_strain(&m->body, last, m->strain_old));
     for (size_t t = 0; t < count; t++)
         m->x[t] = last[t] + ahead * (last[t] - before[t]);
     place(m, stage, part);
@@ -79,7 +79,7 @@ static enum status relax(struct large_motion *m, struct counters *counters)
         const struct large_equation q = {
             .path = statics, .mass = final ? 0 : mass, .hat = last, .load = 1, .limit = 30};
         memcpy(last, m->x, count * sizeof *last);
-        TRY(m->body.strain(m->body.self, last, m->strain_old));
+        TRY(large_body_strain(&m->body, last, m->strain_old));
         m->factored = -1;
         st = large_newton_solve(m, &q, m->x, counters);
         if (st == STATUS_OK && final)
@@ -183,7 +183,7 @@ enum status large_rest_modes(struct large_motion *m, int count, double *omega,
     const struct pencil p = {m->graph, (const double(*)[9])m->K, m->M, .stressed = true};
 
     m->factored = -1;
-    TRY(m->body.tangent(m->body.self, &statics, m->x, (struct large_foresight){0}, m->K));
+    TRY(large_body_tangent(&m->body, &statics, m->x, (struct large_foresight){0}, m->K));
     TRY(pencil_modes(&p, m->supports, NULL, count, omega, why));
 out:
     return st;

@@ -3,6 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+void newmark_clear(struct newmark *n)
+{
+    free(n->d);
+    memset(n, 0, sizeof *n);
+}
+
 enum status newmark_init(struct newmark *n, int nodes, double dt, double alpha, double beta)
 {
     size_t count = 3 * (size_t)nodes;
@@ -18,14 +24,6 @@ enum status newmark_init(struct newmark *n, int nodes, double dt, double alpha, 
                           .a = room + 2 * count,
                           .work = room + 3 * count};
     return STATUS_OK;
-}
-
-void newmark_clear(struct newmark *n)
-{
-    if (!n)
-        return;
-    free(n->d);
-    memset(n, 0, sizeof *n);
 }
 
 double newmark_k(const struct newmark *n)
@@ -106,6 +104,20 @@ enum status newmark_start(struct newmark *n, struct system *s, const double (*K)
     TRY(system_solve(s, n->a));
     for (int h = 0; h < held_count; h++)
         n->a[unknown[h]] = held->a[h];
+out:
+    return st;
+}
+
+enum status newmark_begin(struct newmark *n, struct system *s, const double (*K)[9],
+                          const double *M, const double *load,
+                          const struct newmark_held *held, struct counters *counters)
+{
+    enum status st;
+
+    TRY(newmark_start(n, s, K, M, load, held));
+    TRY(system_factor(s, newmark_k(n), K, newmark_m(n), M));
+    counters->factorisations += 2;
+    counters->solves++;
 out:
     return st;
 }

@@ -45,6 +45,11 @@ enum status newmark_start(struct newmark *n, struct system *s, const double (*K)
                           const double *M, const double *load,
                           const struct newmark_held *held);
 
+/* newmark_start, then the factor of the steps in `s`. Counts both. */
+enum status newmark_begin(struct newmark *n, struct system *s, const double (*K)[9],
+                          const double *M, const double *load,
+                          const struct newmark_held *held, struct counters *counters);
+
 /* One step. `s` holds the factor of newmark_k K + newmark_m M; load[nodes][3] [N] at the
  * end of the step. `held` NULL: held unknowns stay as they are (at rest), and K is not
  * read; it may then be NULL. */

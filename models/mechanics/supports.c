@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/room.h"
+
 /* Greville abscissae are sums of a few knots in [0,1]: round-off of a few ulp. */
 static const double ROUNDING = 1e-12;
 
@@ -65,16 +67,15 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
 enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
                           double (*uvw)[3], struct message *why)
 {
-    enum status st = STATUS_MEMORY;
+    enum status st;
     size_t count = 3 * (size_t)nodes;
     struct supports new = {.nodes = nodes};
     int *owner = malloc(count * sizeof *owner);
 
-    new.free_index = malloc(count * sizeof *new.free_index);
-    new.held = malloc(count * sizeof *new.held);
-    new.owner = malloc(count * sizeof *new.owner);
-    if (!owner || !new.free_index || !new.held || !new.owner)
-        goto out;
+    if (!owner)
+        return STATUS_MEMORY;
+    TRY(room_cut(&new.room, ROOM(new.free_index, count), ROOM(new.held, count),
+                 ROOM(new.owner, count)));
     TRY(assign(scene, nodes, uvw, owner, why));
     for (int n = 0; n < (int)count; n++) {
         new.free_index[n] = owner[n] < 0 ? new.free_count++ : -1;
@@ -84,8 +85,7 @@ enum status supports_init(struct supports *s, const struct scene *scene, int nod
         new.moving |= scene->supports[owner[n]].path_count > 0;
         new.owner[new.held_count++] = uvw[n / 3][2] == SUPPORTS_DIFFERENCE ? -1 : owner[n];
     }
-    *s = new;
-    memset(&new, 0, sizeof new);
+    HAND_OVER(s, new);
 out:
     supports_clear(&new);
     free(owner);
@@ -126,11 +126,7 @@ void supports_initial_velocity(const struct supports *s, const struct scene *sce
 
 void supports_clear(struct supports *s)
 {
-    if (!s)
-        return;
-    free(s->free_index);
-    free(s->held);
-    free(s->owner);
+    free(s->room);
     memset(s, 0, sizeof *s);
 }
 

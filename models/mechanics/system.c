@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/room.h"
+
 /* One entry of the lower triangle among free unknowns: block pair n, component i of node a
  * (column) and j of node b (row). */
 static bool entry(const struct blocks *graph, const struct supports *held,
@@ -75,6 +77,13 @@ static int *order_unknowns(const struct supports *held, const int *order)
     return p;
 }
 
+void system_clear(struct system *s)
+{
+    factor_destroy(s->factor);
+    free(s->room);
+    memset(s, 0, sizeof *s);
+}
+
 enum status system_init(struct system *s, const struct blocks *graph,
                         const struct supports *held, const unsigned char *parity,
                         const int *order, enum solver solver)
@@ -89,15 +98,10 @@ enum status system_init(struct system *s, const struct blocks *graph,
     TRY(pattern(graph, held, parity, &start, &row));
     struct factor_pattern p = {held->free_count, start, row, unknowns};
     TRY(factor_create(&p, solver, &new.factor));
-    st = STATUS_MEMORY;
-    new.slot = malloc(9 * (size_t)graph->start[graph->nodes] * sizeof *new.slot);
-    new.packed = malloc(((size_t)held->free_count + 1) * sizeof *new.packed);
-    if (!new.slot || !new.packed)
-        goto out;
+    TRY(room_cut(&new.room, ROOM(new.slot, 9 * graph->start[graph->nodes]),
+                 ROOM(new.packed, held->free_count)));
     find_slots(&new, parity);
-    *s = new;
-    memset(&new, 0, sizeof new);
-    st = STATUS_OK;
+    HAND_OVER(s, new);
 out:
     system_clear(&new);
     free(start);
@@ -106,14 +110,17 @@ out:
     return st;
 }
 
-void system_clear(struct system *s)
+struct model_size system_size(const struct system *s, const char *unknown_basis)
 {
-    if (!s)
-        return;
-    factor_destroy(s->factor);
-    free(s->slot);
-    free(s->packed);
-    memset(s, 0, sizeof *s);
+    struct factor_info info = {.method = "none"};
+
+    if (s->factor)
+        factor_describe(s->factor, &info);
+    return (struct model_size){.nodes = s->held->nodes,
+                               .unknowns = s->held->free_count,
+                               .factor_entries = info.entries,
+                               .solver = info.method,
+                               .unknown_basis = unknown_basis};
 }
 
 enum status system_factor(struct system *s, double k, const double (*K)[9], double m,

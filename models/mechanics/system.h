@@ -8,12 +8,14 @@
 #include "models/linalg/blocks.h"
 #include "models/linalg/factor.h"
 #include "models/mechanics/supports.h"
+#include "models/model.h"
 
 struct system {
     const struct blocks *graph;  /* borrowed                                        */
     const struct supports *held; /* borrowed                                        */
     const unsigned char *parity; /* borrowed or NULL                                */
     struct factor *factor;
+    void *room;     /* of the arrays; owned, as the factor is                          */
     int *slot;      /* [pairs][9] place of each block entry in the factor's values     */
     double *packed; /* [free_count]                                                    */
 };
@@ -24,6 +26,9 @@ enum status system_init(struct system *s, const struct blocks *graph,
                         const struct supports *held, const unsigned char *parity,
                         const int *order, enum solver solver);
 void system_clear(struct system *s);
+
+/* What a model says of its size (model.h); unknown_basis is static. */
+struct model_size system_size(const struct system *s, const char *unknown_basis);
 
 /* Factorises k K + m M; M may be NULL if m == 0. STATUS_INDEFINITE if it can't be. */
 enum status system_factor(struct system *s, double k, const double (*K)[9], double m,

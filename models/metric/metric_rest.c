@@ -11,6 +11,12 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+void metric_rest_clear(struct metric_rest *rest)
+{
+    free(rest->xyz);
+    memset(rest, 0, sizeof *rest);
+}
+
 enum status metric_rest_init(struct metric_rest *rest, const struct scene *scene)
 {
     *rest = (struct metric_rest){.scene = scene};
@@ -27,12 +33,6 @@ enum status metric_rest_init(struct metric_rest *rest, const struct scene *scene
         scene_rest_point(scene, uvw, rest->xyz + 3 * n);
     }
     return STATUS_OK;
-}
-
-void metric_rest_clear(struct metric_rest *rest)
-{
-    free(rest->xyz);
-    memset(rest, 0, sizeof *rest);
 }
 
 static const double *at(const struct metric_rest *rest, int i, int j)

@@ -2,7 +2,7 @@
 #include "models/reader/scene_schema.h"
 #include "models/damping.h"
 
-#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,56 +22,6 @@ enum {
 #define NOT_NEGATIVE     .low = 0, .high = 1e15
 #define PARAMETER        .low = 0, .high = 1
 #define IN(type, member) .offset = offsetof(struct type, member)
-
-static const char *damping_word(int value)
-{
-    return damping_name(value);
-}
-
-static const char *shape_word(int value)
-{
-    return scene_shape_name(value);
-}
-
-static const char *kinematics_word(int value)
-{
-    return kinematics_name((enum kinematics)value);
-}
-
-static const char *remedy_word(int value)
-{
-    return remedy_name((enum remedy)value);
-}
-
-static const char *unknowns_word(int value)
-{
-    return unknowns_name((enum unknowns)value);
-}
-
-static const char *solver_word(int value)
-{
-    return solver_name((enum solver)value);
-}
-
-static const char *parameters_word(int value)
-{
-    return parameters_name((enum parameters)value);
-}
-
-static const char *integrator_word(int value)
-{
-    return integrator_name((enum integrator)value);
-}
-
-static const char *constraint_word(int value)
-{
-    return constraint_name((enum constraint)value);
-}
-
-static const char *acceleration_word(int value)
-{
-    return acceleration_name((enum acceleration)value);
-}
 
 static enum status read_name(const struct schema_key *key, const struct yaml_tree *node,
                              void *target, struct message *why)
@@ -166,7 +116,7 @@ static const struct schema_key POSE[] = {
      SCHEMA_VECTOR, PLACE, IN(scene, origin)},
     {"u", "unit vector along the length", SCHEMA_VECTOR, PLACE, IN(scene, axis_u)},
     {"v", "unit vector along the width, across u", SCHEMA_VECTOR, PLACE, IN(scene, axis_v)},
-    {"kind", "rest shape", SCHEMA_WORD, .word = shape_word, IN(scene, shape)},
+    {"kind", "rest shape", SCHEMA_WORD, .word = scene_shape_name, IN(scene, shape)},
     {"opening", "cloak: angle around the axis u [deg]", SCHEMA_NUMBER, .low = 1,
      .high = SCENE_CLOAK_MAX_OPENING, IN(scene, opening)},
     {"flare", "cloak: angle of its generators to the axis [deg]", SCHEMA_NUMBER, .low = -90,
@@ -188,7 +138,7 @@ static const struct schema_key DRAG[] = {
     {NULL}};
 
 static const struct schema_key DAMPING[] = {
-    {"kind", "law", SCHEMA_WORD, .required = true, .word = damping_word,
+    {"kind", "law", SCHEMA_WORD, .required = true, .word = damping_name,
      IN(scene, damping.kind)},
     {"value", "factor, or rate [1/s]", SCHEMA_NUMBER, NOT_NEGATIVE,
      IN(scene, damping.value)},
@@ -253,17 +203,17 @@ static const struct schema_key DISCRETIZATION[] = {
     {"weights", "NURBS weights [u][v][w]", SCHEMA_NUMBERS, .low = 1e-6, .high = 1e6,
      .most = 1000000, IN(discretization, weights),
      .count_offset = offsetof(struct discretization, weight_count)},
-    {"kinematics", "law of motion", SCHEMA_WORD, .word = kinematics_word,
+    {"kinematics", "law of motion", SCHEMA_WORD, .word = kinematics_name,
      IN(discretization, kinematics)},
-    {"remedy", "against locking", SCHEMA_WORD, .word = remedy_word,
+    {"remedy", "against locking", SCHEMA_WORD, .word = remedy_name,
      IN(discretization, remedy)},
-    {"unknowns", "through the thickness", SCHEMA_WORD, .word = unknowns_word,
+    {"unknowns", "through the thickness", SCHEMA_WORD, .word = unknowns_name,
      IN(discretization, unknowns)},
-    {"solver", "of the linear systems", SCHEMA_WORD, .word = solver_word,
+    {"solver", "of the linear systems", SCHEMA_WORD, .word = solver_name,
      IN(discretization, solver)},
-    {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_word,
+    {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_name,
      IN(discretization, parameters)},
-    {"integrator", "Euler's method", SCHEMA_WORD, .word = integrator_word,
+    {"integrator", "Euler's method", SCHEMA_WORD, .word = integrator_name,
      IN(discretization, integrator)},
     {"substeps", "of a frame, 0: as many as needed", SCHEMA_COUNT, .low = 0, .high = 1e6,
      IN(discretization, substeps)},
@@ -273,9 +223,9 @@ static const struct schema_key DISCRETIZATION[] = {
      .high = 1, IN(discretization, tolerance)},
     {"strain_limit", "of a spring, 0: none", SCHEMA_NUMBER, .low = 0, .high = 10,
      IN(discretization, strain_limit)},
-    {"constraint", "what resists stretching", SCHEMA_WORD, .word = constraint_word,
+    {"constraint", "what resists stretching", SCHEMA_WORD, .word = constraint_name,
      IN(discretization, constraint)},
-    {"acceleration", "of an iteration", SCHEMA_WORD, .word = acceleration_word,
+    {"acceleration", "of an iteration", SCHEMA_WORD, .word = acceleration_name,
      IN(discretization, acceleration)},
     {NULL}};
 /* clang-format on */
@@ -311,6 +261,23 @@ enum status scene_schema_read_numerics(const struct yaml_tree *root,
                                 d->points[0], d->points[1], d->points[2], SCENE_MAX_POINTS);
 out:
     return st;
+}
+
+enum status scene_schema_print(const struct discretization *d, char **text)
+{
+    size_t size = 0;
+    char *result = NULL;
+    FILE *out = open_memstream(&result, &size);
+
+    if (!out)
+        return STATUS_MEMORY;
+    schema_print(DISCRETIZATION, "discretization.", d, out);
+    if (fclose(out) != 0) {
+        free(result);
+        return STATUS_MEMORY;
+    }
+    *text = result;
+    return STATUS_OK;
 }
 
 void scene_schema_list(void (*line)(void *context, const char *key, const char *text),

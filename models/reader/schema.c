@@ -1,6 +1,7 @@
 /* schema.c - table-driven reading of YAML trees. */
 #include "models/reader/schema.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
@@ -374,5 +375,46 @@ void schema_list(const struct schema_key *keys, const char *prefix,
         snprintf(text, sizeof text, "%s: %s%s", k->what, wanted(k).text,
                  k->required ? " (required)" : "");
         line(context, path, text);
+    }
+}
+
+static void print_list(const void *values, bool whole, int count, FILE *out)
+{
+    fputc('[', out);
+    for (int i = 0; i < count; i++)
+        if (whole)
+            fprintf(out, "%s%d", i ? "," : "", ((const int *)values)[i]);
+        else
+            fprintf(out, "%s%.17g", i ? "," : "", ((const double *)values)[i]);
+    fputs("]\n", out);
+}
+
+void schema_print(const struct schema_key *keys, const char *prefix, const void *source,
+                  FILE *out)
+{
+    for (const struct schema_key *k = keys; k->key; k++) {
+        const void *place = (const char *)source + k->offset;
+        const int *count = (const void *)((const char *)source + k->count_offset);
+
+        if (k->type == SCHEMA_NUMBERS && !*(double *const *)place)
+            continue;
+        fprintf(out, "%s%s=", prefix, k->key);
+        switch (k->type) {
+        case SCHEMA_NUMBERS:
+            print_list(*(double *const *)place, false, *count, out);
+            break;
+        case SCHEMA_COUNTS:
+            print_list(place, true, 3, out);
+            break;
+        case SCHEMA_COUNT:
+            fprintf(out, "%d\n", *(const int *)place);
+            break;
+        case SCHEMA_NUMBER:
+            fprintf(out, "%.17g\n", *(const double *)place);
+            break;
+        default:
+            assert(k->type == SCHEMA_WORD);
+            fprintf(out, "%s\n", k->word(*(const int *)place));
+        }
     }
 }

@@ -1,8 +1,10 @@
 /* schema.h - tables that say which keys a section may have, of what type and range, and
- * where their values go. One table reads, refuses and documents.
+ * where their values go. One table reads, refuses, prints and documents.
  */
 #ifndef SCHEMA_H
 #define SCHEMA_H
+
+#include <stdio.h>
 
 #include "models/reader/yaml_tree.h"
 
@@ -56,5 +58,10 @@ enum status schema_refuse(const struct schema_key *key, const struct yaml_tree *
 void schema_list(const struct schema_key *keys, const char *prefix,
                  void (*line)(void *context, const char *key, const char *text),
                  void *context);
+
+/* Lines `prefix` + key=value as a setting is written, 17 digits; arrays that are NULL are
+ * left out. For tables of numbers, counts and words. */
+void schema_print(const struct schema_key *keys, const char *prefix, const void *source,
+                  FILE *out);
 
 #endif

@@ -1,9 +1,10 @@
 #include "models/solid/solid_assembly.h"
 
-#include <limits.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "models/room.h"
 
 static bool runs_of(const struct solid_space *s, int run)
 {
@@ -22,26 +23,14 @@ static int longest_run(const struct solid_space *s)
     return 1;
 }
 
-static enum status find_places(struct solid_assembly *s)
+void solid_assembly_clear(struct solid_assembly *s)
 {
-    const struct solid_space *space = s->space;
-    int local = space->local, runs;
-
-    s->run = longest_run(space);
-    runs = local / s->run;
-    s->place = malloc((size_t)space->elements * (size_t)(local * runs) * sizeof *s->place);
-    if (!s->place || s->graph.start[space->nodes] > INT_MAX / 9)
-        return STATUS_MEMORY;
-    for (int e = 0; e < space->elements; e++) {
-        const int *node = space->ien + (size_t)e * (size_t)local;
-        int *place = s->place + (size_t)e * (size_t)(local * runs);
-        for (int a = 0; a < local; a++)
-            for (int r = a / s->run; r < runs; r++) {
-                int first = r * s->run > a ? r * s->run : a;
-                place[a * runs + r] = (int)blocks_find(&s->graph, node[a], node[first]);
-            }
-    }
-    return STATUS_OK;
+    for (int t = 0; t < s->threads; t++)
+        solid_element_clear(&s->work[t]);
+    blocks_clear(&s->graph);
+    free(s->place);
+    free(s->room);
+    memset(s, 0, sizeof *s);
 }
 
 enum status solid_assembly_init(struct solid_assembly *s, const struct solid_space *space,
@@ -51,38 +40,18 @@ enum status solid_assembly_init(struct solid_assembly *s, const struct solid_spa
     struct solid_assembly new = {.space = space, .material = *material};
 
     TRY(blocks_init(&new.graph, space->nodes, space->elements, space->local, space->ien));
-    TRY(find_places(&new));
+    new.run = longest_run(space);
+    TRY(blocks_places(&new.graph, space->elements, space->local, new.run, space->ien,
+                      &new.place));
     size_t pairs = (size_t) new.graph.start[space->nodes];
-    st = STATUS_MEMORY;
-    new.K = malloc(pairs * sizeof *new.K);
-    new.M = malloc(pairs * sizeof *new.M);
-    new.volume = malloc((size_t)space->nodes * sizeof *new.volume);
-    new.work = calloc((size_t)omp_get_max_threads(), sizeof *new.work);
-    if (!new.K || !new.M || !new.volume || !new.work)
-        goto out;
+    TRY(room_cut(&new.room, ROOM(new.K, pairs), ROOM(new.M, pairs),
+                 ROOM(new.volume, space->nodes), ROOM(new.work, omp_get_max_threads())));
     for (; new.threads < omp_get_max_threads(); new.threads++)
         TRY(solid_element_init(&new.work[new.threads], space));
-    *s = new;
-    memset(&new, 0, sizeof new);
-    st = STATUS_OK;
+    HAND_OVER(s, new);
 out:
     solid_assembly_clear(&new);
     return st;
-}
-
-void solid_assembly_clear(struct solid_assembly *s)
-{
-    if (!s)
-        return;
-    for (int t = 0; t < s->threads; t++)
-        solid_element_clear(&s->work[t]);
-    blocks_clear(&s->graph);
-    free(s->work);
-    free(s->place);
-    free(s->K);
-    free(s->M);
-    free(s->volume);
-    memset(s, 0, sizeof *s);
 }
 
 static void scatter(struct solid_assembly *s, const struct solid_element *e, int element)

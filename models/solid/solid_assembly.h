@@ -13,12 +13,13 @@ struct solid_assembly {
     const struct solid_space *space; /* borrowed                                       */
     struct solid_material material;
     struct blocks graph;
-    double (*K)[9]; /* [pairs] stiffness blocks                  [N/m]        owned   */
-    double *M;      /* [pairs] mass                              [kg]         owned   */
-    double *volume; /* [nodes] int N_a dV                        [m^3]        owned   */
+    void *room;     /* of the arrays but place                                owned   */
+    double (*K)[9]; /* [pairs] stiffness blocks                  [N/m]                */
+    double *M;      /* [pairs] mass                              [kg]                 */
+    double *volume; /* [nodes] int N_a dV                        [m^3]                */
 
     int run;    /* element nodes come in runs of this many consecutive numbers    */
-    int *place; /* [elements][local][local / run] pair of (node, first of run)    */
+    int *place; /* [elements][local][local / run] blocks_places            owned   */
     int threads;
     struct solid_element *work; /* [threads]                                           */
 };

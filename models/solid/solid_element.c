@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/room.h"
 #include "models/solid/solid_layer.h"
 #include "models/solid/solid_outer.h"
 
@@ -25,65 +26,41 @@ struct solid_material solid_element_material(double young, double poisson, doubl
     };
 }
 
+void solid_element_clear(struct solid_element *e)
+{
+    solid_layer_destroy(e->layer);
+    free(e->memory);
+    memset(e, 0, sizeof *e);
+}
+
 enum status solid_element_init(struct solid_element *e, const struct solid_space *space)
 {
+    enum status st;
     size_t local = (size_t)space->local, gauss = (size_t)space->gauss;
     size_t columns = local + (size_t)space->modes;
     size_t padded = SOLID_PADDED(columns), row = SOLID_PADDED(local);
     size_t plane = space->plane_stress;
-    const struct {
-        double **part;
-        size_t count;
-    } room[] = {
-        {&e->shape.N, gauss * row},
-        {&e->shape.G, gauss * 3 * row},
-        {&e->shape.weight, SOLID_PADDED(gauss)},
-        {&e->X, 4 * local},
-        {&e->g, gauss * 3 * padded},
-        {&e->wg, gauss * 3 * padded},
-        {&e->dV, SOLID_PADDED(gauss)},
-        {&e->n, plane * SOLID_PADDED(3 * gauss)},
-        {&e->y, plane * 2 * gauss * 3 * padded},
-        {&e->wy, plane * 2 * gauss * 3 * padded},
-        {&e->L, plane * padded * 9 * padded},
-        {&e->wN, gauss * row},
-        {&e->H, padded * 9 * padded}, /* rows in pairs: one more than columns */
-        {&e->M, local * row},
-        {&e->volume, row},
-        {&e->K, columns * padded * 9},
-    };
-    size_t total = 0, parts = sizeof room / sizeof *room;
 
     memset(e, 0, sizeof *e);
-    for (size_t t = 0; t < parts; t++)
-        total += room[t].count;
-    total = (total + 7) / 8 * 8; /* aligned_alloc wants multiples of the 64 bytes */
-    e->memory = aligned_alloc(64, total * sizeof(double));
-    if (!e->memory)
-        return STATUS_MEMORY;
-    memset(e->memory, 0, total * sizeof(double));
-    double *next = e->memory;
-    for (size_t t = 0; t < parts; next += room[t++].count)
-        *room[t].part = next;
+    TRY(room_cut(
+        &e->memory, ROOM(e->shape.N, gauss * row), ROOM(e->shape.G, gauss * 3 * row),
+        ROOM(e->shape.weight, SOLID_PADDED(gauss)), ROOM(e->X, 4 * local),
+        ROOM(e->g, gauss * 3 * padded), ROOM(e->wg, gauss * 3 * padded),
+        ROOM(e->dV, SOLID_PADDED(gauss)), ROOM(e->n, plane * SOLID_PADDED(3 * gauss)),
+        ROOM(e->y, plane * 2 * gauss * 3 * padded),
+        ROOM(e->wy, plane * 2 * gauss * 3 * padded),
+        ROOM(e->L, plane * padded * 9 * padded), ROOM(e->wN, gauss * row),
+        ROOM(e->H, padded * 9 * padded) /* rows in pairs: one more than columns */,
+        ROOM(e->M, local * row), ROOM(e->volume, row), ROOM(e->K, columns * padded * 9)));
     e->local = space->local;
     e->row = (int)row;
     e->padded = (int)padded;
     e->gauss = e->points = space->gauss;
     e->modes = space->modes;
-    if (!space->layer)
-        return STATUS_OK;
-    e->layer = calloc(1, sizeof *e->layer);
-    return e->layer ? solid_layer_init(e->layer, space) : STATUS_MEMORY;
-}
-
-void solid_element_clear(struct solid_element *e)
-{
-    if (!e)
-        return;
-    solid_layer_clear(e->layer);
-    free(e->layer);
-    free(e->memory);
-    memset(e, 0, sizeof *e);
+    if (space->layer)
+        TRY(solid_layer_create(space, &e->layer));
+out:
+    return st;
 }
 
 static void cross(const double a[4], const double b[4], double out[3])

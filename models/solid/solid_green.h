@@ -9,43 +9,32 @@
 
 #include <stddef.h>
 
-#include "models/mechanics/large_motion.h"
+#include "models/mechanics/large_body.h"
 #include "models/solid/solid_assembly.h"
 #include "models/solid/solid_green_element.h"
 
 struct solid_green {
     const struct solid_assembly *assembly; /* pattern, places, material      borrowed  */
+    struct large_body body; /* the lag is for all strains                              */
+    void *room;             /* of the arrays                                 owned     */
     /* of a space with a layer, g, n and dV are solid_layer_rest's q, t and dV         */
-    double *g;    /* [elements][gauss][3][row]                               owned     */
-    double *dV;   /* [elements][gauss]                                       owned     */
-    int *points;  /* [elements][2] of the stiffness; of a layer              owned     */
-    double *n;    /* [elements][gauss][3] or NULL                            owned     */
-    double *mode; /* [elements][gauss][modes][3] or NULL                     owned     */
-    double *A;    /* [elements][INTERNAL][INTERNAL] or NULL                  owned     */
+    double *g;    /* [elements][gauss][3][row]                                         */
+    double *dV;   /* [elements][gauss]                                                 */
+    int *points;  /* [elements][2] of the stiffness; of a layer                        */
+    double *n;    /* [elements][gauss][3] or NULL                                      */
+    double *mode; /* [elements][gauss][modes][3] or NULL                               */
+    double *A;    /* [elements][INTERNAL][INTERNAL] or NULL                            */
     int threads;
-    struct solid_green_element *work; /* [threads]                           owned     */
+    struct solid_green_element *work; /* [threads]                                     */
 };
 
-/* `assembly` stays where it is until solid_green_clear. STATUS_INVERTED if the rest shape
- * is folded. */
+/* `assembly` and *s stay where they are until solid_green_clear. STATUS_INVERTED if the
+ * rest shape is folded. */
 enum status solid_green_init(struct solid_green *s, const struct solid_assembly *assembly);
 void solid_green_clear(struct solid_green *s);
 
-/* Numbers in an array of strains. */
-size_t solid_green_strains(const struct solid_green *s);
-
-/* The parts of a large_body (large_motion.h), on coefficients x[nodes][3]; the lag is for
- * all strains. STATUS_NAN, or STATUS_INVERTED where det F <= 0; results are then of no use.
- */
-enum status solid_green_strain(const struct solid_green *s, const double *x,
-                               double *strain);
+/* Elastic energy at x[nodes][3] [J]. STATUS_INVERTED where x is no body. */
 enum status solid_green_energy(const struct solid_green *s, const double *x,
                                double *energy);
-enum status solid_green_force(const struct solid_green *s, const struct large_path *path,
-                              const double *x, double *force);
-
-enum status solid_green_tangent(const struct solid_green *s, const struct large_path *path,
-                                const double *x, struct large_foresight foresight,
-                                double (*K)[9]);
 
 #endif

@@ -1,4 +1,5 @@
 #include "models/solid/solid_green_element.h"
+#include "models/room.h"
 #include "models/solid/solid_green_layer.h"
 #include "models/solid/solid_green_point.h"
 
@@ -7,64 +8,38 @@
 #include <stdlib.h>
 #include <string.h>
 
+void solid_green_element_clear(struct solid_green_element *e)
+{
+    solid_layer_destroy(e->layer);
+    free(e->memory);
+    memset(e, 0, sizeof *e);
+}
+
 enum status solid_green_element_init(struct solid_green_element *e,
                                      const struct solid_space *space)
 {
+    enum status st;
     size_t row = SOLID_PADDED((size_t)space->local), gauss = (size_t)space->gauss;
     size_t plane = space->plane_stress;
     size_t strains =
         space->layer ? (size_t)solid_layer_strains(space->layer_points) : 6 * gauss;
-    const struct {
-        double **part;
-        size_t count;
-    } room[] = {
-        {&e->U[0], 4 * row},
-        {&e->U[1], 4 * row},
-        {&e->U[2], 4 * row},
-        {&e->f, 4 * row},
-        {&e->p, gauss * 3 * row},
-        {&e->wp, gauss * 3 * row},
-        {&e->Sg, 3 * row},
-        {&e->H, row * 9 * row},
-        {&e->C, row * 6 * row},
-        {&e->Y, 3 * (size_t)space->modes * 3 * row},
-        {&e->y, plane * 6 * gauss * row},
-        {&e->wy, plane * 6 * gauss * row},
-        {&e->L, plane * row * 9 * row},
-        {&e->strain, (strains + 7) / 8 * 8},
-    };
-    size_t total = 0, parts = sizeof room / sizeof *room;
-
     memset(e, 0, sizeof *e);
-    for (size_t t = 0; t < parts; t++)
-        total += room[t].count;
-    total = (total + 7) / 8 * 8;
-    e->memory = aligned_alloc(64, total * sizeof(double));
-    if (!e->memory)
-        return STATUS_MEMORY;
-    memset(e->memory, 0, total * sizeof(double));
-    double *next = e->memory;
-    for (size_t t = 0; t < parts; next += room[t++].count)
-        *room[t].part = next;
+    TRY(room_cut(
+        &e->memory, ROOM(e->U[0], 4 * row), ROOM(e->U[1], 4 * row), ROOM(e->U[2], 4 * row),
+        ROOM(e->f, 4 * row), ROOM(e->p, gauss * 3 * row), ROOM(e->wp, gauss * 3 * row),
+        ROOM(e->Sg, 3 * row), ROOM(e->H, row * 9 * row), ROOM(e->C, row * 6 * row),
+        ROOM(e->Y, 3 * (size_t)space->modes * 3 * row), ROOM(e->y, plane * 6 * gauss * row),
+        ROOM(e->wy, plane * 6 * gauss * row), ROOM(e->L, plane * row * 9 * row),
+        ROOM(e->strain, (strains + 7) / 8 * 8)));
     e->local = space->local;
     e->row = (int)row;
     e->gauss = space->gauss;
     e->modes = space->modes;
     e->plane = space->plane_stress;
-    if (!space->layer)
-        return STATUS_OK;
-    e->layer = calloc(1, sizeof *e->layer);
-    return e->layer ? solid_layer_init(e->layer, space) : STATUS_MEMORY;
-}
-
-void solid_green_element_clear(struct solid_green_element *e)
-{
-    if (!e)
-        return;
-    solid_layer_clear(e->layer);
-    free(e->layer);
-    free(e->memory);
-    memset(e, 0, sizeof *e);
+    if (space->layer)
+        TRY(solid_layer_create(space, &e->layer));
+out:
+    return st;
 }
 
 /* E += factor D^T D / 2. */

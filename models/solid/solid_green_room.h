@@ -37,7 +37,7 @@ struct solid_green_element {
     double *C;      /* [row][6][row] xx, yy, zz, xy, yz, zx of what is symmetric        */
     double *Y; /* [3 modes][3 row] coupling of the modes, L^-1 applied                  */
     struct solid_layer *layer; /* room; NULL: no layer                                  */
-    double *memory;
+    void *memory;
 };
 
 #endif

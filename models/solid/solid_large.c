@@ -12,22 +12,14 @@ struct solid_large {
     double (*K)[9]; /* [pairs] tangent; the assembly keeps the stiffness at rest       */
 };
 
-static enum status body_strain(const void *self, const double *x, double *strain)
+void solid_large_destroy(struct solid_large *large)
 {
-    return solid_green_strain(self, x, strain);
-}
-
-static enum status body_force(const void *self, const struct large_path *path,
-                              const double *x, double *force)
-{
-    return solid_green_force(self, path, x, force);
-}
-
-static enum status body_tangent(const void *self, const struct large_path *path,
-                                const double *x, struct large_foresight foresight,
-                                double (*K)[9])
-{
-    return solid_green_tangent(self, path, x, foresight, K);
+    if (!large)
+        return;
+    large_motion_clear(&large->motion);
+    solid_green_clear(&large->green);
+    free(large->K);
+    free(large);
 }
 
 enum status solid_large_create(struct solid_motion *m, struct solid_large **large)
@@ -43,8 +35,7 @@ enum status solid_large_create(struct solid_motion *m, struct solid_large **larg
     if (!new->K)
         TRY(STATUS_MEMORY);
     new->motion = (struct large_motion){
-        .body = {&new->green, solid_green_strains(&new->green), body_strain, body_force,
-                 body_tangent},
+        .body = new->green.body,
         .scene = m->scene,
         .graph = graph,
         .M = m->assembly.M,
@@ -63,16 +54,6 @@ enum status solid_large_create(struct solid_motion *m, struct solid_large **larg
 out:
     solid_large_destroy(new);
     return st;
-}
-
-void solid_large_destroy(struct solid_large *large)
-{
-    if (!large)
-        return;
-    large_motion_clear(&large->motion);
-    solid_green_clear(&large->green);
-    free(large->K);
-    free(large);
 }
 
 enum status solid_large_step(struct solid_motion *m, struct counters *counters)

@@ -4,49 +4,36 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/room.h"
 #include "models/solid/solid_outer.h"
 
 enum { VECTORS = SOLID_LAYER_VECTORS };
 
-enum status solid_layer_init(struct solid_layer *s, const struct solid_space *space)
+void solid_layer_destroy(struct solid_layer *s)
 {
+    if (s)
+        free(s->memory);
+    free(s);
+}
+
+enum status solid_layer_create(const struct solid_space *space, struct solid_layer **layer)
+{
+    enum status st;
     size_t row = SOLID_PADDED((size_t)space->local);
     size_t points = (size_t)(space->layer_points[0] + space->layer_points[1]);
     size_t strains = (size_t)solid_layer_strains(space->layer_points);
-    const struct {
-        double **part;
-        size_t count;
-    } room[] = {
-        {&s->G, points * 6 * row},       {&s->normal, row},
-        {&s->q, points * VECTORS * row}, {&s->b, strains * 3 * row},
-        {&s->wb, strains * 3 * row},     {&s->t, points * VECTORS * 3},
-        {&s->dV, SOLID_PADDED(points)},  {&s->weight, SOLID_PADDED(points)},
-    };
-    size_t total = 0, parts = sizeof room / sizeof *room;
-
-    memset(s, 0, sizeof *s);
-    for (size_t t = 0; t < parts; t++)
-        total += room[t].count;
-    total = (total + 7) / 8 * 8;
-    s->memory = aligned_alloc(64, total * sizeof(double));
-    if (!s->memory)
+    struct solid_layer *s = *layer = calloc(1, sizeof *s);
+    if (!s)
         return STATUS_MEMORY;
-    memset(s->memory, 0, total * sizeof(double));
-    double *next = s->memory;
-    for (size_t t = 0; t < parts; next += room[t++].count)
-        *room[t].part = next;
+    TRY(room_cut(&s->memory, ROOM(s->G, points * 6 * row), ROOM(s->normal, row),
+                 ROOM(s->q, points * VECTORS * row), ROOM(s->b, strains * 3 * row),
+                 ROOM(s->wb, strains * 3 * row), ROOM(s->t, points * VECTORS * 3),
+                 ROOM(s->dV, SOLID_PADDED(points)), ROOM(s->weight, SOLID_PADDED(points))));
     s->local = space->local;
     s->row = (int)row;
     memcpy(s->most, space->layer_points, sizeof s->most);
-    return STATUS_OK;
-}
-
-void solid_layer_clear(struct solid_layer *s)
-{
-    if (!s)
-        return;
-    free(s->memory);
-    memset(s, 0, sizeof *s);
+out:
+    return st;
 }
 
 int solid_layer_strains(const int points[2])

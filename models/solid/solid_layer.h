@@ -43,11 +43,12 @@ struct solid_layer {
     double *normal;     /* [row] gradients along the normal                         */
     double *q, *t, *dV; /* solid_layer_rest of the element placed                   */
     double *b, *wb;     /* [strains][3][row] variations of strains; their stress dV */
-    double *memory;
+    void *memory;
 };
 
-enum status solid_layer_init(struct solid_layer *s, const struct solid_space *space);
-void solid_layer_clear(struct solid_layer *s);
+/* *layer is owned by the caller, also on failure. */
+enum status solid_layer_create(const struct solid_space *space, struct solid_layer **layer);
+void solid_layer_destroy(struct solid_layer *s); /* NULL is allowed */
 
 /* Strains of an element: stretches of its points, then bends. */
 int solid_layer_strains(const int points[2]);

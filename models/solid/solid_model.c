@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/grid.h"
+#include "models/linalg/order.h"
 
 enum status solid_model_advance(void *state, struct counters *counters)
 {
@@ -45,16 +46,13 @@ enum status solid_model_modes(void *state, int count, double *omega, struct mess
     return solid_rest_modes(state, count, omega, why);
 }
 
-enum status solid_model_refuse(const struct scene *scene, unsigned serves,
-                               struct message *why)
+enum status solid_model_matrices(const void *state, struct matrix *K, struct matrix *M)
 {
-    unsigned missing = scene_needs(scene) & ~serves;
-    char text[256];
+    const struct solid_motion *m = state;
 
-    if (!missing)
-        return STATUS_OK;
-    scene_needs_text(missing, text, sizeof text);
-    return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no %s", text);
+    if (m->space->thickness_basis)
+        return STATUS_UNSUPPORTED;
+    return solid_rest_matrices(m, K, M);
 }
 
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
@@ -74,7 +72,9 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
     return STATUS_OK;
 }
 
-unsigned char *solid_model_parity(const struct scene *scene, int nodes, const int *degree)
+/* 0/1 per component of a flat sheet in Legendre functions through the thickness
+ * (solid_space.h); NULL unless the normal is a coordinate axis. */
+static unsigned char *parity_of(const struct scene *scene, int nodes, int layers)
 {
     const double *u = scene->axis_u, *v = scene->axis_v;
     double w[3];
@@ -89,37 +89,50 @@ unsigned char *solid_model_parity(const struct scene *scene, int nodes, const in
     unsigned char *parity = malloc(3 * (size_t)nodes);
     for (int a = 0; parity && a < nodes; a++)
         for (int i = 0; i < 3; i++)
-            parity[3 * a + i] = (unsigned char)((degree[a] + (i == normal)) % 2);
+            parity[3 * a + i] = (unsigned char)((a % layers + (i == normal)) % 2);
     return parity;
 }
 
-enum status solid_model_misfit(const struct scene *scene,
-                               void (*sample)(const void *state, double *xyz),
-                               const void *state, double *misfit)
+enum status solid_model_init(struct solid_sheet *s, const struct scene *scene,
+                             const struct discretization *d, const int points[3],
+                             struct message *why)
 {
+    int *order = order_wide(points[0], points[1], points[2]);
+
+    if (s->space.thickness_basis)
+        s->space.parity = parity_of(scene, s->space.nodes, points[2]);
+    enum status st = solid_motion_init(&s->motion, scene, &s->space, d, order, why);
+    free(order);
+    return st;
+}
+
+enum status solid_model_misfit(struct solid_sheet *s,
+                               void (*sample)(const void *state, double *xyz))
+{
+    const struct scene *scene = s->motion.scene;
     double *xyz = NULL;
 
-    *misfit = 0;
     if (scene->shape == SCENE_FLAT)
         return STATUS_OK;
     xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
     if (!xyz)
         return STATUS_MEMORY;
-    sample(state, xyz);
+    sample(s, xyz);
     for (int n = 0; n < GRID_POINTS; n++) {
         double uvw[3], rest[3], *x = xyz + 3 * (size_t)n;
 
         grid_point(n, uvw);
         scene_rest_point(scene, uvw, rest);
-        *misfit =
-            fmax(*misfit, hypot(hypot(x[0] - rest[0], x[1] - rest[1]), x[2] - rest[2]));
+        s->misfit =
+            fmax(s->misfit, hypot(hypot(x[0] - rest[0], x[1] - rest[1]), x[2] - rest[2]));
     }
     free(xyz);
     return STATUS_OK;
 }
 
-void solid_model_describe(double misfit, struct message *line)
+void solid_model_describe(const void *state, struct message *line)
 {
+    const double misfit = ((const struct solid_sheet *)state)->misfit;
     const double round_off = 1e-12; /* [m] */
 
     *line->text = '\0';
@@ -127,16 +140,4 @@ void solid_model_describe(double misfit, struct message *line)
         snprintf(line->text, sizeof line->text,
                  "the curved rest shape is met to %.2g m: straight pieces stand for arcs",
                  misfit);
-}
-
-int *solid_model_order(int n, int m, int l)
-{
-    int *order = m > n ? malloc((size_t)n * (size_t)m * (size_t)l * sizeof *order) : NULL;
-    int count = 0;
-
-    for (int j = 0; order && j < m; j++)
-        for (int i = 0; i < n; i++)
-            for (int k = 0; k < l; k++)
-                order[count++] = (i * m + j) * l + k;
-    return order;
 }

@@ -1,10 +1,16 @@
 /* solid_model.h - the parts of struct model that every solid shares. A model's state begins
- * with a struct solid_motion, so that these functions serve as its entries.
+ * with a struct solid_sheet, so that these functions serve as its entries.
  */
 #ifndef SOLID_MODEL_H
 #define SOLID_MODEL_H
 
 #include "models/solid/solid_rest.h"
+
+struct solid_sheet {
+    struct solid_motion motion; /* first: tests and benchmarks reach it                */
+    struct solid_space space;
+    double misfit; /* of the rest shape, solid_model_misfit                        [m] */
+};
 
 /* What solid_motion can serve; bits of scene_need. */
 #define SOLID_MODEL_SERVES                                                                 \
@@ -22,10 +28,11 @@ enum status solid_model_equilibrium(void *state, struct counters *counters,
                                     struct message *why);
 enum status solid_model_modes(void *state, int count, double *omega, struct message *why);
 
-/* STATUS_UNSUPPORTED with a sentence naming what is missing, if the scene needs more than
- * `serves`. */
-enum status solid_model_refuse(const struct scene *scene, unsigned serves,
-                               struct message *why);
+/* STATUS_UNSUPPORTED in the thickness basis. */
+enum status solid_model_matrices(const void *state, struct matrix *K, struct matrix *M);
+
+/* A sentence on a misfit above round-off; empty otherwise. */
+void solid_model_describe(const void *state, struct message *line);
 
 /* Which basis through the thickness to use: what was asked, or the thickness basis where
  * `possible`, all supports take whole columns and there are no obstacles (which touch one
@@ -33,22 +40,15 @@ enum status solid_model_refuse(const struct scene *scene, unsigned serves,
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
                               bool possible, bool *thickness, struct message *why);
 
-/* parity of a flat sheet's components (solid_space.h): degree[nodes] is each coefficient's
- * Legendre degree through the thickness. NULL unless the normal is a coordinate axis. Owned
- * by the caller. */
-unsigned char *solid_model_parity(const struct scene *scene, int nodes, const int *degree);
+/* Parity of the space with the thickness basis, and the motion. points[3]: the net's,
+ * numbered w fastest, then v. */
+enum status solid_model_init(struct solid_sheet *s, const struct scene *scene,
+                             const struct discretization *d, const int points[3],
+                             struct message *why);
 
-/* How far the model's rest shape (`sample` of its state) lies from the scene's, at most
- * over the grid [m]: of curved ones; 0 for flat ones, unasked. */
-enum status solid_model_misfit(const struct scene *scene,
-                               void (*sample)(const void *state, double *xyz),
-                               const void *state, double *misfit);
-
-/* A sentence on a misfit above round-off; empty otherwise. */
-void solid_model_describe(double misfit, struct message *line);
-
-/* Node order with v slowest, for nets n x m x l wider than long (a narrower band); NULL
- * otherwise or without memory. Owned by the caller. */
-int *solid_model_order(int n, int m, int l);
+/* How far the rest shape (`sample` of the state) lies from the scene's, at most over the
+ * grid: of curved ones; 0 for flat ones, unasked. */
+enum status solid_model_misfit(struct solid_sheet *s,
+                               void (*sample)(const void *state, double *xyz));
 
 #endif

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/room.h"
 #include "models/solid/solid_contact.h"
 #include "models/solid/solid_large.h"
 
@@ -40,16 +41,7 @@ static void compute_load(struct solid_motion *m)
 enum status solid_motion_add_loads(struct solid_motion *m,
                                    const struct dead_load_line line[3])
 {
-    enum status st;
-
-    if (!m->scene->load_count)
-        return STATUS_OK;
-    m->dead = calloc(3 * (size_t)m->space->nodes, sizeof *m->dead);
-    if (!m->dead)
-        return STATUS_MEMORY;
-    st = dead_load_add(m->scene, line, m->dead);
-    compute_load(m);
-    return st;
+    return dead_load_make(m->scene, line, &m->dead, m->load);
 }
 
 /* `printed` knows velocity as d / dt (solid_motion.h). */
@@ -68,6 +60,19 @@ static void start_moving(struct solid_motion *m)
             v[t] *= m->newmark.dt;
 }
 
+void solid_motion_clear(struct solid_motion *m)
+{
+    solid_large_destroy(m->large);
+    system_clear(&m->system);
+    contact_step_clear(&m->contact);
+    newmark_clear(&m->newmark);
+    supports_clear(&m->supports);
+    solid_assembly_clear(&m->assembly);
+    free(m->room);
+    free(m->dead);
+    memset(m, 0, sizeof *m);
+}
+
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               const struct solid_space *space,
                               const struct discretization *d, const int *order,
@@ -84,12 +89,9 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     TRY(newmark_init(&new.newmark, space->nodes, scene->step,
                      mass_damping(scene, d->kinematics), damping_stiffness(scene)));
     new.newmark.gamma = drag_on_d(scene, d->kinematics);
-    st = STATUS_MEMORY;
-    new.x = malloc(bytes);
-    new.load = malloc(bytes);
-    new.held = calloc(4 * (size_t) new.supports.held_count + 1, sizeof *new.held);
-    if (!new.x || !new.load || !new.held)
-        goto out;
+    TRY(room_cut(&new.room, ROOM(new.x, 3 * (size_t)space->nodes),
+                 ROOM(new.load, 3 * (size_t)space->nodes),
+                 ROOM(new.held, 4 * (size_t) new.supports.held_count)));
     memcpy(new.x, space->rest, bytes);
     st = solid_assembly_compute(&new.assembly, new.x);
     if (st != STATUS_OK) {
@@ -114,23 +116,6 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
 out:
     solid_motion_clear(&new);
     return st;
-}
-
-void solid_motion_clear(struct solid_motion *m)
-{
-    if (!m)
-        return;
-    solid_large_destroy(m->large);
-    system_clear(&m->system);
-    contact_step_clear(&m->contact);
-    newmark_clear(&m->newmark);
-    supports_clear(&m->supports);
-    solid_assembly_clear(&m->assembly);
-    free(m->x);
-    free(m->load);
-    free(m->dead);
-    free(m->held);
-    memset(m, 0, sizeof *m);
 }
 
 static double *held_row(struct solid_motion *m, int row)
@@ -177,11 +162,8 @@ static enum status start_linear(struct solid_motion *m, struct counters *counter
 
     if (m->supports.moving)
         held = path_motion(m, m->time);
-    TRY(newmark_start(n, &m->system, stiffness(m), m->assembly.M, m->load,
-                      m->supports.moving ? &held : NULL));
-    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
-    counters->factorisations += 2;
-    counters->solves++;
+    TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
+                      m->supports.moving ? &held : NULL, counters));
     m->started = true;
 out:
     return st;
@@ -309,14 +291,6 @@ void solid_motion_contact(const struct solid_motion *m, struct model_contact *co
 
 void solid_motion_size(const struct solid_motion *m, struct model_size *size)
 {
-    struct factor_info info;
-
-    factor_describe(m->system.factor, &info);
-    *size = (struct model_size){
-        .nodes = m->space->nodes,
-        .unknowns = m->supports.free_count,
-        .factor_entries = info.entries,
-        .solver = info.method,
-        .unknown_basis = m->space->thickness_basis ? "thickness" : "control points",
-    };
+    *size =
+        system_size(&m->system, m->space->thickness_basis ? "thickness" : "control points");
 }

@@ -3,28 +3,26 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/linalg/blocks.h"
+#include "models/room.h"
+
 void solid_space_clear(struct solid_space *space)
 {
-    if (!space)
-        return;
-    free(space->ien);
+    free(space->room);
     free(space->slab);
-    free(space->uvw);
-    free(space->rest);
     free(space->parity);
     memset(space, 0, sizeof *space);
 }
 
-enum status solid_space_set_slabs(struct solid_space *space, int per_column, int width)
+enum status solid_space_allocate(struct solid_space *space, int per_column, int width)
 {
-    int columns = space->elements / per_column, wide = width > 0 ? width : 1;
+    enum status st;
 
-    space->slabs = (columns + wide - 1) / wide;
-    space->slab = malloc(((size_t)space->slabs + 1) * sizeof *space->slab);
-    if (!space->slab)
-        return STATUS_MEMORY;
-    for (int s = 0; s < space->slabs; s++)
-        space->slab[s] = s * wide * per_column;
-    space->slab[space->slabs] = space->elements;
-    return STATUS_OK;
+    TRY(room_cut(&space->room, ROOM(space->ien, space->elements * (size_t)space->local),
+                 ROOM(space->uvw, space->nodes),
+                 ROOM(space->rest, 3 * (size_t)space->nodes)));
+    TRY(blocks_slabs(space->elements, per_column, width > 0 ? width : 1, &space->slabs,
+                     &space->slab));
+out:
+    return st;
 }

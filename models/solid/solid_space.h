@@ -28,9 +28,10 @@ struct solid_functions {
 
 struct solid_space {
     int nodes, elements;
-    int local; /* functions per element                                                */
-    int gauss; /* Gauss points per element                                             */
-    int *ien;  /* [elements][local] ascending nodes of each element            owned   */
+    int local;  /* functions per element                                                */
+    int gauss;  /* Gauss points per element                                             */
+    void *room; /* of ien, uvw and rest                                        owned   */
+    int *ien;   /* [elements][local] ascending nodes of each element                    */
 
     /* Elements [slab[s], slab[s+1]) form slab s; slabs s and s+2 share no node, so that
      * all even slabs, then all odd ones, may be assembled side by side with sums in an
@@ -40,8 +41,8 @@ struct solid_space {
 
     double (*uvw)[3]; /* [nodes] parameters of each node (Greville abscissae): decides
                          which supports hold it; in the thickness basis w is one of
-                         supports.h's SUPPORTS_MIDDLE, SUPPORTS_DIFFERENCE     owned   */
-    double *rest;     /* [nodes][3] rest coefficients                  [m]     owned   */
+                         supports.h's SUPPORTS_MIDDLE, SUPPORTS_DIFFERENCE             */
+    double *rest;     /* [nodes][3] rest coefficients                  [m]             */
 
     /* For a flat sheet with the thickness basis: 0/1 per component, such that linear
      * stiffness and mass couple only equal ones (membrane and bending motion). NULL where
@@ -84,8 +85,9 @@ struct solid_space {
 /* Frees what is marked owned, not `tables`. Accepts all-zero, leaves all-zero. */
 void solid_space_clear(struct solid_space *space);
 
-/* Slabs for elements numbered in columns of `per_column`, of which `width` + 1 neighbouring
- * ones share nodes. */
-enum status solid_space_set_slabs(struct solid_space *space, int per_column, int width);
+/* Room for ien, uvw and rest of the elements and nodes that *space says; slabs for elements
+ * numbered in columns of `per_column`, of which `width` + 1 neighbouring ones share nodes.
+ */
+enum status solid_space_allocate(struct solid_space *space, int per_column, int width);
 
 #endif

@@ -15,10 +15,11 @@ struct solid_motion {
     struct supports supports;
     struct system system;
     struct newmark newmark;
-    double *x;    /* [nodes][3] present coefficients                   [m]    owned   */
-    double *load; /* [nodes][3] gravity, wind and loads                [N]    owned   */
+    void *room;   /* of x, load and held                                      owned   */
+    double *x;    /* [nodes][3] present coefficients                   [m]            */
+    double *load; /* [nodes][3] gravity, wind and loads                [N]            */
     double *dead; /* [nodes][3] of which the scene's loads; NULL: none        owned   */
-    double *held; /* [4][held_count] target d, v, a; work              owned          */
+    double *held; /* [4][held_count] target d, v, a; work                             */
     double time;  /* [s]                                                              */
     bool started; /* the constant system is factored                                  */
     struct solid_large *large; /* nonlinear only                                 owned */

@@ -1,0 +1,53 @@
+#include "models/net.h"
+
+#include <math.h>
+
+#include "models/grid.h"
+
+static const double *point(const struct net *net, int i, int j)
+{
+    return net->x + (ptrdiff_t)(i * net->m + j) * net->node;
+}
+
+static void normal_at(const struct net *net, int i, int j, double normal[3])
+{
+    const double *before_u = point(net, i ? i - 1 : 0, j);
+    const double *behind_u = point(net, i < net->n - 1 ? i + 1 : i, j);
+    const double *before_v = point(net, i, j ? j - 1 : 0);
+    const double *behind_v = point(net, i, j < net->m - 1 ? j + 1 : j);
+    double u[3], v[3], length = 0;
+
+    for (int c = 0; c < 3; c++) {
+        ptrdiff_t at = c * net->component;
+        u[c] = behind_u[at] - before_u[at];
+        v[c] = behind_v[at] - before_v[at];
+    }
+    for (int c = 0; c < 3; c++) {
+        normal[c] = u[(c + 1) % 3] * v[(c + 2) % 3] - u[(c + 2) % 3] * v[(c + 1) % 3];
+        length += normal[c] * normal[c];
+    }
+    length = sqrt(length);
+    for (int c = 0; c < 3; c++)
+        normal[c] = length > 0 ? normal[c] / length : 0;
+}
+
+void net_surface(const struct net *net, double u, double v, double middle[3],
+                 double normal[3])
+{
+    double weight[2][2];
+    int i = grid_cell(net->n, u, weight[0]), j = grid_cell(net->m, v, weight[1]);
+
+    for (int c = 0; c < 3; c++)
+        middle[c] = normal[c] = 0;
+    for (int s = 0; s < 4; s++) {
+        double share = weight[0][s / 2] * weight[1][s % 2], its[3];
+        if (share == 0)
+            continue;
+        const double *x = point(net, i + s / 2, j + s % 2);
+        normal_at(net, i + s / 2, j + s % 2, its);
+        for (int c = 0; c < 3; c++) {
+            middle[c] += share * x[c * net->component];
+            normal[c] += share * its[c];
+        }
+    }
+}

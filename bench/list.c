@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "bench/commands.h"
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 #include "bench/harness/registry.h"
 #include "bench/truth/truth_file.h"
 #include "models/reader/scene_file.h"

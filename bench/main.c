@@ -7,7 +7,7 @@
 #include "bench/files/aside.h"
 #include "bench/commands.h"
 #include "bench/files/output.h"
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 #include "bench/files/provenance.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_file.h"
@@ -79,9 +79,9 @@ static void print_plan_help(FILE *file)
         "young_over_density, which set the key 'by' so that the number takes the value.\n"
         "Measures of verdicts and maps:\n\n",
         file);
-    for (int n = 0; n < CASE_MEASURES; n++)
-        fprintf(file, "  %-20s%-9s%s\n", case_measure_name(n), case_measure_unit(n),
-                case_measure_sentence(n));
+    for (int n = 0; n < MEASURES; n++)
+        fprintf(file, "  %-20s%-9s%s\n", measure_name(n), measure_unit(n),
+                measure_sentence(n));
 }
 
 static enum status print_version(void)

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "bench/sweep/plan_case.h"
-#include "bench/harness/stand_in.h"
+#include "bench/experiment/plan_case.h"
+#include "bench/harness/derived_key.h"
 #include "tests/check.h"
 
 /* A good plan; the rows below replace one of its lines, counted from 1, or add one. */
@@ -167,7 +167,7 @@ static void check_good(void)
 }
 
 /* Each stand-in through each key it may be set by. */
-static void check_stand_ins(void)
+static void check_derived_keys(void)
 {
     static const char *const by[] = {"material.young", "material.density",
                                      "sheet.thickness", "sheet.length"};
@@ -181,17 +181,17 @@ static void check_stand_ins(void)
         REQUIRE(scene_init(&scene) == STATUS_OK);
         scene.gravity[2] = -9.81;
         scene.poisson = 0.3;
-        double solved = stand_in_solve("gamma", by[n], 123, &scene);
+        double solved = derived_key_solve("gamma", by[n], 123, &scene);
         *value[n] = solved;
         CHECK_RELATIVE(scene_gamma(&scene), 123.0, tol_power);
-        solved = stand_in_solve("young_over_density", by[n], 77, &scene);
+        solved = derived_key_solve("young_over_density", by[n], 77, &scene);
         CHECK(isnan(solved) == (n > 1));
         *value[n] = solved;
         if (n < 2)
             CHECK_RELATIVE(scene.young / scene.density, 77.0, tol_power);
         scene_clear(&scene);
     }
-    CHECK(!stand_in_is("material.young") && stand_in_is("gamma"));
+    CHECK(!derived_key_is("material.young") && derived_key_is("gamma"));
 }
 
 int main(void)
@@ -202,7 +202,7 @@ int main(void)
     close(file);
     check_good();
     check_bad();
-    check_stand_ins();
+    check_derived_keys();
     unlink(path);
     return check_result();
 }

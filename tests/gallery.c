@@ -6,9 +6,9 @@
 
 #include "bench/files/folder.h"
 #include "bench/harness/motion.h"
+#include "bench/harness/run.h"
 #include "bench/studies/study_artefacts.h"
 #include "bench/studies/study_flag.h"
-#include "bench/harness/trial.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/check.h"
@@ -19,68 +19,72 @@ static const char *folder;
 #define TOL_SINGLE FLT_EPSILON
 
 /* Row 7 of Table 4, which dies at 0.265 s, and the same kept calm. */
-static struct gallery fixture(void)
+static void add_settings(int n, bool quick, struct settings *s)
 {
-    struct gallery g = {.name = "pair", .times = 2, .time = {0.15, 0.4}, .count = 2};
-
-    for (int n = 0; n < 2; n++) {
-        g.item[n] = (struct gallery_case){.label = n ? "wild" : "calm",
-                                          .name = n ? "wild" : "calm",
-                                          .scene = "edge_drop",
-                                          .model = "iga"};
-        gallery_set(&g.item[n], "material.young=5e4");
-        gallery_set(&g.item[n], "material.density=0.1");
-        gallery_set(&g.item[n], "damping.value=%g", n ? 0.9 : 0.3);
-    }
-    return g;
+    (void)quick;
+    settings_set(s, "material.young=5e4");
+    settings_set(s, "material.density=0.1");
+    settings_number(s, "damping.value", n ? 0.9 : 0.3);
 }
+
+static const struct gallery pair = {
+    .name = "pair",
+    .times = 2,
+    .time = {0.15, 0.4},
+    .count = 2,
+    .item = {{"calm", "calm", "edge_drop", "iga"}, {"wild", "wild", "edge_drop", "iga"}},
+    .settings = add_settings};
 
 static void test_frames(void)
 {
-    struct gallery g = fixture();
+    const struct experiment_options options = {.folder = folder};
     struct gallery_result r;
-    struct exhibit_options options = {.folder = folder};
     struct message why = {""};
-    struct trial trial;
+    struct settings settings = {0};
+    struct run_plan plan = {.path = SOURCE_DIR "/models/scenes/edge_drop.yaml",
+                            .settings = &settings,
+                            .end = 0.4};
+    struct run run;
     struct motion m;
-    const char *settings[4] = {g.item[0].setting[0], g.item[0].setting[1],
-                               g.item[0].setting[2], "time.end=0.4"};
     double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz), far = 0;
 
-    REQUIRE(xyz && gallery_measure(&g, &options, &why) == STATUS_OK);
-    REQUIRE(gallery_read(&g, folder, &r, &why) == STATUS_OK);
-    REQUIRE(trial_open(&trial, SOURCE_DIR "/models/scenes/edge_drop.yaml", 4, settings,
-                       "iga", &why) == STATUS_OK);
-    REQUIRE(motion_init(&m, trial.model, &trial.scene, trial.state) == STATUS_OK);
+    REQUIRE(xyz && gallery_measure(&pair, &options, &why) == STATUS_OK);
+    REQUIRE(gallery_read(&pair, folder, &r, &why) == STATUS_OK);
+    add_settings(0, false, &settings);
+    REQUIRE(contestant_find("iga", &plan.contestant, &why) == STATUS_OK);
+    REQUIRE(run_open(&run, &plan, &why) == STATUS_OK);
+    REQUIRE(motion_init(&m, run.model, &run.scene, run.state) == STATUS_OK);
     REQUIRE(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK);
-    trial.model->sample(trial.state, xyz);
-    REQUIRE(r.frame[0][0].xyz && r.frame[0][1].xyz);
+    run.model->sample(run.state, xyz);
+    REQUIRE(r.run[0].frames == 2);
     for (int n = 0; n < 3 * GRID_POINTS; n++)
-        far = fmax(far, fabs(xyz[n] - r.frame[0][1].xyz[n]));
+        far = fmax(far, fabs(xyz[n] - r.run[0].xyz[1][n]));
     CHECK_NEAR(far, 0, TOL_SINGLE);
-    CHECK(r.frame[0][1].drop == metric_drop(&trial.scene, r.frame[0][1].xyz));
+    CHECK(r.frame[0][1].drop == metric_drop(&run.scene, r.run[0].xyz[1]));
     CHECK(r.frame[0][1].angle > r.frame[0][0].angle);
-    CHECK(r.unknowns[0] == 540);
+    CHECK(r.run[0].unknowns == 540);
     /* the other lived to see the first time only */
-    CHECK(status_is_death(r.result[1].outcome));
-    CHECK(r.frame[1][0].xyz && !r.frame[1][1].xyz && isnan(r.frame[1][1].stretch));
+    CHECK(status_is_death(r.run[1].outcome));
+    CHECK(r.run[1].frames == 1 && isnan(r.frame[1][1].stretch));
     motion_clear(&m);
-    trial_close(&trial);
+    run_close(&run);
+    settings_clear(&settings);
     gallery_clear(&r);
     free(xyz);
 }
 
-/* Runs an exhibit, quick, and returns what it prints; freed by the caller. */
-static char *printed(const struct exhibit *exhibit)
+/* Runs an experiment, quick, and returns what it prints; freed by the caller. */
+static char *printed(const struct experiment *experiment)
 {
-    struct exhibit_options options = {.folder = folder, .quick = true};
+    struct experiment_options options = {.folder = folder, .quick = true};
     struct message why = {""};
     char *text = NULL;
     size_t size = 0;
     FILE *file = open_memstream(&text, &size);
 
     REQUIRE(file);
-    if (exhibit->measure(&options, &why) || exhibit->print(folder, TABLE_TEXT, file, &why))
+    if (experiment->measure(&options, &why) ||
+        experiment->print(folder, TABLE_TEXT, file, &why))
         printf("%s\n", why.text);
     fclose(file);
     return text;
@@ -97,7 +101,7 @@ static bool has_line(const char *text, const char *start, const char *part)
 
 static void test_artefacts(void)
 {
-    char *text = printed(&study_artefacts_exhibit);
+    char *text = printed(&study_artefacts_experiment);
 
     CHECK(has_line(text, "super-elongation  row 4, iga", "yes    over-stretched"));
     CHECK(has_line(text, "floating          row 13, shell", "yes    too light"));
@@ -111,12 +115,12 @@ static void test_artefacts(void)
 static void test_flag(void)
 {
     struct message why = {""};
-    char *text = printed(&study_flag_exhibit);
+    char *text = printed(&study_flag_experiment);
 
     CHECK(has_line(text, "0.750  printed (the paper's)", "1."));
     CHECK(has_line(text, "2.075  projective dynamics, matched", "1."));
     CHECK(strstr(text, "not the bending of its material"));
-    CHECK(study_flag_exhibit.print("/nowhere", TABLE_TEXT, stdout, &why) == STATUS_FILE);
+    CHECK(study_flag_experiment.print("/nowhere", TABLE_TEXT, stdout, &why) == STATUS_FILE);
     CHECK(strstr(why.text, "/nowhere/"));
     free(text);
 }

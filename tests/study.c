@@ -38,7 +38,8 @@ static double rmse(const char *a, const char *b, int frame)
 
 static void measure(const struct study *study)
 {
-    const struct exhibit_options options = {.folder = folder, .quick = true, .repeats = 1};
+    const struct experiment_options options = {
+        .folder = folder, .quick = true, .repeats = 1};
     struct message why = {""};
 
     if (!CHECK(study_measure(study, &options, &why) == STATUS_OK)) {

@@ -77,9 +77,10 @@ int main(int argc, char **argv)
 
     REQUIRE(argc == 2);
     REQUIRE(folder_make(argv[1], &why) == STATUS_OK);
-    REQUIRE(study_contact_exhibit.measure(
-                &(struct exhibit_options){.folder = argv[1], .quick = true, .repeats = 1},
-                &why) == STATUS_OK);
+    REQUIRE(
+        study_contact_experiment.measure(
+            &(struct experiment_options){.folder = argv[1], .quick = true, .repeats = 1},
+            &why) == STATUS_OK);
     for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
         struct study_contact_run run;
         REQUIRE(study_contact_read(argv[1], n, &run, &why) == STATUS_OK);

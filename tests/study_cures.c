@@ -44,20 +44,7 @@ static double tip(int what, int law, int nu, int thickness)
     struct study_cures_tip t;
     struct message why = {""};
 
-    if (what >= STUDY_CURES_SPACES)
-        REQUIRE(study_cures_truth(what, law, nu, thickness, false, &t, &why) == STATUS_OK);
-    else
-        REQUIRE(
-            study_cures_solve(
-                &(struct study_cures_case){.model = "iga",
-                                           .nu = study_cures_nu[nu],
-                                           .thickness = study_cures_thickness[thickness],
-                                           .gamma = study_cures_gamma[law],
-                                           .degree = {study_cures_space[what].degree,
-                                                      study_cures_space[what].degree, 1},
-                                           .points = {10, 10, 2},
-                                           .remedy = study_cures_space[what].remedy},
-                &t, &why) == STATUS_OK);
+    REQUIRE(study_cures_solve(what, law, nu, thickness, false, &t, &why) == STATUS_OK);
     return t.z;
 }
 

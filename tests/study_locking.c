@@ -24,16 +24,16 @@ static const double TOL_FLOAT = 1.2e-7;
 
 static struct study_locking *measured(const char *folder)
 {
-    struct exhibit_options options = {.folder = folder,
-                                      .quick = true,
-                                      .repeats = 1,
-                                      .value_count = STUDY_LOCKING_PROTOTYPES,
-                                      .value = study_locking_thickness};
+    struct experiment_options options = {.folder = folder,
+                                         .quick = true,
+                                         .repeats = 1,
+                                         .value_count = STUDY_LOCKING_PROTOTYPES,
+                                         .value = study_locking_thickness};
     struct study_locking *s = NULL;
     struct message why = {""};
 
     REQUIRE(folder_make(folder, &why) == STATUS_OK);
-    if (!CHECK(study_locking_exhibit.measure(&options, &why) == STATUS_OK) ||
+    if (!CHECK(study_locking_experiment.measure(&options, &why) == STATUS_OK) ||
         !CHECK(study_locking_read(folder, &s, &why) == STATUS_OK)) {
         printf("%s\n", why.text);
         exit(check_result());
@@ -102,16 +102,17 @@ static void prints(const char *folder)
     FILE *file = tmpfile();
 
     REQUIRE(file);
-    for (int format = TABLE_LATEX; format >= TABLE_TEXT; format--) {
+    for (int format = TABLE_JSON; format >= TABLE_TEXT; format--) {
         rewind(file);
-        CHECK(study_locking_exhibit.print(folder, (enum table_format)format, file, NULL) ==
-              STATUS_OK);
+        CHECK(study_locking_experiment.print(folder, (enum table_format)format, file,
+                                             NULL) == STATUS_OK);
     }
     rewind(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     CHECK(strstr(text, "0.605") && strstr(text, "h 20") && !strstr(text, "nan"));
     fclose(file);
-    CHECK(study_locking_exhibit.print("/nowhere", TABLE_TEXT, stdout, NULL) == STATUS_FILE);
+    CHECK(study_locking_experiment.print("/nowhere", TABLE_TEXT, stdout, NULL) ==
+          STATUS_FILE);
 }
 
 int main(int argc, char **argv)
@@ -124,6 +125,6 @@ int main(int argc, char **argv)
     kinds(s);
     without_shear(s);
     prints(argv[1]);
-    study_locking_destroy(s);
+    free(s);
     return check_result();
 }

@@ -1,5 +1,5 @@
-/* Studies of thickness: what the exhibit prints of the degree through it, against what is
- * known of plates; static levels of a study.
+/* Studies of thickness: what the experiment prints of the degree through it, against what
+ * is known of plates; static levels of a study.
  *
  *   study_thickness FOLDER
  */
@@ -29,8 +29,9 @@ static double number(const char *text, const char *label, int column)
 
 static void test_degree(void)
 {
-    const struct exhibit *e = &study_thickness_degree_exhibit;
-    const struct exhibit_options options = {.folder = folder, .quick = true, .repeats = 1};
+    const struct experiment *e = &study_thickness_degree_experiment;
+    const struct experiment_options options = {
+        .folder = folder, .quick = true, .repeats = 1};
     struct message why = {""};
     char *text = NULL;
     size_t size;
@@ -68,7 +69,8 @@ static void test_statics(void)
         .numerics = {"discretization.kinematics=linear", "discretization.points=[6,6]"},
         .count = 2,
         .levels = levels};
-    const struct exhibit_options options = {.folder = folder, .quick = true, .repeats = 1};
+    const struct experiment_options options = {
+        .folder = folder, .quick = true, .repeats = 1};
     struct message why = {""};
     struct study_result r;
 

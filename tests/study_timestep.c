@@ -87,24 +87,24 @@ static void prints(const char *folder)
     FILE *file = tmpfile();
 
     REQUIRE(file);
-    CHECK(study_timestep_exhibit.print(folder, TABLE_TEXT, file, NULL) == STATUS_OK);
+    CHECK(study_timestep_experiment.print(folder, TABLE_TEXT, file, NULL) == STATUS_OK);
     rewind(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     CHECK(strstr(text, "does not hold") && strstr(text, "0.625") && !strstr(text, "nan"));
     fclose(file);
-    CHECK(study_timestep_exhibit.print("/nowhere", TABLE_TEXT, stdout, NULL) ==
+    CHECK(study_timestep_experiment.print("/nowhere", TABLE_TEXT, stdout, NULL) ==
           STATUS_FILE);
 }
 
 int main(int argc, char **argv)
 {
-    struct exhibit_options options = {.folder = argv[1], .quick = true, .repeats = 1};
+    struct experiment_options options = {.folder = argv[1], .quick = true, .repeats = 1};
     struct study_timestep *s = NULL;
     struct message why = {""};
 
     REQUIRE(argc == 2);
     REQUIRE(folder_make(argv[1], &why) == STATUS_OK);
-    if (!CHECK(study_timestep_exhibit.measure(&options, &why) == STATUS_OK) ||
+    if (!CHECK(study_timestep_experiment.measure(&options, &why) == STATUS_OK) ||
         !CHECK(study_timestep_read(argv[1], &s, &why) == STATUS_OK)) {
         printf("%s\n", why.text);
         return check_result();

@@ -24,7 +24,7 @@ enum { QUICK_REPEATS = 3, QUICK_STEPS = 20 };
 
 static struct table23_data *measured(enum table23 which, const char *folder)
 {
-    struct exhibit_options options = {.folder = folder, .quick = true};
+    struct experiment_options options = {.folder = folder, .quick = true};
     struct table23_data *d = NULL;
     struct message why = {""};
 
@@ -155,7 +155,7 @@ static void outcomes(const char *folder)
     static const char *const settings[] = {"material.young=5e4", "material.density=0.1",
                                            "damping.value=0.9"};
     static const double time[] = {0.4};
-    struct exhibit_options options = {.folder = folder, .quick = true};
+    struct experiment_options options = {.folder = folder, .quick = true};
     struct provenance provenance;
     struct discretization unused = {0};
     struct timed_case c = {.times = 1, .time = time, .frames = 80};
@@ -184,7 +184,7 @@ static void outcomes(const char *folder)
 
 static void prints(const struct table23_data *d, const char *folder)
 {
-    const struct exhibit *exhibit =
+    const struct experiment *experiment =
         d->which == TABLE23_SECOND ? &table23_second : &table23_third;
     char text[1 << 16], cost[32];
     FILE *file = tmpfile();
@@ -192,7 +192,8 @@ static void prints(const struct table23_data *d, const char *folder)
     REQUIRE(file);
     for (int format = TABLE_LATEX; format >= TABLE_TEXT; format--) {
         rewind(file);
-        CHECK(exhibit->print(folder, (enum table_format)format, file, NULL) == STATUS_OK);
+        CHECK(experiment->print(folder, (enum table_format)format, file, NULL) ==
+              STATUS_OK);
     }
     rewind(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
@@ -200,7 +201,7 @@ static void prints(const struct table23_data *d, const char *folder)
     CHECK(strstr(text, cost));
     CHECK(strstr(text, "What was reproduced") && !strstr(text, "nan"));
     fclose(file);
-    CHECK(exhibit->print("/nowhere", TABLE_TEXT, stdout, NULL) != STATUS_OK);
+    CHECK(experiment->print("/nowhere", TABLE_TEXT, stdout, NULL) != STATUS_OK);
 }
 
 int main(int argc, char **argv)

@@ -1,6 +1,7 @@
 /* Verdicts: rules are read, refused with a sentence, and applied the same to every case. */
-#include "bench/sweep/verdict.h"
+#include "bench/experiment/verdict.h"
 
+#include "bench/harness/run_result.h"
 #include "tests/check.h"
 
 static const char good[] =
@@ -23,21 +24,21 @@ static enum status read_rules(const char *text, struct verdict_rules *rules,
 }
 
 /* A run that came well to its end. */
-static struct case_result sound(void)
+static struct run_result sound(void)
 {
-    struct case_result r = {.outcome = STATUS_OK};
+    struct run_result r = {.outcome = STATUS_OK};
 
-    r.value[CASE_STRETCH_MAX] = 1.1; /* on the bound: not above it */
-    r.value[CASE_DROP_END] = 1;
-    r.value[CASE_INTERSECTION_TIME] = r.value[CASE_BLOWUP_TIME] = INFINITY;
-    r.value[CASE_ENERGY_DRIFT_MAX] = NAN; /* does not exist: matches nothing */
+    r.value[MEASURE_STRETCH_MAX] = 1.1; /* on the bound: not above it */
+    r.value[MEASURE_DROP_END] = 1;
+    r.value[MEASURE_INTERSECTION_TIME] = r.value[MEASURE_BLOWUP_TIME] = INFINITY;
+    r.value[MEASURE_ENERGY_DRIFT_MAX] = NAN; /* does not exist: matches nothing */
     return r;
 }
 
-static void expect(const struct verdict_rules *rules, const struct case_result *r,
+static void expect(const struct verdict_rules *rules, const struct run_result *r,
                    enum verdict_kind kind, const char *want)
 {
-    struct verdict v = verdict_apply(rules, r);
+    struct verdict v = verdict_apply(rules, r->outcome, r->value);
     char text[128];
 
     printf("  %s\n", verdict_text(rules, v, text, sizeof text));
@@ -49,24 +50,24 @@ static void test_rules(void)
 {
     struct verdict_rules rules;
     struct message why = {""};
-    struct case_result r = sound();
+    struct run_result r = sound();
 
     REQUIRE(read_rules(good, &rules, &why) == STATUS_OK && rules.count == 5);
-    CHECK(rules.rule[0].measure == CASE_STRETCH_MAX && rules.rule[0].above);
+    CHECK(rules.rule[0].measure == MEASURE_STRETCH_MAX && rules.rule[0].above);
     CHECK(rules.rule[1].bound == 1000 && !rules.rule[1].above);
     CHECK(!strcmp(rules.rule[2].why, "it died"));
     expect(&rules, &r, VERDICT_FEASIBLE, "feasible");
-    r.value[CASE_STRETCH_MAX] = 1.2;
-    r.value[CASE_DROP_END] = 1.3;
+    r.value[MEASURE_STRETCH_MAX] = 1.2;
+    r.value[MEASURE_DROP_END] = 1.3;
     expect(&rules, &r, VERDICT_INFEASIBLE, "over-stretched"); /* by two rules, said once */
-    r.value[CASE_INTERSECTION_TIME] = 0.5;
+    r.value[MEASURE_INTERSECTION_TIME] = 0.5;
     expect(&rules, &r, VERDICT_INFEASIBLE, "over-stretched, penetration");
-    CHECK(verdict_has(&rules, verdict_apply(&rules, &r), "penetration"));
-    CHECK(!verdict_has(&rules, verdict_apply(&rules, &r), "chaotic"));
+    CHECK(verdict_has(&rules, verdict_apply(&rules, r.outcome, r.value), "penetration"));
+    CHECK(!verdict_has(&rules, verdict_apply(&rules, r.outcome, r.value), "chaotic"));
     r = sound();
     r.outcome = STATUS_ESCAPED;
     expect(&rules, &r, VERDICT_INFEASIBLE, "died"); /* whatever the rules say */
-    r.value[CASE_BLOWUP_TIME] = 0.3;
+    r.value[MEASURE_BLOWUP_TIME] = 0.3;
     expect(&rules, &r, VERDICT_INFEASIBLE, "chaotic");
     r.outcome = STATUS_UNSUPPORTED;
     expect(&rules, &r, VERDICT_NONE, "unsupported");
@@ -78,14 +79,15 @@ static void test_rules(void)
 static void test_short_text(void)
 {
     struct verdict_rules rules;
-    struct case_result r = sound();
+    struct run_result r = sound();
     char text[8];
 
     REQUIRE(read_rules(good, &rules, NULL) == STATUS_OK);
-    r.value[CASE_STRETCH_MAX] = 2;
-    r.value[CASE_INTERSECTION_TIME] = 0;
-    CHECK(!strcmp(verdict_text(&rules, verdict_apply(&rules, &r), text, sizeof text),
-                  "over-st"));
+    r.value[MEASURE_STRETCH_MAX] = 2;
+    r.value[MEASURE_INTERSECTION_TIME] = 0;
+    CHECK(!strcmp(
+        verdict_text(&rules, verdict_apply(&rules, r.outcome, r.value), text, sizeof text),
+        "over-st"));
     verdict_clear(&rules);
 }
 

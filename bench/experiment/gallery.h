@@ -1,20 +1,19 @@
-/* gallery.h - runs worth looking at: a few cases (case.h) with their fields at the same
- * times, told apart by picture and by numbers.
+/* gallery.h - runs worth looking at: a few contestants with their fields at the same times,
+ * told apart by picture and by numbers.
  */
 #ifndef GALLERY_H
 #define GALLERY_H
 
-#include "bench/harness/case.h"
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
+#include "bench/harness/run_result.h"
+#include "bench/harness/settings.h"
 
-enum { GALLERY_CASES = 8, GALLERY_SETTINGS = 10, GALLERY_TIMES = 4 };
+enum { GALLERY_CASES = 8, GALLERY_TIMES = 5 };
 
 struct gallery_case {
     const char *label; /* short, for tables and pictures                               */
     const char *name;  /* of its file, [a-z0-9_]+                                      */
-    const char *scene, *model;
-    int setting_count;
-    char setting[GALLERY_SETTINGS][96]; /* KEY=VALUE                                   */
+    const char *scene, *contestant;
 };
 
 struct gallery {
@@ -23,25 +22,21 @@ struct gallery {
     double time[GALLERY_TIMES]; /* multiples of every scene's step, increasing     [s] */
     int count;
     struct gallery_case item[GALLERY_CASES];
+    void (*settings)(int item, bool quick, struct settings *s); /* adds a case's       */
 };
 
-/* Adds a setting to a case. */
-void gallery_set(struct gallery_case *item, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+/* Runs every case to the last time: FOLDER/NAME_CASE.h5. Deaths and refusals are results.
+ */
+enum status gallery_measure(const struct gallery *g,
+                            const struct experiment_options *options, struct message *why);
 
-/* Runs every case to the last time: FOLDER/NAME_CASE.h5. Deaths are results. */
-enum status gallery_measure(const struct gallery *g, const struct exhibit_options *options,
-                            struct message *why);
-
-/* What a case looked like at a time; xyz NULL: it did not live to see it, all else NaN. */
+/* What a case looked like at a time: metric.h. NaN: it did not live to see it. */
 struct gallery_frame {
-    double *xyz; /* (grid.h) [m]                                                 owned */
-    double stretch, drop, angle, roughness, intersections; /* metric.h                 */
+    double stretch, drop, angle, roughness, intersections;
 };
 
 struct gallery_result {
-    struct case_result result[GALLERY_CASES];
-    double unknowns[GALLERY_CASES];
+    struct run_result run[GALLERY_CASES]; /* with their fields                    owned */
     struct gallery_frame frame[GALLERY_CASES][GALLERY_TIMES];
 };
 
@@ -50,13 +45,17 @@ enum status gallery_read(const struct gallery *g, const char *folder,
                          struct gallery_result *r, struct message *why);
 void gallery_clear(struct gallery_result *r);
 
-/* The numbers of every case at every time. */
+/* The numbers of every case at every time, also into NAME.csv; NAME.png (gallery_picture).
+ */
 enum status gallery_print(const struct gallery *g, const struct gallery_result *r,
-                          const char *caption, enum table_format format, FILE *file);
+                          const char *caption, const char *folder, enum table_format format,
+                          FILE *file, struct message *why);
 
-/* NAME.csv; NAME.png with .gp and .dat: a row of panels for each case, a column for each
- * time. What is missing because gnuplot is, is told on standard error. */
-enum status gallery_files(const struct gallery *g, const struct gallery_result *r,
-                          const char *folder, struct message *why);
+/* NAME.png with .gp and .dat (picture.h): a row of panels for each of `count` runs with
+ * their fields, a column for each time. What is missing because gnuplot is, is told on
+ * standard error. */
+enum status gallery_picture(const char *folder, const char *name, int times, int count,
+                            const char *const *label, const struct run_result *const *run,
+                            struct message *why);
 
 #endif

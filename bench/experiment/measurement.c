@@ -49,17 +49,17 @@ static enum status follow(struct job *j, const struct measurement_case *c,
                           struct message *why)
 {
     struct message said = {""};
-    enum status st;
+    enum status st, built;
 
     j->asked = c;
     TRY(run_read(&j->run, &c->plan, why));
-    st = run_build(&j->run, &said);
-    if (st && !run_file_is_refusal(st))
-        TRY(status_fail(why, st, "%s", said.text));
-    j->built = st == STATUS_OK;
+    built = run_build(&j->run, &said);
+    if (built && !run_file_is_refusal(built))
+        TRY(status_fail(why, built, "%s", said.text));
+    j->built = built == STATUS_OK;
     TRY(run_file_open(&j->run, &c->keep, &j->file, why));
     if (!j->built) {
-        run_file_refuse(j->file, st, &said);
+        run_file_refuse(j->file, built, &said);
         return STATUS_OK;
     }
     if (c->rest)

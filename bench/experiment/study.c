@@ -78,8 +78,8 @@ out:
     return st;
 }
 
-enum status study_measure(const struct study *study, const struct exhibit_options *options,
-                          struct message *why)
+enum status study_measure(const struct study *study,
+                          const struct experiment_options *options, struct message *why)
 {
     struct timed_case cases[STUDY_LEVELS] = {{0}};
     struct scene scenes[STUDY_LEVELS] = {{0}};

@@ -1,6 +1,6 @@
 /* study.h - a scene at several levels of one parameter (net, degree, step, thickness ...),
  * from coarse to fine: run and timed together, kept as one result file a level, and read
- * back as numbers. `clothbench study NAME` prints one or more of these; an exhibit is
+ * back as numbers. `clothbench study NAME` prints one or more of these; an experiment is
  * written so:
  *
  *     static const struct study printed = {.name = "printed", .scene = "edge_drop", ...};
@@ -12,7 +12,7 @@
 #ifndef STUDY_H
 #define STUDY_H
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 #include "bench/truth/paper.h"
 #include "bench/truth/truth.h"
 
@@ -67,8 +67,8 @@ struct study_result {
 };
 
 /* Runs and times all levels, and the truth. Deaths and refusals are results. */
-enum status study_measure(const struct study *study, const struct exhibit_options *options,
-                          struct message *why);
+enum status study_measure(const struct study *study,
+                          const struct experiment_options *options, struct message *why);
 
 /* Numbers from what study_measure left in `folder`; *r is overwritten. */
 enum status study_read(const struct study *study, const char *folder,

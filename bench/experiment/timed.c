@@ -112,7 +112,7 @@ out:
 }
 
 struct reporter {
-    const struct exhibit_options *options;
+    const struct experiment_options *options;
     const char *what;
 };
 
@@ -120,7 +120,7 @@ static void report(void *context, int done, int total)
 {
     const struct reporter *r = context;
 
-    exhibit_progress(r->options, r->what, done, total);
+    experiment_progress(r->options, r->what, done, total);
 }
 
 static enum status time_phases(struct timed_case *c, int repeats, struct message *why)
@@ -185,7 +185,7 @@ out:
     return st;
 }
 
-enum status timed_measure(const struct exhibit_options *options, const char *what,
+enum status timed_measure(const struct experiment_options *options, const char *what,
                           const struct provenance *provenance, int count,
                           struct timed_case *cases, struct message *why)
 {

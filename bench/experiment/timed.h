@@ -32,7 +32,7 @@ struct timed_case {
 /* Follows every case over its times, then times all in turn: nine repeats, three if quick.
  * `what` is for the progress bar. Deaths are results. What a model does not serve is, too:
  * a sentence in NAME.txt instead of NAME.h5. */
-enum status timed_measure(const struct exhibit_options *options, const char *what,
+enum status timed_measure(const struct experiment_options *options, const char *what,
                           const struct provenance *provenance, int count,
                           struct timed_case *cases, struct message *why);
 

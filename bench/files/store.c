@@ -312,7 +312,7 @@ static enum status put_end(struct store *s, struct message *why)
     if (st != STATUS_OK)
         return st;
     if (hdf5_file_put_text(s->file, "outcome", status_text(s->outcome)) < 0 ||
-        (s->outcome != STATUS_OK &&
+        (status_is_death(s->outcome) &&
          hdf5_file_put_double(s->file, "death_time", s->death_time) < 0))
         return fail(s, why);
     return STATUS_OK;

@@ -25,7 +25,7 @@ static void list_names(bool models, char *text, size_t size)
 
 static enum status refuse(const char *name, int length, struct message *why)
 {
-    char models[256], others[640];
+    char models[256], others[768];
 
     list_names(true, models, sizeof models);
     list_names(false, others, sizeof others);
@@ -55,6 +55,14 @@ static bool is_all(const char *choice)
     return !choice || !strcmp(choice, "all");
 }
 
+static bool has_entered(const struct model *model, unsigned where)
+{
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        if (c->model == model && c->enters & where)
+            return true;
+    return false;
+}
+
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where)
 {
     const bool enters = !where || c->enters & where;
@@ -64,7 +72,10 @@ bool contestant_chosen(const struct contestant *c, const char *choice, unsigned 
         return enters;
     for (const char *at = choice; *at; at += length + (at[length] == ',')) {
         length = strcspn(at, ",");
-        if (is(at, length, c->name) || (enters && is(at, length, c->model->name)))
+        const bool model = is(at, length, c->model->name);
+        if (model ? enters : is(at, length, c->name))
+            return true;
+        if (model && is(at, length, c->name) && !has_entered(c->model, where))
             return true;
     }
     return false;
@@ -92,6 +103,23 @@ enum status contestant_check(const char *choice, struct message *why)
 void contestant_settings(const struct contestant *c, struct settings *s)
 {
     settings_list(s, CONTESTANT_SETTINGS, c->settings);
+}
+
+const char *contestant_setting(const struct contestant *c, const char *key)
+{
+    const size_t length = strlen(key);
+
+    for (int n = 0; n < CONTESTANT_SETTINGS && c->settings[n]; n++)
+        if (!strncmp(c->settings[n], key, length) && c->settings[n][length] == '=')
+            return c->settings[n] + length + 1;
+    return NULL;
+}
+
+bool contestant_is_paper_scheme(const struct contestant *c)
+{
+    const char *kinematics = contestant_setting(c, "discretization.kinematics");
+
+    return kinematics && !strcmp(kinematics, kinematics_name(KINEMATICS_PRINTED));
 }
 
 void contestant_points(const struct contestant *c, int u, int v, struct settings *s)

@@ -48,8 +48,9 @@ const struct model *contestant_model(int n);
 enum status contestant_find(const char *name, const struct contestant **c,
                             struct message *why);
 
-/* Whether the choice "a,b" of --models has it, by its name or its model's; NULL and "all":
- * those that enter there, by a bit of the above (0: all). */
+/* Whether the choice "a,b" of --models has it: a contestant's name chooses it, a model's
+ * name, NULL and "all" choose those that enter there, by a bit of the above (0: all); where
+ * none of a model does, its name chooses the model by itself. */
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where);
 
 /* Every word of a choice names a model or a contestant. STATUS_INPUT with a sentence. */
@@ -57,6 +58,12 @@ enum status contestant_check(const char *choice, struct message *why);
 
 /* What makes it what it is, added to settings. */
 void contestant_settings(const struct contestant *c, struct settings *s);
+
+/* The value that it sets a key to; NULL: it does not. Static storage. */
+const char *contestant_setting(const struct contestant *c, const char *key);
+
+/* The paper's own scheme: its damping, a factor on the velocity, is part of it. */
+bool contestant_is_paper_scheme(const struct contestant *c);
 
 /* Points u x v, through the thickness as it has them. */
 void contestant_points(const struct contestant *c, int u, int v, struct settings *s);

@@ -31,17 +31,8 @@
 
 /* clang-format off */
 const struct contestant contestant_table[] = {
-    /* Each model by itself. */
+    /* Of each model first the one with its own defaults. The isogeometric plate. */
     {"iga", "IGA", "IGA def.", &plate_model, 0, {0}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
-    {"hex", "hexahedra", "hex def.", &hex_model, 0, {0}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
-    {"shell", "shell", "shell", &shell_model, STRESS | SPEED, {0}, 0, 2, {6, 10, 16},
-     {1, 4}, {0}},
-    {"mass_spring", "mass-spring, matched", "springs", &spring_model,
-     CONTESTANT_EVERYWHERE, {MATCHED}, 0, 1, {10, 20, 40}, {1, 4, 16}, {0}},
-    {"projective_dynamics", "projective dynamics, matched", "PD", &projective_dynamics_model,
-     CONTESTANT_EVERYWHERE, {MATCHED}, 0, 1, {10, 20, 40}, {1, 4, 16}, {10, 100}},
-
-    /* The isogeometric plate. */
     {"iga_paper", "IGA, printed (paper)", "IGA paper", &plate_model,
      COMPARE | STRESS | SPEED, {PRINTED}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
     {"iga_incremental", "IGA, incremental", "IGA incr.", &plate_model, COMPARE | SPEED,
@@ -77,10 +68,13 @@ const struct contestant contestant_table[] = {
      COMPARE | SPEED, {NONLINEAR, SELECTIVE, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
 
     /* Trilinear hexahedra. */
+    {"hex", "hexahedra", "hex def.", &hex_model, 0, {0}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
     {"hex_paper", "hexahedra, printed (paper)", "hex paper", &hex_model, SPEED, {PRINTED},
      2, 1, {10, 20, 32}, {1, 4}, {0}},
     {"hex_linear", "hexahedra, linear", "hex lin.", &hex_model, SMALL, {LINEAR}, 2, 1,
      {16, 32}, {1, 4}, {0}},
+    {"hex_incompatible_paper", "hexahedra, incompatible, printed", "hex inc. paper",
+     &hex_model, 0, {PRINTED, INCOMPATIBLE}, 2, 1, {10, 20, 32}, {1, 4}, {0}},
     {"hex_incompatible_linear", "hexahedra, incompatible, linear", "hex inc. lin.",
      &hex_model, COMPARE | SMALL, {LINEAR, INCOMPATIBLE}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
     {"hex_incremental", "hexahedra, incremental", "hex incr.", &hex_model, COMPARE,
@@ -95,6 +89,8 @@ const struct contestant contestant_table[] = {
      {0}},
 
     /* The Kirchhoff-Love shell. */
+    {"shell", "shell", "shell", &shell_model, STRESS | SPEED, {0}, 0, 2, {6, 10, 16},
+     {1, 4}, {0}},
     {"shell_linear", "shell, linear, p = 2", "shell lin.", &shell_model, SMALL,
      {LINEAR, QUADRATIC_2}, 0, 2, {10, 20}, {1, 4}, {0}},
     {"shell_linear_3", "shell, linear, p = 3", "shell lin. 3", &shell_model, SMALL,
@@ -105,10 +101,14 @@ const struct contestant contestant_table[] = {
      {NONLINEAR, CUBIC_2}, 0, 3, {6, 10, 16}, {1, 4}, {0}},
 
     /* Springs and constraints. */
+    {"mass_spring", "mass-spring, matched", "springs", &spring_model,
+     CONTESTANT_EVERYWHERE, {MATCHED}, 0, 1, {10, 20, 40}, {1, 4, 16}, {0}},
     {"mass_spring_paper", "mass-spring, the paper's set", "springs paper", &spring_model, 0,
      {PAPER}, 0, 1, {10, 20}, {1, 4}, {0}},
     {"mass_spring_explicit", "mass-spring, explicit", "springs expl.", &spring_model, 0,
      {"discretization.integrator=explicit"}, 0, 1, {10, 20, 40}, {1}, {0}},
+    {"projective_dynamics", "projective dynamics, matched", "PD", &projective_dynamics_model,
+     CONTESTANT_EVERYWHERE, {MATCHED}, 0, 1, {10, 20, 40}, {1, 4, 16}, {10, 100}},
     {"projective_dynamics_paper", "projective dynamics, the paper's set", "PD paper",
      &projective_dynamics_model, 0, {PAPER}, 0, 1, {10, 20}, {1, 4}, {0}},
     {"projective_dynamics_edges", "projective dynamics, the paper's set, edges", "PD edges",

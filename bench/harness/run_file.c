@@ -25,6 +25,7 @@ struct run_file {
     int next;             /* of keep->time                                           */
     bool waits;           /* xyz is of a frame that is no look, at:                  */
     double time;
+    struct energy energy; /* NaN: the model has none                               */
     struct counters work;
     double seconds;         /* spent looking                                           */
     bool created, advanced; /* those seconds were handed in                            */
@@ -98,9 +99,20 @@ static void measure(struct run_file *f)
                                : NAN;
     l->series[LOOKS_SPEED][n] =
         n ? metric_rmse(f->xyz, f->before) / (l->time[n] - l->time[n - 1]) : NAN;
-    l->energy[n] = (struct energy){NAN, NAN, NAN};
+    l->energy[n] = f->energy;
+}
+
+/* The present state: a frame that waits is told when the state has moved on, or died. */
+static void sample(struct run_file *f, double time, const struct counters *work)
+{
+    const struct run *run = f->run;
+
+    run->model->sample(run->state, f->xyz);
+    f->energy = (struct energy){NAN, NAN, NAN};
     if (run->model->energy)
-        run->model->energy(run->state, &l->energy[n]);
+        run->model->energy(run->state, &f->energy);
+    f->time = time;
+    f->work = *work;
 }
 
 /* The field that was sampled last becomes a look. */
@@ -111,8 +123,8 @@ static enum status take(struct run_file *f, bool field, struct message *why)
     measure(f);
     f->waits = false;
     if (f->store)
-        st = store_frame(f->store, f->time, field ? f->xyz : NULL,
-                         &f->looks.energy[f->looks.count - 1], &f->work, why);
+        st = store_frame(f->store, f->time, field ? f->xyz : NULL, &f->energy, &f->work,
+                         why);
     double *swap = f->before;
     f->before = f->xyz, f->xyz = swap;
     return st;
@@ -133,9 +145,7 @@ enum status run_file_watch(void *context, const struct motion *m, struct message
 
     if (!due && !all)
         return STATUS_OK;
-    f->run->model->sample(f->run->state, f->xyz);
-    f->time = m->time;
-    f->work = m->counters;
+    sample(f, m->time, &m->counters);
     f->waits = true;
     f->next += timed;
     if (due)
@@ -147,8 +157,7 @@ enum status run_file_watch(void *context, const struct motion *m, struct message
 enum status run_file_rest(struct run_file *f, const struct counters *work,
                           struct message *why)
 {
-    f->run->model->sample(f->run->state, f->xyz);
-    f->work = *work;
+    sample(f, 0, work);
     return take(f, f->keep->fields != RUN_FIELDS_NONE, why);
 }
 
@@ -165,6 +174,12 @@ enum status run_file_seconds(struct run_file *f, const char *phase, const double
     f->advanced |= !strcmp(phase, "advance") || !strcmp(phase, "equilibrium");
     return f->store ? store_seconds(f->store, phase, seconds, repeats, columns, why)
                     : STATUS_OK;
+}
+
+enum status run_file_series(struct run_file *f, const char *name, const char *unit,
+                            const double *value, int count, struct message *why)
+{
+    return f->store ? store_metric(f->store, name, unit, value, count, why) : STATUS_OK;
 }
 
 static enum status store_series(struct run_file *f, struct message *why)

@@ -18,7 +18,7 @@
 
 enum run_fields {
     RUN_FIELDS_TIMES, /* of the looks at `time` alone                                  */
-    RUN_FIELDS_ALL,   /* of all looks; where a run dies, of the last frame it lived, too */
+    RUN_FIELDS_ALL,   /* of all looks, and of the last frame it lived, then a look, too */
     RUN_FIELDS_NONE,
 };
 
@@ -57,6 +57,10 @@ enum status run_file_seconds(struct run_file *file, const char *phase,
                              const double *seconds, int repeats, int columns,
                              struct message *why);
 
+/* A number of the caller's for every look taken so far, value[count] (store_metric). */
+enum status run_file_series(struct run_file *file, const char *name, const char *unit,
+                            const double *value, int count, struct message *why);
+
 /* Completes the file and fills *result (may be NULL), without fields. `m` is NULL for a
  * state that did not move. Frees in any case; on failure nothing is left of the file. */
 enum status run_file_close(struct run_file *file, const struct motion *m,
@@ -67,7 +71,8 @@ void run_file_discard(struct run_file *file); /* gives it up; NULL is allowed */
 bool run_file_is_refusal(enum status st);
 
 /* All of it: a death is a result, and so is a model that refuses. The same bits with and
- * without file, fields kept or not. STATUS_INPUT: scene or settings are impossible. */
+ * without file, fields kept or not, but for the last look of RUN_FIELDS_ALL.
+ * STATUS_INPUT: scene or settings are impossible. */
 enum status run_file_write(const struct run_plan *plan, const struct run_keep *keep,
                            struct run_result *result, struct message *why);
 

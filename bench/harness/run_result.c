@@ -132,7 +132,8 @@ static enum status read_work(const struct store_read *file, struct counters *wor
                     {"counters/assemblies", &work->assemblies},
                     {"counters/factorisations", &work->factorisations},
                     {"counters/solves", &work->solves},
-                    {"counters/iterations", &work->iterations}};
+                    {"counters/iterations", &work->iterations},
+                    {"counters/substeps", &work->substeps}};
     enum status st = STATUS_OK;
 
     for (size_t n = 0; n < sizeof counters / sizeof *counters; n++) {
@@ -146,20 +147,22 @@ out:
     return st;
 }
 
-static enum status read_fields(const struct store_read *file, bool fields,
+static enum status read_fields(const struct store_read *file, const char *path, bool fields,
                                struct run_result *r, struct message *why)
 {
-    const int frames = store_read_frames(file);
-    int columns;
-    enum status st = STATUS_OK;
+    int times, columns;
+    enum status st;
 
-    if (store_read_has(file, "xyz_time"))
-        TRY(store_read_array(file, "xyz_time", &r->time, &r->frames, &columns, why));
+    TRY(store_read_array(file, "xyz_time", &r->time, &times, &columns, why));
+    r->frames = store_read_frames(file);
+    if (times != r->frames)
+        TRY(status_fail(why, STATUS_INPUT, "%s: has %d fields at %d times", path, r->frames,
+                        times));
     if (!fields)
         return st;
-    r->xyz = calloc((size_t)frames + 1, sizeof *r->xyz);
+    r->xyz = calloc((size_t)r->frames + 1, sizeof *r->xyz);
     TRY(r->xyz ? STATUS_OK : STATUS_MEMORY);
-    for (int n = 0; n < frames; n++) {
+    for (int n = 0; n < r->frames; n++) {
         r->xyz[n] = malloc(3 * GRID_POINTS * sizeof **r->xyz);
         TRY(r->xyz[n] ? STATUS_OK : STATUS_MEMORY);
         TRY(store_read_frame(file, n, r->xyz[n], why));
@@ -220,7 +223,7 @@ enum status run_result_read(const char *path, bool fields, struct run_result *re
     TRY(read_times(file, &r, why));
     TRY(read_work(file, &r.work, why));
     TRY(looks_reduce(&looks, &scene, r.outcome, r.death_time, r.value));
-    TRY(read_fields(file, fields, &r, why));
+    TRY(read_fields(file, path, fields, &r, why));
     *result = r;
     r = (struct run_result){0};
 out:

@@ -137,7 +137,7 @@ enum status timing_run(const struct timing_plan *plan, int count, struct timing_
         for (int n = 0; n < count; n++)
             most = cases[n].repeats > most ? cases[n].repeats : most;
     }
-    if (plan->progress && st == STATUS_OK)
+    if (plan->progress && count && st == STATUS_OK)
         plan->progress(plan->context, TIMING_REPEATS * count, TIMING_REPEATS * count);
     for (int n = 0; n < count && st != STATUS_OK; n++)
         timing_clear(&cases[n]);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "bench/harness/child.h"
-#include "bench/harness/stand_in.h"
+#include "bench/harness/derived_key.h"
 #include "models/clock.h"
 #include "models/grid.h"
 
@@ -59,7 +59,7 @@ enum status stress_run_read(const struct stress_job *job, struct trial *t,
 
     TRY(trial_read(t, job->path, count, settings, job->model->model, why));
     if (c->gamma > 0)
-        t->scene.young = stand_in_solve("gamma", "material.young", c->gamma, &t->scene);
+        t->scene.young = derived_key_solve("gamma", "material.young", c->gamma, &t->scene);
     if (c->weight_ratio > 0)
         st = give_weights(&t->discretization, c->weight_ratio);
 out:

@@ -1,6 +1,6 @@
 #include "bench/studies/studies.h"
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 #include "bench/studies/study_artefacts.h"
 #include "bench/studies/study_contact.h"
 #include "bench/studies/study_cures.h"
@@ -14,17 +14,17 @@
 #include "bench/studies/study_timestep.h"
 
 static const struct command_item *const items[] = {
-    &study_mesh_exhibit.item,
-    &study_degree_exhibit.item,
-    &study_mesh_degree_exhibit.item,
-    &study_thickness_exhibit.item,
-    &study_thickness_degree_exhibit.item,
-    &study_locking_exhibit.item,
-    &study_cures_exhibit.item,
-    &study_timestep_exhibit.item,
-    &study_flag_exhibit.item,
-    &study_artefacts_exhibit.item,
-    &study_contact_exhibit.item,
+    &study_mesh_experiment.item,
+    &study_degree_experiment.item,
+    &study_mesh_degree_experiment.item,
+    &study_thickness_experiment.item,
+    &study_thickness_degree_experiment.item,
+    &study_locking_experiment.item,
+    &study_cures_experiment.item,
+    &study_timestep_experiment.item,
+    &study_flag_experiment.item,
+    &study_artefacts_experiment.item,
+    &study_contact_experiment.item,
     NULL,
 };
 
@@ -41,8 +41,8 @@ const struct command studies_command = {
                 "study mesh --from results/study_mesh --format csv\n",
     .least = 1,
     .most = 1,
-    .options = exhibit_command_options,
+    .options = experiment_command_options,
     .section = "studies",
     .items = items,
-    .run = exhibit_run,
+    .run = experiment_run,
 };

@@ -4,7 +4,8 @@
 #include <string.h>
 
 #include "bench/experiment/gallery.h"
-#include "bench/tables/table4_data.h"
+#include "bench/harness/contestant.h"
+#include "bench/tables/table4.h"
 
 /* The paper's four words for Fig. 16, each by the row of Table 4 that shows it here, and
  * twice where what the paper shows and what the rules find are not the same. */
@@ -13,52 +14,47 @@ static const struct artefact {
     const char *word;  /* of Fig. 16                                                   */
     const char *label; /* of Table 4's rules; NULL: none at all                        */
     int row;           /* of Table 4, from 0                                           */
-    const char *title, *name, *scene, *model, *kinematics;
     bool undamped;
 } artefacts[CASES] = {
-    {"normal", NULL, 13, "normal: row 14, the paper's", "normal_paper", "flag", "iga",
-     "printed", false},
-    {"normal", NULL, 3, "normal: row 4, shell", "normal_shell", "edge_drop", "shell",
-     "nonlinear", true},
-    {"super-elongation", "over-stretched", 3, "super-elongation: row 4", "elongation",
-     "flag", "iga", "printed", false},
-    {"floating", "too light", 12, "floating: row 13", "floating", "flag", "iga", "printed",
-     false},
-    {"floating", "too light", 12, "floating: row 13, shell", "floating_shell", "flag",
-     "shell", "nonlinear", true},
-    {"penetration", "penetration", 1, "penetration: row 2", "penetration", "flag", "iga",
-     "printed", false},
+    {"normal", NULL, 13, false},
+    {"normal", NULL, 3, true},
+    {"super-elongation", "over-stretched", 3, false},
+    {"floating", "too light", 12, false},
+    {"floating", "too light", 12, true},
+    {"penetration", "penetration", 1, false},
 };
 
-static struct gallery build(bool quick)
+static void add_settings(int n, bool quick, struct settings *s)
 {
-    struct gallery g = {
-        .name = "artefacts", .times = 3, .time = {0.5, 1.5, 3}, .count = CASES};
+    const struct artefact *a = &artefacts[n];
+    const struct paper_table4_row *row = &paper_table4[a->row];
+    const int side = quick && a->undamped ? 6 : 10;
 
-    for (int n = 0; n < CASES; n++) {
-        const struct artefact *a = &artefacts[n];
-        const struct paper_table4_row *row = &paper_table4[a->row];
-        struct gallery_case *item = &g.item[n];
-        *item = (struct gallery_case){
-            .label = a->title, .name = a->name, .scene = a->scene, .model = a->model};
-        gallery_set(item, "material.young=%.17g", row->young);
-        gallery_set(item, "material.density=%.17g", row->density);
-        if (a->undamped)
-            gallery_set(item, "damping={kind: none}");
-        else
-            gallery_set(item, "damping.value=%.17g", row->damping);
-        gallery_set(item, "discretization.kinematics=%s", a->kinematics);
-        gallery_set(item, "discretization.points=[%d,%d]", quick && a->undamped ? 6 : 10,
-                    quick && a->undamped ? 6 : 10);
-    }
-    return g;
+    settings_number(s, "material.young", row->young);
+    settings_number(s, "material.density", row->density);
+    if (a->undamped)
+        settings_set(s, "damping={kind: none}");
+    else
+        settings_number(s, "damping.value", row->damping);
+    settings_integers(s, "discretization.points", 2, (int[]){side, side});
 }
 
-static enum status measure(const struct exhibit_options *options, struct message *why)
-{
-    struct gallery g = build(options->quick);
+static const struct gallery gallery = {
+    .name = "artefacts",
+    .times = 3,
+    .time = {0.5, 1.5, 3},
+    .count = CASES,
+    .item = {{"normal: row 14, the paper's", "normal_paper", "flag", "iga_paper"},
+             {"normal: row 4, shell", "normal_shell", "edge_drop", "shell"},
+             {"super-elongation: row 4", "elongation", "flag", "iga_paper"},
+             {"floating: row 13", "floating", "flag", "iga_paper"},
+             {"floating: row 13, shell", "floating_shell", "flag", "shell"},
+             {"penetration: row 2", "penetration", "flag", "iga_paper"}},
+    .settings = add_settings};
 
-    return gallery_measure(&g, options, why);
+static enum status measure(const struct experiment_options *options, struct message *why)
+{
+    return gallery_measure(&gallery, options, why);
 }
 
 /* By its own label, with what else is found. */
@@ -66,72 +62,69 @@ static enum status print_found(const struct gallery_result *r,
                                const struct verdict_rules *rules, enum table_format format,
                                FILE *file)
 {
-    static const struct table_column columns[] = {
-        {"Fig. 16", NULL, TABLE_LEFT}, {"shown by", NULL, TABLE_LEFT},
-        {"found", NULL, TABLE_LEFT},   {"by the rules", NULL, TABLE_LEFT},
-        {"stretch", NULL, 0},          {"angle", "degrees", 0},
-        {"crosses itself", "s", 0},    {"alone", NULL, TABLE_LEFT}};
+    static const struct table_column columns[] = {{"Fig. 16", NULL, TABLE_LEFT},
+                                                  {"shown by", NULL, TABLE_LEFT},
+                                                  {"found", NULL, TABLE_LEFT},
+                                                  {"by the rules", NULL, TABLE_LEFT},
+                                                  {"stretch"},
+                                                  {"angle", "degrees"},
+                                                  {"crosses itself", "s"},
+                                                  {"alone", NULL, TABLE_LEFT}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Fig. 16: artefacts and the metrics that find them");
-    enum status st;
     char words[128];
 
     for (int n = 0; n < CASES; n++) {
         const struct artefact *a = &artefacts[n];
-        const struct case_result *c = &r->result[n];
-        struct verdict v = verdict_apply(rules, c);
-        bool found =
+        const struct gallery_case *item = &gallery.item[n];
+        const double *value = r->run[n].value;
+        const double crosses = value[MEASURE_INTERSECTION_TIME];
+        const struct contestant *contestant = NULL;
+        struct verdict v = verdict_apply(rules, r->run[n].outcome, value);
+        const bool found =
             a->label ? verdict_has(rules, v, a->label) : v.kind == VERDICT_FEASIBLE;
         verdict_text(rules, v, words, sizeof words);
+        const bool alone = found && (!a->label || !strcmp(words, a->label));
+        contestant_find(item->contestant, &contestant, NULL);
         table_row(t);
         table_text(t, "%s", a->word);
-        table_text(t, "row %d, %s, %s", a->row + 1, a->model, a->scene);
+        table_text(t, "row %d, %s, %s", a->row + 1, contestant->model->name, item->scene);
         table_text(t, "%s", found ? "yes" : "no");
         table_text(t, "%s", words);
-        table_number(t, c->value[CASE_STRETCH_MAX], 4);
-        table_number(t, c->value[CASE_ANGLE_MAX], 3);
-        if (isfinite(c->value[CASE_INTERSECTION_TIME]))
-            table_number(t, c->value[CASE_INTERSECTION_TIME], 3);
-        else
-            table_dash(t);
-        table_text(t, "%s",
-                   !found                                  ? ""
-                   : !a->label || !strcmp(words, a->label) ? "yes"
-                                                           : "no");
+        table_number(t, value[MEASURE_STRETCH_MAX], 4);
+        table_number(t, value[MEASURE_ANGLE_MAX], 3);
+        table_number(t, isfinite(crosses) ? crosses : NAN, 3);
+        table_text(t, "%s", alone ? "yes" : found ? "no" : "");
         if (!found)
             table_note(t,
                        "%s: not reproduced: by the rules of Table 4 (plan table4) this run "
                        "is %s.",
-                       a->title, words);
-        else if (a->label && strcmp(words, a->label))
-            table_note(t, "%s: shown, but not alone: this run is %s.", a->title, words);
+                       item->label, words);
+        else if (!alone)
+            table_note(t, "%s: shown, but not alone: this run is %s.", item->label, words);
     }
-    st = table_print(t, format, file);
-    table_destroy(t);
-    return st;
+    return table_finish(t, format, file);
 }
 
 static enum status print(const char *folder, enum table_format format, FILE *file,
                          struct message *why)
 {
-    struct gallery g = build(false);
     struct gallery_result r = {0};
     struct verdict_rules rules = {0};
     enum status st;
 
-    TRY(table4_data_rules(&rules, why));
-    TRY(gallery_read(&g, folder, &r, why));
+    TRY(table4_rules(&rules, why));
+    TRY(gallery_read(&gallery, folder, &r, why));
     TRY(print_found(&r, &rules, format, file));
-    fputc('\n', file);
-    TRY(gallery_print(&g, &r, "The same runs at three times", format, file));
-    TRY(gallery_files(&g, &r, folder, why));
+    TRY(gallery_print(&gallery, &r, "The same runs at three times", folder, format, file,
+                      why));
 out:
     gallery_clear(&r);
     verdict_clear(&rules);
     return st;
 }
 
-const struct exhibit study_artefacts_exhibit = {
+const struct experiment study_artefacts_experiment = {
     .item = {"artefacts", "Ren et al. 2024, Fig. 16: normal, super-elongation, floating, "
                           "penetration"},
     .measure = measure,

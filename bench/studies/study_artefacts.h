@@ -3,8 +3,8 @@
 #ifndef STUDY_ARTEFACTS_H
 #define STUDY_ARTEFACTS_H
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 
-extern const struct exhibit study_artefacts_exhibit;
+extern const struct experiment study_artefacts_experiment;
 
 #endif

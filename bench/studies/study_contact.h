@@ -5,9 +5,11 @@
 #ifndef STUDY_CONTACT_H
 #define STUDY_CONTACT_H
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
+#include "bench/harness/run_result.h"
 
-enum { STUDY_CONTACT_CASES = 7, STUDY_CONTACT_TIMES = 5 };
+/* The solids come first. */
+enum { STUDY_CONTACT_CASES = 7, STUDY_CONTACT_SOLIDS = 4, STUDY_CONTACT_TIMES = 5 };
 
 /* One number a frame. */
 enum {
@@ -22,21 +24,19 @@ enum {
 
 struct study_contact_case {
     const char *label, *name; /* in tables; of its file, [a-z0-9_]+                    */
-    const char *model, *kinematics;
-    const char *points;  /* the paper's net, or what comes near it                      */
+    const char *contestant;
+    int side;            /* points of the paper's net, or what comes near it            */
     const char *damping; /* a setting; NULL: the paper's, which belongs to its scheme   */
 };
 extern const struct study_contact_case study_contact_case[STUDY_CONTACT_CASES];
 
 struct study_contact_run {
-    char outcome[256]; /* "done", or the sentence of a death                           */
-    int frames;        /* kept                                                         */
-    double weight;     /* of the sheet [N]                                             */
-    double thickness;  /* [m]                                                          */
-    double *time;      /* [frames] [s]                                         owned   */
+    struct run_result result; /* with the fields at the scene's snapshots      owned   */
+    double weight;            /* of the sheet [N]                                      */
+    double thickness;         /* [m]                                                   */
+    int frames;
+    double *time;                         /* [frames] [s]                      owned   */
     double *series[STUDY_CONTACT_SERIES]; /* [frames]                          owned   */
-    double *xyz[STUDY_CONTACT_TIMES];     /* fields (grid.h), NULL after a death; owned */
-    double at[STUDY_CONTACT_TIMES];       /* their times [s]                           */
 };
 
 /* What measure left in `folder`; free every run with study_contact_clear. */
@@ -47,6 +47,6 @@ void study_contact_clear(struct study_contact_run *run);
 enum status study_contact_print(const char *folder, enum table_format format, FILE *file,
                                 struct message *why);
 
-extern const struct exhibit study_contact_exhibit;
+extern const struct experiment study_contact_experiment;
 
 #endif

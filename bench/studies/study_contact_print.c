@@ -1,13 +1,10 @@
-/* Table, sentences, CSV, plot and pictures of study_contact.h. */
+/* Table, sentences, CSV, chart and pictures of study_contact.h. */
 #include <math.h>
 #include <string.h>
 
-#include "bench/files/output.h"
-#include "bench/ui/picture.h"
-#include "bench/ui/plot.h"
+#include "bench/experiment/gallery.h"
 #include "bench/studies/study_contact.h"
-
-enum { PATH = 4096 };
+#include "bench/ui/chart.h"
 
 /* Over which the force at the end is averaged: impacts come one by one. */
 static const double END = 0.1;
@@ -66,43 +63,46 @@ static struct landing read_landing(const struct study_contact_run *r)
     return l;
 }
 
-static void existing(struct table *t, double value, int digits)
+static double existing(double value)
 {
-    if (isfinite(value))
-        table_number(t, value, digits);
-    else
-        table_dash(t);
+    return isfinite(value) ? value : NAN;
 }
 
 static enum status print_table(const struct study_contact_run *run,
                                const struct landing *landing, enum table_format format,
                                FILE *file)
 {
-    static const struct table_column columns[] = {
-        {"model", NULL, TABLE_LEFT}, {"touches", "s", 0},    {"net gap", "m", 0},
-        {"surface gap", "m", 0},     {"deepest", "m", 0},    {"apart", "m", 0},
-        {"carried", NULL, 0},        {"force", "weight", 0}, {"crosses", "s", 0},
-        {"crossings", "pairs", 0},   {"net crosses", "s", 0}};
+    static const struct table_column columns[] = {{"model", NULL, TABLE_LEFT},
+                                                  {"touches", "s"},
+                                                  {"net gap", "m"},
+                                                  {"surface gap", "m"},
+                                                  {"deepest", "m"},
+                                                  {"apart", "m"},
+                                                  {"carried"},
+                                                  {"force", "weight"},
+                                                  {"crosses", "s"},
+                                                  {"crossings", "pairs"},
+                                                  {"net crosses", "s"}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Fig. 9: a sheet falls onto the ground (scene ground)");
-    enum status st;
 
     for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
         const struct landing *l = &landing[n];
         table_row(t);
         table_text(t, "%s", study_contact_case[n].label);
-        existing(t, l->touch, 3);
-        existing(t, l->net, 2);
-        existing(t, l->surface, 2);
+        table_number(t, existing(l->touch), 3);
+        table_number(t, existing(l->net), 2);
+        table_number(t, existing(l->surface), 2);
         table_number(t, fmax(0, -l->surface), 2);
-        existing(t, l->apart, 2);
+        table_number(t, existing(l->apart), 2);
         table_integer(t, lround(l->carried));
-        existing(t, l->force, 4);
-        existing(t, l->crossing, 3);
-        existing(t, l->crossings, 3);
-        existing(t, l->net_crossing, 3);
-        if (strcmp(run[n].outcome, "done"))
-            table_note(t, "%s: %s.", study_contact_case[n].label, run[n].outcome);
+        table_number(t, existing(l->force), 4);
+        table_number(t, existing(l->crossing), 3);
+        table_number(t, existing(l->crossings), 3);
+        table_number(t, existing(l->net_crossing), 3);
+        if (run[n].result.outcome)
+            table_note(t, "%s: %s.", study_contact_case[n].label,
+                       run[n].result.sentence.text);
     }
     table_note(
         t,
@@ -114,17 +114,15 @@ static enum status print_table(const struct study_contact_run *run,
         "the mid-surface, or the middle of the control net, passes through itself; "
         "nothing here prevents that. Without friction, which the paper does not name.",
         END);
-    st = table_print(t, format, file);
-    table_destroy(t);
-    return st;
+    return table_finish(t, format, file);
 }
 
 /* Whether the paper's scheme comes through its own scene, and through itself. */
 static void tell_printed(const struct study_contact_run *run, const struct landing *l,
                          FILE *file)
 {
-    fprintf(file, "- %s: %s, ", study_contact_case[0].label, run->outcome);
-    if (!strcmp(run->outcome, "done") && fabs(l->force - 1) < UNREST)
+    fprintf(file, "- %s: %s, ", study_contact_case[0].label, run->result.sentence.text);
+    if (!run->result.outcome && fabs(l->force - 1) < UNREST)
         fprintf(file, "at rest on the ground: the paper's Fig. 9 is reproduced.\n");
     else
         fprintf(file,
@@ -149,12 +147,11 @@ static void tell(const struct study_contact_run *run, const struct landing *l, F
         apart = fmax(apart, l[n].apart / run[n].thickness);
         crossing += isfinite(l[n].crossing) || isfinite(l[n].net_crossing);
     }
-    fprintf(
-        file,
-        "\n- Contact is detected on the net, as in the paper: no surface reaches deeper "
-        "than %.2g m into the ground,\n  but surfaces float by up to %.3g thicknesses "
-        "while their nets touch.\n",
-        deepest, apart);
+    fprintf(file,
+            "- Contact is detected on the net, as in the paper: no surface reaches deeper "
+            "than %.2g m into the ground,\n  but surfaces float by up to %.3g thicknesses "
+            "while their nets touch.\n",
+            deepest, apart);
     tell_printed(run, l, file);
     fprintf(file,
             "- Self-contact is detected, and reported above, but not answered: %d of %d "
@@ -168,91 +165,74 @@ static void tell(const struct study_contact_run *run, const struct landing *l, F
                     study_contact_case[n].label, l[n].force, END);
 }
 
-static enum status write_csv(const struct study_contact_run *run, const char *folder,
-                             struct message *why)
+static struct table *fill_series(const struct study_contact_run *run)
 {
-    struct output *out = NULL;
-    char path[PATH];
-    enum status st;
+    static const struct table_column columns[] = {{"case", NULL, TABLE_LEFT},
+                                                  {"time", "s"},
+                                                  {"net gap", "m"},
+                                                  {"surface gap", "m"},
+                                                  {"carried"},
+                                                  {"force", "N", .key = "force_n"},
+                                                  {"crossings"},
+                                                  {"net crossings"}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
 
-    snprintf(path, sizeof path, "%s/contact.csv", folder);
-    TRY(output_create(path, &out, why));
-    output_print(out, "case,time_s,net_gap_m,surface_gap_m,carried,force_n,crossings,"
-                      "net_crossings\n");
-    for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
+    for (int n = 0; n < STUDY_CONTACT_CASES; n++)
         for (int k = 0; k < run[n].frames; k++) {
-            output_print(out, "%s,%.17g", study_contact_case[n].name, run[n].time[k]);
+            table_row(t);
+            table_text(t, "%s", study_contact_case[n].name);
+            table_number(t, run[n].time[k], 6);
             for (int s = 0; s < STUDY_CONTACT_SERIES; s++)
-                output_print(out, ",%.17g", run[n].series[s][k]);
-            output_print(out, "\n");
+                table_number(t, run[n].series[s][k], 6);
         }
-        output_print(out, "\n\n"); /* gnuplot's blocks */
+    return t;
+}
+
+/* Surface and net side by side; first the solids, then the sheets without thickness. */
+static struct chart *make_chart(const struct table *t)
+{
+    static const char *const kind[] = {"solids", "mid-surfaces"}, *const key[] = {
+                                                                      "surface_gap_m",
+                                                                      "net_gap_m"};
+    const struct chart_axis time = {"time", "s"},
+                            gap[] = {{"least gap of the surface", "m"},
+                                     {"least gap of the net", "m"}};
+    struct chart *c = chart_create("Fig. 9: a sheet falls onto the ground");
+
+    chart_columns(c, 2);
+    for (int panel = 0; panel < 4; panel++) {
+        chart_panel(c, kind[panel / 2]);
+        chart_axes(c, &time, &gap[panel % 2]);
+        for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
+            const struct chart_where where = {"case", study_contact_case[n].name};
+            if ((n < STUDY_CONTACT_SOLIDS) != (panel < 2))
+                continue;
+            chart_series(c,
+                         &(struct chart_series){study_contact_case[n].label, CHART_LINE});
+            chart_rows(c, t, "time_s", key[panel % 2], 1, &where);
+        }
     }
-    st = output_close(out, why);
-out:
-    return st;
+    return c;
 }
 
-static enum status write_plot(const char *folder, struct message *why)
+static enum status save(const struct study_contact_run *run, const char *folder,
+                        struct message *why)
 {
-    struct output *out = NULL;
-    char path[PATH];
+    const struct run_result *result[STUDY_CONTACT_CASES];
+    const char *label[STUDY_CONTACT_CASES];
+    struct table *t = fill_series(run);
     enum status st;
 
-    snprintf(path, sizeof path, "%s/contact_gap.gp", folder);
-    TRY(output_create(path, &out, why));
-    output_print(out, "set datafile separator ','\n"
-                      "set terminal pngcairo size 1000,600\n"
-                      "set output 'contact_gap.png'\n"
-                      "set xlabel 'time [s]'\n"
-                      "set ylabel 'least gap [m]; solid: surface, dashed: net'\n"
-                      "set key outside right\nplot \\\n");
-    for (int n = 0; n < STUDY_CONTACT_CASES; n++)
-        output_print(out,
-                     "  'contact.csv' skip 1 index %d using 2:4 with lines lt %d title "
-                     "\"%s\", \\\n  '' skip 1 index %d using 2:3 with lines lt %d dt 2 "
-                     "notitle%s\n",
-                     n, n + 1, study_contact_case[n].label, n, n + 1,
-                     n + 1 < STUDY_CONTACT_CASES ? ", \\" : "");
-    st = output_close(out, why);
-    if (st == STATUS_OK)
-        st = plot_run(folder, "contact_gap.gp", why);
+    for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
+        result[n] = &run[n].result;
+        label[n] = study_contact_case[n].label;
+    }
+    TRY(table_save(t, folder, "contact", why));
+    TRY(chart_save(make_chart(t), folder, "contact_gap", why));
+    TRY(gallery_picture(folder, "contact_sheets", STUDY_CONTACT_TIMES, STUDY_CONTACT_CASES,
+                        label, result, why));
 out:
-    return st;
-}
-
-/* What is missing because gnuplot is, is told on standard error. */
-static enum status write_pictures(const struct study_contact_run *run, const char *folder,
-                                  struct message *why)
-{
-    struct picture_panel panels[STUDY_CONTACT_CASES * STUDY_CONTACT_TIMES];
-    char title[STUDY_CONTACT_CASES * STUDY_CONTACT_TIMES][96];
-    struct message plot = {""};
-    int count = 0;
-    enum status st;
-
-    for (int n = 0; n < STUDY_CONTACT_CASES; n++)
-        for (int t = 0; t < STUDY_CONTACT_TIMES; t++, count++) {
-            if (run[n].xyz[t])
-                snprintf(title[count], sizeof title[0], "%s\nt = %g s",
-                         study_contact_case[n].label, run[n].at[t]);
-            else
-                snprintf(title[count], sizeof title[0], "%s\ndied",
-                         study_contact_case[n].label);
-            panels[count] = (struct picture_panel){title[count], run[n].xyz[t]};
-        }
-    TRY(write_csv(run, folder, why));
-    st = write_plot(folder, &plot);
-    if (st == STATUS_OK)
-        st = picture_surfaces(folder, "contact_sheets", STUDY_CONTACT_TIMES, count, panels,
-                              &plot);
-    if (st == STATUS_OK)
-        fprintf(stderr, "contact.csv, contact_gap.png and contact_sheets.png in %s\n",
-                folder);
-    else
-        fprintf(stderr, "%s\n", plot.text);
-    st = st == STATUS_MEMORY ? st : STATUS_OK;
-out:
+    table_destroy(t);
     return st;
 }
 
@@ -268,8 +248,9 @@ enum status study_contact_print(const char *folder, enum table_format format, FI
         landing[n] = read_landing(&run[n]);
     }
     TRY(print_table(run, landing, format, file));
-    tell(run, landing, file);
-    TRY(write_pictures(run, folder, why));
+    if (table_format_is_prose(format))
+        tell(run, landing, file);
+    TRY(save(run, folder, why));
 out:
     for (int n = 0; n < STUDY_CONTACT_CASES; n++)
         study_contact_clear(&run[n]);

@@ -2,20 +2,18 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "bench/files/output.h"
-#include "bench/harness/registry.h"
+#include "bench/experiment/measurement.h"
 #include "fem_ref/reference.h"
 #include "models/reader/scene_file.h"
 
 const struct study_cures_space study_cures_space[STUDY_CURES_SPACES] = {
-    {"IGA (2,2,1), none, the paper's", "none_2", 2, REMEDY_NONE},
-    {"IGA (2,2,1), reduced", "reduced_2", 2, REMEDY_REDUCED},
-    {"IGA (2,2,1), selective", "selective_2", 2, REMEDY_SELECTIVE},
-    {"IGA (3,3,1), none", "none_3", 3, REMEDY_NONE},
-    {"IGA (3,3,1), reduced", "reduced_3", 3, REMEDY_REDUCED},
-    {"IGA (3,3,1), selective", "selective_3", 3, REMEDY_SELECTIVE},
+    {"IGA (2,2,1), none, the paper's", "none_2", "iga_linear"},
+    {"IGA (2,2,1), reduced", "reduced_2", "iga_reduced_linear"},
+    {"IGA (2,2,1), selective", "selective_2", "iga_selective_linear"},
+    {"IGA (3,3,1), none", "none_3", "iga_linear_3"},
+    {"IGA (3,3,1), reduced", "reduced_3", "iga_reduced_linear_3"},
+    {"IGA (3,3,1), selective", "selective_3", "iga_selective_linear_3"},
 };
 const double study_cures_thickness[STUDY_CURES_THICKNESSES] = {1e-1, 1e-2, 1e-3, 1e-4,
                                                                1e-5};
@@ -23,128 +21,110 @@ const double study_cures_nu[STUDY_CURES_NUS] = {0, 0.3, 0.49};
 const double study_cures_gamma[STUDY_CURES_LAWS] = {0, 10, 100};
 const double study_cures_target = 0.02;
 
-/* Quick: every other thickness. */
-static bool asked(bool quick, int thickness)
+enum { PATH = 4096 };
+
+static void add_tip(struct table *t, int what, int law, int nu, int h,
+                    const struct study_cures_tip *tip)
 {
-    return !quick || thickness % 2 == 0;
+    if (isnan(tip->z))
+        return;
+    table_row(t);
+    table_integer(t, what);
+    table_integer(t, law);
+    table_integer(t, nu);
+    table_integer(t, h);
+    table_number(t, tip->x, 6);
+    table_number(t, tip->z, 6);
 }
 
-static enum status solve(int what, int law, int nu, int thickness, bool quick,
-                         struct study_cures_tip *tip, struct message *why)
-{
-    if (what >= STUDY_CURES_SPACES)
-        return study_cures_truth(what, law, nu, thickness, quick, tip, why);
-
-    const struct study_cures_space *space = &study_cures_space[what];
-    const struct study_cures_case c = {.model = "iga",
-                                       .nu = study_cures_nu[nu],
-                                       .thickness = study_cures_thickness[thickness],
-                                       .gamma = study_cures_gamma[law],
-                                       .degree = {space->degree, space->degree, 1},
-                                       .points = {10, 10, 2},
-                                       .remedy = space->remedy};
-    return study_cures_solve(&c, tip, why);
-}
-
-/* FOLDER/tips.csv, a line for each tip. */
-static enum status measure_tips(const struct exhibit_options *options, struct message *why)
+/* FOLDER/tips.csv, a line for each tip. Quick: every other thickness. */
+static enum status measure_tips(const struct experiment_options *options,
+                                struct message *why)
 {
     enum { ALL = STUDY_CURES_LAWS * STUDY_CURES_NUS * STUDY_CURES_THICKNESSES };
-    struct output *out = NULL;
+    static const struct table_column columns[] = {{"what"},      {"law"}, {"nu"},
+                                                  {"thickness"}, {"x"},   {"z"}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
     struct study_cures_tip tip[STUDY_CURES_WHATS];
-    char path[TIMED_PATH];
-    enum status st;
+    const bool quick = options->quick;
+    enum status st = STATUS_OK;
 
-    snprintf(path, sizeof path, "%s/tips.csv", options->folder);
-    TRY(output_create(path, &out, why));
-    output_print(out, "what,law,nu,thickness,x,z\n");
     for (int n = 0; n < ALL; n++) {
         int law = n / (STUDY_CURES_NUS * STUDY_CURES_THICKNESSES);
         int nu = n / STUDY_CURES_THICKNESSES % STUDY_CURES_NUS;
         int h = n % STUDY_CURES_THICKNESSES;
-        exhibit_progress(options, "tips", n, ALL);
-        for (int what = 0; what < STUDY_CURES_WHATS && asked(options->quick, h); what++) {
+        experiment_progress(options, "tips", n, ALL);
+        for (int what = 0; what < STUDY_CURES_WHATS && !(quick && h % 2); what++) {
             /* thin sheets have one truth: the last thickness has left it in tip[] */
-            if (what < STUDY_CURES_SPACES || h <= (options->quick ? 2 : 1))
-                TRY(solve(what, law, nu, h, options->quick, &tip[what], why));
-            if (!isnan(tip[what].z))
-                output_print(out, "%d,%d,%d,%d,%.17g,%.17g\n", what, law, nu, h,
-                             tip[what].x, tip[what].z);
+            if (what < STUDY_CURES_SPACES || h <= (quick ? 2 : 1))
+                TRY(study_cures_solve(what, law, nu, h, quick, &tip[what], why));
+            add_tip(t, what, law, nu, h, &tip[what]);
         }
     }
-    exhibit_progress(options, "tips", ALL, ALL);
-    st = output_close(out, why);
-    out = NULL;
+    experiment_progress(options, "tips", ALL, ALL);
+    TRY(table_save(t, options->folder, "tips", why));
 out:
-    output_discard(out);
+    table_destroy(t);
     return st;
 }
 
 /* FOLDER/zero_modes.csv */
 static enum status measure_zero_modes(const char *folder, struct message *why)
 {
-    struct output *out = NULL;
-    char path[TIMED_PATH];
-    enum status st;
+    static const struct table_column columns[] = {{"space"}, {"zero modes"}};
+    struct table *t = table_create(2, columns, NULL);
+    enum status st = STATUS_OK;
+    int count;
 
-    snprintf(path, sizeof path, "%s/zero_modes.csv", folder);
-    TRY(output_create(path, &out, why));
-    output_print(out, "space,zero_modes\n");
     for (int n = 0; n < STUDY_CURES_SPACES; n++) {
-        int count;
         TRY(study_cures_zero_modes(&study_cures_space[n], &count, why));
-        output_print(out, "%d,%d\n", n, count);
+        table_row(t);
+        table_integer(t, n);
+        table_integer(t, count);
     }
-    st = output_close(out, why);
-    out = NULL;
+    TRY(table_save(t, folder, "zero_modes", why));
 out:
-    output_discard(out);
+    table_destroy(t);
     return st;
 }
 
-static void frame_path(const char *folder, int space, char path[TIMED_PATH])
+static void frame_path(const char *folder, int space, char path[PATH])
 {
-    snprintf(path, TIMED_PATH, "%s/frame_%s.h5", folder, study_cures_space[space].name);
+    snprintf(path, PATH, "%s/frame_%s.h5", folder, study_cures_space[space].name);
 }
 
 /* Rebuilt frames, which the paper's are. `incremental`, for the cured sheet dies under the
  * printed scheme; both do the same work. */
-static enum status measure_frames(const struct exhibit_options *options,
+static enum status measure_frames(const struct experiment_options *options,
                                   struct message *why)
 {
-    static const double times[] = {0.1};
-    struct timed_case cases[STUDY_CURES_SPACES] = {{0}};
-    struct discretization unused = {0};
-    struct provenance provenance;
-    struct scene scene = {0};
-    char *path = NULL;
+    static const double time = 0.1, end = 0.25; /* [s] */
+    struct measurement_case cases[STUDY_CURES_SPACES] = {{{0}}};
+    char file[STUDY_CURES_SPACES][PATH], *path = NULL;
+    struct settings incremental = {0};
     enum status st;
 
-    provenance_collect(&provenance);
+    settings_set(&incremental, "discretization.kinematics=incremental");
     TRY(scene_file_find("edge_drop", &path, why));
-    TRY(scene_file_read(path, 0, NULL, &scene, &unused, why));
     for (int n = 0; n < STUDY_CURES_SPACES; n++) {
-        struct timed_case *c = &cases[n];
-        TRY(registry_find("iga", &c->model, why));
-        c->model->defaults(&c->d);
-        c->d.kinematics = KINEMATICS_INCREMENTAL;
-        c->d.remedy = study_cures_space[n].remedy;
-        c->d.degree[0] = c->d.degree[1] = study_cures_space[n].degree;
-        c->scene = &scene;
-        c->times = 1;
-        c->time = times;
+        struct measurement_case *c = &cases[n];
+        frame_path(options->folder, n, file[n]);
+        c->plan = (struct run_plan){path, NULL, &incremental, end};
+        c->keep = (struct run_keep){.file = file[n], .times = 1, .time = &time};
         c->phases = true;
-        frame_path(options->folder, n, c->path);
+        TRY(contestant_find(study_cures_space[n].contestant, &c->plan.contestant, why));
     }
-    TRY(timed_measure(options, "frames", &provenance, STUDY_CURES_SPACES, cases, why));
+    TRY(measurement_run(&(struct measurement_options){"frames", options->quick,
+                                                      options->repeats, options->progress,
+                                                      options->context},
+                        STUDY_CURES_SPACES, cases, why));
 out:
+    settings_clear(&incremental);
     free(path);
-    discretization_clear(&unused);
-    scene_clear(&scene);
     return st;
 }
 
-static enum status measure(const struct exhibit_options *options, struct message *why)
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
     enum status st;
 
@@ -155,9 +135,12 @@ out:
     return st;
 }
 
-static bool in_range(double value, int count)
+/* A whole number below `count` from a cell; -1: it is none. */
+static int index_of(const struct reference *table, int row, const char *column, int count)
 {
-    return value >= 0 && value < count && value == floor(value);
+    const double value = reference_number(table, row, column);
+
+    return value >= 0 && value < count && value == floor(value) ? (int)value : -1;
 }
 
 static enum status read_tips(const char *path, struct study_cures *s, struct message *why)
@@ -167,16 +150,13 @@ static enum status read_tips(const char *path, struct study_cures *s, struct mes
 
     TRY(reference_open(path, &table, why));
     for (int row = 0; row < reference_rows(table); row++) {
-        double what = reference_number(table, row, "what");
-        double law = reference_number(table, row, "law");
-        double nu = reference_number(table, row, "nu");
-        double h = reference_number(table, row, "thickness");
-        if (!in_range(what, STUDY_CURES_WHATS) || !in_range(law, STUDY_CURES_LAWS) ||
-            !in_range(nu, STUDY_CURES_NUS) || !in_range(h, STUDY_CURES_THICKNESSES)) {
-            st = status_fail(why, STATUS_INPUT, "%s: row %d is of no case", path, row + 1);
-            goto out;
-        }
-        s->tip[(int)what][(int)law][(int)nu][(int)h] = (struct study_cures_tip){
+        const int what = index_of(table, row, "what", STUDY_CURES_WHATS);
+        const int law = index_of(table, row, "law", STUDY_CURES_LAWS);
+        const int nu = index_of(table, row, "nu", STUDY_CURES_NUS);
+        const int h = index_of(table, row, "thickness", STUDY_CURES_THICKNESSES);
+        if (what < 0 || law < 0 || nu < 0 || h < 0)
+            TRY(status_fail(why, STATUS_INPUT, "%s: row %d is of no case", path, row + 1));
+        s->tip[what][law][nu][h] = (struct study_cures_tip){
             reference_number(table, row, "x"), reference_number(table, row, "z")};
     }
 out:
@@ -203,7 +183,7 @@ enum status study_cures_read(const char *folder, struct study_cures **s,
 {
     enum { TIPS = sizeof(*s)->tip / sizeof(struct study_cures_tip) };
     struct study_cures *new = calloc(1, sizeof *new);
-    char path[TIMED_PATH];
+    char path[PATH];
     enum status st = new ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
@@ -215,7 +195,7 @@ enum status study_cures_read(const char *folder, struct study_cures **s,
     TRY(read_zero_modes(path, new, why));
     for (int n = 0; n < STUDY_CURES_SPACES; n++) {
         frame_path(folder, n, path);
-        TRY(timed_read(path, &new->frame[n], why));
+        TRY(run_result_read(path, false, &new->frame[n], why));
     }
     frame_path(folder, 0, new->machine);
     *s = new, new = NULL;
@@ -227,16 +207,21 @@ out:
 void study_cures_destroy(struct study_cures *s)
 {
     for (int n = 0; s && n < STUDY_CURES_SPACES; n++)
-        timed_clear(&s->frame[n]);
+        run_result_clear(&s->frame[n]);
     free(s);
+}
+
+double study_cures_ratio(const struct study_cures *s, int space, int law, int nu, int n)
+{
+    return s->tip[space][law][nu][n].z / s->tip[STUDY_CURES_TRUTH][law][nu][n].z;
 }
 
 double study_cures_error(const struct study_cures *s, int space, int law, int nu, int n)
 {
-    return fabs(s->tip[space][law][nu][n].z / s->tip[STUDY_CURES_TRUTH][law][nu][n].z - 1);
+    return fabs(study_cures_ratio(s, space, law, nu, n) - 1);
 }
 
-const struct exhibit study_cures_exhibit = {
+const struct experiment study_cures_experiment = {
     .item = {"cures",
              "the cures for locking beside each other: accuracy at every thickness "
              "and Poisson's ratio, zero modes, cost"},

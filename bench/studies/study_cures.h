@@ -13,9 +13,10 @@
 #ifndef STUDY_CURES_H
 #define STUDY_CURES_H
 
-#include "bench/experiment/timed.h"
+#include "bench/experiment/experiment.h"
+#include "bench/harness/run_result.h"
 
-extern const struct exhibit study_cures_exhibit;
+extern const struct experiment study_cures_experiment;
 
 enum {
     STUDY_CURES_SPACES = 6,
@@ -31,8 +32,7 @@ enum {
 
 struct study_cures_space {
     const char *label, *name; /* of tables; of files, [a-z0-9_]+                       */
-    int degree;               /* along u and v                                         */
-    enum remedy remedy;
+    const char *contestant;   /* its kinematics are the law's                          */
 };
 extern const struct study_cures_space study_cures_space[STUDY_CURES_SPACES];
 extern const double study_cures_thickness[STUDY_CURES_THICKNESSES]; /* h/L             */
@@ -42,7 +42,7 @@ extern const double study_cures_gamma[STUDY_CURES_LAWS]; /* 0: linear           
 /* Asked of a cure: tip over truth, but for this.                                      */
 extern const double study_cures_target;
 
-/* A tip, or the distance to it; NaN: not found, not asked for, or there is none. */
+/* A tip; NaN: not found, not asked for, or there is none. */
 struct study_cures_tip {
     double x, z; /* along and below the clamp                                      [L] */
 };
@@ -51,42 +51,30 @@ struct study_cures {
     struct study_cures_tip tip[STUDY_CURES_WHATS][STUDY_CURES_LAWS][STUDY_CURES_NUS]
                               [STUDY_CURES_THICKNESSES];
     int zero_modes[STUDY_CURES_SPACES];
-    struct timed_result frame[STUDY_CURES_SPACES];
-    char machine[TIMED_PATH];
+    struct run_result frame[STUDY_CURES_SPACES];
+    char machine[4096]; /* file of a timed run                                          */
 };
 
-/* Tip of a cantilever; a death leaves NaN. (study_cures_truth.c) */
-struct study_cures_case {
-    const char *model;
-    double nu, thickness, gamma; /* gamma 0: linear, of a load such that it is 0.01    */
-    int degree[3], points[3];
-    enum remedy remedy;
-    bool graded; /* knots crowd at the clamp and at the sides                          */
-    bool slit;   /* the clamp holds z on its lower edge alone                          */
-};
-enum status study_cures_solve(const struct study_cures_case *c, struct study_cures_tip *tip,
-                              struct message *why);
-
-/* The truth (STUDY_CURES_TRUTH, _COARSER, _SLIT) of a law, nu and thickness; NaN where
- * there is none. */
-enum status study_cures_truth(int what, int law, int nu, int thickness, bool quick,
+/* The tip of a space or a truth (STUDY_CURES_TRUTH, _COARSER, _SLIT); NaN after a death and
+ * where there is no truth. Quick: truths on coarser nets. (study_cures_tip.c) */
+enum status study_cures_solve(int what, int law, int nu, int thickness, bool quick,
                               struct study_cures_tip *tip, struct message *why);
 
 /* Zero modes of the free sheet, h/L = 0.02, by the eigenvalues of its stiffness. */
 enum status study_cures_zero_modes(const struct study_cures_space *space, int *count,
                                    struct message *why);
 
-/* |tip / truth - 1| of one cell. */
+/* Tip over truth of one cell, and how far that is from 1. */
+double study_cures_ratio(const struct study_cures *s, int space, int law, int nu, int n);
 double study_cures_error(const struct study_cures *s, int space, int law, int nu, int n);
 
 enum status study_cures_read(const char *folder, struct study_cures **s,
                              struct message *why);
 void study_cures_destroy(struct study_cures *s); /* NULL is allowed */
-enum status study_cures_print(const char *folder, enum table_format format, FILE *file,
-                              struct message *why); /* study_cures_print.c             */
 
-/* errors.csv and, by gnuplot, cures.png into the folder (study_cures_plot.c). */
-enum status study_cures_plot(const struct study_cures *s, const char *folder,
-                             struct message *why);
+/* Tables and sentences; errors.csv and the chart `cures` into the folder
+ * (study_cures_print.c). */
+enum status study_cures_print(const char *folder, enum table_format format, FILE *file,
+                              struct message *why);
 
 #endif

@@ -1,21 +1,15 @@
-/* The tables of study_cures.h and what they say. */
+/* The tables of study_cures.h, what they say, and the chart. */
 #include <math.h>
 
+#include "bench/experiment/measurement.h"
 #include "bench/studies/study_cures.h"
+#include "bench/ui/chart.h"
 
 enum { FIXED = 2, COLUMNS = FIXED + STUDY_CURES_THICKNESSES + 2 };
 
 static double percent(double value)
 {
     return 100 * value;
-}
-
-static void cell(struct table *t, double value)
-{
-    if (isnan(value))
-        table_dash(t);
-    else
-        table_fixed(t, value, 4);
 }
 
 static bool solved(const struct study_cures *s, int law, int nu, int n)
@@ -50,29 +44,19 @@ static double bar(const struct study_cures *s, int law)
     return worst;
 }
 
-static enum status finish(struct table *t, enum table_format format, FILE *file)
-{
-    enum status st = table_print(t, format, file);
-
-    table_destroy(t);
-    if (st == STATUS_OK)
-        fprintf(file, "\n");
-    return st;
-}
-
 static enum status print_law(const struct study_cures *s, int law, enum table_format format,
                              FILE *file)
 {
     static const struct table_column columns[COLUMNS] = {
         {"space, remedy", NULL, TABLE_LEFT},
-        {"nu", NULL, 0},
-        {"h/L 1e-1", NULL, 0},
-        {"1e-2", NULL, 0},
-        {"1e-3", NULL, 0},
-        {"1e-4", NULL, 0},
-        {"1e-5", NULL, 0},
-        {"worst", "%", 0},
-        {"within 2 %", NULL, 0}};
+        {"nu"},
+        {"h/L 1e-1"},
+        {"1e-2"},
+        {"1e-3"},
+        {"1e-4"},
+        {"1e-5"},
+        {"worst", "%"},
+        {"within 2 %"}};
     const double gamma = study_cures_gamma[law];
     char caption[160];
 
@@ -91,12 +75,8 @@ static enum status print_law(const struct study_cures *s, int law, enum table_fo
             table_text(t, "%s", nu ? "" : study_cures_space[space].label);
             table_fixed(t, study_cures_nu[nu], 2);
             for (int n = 0; n < STUDY_CURES_THICKNESSES; n++)
-                cell(t,
-                     s->tip[space][law][nu][n].z / s->tip[STUDY_CURES_TRUTH][law][nu][n].z);
-            if (isnan(worst))
-                table_dash(t);
-            else
-                table_number(t, percent(worst), 2);
+                table_fixed(t, study_cures_ratio(s, space, law, nu, n), 4);
+            table_number(t, percent(worst), 2);
             table_text(t, "%s", worst <= study_cures_target ? "yes" : "no");
         }
     }
@@ -107,20 +87,7 @@ static enum status print_law(const struct study_cures *s, int law, enum table_fo
         gamma > 0 ? "the elastica at nu = 0, the shell of degree 4 at h/L = 0.01 else"
                   : "Kirchhoff's plate",
         percent(bar(s, law)));
-    return finish(t, format, file);
-}
-
-static double milliseconds(const struct clock_summary *c)
-{
-    return c->count ? 1e3 * c->median : NAN;
-}
-
-static void time_cell(struct table *t, const struct clock_summary *c)
-{
-    if (c->count)
-        table_number(t, milliseconds(c), 3);
-    else
-        table_dash(t);
+    return table_finish(t, format, file);
 }
 
 /* The paper's way with locking at a space's degree. */
@@ -145,35 +112,43 @@ static const char *cost_word(const struct study_cures *s, int space)
                                        : "dearer";
 }
 
+static double median(const struct clock_summary *c)
+{
+    return c->count ? c->median : NAN;
+}
+
 static enum status print_cost(const struct study_cures *s, enum table_format format,
                               FILE *file)
 {
-    static const struct table_column columns[] = {{"space, remedy", NULL, TABLE_LEFT},
-                                                  {"zero modes", "free", 0},
-                                                  {"frame", "ms", 0},
-                                                  {"fastest", "ms", 0},
-                                                  {"over none", "fastest", 0},
-                                                  {"assemble", "ms", 0},
-                                                  {"factor", "ms", 0}};
+    static const struct table_column columns[] = {
+        {"space, remedy", NULL, TABLE_LEFT},
+        {"zero modes", "free"},
+        {"frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
+        {"fastest", "ms", .key = "fastest_s", .key_unit = "s", .scale = 1e3},
+        {"over none", "fastest"},
+        {"assemble", "ms", .key = "assemble_s", .key_unit = "s", .scale = 1e3},
+        {"factor", "ms", .key = "factor_s", .key_unit = "s", .scale = 1e3}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "A rebuilt frame (incremental, edge_drop, 10x10x2)");
 
     for (int n = 0; n < STUDY_CURES_SPACES; n++) {
-        const struct timed_result *r = &s->frame[n];
+        const struct run_result *r = &s->frame[n];
         if (n == STUDY_CURES_SPACES / 2)
             table_rule(t);
         table_row(t);
         table_text(t, "%s", study_cures_space[n].label);
         table_integer(t, s->zero_modes[n]);
-        time_cell(t, &r->step);
-        table_number(t, 1e3 * r->step.min, 3);
+        table_number(t, median(&r->step), 3);
+        table_number(t, r->step.count ? r->step.min : NAN, 3);
         table_number(t, cost(s, n), 3);
-        time_cell(t, &r->phase[0]);
-        time_cell(t, &r->phase[1]);
+        table_number(t, median(&r->phase[0]), 3);
+        table_number(t, median(&r->phase[1]), 3);
+        if (r->outcome)
+            table_note(t, "%s: %s.", study_cures_space[n].label, r->sentence.text);
     }
     table_note(
         t, "All spaces in turn; the fastest repeat tells them apart on a busy machine.");
-    return finish(t, format, file);
+    return table_finish(t, format, file);
 }
 
 static const char *law_name(int law, char text[48])
@@ -263,7 +238,76 @@ static void print_text(const struct study_cures *s, FILE *file)
         if (n != none_of(n))
             fprintf(file, "- A rebuilt frame of %s costs %.2f of none's: %s.\n",
                     study_cures_space[n].label, cost(s, n), cost_word(s, n));
-    timed_machine(s->machine, file);
+    measurement_machine(s->machine, file);
+}
+
+/* --- Files. */
+
+static struct table *fill_errors(const struct study_cures *s)
+{
+    static const struct table_column columns[] = {
+        {"space", NULL, TABLE_LEFT}, {"gamma"},          {"poisson"},
+        {"h/L", .key = "thickness"}, {"tip over truth"}, {"error"}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
+
+    for (int law = 0; law < STUDY_CURES_LAWS; law++)
+        for (int nu = 0; nu < STUDY_CURES_NUS; nu++)
+            for (int space = 0; space < STUDY_CURES_SPACES; space++)
+                for (int n = 0; n < STUDY_CURES_THICKNESSES; n++) {
+                    if (isnan(study_cures_error(s, space, law, nu, n)))
+                        continue;
+                    table_row(t);
+                    table_text(t, "%s", study_cures_space[space].label);
+                    table_number(t, study_cures_gamma[law], 3);
+                    table_number(t, study_cures_nu[nu], 3);
+                    table_number(t, study_cures_thickness[n], 3);
+                    table_number(t, study_cures_ratio(s, space, law, nu, n), 6);
+                    table_number(t, study_cures_error(s, space, law, nu, n), 6);
+                }
+    return t;
+}
+
+/* A row of panels for each law, a column for each Poisson's ratio. */
+static struct chart *make_chart(const struct table *t)
+{
+    const struct chart_axis h = {"h/L", NULL, true, 5e-6, 0.2},
+                            error = {"|1 - tip / truth|", NULL, true, 1e-5, 2};
+    struct chart *c = chart_create("Cures for locking, 10x10x2: tip against truth");
+    char law_text[48], title[80];
+
+    chart_columns(c, STUDY_CURES_NUS);
+    chart_axes(c, &h, &error);
+    for (int law = 0; law < STUDY_CURES_LAWS; law++)
+        for (int nu = 0; nu < STUDY_CURES_NUS; nu++) {
+            snprintf(title, sizeof title, "%s, nu = %g", law_name(law, law_text),
+                     study_cures_nu[nu]);
+            chart_panel(c, title);
+            chart_band(c, "asked of a cure", study_cures_target, study_cures_target);
+            for (int space = 0; space < STUDY_CURES_SPACES; space++) {
+                const struct chart_where where[] = {
+                    {"space", study_cures_space[space].label},
+                    {"gamma", NULL, study_cures_gamma[law]},
+                    {"poisson", NULL, study_cures_nu[nu]}};
+                chart_series(c, &(struct chart_series){study_cures_space[space].label,
+                                                       .colour = space % 3 + 1,
+                                                       .second = space > 2});
+                chart_rows(c, t, "thickness", "error", 3, where);
+            }
+        }
+    return c;
+}
+
+static enum status save(const struct study_cures *s, const char *folder,
+                        struct message *why)
+{
+    struct table *t = fill_errors(s);
+    enum status st;
+
+    TRY(table_save(t, folder, "errors", why));
+    TRY(chart_save(make_chart(t), folder, "cures", why));
+out:
+    table_destroy(t);
+    return st;
 }
 
 enum status study_cures_print(const char *folder, enum table_format format, FILE *file,
@@ -276,9 +320,9 @@ enum status study_cures_print(const char *folder, enum table_format format, FILE
     for (int law = 0; law < STUDY_CURES_LAWS; law++)
         TRY(print_law(s, law, format, file));
     TRY(print_cost(s, format, file));
-    if (format == TABLE_TEXT)
+    if (table_format_is_prose(format))
         print_text(s, file);
-    TRY(study_cures_plot(s, folder, why));
+    TRY(save(s, folder, why));
 out:
     study_cures_destroy(s);
     return st;

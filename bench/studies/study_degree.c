@@ -64,7 +64,7 @@ static const struct study physics = {
     .time = early,
     .truth = true};
 
-static enum status measure(const struct exhibit_options *options, struct message *why)
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
     enum status st;
 
@@ -140,7 +140,7 @@ out:
     return st;
 }
 
-const struct exhibit study_degree_exhibit = {
+const struct experiment study_degree_experiment = {
     .item = {"degree", "Ren et al. 2024, Fig. 13: p = q = 2, 3, 4 on 10x10x2 points"},
     .measure = measure,
     .print = print,

@@ -2,8 +2,8 @@
 #ifndef STUDY_DEGREE_H
 #define STUDY_DEGREE_H
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 
-extern const struct exhibit study_degree_exhibit;
+extern const struct experiment study_degree_experiment;
 
 #endif

@@ -8,50 +8,43 @@
  * paper's scheme only; all others move undamped. */
 enum { PRINTED, COARSE, INCREMENTAL, SOLID, SHELL, SPRINGS, PROJECTIVE, CASES };
 
-static void add(struct gallery *g, const char *label, const char *name, const char *model,
-                const char *kinematics, const char *points)
-{
-    struct gallery_case *item = &g->item[g->count++];
+static const struct {
+    int side, quick; /* points or nodes                                                  */
+} net[CASES] = {{15, 6}, {10, 5}, {15, 6}, {10, 5}, {12, 5}, {15, 8}, {15, 8}};
 
-    *item = (struct gallery_case){
-        .label = label, .name = name, .scene = "flag", .model = model};
-    gallery_set(item, "discretization.kinematics=%s", kinematics);
-    gallery_set(item, "discretization.points=%s", points);
-    if (g->count > COARSE + 1)
-        gallery_set(item, "damping={kind: none}");
+static void add_settings(int n, bool quick, struct settings *s)
+{
+    const int side = quick ? net[n].quick : net[n].side;
+
+    settings_integers(s, "discretization.points", 2, (int[]){side, side});
+    if (n > COARSE)
+        settings_set(s, "damping={kind: none}");
 }
 
-static struct gallery build(bool quick)
+static const struct gallery gallery = {
+    .name = "flag",
+    .times = 3,
+    .time = {0.75, 1.0, 2.075},
+    .count = CASES,
+    .item = {{"printed (the paper's)", "printed", "flag", "iga_paper"},
+             {"printed, coarser net", "printed_coarse", "flag", "iga_paper"},
+             {"incremental, undamped", "incremental", "flag", "iga_incremental"},
+             {"nonlinear solid, selective", "nonlinear", "flag", "iga_selective"},
+             {"nonlinear shell", "shell", "flag", "shell"},
+             {"mass-spring, matched", "mass_spring", "flag", "mass_spring"},
+             {"projective dynamics, matched", "projective_dynamics", "flag",
+              "projective_dynamics"}},
+    .settings = add_settings};
+
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
-    struct gallery g = {.name = "flag", .times = 3, .time = {0.75, 1.0, 2.075}};
-    const char *fine = quick ? "[6,6,2]" : "[15,15,2]",
-               *coarse = quick ? "[5,5,2]" : "[10,10,2]",
-               *surface = quick ? "[5,5]" : "[12,12]",
-               *nodes = quick ? "[8,8,1]" : "[15,15,1]";
-
-    add(&g, "printed (the paper's)", "printed", "iga", "printed", fine);
-    add(&g, "printed, coarser net", "printed_coarse", "iga", "printed", coarse);
-    add(&g, "incremental, undamped", "incremental", "iga", "incremental", fine);
-    add(&g, "nonlinear solid, selective", "nonlinear", "iga", "nonlinear", coarse);
-    gallery_set(&g.item[SOLID], "discretization.remedy=selective");
-    add(&g, "nonlinear shell", "shell", "shell", "nonlinear", surface);
-    add(&g, "mass-spring, matched", "mass_spring", "mass_spring", "nonlinear", nodes);
-    add(&g, "projective dynamics, matched", "projective_dynamics", "projective_dynamics",
-        "nonlinear", nodes);
-    return g;
-}
-
-static enum status measure(const struct exhibit_options *options, struct message *why)
-{
-    struct gallery g = build(options->quick);
-
-    return gallery_measure(&g, options, why);
+    return gallery_measure(&gallery, options, why);
 }
 
 /* What the printed flag does, what the same sheet does as an elastic one. */
-static void tell_flow(const struct gallery *g, const struct gallery_result *r, FILE *file)
+static void tell_flow(const struct gallery_result *r, FILE *file)
 {
-    const int end = g->times - 1;
+    const int end = gallery.times - 1;
     const struct gallery_frame *printed = &r->frame[PRINTED][end];
     double angle = fmax(r->frame[SOLID][end].angle, r->frame[SHELL][end].angle);
     double stretch = fmax(r->frame[SOLID][end].stretch, r->frame[SHELL][end].stretch);
@@ -62,21 +55,21 @@ static void tell_flow(const struct gallery *g, const struct gallery_result *r, F
         "factor of %.3g%s.\n  As an elastic solid or shell with the same E, nu, rho and "
         "thickness (Gamma = %.4g) it sinks by %.2g degrees\n  at most, stretched by "
         "%.4g: %s.\n",
-        printed->angle, g->time[end], printed->stretch,
+        printed->angle, gallery.time[end], printed->stretch,
         printed->intersections > 0 ? " and through itself" : "",
-        r->result[PRINTED].value[CASE_GAMMA], angle, stretch,
+        r->run[PRINTED].value[MEASURE_GAMMA], angle, stretch,
         printed->angle > 2 * angle ? "most of the paper's fall is the flow of its "
                                      "scheme, not the bending of its material"
                                    : "the paper's fall is that of its material");
 }
 
-static void tell_nets(const struct gallery *g, const struct gallery_result *r, FILE *file)
+static void tell_nets(const struct gallery_result *r, FILE *file)
 {
-    const int end = g->times - 1;
+    const int end = gallery.times - 1;
     double coarse = r->frame[COARSE][end].stretch, fine = r->frame[PRINTED][end].stretch;
     double rough = 0, smooth = 0;
 
-    for (int t = 0; t < g->times; t++)
+    for (int t = 0; t < gallery.times; t++)
         for (int n = SOLID; n < CASES; n++) {
             double *most = n < SPRINGS ? &smooth : &rough;
             *most = fmax(*most, r->frame[n][t].roughness);
@@ -86,7 +79,7 @@ static void tell_nets(const struct gallery *g, const struct gallery_result *r, F
             "%.3g on the paper's.\n",
             fabs(fine / coarse - 1) > 0.1 ? "does not settle as the net is refined"
                                           : "hardly depends on the net",
-            g->time[end], coarse, fine);
+            gallery.time[end], coarse, fine);
     fprintf(
         file,
         "- The nets of springs and constraints, matched to the same E, nu and h, have a "
@@ -98,24 +91,23 @@ static void tell_nets(const struct gallery *g, const struct gallery_result *r, F
 static enum status print(const char *folder, enum table_format format, FILE *file,
                          struct message *why)
 {
-    struct gallery g = build(false);
     struct gallery_result r;
     enum status st;
 
-    TRY(gallery_read(&g, folder, &r, why));
-    st = gallery_print(&g, &r, "Fig. 15, a flag at the paper's times", format, file);
-    if (st == STATUS_OK) {
+    TRY(gallery_read(&gallery, folder, &r, why));
+    st = gallery_print(&gallery, &r, "Fig. 15, a flag at the paper's times", folder, format,
+                       file, why);
+    if (st == STATUS_OK && table_format_is_prose(format)) {
         fputc('\n', file);
-        tell_flow(&g, &r, file);
-        tell_nets(&g, &r, file);
-        st = gallery_files(&g, &r, folder, why);
+        tell_flow(&r, file);
+        tell_nets(&r, file);
     }
     gallery_clear(&r);
 out:
     return st;
 }
 
-const struct exhibit study_flag_exhibit = {
+const struct experiment study_flag_experiment = {
     .item = {"flag", "Ren et al. 2024, Fig. 15: a flag sinks, by several models"},
     .measure = measure,
     .print = print,

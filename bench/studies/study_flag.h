@@ -2,8 +2,8 @@
 #ifndef STUDY_FLAG_H
 #define STUDY_FLAG_H
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 
-extern const struct exhibit study_flag_exhibit;
+extern const struct experiment study_flag_experiment;
 
 #endif

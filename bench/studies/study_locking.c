@@ -4,40 +4,46 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/output.h"
-#include "bench/harness/registry.h"
-#include "fem_ref/kirchhoff.h"
-#include "models/grid.h"
+#include "bench/experiment/measurement.h"
+#include "bench/truth/truth_plate.h"
+#include "fem_ref/reference.h"
 #include "models/reader/scene_file.h"
+
+#define ONE   "IGA, r = 1"
+#define TWO   "IGA, r = 2"
+#define HEX   "hexahedra"
+#define CURED "shell, reduced IGA"
 
 /* clang-format off */
 const struct study_locking_space study_locking_space[STUDY_LOCKING_SPACES] = {
-    {"IGA (2,2,1) 10x10x2, the paper's", "iga_221_10", "iga", {2, 2, 1}, {10, 10, 2},
-     REMEDY_NONE, {"0.605", "0.749", "0.834"}},
-    {"IGA (2,2,1) 20x20x2", "iga_221_20", "iga", {2, 2, 1}, {20, 20, 2},
-     REMEDY_NONE, {"0.753", "0.838", "0.847"}},
-    {"IGA (3,3,1) 10x10x2", "iga_331_10", "iga", {3, 3, 1}, {10, 10, 2},
-     REMEDY_NONE, {"0.832", "0.842", "0.846"}},
-    {"IGA (4,4,1) 10x10x2", "iga_441_10", "iga", {4, 4, 1}, {10, 10, 2}, REMEDY_NONE},
-    {"IGA (2,2,2) 10x10x3", "iga_222_10", "iga", {2, 2, 2}, {10, 10, 3}, REMEDY_NONE},
-    {"IGA (3,3,2) 10x10x3", "iga_332_10", "iga", {3, 3, 2}, {10, 10, 3},
-     REMEDY_NONE, {"0.981", "0.986", "0.989"}},
-    {"IGA (4,4,2) 10x10x3", "iga_442_10", "iga", {4, 4, 2}, {10, 10, 3}, REMEDY_NONE},
-    {"hex 10x10x2", "hex_10", "hex", {0}, {10, 10, 2},
-     REMEDY_NONE, {"0.0002", "0.0056", "0.081"}},
-    {"hex 32x32x2, the paper's", "hex_32", "hex", {0}, {32, 32, 2},
-     REMEDY_NONE, {"0.00265", "0.061", "0.465"}},
-    {"hex 10x10x2 incompatible", "hex_10_incompatible", "hex", {0}, {10, 10, 2},
-     REMEDY_INCOMPATIBLE},
-    {"hex 32x32x2 incompatible", "hex_32_incompatible", "hex", {0}, {32, 32, 2},
-     REMEDY_INCOMPATIBLE, {"0.989", "0.999", "1.001"}},
-    {"shell p=2 10x10", "shell_2_10", "shell", {2, 2, 0}, {10, 10, 0}, REMEDY_NONE},
-    {"shell p=3 10x10", "shell_3_10", "shell", {3, 3, 0}, {10, 10, 0}, REMEDY_NONE},
-    {"shell p=3 20x20", "shell_3_20", "shell", {3, 3, 0}, {20, 20, 0}, REMEDY_NONE},
-    {"IGA (2,2,1) 10x10x2 reduced", "iga_221_10_reduced", "iga", {2, 2, 1}, {10, 10, 2},
-     REMEDY_REDUCED},
-    {"IGA (3,3,1) 10x10x2 reduced", "iga_331_10_reduced", "iga", {3, 3, 1}, {10, 10, 2},
-     REMEDY_REDUCED},
+    {"IGA (2,2,1) 10x10x2, the paper's", "iga_221_10", ONE, "iga_linear", NULL, 10,
+     {"0.605", "0.749", "0.834"}},
+    {"IGA (2,2,1) 20x20x2", "iga_221_20", ONE, "iga_linear", NULL, 20,
+     {"0.753", "0.838", "0.847"}},
+    {"IGA (3,3,1) 10x10x2", "iga_331_10", ONE, "iga_linear_3", NULL, 10,
+     {"0.832", "0.842", "0.846"}},
+    {"IGA (4,4,1) 10x10x2", "iga_441_10", ONE, "iga_linear_3",
+     "discretization.degree=[4,4,1]", 10, {NULL}},
+    {"IGA (2,2,2) 10x10x3", "iga_222_10", TWO, "iga_linear_32",
+     "discretization.degree=[2,2,2]", 10, {NULL}},
+    {"IGA (3,3,2) 10x10x3", "iga_332_10", TWO, "iga_linear_32", NULL, 10,
+     {"0.981", "0.986", "0.989"}},
+    {"IGA (4,4,2) 10x10x3", "iga_442_10", TWO, "iga_linear_32",
+     "discretization.degree=[4,4,2]", 10, {NULL}},
+    {"hex 10x10x2", "hex_10", HEX, "hex_linear", NULL, 10, {"0.0002", "0.0056", "0.081"}},
+    {"hex 32x32x2, the paper's", "hex_32", HEX, "hex_linear", NULL, 32,
+     {"0.00265", "0.061", "0.465"}},
+    {"hex 10x10x2 incompatible", "hex_10_incompatible", HEX, "hex_incompatible_linear",
+     NULL, 10, {NULL}},
+    {"hex 32x32x2 incompatible", "hex_32_incompatible", HEX, "hex_incompatible_linear",
+     NULL, 32, {"0.989", "0.999", "1.001"}},
+    {"shell p=2 10x10", "shell_2_10", CURED, "shell_linear", NULL, 10, {NULL}},
+    {"shell p=3 10x10", "shell_3_10", CURED, "shell_linear_3", NULL, 10, {NULL}},
+    {"shell p=3 20x20", "shell_3_20", CURED, "shell_linear_3", NULL, 20, {NULL}},
+    {"IGA (2,2,1) 10x10x2 reduced", "iga_221_10_reduced", CURED, "iga_reduced_linear",
+     NULL, 10, {NULL}},
+    {"IGA (3,3,1) 10x10x2 reduced", "iga_331_10_reduced", CURED, "iga_reduced_linear_3",
+     NULL, 10, {NULL}},
 };
 /* clang-format on */
 
@@ -57,210 +63,159 @@ bool study_locking_prototype(const struct study_locking_space *space, int n, dou
 }
 
 static const double usual[] = {1e-4, 1e-3, 5e-3, 20e-3, 100e-3}; /* h [m]             */
-enum { USUAL = sizeof usual / sizeof *usual };
+enum { USUAL = sizeof usual / sizeof *usual, PATH = 4096 };
 
 /* The weight is such that Kirchhoff's tip falls this far [m]; linear answers scale. */
 static const double TIP = 0.1;
 
 /* Few functions: six digits do for ratios that are told with three. */
-enum status study_locking_coefficient(double nu, double *coefficient)
-{
-    enum { TERMS = 24 };
-    const struct kirchhoff_plate plate = {.length = 1,
-                                          .width = 1,
-                                          .thickness = 1,
-                                          .young = 12 * (1 - nu * nu),
-                                          .poisson = nu,
-                                          .density = 1}; /* D = 1 */
-    struct kirchhoff *k = NULL;
-    enum status st = kirchhoff_create(&plate, TERMS, &k);
+enum { TERMS = 24 };
 
-    if (st == STATUS_OK)
-        *coefficient = kirchhoff_static(k, 1, 1, 0.5);
-    kirchhoff_destroy(k);
-    return st;
+static void file_of(const char *folder, int space, double nu, double h, char path[PATH])
+{
+    snprintf(path, PATH, "%s/%s_nu%g_h%gmm.h5", folder, study_locking_space[space].name, nu,
+             1e3 * h);
 }
 
-static void file_of(const char *folder, int space, double nu, double h,
-                    char path[TIMED_PATH])
-{
-    snprintf(path, TIMED_PATH, "%s/%s_nu%g_h%gmm.h5", folder,
-             study_locking_space[space].name, nu, 1e3 * h);
-}
+struct job {
+    struct settings settings;
+    char file[PATH];
+};
 
-static enum status read_scene(double nu, double h, struct scene *scene, struct message *why)
+/* The scene, and the net on it. */
+static enum status fill(const struct study_locking_space *s,
+                        const struct contestant *contestant, double nu, double h,
+                        struct settings *settings)
 {
-    enum { SETTINGS = 4, TEXT = 64 };
     const double young = 1e5, density = 1;
-    struct discretization unused = {0};
-    char text[SETTINGS][TEXT], *path = NULL;
-    const char *settings[SETTINGS + 1] = {text[0], text[1], text[2], text[3],
-                                          "material.young=1e5"};
-    double coefficient, stiffness = young * h * h * h / (12 * (1 - nu * nu));
-    enum status st;
-
-    TRY(study_locking_coefficient(nu, &coefficient));
-    snprintf(text[0], TEXT, "sheet.thickness=%.17g", h);
-    snprintf(text[1], TEXT, "material.poisson=%.17g", nu);
-    snprintf(text[2], TEXT, "material.density=%.17g", density);
-    snprintf(text[3], TEXT, "gravity=[0, 0, %.17g]",
-             -TIP * stiffness / (coefficient * density * h));
-    TRY(scene_file_find("cantilever", &path, why));
-    TRY(scene_file_read(path, SETTINGS + 1, settings, scene, &unused, why));
-    discretization_clear(&unused);
-out:
-    free(path);
-    return st;
-}
-
-static enum status set_up(const struct exhibit_options *options, int space, int nu,
-                          const struct scene *scene, struct timed_case *c,
-                          struct message *why)
-{
-    const struct study_locking_space *s = &study_locking_space[space];
-    enum status st = registry_find(s->model, &c->model, why);
+    const double stiffness = young * h * h * h / (12 * (1 - nu * nu));
+    double coefficient;
+    const enum status st = truth_plate_coefficient(nu, TERMS, &coefficient);
 
     if (st != STATUS_OK)
         return st;
-    c->model->defaults(&c->d);
-    c->d.kinematics = KINEMATICS_LINEAR;
-    c->d.remedy = s->remedy;
-    for (int i = 0; i < 3; i++) {
-        if (s->degree[i])
-            c->d.degree[i] = s->degree[i];
-        if (s->points[i])
-            c->d.points[i] = s->points[i];
-    }
-    c->scene = scene;
-    c->rest = nu == STUDY_LOCKING_NUS - 1; /* nu costs nothing */
-    file_of(options->folder, space, study_locking_nu[nu], scene->thickness, c->path);
+    settings_number(settings, "sheet.thickness", h);
+    settings_number(settings, "material.young", young);
+    settings_number(settings, "material.poisson", nu);
+    settings_number(settings, "material.density", density);
+    settings_numbers(settings, "gravity", 3,
+                     (double[]){0, 0, -TIP * stiffness / (coefficient * density * h)});
+    if (s->degree)
+        settings_set(settings, s->degree);
+    contestant_points(contestant, s->points, s->points, settings);
     return STATUS_OK;
 }
 
-/* All spaces at one thickness. */
-static enum status measure_thickness(const struct exhibit_options *options, double h,
-                                     const struct provenance *provenance,
-                                     struct message *why)
+/* All spaces at one thickness. nu costs nothing, and is timed at one value only. */
+static enum status measure_thickness(const struct experiment_options *options,
+                                     const char *scene, double h, struct message *why)
 {
     enum { CASES = STUDY_LOCKING_SPACES * STUDY_LOCKING_NUS };
-    struct timed_case *cases = calloc(CASES, sizeof *cases);
-    struct scene scene[STUDY_LOCKING_NUS] = {{0}};
+    struct measurement_case cases[CASES] = {0};
+    struct job *jobs = calloc(CASES, sizeof *jobs);
     char what[64];
-    enum status st = cases ? STATUS_OK : STATUS_MEMORY;
+    enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
-    snprintf(what, sizeof what, "h = %g mm", 1e3 * h);
-    for (int nu = 0; nu < STUDY_LOCKING_NUS; nu++)
-        TRY(read_scene(study_locking_nu[nu], h, &scene[nu], why));
     for (int n = 0; n < CASES; n++) {
-        int nu = n % STUDY_LOCKING_NUS;
-        TRY(set_up(options, n / STUDY_LOCKING_NUS, nu, &scene[nu], &cases[n], why));
+        const int space = n / STUDY_LOCKING_NUS, nu = n % STUDY_LOCKING_NUS;
+        struct measurement_case *c = &cases[n];
+        c->plan.path = scene;
+        c->plan.settings = &jobs[n].settings;
+        c->keep.file = jobs[n].file;
+        c->rest = true;
+        c->timed = nu == STUDY_LOCKING_BOTH ? MEASUREMENT_SOME : MEASUREMENT_UNTIMED;
+        file_of(options->folder, space, study_locking_nu[nu], h, jobs[n].file);
+        TRY(contestant_find(study_locking_space[space].contestant, &c->plan.contestant,
+                            why));
+        TRY(fill(&study_locking_space[space], c->plan.contestant, study_locking_nu[nu], h,
+                 &jobs[n].settings));
     }
-    TRY(timed_measure(options, what, provenance, CASES, cases, why));
+    snprintf(what, sizeof what, "h = %g mm", 1e3 * h);
+    TRY(measurement_run(&(struct measurement_options){what, options->quick,
+                                                      options->repeats, options->progress,
+                                                      options->context},
+                        CASES, cases, why));
 out:
-    for (int nu = 0; nu < STUDY_LOCKING_NUS; nu++)
-        scene_clear(&scene[nu]);
-    free(cases);
+    for (int n = 0; jobs && n < CASES; n++)
+        settings_clear(&jobs[n].settings);
+    free(jobs);
     return st;
 }
 
-/* FOLDER/thickness.txt names the thicknesses, a line each, for whoever prints. */
+/* FOLDER/thickness.csv names the thicknesses for whoever prints. */
 static enum status write_thicknesses(const char *folder, int count, const double *h,
                                      struct message *why)
 {
-    struct output *out = NULL;
-    char path[TIMED_PATH];
+    struct table *t = table_create(1, &(struct table_column){"thickness", "m"}, NULL);
     enum status st;
 
-    snprintf(path, sizeof path, "%s/thickness.txt", folder);
-    TRY(output_create(path, &out, why));
-    for (int n = 0; n < count; n++)
-        output_print(out, "%.17g\n", h[n]);
-    return output_close(out, why);
-out:
+    for (int n = 0; n < count; n++) {
+        table_row(t);
+        table_number(t, h[n], 3);
+    }
+    st = table_save(t, folder, "thickness", why);
+    table_destroy(t);
     return st;
 }
 
-static enum status measure(const struct exhibit_options *options, struct message *why)
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
     const double *h = options->value_count ? options->value : usual;
     int count = options->value_count ? options->value_count : USUAL;
-    struct provenance provenance;
-    enum status st = STATUS_OK;
+    char *scene = NULL;
+    enum status st;
 
     if (count > STUDY_LOCKING_MOST)
         return status_fail(why, STATUS_INPUT, "--values: at most %d thicknesses",
                            STUDY_LOCKING_MOST);
-    provenance_collect(&provenance);
+    TRY(scene_file_find("cantilever", &scene, why));
     for (int n = 0; n < count; n++)
-        TRY(measure_thickness(options, h[n], &provenance, why));
+        TRY(measure_thickness(options, scene, h[n], why));
     TRY(write_thicknesses(options->folder, count, h, why));
 out:
+    free(scene);
     return st;
 }
 
 static enum status read_thicknesses(const char *folder, struct study_locking *s,
                                     struct message *why)
 {
-    char path[TIMED_PATH];
-    FILE *file;
+    struct reference *table = NULL;
+    char path[PATH];
+    enum status st;
 
-    snprintf(path, sizeof path, "%s/thickness.txt", folder);
-    file = fopen(path, "r");
-    if (!file)
-        return status_fail(why, STATUS_FILE, "%s cannot be read", path);
-    while (s->count < STUDY_LOCKING_MOST &&
-           fscanf(file, "%lf", &s->thickness[s->count]) == 1)
+    snprintf(path, sizeof path, "%s/thickness.csv", folder);
+    TRY(reference_open(path, &table, why));
+    while (s->count < STUDY_LOCKING_MOST && s->count < reference_rows(table)) {
+        s->thickness[s->count] = reference_number(table, s->count, "thickness_m");
         s->count++;
-    fclose(file);
-    return s->count ? STATUS_OK : status_fail(why, STATUS_INPUT, "%s: no thickness", path);
-}
-
-/* Fall of the middle of the free edge: the grid's two points either side, both layers. */
-static enum status read_tip(const char *path, double *tip, struct message *why)
-{
-    struct store_read *file = NULL;
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz), sum = 0;
-    enum status st = xyz ? STATUS_OK : STATUS_MEMORY;
-
-    TRY(st);
-    TRY(store_read_open(path, &file, why));
-    if (store_read_frames(file) != 1) {
-        st = status_fail(why, STATUS_INPUT, "%s: one equilibrium is wanted", path);
-        goto out;
     }
-    TRY(store_read_frame(file, 0, xyz, why));
-    for (int k = 0; k < GRID_W; k++)
-        for (int j = GRID_V / 2 - 1; j <= GRID_V / 2; j++)
-            sum -= xyz[((k * GRID_V + j) * GRID_U + GRID_U - 1) * 3 + 2];
-    *tip = sum / 4;
 out:
-    store_read_close(file);
-    free(xyz);
+    reference_close(table);
     return st;
 }
 
-static enum status read_cells(const char *folder, struct study_locking *s,
-                              struct message *why)
+static enum status read_cell(const char *path, struct study_locking_cell *c,
+                             struct message *why)
 {
-    enum status st = STATUS_OK;
+    struct run_result r = {0};
+    enum status st;
 
-    for (int space = 0; space < STUDY_LOCKING_SPACES; space++)
-        for (int nu = 0; nu < STUDY_LOCKING_NUS; nu++)
-            for (int n = 0; n < s->count; n++) {
-                struct study_locking_cell *c = &s->cell[space][nu][n];
-                char path[TIMED_PATH];
-                file_of(folder, space, study_locking_nu[nu], s->thickness[n], path);
-                TRY(timed_read(path, &c->run, why));
-                c->tip = NAN;
-                if (c->run.refused)
-                    continue;
-                TRY(read_tip(path, &c->tip, why));
-                c->tip /= TIP;
-                if (!*s->machine)
-                    strcpy(s->machine, path);
-            }
+    TRY(run_result_read(path, true, &r, why));
+    *c = (struct study_locking_cell){NAN, NAN, NAN, NAN, {""}};
+    if (r.outcome != STATUS_OK) {
+        c->said = r.sentence;
+    } else if (r.frames != 1) {
+        st = status_fail(why, STATUS_INPUT, "%s: one equilibrium is wanted", path);
+    } else {
+        c->tip = -truth_plate_edge(r.xyz[0], NULL) / TIP;
+        c->unknowns = r.unknowns;
+        if (r.step.count)
+            c->setup = r.create.median, c->equilibrium = r.step.median;
+    }
 out:
+    run_result_clear(&r);
     return st;
 }
 
@@ -268,11 +223,11 @@ out:
  */
 static enum status read_limit(struct study_locking *s)
 {
-    double nu = study_locking_nu[STUDY_LOCKING_NUS - 1], stiff, soft;
+    double nu = study_locking_nu[STUDY_LOCKING_BOTH], stiff, soft;
     enum status st;
 
-    TRY(study_locking_coefficient(nu, &soft));
-    TRY(study_locking_coefficient(nu / (1 - nu), &stiff));
+    TRY(truth_plate_coefficient(nu, TERMS, &soft));
+    TRY(truth_plate_coefficient(nu / (1 - nu), TERMS, &stiff));
     s->limit = stiff / soft * (1 - 2 * nu) / ((1 - nu) * (1 - nu));
 out:
     return st;
@@ -286,21 +241,19 @@ enum status study_locking_read(const char *folder, struct study_locking **s,
 
     TRY(st);
     TRY(read_thicknesses(folder, new, why));
-    TRY(read_cells(folder, new, why));
+    for (int n = 0; n < STUDY_LOCKING_SPACES * STUDY_LOCKING_NUS * new->count; n++) {
+        const int space = n / new->count / STUDY_LOCKING_NUS;
+        const int nu = n / new->count % STUDY_LOCKING_NUS, h = n % new->count;
+        file_of(folder, space, study_locking_nu[nu], new->thickness[h], new->machine);
+        TRY(read_cell(new->machine, &new->cell[space][nu][h], why));
+    }
+    file_of(folder, 0, study_locking_nu[STUDY_LOCKING_BOTH], new->thickness[0],
+            new->machine);
     TRY(read_limit(new));
     *s = new, new = NULL;
 out:
-    study_locking_destroy(new);
+    free(new);
     return st;
-}
-
-void study_locking_destroy(struct study_locking *s)
-{
-    for (int space = 0; s && space < STUDY_LOCKING_SPACES; space++)
-        for (int nu = 0; nu < STUDY_LOCKING_NUS; nu++)
-            for (int n = 0; n < s->count; n++)
-                timed_clear(&s->cell[space][nu][n].run);
-    free(s);
 }
 
 double study_locking_shear(const struct study_locking *s, int space, int thickness)
@@ -310,11 +263,11 @@ double study_locking_shear(const struct study_locking *s, int space, int thickne
 
 double study_locking_through(const struct study_locking *s, int space, int thickness)
 {
-    return s->cell[space][STUDY_LOCKING_NUS - 1][thickness].tip /
+    return s->cell[space][STUDY_LOCKING_BOTH][thickness].tip /
            study_locking_shear(s, space, thickness);
 }
 
-const struct exhibit study_locking_exhibit = {
+const struct experiment study_locking_experiment = {
     .item = {"locking", "tip of a cantilevered sheet over Kirchhoff's, by space and "
                         "thickness: shear and thickness locking"},
     .values = "thicknesses [m] of a sheet 1 m long",

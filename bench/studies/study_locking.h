@@ -13,17 +13,18 @@
 #ifndef STUDY_LOCKING_H
 #define STUDY_LOCKING_H
 
-#include "bench/experiment/timed.h"
+#include "bench/experiment/experiment.h"
 
-extern const struct exhibit study_locking_exhibit;
+extern const struct experiment study_locking_experiment;
 
 enum { STUDY_LOCKING_SPACES = 16, STUDY_LOCKING_MOST = 12, STUDY_LOCKING_PROTOTYPES = 3 };
 
 struct study_locking_space {
     const char *label, *name; /* of tables; of files, [a-z0-9_]+                       */
-    const char *model;
-    int degree[3], points[3]; /* degree 0: the model has none                          */
-    enum remedy remedy;
+    const char *family;       /* spaces that share a panel stand together              */
+    const char *contestant;
+    const char *degree; /* a setting that changes the contestant's; NULL: none         */
+    int points;         /* a side                                                      */
 
     /* Tip over Kirchhoff at the thicknesses below, nu = 0.3, that an independent prototype
      * of the same spaces printed before this program was written, with its digits; NULL:
@@ -38,12 +39,13 @@ bool study_locking_prototype(const struct study_locking_space *space, int n, dou
                              double *half_unit);
 
 /* Poisson's ratios: shear locking alone, both. */
-enum { STUDY_LOCKING_NUS = 2 };
+enum { STUDY_LOCKING_NUS = 2, STUDY_LOCKING_BOTH = STUDY_LOCKING_NUS - 1 };
 extern const double study_locking_nu[STUDY_LOCKING_NUS];
 
-struct study_locking_cell {
-    struct timed_result run;
-    double tip; /* over Kirchhoff's; NaN: no equilibrium                                */
+struct study_locking_cell { /* NaN: there is no equilibrium, or it was not timed        */
+    double tip;             /* over Kirchhoff's                                         */
+    double unknowns, setup, equilibrium; /* median seconds                              */
+    struct message said;                 /* why there is none; empty: there is one      */
 };
 
 struct study_locking {
@@ -52,26 +54,21 @@ struct study_locking {
     struct study_locking_cell cell[STUDY_LOCKING_SPACES][STUDY_LOCKING_NUS]
                                   [STUDY_LOCKING_MOST];
     double limit; /* of r = 1 at nu = 0.3: tip over Kirchhoff's in the thin limit        */
-    char machine[TIMED_PATH];
+    char machine[4096]; /* file of a timed run                                          */
 };
+
+/* What measure left in the folder; freed by the receiver. */
 enum status study_locking_read(const char *folder, struct study_locking **s,
                                struct message *why);
-void study_locking_destroy(struct study_locking *s); /* NULL is allowed */
-
-/* Kirchhoff's w D / (q L^4) at the middle of the free edge of the square. */
-enum status study_locking_coefficient(double nu, double *coefficient);
 
 /* Tip over Kirchhoff's at nu = 0, shear locking alone; the quotient that is thickness
  * locking where there is no shear locking (where there is, nu changes it too). */
 double study_locking_shear(const struct study_locking *s, int space, int thickness);
 double study_locking_through(const struct study_locking *s, int space, int thickness);
 
+/* Tables and sentences; locking.csv and the chart `locking` into the folder
+ * (study_locking_print.c). */
 enum status study_locking_print(const char *folder, enum table_format format, FILE *file,
-                                struct message *why); /* study_locking_print.c          */
-void study_locking_text(const struct study_locking *s, FILE *file); /* ..._text.c       */
-
-/* locking.csv and, by gnuplot, locking.png into the folder (study_locking_plot.c). */
-enum status study_locking_plot(const struct study_locking *s, const char *folder,
-                               struct message *why);
+                                struct message *why);
 
 #endif

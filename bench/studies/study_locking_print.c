@@ -1,117 +1,128 @@
-/* The tables of study_locking.h. */
+/* Tables, sentences and chart of study_locking.h. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/measurement.h"
+#include "bench/experiment/study_print.h"
+#include "bench/harness/fit.h"
 #include "bench/studies/study_locking.h"
+#include "bench/ui/chart.h"
 
 enum { FIXED = 4, MOST = FIXED + STUDY_LOCKING_MOST, TEXT = 32 };
 
-static const char *label(int space)
+/* Places in study_locking_space. */
+enum {
+    PAPER = 0,
+    FINER = 1,
+    CUBIC = 2,
+    QUARTIC = 3,
+    CUBIC_R2 = 5,
+    HEX = 7,
+    PAPER_HEX = 8,
+    CURED = 9
+};
+
+/* At nu = 0.3. */
+static const struct study_locking_cell *at(const struct study_locking *s, int space, int n)
 {
-    return study_locking_space[space].label;
+    return &s->cell[space][STUDY_LOCKING_BOTH][n];
 }
 
-static void cell(struct table *t, double value, int digits)
+static double tip(const struct study_locking *s, int space, int n)
 {
-    if (isnan(value))
-        table_dash(t);
-    else
-        table_number(t, value, digits);
+    return at(s, space, n)->tip;
 }
 
-/* A column for each thickness, after `fixed` columns of the caller. */
-static struct table *create(const struct study_locking *s, int fixed,
-                            struct table_column columns[MOST],
-                            char header[STUDY_LOCKING_MOST][TEXT], const char *caption)
+/* A column for each thickness, behind what a space costs or not; a line between models. */
+static struct table *pivot(const struct study_locking *s, const char *caption, bool cost,
+                           double value(const struct study_locking *s, int space, int n),
+                           char header[STUDY_LOCKING_MOST][TEXT])
 {
+    const int fixed = cost ? FIXED : 1;
+    struct table_column columns[MOST] = {
+        {"space", NULL, TABLE_LEFT},
+        {"unknowns"},
+        {"set-up", "ms", .key = "setup_s", .key_unit = "s", .scale = 1e3},
+        {"equilibrium", "ms", .key = "equilibrium_s", .key_unit = "s", .scale = 1e3}};
+
     for (int n = 0; n < s->count; n++) {
         snprintf(header[n], TEXT, "%sh %g", n ? "" : "at ", 1e3 * s->thickness[n]);
-        columns[fixed + n] = (struct table_column){header[n], "mm", TABLE_RIGHT};
+        columns[fixed + n] = (struct table_column){header[n], "mm"};
     }
-    return table_create(fixed + s->count, columns, caption);
-}
-
-static void rule_between_models(struct table *t, int space)
-{
-    if (space &&
-        strcmp(study_locking_space[space].model, study_locking_space[space - 1].model) != 0)
-        table_rule(t);
-}
-
-static enum status finish(struct table *t, enum table_format format, FILE *file)
-{
-    enum status st = table_print(t, format, file);
-
-    table_destroy(t);
-    if (st == STATUS_OK)
-        fprintf(file, "\n");
-    return st;
+    struct table *t = table_create(fixed + s->count, columns, caption);
+    for (int space = 0; space < STUDY_LOCKING_SPACES; space++) {
+        const struct study_locking_space *sp = &study_locking_space[space];
+        if (space && strncmp(sp->contestant, sp[-1].contestant, 3) != 0)
+            table_rule(t);
+        table_row(t);
+        table_text(t, "%s", sp->label);
+        if (cost) {
+            table_fixed(t, at(s, space, s->count / 2)->unknowns, 0);
+            table_number(t, at(s, space, s->count / 2)->setup, 3);
+            table_number(t, at(s, space, s->count / 2)->equilibrium, 3);
+        }
+        for (int n = 0; n < s->count; n++)
+            table_number(t, value(s, space, n), 4);
+    }
+    return t;
 }
 
 static enum status print_tips(const struct study_locking *s, enum table_format format,
                               FILE *file)
 {
-    struct table_column columns[MOST] = {{"space", NULL, TABLE_LEFT},
-                                         {"unknowns", NULL, 0},
-                                         {"set-up", "ms", 0},
-                                         {"equilibrium", "ms", 0}};
     char header[STUDY_LOCKING_MOST][TEXT];
-    const int nu = STUDY_LOCKING_NUS - 1;
+    const double *h = s->thickness, thickest = h[s->count - 1];
     struct table *t =
-        create(s, FIXED, columns, header,
-               "Cantilever under its own weight, nu = 0.3: tip over Kirchhoff's");
+        pivot(s, "Cantilever under its own weight, nu = 0.3: tip over Kirchhoff's", true,
+              tip, header);
 
-    for (int space = 0; space < STUDY_LOCKING_SPACES; space++) {
-        const struct timed_result *r = &s->cell[space][nu][s->count / 2].run;
-        rule_between_models(t, space);
-        table_row(t);
-        table_text(t, "%s", label(space));
-        if (r->refused) {
-            table_note(t, "%s: %s.", label(space), r->refused);
-            continue;
-        }
-        table_integer(t, lround(r->unknowns));
-        cell(t, r->create.count ? 1e3 * r->create.median : NAN, 3);
-        cell(t, r->step.count ? 1e3 * r->step.median : NAN, 3);
+    for (int space = 0; space < STUDY_LOCKING_SPACES; space++)
         for (int n = 0; n < s->count; n++)
-            cell(t, s->cell[space][nu][n].tip, 4);
-    }
+            if (*at(s, space, n)->said.text)
+                table_note(t, "%s at h = %g mm: %s.", study_locking_space[space].label,
+                           1e3 * h[n], at(s, space, n)->said.text);
     table_note(
         t,
         "1 m x 1 m, linear kinematics: the load scales out. Milliseconds at h = %g mm, "
         "median of repeats, all spaces in turn; equilibrium: factor and solve. "
         "Kirchhoff's theory itself leaves out shear, of order (h/L)^2 = %.0e at h = %g "
         "mm.",
-        1e3 * s->thickness[s->count / 2], pow(s->thickness[s->count - 1], 2),
-        1e3 * s->thickness[s->count - 1]);
-    return finish(t, format, file);
+        1e3 * h[s->count / 2], pow(thickest, 2), 1e3 * thickest);
+    return table_finish(t, format, file);
 }
 
-static enum status print_part(const struct study_locking *s, const char *caption,
-                              double value(const struct study_locking *s, int space, int n),
-                              enum table_format format, FILE *file, const char *note)
+static enum status print_parts(const struct study_locking *s, enum table_format format,
+                               FILE *file)
 {
-    struct table_column columns[MOST] = {{"space", NULL, TABLE_LEFT}};
+    const double nu = study_locking_nu[STUDY_LOCKING_BOTH];
     char header[STUDY_LOCKING_MOST][TEXT];
-    struct table *t = create(s, 1, columns, header, caption);
+    struct table *t;
+    enum status st;
 
-    for (int space = 0; space < STUDY_LOCKING_SPACES; space++) {
-        rule_between_models(t, space);
-        table_row(t);
-        table_text(t, "%s", label(space));
-        for (int n = 0; n < s->count; n++)
-            cell(t, value(s, space, n), 4);
-    }
-    table_note(t, "%s", note);
-    return finish(t, format, file);
+    t = pivot(s, "Transverse shear locking alone: tip over Kirchhoff's at nu = 0", false,
+              study_locking_shear, header);
+    table_note(t, "At nu = 0 bending does not couple to the thickness, and r = 1 is no "
+                  "restriction.");
+    TRY(table_finish(t, format, file));
+    t = pivot(s, "Thickness locking alone: the tip at nu = 0.3 over that at nu = 0", false,
+              study_locking_through, header);
+    table_note(
+        t,
+        "A plate that cannot change its thickness freely (r = 1) has %.4f of Kirchhoff's "
+        "tip in the thin limit; a strip (1 - 2 nu)/(1 - nu)^2 = %.4f.",
+        s->limit, (1 - 2 * nu) / pow(1 - nu, 2));
+    st = table_finish(t, format, file);
+out:
+    return st;
 }
 
-/* Which of the thicknesses is the prototype's n-th; -1: none. */
-static int find(const struct study_locking *s, int n)
+/* Which of the thicknesses it is; -1: none. */
+static int find(const struct study_locking *s, double h)
 {
-    for (int k = 0; k < s->count; k++)
-        if (fabs(s->thickness[k] / study_locking_thickness[n] - 1) < 1e-9)
-            return k;
+    for (int n = 0; n < s->count; n++)
+        if (fabs(s->thickness[n] / h - 1) < 1e-9)
+            return n;
     return -1;
 }
 
@@ -119,70 +130,206 @@ static int find(const struct study_locking *s, int n)
 static enum status print_prototype(const struct study_locking *s, enum table_format format,
                                    FILE *file)
 {
-    bool any = false;
-
-    for (int n = 0; n < STUDY_LOCKING_PROTOTYPES; n++)
-        any = any || find(s, n) >= 0;
-    if (!any)
-        return STATUS_OK;
-
     static const struct table_column columns[] = {
-        {"space", NULL, TABLE_LEFT}, {"1 mm", "here", 0},      {"1 mm", "prototype", 0},
-        {"5 mm", "here", 0},         {"5 mm", "prototype", 0}, {"20 mm", "here", 0},
-        {"20 mm", "prototype", 0}};
+        {"space", NULL, TABLE_LEFT}, {"1 mm", "here"},
+        {"1 mm", "prototype"},       {"5 mm", "here"},
+        {"5 mm", "prototype"},       {"20 mm", "here"},
+        {"20 mm", "prototype"}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Against an independent prototype, nu = 0.3");
-    double worst = 0;
+    double worst = -INFINITY, wanted, half;
 
     for (int space = 0; space < STUDY_LOCKING_SPACES; space++) {
         const struct study_locking_space *sp = &study_locking_space[space];
-        double wanted, half;
-        if (!study_locking_prototype(sp, 0, &wanted, &half))
+        if (!*sp->prototype)
             continue;
         table_row(t);
         table_text(t, "%s", sp->label);
         for (int n = 0; n < STUDY_LOCKING_PROTOTYPES; n++) {
-            int k = find(s, n);
-            double tip = k < 0 ? NAN : s->cell[space][STUDY_LOCKING_NUS - 1][k].tip;
+            const int k = find(s, study_locking_thickness[n]);
+            const double here = k < 0 ? NAN : tip(s, space, k);
             study_locking_prototype(sp, n, &wanted, &half);
-            cell(t, tip, 3);
+            table_number(t, here, 3);
             table_text(t, "%s", sp->prototype[n]);
-            if (!isnan(tip)) /* beyond what its printed digits leave open */
-                worst = fmax(worst, (fabs(tip - wanted) - half) / wanted);
+            /* beyond what its printed digits leave open */
+            worst = fmax(worst, (fabs(here - wanted) - half) / wanted);
         }
     }
     table_note(t,
                "Prototype: the same spaces in Python, written before this program, to the "
                "digits it printed. Largest difference beyond those digits: %.2g %%.",
-               100 * worst);
-    return finish(t, format, file);
+               100 * fmax(0, worst));
+    if (worst > -INFINITY)
+        return table_finish(t, format, file);
+    table_destroy(t);
+    return STATUS_OK;
+}
+
+/* --- What a reader should take away. */
+
+/* Over the paper's. */
+static double cost(const struct study_locking *s, int space)
+{
+    const struct study_locking_cell *c = at(s, space, s->count / 2),
+                                    *paper = at(s, PAPER, s->count / 2);
+
+    return (c->setup + c->equilibrium) / (paper->setup + paper->equilibrium);
+}
+
+/* Kirchhoff's tip over the hexahedra's is 1 + C (L/h)^e where they lock. */
+static double growth(const struct study_locking *s, int space)
+{
+    double slender[STUDY_LOCKING_MOST], excess[STUDY_LOCKING_MOST];
+
+    for (int n = 0; n < s->count; n++) {
+        slender[n] = 1 / s->thickness[n];
+        excess[n] = 1 / study_locking_shear(s, space, n) - 1;
+    }
+    return s->count > 1 ? fit_exponent(s->count, slender, excess) : NAN;
+}
+
+static void tell_shear(const struct study_locking *s, int n, FILE *file)
+{
+    const int thin = 0, thick = s->count - 1;
+
+    fprintf(
+        file,
+        "- Shear locking (nu = 0). At h = %g mm the paper's space has %.3f of the tip, "
+        "twice "
+        "the points %.3f, degree 3 %.3f,\n  degree 4 %.3f; the paper's hexahedra %.4f. "
+        "Thinner is worse: the paper's space goes from %.3f at %g mm to %.3f at %g mm.\n  "
+        "Plain hexahedra are too stiff by a factor 1 + C (L/h)^%.2f (2 in theory).\n",
+        1e3 * s->thickness[n], study_locking_shear(s, PAPER, n),
+        study_locking_shear(s, FINER, n), study_locking_shear(s, CUBIC, n),
+        study_locking_shear(s, QUARTIC, n), study_locking_shear(s, PAPER_HEX, n),
+        study_locking_shear(s, PAPER, thick), 1e3 * s->thickness[thick],
+        study_locking_shear(s, PAPER, thin), 1e3 * s->thickness[thin], growth(s, HEX));
+}
+
+static void tell(const struct study_locking *s, FILE *file)
+{
+    static const double LITTLE = 0.05; /* of the tip */
+    const int paper = find(s, 1e-3), n = paper < 0 ? 0 : paper;
+    const double h = 1e3 * s->thickness[n],
+                 change = tip(s, CUBIC_R2, n) / tip(s, CUBIC, n) - 1;
+
+    fprintf(file, "What locks, and what does not\n\n");
+    tell_shear(s, n, file);
+    fprintf(
+        file,
+        "- Thickness locking. At h = %g mm the tip at nu = 0.3 over that at nu = 0 is %.3f "
+        "for degree (3,3,1), %.3f for (4,4,1),\n  %.3f for (3,3,2); theory has %.3f for "
+        "r = 1. Finer nets do not help, r = 2 does, and so do incompatible modes (%.3f).\n",
+        h, study_locking_through(s, CUBIC, n), study_locking_through(s, QUARTIC, n),
+        study_locking_through(s, CUBIC_R2, n), s->limit,
+        study_locking_through(s, CURED, n));
+    fprintf(
+        file,
+        "- Cost. Hexahedra with incompatible modes, 10x10x2, have %.3f of the tip at h = "
+        "%g "
+        "mm for %.2g times the paper's set-up\n  and solve; degree (3,3,2) %.3f for %.2g "
+        "times; the paper's own space has %.3f.\n",
+        tip(s, CURED, n), h, cost(s, CURED), tip(s, CUBIC_R2, n), cost(s, CUBIC_R2),
+        tip(s, PAPER, n));
+    study_print_verdict(file, "higher degree through the thickness makes little difference",
+                        fabs(change) < LITTLE,
+                        "From r = 1 to r = 2 the tip at h = %g mm falls %.1f %% farther "
+                        "(degree 3; little: below %.0f %%).",
+                        h, 100 * change, 100 * LITTLE);
+    measurement_machine(s->machine, file);
+}
+
+/* --- Files. */
+
+static void fill_row(const struct study_locking *s, struct table *t, int space, int nu,
+                     int n)
+{
+    const struct study_locking_cell *c = &s->cell[space][nu][n];
+    const struct contestant *contestant = NULL;
+
+    contestant_find(study_locking_space[space].contestant, &contestant, NULL);
+    table_row(t);
+    table_text(t, "%s", study_locking_space[space].label);
+    table_text(t, "%s", contestant->model->name);
+    table_number(t, study_locking_nu[nu], 2);
+    table_number(t, s->thickness[n], 3);
+    table_number(t, c->tip, 4);
+    table_number(t, fabs(1 - c->tip), 4);
+    table_fixed(t, c->unknowns, 0);
+    table_number(t, c->setup, 3);
+    table_number(t, c->equilibrium, 3);
+}
+
+/* A row of panels for each family, a column for each Poisson's ratio. */
+static struct chart *make_chart(const struct table *t)
+{
+    const struct study_locking_space *space = study_locking_space;
+    const struct chart_axis h = chart_axis_of(t, "thickness_m", true),
+                            error = {"|1 - tip / Kirchhoff|", NULL, true, 1e-4, 1.2};
+    struct chart *c = chart_create(
+        "Locking of a cantilever: of shear alone at nu = 0, both kinds at nu = 0.3");
+    char text[TEXT];
+
+    chart_columns(c, STUDY_LOCKING_NUS);
+    chart_axes(c, &h, &error);
+    for (int first = 0, end; first < STUDY_LOCKING_SPACES; first = end)
+        for (int nu = 0; nu < STUDY_LOCKING_NUS; nu++) {
+            snprintf(text, sizeof text, "%s, nu = %g", space[first].family,
+                     study_locking_nu[nu]);
+            chart_panel(c, text);
+            for (end = first; end < STUDY_LOCKING_SPACES &&
+                              !strcmp(space[end].family, space[first].family);
+                 end++) {
+                const struct chart_where where[] = {
+                    {"space", space[end].label}, {"poisson", NULL, study_locking_nu[nu]}};
+                chart_series(c, &(struct chart_series){space[end].label});
+                chart_rows(c, t, "thickness_m", "error", 2, where);
+            }
+        }
+    return c;
+}
+
+static enum status save(const struct study_locking *s, const char *folder,
+                        struct message *why)
+{
+    static const struct table_column columns[] = {
+        {"space", NULL, TABLE_LEFT},
+        {"model", NULL, TABLE_LEFT},
+        {"poisson"},
+        {"thickness", "mm", .key = "thickness_m", .key_unit = "m", .scale = 1e3},
+        {"tip over Kirchhoff's", .key = "tip_over_kirchhoff"},
+        {"error"},
+        {"unknowns"},
+        {"set-up", "s", .key = "setup_s"},
+        {"equilibrium", "s"}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
+    enum status st;
+
+    for (int nu = STUDY_LOCKING_BOTH; nu >= 0; nu--)
+        for (int space = 0; space < STUDY_LOCKING_SPACES; space++)
+            for (int n = 0; n < s->count; n++)
+                fill_row(s, t, space, nu, n);
+    TRY(table_save(t, folder, "locking", why));
+    TRY(chart_save(make_chart(t), folder, "locking", why));
+out:
+    table_destroy(t);
+    return st;
 }
 
 enum status study_locking_print(const char *folder, enum table_format format, FILE *file,
                                 struct message *why)
 {
     struct study_locking *s = NULL;
-    char note[512];
     enum status st;
 
     TRY(study_locking_read(folder, &s, why));
     TRY(print_tips(s, format, file));
-    TRY(print_part(s, "Transverse shear locking alone: tip over Kirchhoff's at nu = 0",
-                   study_locking_shear, format, file,
-                   "At nu = 0 bending does not couple to the thickness, and r = 1 is no "
-                   "restriction."));
-    snprintf(
-        note, sizeof note,
-        "A plate that cannot change its thickness freely (r = 1) has %.4f of Kirchhoff's "
-        "tip in the thin limit; a strip (1 - 2 nu)/(1 - nu)^2 = %.4f.",
-        s->limit, (1 - 2 * study_locking_nu[1]) / pow(1 - study_locking_nu[1], 2));
-    TRY(print_part(s, "Thickness locking alone: the tip at nu = 0.3 over that at nu = 0",
-                   study_locking_through, format, file, note));
+    TRY(print_parts(s, format, file));
     TRY(print_prototype(s, format, file));
-    if (format == TABLE_TEXT)
-        study_locking_text(s, file);
-    TRY(study_locking_plot(s, folder, why));
+    if (table_format_is_prose(format))
+        tell(s, file);
+    TRY(save(s, folder, why));
 out:
-    study_locking_destroy(s);
+    free(s);
     return st;
 }

@@ -73,7 +73,7 @@ static const struct study physics = {
     .time = early,
     .truth = true};
 
-static enum status measure(const struct exhibit_options *options, struct message *why)
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
     enum status st;
 
@@ -148,7 +148,7 @@ out:
     return st;
 }
 
-const struct exhibit study_mesh_exhibit = {
+const struct experiment study_mesh_experiment = {
     .item = {"mesh", "Ren et al. 2024, Fig. 12: 5, 10, 15, 20 control points a side"},
     .measure = measure,
     .print = print,

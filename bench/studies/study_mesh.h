@@ -2,8 +2,8 @@
 #ifndef STUDY_MESH_H
 #define STUDY_MESH_H
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 
-extern const struct exhibit study_mesh_exhibit;
+extern const struct experiment study_mesh_experiment;
 
 #endif

@@ -72,7 +72,7 @@ static const struct study physics = {
     .time = early,
     .truth = true};
 
-static enum status measure(const struct exhibit_options *options, struct message *why)
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
     enum status st;
 
@@ -187,7 +187,7 @@ out:
     return st;
 }
 
-const struct exhibit study_mesh_degree_exhibit = {
+const struct experiment study_mesh_degree_experiment = {
     .item = {"mesh-degree",
              "Ren et al. 2024, Fig. 14: refined, elevated, and in which order"},
     .measure = measure,

@@ -3,8 +3,8 @@
 #ifndef STUDY_MESH_DEGREE_H
 #define STUDY_MESH_DEGREE_H
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 
-extern const struct exhibit study_mesh_degree_exhibit;
+extern const struct experiment study_mesh_degree_experiment;
 
 #endif

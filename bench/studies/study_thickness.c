@@ -91,7 +91,7 @@ static struct rung_plan shell_plan(struct shell_run *run, const char *path,
                               .name = run->name};
 }
 
-static enum status measure(const struct exhibit_options *options, struct message *why)
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
     char *path = NULL;
     enum status st;
@@ -104,10 +104,10 @@ static enum status measure(const struct exhibit_options *options, struct message
         struct shell_run run;
         struct rung_plan plan =
             shell_plan(&run, path, options->folder, options->quick, n / NETS, n % NETS);
-        exhibit_progress(options, "nonlinear shell", n, LEVELS * NETS);
+        experiment_progress(options, "nonlinear shell", n, LEVELS * NETS);
         TRY(rung_run(&plan, why));
     }
-    exhibit_progress(options, "nonlinear shell", LEVELS * NETS, LEVELS * NETS);
+    experiment_progress(options, "nonlinear shell", LEVELS * NETS, LEVELS * NETS);
 out:
     free(path);
     return st;
@@ -220,7 +220,7 @@ void study_thickness_destroy(struct study_thickness *s)
     free(s);
 }
 
-const struct exhibit study_thickness_exhibit = {
+const struct experiment study_thickness_experiment = {
     .item = {"thickness", "Ren et al. 2024, Fig. 10: a cloak of 1 mm and of 5 mm swings"},
     .measure = measure,
     .print = study_thickness_print,

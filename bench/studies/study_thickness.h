@@ -8,7 +8,7 @@
 #include "bench/harness/rung.h"
 #include "bench/experiment/study.h"
 
-extern const struct exhibit study_thickness_exhibit;
+extern const struct experiment study_thickness_experiment;
 
 enum {
     STUDY_THICKNESS_LEVELS = 3, /* the first and the last are the paper's               */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "bench/experiment/study_print.h"
-#include "bench/tables/table1_truth.h"
+#include "bench/truth/truth_plate.h"
 #include "models/reader/scene_file.h"
 
 enum { DEGREES = 3 };
@@ -74,7 +74,7 @@ static const struct study plate = {
 /* Sheets alike: what the paper's Table 1 takes for the same look [m]. */
 static const double ALIKE = 0.04;
 
-static enum status measure(const struct exhibit_options *options, struct message *why)
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
     enum status st;
 
@@ -93,7 +93,7 @@ struct worth {
 static enum status read_worth(const char *folder, struct worth *w, struct message *why)
 {
     struct study_result r = {0};
-    struct table1_truth truth = {0};
+    struct truth_plate truth = {0};
     struct discretization unused = {0};
     struct scene scene = {0};
     char *path = NULL;
@@ -102,16 +102,16 @@ static enum status read_worth(const char *folder, struct worth *w, struct messag
     TRY(study_read(&plate, folder, &r, why));
     TRY(scene_file_find(plate.scene, &path, why));
     TRY(scene_file_read(path, 0, NULL, &scene, &unused, why));
-    TRY(table1_truth_init(&truth, &scene, why));
+    TRY(truth_plate_init(&truth, &scene, 0, NULL, why));
     w->poisson = scene.poisson;
     for (int n = 0; n < DEGREES; n++) {
         const double *xyz = r.row[n].frame[0].xyz;
-        w->tip[n] = xyz ? table1_truth_tip(&truth, xyz) : NAN;
-        w->error[n] = xyz ? table1_truth_error(&truth, TABLE1_TIMES, xyz) : NAN;
+        w->tip[n] = xyz ? truth_plate_tip(&truth, xyz) : NAN;
+        w->error[n] = xyz ? truth_plate_error(&truth, 0, xyz) : NAN;
     }
 out:
     study_result_clear(&r);
-    table1_truth_clear(&truth);
+    truth_plate_clear(&truth);
     scene_clear(&scene);
     free(path);
     return st;
@@ -215,7 +215,7 @@ out:
     return st;
 }
 
-const struct exhibit study_thickness_degree_exhibit = {
+const struct experiment study_thickness_degree_experiment = {
     .item = {"thickness-degree", "Ren et al. 2024, Fig. 11: r = 1, 2, 3 through the cloak"},
     .measure = measure,
     .print = print,

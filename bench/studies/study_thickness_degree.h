@@ -5,8 +5,8 @@
 #ifndef STUDY_THICKNESS_DEGREE_H
 #define STUDY_THICKNESS_DEGREE_H
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 
-extern const struct exhibit study_thickness_degree_exhibit;
+extern const struct experiment study_thickness_degree_experiment;
 
 #endif

@@ -42,7 +42,7 @@ double study_timestep_factor(double mu)
     return (1 + mu) / (2 * (1 - mu));
 }
 
-static enum status measure(const struct exhibit_options *options, struct message *why)
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
     enum status st = STATUS_OK;
 
@@ -91,7 +91,7 @@ double study_timestep_order(const struct study_timestep *s, enum study_timestep_
     return count < 2 ? NAN : fit_exponent(count, size, next);
 }
 
-const struct exhibit study_timestep_exhibit = {
+const struct experiment study_timestep_experiment = {
     .item = {"timestep",
              "steps of 10 to 0.6 ms: v <- mu v is no rate, the printed scheme is "
              "a viscous sheet, and what has a limit"},

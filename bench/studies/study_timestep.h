@@ -13,7 +13,7 @@
 #include "bench/experiment/study.h"
 #include "bench/experiment/timed.h"
 
-extern const struct exhibit study_timestep_exhibit;
+extern const struct experiment study_timestep_experiment;
 
 /* edge_drop by kinematics and damping, and the steps each is run with. */
 enum study_timestep_kind {
@@ -63,7 +63,7 @@ double study_timestep_factor(double mu);
 double study_timestep_order(const struct study_timestep *s, enum study_timestep_kind kind);
 
 /* The parts with a free sheet and a creeping one (study_timestep_viscous.c). */
-enum status study_timestep_viscous_measure(const struct exhibit_options *options,
+enum status study_timestep_viscous_measure(const struct experiment_options *options,
                                            struct message *why);
 enum status study_timestep_viscous_read(const char *folder, struct study_timestep *s,
                                         struct message *why);

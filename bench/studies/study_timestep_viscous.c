@@ -4,6 +4,7 @@
 
 #include "bench/harness/registry.h"
 #include "bench/studies/study_timestep.h"
+#include "bench/truth/truth_plate.h"
 #include "models/grid.h"
 #include "models/reader/scene_file.h"
 
@@ -98,7 +99,7 @@ out:
     return st;
 }
 
-enum status study_timestep_viscous_measure(const struct exhibit_options *options,
+enum status study_timestep_viscous_measure(const struct experiment_options *options,
                                            struct message *why)
 {
     struct timed_case *cases = calloc(CASES, sizeof *cases);
@@ -145,10 +146,7 @@ static enum status read_depth(const char *folder, int n, int count, double *dept
         if (t >= store_read_frames(file))
             continue;
         TRY(store_read_frame(file, t, xyz, why));
-        depth[t] = 0;
-        for (int k = 0; k < GRID_W; k++)
-            for (int j = GRID_V / 2 - 1; j <= GRID_V / 2; j++)
-                depth[t] -= xyz[((k * GRID_V + j) * GRID_U + GRID_U - 1) * 3 + 2] / 4;
+        depth[t] = -truth_plate_edge(xyz, NULL);
     }
 out:
     store_read_close(file);

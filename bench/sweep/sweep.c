@@ -6,25 +6,93 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/sweep/ranks.h"
+#include "bench/harness/pool.h"
+#include "bench/harness/run_file.h"
 #include "bench/sweep/sweep_map.h"
-#include "bench/sweep/sweep_queue.h"
 #include "bench/sweep/sweep_summary.h"
 #include "bench/sweep/sweep_table.h"
 
-/* What is done already; true where a case needs no run. */
-static enum status scan(const struct plan *plan, const struct sweep_folder *folder,
-                        bool **done, struct message *why)
+/* What the processes of a sweep share. */
+struct sweep {
+    const char *path; /* of the plan's file, where it is still to be read               */
+    const char *out;  /* the folder asked for; NULL: results/sweep_NAME                 */
+    struct plan own;
+    const struct plan *plan;
+    struct sweep_folder folder;
+    struct pool pool;
+};
+
+/* A case in its own process, which leaves its file. */
+static enum status work(void *context, long number, struct message *why)
 {
-    const long count = plan_case_count(plan);
+    const struct sweep *s = context;
+    const struct contestant *contestant;
+    struct plan_case c = {0};
+    struct scene scene = {0};
+    struct settings settings = {0};
+    char path[SWEEP_FOLDER_PATH];
+    enum status st;
+
+    TRY(plan_case_open(s->plan, number, &c, why));
+    TRY(contestant_find(c.model, &contestant, why));
+    TRY(plan_case_scene(&c, &scene, why));
+    settings_set_all(&settings, c.setting_count, (const char *const *)c.settings);
+    sweep_folder_file(&s->folder, number, "h5", path);
+    st = run_file_write(
+        &(struct run_plan){.path = c.path, .contestant = contestant, .settings = &settings},
+        &(struct run_keep){.file = path,
+                           .every = s->plan->look,
+                           .times = scene.snapshot_count,
+                           .time = scene.snapshots,
+                           .fields = s->plan->keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES
+                                                                          : RUN_FIELDS_NONE,
+                           .intersections = s->plan->intersections},
+        NULL, why);
+out:
+    settings_clear(&settings);
+    scene_clear(&scene);
+    plan_case_clear(&c);
+    return st;
+}
+
+static enum status begin(void *context, long number, struct message *why)
+{
+    const struct sweep *s = context;
+
+    return sweep_folder_log(&s->folder, "start", number, why);
+}
+
+/* A case is over: its row is kept, the log has it. */
+static enum status settle(void *context, long number, const struct child_end *end,
+                          struct message *why)
+{
+    const struct sweep *s = context;
+    const bool failed = end->outcome == CHILD_FAILED;
+    enum status st = STATUS_OK;
+
+    if (failed)
+        st = sweep_folder_fail(&s->folder, number, end->why.text, why);
+    return st ? st : sweep_folder_log(&s->folder, failed ? "failed" : "end", number, why);
+}
+
+static struct pool pool_of(struct sweep *s)
+{
+    return (struct pool){.context = s, .work = work, .begin = begin, .settle = settle};
+}
+
+/* What is done already; true where a case needs no run. */
+static enum status scan(const struct sweep *s, bool **done, struct message *why)
+{
+    const long count = plan_case_count(s->plan);
     struct sweep_row row;
 
     *done = calloc((size_t)count, sizeof **done);
     if (!*done)
         return status_fail(why, STATUS_MEMORY, "%s", status_text(STATUS_MEMORY));
     for (long n = 0; n < count; n++) {
-        sweep_folder_read(folder, n, true, &row);
+        sweep_folder_read(&s->folder, n, true, &row);
         (*done)[n] = row.there;
+        run_result_clear(&row.result);
     }
     return STATUS_OK;
 }
@@ -54,6 +122,7 @@ static enum status collect(const struct plan *plan, const struct sweep_folder *f
         sweep_map_row(map, &c, &row,
                       sweep_table_labels(plan, &row, verdict, labels, sizeof labels));
         plan_case_clear(&c);
+        run_result_clear(&row.result);
     }
     TRY(sweep_table_close(t, why));
     struct sweep_map *whole = map;
@@ -69,66 +138,87 @@ out:
     return st;
 }
 
-/* A sentence on how to go on, and the end that the signal would have been. */
-static void stop(const struct sweep_queue *queue, const char *name)
+static const char *folder_of(const struct sweep *s, char path[SWEEP_FOLDER_PATH])
 {
-    fprintf(stderr,
-            "clothbench: stopped by signal %d after %ld cases; what is done is kept: "
-            "clothbench sweep %s --resume goes on\n",
-            queue->stopped_by, queue->ran, name);
-    signal(queue->stopped_by, SIG_DFL);
-    raise(queue->stopped_by);
+    snprintf(path, SWEEP_FOLDER_PATH, "results/sweep_%s", s->plan->name);
+    return s->out ? s->out : path;
 }
 
-/* The sweep of the process that leads. `name`: of the plan on the command line. */
-static enum status lead(const struct plan *plan, const struct sweep_options *options,
-                        const struct ranks *ranks, const char *name, FILE *file,
-                        struct message *why)
+/* Runs what is not done. `name`: of the plan on the command line. */
+static enum status run_all(struct sweep *s, const char *name, struct message *why)
 {
-    enum status st;
-    struct sweep_folder folder = {.lock = -1, .log = -1};
-    char path[SWEEP_FOLDER_PATH];
+    struct pool *pool = &s->pool;
+    struct message reason = {""};
     bool *done = NULL;
-    struct sweep_table table = {0};
-    struct message plot = {""}, reason = {""};
+    enum status st;
 
-    snprintf(path, sizeof path, "results/sweep_%s", plan->name);
-    TRY(sweep_folder_open(&folder, options->folder ? options->folder : path, plan,
-                          options->resume, why));
-    TRY(scan(plan, &folder, &done, why));
-    struct sweep_queue queue = {
-        .plan = plan,
-        .folder = &folder,
-        .ranks = ranks,
-        .jobs = ranks           ? 1
-                : options->jobs ? options->jobs
-                                : omp_get_num_procs(),
-        .done = done,
-        .quiet = options->quiet,
-    };
-    st = sweep_queue_run(&queue, &reason);
+    TRY(scan(s, &done, why));
+    pool->count = plan_case_count(s->plan);
+    pool->done = done;
+    pool->time_limit = s->plan->time_limit;
+    st = pool_run(pool, &reason);
     if (st != STATUS_OK)
         TRY(status_fail(why, st,
                         "%s; what is done is kept, and clothbench sweep %s "
                         "--resume goes on",
                         reason.text, name));
-    if (queue.stopped_by) {
-        free(done);
-        stop(&queue, name);
-    }
-    TRY(collect(plan, &folder, &table, &plot, why));
-    if (!options->quiet)
-        TRY(sweep_summary_print(plan, &folder, &queue, &table, plot.text, file));
 out:
     free(done);
-    sweep_folder_close(&folder);
+    if (!pool->stopped_by)
+        return st;
+    fprintf(stderr,
+            "clothbench: stopped by signal %d after %ld cases; what is done is kept: "
+            "clothbench sweep %s --resume goes on\n",
+            pool->stopped_by, pool->ran, name);
+    pool_raise(pool);
+    return st;
+}
+
+/* The sweep of the process that leads. */
+static enum status lead(struct sweep *s, const struct sweep_options *options,
+                        const char *name, FILE *file, struct message *why)
+{
+    char path[SWEEP_FOLDER_PATH];
+    struct sweep_table table = {0};
+    struct message plot = {""};
+    enum status st;
+
+    s->folder = (struct sweep_folder){.lock = -1, .log = -1};
+    s->out = options->folder;
+    TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, options->resume, why));
+    s->pool.slots = s->pool.ranks ? 1 : options->jobs ? options->jobs : omp_get_num_procs();
+    s->pool.quiet = options->quiet;
+    TRY(run_all(s, name, why));
+    TRY(collect(s->plan, &s->folder, &table, &plot, why));
+    if (!options->quiet)
+        TRY(sweep_summary_print(s->plan, &s->folder, &s->pool, &table, plot.text, file));
+out:
+    sweep_folder_close(&s->folder);
     return st;
 }
 
 enum status sweep_run(const struct plan *plan, const struct sweep_options *options,
                       FILE *file, struct message *why)
 {
-    return lead(plan, options, NULL, plan->path, file, why);
+    struct sweep s = {.plan = plan};
+
+    s.pool = pool_of(&s);
+    return lead(&s, options, plan->path, file, why);
+}
+
+/* On another rank: what it needs for any case. */
+static enum status prepare(void *context, struct message *why)
+{
+    struct sweep *s = context;
+    char path[SWEEP_FOLDER_PATH];
+    enum status st = plan_read(s->path, &s->own, why);
+
+    if (st != STATUS_OK)
+        return st;
+    s->plan = &s->own;
+    s->pool.time_limit = s->own.time_limit;
+    snprintf(s->folder.path, sizeof s->folder.path, "%s", folder_of(s, path));
+    return STATUS_OK;
 }
 
 static enum status read_options(const struct command_line *line, const struct ranks *ranks,
@@ -153,27 +243,31 @@ static enum status run(const struct command_line *line, struct message *why)
     enum status st;
     const struct ranks *ranks = NULL;
     struct sweep_options options;
-    struct plan plan = {0};
+    struct sweep s = {.plan = &s.own};
     char *path = NULL;
 
     omp_set_num_threads(1);
     signal(SIGXFSZ, SIG_IGN); /* a limit on file sizes is a full disk, not a death */
     TRY(ranks_start(&ranks, why));
+    s.pool = pool_of(&s);
+    s.pool.ranks = ranks;
     if (ranks && ranks->rank) { /* rank 0 tells what is wrong, if something is */
         named_file_find(&plan_kind, line->words[0], &path, NULL);
-        TRY(sweep_queue_serve(ranks, path ? path : line->words[0], why));
+        s.path = path ? path : line->words[0];
+        s.out = command_value(line, "--out");
+        TRY(pool_serve(&s.pool, prepare, why));
         goto out;
     }
     TRY(read_options(line, ranks, &options, why));
     TRY(named_file_find(&plan_kind, line->words[0], &path, why));
-    TRY(plan_read(path, &plan, why));
-    TRY(lead(&plan, &options, ranks, line->words[0], stdout, why));
+    TRY(plan_read(path, &s.own, why));
+    TRY(lead(&s, &options, line->words[0], stdout, why));
 out:
     if (ranks && !ranks->rank)
-        sweep_queue_dismiss(ranks);
+        pool_dismiss(ranks);
     if (ranks)
         ranks->finish();
-    plan_clear(&plan);
+    plan_clear(&s.own);
     free(path);
     return st;
 }

@@ -4,7 +4,7 @@
 #define SWEEP_H
 
 #include "bench/ui/command.h"
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
 
 struct sweep_options {
     const char *folder; /* NULL: results/sweep_NAME                                    */

@@ -11,7 +11,7 @@
 
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 #include "models/reader/scene_file.h"
 
 /* Adds the text of a scene that the plan names. */
@@ -239,15 +239,18 @@ void sweep_folder_read(const struct sweep_folder *folder, long number, bool repa
 {
     char path[SWEEP_FOLDER_PATH];
 
+    *row = (struct sweep_row){0};
     sweep_folder_file(folder, number, "h5", path);
     if (access(path, F_OK) == 0) {
-        row->there = row->ran = case_read(path, &row->result, &row->why) == STATUS_OK;
-        if (row->there)
+        row->there = run_result_read(path, false, &row->result, &row->why) == STATUS_OK;
+        row->ran = row->there && row->result.outcome != STATUS_INPUT;
+        if (row->there) {
+            row->why = row->result.sentence;
             return;
+        }
         if (repair)
             unlink(path);
     }
-    row->ran = false;
     sweep_folder_file(folder, number, "txt", path);
     row->there = read_sentence(path, &row->why);
 }

@@ -2,8 +2,8 @@
  * anything.
  *
  *   manifest.txt       the plan and the scenes, as they were read at the beginning
- *   case_000001.h5     the result file of a case (case.h), or
- *   case_000001.txt    one sentence: why there is none (time limit, signal, bad input)
+ *   case_000001.h5     the result file of a case (run_file.h), or
+ *   case_000001.txt    one sentence: why there is none (time limit, signal, no such scene)
  *   log.txt            `start N`, `end N`, `failed N`: a line each, in the order of events
  *   table.csv, seconds.csv, map.png      made from these in the end
  *
@@ -13,7 +13,8 @@
 #ifndef SWEEP_FOLDER_H
 #define SWEEP_FOLDER_H
 
-#include "bench/sweep/plan.h"
+#include "bench/experiment/plan.h"
+#include "bench/harness/run_result.h"
 
 enum { SWEEP_FOLDER_PATH = 1000 }; /* fits a message */
 
@@ -25,8 +26,9 @@ struct sweep_folder {
 /* What is known of a case. */
 struct sweep_row {
     bool there;
-    bool ran; /* `result` holds; else `why`                           */
-    struct case_result result;
+    bool
+        ran; /* `result` holds; else `why`: there is none, or it was impossible to set up */
+    struct run_result result; /* without fields; free with run_result_clear           */
     struct message why;
 };
 

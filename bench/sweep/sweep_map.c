@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "bench/ui/plot.h"
-#include "bench/harness/stand_in.h"
+#include "bench/harness/derived_key.h"
 #include "bench/sweep/sweep_map_plot.h"
 
 /* One direction of the map, or the panels. */
@@ -35,8 +35,8 @@ static struct dimension find_dimension(const struct plan *plan, const char *name
     for (int k = 0; name && k < plan->key_count; k++)
         if (!strcmp(plan->keys[k], name))
             d.key = k;
-    for (int n = 0; name && n < CASE_MEASURES; n++)
-        if (!strcmp(case_measure_name(n), name))
+    for (int n = 0; name && n < MEASURES; n++)
+        if (!strcmp(measure_name(n), name))
             d.measure = n;
     for (int n = 0; name && n < plan->axis_count; n++)
         if (!strcmp(plan->axes[n].key, name))
@@ -47,7 +47,7 @@ static struct dimension find_dimension(const struct plan *plan, const char *name
         d.words |= *end != '\0';
     }
     d.log = d.axis ? d.axis->scale == PLAN_AXIS_LOG && !d.words
-                   : d.key < 0 && name && stand_in_is(name);
+                   : d.key < 0 && name && derived_key_is(name);
     return d;
 }
 
@@ -177,8 +177,8 @@ static double mark_place(const struct dimension *d, const struct plan_mark *mark
 {
     const struct plan_setting *s = plan_settings_find(&mark->settings, d->name);
 
-    if (stand_in_is(d->name))
-        return stand_in_number(d->name, scene);
+    if (derived_key_is(d->name))
+        return derived_key_number(d->name, scene);
     return s ? strtod(s->value, NULL) : NAN;
 }
 

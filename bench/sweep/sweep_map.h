@@ -5,7 +5,7 @@
 #define SWEEP_MAP_H
 
 #include "bench/files/output.h"
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 #include "bench/sweep/sweep_folder.h"
 
 struct sweep_map;

@@ -64,29 +64,28 @@ static double file_size(const struct sweep_folder *folder, long cases)
     return count ? sum / (double)count : 0;
 }
 
-static void print_cost(const struct sweep_queue *q, FILE *file)
+static void print_cost(const struct pool *p, FILE *file)
 {
-    const double most = q->wall * q->hands;
+    const double most = p->wall * p->hands;
 
-    if (!q->ran) {
+    if (!p->ran) {
         fprintf(file, "Nothing was left to run.\n");
         return;
     }
     fprintf(file,
             "%ld cases run now, %d at a time: %.3g s of processor time each, %.4g s in all "
             "within %.4g s; efficiency %.1f %%.\n",
-            q->ran, q->hands, q->seconds / (double)q->ran, q->seconds, q->wall,
-            100 * q->seconds / most);
+            p->ran, p->hands, p->seconds / (double)p->ran, p->seconds, p->wall,
+            100 * p->seconds / most);
 }
 
 enum status sweep_summary_print(const struct plan *plan, const struct sweep_folder *folder,
-                                const struct sweep_queue *queue,
-                                const struct sweep_table *table, const char *plot,
-                                FILE *file)
+                                const struct pool *pool, const struct sweep_table *table,
+                                const char *plot, FILE *file)
 {
     print_plan(plan, file);
     print_verdicts(plan, table, file);
-    print_cost(queue, file);
+    print_cost(pool, file);
     fprintf(file, "%s: table.csv, seconds.csv, %sa file a case, %.3g kB on average.\n",
             folder->path, plan->map.x && !*plot ? "map.png, " : "",
             file_size(folder, plan_case_count(plan)));

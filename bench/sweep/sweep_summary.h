@@ -4,14 +4,13 @@
 
 #include <stdio.h>
 
-#include "bench/sweep/sweep_queue.h"
+#include "bench/harness/pool.h"
 #include "bench/sweep/sweep_table.h"
 
 /* Cases, verdicts, labels, processor time and where the files are. `plot`: why there is no
  * picture, or "". STATUS_FILE: `file` does not take it. */
 enum status sweep_summary_print(const struct plan *plan, const struct sweep_folder *folder,
-                                const struct sweep_queue *queue,
-                                const struct sweep_table *table, const char *plot,
-                                FILE *file);
+                                const struct pool *pool, const struct sweep_table *table,
+                                const char *plot, FILE *file);
 
 #endif

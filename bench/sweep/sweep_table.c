@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bench/harness/stand_in.h"
+#include "bench/harness/derived_key.h"
 
 /* A cell of CSV, in quotes where it must be. */
 static void print_text(struct output *out, const char *text)
@@ -43,9 +43,9 @@ enum status sweep_table_open(struct sweep_table *t, const struct plan *plan,
         output_print(t->table, ",");
         print_text(t->table, plan->keys[k]);
     }
-    for (int n = 0; n < CASE_MEASURES; n++)
-        output_print(t->table, ",%s%s", case_measure_name(n),
-                     stand_in_is(case_measure_name(n)) ? "_measured" : "");
+    for (int n = 0; n < MEASURES; n++)
+        output_print(t->table, ",%s%s", measure_name(n),
+                     derived_key_is(measure_name(n)) ? "_measured" : "");
     output_print(t->table, ",verdict,labels,outcome\n");
     output_print(t->seconds, "case,create,steps,looks\n");
 out:
@@ -56,7 +56,7 @@ out:
 
 struct verdict sweep_table_verdict(const struct plan *plan, const struct sweep_row *row)
 {
-    return row->ran ? verdict_apply(&plan->verdicts, &row->result)
+    return row->ran ? verdict_apply(&plan->verdicts, row->result.outcome, row->result.value)
                     : (struct verdict){.kind = VERDICT_NONE};
 }
 
@@ -102,7 +102,7 @@ void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
         output_print(t->table, ",");
         print_text(t->table, c->given[k] ? c->given[k]->value : "");
     }
-    for (int n = 0; n < CASE_MEASURES; n++)
+    for (int n = 0; n < MEASURES; n++)
         print_number(t->table, row->ran ? row->result.value[n] : NAN);
     output_print(t->table, ",%s,", words[verdict->kind]);
     print_text(t->table, sweep_table_labels(t->plan, row, *verdict, labels, sizeof labels));

@@ -6,7 +6,7 @@
 #define SWEEP_TABLE_H
 
 #include "bench/files/output.h"
-#include "bench/sweep/plan_case.h"
+#include "bench/experiment/plan_case.h"
 #include "bench/sweep/sweep_folder.h"
 
 struct sweep_table {

@@ -108,7 +108,7 @@ static enum status read_scene(const char *path, const struct table23_row *row,
     return st;
 }
 
-static enum status set_up(const struct exhibit_options *options,
+static enum status set_up(const struct experiment_options *options,
                           const struct table23_row *row, enum table23_kind kind,
                           struct scene *scene, struct timed_case *c, struct message *why)
 {
@@ -140,7 +140,7 @@ out:
     return st;
 }
 
-enum status table23_measure(enum table23 which, const struct exhibit_options *options,
+enum status table23_measure(enum table23 which, const struct experiment_options *options,
                             struct message *why)
 {
     int rows = table23_rows(which), count = rows * TABLE23_KINDS, done = 0;
@@ -272,7 +272,7 @@ double table23_factor_work(const struct table23_data *d, int row)
     return r->refused ? NAN : r->factor_entries * r->factor_entries / r->unknowns;
 }
 
-static enum status measure_second(const struct exhibit_options *options,
+static enum status measure_second(const struct experiment_options *options,
                                   struct message *why)
 {
     return table23_measure(TABLE23_SECOND, options, why);
@@ -284,7 +284,8 @@ static enum status print_second(const char *folder, enum table_format format, FI
     return table23_print(TABLE23_SECOND, folder, format, file, why);
 }
 
-static enum status measure_third(const struct exhibit_options *options, struct message *why)
+static enum status measure_third(const struct experiment_options *options,
+                                 struct message *why)
 {
     return table23_measure(TABLE23_THIRD, options, why);
 }
@@ -295,14 +296,14 @@ static enum status print_third(const char *folder, enum table_format format, FIL
     return table23_print(TABLE23_THIRD, folder, format, file, why);
 }
 
-const struct exhibit table23_second = {
+const struct experiment table23_second = {
     .item = {"2", "Ren et al. 2024, Table 2: milliseconds a frame over ten scenes, and how "
                   "they grow with the net"},
     .measure = measure_second,
     .print = print_second,
 };
 
-const struct exhibit table23_third = {
+const struct experiment table23_third = {
     .item = {"3", "Ren et al. 2024, Table 3: milliseconds a frame over degree and net"},
     .measure = measure_third,
     .print = print_third,

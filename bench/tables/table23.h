@@ -3,7 +3,7 @@
  *
  * Nets and degrees are the paper's; where it prints 2 x n x n, with the thickness in u,
  * ours is the same net with the thickness in w. Result files first, tables from them
- * (exhibit.h).
+ * (experiment.h).
  */
 #ifndef TABLE23_H
 #define TABLE23_H
@@ -11,7 +11,7 @@
 #include "bench/truth/paper.h"
 #include "bench/experiment/timed.h"
 
-extern const struct exhibit table23_second, table23_third;
+extern const struct experiment table23_second, table23_third;
 
 enum table23 { TABLE23_SECOND, TABLE23_THIRD };
 enum { TABLE23_MOST_ROWS = PAPER_TABLE2_ROWS };
@@ -37,7 +37,7 @@ int table23_elements(const struct table23_row *row);
  */
 double table23_assembly_work(const struct table23_row *row);
 
-enum status table23_measure(enum table23 which, const struct exhibit_options *options,
+enum status table23_measure(enum table23 which, const struct experiment_options *options,
                             struct message *why);
 
 /* All files of a folder, read. */

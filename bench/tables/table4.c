@@ -1,40 +1,34 @@
 #include "bench/tables/table4.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/reader/scene_file.h"
+#include "bench/experiment/plan_case.h"
+#include "bench/harness/run_file.h"
 
 const char *const table4_scene[TABLE4_SCENES] = {"flag", "edge_drop"};
 
 const struct table4_reading table4_reading[TABLE4_READINGS] = {
-    [TABLE4_PRINTED] = {"printed", "printed, v <- mu v (the paper's)", "iga", "printed",
-                        TABLE4_SCALE},
-    [TABLE4_INCREMENTAL] = {"incremental", "incremental, v <- mu v", "iga", "incremental",
-                            TABLE4_SCALE},
-    [TABLE4_INCREMENTAL_UNDAMPED] = {"incremental_undamped", "incremental, undamped", "iga",
-                                     "incremental", TABLE4_UNDAMPED},
-    [TABLE4_LINEAR] = {"linear", "linear, v <- mu v", "iga", "linear", TABLE4_SCALE},
-    [TABLE4_SOLID] = {"nonlinear", "nonlinear solid, remedy none, undamped", "iga",
-                      "nonlinear", TABLE4_UNDAMPED},
-    [TABLE4_SHELL_RATE] = {"shell_rate", "nonlinear shell, mu as a rate", "shell",
-                           "nonlinear", TABLE4_RATE},
-    [TABLE4_SHELL] = {"shell", "nonlinear shell, undamped", "shell", "nonlinear",
-                      TABLE4_UNDAMPED},
+    [TABLE4_PRINTED] = {"printed", "printed, v <- mu v (the paper's)", "iga_paper",
+                        TABLE4_SCALE, false},
+    [TABLE4_INCREMENTAL] = {"incremental", "incremental, v <- mu v", "iga_incremental",
+                            TABLE4_SCALE, false},
+    [TABLE4_INCREMENTAL_UNDAMPED] = {"incremental_undamped", "incremental, undamped",
+                                     "iga_incremental", TABLE4_UNDAMPED, false},
+    [TABLE4_LINEAR] = {"linear", "linear, v <- mu v", "iga_linear", TABLE4_SCALE, false},
+    [TABLE4_SOLID] = {"nonlinear", "nonlinear solid, remedy none, undamped",
+                      "iga_nonlinear", TABLE4_UNDAMPED, true},
+    [TABLE4_SHELL_RATE] = {"shell_rate", "nonlinear shell, mu as a rate", "shell_2",
+                           TABLE4_RATE, true},
+    [TABLE4_SHELL] = {"shell", "nonlinear shell, undamped", "shell_2", TABLE4_UNDAMPED,
+                      true},
 };
 
 /* The softest, the chaotic and the first feasible one. */
 const int table4_scaled[TABLE4_SCALED] = {3, 6, 13};
 
-/* A look every 0.05 s; the paper's net, a shell of as many points. */
-enum { EVERY = 10, SETTINGS = 7, SETTING = 96 };
-
-bool table4_is_physics(int reading)
-{
-    return !strcmp(table4_reading[reading].kinematics, "nonlinear");
-}
+enum { PATH = 4096 };
 
 int table4_run_of(int reading, int row)
 {
@@ -54,129 +48,233 @@ void table4_path(const char *folder, int reading, int scene, int row, char *path
              table4_scene[scene], table4_run_of(reading, row) + 1);
 }
 
-void table4_scaled_path(const char *folder, int n, char *path, int size)
+static void scaled_path(const char *folder, int n, char path[PATH])
 {
-    snprintf(path, (size_t)size, "%s/%s_%s_%02d_fourfold.h5", folder,
-             table4_reading[0].name, table4_scene[0], table4_scaled[n] + 1);
+    snprintf(path, PATH, "%s/%s_%s_%02d_fourfold.h5", folder, table4_reading[0].name,
+             table4_scene[0], table4_scaled[n] + 1);
 }
 
-/* One case: a row, E and rho times `scale`, on a scene file under a reading. */
+static enum status read_plan(struct plan *plan, struct message *why)
+{
+    char *path = NULL;
+    enum status st;
+
+    TRY(named_file_find(&plan_kind, "table4", &path, why));
+    TRY(plan_read(path, plan, why));
+out:
+    free(path);
+    return st;
+}
+
+enum status table4_rules(struct verdict_rules *rules, struct message *why)
+{
+    struct plan plan = {0};
+    const enum status st = read_plan(&plan, why);
+
+    *rules = plan.verdicts;
+    plan.verdicts = (struct verdict_rules){0};
+    plan_clear(&plan);
+    return st;
+}
+
+/* --- running ----------------------------------------------------------------------------
+ */
+
+/* A case of the plan under a reading, E and rho times `scale`. */
 struct job {
-    const struct exhibit_options *options;
-    const struct provenance *provenance;
-    const char *scene; /* its file                                                     */
-    int reading, row;
+    const struct experiment_options *options;
+    const struct plan *plan;
+    int reading, scene, row;
     double scale;
     const char *out;
 };
 
-static void set_damping(const struct job *j, char *text, size_t size)
+/* What the reading, the scale and a quick run change of the plan's case. */
+static void change(const struct job *j, const struct contestant *c, struct settings *s)
 {
-    const double frame = 0.005, mu = paper_table4[j->row].damping;
+    const struct paper_table4_row *row = &paper_table4[j->row];
+    const int side = j->options->quick && j->reading != TABLE4_PRINTED ? 6 : 10;
+    const double frame = 0.005;
 
-    switch (table4_reading[j->reading].damping) {
-    case TABLE4_SCALE:
-        snprintf(text, size, "damping={kind: velocity_scale, value: %.17g}", mu);
-        break;
-    case TABLE4_RATE:
-        snprintf(text, size, "damping={kind: mass, value: %.17g}", -log(mu) / frame);
-        break;
-    case TABLE4_UNDAMPED:
-        snprintf(text, size, "damping={kind: none}");
-        break;
+    contestant_settings(c, s);
+    contestant_points(c, side, side, s);
+    settings_number(s, "material.young", j->scale * row->young);
+    settings_number(s, "material.density", j->scale * row->density);
+    if (table4_reading[j->reading].damping == TABLE4_UNDAMPED)
+        settings_set(s, "damping={kind: none}");
+    if (table4_reading[j->reading].damping == TABLE4_RATE) {
+        settings_word(s, "damping.kind", "mass");
+        settings_number(s, "damping.value", -log(row->damping) / frame);
     }
 }
 
 static enum status run(const struct job *j, struct message *why)
 {
-    const struct paper_table4_row *row = &paper_table4[j->row];
-    const struct table4_reading *reading = &table4_reading[j->reading];
-    const bool quick = j->options->quick, shell = !strcmp(reading->model, "shell");
-    const int side = quick && j->reading != TABLE4_PRINTED ? 6 : 10;
-    char text[SETTINGS][SETTING];
-    const char *settings[SETTINGS];
-    struct case_result unused;
+    struct plan_case c = {0};
+    struct settings s = {0};
+    const struct contestant *contestant;
+    enum status st;
 
-    snprintf(text[0], SETTING, "material.young=%.17g", j->scale * row->young);
-    snprintf(text[1], SETTING, "material.density=%.17g", j->scale * row->density);
-    set_damping(j, text[2], SETTING);
-    snprintf(text[3], SETTING, "time.end=%g", quick ? 0.3 : 3.0);
-    snprintf(text[4], SETTING, "snapshots=[]");
-    snprintf(text[5], SETTING, "discretization.kinematics=%s", reading->kinematics);
-    snprintf(text[6], SETTING, "discretization.points=[%d,%d%s]", side, side,
-             shell ? "" : ",2");
-    for (int n = 0; n < SETTINGS; n++)
-        settings[n] = text[n];
-    return case_run(&(struct case_plan){.path = j->scene,
-                                        .setting_count = SETTINGS,
-                                        .settings = settings,
-                                        .model = reading->model,
-                                        .every = EVERY,
-                                        .intersections = true,
-                                        .out = j->out,
-                                        .provenance = j->provenance},
-                    &unused, why);
+    TRY(contestant_find(table4_reading[j->reading].contestant, &contestant, why));
+    TRY(plan_case_open(j->plan, j->row * TABLE4_SCENES + j->scene, &c, why));
+    settings_set_all(&s, c.setting_count, (const char *const *)c.settings);
+    change(j, contestant, &s);
+    TRY(run_file_write(
+        &(struct run_plan){c.path, contestant, &s, j->options->quick ? 0.3 : 0},
+        &(struct run_keep){.file = j->out,
+                           .every = j->plan->look,
+                           .intersections = j->plan->intersections},
+        NULL, why));
+out:
+    settings_clear(&s);
+    plan_case_clear(&c);
+    return st;
 }
 
-static enum status run_rows(struct job *j, int scene, struct message *why)
+static enum status run_rows(struct job *j, struct message *why)
 {
     enum status st = STATUS_OK;
-    char path[4096];
+    char path[PATH];
 
+    j->out = path;
     for (j->row = 0; j->row < PAPER_TABLE4_ROWS; j->row++) {
-        table4_path(j->options->folder, j->reading, scene, j->row, path, sizeof path);
-        j->out = path;
+        table4_path(j->options->folder, j->reading, j->scene, j->row, path, PATH);
         if (table4_run_of(j->reading, j->row) == j->row)
             TRY(run(j, why));
-        exhibit_progress(j->options, table4_reading[j->reading].name,
-                         scene * PAPER_TABLE4_ROWS + j->row + 1,
-                         TABLE4_SCENES * PAPER_TABLE4_ROWS);
+        experiment_progress(j->options, table4_reading[j->reading].name,
+                            j->scene * PAPER_TABLE4_ROWS + j->row + 1,
+                            TABLE4_SCENES * PAPER_TABLE4_ROWS);
     }
 out:
     return st;
 }
 
-static enum status run_scaled(struct job *j, struct message *why)
+static enum status measure(const struct experiment_options *options, struct message *why)
 {
-    enum status st = STATUS_OK;
-    char path[4096];
+    struct plan plan = {0};
+    struct job j = {.options = options, .plan = &plan, .scale = 1};
+    char path[PATH];
+    enum status st;
 
-    j->reading = TABLE4_PRINTED;
-    j->scale = 4; /* a power of 4: square roots in the factor stay exact */
-    j->out = path;
-    for (int n = 0; n < TABLE4_SCALED; n++) {
-        j->row = table4_scaled[n];
-        table4_scaled_path(j->options->folder, n, path, sizeof path);
-        TRY(run(j, why));
-    }
-out:
-    return st;
-}
-
-static enum status measure(const struct exhibit_options *options, struct message *why)
-{
-    enum status st = STATUS_OK;
-    struct provenance provenance;
-    struct job j = {.options = options, .provenance = &provenance, .scale = 1};
-    char *scene[TABLE4_SCENES] = {NULL};
-
-    provenance_collect(&provenance);
-    for (int s = 0; s < TABLE4_SCENES; s++)
-        TRY(scene_file_find(table4_scene[s], &scene[s], why));
+    TRY(read_plan(&plan, why));
     for (j.reading = 0; j.reading < TABLE4_READINGS; j.reading++)
-        for (int s = 0; s < TABLE4_SCENES; s++) {
-            j.scene = scene[s];
-            TRY(run_rows(&j, s, why));
-        }
-    j.scene = scene[TABLE4_FLAG];
-    TRY(run_scaled(&j, why));
+        for (j.scene = 0; j.scene < TABLE4_SCENES; j.scene++)
+            TRY(run_rows(&j, why));
+    j.reading = TABLE4_PRINTED, j.scene = TABLE4_FLAG, j.out = path;
+    j.scale = 4; /* a power of 4: square roots in the factor stay exact */
+    for (int n = 0; n < TABLE4_SCALED; n++) {
+        j.row = table4_scaled[n];
+        scaled_path(options->folder, n, path);
+        TRY(run(&j, why));
+    }
 out:
-    for (int s = 0; s < TABLE4_SCENES; s++)
-        free(scene[s]);
+    plan_clear(&plan);
     return st;
 }
 
-const struct exhibit table4_exhibit = {
+/* --- reading ----------------------------------------------------------------------------
+ */
+
+void table4_clear(struct table4_data *d)
+{
+    if (!d)
+        return;
+    for (int r = 0; r < TABLE4_READINGS; r++)
+        for (int s = 0; s < TABLE4_SCENES; s++)
+            for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
+                run_result_clear(&d->run[r][s][row].result);
+    for (int n = 0; n < TABLE4_SCALED; n++)
+        run_result_clear(&d->scaled[n]);
+    verdict_clear(&d->rules);
+    free(d);
+}
+
+/* The rules' labels are the paper's words. */
+static void judge(const struct verdict_rules *rules, struct table4_run *run)
+{
+    const struct verdict v = verdict_apply(rules, run->result.outcome, run->result.value);
+
+    run->feasible = v.kind == VERDICT_FEASIBLE;
+    for (int n = 0; n < PAPER_LABELS; n++)
+        if (verdict_has(rules, v, paper_label[n]))
+            run->labels |= 1u << n;
+}
+
+enum status table4_load(const char *folder, struct table4_data **d, struct message *why)
+{
+    struct table4_data *new = calloc(1, sizeof *new);
+    enum status st = new ? STATUS_OK : STATUS_MEMORY;
+    char path[PATH];
+
+    TRY(st);
+    TRY(table4_rules(&new->rules, why));
+    for (int r = 0; r < TABLE4_READINGS; r++)
+        for (int s = 0; s < TABLE4_SCENES; s++)
+            for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
+                table4_path(folder, r, s, row, path, PATH);
+                TRY(run_result_read(path, false, &new->run[r][s][row].result, why));
+                judge(&new->rules, &new->run[r][s][row]);
+            }
+    for (int n = 0; n < TABLE4_SCALED; n++) {
+        scaled_path(folder, n, path);
+        TRY(run_result_read(path, false, &new->scaled[n], why));
+    }
+    *d = new, new = NULL;
+out:
+    table4_clear(new);
+    return st;
+}
+
+int table4_paper(int label, bool yes[PAPER_TABLE4_ROWS])
+{
+    int count = 0;
+
+    for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
+        const unsigned labels = paper_table4[row].labels;
+        yes[row] = label < 0 ? labels == 0 : labels >> label & 1;
+        count += yes[row];
+    }
+    return count;
+}
+
+struct table4_agreement table4_agree(const struct table4_data *d, int reading, int scene,
+                                     int label)
+{
+    struct table4_agreement a = {0, 0, 0, 0};
+    bool paper[PAPER_TABLE4_ROWS];
+
+    table4_paper(label, paper);
+    for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
+        const struct table4_run *run = &d->run[reading][scene][row];
+        const bool ours = label < 0 ? run->feasible : run->labels >> label & 1;
+        a.hit += ours && paper[row];
+        a.missed += !ours && paper[row];
+        a.extra += ours && !paper[row];
+        a.agree += ours == paper[row];
+    }
+    return a;
+}
+
+void table4_column(const struct table4_data *d, int reading, int scene, int measure,
+                   double value[PAPER_TABLE4_ROWS])
+{
+    for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
+        value[row] = d->run[reading][scene][row].result.value[measure];
+}
+
+const char *table4_words(unsigned labels, char *text, int size)
+{
+    size_t used = 0;
+
+    snprintf(text, (size_t)size, "%s", labels ? "" : "-");
+    for (int n = 0; n < PAPER_LABELS && used < (size_t)size; n++)
+        if (labels >> n & 1)
+            used += (size_t)snprintf(text + used, (size_t)size - used, "%s%s",
+                                     used ? ", " : "", paper_label[n]);
+    return text;
+}
+
+const struct experiment table4_exhibit = {
     .item = {"4", "E, rho and mu that give cloth, and why the others do not"},
     .measure = measure,
     .print = table4_print,

@@ -1,25 +1,23 @@
 /* table4.h - the paper's Table 4: which of 18 combinations of E, rho and mu give a sheet
  * that looks like cloth, and why not.
  *
- * The rows are run on two scenes, `flag` and `edge_drop`, under six readings of the
- * physics: the paper's own scheme, others for the same solid, and a nonlinear shell. Every
- * run is a case file (case.h) in a folder; verdicts are given by the rules of the plan
- * `table4`, when it is printed, the same for every row, scene and reading.
+ * The cases of the plan `table4`, 18 rows on the scenes `flag` and `edge_drop`, are run
+ * under seven readings of the physics: the paper's own scheme, others for the same solid,
+ * and a nonlinear shell. Verdicts are given by the plan's rules when it is printed, the
+ * same for every row, scene and reading.
  */
 #ifndef TABLE4_H
 #define TABLE4_H
 
-#include "bench/harness/case.h"
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
+#include "bench/experiment/verdict.h"
+#include "bench/harness/run_result.h"
 #include "bench/truth/paper.h"
-#include "bench/sweep/verdict.h"
 
-extern const struct exhibit table4_exhibit;
-enum status table4_print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why); /* table4_print.c */
+extern const struct experiment table4_exhibit;
 
 enum { TABLE4_FLAG, TABLE4_DROP, TABLE4_SCENES };
-extern const char *const table4_scene[TABLE4_SCENES]; /* "flag", "edge_drop"           */
+extern const char *const table4_scene[TABLE4_SCENES]; /* in the order of the plan       */
 
 /* What a row's mu is taken for. */
 enum table4_damping {
@@ -40,13 +38,11 @@ enum {
 struct table4_reading {
     const char *name;  /* of files                                                     */
     const char *title; /* for people                                                   */
-    const char *model, *kinematics;
+    const char *contestant;
     enum table4_damping damping;
+    bool lawful; /* its law holds at these displacements                               */
 };
 extern const struct table4_reading table4_reading[TABLE4_READINGS];
-
-/* Whether a reading has a law that holds at these displacements. */
-bool table4_is_physics(int reading);
 
 /* The row whose run serves a row: undamped ones with the same E / rho share it. */
 int table4_run_of(int reading, int row);
@@ -58,6 +54,54 @@ void table4_path(const char *folder, int reading, int scene, int row, char *path
  */
 enum { TABLE4_SCALED = 3 };
 extern const int table4_scaled[TABLE4_SCALED];
-void table4_scaled_path(const char *folder, int n, char *path, int size);
+
+/* The result files, read and judged. */
+struct table4_run {
+    struct run_result result;
+    bool feasible;
+    unsigned labels; /* as paper.h's; none of an infeasible one: died without a rule, or
+                        refused                                                        */
+};
+struct table4_data {
+    struct verdict_rules rules;
+    struct table4_run run[TABLE4_READINGS][TABLE4_SCENES][PAPER_TABLE4_ROWS];
+    struct run_result scaled[TABLE4_SCALED];
+};
+
+/* The rules of the plan `table4`, as it is now; free with verdict_clear. */
+enum status table4_rules(struct verdict_rules *rules, struct message *why);
+
+/* Reads all of FOLDER's files and the rules; *d is freed with table4_clear. */
+enum status table4_load(const char *folder, struct table4_data **d, struct message *why);
+void table4_clear(struct table4_data *d); /* NULL is allowed */
+
+/* The paper's answers, [18]: whether a row is feasible (label -1) or has a label; how many.
+ */
+int table4_paper(int label, bool yes[PAPER_TABLE4_ROWS]);
+
+/* Of the 18 rows under a reading and a scene, on a label or on feasible (-1). */
+struct table4_agreement {
+    int hit;    /* the paper has it, and so have we                                    */
+    int missed; /* the paper has it, we do not                                         */
+    int extra;  /* we have it, the paper does not                                      */
+    int agree;  /* rows judged as the paper does                                       */
+};
+struct table4_agreement table4_agree(const struct table4_data *d, int reading, int scene,
+                                     int label);
+
+/* A measure of all rows. */
+void table4_column(const struct table4_data *d, int reading, int scene, int measure,
+                   double value[PAPER_TABLE4_ROWS]);
+
+/* Labels in words, "-" for none, into text[size]; returns text. */
+const char *table4_words(unsigned labels, char *text, int size);
+
+/* Tables; table4.csv and the chart in the folder (table4_print.c). */
+enum status table4_print(const char *folder, enum table_format format, FILE *file,
+                         struct message *why);
+
+/* Notes below a table: what a reader should take away, in sentences from the numbers
+ * (table4_text.c). */
+void table4_text(const struct table4_data *d, struct table *t);
 
 #endif

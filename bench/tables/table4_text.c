@@ -1,125 +1,114 @@
 /* What a reader should take away from Table 4, each sentence from the numbers. */
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "bench/tables/interval.h"
-#include "bench/tables/table4_data.h"
+#include "bench/tables/table4.h"
 
 enum { PRINTED = TABLE4_PRINTED, FLAG = TABLE4_FLAG, DROP = TABLE4_DROP };
+enum { ROWS = PAPER_TABLE4_ROWS, WORDS = 512 };
 
 /* rms speed of a sheet of 1 m whose weight has fallen by L/2, sqrt(g L) [m/s]. */
 static const double FREE_FALL = 3.132;
 
-/* Text that grows; cut where it does not fit. */
-struct words {
-    char text[512];
-    size_t used;
-};
-
-__attribute__((format(printf, 2, 3))) static void add(struct words *w, const char *format,
+/* Words behind a text; cut where they do not fit. */
+__attribute__((format(printf, 2, 3))) static void add(char text[WORDS], const char *format,
                                                       ...)
 {
+    const size_t used = strlen(text);
     va_list args;
 
     va_start(args, format);
-    if (w->used < sizeof w->text)
-        w->used +=
-            (size_t)vsnprintf(w->text + w->used, sizeof w->text - w->used, format, args);
+    vsnprintf(text + used, WORDS - used, format, args);
     va_end(args);
 }
 
-static void yes_or_no(const struct table4_data *d, struct table *t)
+/* The least and the largest of the rows' numbers that exist; how many do. */
+struct span {
+    double low, high;
+    int count;
+};
+static struct span span_of(const struct table4_data *d, int reading, int scene, int measure)
 {
-    bool yes[PAPER_TABLE4_ROWS];
-    double ratio[PAPER_TABLE4_ROWS];
-    int feasible = table4_data_paper(-1, yes);
+    struct span span = {INFINITY, 0, 0};
+    double value[ROWS];
 
-    for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
-        ratio[row] = paper_table4[row].young / paper_table4[row].density;
-    struct interval best = interval_best(PAPER_TABLE4_ROWS, ratio, yes, INTERVAL_ANY);
+    table4_column(d, reading, scene, measure, value);
+    for (int row = 0; row < ROWS; row++)
+        if (isfinite(value[row])) {
+            span.low = fmin(span.low, value[row]);
+            span.high = fmax(span.high, value[row]);
+            span.count++;
+        }
+    return span;
+}
+
+/* Rows that two bounds on a measure of the printed scheme get right at best. */
+static struct interval best(const struct table4_data *d, int measure, int label)
+{
+    double value[ROWS];
+    bool yes[ROWS];
+
+    table4_column(d, PRINTED, FLAG, measure, value);
+    table4_paper(label, yes);
+    return interval_best(ROWS, value, yes, INTERVAL_ANY);
+}
+
+static void tell_yes_or_no(const struct table4_data *d, struct table *t)
+{
+    const struct interval ratio = best(d, MEASURE_YOUNG_OVER_DENSITY, -1);
+    bool yes[ROWS];
+
     table_note(
         t,
         "Yes or no: the printed scheme is judged as the paper judges it in %d of 18 "
         "rows on flag and %d on edge_drop. That is weak evidence for anything: `no` "
         "to every row is right in %d, and any number that grows with E/rho, whatever "
         "it is, in %d, with two bounds chosen in hindsight (%.3g to %.3g m^2/s^2)%s.",
-        table4_data_agree(d, PRINTED, FLAG, -1).agree,
-        table4_data_agree(d, PRINTED, DROP, -1).agree, PAPER_TABLE4_ROWS - feasible,
-        best.agree, best.low, best.high,
-        best.agree == PAPER_TABLE4_ROWS
-            ? ". The paper's yes or no is a function of E/rho, and mu plays no part "
-              "in it"
-            : "");
+        table4_agree(d, PRINTED, FLAG, -1).agree, table4_agree(d, PRINTED, DROP, -1).agree,
+        ROWS - table4_paper(-1, yes), ratio.agree, ratio.low, ratio.high,
+        ratio.agree == ROWS ? ". The paper's yes or no is a function of E/rho, and mu "
+                              "plays no part in it"
+                            : "");
 }
 
-static void one_number(const struct table4_data *d, struct table *t)
+static void tell_one_number(const struct table4_data *d, struct table *t)
 {
+    const int *row = table4_scaled;
     int same = 0;
 
     for (int n = 0; n < TABLE4_SCALED; n++)
-        same +=
-            !memcmp(d->scaled[n].value, d->result[PRINTED][FLAG][table4_scaled[n]].value,
-                    sizeof d->scaled[n].value);
+        same += !memcmp(d->scaled[n].value, d->run[PRINTED][FLAG][row[n]].result.value,
+                        sizeof d->scaled[n].value);
     table_note(
         t,
         "E and rho are one parameter: gravity is the only load, and so rho divides "
         "out of the printed scheme. Rows %d, %d and %d with four times the E and four "
         "times the rho gave the same numbers, bit for bit, in %d of %d runs%s.",
-        table4_scaled[0] + 1, table4_scaled[1] + 1, table4_scaled[2] + 1, same,
-        TABLE4_SCALED,
+        row[0] + 1, row[1] + 1, row[2] + 1, same, TABLE4_SCALED,
         same == TABLE4_SCALED ? ": the motion depends on E/rho and mu alone" : "");
 }
 
-static int rows_that_cross(const struct table4_data *d, int scene, struct words *w)
+static void tell_crossings(const struct table4_data *d, struct table *t)
 {
-    double first = INFINITY, last = 0;
-    int count = 0;
-
-    for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
-        double time = d->result[PRINTED][scene][row].value[CASE_INTERSECTION_TIME];
-        if (!isfinite(time))
-            continue;
-        first = fmin(first, time);
-        last = fmax(last, time);
-        count++;
-    }
-    add(w, "%s%d of 18 rows on %s", scene ? " and in " : "", count, table4_scene[scene]);
-    if (count > 1)
-        add(w, " (first at %.3g to %.3g s)", first, last);
-    else if (count)
-        add(w, " (at %.3g s)", first);
-    return count;
-}
-
-/* Rows of `penetration` that a bound on the time of the first crossing gets right at best.
- */
-static int best_time(const struct table4_data *d)
-{
-    bool yes[PAPER_TABLE4_ROWS];
-    double time[PAPER_TABLE4_ROWS];
-
-    table4_data_paper(PAPER_PENETRATION, yes);
-    for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
-        time[row] = d->result[PRINTED][FLAG][row].value[CASE_INTERSECTION_TIME];
-    return interval_best(PAPER_TABLE4_ROWS, time, yes, INTERVAL_ANY).agree;
-}
-
-static void crossings(const struct table4_data *d, struct table *t)
-{
-    struct words w = {"", 0};
-    bool blind = true, met = false, yes[PAPER_TABLE4_ROWS];
-    const int paper = table4_data_paper(PAPER_PENETRATION, yes);
+    char words[WORDS] = "";
+    bool blind = true, met = false, yes[ROWS];
+    const int no = ROWS - table4_paper(PAPER_PENETRATION, yes);
 
     for (int s = 0; s < TABLE4_SCENES; s++) {
-        int count = rows_that_cross(d, s, &w);
-        struct table4_agreement a = table4_data_agree(d, PRINTED, s, PAPER_PENETRATION);
-        blind = blind && (count == 0 || count == PAPER_TABLE4_ROWS ||
-                          a.agree <= PAPER_TABLE4_ROWS - paper); /* no better than `no` */
-        met = met || a.agree == PAPER_TABLE4_ROWS;
+        const struct span at = span_of(d, PRINTED, s, MEASURE_INTERSECTION_TIME);
+        const int agree = table4_agree(d, PRINTED, s, PAPER_PENETRATION).agree;
+        add(words, "%s%d of 18 rows on %s", s ? " and in " : "", at.count, table4_scene[s]);
+        if (at.count > 1)
+            add(words, " (first at %.3g to %.3g s)", at.low, at.high);
+        else if (at.count)
+            add(words, " (at %.3g s)", at.low);
+        /* no better than `no` to all */
+        blind = blind && (at.count == 0 || at.count == ROWS || agree <= no);
+        met = met || agree == ROWS;
     }
-    table_note(t, "Penetration: the printed sheet passes through itself in %s. %s.", w.text,
+    table_note(t, "Penetration: the printed sheet passes through itself in %s. %s.", words,
                met ? "These are the paper's rows on one of the scenes"
                : blind
                    ? "That does not tell the paper's rows from the others, on either scene"
@@ -127,53 +116,50 @@ static void crossings(const struct table4_data *d, struct table *t)
     table_note(t,
                "How early it does so: the best bound on the time of the first crossing on "
                "flag, chosen in hindsight, gets %d of 18 rows right, `no` to all %d.",
-               best_time(d), PAPER_TABLE4_ROWS - paper);
+               best(d, MEASURE_INTERSECTION_TIME, PAPER_PENETRATION).agree, no);
 }
 
-static void deaths(const struct table4_data *d, struct table *t)
+static void tell_deaths(const struct table4_data *d, struct table *t)
 {
-    struct words w = {"", 0};
+    char words[WORDS] = "";
+    int fast = 0;
 
     for (int s = 0; s < TABLE4_SCENES; s++) {
         int count = 0;
-        add(&w, "%s on %s ", s ? ";" : "", table4_scene[s]);
-        for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
-            if (status_is_death(d->result[PRINTED][s][row].outcome))
-                add(&w, "%srow %d at %.3g s", count++ ? ", " : "", row + 1,
-                    d->result[PRINTED][s][row].value[CASE_BLOWUP_TIME]);
-        add(&w, "%s", count ? "" : "none");
+        add(words, "%s on %s ", s ? ";" : "", table4_scene[s]);
+        for (int row = 0; row < ROWS; row++) {
+            const struct run_result *r = &d->run[PRINTED][s][row].result;
+            if (status_is_death(r->outcome))
+                add(words, "%srow %d at %.3g s", count++ ? ", " : "", row + 1,
+                    r->death_time);
+            fast += s == DROP && r->value[MEASURE_SPEED_MAX] > FREE_FALL;
+        }
+        add(words, "%s", count ? "" : "none");
     }
-    int fast = 0;
-    for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
-        fast += d->result[PRINTED][DROP][row].value[CASE_SPEED_MAX] > FREE_FALL;
     table_note(
         t,
         "Chaos: blow-ups of the printed scheme:%s. The paper calls row 7 chaotic. On "
         "edge_drop %d rows move faster than the sheet could by falling: under "
         "v <- mu v the scheme falls with g (1 + mu) / 2 (1 - mu), which is 9.5 g at "
         "mu = 0.9.",
-        w.text, fast);
+        words, fast);
 }
 
 /* 5e4: the least Gamma of the fabrics that the plan's thresholds are from. */
-static void stiffness(const struct table4_data *d, struct table *t)
+static void tell_stiffness(const struct table4_data *d, struct table *t)
 {
     const double fabric = 5e4;
-    double low = INFINITY, high = 0;
+    const struct span gamma = span_of(d, PRINTED, FLAG, MEASURE_GAMMA);
 
-    for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
-        double gamma = d->result[PRINTED][FLAG][row].value[CASE_GAMMA];
-        low = fmin(low, gamma);
-        high = fmax(high, gamma);
-    }
     table_note(t,
                "Boards, not cloth: Gamma, weight against bending, is %.3g to %.3g in these "
                "rows and %.0e or more in measured fabrics of 1 m. An elastic sheet with "
                "these numbers stands out of its support, as the undamped shell does: its "
                "middle line sinks by %.2g degrees at most on flag in row %d, the printed "
                "one's by %.3g: the printed scheme has no elastic memory, and flows.",
-               low, high, fabric, d->result[TABLE4_SHELL][FLAG][3].value[CASE_ANGLE_MAX], 4,
-               d->result[PRINTED][FLAG][3].value[CASE_ANGLE_MAX]);
+               gamma.low, gamma.high, fabric,
+               d->run[TABLE4_SHELL][FLAG][3].result.value[MEASURE_ANGLE_MAX], 4,
+               d->run[PRINTED][FLAG][3].result.value[MEASURE_ANGLE_MAX]);
 }
 
 /* Whose failure a label is, from the rows that have it; `lawful`: at most, in a reading and
@@ -184,9 +170,8 @@ static const char *whose(int paper, int printed, int lawful, int lawful_hits)
         return "nobody shows it by this threshold: not reproduced";
     if (lawful == 0)
         return "the scheme's: neither the nonlinear solid nor the shell shows it in any "
-               "row, "
-               "with the same E, nu, rho and thickness";
-    if (lawful == PAPER_TABLE4_ROWS)
+               "row, with the same E, nu, rho and thickness";
+    if (lawful == ROWS)
         return "physics, but of no use as a verdict: on one of the scenes the nonlinear "
                "models show it in all 18 rows, the paper's feasible ones among them";
     return lawful_hits == paper
@@ -194,49 +179,40 @@ static const char *whose(int paper, int printed, int lawful, int lawful_hits)
                : "in part physics: the nonlinear models show it in some rows";
 }
 
-static const char *hanging(const struct table4_data *d, struct words *w)
+static void tell_label(const struct table4_data *d, int label, struct table *t)
 {
-    double most = 0, shell = 0;
-
-    for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
-        most = fmax(most, d->result[PRINTED][FLAG][row].value[CASE_HANGING_STRAIN]);
-        for (int s = 0; s < TABLE4_SCENES; s++)
-            shell = fmax(shell, d->result[TABLE4_SHELL][s][row].value[CASE_STRETCH_MAX]);
-    }
-    add(w,
-        " A strip that hangs by its end stretches by rho g L / E, %.2g at most in these "
-        "rows; the undamped shell's largest stretch, in motion, is %.3f.",
-        most, shell);
-    return w->text;
-}
-
-static void physics(const struct table4_data *d, int label, struct table *t)
-{
-    bool yes[PAPER_TABLE4_ROWS];
-    int paper = table4_data_paper(label, yes), printed = 0, lawful = 0, hits = 0;
-    struct words w = {"", 0};
+    bool yes[ROWS];
+    int printed = 0, lawful = 0, hits = 0;
+    char words[WORDS] = "";
 
     for (int r = 0; r < TABLE4_READINGS; r++)
         for (int s = 0; s < TABLE4_SCENES; s++) {
-            struct table4_agreement a = table4_data_agree(d, r, s, label);
-            if (r == PRINTED)
-                printed += a.hit + a.extra;
-            if (!table4_is_physics(r))
-                continue;
-            lawful = a.hit + a.extra > lawful ? a.hit + a.extra : lawful;
-            hits = a.hit > hits ? a.hit : hits;
+            const struct table4_agreement a = table4_agree(d, r, s, label);
+            const int ours = a.hit + a.extra;
+            printed += r == PRINTED ? ours : 0;
+            if (table4_reading[r].lawful) {
+                lawful = ours > lawful ? ours : lawful;
+                hits = a.hit > hits ? a.hit : hits;
+            }
         }
-    table_note(t, "%s: %s.%s", paper_label[label], whose(paper, printed, lawful, hits),
-               label == PAPER_OVER_STRETCHED ? hanging(d, &w) : "");
+    if (label == PAPER_OVER_STRETCHED)
+        add(words,
+            " A strip that hangs by its end stretches by rho g L / E, %.2g at most in "
+            "these rows; the undamped shell's largest stretch, in motion, is %.3f.",
+            span_of(d, PRINTED, FLAG, MEASURE_HANGING_STRAIN).high,
+            fmax(span_of(d, TABLE4_SHELL, FLAG, MEASURE_STRETCH_MAX).high,
+                 span_of(d, TABLE4_SHELL, DROP, MEASURE_STRETCH_MAX).high));
+    table_note(t, "%s: %s.%s", paper_label[label],
+               whose(table4_paper(label, yes), printed, lawful, hits), words);
 }
 
 void table4_text(const struct table4_data *d, struct table *t)
 {
     for (int label = 0; label < PAPER_LABELS; label++)
-        physics(d, label, t);
-    yes_or_no(d, t);
-    one_number(d, t);
-    crossings(d, t);
-    deaths(d, t);
-    stiffness(d, t);
+        tell_label(d, label, t);
+    tell_yes_or_no(d, t);
+    tell_one_number(d, t);
+    tell_crossings(d, t);
+    tell_deaths(d, t);
+    tell_stiffness(d, t);
 }

@@ -1,6 +1,6 @@
 #include "bench/tables/tables.h"
 
-#include "bench/experiment/exhibit.h"
+#include "bench/experiment/experiment.h"
 #include "bench/tables/table1.h"
 #include "bench/tables/table23.h"
 #include "bench/tables/table4.h"
@@ -24,8 +24,8 @@ const struct command tables_command = {
         "table 1\ntable 1 --quick --format markdown\ntable 1 --from results/table1\n",
     .least = 1,
     .most = 1,
-    .options = exhibit_command_options,
+    .options = experiment_command_options,
     .section = "tables",
     .items = items,
-    .run = exhibit_run,
+    .run = experiment_run,
 };

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "bench/tables/table1_truth.h"
+#include "bench/truth/truth_plate.h"
 #include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
 #include "bench/verify/verify_refine.h"
@@ -20,7 +20,8 @@
 #define SMALL 1e-4
 static const char *const settings[] = {"gravity=[0,0,-9.81e-4]", NULL};
 
-enum { TIMES = TABLE1_TIMES };
+enum { TIMES = FREEFEM_TIMES };
+static const double times[TIMES] = {0.1, 0.2, 0.3, 0.4}; /* [s] */
 static const double STEP = 0.00125;
 
 #define EULER   "implicit Euler: first order in time"
@@ -67,7 +68,7 @@ static const struct verify_field field = {
 /* Truths and room. */
 struct transient {
     struct scene scene; /* with all of gravity                                          */
-    struct table1_truth plate;
+    struct truth_plate plate;
     struct freefem_field solid; /* 3-D elasticity                                       */
     double fallen[TIMES];       /* rms [m]                                              */
     double *uvw, *truth, *field;
@@ -97,7 +98,7 @@ out:
 static void transient_clear(struct transient *t)
 {
     scene_clear(&t->scene);
-    table1_truth_clear(&t->plate);
+    truth_plate_clear(&t->plate);
     free(t->uvw);
     free(t->truth);
     free(t->field);
@@ -110,7 +111,7 @@ static enum status transient_init(struct transient *t, struct message *why)
     const size_t grid = 3 * sizeof(double) * GRID_POINTS;
 
     TRY(verify_trial_scene("cantilever_transient", &t->scene, why));
-    TRY(table1_truth_init(&t->plate, &t->scene, why));
+    TRY(truth_plate_init(&t->plate, &t->scene, TIMES, times, why));
     TRY(read_solid(t, why));
     t->uvw = malloc(grid);
     t->truth = malloc(TIMES * grid);
@@ -167,7 +168,7 @@ static enum status add_rows(struct verify_sheet *sheet, struct verify_subject *s
                               .steps = sheet->quick ? 1 : VERIFY_REFINE_STEPS,
                               .step = STEP,
                               .times = TIMES,
-                              .time = table1_time,
+                              .time = times,
                               .n = GRID_POINTS,
                               .uvw = t->uvw,
                               .truth = t->truth,

@@ -1,0 +1,326 @@
+/* plan.c - a plan from YAML: one schema reads, refuses and documents. */
+#include "bench/experiment/plan.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/experiment/plan_check.h"
+#include "models/reader/schema.h"
+
+#define IN(type, member) .offset = offsetof(struct type, member)
+
+static const char *truth_word(int value)
+{
+    static const char *const words[] = {"false", "true"};
+    return 0 <= value && value < 2 ? words[value] : "unknown";
+}
+
+static const char *keep_word(int value)
+{
+    static const char *const words[] = {"none", "snapshots"};
+    return 0 <= value && value < 2 ? words[value] : "unknown";
+}
+
+static enum status read_axes(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct plan *plan = target;
+
+    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > PLAN_MAX_AXES)
+        return schema_refuse(key, node, why);
+    plan->axes = calloc((size_t)node->count, sizeof *plan->axes);
+    if (!plan->axes)
+        return STATUS_MEMORY;
+    for (const struct yaml_tree *child = node->first; child; child = child->next)
+        TRY(plan_axis_read(child, &plan->axes[plan->axis_count++], why));
+out:
+    return st;
+}
+
+/* A map of settings, one of whose keys may be the name. */
+static enum status read_listed(const struct yaml_tree *node, struct plan_listed *listed,
+                               struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_MAP)
+        return yaml_tree_refuse(node, why, "a case is %s, but must be a map {KEY: VALUE}",
+                                yaml_tree_describe(node).text);
+    for (const struct yaml_tree *child = node->first; child; child = child->next)
+        if (strcmp(child->key, "name"))
+            TRY(plan_settings_add(&listed->settings, child->key, child, why));
+        else if (child->kind != YAML_TREE_SCALAR)
+            return yaml_tree_refuse(child, why, "name is %s, but must be a line of text",
+                                    yaml_tree_describe(child).text);
+        else if (!(listed->name = strdup(child->text)))
+            return STATUS_MEMORY;
+out:
+    return st;
+}
+
+static enum status read_cases(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct plan *plan = target;
+
+    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > PLAN_MAX_LISTED)
+        return schema_refuse(key, node, why);
+    plan->listed = calloc((size_t)node->count, sizeof *plan->listed);
+    if (!plan->listed)
+        return STATUS_MEMORY;
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        struct plan_listed *listed = &plan->listed[plan->listed_count++];
+
+        listed->line = child->line;
+        TRY(read_listed(child, listed, why));
+    }
+out:
+    return st;
+}
+
+static enum status read_settings(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
+{
+    struct plan *plan = target;
+
+    return plan_settings_read(node, key->key, &plan->settings, why);
+}
+
+/* `scene` and `model` are settings like others. */
+static enum status read_word(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    struct plan *plan = target;
+
+    if (node->kind != YAML_TREE_SCALAR || !*node->text)
+        return schema_refuse(key, node, why);
+    return plan_settings_add(&plan->settings, key->key, node, why);
+}
+
+/* The text of a plan file as a tree; both are freed by the receiver. */
+static enum status load(const char *path, char **text, struct yaml_tree **root,
+                        struct message *why)
+{
+    enum status st;
+    size_t size = 0;
+
+    TRY(named_file_read(&plan_kind, path, text, &size, why));
+    TRY(yaml_tree_parse(path, false, *text, size, root, why));
+    (*text)[size] = '\0'; /* there is room: it was not too long to parse */
+out:
+    return st;
+}
+
+/* The rules of another plan. */
+static enum status read_others(const char *name, struct verdict_rules *rules,
+                               struct message *why)
+{
+    enum status st;
+    char *path = NULL, *text = NULL;
+    struct yaml_tree *root = NULL, *list = NULL;
+
+    TRY(named_file_find(&plan_kind, name, &path, why));
+    TRY(load(path, &text, &root, why));
+    if (root->kind == YAML_TREE_MAP)
+        list = yaml_tree_find(root, "verdicts");
+    if (!list)
+        TRY(yaml_tree_refuse(root, why, "this plan has no verdicts"));
+    TRY(verdict_read(list, rules, why));
+out:
+    yaml_tree_free(root);
+    free(text);
+    free(path);
+    return st;
+}
+
+/* A list of rules, or the plan that has it. */
+static enum status read_verdicts(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
+{
+    struct plan *plan = target;
+    struct message reason = {""};
+
+    if (node->kind != YAML_TREE_SCALAR)
+        return verdict_read(node, &plan->verdicts, why);
+    if (read_others(node->text, &plan->verdicts, &reason) == STATUS_OK)
+        return STATUS_OK;
+    return yaml_tree_refuse(node, why, "%s: %s", key->key, reason.text);
+}
+
+static enum status read_mark(const struct yaml_tree *node, struct plan_mark *mark,
+                             struct message *why);
+
+static enum status read_marks(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct plan_map *map = &((struct plan *)target)->map;
+
+    if (node->kind != YAML_TREE_LIST || node->count > PLAN_MAX_LISTED)
+        return schema_refuse(key, node, why);
+    map->marks = calloc((size_t)node->count + 1, sizeof *map->marks);
+    if (!map->marks)
+        return STATUS_MEMORY;
+    for (const struct yaml_tree *child = node->first; child; child = child->next)
+        TRY(read_mark(child, &map->marks[map->mark_count++], why));
+out:
+    return st;
+}
+
+static enum status read_mark_settings(const struct schema_key *key,
+                                      const struct yaml_tree *node, void *target,
+                                      struct message *why)
+{
+    return plan_settings_read(node, key->key, &((struct plan_mark *)target)->settings, why);
+}
+
+/* clang-format off */
+static const struct schema_key MARK[] = {
+    {"text", "on the point", SCHEMA_TEXT, .required = true, IN(plan_mark, text)},
+    {"label", "in the legend", SCHEMA_TEXT, .required = true, IN(plan_mark, label)},
+    {"at", "settings of its case", SCHEMA_SPECIAL, .required = true,
+     .read = read_mark_settings, .want = "a map {KEY: VALUE, ...}"},
+    {NULL}};
+
+static const struct schema_key MAP[] = {
+    {"x", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
+    {"y", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
+    {"panel", "key of a panel each, or name (of cases)", SCHEMA_TEXT, IN(plan, map.panel)},
+    {"marks", "points that are no cases", SCHEMA_SPECIAL, .read = read_marks,
+     .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
+    {NULL}};
+
+static const struct schema_key PLAN[] = {
+    {"name", "key in lists and of the results' folder", SCHEMA_TEXT, .required = true,
+     IN(plan, name)},
+    {"source", "what it is about", SCHEMA_TEXT, .required = true, IN(plan, source)},
+    {"scene", "of all cases", SCHEMA_SPECIAL, .read = read_word,
+     .want = "the name or the path of a scene"},
+    {"model", "of all cases", SCHEMA_SPECIAL, .read = read_word,
+     .want = "the name of a model"},
+    {"settings", "of all cases", SCHEMA_SPECIAL, .read = read_settings,
+     .want = "a map {KEY: VALUE, ...} of keys that --set takes"},
+    {"axes", "every combination", SCHEMA_SPECIAL, .read = read_axes, .keys = plan_axis_keys,
+     .want = "a list of 1 to 16 axes {key: ..., values: [...]}"},
+    {"cases", "each with all combinations of the axes", SCHEMA_SPECIAL, .read = read_cases,
+     .want = "a list of 1 to 10000 maps {name: ..., KEY: VALUE, ...}"},
+    {"look", "frames from one reading of the metrics to the next", SCHEMA_COUNT, .low = 1,
+     .high = 1e6, IN(plan, look)},
+    {"intersections", "count self-intersections", SCHEMA_WORD, .word = truth_word,
+     IN(plan, intersections)},
+    {"keep", "fields in the result files", SCHEMA_WORD, .word = keep_word, IN(plan, keep)},
+    {"time_limit", "of a case on the clock [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
+     IN(plan, time_limit)},
+    {"verdicts", "when a case gets a label", SCHEMA_SPECIAL, .read = read_verdicts,
+     .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
+             "that has them"},
+    {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
+    {NULL}};
+/* clang-format on */
+
+static enum status read_mark(const struct yaml_tree *node, struct plan_mark *mark,
+                             struct message *why)
+{
+    mark->line = node->line;
+    return schema_read(MARK, node, "a mark", mark, why);
+}
+
+static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
+                             struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *name, *map;
+
+    TRY(schema_read(PLAN, root, "the plan", plan, why));
+    name = yaml_tree_find(root, "name");
+    if (strlen(plan->name) > 64 ||
+        plan->name[strspn(plan->name, "abcdefghijklmnopqrstuvwxyz0123456789_")])
+        return yaml_tree_refuse(name, why,
+                                "name is %s, but must be 1 to 64 of the characters a-z, "
+                                "0-9 and _",
+                                yaml_tree_describe(name).text);
+    map = yaml_tree_find(root, "map");
+    plan->map.line = map ? map->line : root->line;
+    TRY(plan_check(plan, why));
+out:
+    return st;
+}
+
+enum status plan_read(const char *path, struct plan *plan, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct yaml_tree *root = NULL;
+
+    *plan = (struct plan){.look = 10, .time_limit = 600};
+    if (why)
+        why->text[0] = '\0';
+    plan->path = strdup(path);
+    TRY(plan->path ? STATUS_OK : STATUS_MEMORY);
+    TRY(load(path, &plan->text, &root, why));
+    TRY(read_tree(root, plan, why));
+out:
+    yaml_tree_free(root);
+    if (st != STATUS_OK)
+        plan_clear(plan);
+    return st == STATUS_FILE ? STATUS_INPUT : st; /* what cannot be read is bad input */
+}
+
+void plan_keys(void (*line)(void *context, const char *key, const char *text),
+               void *context)
+{
+    schema_list(PLAN, "", line, context);
+}
+
+static char *describe(const char *path)
+{
+    struct plan plan;
+    struct message why;
+    char *text;
+
+    if (plan_read(path, &plan, &why) != STATUS_OK)
+        return strdup(why.text);
+    text = plan.source, plan.source = NULL;
+    plan_clear(&plan);
+    return text;
+}
+
+const struct named_file_kind plan_kind = {
+    .what = "plan",
+    .ending = ".yaml",
+    .environment = "CLOTHBENCH_PLANS",
+    .from_program = PLANS_FROM_PROGRAM,
+    .in_source = PLANS_IN_SOURCE,
+    .describe = describe,
+};
+
+void plan_clear(struct plan *plan)
+{
+    for (int n = 0; n < plan->axis_count; n++)
+        plan_axis_clear(&plan->axes[n]);
+    for (int n = 0; n < plan->listed_count; n++) {
+        free(plan->listed[n].name);
+        plan_settings_clear(&plan->listed[n].settings);
+    }
+    for (int n = 0; n < plan->map.mark_count; n++) {
+        free(plan->map.marks[n].text);
+        free(plan->map.marks[n].label);
+        plan_settings_clear(&plan->map.marks[n].settings);
+    }
+    plan_settings_clear(&plan->settings);
+    verdict_clear(&plan->verdicts);
+    free(plan->axes);
+    free(plan->listed);
+    free(plan->map.marks);
+    free(plan->map.x);
+    free(plan->map.y);
+    free(plan->map.panel);
+    free(plan->keys);
+    free(plan->path);
+    free(plan->text);
+    free(plan->name);
+    free(plan->source);
+    *plan = (struct plan){0};
+}

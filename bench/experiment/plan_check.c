@@ -1,0 +1,199 @@
+#include "bench/experiment/plan_check.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/experiment/plan_case.h"
+#include "bench/harness/registry.h"
+#include "bench/harness/derived_key.h"
+
+static const struct yaml_tree *at(const struct plan *plan, int line, struct yaml_tree *node)
+{
+    *node = (struct yaml_tree){.origin = plan->path, .line = line};
+    return node;
+}
+
+static enum status refuse_twice(const struct plan *plan, const char *key, int line, int old,
+                                struct message *why)
+{
+    struct yaml_tree node;
+
+    return yaml_tree_refuse(at(plan, line, &node), why,
+                            "the key %s is given in line %d, too; give it once",
+                            yaml_tree_quote(key).text, old);
+}
+
+static void add_key(struct plan *plan, const char *key)
+{
+    for (int k = 0; k < plan->key_count; k++)
+        if (!strcmp(plan->keys[k], key))
+            return;
+    plan->keys[plan->key_count++] = key;
+}
+
+static enum status add_keys(struct plan *plan)
+{
+    int room = plan->settings.count + plan->axis_count;
+
+    for (int n = 0; n < plan->listed_count; n++)
+        room += plan->listed[n].settings.count;
+    plan->keys = calloc((size_t)room + 1, sizeof *plan->keys);
+    if (!plan->keys)
+        return STATUS_MEMORY;
+    for (int n = 0; n < plan->settings.count; n++)
+        add_key(plan, plan->settings.list[n].key);
+    for (int n = 0; n < plan->listed_count; n++)
+        for (int i = 0; i < plan->listed[n].settings.count; i++)
+            add_key(plan, plan->listed[n].settings.list[i].key);
+    for (int n = 0; n < plan->axis_count; n++)
+        add_key(plan, plan->axes[n].key);
+    return STATUS_OK;
+}
+
+/* The line that gives a key in the settings, a case, or an axis before number `axes`; 0 if
+ * none does. */
+static int line_of(const struct plan *plan, const char *key, int axes)
+{
+    const struct plan_setting *s = plan_settings_find(&plan->settings, key);
+
+    for (int n = 0; !s && n < plan->listed_count; n++)
+        s = plan_settings_find(&plan->listed[n].settings, key);
+    for (int n = 0; !s && n < axes; n++)
+        if (!strcmp(plan->axes[n].key, key))
+            s = plan->axes[n].values.list;
+    return s ? s->line : 0;
+}
+
+/* An axis's key stands nowhere else; what a stand-in sets is not given, too. */
+static enum status check_twice(const struct plan *plan, struct message *why)
+{
+    for (int n = 0; n < plan->axis_count; n++) {
+        const char *key = plan->axes[n].key;
+        const int line = line_of(plan, key, n);
+        if (line)
+            return refuse_twice(plan, key, plan->axes[n].line, line, why);
+    }
+    for (int k = 0; k < plan->key_count; k++) {
+        const char *key = plan->keys[k];
+        if (!derived_key_is(key))
+            continue;
+        const char *by = plan_case_set_by(plan, key);
+        const int line = line_of(plan, by, plan->axis_count);
+        struct yaml_tree node;
+        if (line)
+            return yaml_tree_refuse(
+                at(plan, line, &node), why,
+                "%s is given here and also set by %s in line %d; leave one out, or let "
+                "another key be set with 'by'",
+                yaml_tree_quote(by).text, key, line_of(plan, key, plan->axis_count));
+    }
+    return STATUS_OK;
+}
+
+static bool is_measure(const char *name)
+{
+    for (int n = 0; n < MEASURES; n++)
+        if (!strcmp(measure_name(n), name))
+            return true;
+    return false;
+}
+
+static enum status check_map(const struct plan *plan, struct message *why)
+{
+    const char *const names[] = {plan->map.x, plan->map.y, plan->map.panel};
+    struct yaml_tree node;
+
+    for (int n = 0; n < 3; n++)
+        if (n == 2 && names[n] && !strcmp(names[n], "name"))
+            continue; /* of the listed cases */
+        else if (names[n] && !line_of(plan, names[n], plan->axis_count) &&
+                 !is_measure(names[n]))
+            return yaml_tree_refuse(
+                at(plan, plan->map.line, &node), why,
+                "the map shows %s, which is neither a key of the plan nor a measure",
+                yaml_tree_quote(names[n]).text);
+    return STATUS_OK;
+}
+
+/* A mark's scene can be read, and it says where on the map it lies. */
+static enum status check_mark(const struct plan *plan, const struct plan_mark *mark,
+                              struct message *why)
+{
+    const char *const names[] = {plan->map.x, plan->map.y};
+    struct message text;
+    struct scene scene = {0};
+    struct yaml_tree node;
+
+    for (int n = 0; n < 2; n++)
+        if (!derived_key_is(names[n]) && !plan_settings_find(&mark->settings, names[n]))
+            return yaml_tree_refuse(at(plan, mark->line, &node), why,
+                                    "the mark %s lacks the key %s, which the map shows",
+                                    yaml_tree_quote(mark->text).text, names[n]);
+    if (plan_case_mark(plan, &mark->settings, &scene, &text) != STATUS_OK)
+        return yaml_tree_refuse(at(plan, mark->line, &node), why, "%s", text.text);
+    scene_clear(&scene);
+    return STATUS_OK;
+}
+
+static enum status try_case(const struct plan *plan, long number, struct message *why)
+{
+    struct plan_case c;
+    struct scene scene = {0};
+    enum status st;
+
+    TRY(plan_case_open(plan, number, &c, why));
+    st = plan_case_blame(plan, &c, plan_case_scene(&c, &scene, why), why);
+    scene_clear(&scene);
+    plan_case_clear(&c);
+out:
+    return st;
+}
+
+/* Every listed case with the axes at their first, every value of an axis in the first case.
+ */
+static enum status try_values(const struct plan *plan, struct message *why)
+{
+    enum status st = STATUS_OK;
+    long block = 1;
+
+    for (int n = plan->axis_count - 1; n >= 0; n--) {
+        for (int i = 1; i < plan->axes[n].values.count; i++)
+            TRY(try_case(plan, i * block, why));
+        block *= plan->axes[n].values.count;
+    }
+    for (int n = 0; n == 0 || n < plan->listed_count; n++)
+        TRY(try_case(plan, n * block, why));
+out:
+    return st;
+}
+
+/* The model is the program's first unless somebody says otherwise. */
+static enum status choose_model(struct plan *plan)
+{
+    for (int n = 0; n < plan->axis_count; n++)
+        if (!strcmp(plan->axes[n].key, "model"))
+            return STATUS_OK;
+    return plan_settings_find(&plan->settings, "model")
+               ? STATUS_OK
+               : plan_settings_add_text(&plan->settings, "model", registry[0]->name, 1);
+}
+
+enum status plan_check(struct plan *plan, struct message *why)
+{
+    enum status st;
+    struct yaml_tree node;
+
+    TRY(choose_model(plan));
+    TRY(add_keys(plan));
+    TRY(check_twice(plan, why));
+    TRY(check_map(plan, why));
+    if (plan_case_count(plan) > PLAN_MAX_CASES)
+        return yaml_tree_refuse(at(plan, 1, &node), why,
+                                "the plan has more than %d cases, the most there may be",
+                                PLAN_MAX_CASES);
+    TRY(try_values(plan, why));
+    for (int n = 0; n < plan->map.mark_count; n++)
+        TRY(check_mark(plan, &plan->map.marks[n], why));
+out:
+    return st;
+}

@@ -1,0 +1,115 @@
+#define _GNU_SOURCE /* open_memstream */
+#include "bench/experiment/plan_settings.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The node in one line, as it could stand in a plan. */
+static void write_flow(const struct yaml_tree *node, FILE *text)
+{
+    const bool list = node->kind == YAML_TREE_LIST;
+
+    if (node->kind == YAML_TREE_SCALAR) {
+        if (node->quoted)
+            fputc('\'', text);
+        for (const char *c = node->text; *c; c++)
+            fprintf(text, node->quoted && *c == '\'' ? "''" : "%c", *c);
+        if (node->quoted)
+            fputc('\'', text);
+        return;
+    }
+    fputc(list ? '[' : '{', text);
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        if (!list)
+            fprintf(text, "%s: ", child->key);
+        write_flow(child, text);
+        if (child->next)
+            fputs(list ? "," : ", ", text);
+    }
+    fputc(list ? ']' : '}', text);
+}
+
+enum status plan_settings_add_text(struct plan_settings *settings, const char *key,
+                                   const char *value, int line)
+{
+    struct plan_setting *grown =
+        realloc(settings->list, ((size_t)settings->count + 1) * sizeof *grown);
+
+    if (!grown)
+        return STATUS_MEMORY;
+    settings->list = grown;
+    grown += settings->count;
+    *grown = (struct plan_setting){strdup(key), strdup(value), line};
+    if (!grown->key || !grown->value) {
+        free(grown->key);
+        free(grown->value);
+        return STATUS_MEMORY;
+    }
+    settings->count++;
+    return STATUS_OK;
+}
+
+enum status plan_settings_add(struct plan_settings *settings, const char *key,
+                              const struct yaml_tree *node, struct message *why)
+{
+    enum status st;
+    char *value = NULL;
+    size_t size;
+    FILE *text = open_memstream(&value, &size);
+
+    if (!text)
+        return STATUS_MEMORY;
+    write_flow(node, text);
+    if (fclose(text) != 0)
+        TRY(STATUS_MEMORY);
+    if (!size || strpbrk(value, "\r\n"))
+        TRY(yaml_tree_refuse(node, why, "%s is %s, but must be a value in one line",
+                             yaml_tree_quote(key).text, yaml_tree_describe(node).text));
+    TRY(plan_settings_add_text(settings, key, value, node->line));
+out:
+    free(value);
+    return st;
+}
+
+enum status plan_settings_read(const struct yaml_tree *node, const char *what,
+                               struct plan_settings *settings, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (node->kind == YAML_TREE_SCALAR)
+        return yaml_tree_refuse(node, why, "%s is %s, but must be a map {KEY: VALUE, ...}",
+                                what, yaml_tree_describe(node).text);
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        if (node->kind == YAML_TREE_LIST) {
+            TRY(plan_settings_read(child, what, settings, why));
+            continue;
+        }
+        const struct plan_setting *old = plan_settings_find(settings, child->key);
+        if (old)
+            TRY(yaml_tree_refuse(child, why, "%s has %s already in line %d", what,
+                                 yaml_tree_quote(child->key).text, old->line));
+        TRY(plan_settings_add(settings, child->key, child, why));
+    }
+out:
+    return st;
+}
+
+const struct plan_setting *plan_settings_find(const struct plan_settings *settings,
+                                              const char *key)
+{
+    for (int n = 0; n < settings->count; n++)
+        if (!strcmp(settings->list[n].key, key))
+            return &settings->list[n];
+    return NULL;
+}
+
+void plan_settings_clear(struct plan_settings *settings)
+{
+    for (int n = 0; n < settings->count; n++) {
+        free(settings->list[n].key);
+        free(settings->list[n].value);
+    }
+    free(settings->list);
+    *settings = (struct plan_settings){0};
+}

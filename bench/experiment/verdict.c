@@ -1,0 +1,133 @@
+#include "bench/experiment/verdict.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/reader/schema.h"
+
+/* A rule as it is read; NaN: the key was not given. */
+struct reading {
+    char *label, *why;
+    int measure;
+    double above, below;
+};
+
+#define IN(member) .offset = offsetof(struct reading, member)
+#define ANY        .low = -1e30, .high = 1e30
+
+static const struct schema_key RULE[] = {
+    {"label", "what such a case is called", SCHEMA_TEXT, .required = true, IN(label)},
+    {"measure", "number of a case", SCHEMA_WORD, .required = true, .word = measure_name,
+     IN(measure)},
+    {"above", "the label is given above this", SCHEMA_NUMBER, ANY, IN(above)},
+    {"below", "the label is given below this", SCHEMA_NUMBER, ANY, IN(below)},
+    {"why", "reason for the value", SCHEMA_TEXT, .required = true, IN(why)},
+    {NULL}};
+
+static enum status read_rule(const struct yaml_tree *node, struct verdict_rule *rule,
+                             struct message *why)
+{
+    struct reading r = {.above = NAN, .below = NAN};
+    enum status st;
+
+    TRY(schema_read(RULE, node, "a verdict", &r, why));
+    if (isnan(r.above) == isnan(r.below))
+        TRY(yaml_tree_refuse(node, why, "the verdict %s must have one of above and below",
+                             yaml_tree_quote(r.label).text));
+    *rule = (struct verdict_rule){.label = r.label,
+                                  .measure = r.measure,
+                                  .above = isnan(r.below),
+                                  .bound = isnan(r.below) ? r.above : r.below,
+                                  .why = r.why};
+    r.label = r.why = NULL;
+out:
+    free(r.label);
+    free(r.why);
+    return st;
+}
+
+enum status verdict_read(const struct yaml_tree *list, struct verdict_rules *rules,
+                         struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct verdict_rules new = {0};
+
+    *rules = new;
+    if (list->kind != YAML_TREE_LIST || list->count == 0 || list->count > VERDICT_MOST)
+        return yaml_tree_refuse(list, why,
+                                "verdicts is %s, but must be a list of 1 to %d rules "
+                                "{label: ..., measure: ..., above: ..., why: ...}",
+                                yaml_tree_describe(list).text, VERDICT_MOST);
+    for (const struct yaml_tree *node = list->first; node; node = node->next) {
+        TRY(read_rule(node, &new.rule[new.count], why));
+        new.count++;
+    }
+    *rules = new;
+    new = (struct verdict_rules){0};
+out:
+    verdict_clear(&new);
+    return st;
+}
+
+void verdict_clear(struct verdict_rules *rules)
+{
+    for (int n = 0; n < rules->count; n++) {
+        free(rules->rule[n].label);
+        free(rules->rule[n].why);
+    }
+    *rules = (struct verdict_rules){0};
+}
+
+struct verdict verdict_apply(const struct verdict_rules *rules, enum status outcome,
+                             const double *measure)
+{
+    struct verdict v = {.died = status_is_death(outcome)};
+
+    if (outcome != STATUS_OK && !v.died)
+        return (struct verdict){.kind = VERDICT_NONE};
+    for (int n = 0; n < rules->count; n++) {
+        const struct verdict_rule *rule = &rules->rule[n];
+        const double value = measure[rule->measure];
+        if (rule->above ? value > rule->bound : value < rule->bound)
+            v.rules |= 1u << n;
+    }
+    v.kind = v.rules || v.died ? VERDICT_INFEASIBLE : VERDICT_FEASIBLE;
+    return v;
+}
+
+/* Whether a rule before n that matches has the same label. */
+static bool said(const struct verdict_rules *rules, struct verdict v, int n)
+{
+    for (int m = 0; m < n; m++)
+        if (v.rules >> m & 1 && !strcmp(rules->rule[m].label, rules->rule[n].label))
+            return true;
+    return false;
+}
+
+const char *verdict_text(const struct verdict_rules *rules, struct verdict v, char *text,
+                         int size)
+{
+    size_t used = 0;
+
+    snprintf(text, (size_t)size, "%s",
+             v.kind == VERDICT_FEASIBLE ? "feasible"
+             : v.kind == VERDICT_NONE   ? "unsupported"
+             : v.rules                  ? ""
+                                        : "died");
+    for (int n = 0; n < rules->count && used < (size_t)size; n++)
+        if (v.rules >> n & 1 && !said(rules, v, n))
+            used += (size_t)snprintf(text + used, (size_t)size - used, "%s%s",
+                                     used ? ", " : "", rules->rule[n].label);
+    return text;
+}
+
+bool verdict_has(const struct verdict_rules *rules, struct verdict v, const char *label)
+{
+    for (int n = 0; n < rules->count; n++)
+        if (v.rules >> n & 1 && !strcmp(rules->rule[n].label, label))
+            return true;
+    return false;
+}

@@ -1,0 +1,272 @@
+#include "bench/harness/pool.h"
+
+#include <assert.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "bench/ui/progress.h"
+#include "models/clock.h"
+
+enum { MESSAGE_JOB, MESSAGE_END, MESSAGE_OVER };
+
+/* Signals that ask to stop: those that end the program otherwise. */
+static const int stop_signals[] = {SIGINT, SIGTERM, SIGHUP};
+enum { STOP_SIGNALS = sizeof stop_signals / sizeof *stop_signals };
+static volatile sig_atomic_t stop_signal;
+
+static void note_signal(int number)
+{
+    stop_signal = number;
+}
+
+/* Takes the signals, but for those ignored, and gives them back with `old`. */
+static void take_signals(struct sigaction old[STOP_SIGNALS])
+{
+    stop_signal = 0;
+    for (int n = 0; n < STOP_SIGNALS; n++) {
+        struct sigaction new = {.sa_handler = note_signal};
+        sigemptyset(&new.sa_mask);
+        if (sigaction(stop_signals[n], NULL, &old[n]) == 0 && old[n].sa_handler != SIG_IGN)
+            sigaction(stop_signals[n], &new, NULL);
+    }
+}
+
+static void give_back_signals(const struct sigaction old[STOP_SIGNALS])
+{
+    for (int n = 0; n < STOP_SIGNALS; n++)
+        sigaction(stop_signals[n], &old[n], NULL);
+}
+
+static void rest(void)
+{
+    static const struct timespec moment = {.tv_nsec = 1000000};
+    nanosleep(&moment, NULL);
+}
+
+/* A process for one job at a time. */
+struct slot {
+    struct pool *pool;
+    struct child child; /* all-zero is allowed in child_clear                          */
+    long job;
+};
+
+static enum status work_in_child(void *context, struct message *why)
+{
+    const struct slot *slot = context;
+
+    return slot->pool->work(slot->pool->context, slot->job, why);
+}
+
+static enum status start(struct slot *slot, long job, struct message *why)
+{
+    slot->job = job;
+    return child_start(&slot->child, work_in_child, slot, why);
+}
+
+/* The pool at work: slots here, then a flag for every other rank. */
+struct work {
+    struct pool *pool;
+    struct slot *slots;
+    bool *busy; /* [ranks] */
+    long next, running;
+    struct progress progress;
+};
+
+static enum status start_work(struct work *w, struct pool *pool)
+{
+    const int ranks = pool->ranks ? pool->ranks->size : 1;
+    long todo = 0;
+    enum status st = STATUS_OK;
+
+    *w = (struct work){.pool = pool};
+    for (long n = 0; n < pool->count; n++)
+        todo += !pool->done || !pool->done[n];
+    w->slots = calloc((size_t)pool->slots, sizeof *w->slots);
+    w->busy = calloc((size_t)ranks, sizeof *w->busy);
+    TRY(w->slots && w->busy ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < pool->slots; n++) {
+        w->slots[n].pool = pool;
+        TRY(child_init(&w->slots[n].child));
+    }
+    pool->hands = pool->slots + ranks - 1;
+    w->progress = progress_start("cases", todo, pool->quiet);
+out:
+    return st;
+}
+
+static void end_work(struct work *w)
+{
+    progress_end(&w->progress);
+    for (int n = 0; w->slots && n < w->pool->slots; n++)
+        child_clear(&w->slots[n].child);
+    free(w->slots);
+    free(w->busy);
+}
+
+/* The next job to be done, -1 if there is none. */
+static long take(struct work *w)
+{
+    const struct pool *p = w->pool;
+
+    while (p->done && w->next < p->count && p->done[w->next])
+        w->next++;
+    return w->next < p->count ? w->next++ : -1;
+}
+
+static enum status settle(struct work *w, long job, const struct child_end *end,
+                          struct message *why)
+{
+    struct pool *p = w->pool;
+    enum status st = STATUS_OK;
+
+    w->running--;
+    if (end->outcome == CHILD_STUCK)
+        return status_fail(why, STATUS_FILE, "%s", end->why.text);
+    if (end->outcome == CHILD_ASKED) {
+        if (!stop_signal)
+            stop_signal = SIGTERM;
+        return STATUS_OK;
+    }
+    TRY(p->settle(p->context, job, end, why));
+    p->ran++;
+    p->seconds += end->seconds;
+    progress_update(&w->progress, p->ran);
+out:
+    return st;
+}
+
+/* Gives work to everybody who has none. */
+static enum status hand_out(struct work *w, struct message *why)
+{
+    const struct pool *p = w->pool;
+    enum status st = STATUS_OK;
+    long job;
+
+    for (int n = 0; n < p->hands; n++) {
+        const int rank = n - p->slots + 1; /* of others: 1, 2, ... */
+        if (rank < 1 ? w->slots[n].child.pid != 0 : w->busy[rank])
+            continue;
+        if ((job = take(w)) < 0)
+            break;
+        if (p->begin)
+            TRY(p->begin(p->context, job, why));
+        w->running++;
+        if (rank < 1) {
+            TRY(start(&w->slots[n], job, why));
+            continue;
+        }
+        w->busy[rank] = true;
+        p->ranks->send(rank, &(struct ranks_message){.kind = MESSAGE_JOB, .number = job});
+    }
+out:
+    return st;
+}
+
+/* Takes what has ended; *some: there was something. */
+static enum status gather(struct work *w, bool *some, struct message *why)
+{
+    const struct pool *p = w->pool;
+    enum status st = STATUS_OK;
+    struct ranks_message message;
+    struct child_end end;
+    int from;
+
+    *some = false;
+    for (int n = 0; n < p->slots; n++)
+        if (w->slots[n].child.pid && child_poll(&w->slots[n].child, p->time_limit, &end)) {
+            *some = true;
+            TRY(settle(w, w->slots[n].job, &end, why));
+        }
+    while (p->ranks && p->ranks->receive(&from, &message)) {
+        assert(message.kind == MESSAGE_END);
+        *some = true;
+        w->busy[from] = false;
+        end = (struct child_end){.outcome = (enum child_outcome)message.code,
+                                 .seconds = message.seconds,
+                                 .why = message.text};
+        TRY(settle(w, message.number, &end, why));
+    }
+out:
+    return st;
+}
+
+enum status pool_run(struct pool *pool, struct message *why)
+{
+    struct sigaction old[STOP_SIGNALS];
+    const double begun = clock_now();
+    struct work w;
+    bool some;
+    enum status st;
+
+    take_signals(old);
+    TRY(start_work(&w, pool));
+    do {
+        TRY(hand_out(&w, why));
+        TRY(gather(&w, &some, why));
+        if (!some && w.running)
+            rest();
+    } while ((w.running || w.next < pool->count) && !stop_signal);
+out:
+    end_work(&w);
+    give_back_signals(old);
+    pool->stopped_by = stop_signal;
+    pool->wall = clock_now() - begun;
+    return st;
+}
+
+void pool_raise(const struct pool *pool)
+{
+    signal(pool->stopped_by, SIG_DFL);
+    raise(pool->stopped_by);
+}
+
+void pool_dismiss(const struct ranks *ranks)
+{
+    for (int n = 1; n < ranks->size; n++)
+        ranks->send(n, &(struct ranks_message){.kind = MESSAGE_OVER});
+}
+
+static void answer(const struct pool *pool, long job, const struct child_end *end)
+{
+    pool->ranks->send(0, &(struct ranks_message){.kind = MESSAGE_END,
+                                                 .code = (int)end->outcome,
+                                                 .number = job,
+                                                 .seconds = end->seconds,
+                                                 .text = end->why});
+}
+
+enum status pool_serve(struct pool *pool,
+                       enum status (*prepare)(void *context, struct message *why),
+                       struct message *why)
+{
+    struct slot slot = {.pool = pool};
+    struct sigaction old[STOP_SIGNALS];
+    struct ranks_message message = {.kind = MESSAGE_JOB};
+    bool ready = false;
+    int from;
+    enum status st;
+
+    take_signals(old);
+    TRY(child_init(&slot.child));
+    while (message.kind != MESSAGE_OVER && !stop_signal) {
+        struct child_end end = {.outcome = CHILD_STUCK}; /* a rank that is no use */
+        if (pool->ranks->receive(&from, &message)) {
+            if (message.kind != MESSAGE_JOB)
+                continue;
+            ready = ready || prepare(pool->context, &end.why) == STATUS_OK;
+            if (!ready || start(&slot, message.number, &end.why) != STATUS_OK)
+                answer(pool, message.number, &end);
+        } else if (slot.child.pid && child_poll(&slot.child, pool->time_limit, &end)) {
+            answer(pool, slot.job, &end);
+        } else {
+            rest();
+        }
+    }
+out:
+    child_clear(&slot.child);
+    give_back_signals(old);
+    if (stop_signal && st == STATUS_OK)
+        raise(stop_signal); /* as it would have ended without us */
+    return st == STATUS_OK ? st : status_fail(why, st, "%s", status_text(st));
+}

@@ -1,0 +1,52 @@
+/* pool.h - jobs, each in a process of its own (child.h), handed out to processes here and
+ * to the ranks of mpirun, whoever is free first.
+ *
+ * Order and place do not reach the results: a job is alone in its process, on one thread.
+ */
+#ifndef POOL_H
+#define POOL_H
+
+#include "bench/harness/child.h"
+#include "bench/harness/ranks.h"
+
+struct pool {
+    long count;                /* jobs 0, 1, ...                                       */
+    const bool *done;          /* [count] needs no run; NULL: all do          borrowed */
+    int slots;                 /* jobs at a time in this process                       */
+    const struct ranks *ranks; /* NULL: this process alone                    borrowed */
+    double time_limit;         /* of a job [s]                                         */
+    bool quiet;                /* no progress bar                                      */
+
+    void *context; /* of the calls                                            borrowed */
+    /* In the job's own process, where its results go to files. */
+    enum status (*work)(void *context, long job, struct message *why);
+    /* Before it is handed out (NULL: nothing), and after its end, CHILD_DONE or
+     * CHILD_FAILED. Anything but STATUS_OK ends the pool. */
+    enum status (*begin)(void *context, long job, struct message *why);
+    enum status (*settle)(void *context, long job, const struct child_end *end,
+                          struct message *why);
+
+    int hands;      /* jobs at a time everywhere                                       */
+    long ran;       /* jobs that ended while the pool ran                              */
+    double seconds; /* of processor time they took                                     */
+    double wall;    /* [s] from first to last                                          */
+    int stopped_by; /* the signal that asked to stop, 0: none                          */
+};
+
+/* Runs them all. On STATUS_FILE a result could not be written: what was running is given
+ * up, with a sentence. STATUS_OK with stopped_by: the user stopped it. */
+enum status pool_run(struct pool *pool, struct message *why);
+
+/* Ends the program as the signal that stopped the pool would have. */
+void pool_raise(const struct pool *pool);
+
+/* What the other ranks do meanwhile, until rank 0 says that it is over: `work` of the jobs
+ * that come, after prepare(), which may set the time limit, once before the first. */
+enum status pool_serve(struct pool *pool,
+                       enum status (*prepare)(void *context, struct message *why),
+                       struct message *why);
+
+/* Tells the other ranks that it is over. */
+void pool_dismiss(const struct ranks *ranks);
+
+#endif

@@ -1,0 +1,92 @@
+#include "bench/truth/truth_plate.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/metric/metric.h"
+
+void truth_plate_clear(struct truth_plate *t)
+{
+    for (int n = 0; n <= TRUTH_PLATE_TIMES; n++)
+        free(t->xyz[n]);
+    free(t->rest);
+    memset(t, 0, sizeof *t);
+}
+
+static enum status make_rest(const struct scene *scene, double **rest)
+{
+    *rest = malloc(3 * GRID_POINTS * sizeof **rest);
+    for (int n = 0; *rest && n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        scene_rest_point(scene, uvw, *rest + 3 * n);
+    }
+    return *rest ? STATUS_OK : STATUS_MEMORY;
+}
+
+enum status truth_plate_init(struct truth_plate *t, const struct scene *scene, int times,
+                             const double *time, struct message *why)
+{
+    enum status st;
+    struct kirchhoff_plate plate;
+    struct kirchhoff *k = NULL;
+    struct truth_plate new = {.times = times,
+                              .thickness_ratio = scene->thickness / scene->length,
+                              .gamma = scene_gamma(scene)};
+
+    TRY(kirchhoff_field_plate(scene, &plate, why));
+    TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
+    TRY(make_rest(scene, &new.rest));
+    for (int n = 0; n <= times; n++) {
+        new.xyz[n] = malloc(3 * GRID_POINTS * sizeof *new.xyz[n]);
+        TRY(new.xyz[n] ? STATUS_OK : STATUS_MEMORY);
+        TRY(kirchhoff_field_sample(k, scene, n < times ? time[n] : INFINITY, new.xyz[n],
+                                   why));
+    }
+    *t = new;
+    memset(&new, 0, sizeof new);
+out:
+    truth_plate_clear(&new);
+    kirchhoff_destroy(k);
+    return st;
+}
+
+double truth_plate_error(const struct truth_plate *t, int n, const double *xyz)
+{
+    return metric_rmse(xyz, t->xyz[n]) / metric_rmse(t->xyz[n], t->rest);
+}
+
+double truth_plate_edge(const double *xyz, const double *rest)
+{
+    double sum = 0;
+
+    for (int k = 0; k < GRID_W; k++)
+        for (int j = GRID_V / 2 - 1; j <= GRID_V / 2; j++) {
+            const int n = ((k * GRID_V + j) * GRID_U + GRID_U - 1) * 3 + 2;
+            sum += xyz[n] - (rest ? rest[n] : 0);
+        }
+    return sum / 4;
+}
+
+double truth_plate_tip(const struct truth_plate *t, const double *xyz)
+{
+    return truth_plate_edge(xyz, t->rest) / truth_plate_edge(t->xyz[t->times], t->rest);
+}
+
+enum status truth_plate_coefficient(double nu, int terms, double *coefficient)
+{
+    const struct kirchhoff_plate plate = {.length = 1,
+                                          .width = 1,
+                                          .thickness = 1,
+                                          .young = 12 * (1 - nu * nu),
+                                          .poisson = nu,
+                                          .density = 1}; /* D = 1 */
+    struct kirchhoff *k = NULL;
+    const enum status st = kirchhoff_create(&plate, terms, &k);
+
+    if (st == STATUS_OK)
+        *coefficient = kirchhoff_static(k, 1, 1, 0.5);
+    kirchhoff_destroy(k);
+    return st;
+}

@@ -1,0 +1,131 @@
+/* The table of contestants: each can be built as its row says; names choose as told. */
+#include "bench/harness/contestant.h"
+
+#include <ctype.h>
+
+#include "bench/harness/run.h"
+#include "tests/check.h"
+
+#define DROP SOURCE_DIR "/models/scenes/edge_drop.yaml"
+
+static const struct contestant *find(const char *name)
+{
+    const struct contestant *c = NULL;
+    struct message why = {""};
+
+    if (!CHECK(contestant_find(name, &c, &why) == STATUS_OK))
+        printf("  %s\n", why.text);
+    REQUIRE(c);
+    return c;
+}
+
+static void test_names(void)
+{
+    for (const struct contestant *c = contestant_table; c->name; c++) {
+        for (const char *at = c->name; *at; at++)
+            CHECK(islower(*at) || isdigit(*at) || *at == '_');
+        CHECK(find(c->name) == c); /* no other of this name stands before it */
+        for (const struct contestant *o = contestant_table; o < c; o++) {
+            if (!CHECK(strcmp(o->title, c->title) && strcmp(o->column, c->column)))
+                printf("  %s and %s look the same in tables\n", o->name, c->name);
+        }
+        CHECK(strlen(c->column) <= 16 && *c->title);
+        CHECK(!strncmp(c->name, c->model->name, strlen(c->model->name)));
+    }
+}
+
+/* Each model has the row of its own name, of which there are as many as models. */
+static void test_models(void)
+{
+    int count = 0;
+
+    for (; contestant_model(count); count++)
+        CHECK(find(contestant_model(count)->name)->model == contestant_model(count));
+    CHECK(count >= 5 && !contestant_model(count + 1));
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        CHECK(find(c->model->name)->model == c->model);
+}
+
+/* Settings parse, have their effect, and the model takes them, on the coarsest net. */
+static void test_rows(void)
+{
+    for (const struct contestant *c = contestant_table; c->name; c++) {
+        const int points =
+            contestant_least(c) > c->points[0] ? contestant_least(c) : c->points[0];
+        struct settings s = {0};
+        struct message why = {""};
+        struct run run;
+        contestant_points(c, points, points, &s);
+        if (!CHECK(run_open(&run, &(struct run_plan){DROP, c, &s, 0}, &why) == STATUS_OK))
+            printf("  %s: %s\n", c->name, why.text);
+        CHECK(run.discretization.points[0] == points);
+        CHECK(c->layers ? run.discretization.points[2] == c->layers : !c->layers);
+        CHECK(run.discretization.degree[0] == c->degree);
+        CHECK(run.model == c->model && run.contestant == c);
+        run_close(&run);
+        settings_clear(&s);
+        for (int n = 1; n < CONTESTANT_STEPS; n++)
+            CHECK(!c->points[n] || c->points[n] > c->points[n - 1]);
+        CHECK(c->points[0] && c->divisors[0] == 1);
+    }
+}
+
+static int chosen(const char *choice, unsigned where)
+{
+    int count = 0;
+
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        count += contestant_chosen(c, choice, where);
+    return count;
+}
+
+static void test_choice(void)
+{
+    int all = 0, compare = 0, iga = 0;
+
+    for (const struct contestant *c = contestant_table; c->name; c++) {
+        const bool enters = c->enters & CONTESTANT_COMPARE;
+        all++;
+        compare += enters;
+        iga += enters && !strcmp(c->model->name, "iga");
+        CHECK(chosen(c->name, 0) >= 1);
+        CHECK(contestant_chosen(c, c->name, CONTESTANT_STRESS) ||
+              c == find(c->model->name)); /* by name it enters anywhere */
+    }
+    CHECK(chosen(NULL, 0) == all && chosen("all", 0) == all);
+    CHECK(chosen(NULL, CONTESTANT_COMPARE) == compare && compare > 5);
+    /* a model's name: its entries there, not the row of the same name */
+    CHECK(chosen("iga", CONTESTANT_COMPARE) == iga && iga > 1);
+    CHECK(!contestant_chosen(find("iga"), "iga", CONTESTANT_COMPARE));
+    CHECK(chosen("hex", CONTESTANT_COMPARE | CONTESTANT_STRESS) > 1);
+    CHECK(chosen("mass_spring_paper", CONTESTANT_COMPARE) == 1); /* enters nowhere else */
+    CHECK(chosen("mass_spring_paper,iga", CONTESTANT_COMPARE) == iga + 1);
+    CHECK(chosen("iga_pap", 0) == 0 && chosen("", 0) == 0);
+}
+
+static void test_check(void)
+{
+    struct message why = {""};
+    const struct contestant *c;
+
+    CHECK(contestant_check(NULL, &why) == STATUS_OK);
+    CHECK(contestant_check("all", &why) == STATUS_OK);
+    CHECK(contestant_check("iga_paper,shell", &why) == STATUS_OK);
+    CHECK(contestant_check("", &why) == STATUS_INPUT);
+    CHECK(contestant_check("iga,,hex", &why) == STATUS_INPUT);
+    CHECK(contestant_check("iga,paper", &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "'paper'"));
+    CHECK(contestant_find("igapaper", &c, &why) == STATUS_INPUT);
+    for (c = contestant_table; c->name; c++) /* the sentence names them all */
+        CHECK(strstr(why.text, c->name));
+}
+
+int main(void)
+{
+    test_names();
+    test_models();
+    test_rows();
+    test_choice();
+    test_check();
+    return check_result();
+}

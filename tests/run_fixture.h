@@ -1,0 +1,32 @@
+/* run_fixture.h - what tests of runs need: contestants by name, settings in a line. */
+#ifndef RUN_FIXTURE_H
+#define RUN_FIXTURE_H
+
+#include "bench/harness/contestant.h"
+#include "tests/check.h"
+
+#define LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
+#define SCENES        SOURCE_DIR "/models/scenes/"
+#define DROP          SCENES "edge_drop.yaml"
+
+static inline const struct contestant *named(const char *name)
+{
+    const struct contestant *c = NULL;
+
+    REQUIRE(contestant_find(name, &c, NULL) == STATUS_OK);
+    return c;
+}
+
+static inline struct settings list(int count, const char *const *text)
+{
+    struct settings s = {0};
+
+    settings_set_all(&s, count, text);
+    REQUIRE(s.status == STATUS_OK);
+    return s;
+}
+
+#define LIST(...)                                                                          \
+    list(LENGTH(((const char *const[]){__VA_ARGS__})), (const char *const[]){__VA_ARGS__})
+
+#endif

@@ -1,0 +1,155 @@
+/* scripted_model.h - a model that does as it is told and writes down what it is asked: a
+ * sheet that rises by a millimetre a frame. For tests of who runs models, not of models. */
+#ifndef SCRIPTED_MODEL_H
+#define SCRIPTED_MODEL_H
+
+#include <time.h>
+
+#include "bench/harness/contestant.h"
+#include "models/grid.h"
+#include "tests/check.h"
+
+/* What happens; all zero: nothing. Frames count from 1. */
+static struct {
+    int dies, escapes; /* the frame that cannot be had; that is far away                */
+    enum status death, create, equilibrium;
+    double create_seconds;
+    int slow;         /* the frame that takes at least SCRIPT_SLOW seconds */
+    int refuse_after; /* creates that succeed before `create` is returned              */
+} script;
+
+/* Of every create a capital, of every step a small letter: 'A' + points along u - 2. */
+static char script_log[4096];
+static int script_creates, script_advances, script_looks;
+
+static void script_reset(void)
+{
+    memset(&script, 0, sizeof script);
+    script_log[0] = '\0';
+    script_creates = script_advances = script_looks = 0;
+}
+
+struct scripted {
+    const struct scene *scene;
+    int frame, letter;
+};
+
+static void script_note(int letter)
+{
+    const size_t used = strlen(script_log);
+
+    REQUIRE(used + 1 < sizeof script_log);
+    script_log[used] = (char)letter;
+    script_log[used + 1] = '\0';
+}
+
+#define SCRIPT_SLOW 5e-3
+
+static void script_wait(double seconds)
+{
+    nanosleep(&(struct timespec){0, (long)(seconds * 1e9)}, NULL);
+}
+
+static void scripted_defaults(struct discretization *d)
+{
+    *d = (struct discretization){.points = {2, 2, 1}, .degree = {1, 1, 1}};
+}
+
+static enum status scripted_create(const struct scene *scene,
+                                   const struct discretization *d, void **state,
+                                   struct message *why)
+{
+    struct scripted *s;
+
+    if (script.create && script_creates >= script.refuse_after)
+        return status_fail(why, script.create, "scripted: would not");
+    script_creates++;
+    s = calloc(1, sizeof *s);
+    REQUIRE(s);
+    script_wait(script.create_seconds);
+    s->scene = scene;
+    s->letter = d->points[0] - 2;
+    script_note('A' + s->letter);
+    *state = s;
+    return STATUS_OK;
+}
+
+static enum status scripted_advance(void *state, struct counters *counters)
+{
+    struct scripted *s = state;
+
+    script_note('a' + s->letter);
+    script_advances++;
+    if (++s->frame == script.slow)
+        script_wait(SCRIPT_SLOW);
+    counters->steps++;
+    counters->substeps += 3;
+    return s->frame == script.dies ? script.death : STATUS_OK;
+}
+
+static void scripted_probe(const void *state, int n, const double *uvw, double *xyz)
+{
+    const struct scripted *s = state;
+
+    script_looks++;
+    for (int p = 0; p < n; p++) {
+        scene_rest_point(s->scene, uvw + 3 * p, xyz + 3 * p);
+        xyz[3 * p + 2] += s->frame == script.escapes && s->frame ? 1e3 : 1e-3 * s->frame;
+    }
+}
+
+static void scripted_sample(const void *state, double *xyz)
+{
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        scripted_probe(state, 1, uvw, xyz + 3 * n);
+    }
+}
+
+static void scripted_size(const void *state, struct model_size *size)
+{
+    (void)state;
+    *size = (struct model_size){.nodes = 4, .unknowns = 12};
+}
+
+/* The number of the frame, so that a late look is found out. */
+static void scripted_energy(const void *state, struct energy *energy)
+{
+    const struct scripted *s = state;
+
+    *energy = (struct energy){.kinetic = s->frame, .elastic = NAN, .potential = 1};
+}
+
+static enum status scripted_equilibrium(void *state, struct counters *work,
+                                        struct message *why)
+{
+    struct scripted *s = state;
+
+    s->frame = 7;
+    work->solves++;
+    return script.equilibrium ? status_fail(why, script.equilibrium, "scripted: no rest")
+                              : STATUS_OK;
+}
+
+static const struct model scripted_model = {
+    .name = "scripted",
+    .title = "does as it is told",
+    .source = "a test",
+    .defaults = scripted_defaults,
+    .create = scripted_create,
+    .advance = scripted_advance,
+    .sample = scripted_sample,
+    .probe = scripted_probe,
+    .size = scripted_size,
+    .energy = scripted_energy,
+    .equilibrium = scripted_equilibrium,
+    .destroy = free,
+};
+
+static const struct contestant scripted = {.name = "scripted",
+                                           .title = "scripted",
+                                           .column = "scripted",
+                                           .model = &scripted_model};
+
+#endif

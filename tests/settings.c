@@ -1,0 +1,151 @@
+/* Settings: in order, the last wins, numbers to the bit, and no memory is told. */
+#include "bench/harness/settings.h"
+
+#include "tests/check.h"
+
+#define DROP SOURCE_DIR "/models/scenes/edge_drop.yaml"
+
+/* The linker sends this program's allocations here (CMakeLists.txt). */
+void *__real_realloc(void *old, size_t size);
+void *__wrap_realloc(void *old, size_t size);
+char *__real_strdup(const char *text);
+char *__wrap_strdup(const char *text);
+
+static int left = -1; /* allocations that succeed; negative: all */
+
+static bool fails(void)
+{
+    return left >= 0 && left-- == 0;
+}
+
+void *__wrap_realloc(void *old, size_t size)
+{
+    return fails() ? NULL : __real_realloc(old, size);
+}
+
+char *__wrap_strdup(const char *text)
+{
+    return fails() ? NULL : __real_strdup(text);
+}
+
+static enum status read(const struct settings *s, struct scene *scene,
+                        struct discretization *d, struct message *why)
+{
+    memset(d, 0, sizeof *d);
+    return settings_read(s, DROP, scene, d, why);
+}
+
+static void test_order(void)
+{
+    static const char *const list[3] = {"a=1", "b=2", NULL};
+    struct settings s = {0}, more = {0};
+
+    settings_list(&s, 3, list);
+    settings_list(&s, 1, list);
+    CHECK(s.count == 3 && !strcmp(s.text[1], "b=2") && !strcmp(s.text[2], "a=1"));
+    settings_word(&more, "a", "two words");
+    settings_integer(&more, "long", -3000000000L);
+    settings_integers(&more, "points", 3, (const int[]){10, 9, 2});
+    settings_append(&s, &more);
+    settings_set_all(&s, 1, (const char *const[]){"ab=3"});
+    settings_clear(&more);
+    CHECK(s.count == 7 && s.status == STATUS_OK);
+    CHECK(!strcmp(settings_value(&s, "a"), "two words")); /* the last */
+    CHECK(!strcmp(settings_value(&s, "b"), "2"));
+    CHECK(!strcmp(settings_value(&s, "long"), "-3000000000"));
+    CHECK(!strcmp(settings_value(&s, "points"), "[10,9,2]"));
+    CHECK(!settings_value(&s, "c") && !settings_value(&s, "poin"));
+    settings_clear(&s);
+    settings_clear(&s);
+    CHECK(s.count == 0 && !s.text && !settings_value(&s, "a"));
+}
+
+/* Through the text and the reader of scenes, the same double. */
+static void test_bits(void)
+{
+    const double value[] = {1.0 / 3, 5e4 + 1e-11, 1e-3, 123456.123456789, 0.1};
+    struct settings s = {0};
+    struct scene scene;
+    struct discretization d;
+    struct message why = {""};
+
+    for (size_t n = 0; n < sizeof value / sizeof *value; n++) {
+        settings_number(&s, "material.young", value[n]);
+        settings_numbers(&s, "gravity", 3, (const double[]){0, value[n], -value[n]});
+        if (!CHECK(read(&s, &scene, &d, &why) == STATUS_OK))
+            printf("  %s\n", why.text), exit(1);
+        CHECK(scene.young == value[n]);
+        CHECK(scene.gravity[1] == value[n] && scene.gravity[2] == -value[n]);
+        scene_clear(&scene);
+        discretization_clear(&d);
+    }
+    settings_clear(&s);
+}
+
+/* Far longer than any array of characters that it used to be printed into. */
+static void test_long(void)
+{
+    enum { MANY = 2000 };
+    static double weight[MANY];
+    struct settings s = {0};
+
+    for (int n = 0; n < MANY; n++)
+        weight[n] = 1 + n / 3.0;
+    settings_numbers(&s, "discretization.weights", MANY, weight);
+    REQUIRE(s.status == STATUS_OK && s.count == 1);
+    const char *text = settings_value(&s, "discretization.weights");
+    CHECK(strlen(text) > 20000 && text[strlen(text) - 1] == ']');
+    CHECK(strtod(strrchr(text, ',') + 1, NULL) == weight[MANY - 1]);
+    settings_clear(&s);
+}
+
+static void test_refusals(void)
+{
+    struct settings s = {0};
+    struct scene scene;
+    struct discretization d;
+    struct message why = {""};
+
+    settings_set(&s, "no_value");
+    CHECK(read(&s, &scene, &d, &why) == STATUS_INPUT && strstr(why.text, "no_value"));
+    settings_clear(&s);
+    settings_number(&s, "material.yuong", 1);
+    CHECK(read(&s, &scene, &d, &why) == STATUS_INPUT && strstr(why.text, "yuong"));
+    settings_clear(&s);
+}
+
+/* No memory at the n-th allocation: nothing is read as if it had not been said. */
+static void test_memory(void)
+{
+    for (int n = 0; n < 4; n++) {
+        struct settings s = {0}, all = {0};
+        struct scene scene;
+        struct discretization d;
+        struct message why = {""};
+        left = n;
+        settings_set(&s, "material.young=1e4");
+        settings_number(&s, "material.density", 0.3);
+        left = -1;
+        if (n == 3) { /* it takes three: a copy and two places */
+            CHECK(s.status == STATUS_OK && s.count == 2);
+            settings_clear(&s);
+            continue;
+        }
+        CHECK(s.status == STATUS_MEMORY && s.count < 2);
+        settings_append(&all, &s);
+        CHECK(all.status == STATUS_MEMORY);
+        CHECK(read(&all, &scene, &d, &why) == STATUS_MEMORY && strstr(why.text, "memory"));
+        settings_clear(&s);
+        settings_clear(&all);
+    }
+}
+
+int main(void)
+{
+    test_order();
+    test_bits();
+    test_long();
+    test_refusals();
+    test_memory();
+    return check_result();
+}

@@ -103,13 +103,9 @@ void verify_subject_settings(const struct verify_subject *s, int n, struct setti
 
 bool verify_subject_is_linear(const struct verify_subject *s)
 {
-    struct settings own = {0};
+    const char *value = contestant_setting(s->contestant, "discretization.kinematics");
 
-    contestant_settings(s->contestant, &own);
-    const char *value = settings_value(&own, "discretization.kinematics");
-    const bool linear = value && !strcmp(value, "linear");
-    settings_clear(&own);
-    return linear;
+    return value && !strcmp(value, kinematics_name(KINEMATICS_LINEAR));
 }
 
 double verify_subject_order(const struct verify_subject *s, const double *error, double bar)

@@ -211,7 +211,13 @@ good run edge_drop "${short[@]}" --probe 1,0.5,0.5 --probe 0.3,0.7,1
 
 # --- statics and modes ------------------------------------------------------------------
 good run cantilever --static --quiet --format csv
-says out 'u,v,w,dx_m' 'deflection' $'\n1,0.5,0.5,'
+says out 'u,v,w,dx_m,dy_m,dz_m,deflection' '1,0.5,0.5,'
+good run cantilever --static --quiet --format json
+python3 -c 'import json, sys
+table = json.load(sys.stdin)
+tip = table["rows"][7]
+assert (tip["u"], tip["v"]) == (1, 0.5) and tip["dz_m"] < 0, tip
+assert table["units"]["dz_m"] == "m"' <out || fail "--format json prints $out"
 good run cantilever --static --quiet --format latex
 says out '\begin{tabular}' '\end{table}'
 good run cantilever --static --quiet --probe 1,0.5,0.5

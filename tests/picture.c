@@ -48,7 +48,7 @@ static void data_and_script(bool drawn)
 {
     double *low = sheet(-1), *high = sheet(0.5);
     const struct picture_panel panels[] = {
-        {"low\nt = 1 s", low}, {"dead", NULL}, {"\"high\" it's `so` \\n", high}};
+        {"low\nt = 1 s", low}, {"dead\r\x1b", NULL}, {"\"high\" it's `so` \\n", high}};
     struct message why = {""};
     int points = 0;
 
@@ -66,7 +66,7 @@ static void data_and_script(bool drawn)
     CHECK(strstr(data, "\n2 1 0.5\n"));
 
     CHECK(strstr(script, "layout 2,2"));
-    CHECK(strstr(script, "'low'.\"\\n\".'t = 1 s'") && strstr(script, "'dead'"));
+    CHECK(strstr(script, "'low'.\"\\n\".'t = 1 s'") && strstr(script, "'dead  '"));
     CHECK(strstr(script, "'\"high\" it'.\"'\".'s `so` \\n'"));
     CHECK(strstr(script, "index 0") && strstr(script, "index 1"));
     CHECK(!strstr(script, "index 2"));

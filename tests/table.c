@@ -2,6 +2,7 @@
 #include "bench/ui/table.h"
 
 #include <math.h>
+#include <unistd.h>
 
 #include "tests/check.h"
 
@@ -203,14 +204,18 @@ static void check_files(void)
     check_file("/tmp/clothbench-table.csv", want);
     CHECK(table_save(t, "/nowhere", "table", &why) == STATUS_FILE);
     CHECK(table_save(NULL, "/tmp", "table", &why) == STATUS_MEMORY);
+    remove("/tmp/clothbench-full.csv");
+    REQUIRE(symlink("/dev/full", "/tmp/clothbench-full.csv") == 0);
+    CHECK(table_save(t, "/tmp", "clothbench-full", &why) == STATUS_FILE);
+    remove("/tmp/clothbench-full.csv");
     FILE *file = fopen("/tmp/clothbench-table.csv", "w");
     REQUIRE(file);
-    table_flush(t, file);
+    CHECK(table_flush(t, file) == STATUS_OK);
     CHECK(table_rows(t) == 0);
     table_row(t);
     table_text(t, "more");
-    table_flush(t, file);
-    table_flush(t, file);
+    CHECK(table_flush(t, file) == STATUS_OK);
+    CHECK(table_flush(t, file) == STATUS_OK);
     fclose(file);
     char more[256];
     snprintf(more, sizeof more, "%smore,,\n", want);
@@ -232,6 +237,8 @@ static void check_failures_told(void)
     if (full) {
         setvbuf(full, NULL, _IONBF, 0);
         CHECK(table_print(t, TABLE_CSV, full) == STATUS_FILE);
+        CHECK(table_print(t, TABLE_JSON, full) == STATUS_FILE);
+        CHECK(table_flush(t, full) == STATUS_FILE);
         fclose(full);
     }
     table_destroy(t);

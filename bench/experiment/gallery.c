@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/output.h"
 #include "bench/ui/picture.h"
 #include "bench/files/store_read.h"
 #include "bench/files/store_scene.h"
@@ -145,62 +144,61 @@ void gallery_clear(struct gallery_result *r)
     memset(r, 0, sizeof *r);
 }
 
-enum status gallery_print(const struct gallery *g, const struct gallery_result *r,
-                          const char *caption, enum table_format format, FILE *file)
+static void row_of(struct table *t, const struct gallery *g, const struct gallery_result *r,
+                   int n, int time)
+{
+    const struct gallery_frame *f = &r->frame[n][time];
+
+    table_row(t);
+    table_fixed(t, g->time[time], 3);
+    table_text(t, "%s", g->item[n].label);
+    table_number(t, g->time[time], 3);
+    table_fixed(t, r->unknowns[n], 0);
+    table_number(t, f->stretch, 4);
+    table_number(t, f->drop, 3);
+    table_number(t, f->angle, 3);
+    table_number(t, f->roughness, 3);
+    table_fixed(t, f->intersections, 0);
+}
+
+/* A row for each time and case: people compare cases at a time, files have a case together.
+ */
+static struct table *table_of(const struct gallery *g, const struct gallery_result *r,
+                              const char *caption)
 {
     static const struct table_column columns[] = {
-        {"t", "s", 0},          {"case", NULL, TABLE_LEFT}, {"unknowns", NULL, 0},
-        {"stretch", NULL, 0},   {"drop", "L", 0},           {"angle", "degrees", 0},
-        {"roughness", NULL, 0}, {"crossings", "pairs", 0}};
+        {"t", "s", .readers = TABLE_PEOPLE},
+        {"case", NULL, TABLE_LEFT},
+        {"time", "s", .readers = TABLE_MACHINES},
+        {"unknowns", .readers = TABLE_PEOPLE},
+        {"stretch"},
+        {"drop", "L"},
+        {"angle", "degrees"},
+        {"roughness"},
+        {"crossings", "pairs", .key = "crossings"}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
-    enum status st;
 
-    for (int time = 0; time < g->times; time++) {
-        if (time)
+    for (int k = 0; k < g->times * g->count; k++) {
+        if (caption && k && k % g->count == 0)
             table_rule(t);
-        for (int n = 0; n < g->count; n++) {
-            const struct gallery_frame *f = &r->frame[n][time];
-            table_row(t);
-            table_fixed(t, g->time[time], 3);
-            table_text(t, "%s", g->item[n].label);
-            table_integer(t, lround(r->unknowns[n]));
-            if (!f->xyz)
-                continue;
-            table_number(t, f->stretch, 4);
-            table_number(t, f->drop, 3);
-            table_number(t, f->angle, 3);
-            table_number(t, f->roughness, 3);
-            table_integer(t, lround(f->intersections));
-        }
+        if (caption)
+            row_of(t, g, r, k % g->count, k / g->count);
+        else
+            row_of(t, g, r, k / g->times, k % g->times);
     }
     for (int n = 0; n < g->count; n++)
         if (r->result[n].outcome)
             table_note(t, "%s: %s.", g->item[n].label, r->result[n].sentence.text);
-    st = table_print(t, format, file);
-    table_destroy(t);
-    return st;
+    return t;
 }
 
-static enum status write_csv(const struct gallery *g, const struct gallery_result *r,
-                             const char *folder, struct message *why)
+enum status gallery_print(const struct gallery *g, const struct gallery_result *r,
+                          const char *caption, enum table_format format, FILE *file)
 {
-    struct output *out = NULL;
-    char path[PATH];
-    enum status st;
+    struct table *t = table_of(g, r, caption);
+    enum status st = table_print(t, format, file);
 
-    snprintf(path, sizeof path, "%s/%s.csv", folder, g->name);
-    TRY(output_create(path, &out, why));
-    output_print(out, "case,time_s,stretch,drop_over_length,angle_degrees,roughness,"
-                      "crossings\n");
-    for (int n = 0; n < g->count; n++)
-        for (int t = 0; t < g->times; t++) {
-            const struct gallery_frame *f = &r->frame[n][t];
-            output_print(out, "\"%s\",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n",
-                         g->item[n].label, g->time[t], f->stretch, f->drop, f->angle,
-                         f->roughness, f->intersections);
-        }
-    st = output_close(out, why);
-out:
+    table_destroy(t);
     return st;
 }
 
@@ -209,23 +207,19 @@ enum status gallery_files(const struct gallery *g, const struct gallery_result *
 {
     struct picture_panel panels[GALLERY_CASES * GALLERY_TIMES];
     char title[GALLERY_CASES * GALLERY_TIMES][96];
-    struct message plot = {""};
+    struct table *t = table_of(g, r, NULL);
     int count = 0;
     enum status st;
 
     for (int n = 0; n < g->count; n++)
-        for (int t = 0; t < g->times; t++, count++) {
+        for (int k = 0; k < g->times; k++, count++) {
             snprintf(title[count], sizeof title[0], "%s\nt = %g s", g->item[n].label,
-                     g->time[t]);
-            panels[count] = (struct picture_panel){title[count], r->frame[n][t].xyz};
+                     g->time[k]);
+            panels[count] = (struct picture_panel){title[count], r->frame[n][k].xyz};
         }
-    TRY(write_csv(g, r, folder, why));
-    st = picture_surfaces(folder, g->name, g->times, count, panels, &plot);
-    if (st == STATUS_OK)
-        fprintf(stderr, "%s.png beside %s.csv in %s\n", g->name, g->name, folder);
-    else
-        fprintf(stderr, "%s\n", plot.text);
-    st = st == STATUS_MEMORY ? st : STATUS_OK;
+    TRY(table_save(t, folder, g->name, why));
+    TRY(picture_save(folder, g->name, g->times, count, panels, why));
 out:
+    table_destroy(t);
     return st;
 }

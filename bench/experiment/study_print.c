@@ -2,21 +2,13 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
-#include "bench/files/output.h"
+#include "bench/ui/chart.h"
 #include "bench/ui/picture.h"
-#include "bench/ui/plot.h"
 
 enum { PATH = 4096 };
-
-static void cell(struct table *t, double value, int digits)
-{
-    if (isnan(value))
-        table_dash(t);
-    else
-        table_number(t, value, digits);
-}
 
 /* The paper's milliseconds are those of its own scheme, which has no truth. */
 static double paper_of(const struct study *study, int level)
@@ -34,11 +26,9 @@ static enum status print_cost(const struct study *study, const struct study_resu
         {"a frame", "ms", 0},         {"paper", "ms", 0},    {"stepping", "s", 0},
         {"outcome", NULL, TABLE_LEFT}};
     char caption[256];
-    struct table *t;
-    enum status st;
 
     snprintf(caption, sizeof caption, "%s: cost", study->caption);
-    t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
     for (int n = 0; n < study->count; n++) {
         const struct study_row *row = &r->row[n];
         table_row(t);
@@ -49,85 +39,123 @@ static enum status print_cost(const struct study *study, const struct study_resu
         }
         table_integer(t, lround(row->unknowns));
         table_integer(t, lround(row->factor_entries));
-        cell(t, row->milliseconds, 3);
-        cell(t, paper_of(study, n), 4);
-        cell(t, row->seconds, 3);
+        table_number(t, row->milliseconds, 3);
+        table_number(t, paper_of(study, n), 4);
+        table_number(t, row->seconds, 3);
         table_text(t, "%s", row->outcome);
     }
     table_note(t,
                "A frame: median over repeats, one thread; factor: numbers stored in it; "
                "stepping: all frames to %g s at that price.",
                study->time[study->times - 1]);
-    st = table_print(t, format, file);
-    table_destroy(t);
-    return st;
+    return table_finish(t, format, file);
+}
+
+/* The columns of a row that stand for a sheet at a time, the truth's or a level's. */
+static void metric_cells(struct table *t, const struct study_frame *f)
+{
+    table_number(t, f->roughness, 3);
+    table_number(t, f->inner, 3);
+    table_number(t, f->stretch, 4);
+    table_number(t, f->drop, 4);
+    table_number(t, f->unevenness, 3);
+}
+
+static double bar_of(const struct study_result *r, int time)
+{
+    return r->truth ? r->truth->error[time] / r->length : NAN;
 }
 
 static void motion_row(struct table *t, const struct study *study,
                        const struct study_result *r, int n, int time)
 {
-    const struct study_frame *f = &r->row[n].frame[time];
+    const struct study_row *row = &r->row[n];
+    const struct study_frame *f = &row->frame[time];
 
     table_row(t);
     table_fixed(t, study->time[time], 3);
     table_text(t, "%s", study->levels[n].label);
-    if (!f->xyz)
-        return;
-    cell(t, f->next, 3);
-    cell(t, f->finest, 3);
-    if (r->truth) {
-        cell(t, f->error, 3);
-        table_text(t, "%s", "");
-    }
-    cell(t, f->roughness, 3);
-    cell(t, f->inner, 3);
-    cell(t, f->stretch, 4);
-    cell(t, f->drop, 4);
-    cell(t, f->unevenness, 3);
+    table_number(t, study->levels[n].size, 3);
+    table_number(t, study->time[time], 3);
+    table_fixed(t, row->unknowns, 0);
+    table_fixed(t, row->factor_entries, 0);
+    table_number(t, row->milliseconds, 3);
+    table_number(t, paper_of(study, n), 4);
+    table_number(t, row->seconds, 3);
+    table_number(t, f->next, 3);
+    table_number(t, f->finest, 3);
+    table_number(t, f->error, 3);
+    table_missing(t, "%s", "");
+    table_number(t, f->error, 3);
+    table_number(t, bar_of(r, time), 2);
+    metric_cells(t, f);
 }
 
 /* The truth's own numbers, below the levels. */
 static void true_row(struct table *t, const struct study *study,
                      const struct study_result *r, int time)
 {
-    const struct study_frame *f = &r->true_frame[time];
+    enum { OF_LEVELS = 7 }; /* columns from size to stepping; the second is the time */
 
     table_row(t);
     table_fixed(t, study->time[time], 3);
     table_text(t, "truth");
+    for (int n = 0; n < OF_LEVELS; n++)
+        table_number(t, n == 1 ? study->time[time] : NAN, 3);
     for (int n = 0; n < 3; n++)
-        table_text(t, "%s", "");
-    cell(t, r->truth->error[time] / r->length, 2);
-    cell(t, f->roughness, 3);
-    cell(t, f->inner, 3);
-    cell(t, f->stretch, 4);
-    cell(t, f->drop, 4);
-    cell(t, f->unevenness, 3);
+        table_missing(t, "%s", "");
+    table_number(t, bar_of(r, time), 2);
+    table_number(t, 0, 3);
+    table_number(t, bar_of(r, time), 2);
+    metric_cells(t, &r->true_frame[time]);
 }
 
-static enum status print_motion(const struct study *study, const struct study_result *r,
-                                enum table_format format, FILE *file)
+/* A row for each time and level, and one for the truth. */
+static struct table *motion_of(const struct study *study, const struct study_result *r)
 {
-    static const struct table_column with[] = {
-        {"t", "s", 0},          {"level", NULL, TABLE_LEFT}, {"to next", "L", 0},
-        {"to finest", "L", 0},  {"error", "L", 0},           {"error bar", "L", 0},
-        {"roughness", NULL, 0}, {"inner", NULL, 0},          {"stretch", NULL, 0},
-        {"drop", "L", 0},       {"unevenness", NULL, 0}};
-    struct table_column without[9];
-    struct table *t;
-    enum status st;
+    const enum table_readers with_truth = r->truth ? TABLE_PEOPLE : TABLE_NOBODY;
+    const struct table_column columns[] = {
+        {"t", "s", .readers = TABLE_PEOPLE},
+        {"level", NULL, TABLE_LEFT},
+        {"size", .readers = TABLE_MACHINES},
+        {"time", "s", .readers = TABLE_MACHINES},
+        {"unknowns", .readers = TABLE_MACHINES},
+        {"factor entries", .readers = TABLE_MACHINES},
+        {"frame", "ms", .readers = TABLE_MACHINES},
+        {"paper", "ms", .readers = TABLE_MACHINES},
+        {"stepping", "s", .readers = TABLE_MACHINES},
+        {"to next", "L"},
+        {"to finest", "L"},
+        {"error", "L", .key = "shown_error", .readers = with_truth},
+        {"error bar", "L", .key = "shown_bar", .readers = with_truth},
+        {"error", "L", .readers = TABLE_MACHINES},
+        {"error bar", "L", .readers = TABLE_MACHINES},
+        {"roughness"},
+        {"inner", .key = "inner_roughness"},
+        {"stretch"},
+        {"drop", "L"},
+        {"unevenness"}};
+    struct table *t =
+        table_create(sizeof columns / sizeof *columns, columns, study->caption);
 
-    memcpy(without, with, 4 * sizeof *with);
-    memcpy(without + 4, with + 6, 5 * sizeof *with);
-    t = table_create(r->truth ? 11 : 9, r->truth ? with : without, study->caption);
     for (int time = 0; time < study->times; time++) {
-        double order = study_order(study, r, time);
         if (time)
             table_rule(t);
         for (int n = 0; n < study->count; n++)
             motion_row(t, study, r, n, time);
         if (r->truth)
             true_row(t, study, r, time);
+    }
+    return t;
+}
+
+static enum status print_motion(const struct study *study, const struct study_result *r,
+                                enum table_format format, FILE *file)
+{
+    struct table *t = motion_of(study, r);
+
+    for (int time = 0; time < study->times; time++) {
+        double order = study_order(study, r, time);
         if (!isnan(order))
             table_note(t, "Observed order at %g s: %.2g, of the %s.", study->time[time],
                        order, r->truth ? "error" : "difference from the finest");
@@ -140,9 +168,7 @@ static enum status print_motion(const struct study *study, const struct study_re
         r->gamma);
     if (r->truth)
         table_note(t, "Truth: %s.", r->truth->source);
-    st = table_print(t, format, file);
-    table_destroy(t);
-    return st;
+    return table_finish(t, format, file);
 }
 
 enum status study_print(const struct study *study, const struct study_result *r,
@@ -151,101 +177,55 @@ enum status study_print(const struct study *study, const struct study_result *r,
     enum status st;
 
     TRY(print_cost(study, r, format, file));
-    fprintf(file, "\n");
     TRY(print_motion(study, r, format, file));
-    fprintf(file, "\n");
 out:
     return st;
 }
 
-static void csv_row(struct output *out, const struct study *study,
-                    const struct study_result *r, int n, int time)
+/* The truth's error bar at a time, across the levels' seconds. */
+static void draw_bar(struct chart *c, const struct study *study,
+                     const struct study_result *r, int time)
 {
-    const struct study_level *level = &study->levels[n];
-    const struct study_row *row = &r->row[n];
-    const struct study_frame *f = &row->frame[time];
+    double low = INFINITY, high = -INFINITY;
 
-    output_print(out,
-                 "\"%s\",%.9g,%.9g,%.0f,%.0f,%.6g,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,"
-                 "%.9g,%.9g,%.9g\n",
-                 level->label, level->size, study->time[time], row->unknowns,
-                 row->factor_entries, row->milliseconds, paper_of(study, n), row->seconds,
-                 f->next, f->finest, f->error,
-                 r->truth ? r->truth->error[time] / r->length : NAN, f->roughness, f->inner,
-                 f->stretch, f->drop, f->unevenness);
-}
-
-static void csv_truth(struct output *out, const struct study *study,
-                      const struct study_result *r, int time)
-{
-    const struct study_frame *f = &r->true_frame[time];
-
-    output_print(out,
-                 "\"truth\",nan,%.9g,nan,nan,nan,nan,nan,nan,nan,0,%.9g,%.9g,%.9g,%.9g,"
-                 "%.9g,%.9g\n",
-                 study->time[time], r->truth->error[time] / r->length, f->roughness,
-                 f->inner, f->stretch, f->drop, f->unevenness);
-}
-
-static enum status write_csv(const struct study *study, const struct study_result *r,
-                             const char *folder, struct message *why)
-{
-    struct output *out = NULL;
-    char path[PATH];
-    enum status st;
-
-    snprintf(path, sizeof path, "%s/%s.csv", folder, study->name);
-    TRY(output_create(path, &out, why));
-    output_print(out,
-                 "level,size,time_s,unknowns,factor_entries,frame_ms,paper_ms,stepping_s,"
-                 "to_next_over_length,to_finest_over_length,error_over_length,"
-                 "error_bar_over_length,roughness,inner_roughness,stretch,drop_over_length,"
-                 "unevenness\n");
-    for (int time = 0; time < study->times; time++) {
-        if (time)
-            output_print(out, "\n\n"); /* gnuplot's next block */
-        for (int n = 0; n < study->count; n++)
-            csv_row(out, study, r, n, time);
-        if (r->truth)
-            csv_truth(out, study, r, time);
+    chart_series(c, &(struct chart_series){.label = time ? NULL : "truth's error bar",
+                                           .style = CHART_LINE,
+                                           .colour = time + 1,
+                                           .second = true});
+    for (int n = 0; n < study->count; n++) {
+        low = fmin(low, r->row[n].seconds);
+        high = fmax(high, r->row[n].seconds);
     }
-    return output_close(out, why);
-out:
-    return st;
+    chart_point(c, low, bar_of(r, time));
+    chart_point(c, high, bar_of(r, time));
 }
 
-static enum status write_plot(const struct study *study, const struct study_result *r,
-                              const char *folder, struct message *why)
+/* A line for each time, error (without truth: to the finest) against seconds. */
+static struct chart *chart_of(const struct study *study, const struct study_result *r,
+                              const struct table *t)
 {
-    const int column = r->truth ? 11 : 10; /* of write_csv */
-    struct output *out = NULL;
-    char path[PATH];
-    enum status st;
+    const char *error = r->truth ? "error_over_length" : "to_finest_over_length";
+    const struct chart_axis x = chart_axis_of(t, "stepping_s", true);
+    const struct chart_axis y = {
+        r->truth ? "RMSE to truth / L" : "RMSE to the finest level / L", .log = true};
+    struct chart *c = chart_create(study->caption);
 
-    snprintf(path, sizeof path, "%s/%s.gp", folder, study->name);
-    TRY(output_create(path, &out, why));
-    output_print(out,
-                 "set terminal pngcairo noenhanced size 900,650\nset output '%s.png'\n"
-                 "set datafile separator ','\nset datafile missing 'nan'\nset logscale xy\n"
-                 "set grid\nset format '%%g'\nset key outside right\n"
-                 "set xlabel 'seconds of stepping'\nset ylabel '%s'\nset title \"%s\"\n"
-                 "plot \\\n",
-                 study->name,
-                 r->truth ? "RMSE to truth / L" : "RMSE to the finest level / L",
-                 study->caption);
-    for (int time = 0; time < study->times; time++)
-        output_print(out,
-                     "%s'%s.csv' index %d using 8:%d with linespoints lw 2 lc %d pt %d "
-                     "title '%g s'",
-                     time ? ", \\\n" : "", study->name, time, column, time + 1, time + 4,
-                     study->time[time]);
-    output_print(
-        out, ", \\\n'' index 0 using 8:%d:1 with labels offset 0,-0.8 font ',9' notitle",
-        column);
-    output_print(out, "\n");
-    return output_close(out, why);
-out:
-    return st;
+    chart_axes(c, &x, &y);
+    for (int time = 0; time < study->times; time++) {
+        char label[32];
+        snprintf(label, sizeof label, "%g s", study->time[time]);
+        chart_series(c, &(struct chart_series){label, .colour = time + 1});
+        chart_rows(c, t, "stepping_s", error, 1,
+                   &(struct chart_where){"time_s", .number = study->time[time]});
+        if (r->truth)
+            draw_bar(c, study, r, time);
+    }
+    for (int n = 0; n < study->count; n++) {
+        const struct study_row *row = &r->row[n];
+        chart_mark(c, row->seconds, r->truth ? row->frame[0].error : row->frame[0].finest,
+                   study->levels[n].label);
+    }
+    return c;
 }
 
 /* A row for each time; the truth, if there is one, in the last column. */
@@ -267,29 +247,20 @@ static enum status draw_sheets(const struct study *study, const struct study_res
             panels[count] = (struct picture_panel){titles[count], xyz};
         }
     snprintf(name, sizeof name, "%s_sheets", study->name);
-    return picture_surfaces(folder, name, columns, count, panels, why);
+    return picture_save(folder, name, columns, count, panels, why);
 }
 
 enum status study_print_files(const struct study *study, const struct study_result *r,
                               const char *folder, struct message *why)
 {
-    struct message plot = {""};
-    char script[PATH];
+    struct table *t = motion_of(study, r);
     enum status st;
 
-    TRY(write_csv(study, r, folder, why));
-    TRY(write_plot(study, r, folder, why));
-    snprintf(script, sizeof script, "%s.gp", study->name);
-    st = plot_run(folder, script, &plot);
-    if (st == STATUS_OK)
-        st = draw_sheets(study, r, folder, &plot);
-    if (st == STATUS_OK)
-        fprintf(stderr, "%s.png and %s_sheets.png beside %s.csv in %s\n", study->name,
-                study->name, study->name, folder);
-    else
-        fprintf(stderr, "%s\n", plot.text);
-    st = STATUS_OK;
+    TRY(table_save(t, folder, study->name, why));
+    TRY(chart_save(chart_of(study, r, t), folder, study->name, why));
+    TRY(draw_sheets(study, r, folder, why));
 out:
+    table_destroy(t);
     return st;
 }
 

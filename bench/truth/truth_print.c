@@ -1,15 +1,6 @@
-#include <math.h>
 #include <stdio.h>
 
 #include "bench/truth/truth_command.h"
-
-static void order_cell(struct table *t, double order)
-{
-    if (isnan(order))
-        table_dash(t);
-    else
-        table_fixed(t, order, 1);
-}
 
 static void row_cells(struct table *t, const struct truth_made *made, int n, double length)
 {
@@ -18,16 +9,16 @@ static void row_cells(struct table *t, const struct truth_made *made, int n, dou
     table_row(t);
     table_number(t, made->time[n], 3);
     for (int c = TRUTH_SOLID_SPACE; c <= TRUTH_SHELL_SPACE; c += 3) {
-        order_cell(t, v[c]);
-        order_cell(t, v[c + 1]);
-        table_number(t, 100 * v[c + 2] / length, 2);
+        table_fixed(t, v[c], 1);
+        table_fixed(t, v[c + 1], 1);
+        table_number(t, v[c + 2] / length, 2);
     }
-    table_number(t, 100 * v[TRUTH_DIFFERENCE] / length, 2);
+    table_number(t, v[TRUTH_DIFFERENCE] / length, 2);
     table_number(t, v[TRUTH_GROWTH], 2);
     if (n < made->claimed)
-        table_number(t, 100 * v[TRUTH_ERROR] / length, 2);
+        table_number(t, v[TRUTH_ERROR] / length, 2);
     else
-        table_text(t, "no claim");
+        table_missing(t, "no claim");
 }
 
 /* Until when it is claimed, and what ends it. */
@@ -55,17 +46,22 @@ enum status truth_print(const struct truth_made *made, const char *scene, double
                         enum table_format format, FILE *file)
 {
     static const struct table_column columns[] = {
-        {"time", "s", 0},        {"solid: in space", NULL, 0}, {"in time", NULL, 0},
-        {"bar", "% L", 0},       {"shell: in space", NULL, 0}, {"in time", NULL, 0},
-        {"bar", "% L", 0},       {"difference", "% L", 0},     {"growth", "1", 0},
-        {"error bar", "% L", 0},
+        {"time", "s"},
+        {"solid: in space", .key = "solid_order_in_space"},
+        {"in time", .key = "solid_order_in_time"},
+        {"bar", "% L", .key = "solid_bar_over_length", .scale = 100, .key_unit = "L"},
+        {"shell: in space", .key = "shell_order_in_space"},
+        {"in time", .key = "shell_order_in_time"},
+        {"bar", "% L", .key = "shell_bar_over_length", .scale = 100, .key_unit = "L"},
+        {"difference", "% L", .key = "difference_over_length", .scale = 100,
+         .key_unit = "L"},
+        {"growth", "1"},
+        {"error bar", "% L", .key = "error_bar_over_length", .scale = 100, .key_unit = "L"},
     };
     char caption[128];
-    struct table *t;
-    enum status st;
 
     snprintf(caption, sizeof caption, "Truth of %s: observed orders and error bars", scene);
-    t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
     for (int n = 0; n < made->times; n++)
         row_cells(t, made, n, length);
     table_note(t, "The truth: %s.", made->note);
@@ -75,7 +71,7 @@ enum status truth_print(const struct truth_made *made, const char *scene, double
            "its orders leave, with a factor of safety. Growth: rms change after gravity "
            "was changed by 1e-6 in the direction (1,1,1), over 1e-6 of the length.");
     horizon_note(t, made, length);
-    st = table_print(t, format, file);
+    enum status st = table_print(t, format, file);
     table_destroy(t);
     return st;
 }

@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/ui/plot.h"
+
 /* The place for one more element behind `count` of them, all zero; NULL without memory. */
 static void *one_more(struct chart *c, void *array, int *count, size_t size)
 {
@@ -275,11 +277,5 @@ enum status chart_save(struct chart *c, const char *folder, const char *name,
     enum status st = chart_write(c, folder, name, &plot);
 
     chart_destroy(c);
-    if (st == STATUS_OK)
-        fprintf(stderr, "%s.png, .svg and .pdf in %s\n", name, folder);
-    else if (st != STATUS_UNSUPPORTED && st != STATUS_LIBRARY)
-        return status_fail(why, st, "%s", plot.text);
-    else
-        fprintf(stderr, "%s\n", plot.text);
-    return STATUS_OK;
+    return plot_tell(st, folder, name, ".png, .svg and .pdf", &plot, why);
 }

@@ -41,7 +41,7 @@ struct chart_tic {
 
 struct chart_axis {
     const char *name; /* for people, no key                                              */
-    const char *unit; /* stands in brackets behind it; NULL: none                        */
+    const char *unit; /* stands in brackets behind it; NULL, "1": none */
     bool log;
     double low, high; /* equal: as the data; NaN at one end: that end as the data        */
     int tic_count;    /* 0: gnuplot's                                                    */

@@ -14,6 +14,8 @@ static const struct look {
              {"#56b4e9", 3, 2, "(3,8)"},    {"#7f7f7f", 1, 1, "(14,4,3,4,3,4)"}};
 enum { LOOKS = sizeof looks / sizeof *looks };
 
+const char chart_look_band[] = "#c8c8c8";
+
 /* Beyond the looks there are all of them once more, dashed and open. */
 static bool is_second(const struct chart_item *item)
 {

@@ -46,6 +46,21 @@ struct chart {
 
 /* chart_look.c: ` with STYLE ... lc rgb ...`, as the plot or as the legend has it. */
 void chart_look_write(struct output *out, const struct chart_item *item, bool legend);
+extern const char chart_look_band[]; /* colour of a band */
 const char *chart_look_rgb(const struct chart_item *item);
+
+/* chart_legend.c */
+enum { CHART_ENTRIES = 64, CHART_CHARACTER = 8 /* its width in points */ };
+struct chart_entry {
+    const char *label;
+    const struct chart_item *item; /* NULL: a band                                     */
+    bool line;                     /* which is one line                                */
+};
+struct chart_legend {
+    int count, columns, rows;
+    struct chart_entry entry[CHART_ENTRIES];
+};
+struct chart_legend chart_legend_of(const struct chart *c, int width);
+void chart_legend_write(struct output *out, const struct chart_legend *l);
 
 #endif

@@ -10,19 +10,7 @@
 #include "bench/ui/plot.h"
 
 /* Points of a screen: one panel alone, one of several, lines of text. */
-enum {
-    WIDE = 900,
-    HIGH = 520,
-    NARROW = 480,
-    LOW = 380,
-    LINE = 20,
-    CHARACTER = 8,
-    KEY = 70
-};
-
-enum { ENTRIES_MOST = 64 };
-
-static const char *const band_rgb = "#c8c8c8";
+enum { WIDE = 900, HIGH = 520, NARROW = 480, LOW = 380, LINE = 20 };
 
 /* --- data ----------------------------------------------------------------------------- */
 
@@ -71,19 +59,24 @@ static void write_block(struct output *out, const struct chart_pane *p, int pane
 
 /* --- a panel -------------------------------------------------------------------------- */
 
-/* The data's ends on an axis. */
-static void ends_of(const struct chart_pane *p, int axis, double *low, double *high)
+/* The data's ends on an axis; whether they are those of cells, which fill their panel. */
+static bool ends_of(const struct chart_pane *p, int axis, double *low, double *high)
 {
+    bool celled = false;
+
     *low = INFINITY, *high = -INFINITY;
     for (int n = 0; n < p->item_count; n++)
         for (int k = 0; k < p->item[n].count; k++) {
             const struct chart_place *at = &p->item[n].at[k];
             const double value = axis ? at->y : at->x;
-            if (is_drawn(p->axis, at)) {
-                *low = fmin(*low, value);
-                *high = fmax(*high, value);
-            }
+            const double *side = axis ? at->y_side : at->x_side;
+            if (!is_drawn(p->axis, at))
+                continue;
+            celled = celled || p->item[n].celled;
+            *low = fmin(*low, p->item[n].celled ? side[0] : value);
+            *high = fmax(*high, p->item[n].celled ? side[1] : value);
         }
+    return celled;
 }
 
 static void write_end(struct output *out, double value)
@@ -131,8 +124,9 @@ static void write_axis(struct output *out, const struct chart_pane *p, int n)
     char label[256];
     double low, high;
 
-    ends_of(p, n, &low, &high);
-    snprintf(label, sizeof label, axis->unit ? "%s [%s]" : "%s",
+    const bool celled = ends_of(p, n, &low, &high);
+    snprintf(label, sizeof label,
+             axis->unit && strcmp(axis->unit, "1") != 0 ? "%s [%s]" : "%s",
              axis->name ? axis->name : "", axis->unit);
     output_print(out, "set %clabel ", name);
     plot_text(out, label);
@@ -149,6 +143,8 @@ static void write_axis(struct output *out, const struct chart_pane *p, int n)
         high = isnan(axis->high) ? high : axis->high;
     } else if (low > high) { /* nothing to be seen: gnuplot wants a range all the same */
         output_print(out, "set %crange [1:10]\n", name);
+    } else if (celled) {
+        output_print(out, "set %crange [%.9g:%.9g]\n", name, low, high);
     } else if (low == high) {
         const double room = fmax(fabs(low) / 2, 1e-9);
         output_print(out, "set %crange [%.9g:%.9g]\n", name, low - room, high + room);
@@ -179,7 +175,7 @@ static void write_stripes(struct output *out, const struct chart_pane *p)
         else
             output_print(out, "first %.9g", s->low);
         output_print(out, " to graph 1, first %.9g fc rgb '%s' fs solid noborder behind\n",
-                     s->high, band_rgb);
+                     s->high, chart_look_band);
     }
 }
 
@@ -236,90 +232,6 @@ static void write_pane(struct output *out, const struct chart_pane *p, int pane)
     output_print(out, "NaN notitle\n");
 }
 
-/* --- the legend ----------------------------------------------------------------------- */
-
-struct entry {
-    const char *label;
-    const struct chart_item *item; /* NULL: a band                                      */
-    bool line;                     /* which is one line                                 */
-};
-
-struct legend {
-    int count, columns, rows;
-    struct entry entry[ENTRIES_MOST];
-};
-
-static void add_entry(struct legend *l, struct entry entry)
-{
-    for (int n = 0; n < l->count; n++)
-        if (!strcmp(l->entry[n].label, entry.label))
-            return;
-    if (l->count < ENTRIES_MOST)
-        l->entry[l->count++] = entry;
-}
-
-/* Characters of a label: bytes that do not continue one of UTF-8. */
-static int width_of(const char *text)
-{
-    int width = 0;
-
-    for (; *text; text++)
-        width += (*text & 0xc0) != 0x80;
-    return width;
-}
-
-static struct legend legend_of(const struct chart *c, int width)
-{
-    struct legend l = {0};
-    int widest = 1;
-
-    for (int p = 0; p < c->pane_count; p++) {
-        const struct chart_pane *pane = &c->pane[p];
-        for (int n = 0; n < pane->item_count; n++)
-            if (pane->item[n].as.label)
-                add_entry(&l,
-                          (struct entry){pane->item[n].as.label, &pane->item[n], false});
-        for (int n = 0; n < pane->stripe_count; n++)
-            if (pane->stripe[n].label)
-                add_entry(&l, (struct entry){pane->stripe[n].label, NULL,
-                                             pane->stripe[n].low == pane->stripe[n].high});
-    }
-    for (int n = 0; n < l.count; n++)
-        if (width_of(l.entry[n].label) > widest)
-            widest = width_of(l.entry[n].label);
-    l.columns = (width - 40) / (KEY + CHARACTER * widest);
-    if (l.columns < 1)
-        l.columns = 1;
-    l.rows = (l.count + l.columns - 1) / l.columns;
-    if (l.rows) /* as even as it can be */
-        l.columns = (l.count + l.rows - 1) / l.rows;
-    return l;
-}
-
-static void write_legend(struct output *out, const struct legend *l)
-{
-    output_print(out,
-                 "unset object\nunset arrow\nunset label\nunset logscale\nunset border\n"
-                 "unset tics\nunset grid\nunset title\nunset xlabel\nunset ylabel\n"
-                 "set lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n"
-                 "set key center center horizontal maxcols %d Left reverse samplen 3\n"
-                 "plot [0:1][0:1] \\\n",
-                 l->columns);
-    for (int n = 0; n < l->count; n++) {
-        output_print(out, "NaN");
-        if (l->entry[n].item)
-            chart_look_write(out, l->entry[n].item, true);
-        else if (l->entry[n].line)
-            output_print(out, " with lines lw 1.5 dt (6,4) lc rgb '#808080'");
-        else
-            output_print(out, " with points pt 5 ps scale*2 lc rgb '%s'", band_rgb);
-        output_print(out, " title ");
-        plot_text(out, l->entry[n].label);
-        output_print(out, ", \\\n");
-    }
-    output_print(out, "NaN notitle\n");
-}
-
 /* --- the page ------------------------------------------------------------------------- */
 
 /* Words in lines of at most `most` characters, torn at blanks: gnuplot tears none. */
@@ -345,7 +257,7 @@ static int wrap(const char *text, int most, char *wrapped, int size)
 struct layout {
     int columns, rows, width, height, pane_height, foot;
     char title[1024];
-    struct legend legend;
+    struct chart_legend legend;
 };
 
 static struct layout layout_of(const struct chart *c)
@@ -357,10 +269,10 @@ static struct layout layout_of(const struct chart *c)
     y.columns = c->columns ? c->columns : panes < 10 ? columns_of[panes] : 4;
     y.rows = (panes + y.columns - 1) / y.columns;
     y.width = y.columns == 1 ? WIDE : NARROW * y.columns;
-    y.legend = legend_of(c, y.width);
+    y.legend = chart_legend_of(c, y.width);
     y.foot = y.legend.rows ? LINE * y.legend.rows + 16 : 0;
     const int lines =
-        c->title ? wrap(c->title, y.width / CHARACTER, y.title, sizeof y.title) : 0;
+        c->title ? wrap(c->title, y.width / CHART_CHARACTER, y.title, sizeof y.title) : 0;
     y.height = 8 + LINE * lines + y.rows * y.pane_height + y.foot;
     return y;
 }
@@ -380,7 +292,7 @@ static void write_page(struct output *out, const struct chart *c, const struct l
     }
     if (y->legend.count) {
         output_print(out, "set size 1,%.6g\nset origin 0,0\n", (double)y->foot / y->height);
-        write_legend(out, &y->legend);
+        chart_legend_write(out, &y->legend);
     }
 }
 

@@ -97,6 +97,8 @@ static void write_view(struct output *out, const struct box *box)
         low -= more, high += more;
         side[d] = high - low;
         floor = low; /* of z in the end */
+        output_print(out, "set %clabel '%c [m]' font ',8' tc rgb '#606060' offset %d,0\n",
+                     axis[d], axis[d], d == 2);
         output_print(out, "set %crange [%.4g:%.4g]\nset %ctics %g offset %s\n", axis[d],
                      low, high, axis[d],
                      side[d] > 3     ? 1.
@@ -153,4 +155,13 @@ enum status picture_surfaces(const char *folder, const char *name, int columns, 
 out:
     output_discard(out);
     return st;
+}
+
+enum status picture_save(const char *folder, const char *name, int columns, int count,
+                         const struct picture_panel *panels, struct message *why)
+{
+    struct message plot = {""};
+    const enum status st = picture_surfaces(folder, name, columns, count, panels, &plot);
+
+    return plot_tell(st, folder, name, ".png", &plot, why);
 }

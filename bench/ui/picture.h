@@ -21,4 +21,9 @@ struct picture_panel {
 enum status picture_surfaces(const char *folder, const char *name, int columns, int count,
                              const struct picture_panel *panels, struct message *why);
 
+/* The same as chart_save (chart.h) does it: a line on standard error, and no failure for
+ * want of gnuplot. */
+enum status picture_save(const char *folder, const char *name, int columns, int count,
+                         const struct picture_panel *panels, struct message *why);
+
 #endif

@@ -58,7 +58,7 @@ void plot_page(struct output *out, const char *name, enum plot_kind kind, int wi
     else
         output_print(out,
                      "set terminal pdfcairo noenhanced size %gin,%gin font 'Sans,10' "
-                     "fontscale 0.75\nscale = 1.\n",
+                     "fontscale 0.75 linewidth 1.4 dashlength 1.4\nscale = 1.\n",
                      width / 96., height / 96.);
     output_print(out, "set output '%s.%s'\n", name, ending[kind]);
 }
@@ -114,4 +114,16 @@ enum status plot_end(const char *folder, const char *name, struct output **out,
     TRY(plot_run(folder, script, why));
 out:
     return st;
+}
+
+enum status plot_tell(enum status st, const char *folder, const char *name,
+                      const char *endings, const struct message *plot, struct message *why)
+{
+    if (st == STATUS_OK)
+        fprintf(stderr, "%s%s in %s\n", name, endings, folder);
+    else if (st != STATUS_UNSUPPORTED && st != STATUS_LIBRARY)
+        return status_fail(why, st, "%s", *plot->text ? plot->text : status_text(st));
+    else
+        fprintf(stderr, "%s: %s\n", name, plot->text);
+    return STATUS_OK;
 }

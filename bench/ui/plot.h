@@ -30,6 +30,12 @@ void plot_text(struct output *out, const char *text);
 enum status plot_end(const char *folder, const char *name, struct output **out,
                      struct message *why);
 
+/* Tells people on standard error which files NAME.ENDINGS there are in `folder`, or `plot`,
+ * why there are none. A status that only means "no picture" becomes STATUS_OK: results are
+ * worth having without; others come back with *why. */
+enum status plot_tell(enum status st, const char *folder, const char *name,
+                      const char *endings, const struct message *plot, struct message *why);
+
 /* Of scripts written elsewhere; goes with the last of them. */
 enum status plot_run(const char *folder, const char *script, struct message *why);
 

@@ -236,6 +236,11 @@ void table_note(struct table *t, const char *format, ...)
     t->notes[t->note_count++] = text;
 }
 
+bool table_has(const struct table *t, int column, enum table_readers readers)
+{
+    return t->columns[column].readers == readers || t->columns[column].readers == TABLE_ALL;
+}
+
 int table_rows(const struct table *t)
 {
     return t && !t->failed ? t->row_count : 0;

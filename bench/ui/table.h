@@ -40,8 +40,9 @@ bool table_format_is_prose(enum table_format format);
 
 enum table_align { TABLE_RIGHT, TABLE_LEFT };
 
-/* Who gets a column: people read text, Markdown and LaTeX, machines CSV and JSON. */
-enum table_readers { TABLE_ALL, TABLE_PEOPLE, TABLE_MACHINES };
+/* Who gets a column: people read text, Markdown and LaTeX, machines CSV and JSON; nobody
+ * gets one that is filled for the sake of its fellows. */
+enum table_readers { TABLE_ALL, TABLE_PEOPLE, TABLE_MACHINES, TABLE_NOBODY };
 
 struct table_column {
     const char *header;     /* borrowed until destroy; [a-z] words, short              */
@@ -105,8 +106,8 @@ enum status table_save(const struct table *t, const char *folder, const char *na
                        struct message *why);
 
 /* Prints the rows so far as table_save has them, the line of keys before the first, and
- * forgets them: for tables longer than memory. */
-void table_flush(struct table *t, FILE *file);
+ * forgets them: for tables longer than memory. Status as table_print. */
+enum status table_flush(struct table *t, FILE *file);
 
 /* What is in a table. `key` is that of CSV and must be one; cells as in CSV, NaN and "" for
  * what has no number or no words; table_shown: as people see it. */

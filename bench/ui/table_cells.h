@@ -29,6 +29,9 @@ struct table {
     char **notes;                 /* [note_count]                                owned */
 };
 
+/* Of table.c: whether these readers, people or machines, get a column. */
+bool table_has(const struct table *t, int column, enum table_readers readers);
+
 /* table_machine.c, called by table_print. */
 void table_machine_csv(const struct table *t, FILE *file);
 void table_machine_json(const struct table *t, FILE *file);

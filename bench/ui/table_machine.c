@@ -69,7 +69,7 @@ char *table_machine_key(const struct table_column *columns, int n)
 
 static bool is_wanted(const struct table *t, int column)
 {
-    return t->columns[column].readers != TABLE_PEOPLE;
+    return table_has(t, column, TABLE_MACHINES);
 }
 
 static void print_comment(const char *text, FILE *file)
@@ -139,10 +139,10 @@ void table_machine_csv(const struct table *t, FILE *file)
         print_comment(t->notes[n], file);
 }
 
-void table_flush(struct table *t, FILE *file)
+enum status table_flush(struct table *t, FILE *file)
 {
     if (!t || t->failed)
-        return;
+        return STATUS_MEMORY;
     if (!t->flushed)
         print_keys(t, file);
     print_rows(t, file);
@@ -152,6 +152,7 @@ void table_flush(struct table *t, FILE *file)
         memset(t->cells, 0, (size_t)t->room * (size_t)t->column_count * sizeof *t->cells);
     t->flushed = true;
     t->row_count = t->filled = 0;
+    return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 
 enum status table_save(const struct table *t, const char *folder, const char *name,

@@ -8,7 +8,7 @@ enum { TEXT_WIDTH = 96 };
 
 static bool is_wanted(const struct table *t, int column)
 {
-    return t->columns[column].readers != TABLE_MACHINES;
+    return table_has(t, column, TABLE_PEOPLE);
 }
 
 static const char *text_at(const struct table *t, int row, int column)

@@ -20,11 +20,22 @@ static bool read_point(const char *text, double uvw[3])
 enum status probe_init(struct probe *p, int count, const char *const *texts,
                        struct message *why)
 {
+    static const struct table_column columns[] = {{"t", "s", .key = "t"},
+                                                  {"u"},
+                                                  {"v"},
+                                                  {"w"},
+                                                  {"x", "m", .key = "x"},
+                                                  {"y", "m", .key = "y"},
+                                                  {"z", "m", .key = "z"}};
     enum status st = STATUS_OK;
     size_t size = (size_t)(3 * count + 1) * sizeof(double);
 
-    *p = (struct probe){.count = count, .uvw = malloc(size), .xyz = malloc(size)};
-    if (!p->uvw || !p->xyz)
+    *p = (struct probe){.count = count,
+                        .uvw = malloc(size),
+                        .xyz = malloc(size),
+                        .table =
+                            table_create(sizeof columns / sizeof *columns, columns, NULL)};
+    if (!p->uvw || !p->xyz || !p->table)
         TRY(STATUS_MEMORY);
     for (int n = 0; n < count; n++)
         if (!read_point(texts[n], p->uvw + 3 * n))
@@ -42,26 +53,29 @@ void probe_clear(struct probe *p)
 {
     free(p->uvw);
     free(p->xyz);
+    table_destroy(p->table);
     *p = (struct probe){0};
-}
-
-void probe_print_header(FILE *file)
-{
-    fputs("t,u,v,w,x,y,z\n", file);
 }
 
 enum status probe_print(struct probe *p, const struct run *run, double t, FILE *file,
                         struct message *why)
 {
+    enum { DIGITS = 17 };
+
     run->model->probe(run->state, p->count, p->uvw, p->xyz);
     for (int n = 0; n < p->count; n++) {
-        const double *a = p->uvw + 3 * n, *x = p->xyz + 3 * n;
-        if (fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t, a[0], a[1],
-                    a[2], x[0], x[1], x[2]) < 0)
-            return status_fail(why, STATUS_FILE, "--probe: the run ends at t = %.6g s: %s",
-                               t,
-                               errno == EPIPE ? "the reader of standard output went away"
-                                              : strerror(errno));
+        table_row(p->table);
+        table_number(p->table, t, DIGITS);
+        for (int i = 0; i < 3; i++)
+            table_number(p->table, p->uvw[3 * n + i], DIGITS);
+        for (int i = 0; i < 3; i++)
+            table_number(p->table, p->xyz[3 * n + i], DIGITS);
     }
-    return STATUS_OK;
+    errno = 0;
+    const enum status st = table_flush(p->table, file);
+    if (st == STATUS_FILE)
+        return status_fail(why, st, "--probe: the run ends at t = %.6g s: %s", t,
+                           errno == EPIPE ? "the reader of standard output went away"
+                                          : strerror(errno));
+    return st;
 }

@@ -147,8 +147,6 @@ static enum status run_motion(struct job *j, struct message *why)
     struct motion m = {0};
 
     TRY(motion_init(&m, j->run.model, &j->run.scene, j->run.state));
-    if (j->probe.count)
-        probe_print_header(stdout);
     TRY(motion_run(&m, watch_frame, j, j->quiet, why));
     TRY(close_file(j, &m, why));
     if (!j->quiet)
@@ -168,10 +166,8 @@ static enum status run_static(struct job *j, struct message *why)
     enum status st = STATUS_OK;
 
     TRY(statics_print(&j->run, j->format, j->probe.count ? stderr : stdout, why));
-    if (j->probe.count) {
-        probe_print_header(stdout);
+    if (j->probe.count)
         TRY(probe_print(&j->probe, &j->run, 0, stdout, why));
-    }
     if (j->file)
         TRY(run_file_rest(j->file, &(struct counters){0}, why));
     TRY(close_file(j, NULL, why));

@@ -21,9 +21,9 @@ static void add_point(struct table *t, const struct scene *scene, const double u
 
     scene_rest_point(scene, uvw, rest);
     table_row(t);
+    table_text(t, "%g,%g,%g", uvw[0], uvw[1], uvw[2]);
     for (int i = 0; i < 3; i++)
         table_number(t, uvw[i], 3);
-    table_text(t, "%g,%g,%g", uvw[0], uvw[1], uvw[2]);
     for (int i = 0; i < 3; i++) {
         double d = xyz[i] - rest[i];
         if (fabs(d) < round_off * scene->length)
@@ -39,14 +39,14 @@ enum status statics_print(struct run *run, enum table_format format, FILE *file,
                           struct message *why)
 {
     static const struct table_column columns[] = {
+        {"point u,v,w", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
         {"u", .readers = TABLE_MACHINES},
         {"v", .readers = TABLE_MACHINES},
         {"w", .readers = TABLE_MACHINES},
-        {"point u,v,w", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
-        {"dx", "m", TABLE_RIGHT},
-        {"dy", "m", TABLE_RIGHT},
-        {"dz", "m", TABLE_RIGHT},
-        {"deflection", "rho g h L^4/D", TABLE_RIGHT, .key = "deflection"}};
+        {"dx", "m"},
+        {"dy", "m"},
+        {"dz", "m"},
+        {"deflection", "rho g h L^4/D", .key = "deflection"}};
     static const double at[] = {0, 0.5, 1};
     enum status st = STATUS_OK;
     struct counters counters = {0};
@@ -56,7 +56,8 @@ enum status statics_print(struct run *run, enum table_format format, FILE *file,
     TRY(run_settle(run, &counters, why));
     if (run->model->energy)
         run->model->energy(run->state, &energy);
-    t = table_create(8, columns, "Displacements in static equilibrium");
+    t = table_create(sizeof columns / sizeof *columns, columns,
+                     "Displacements in static equilibrium");
     for (int n = 0; n < 9; n++) {
         double uvw[3] = {at[n / 3], at[n % 3], 0.5}, xyz[3];
         run->model->probe(run->state, 1, uvw, xyz);
@@ -108,10 +109,8 @@ static void add_notes(struct table *t, bool settled, int count, const double *om
 enum status statics_modes(struct run *run, int count, bool settled,
                           enum table_format format, FILE *file, struct message *why)
 {
-    static const struct table_column columns[] = {{"mode", NULL, TABLE_RIGHT},
-                                                  {"omega", "rad/s", TABLE_RIGHT},
-                                                  {"frequency", "Hz", TABLE_RIGHT},
-                                                  {"lambda", "1", TABLE_RIGHT}};
+    static const struct table_column columns[] = {
+        {"mode"}, {"omega", "rad/s"}, {"frequency", "Hz"}, {"lambda", "1"}};
     enum status st = STATUS_OK;
     double *omega = malloc((size_t)count * sizeof *omega);
     struct counters counters = {0};

@@ -1,9 +1,9 @@
 /* Loads: their sum and first moment on any net and any place, and a sheet pulled at its
  * end, which every solid and shell must stretch evenly: tip, contraction, energies. */
 #include "models/mechanics/dead_load.h"
-#include "bench/harness/trial.h"
 #include "iga/bspline.h"
 #include "tests/check.h"
+#include "tests/run_fixture.h"
 
 /* Sums of up to 10^3 products. */
 static const double ROUND_OFF = 1e-12;
@@ -76,15 +76,10 @@ static void check_places(void)
 
 #define SCENE SOURCE_DIR "/models/scenes/cantilever.yaml"
 
-static void open_sheet(struct trial *t, const char *model, int count,
+static void open_sheet(struct run *t, const char *model, int count,
                        const char *const *settings)
 {
-    struct message why = {""};
-
-    if (!CHECK(trial_open(t, SCENE, count, settings, model, &why) == STATUS_OK)) {
-        printf("%s: %s\n", model, why.text);
-        exit(1);
-    }
+    run_fixture_open(t, SCENE, model, count, settings);
 }
 
 /* E = 1e5 Pa, nu = 0.3, 1 x 1 x 0.02 m; 2 N along the sheet at u = 1. */
@@ -94,7 +89,7 @@ static void check_pull(const char *model, const char *more, bool solid)
     struct message why = {""};
     struct energy energy;
     struct counters work = {0};
-    struct trial t;
+    struct run t;
     double xyz[3];
     const char *const settings[] = {
         "sheet.thickness=0.02",
@@ -118,7 +113,7 @@ static void check_pull(const char *model, const char *more, bool solid)
     good &= CHECK_NEAR(energy.potential, -force * stretch, TOL_PATCH * force * stretch);
     if (!good)
         printf("  %s, %s\n", model, more);
-    trial_close(&t);
+    run_close(&t);
 }
 
 /* Tip under a pull below the middle, which bends, in one basis through the thickness. */
@@ -133,12 +128,12 @@ static void pull_below(const char *model, const char *unknowns, double xyz[3])
                                     unknowns};
     struct counters work = {0};
     struct message why = {""};
-    struct trial t;
+    struct run t;
 
     open_sheet(&t, model, 6, settings);
     CHECK(t.model->equilibrium(t.state, &work, &why) == STATUS_OK);
     t.model->probe(t.state, 1, tip, xyz);
-    trial_close(&t);
+    run_close(&t);
 }
 
 static void check_unknowns(const char *model)
@@ -161,7 +156,7 @@ static void check_flight(const char *model, const char *more, double more_by)
                                     "supports=[]",
                                     "loads=[{at: {u: [0, 1]}, force: [0, 0, 1e-4]}]", more};
     struct counters work = {0};
-    struct trial t;
+    struct run t;
     double xyz[3];
 
     open_sheet(&t, model, 5, settings);
@@ -169,7 +164,7 @@ static void check_flight(const char *model, const char *more, double more_by)
         CHECK(t.model->advance(t.state, &work) == STATUS_OK);
     t.model->probe(t.state, 1, middle, xyz);
     CHECK_NEAR(xyz[2] / (1e-4 / mass * time * time / 2), 1 + more_by, 1e-6);
-    trial_close(&t);
+    run_close(&t);
 }
 
 int main(void)

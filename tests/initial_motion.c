@@ -1,8 +1,8 @@
 /* Initial velocity and spin: a free sheet flies as it was thrown, in every model. */
 #include "bench/harness/contestant.h"
-#include "bench/harness/trial.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
+#include "tests/run_fixture.h"
 
 /* Round-off of 20 steps: a sheet that keeps its shape asks for no iterations. The rebuilt
  * schemes sum it up, times the condition of control points as unknowns. */
@@ -28,22 +28,18 @@ static const char *path; /* of edge_drop */
     "supports=[]", "gravity=[0,0,0]", "damping={kind: none}", "sheet.thickness=0.02",      \
         "material={young: 1e3, poisson: 0.3, density: 100}", "pose.origin=[-0.5,-0.5,0]"
 
-static void open(struct trial *t, const char *model, const char *const *settings)
+static void open(struct run *t, const char *model, const char *const *settings)
 {
-    struct message why = {""};
     int count = 0;
 
     while (settings[count])
         count++;
-    if (!CHECK(trial_open(t, path, count, settings, model, &why) == STATUS_OK)) {
-        printf("%s: %s\n", model, why.text);
-        exit(1);
-    }
+    run_fixture_open(t, path, model, count, settings);
 }
 
-#define OPEN(trial, model, ...) open(trial, model, (const char *const[]){__VA_ARGS__, NULL})
+#define OPEN(run, model, ...) open(run, model, (const char *const[]){__VA_ARGS__, NULL})
 
-static void advance(struct trial *t, int steps)
+static void advance(struct run *t, int steps)
 {
     struct counters counters = {0};
 
@@ -59,7 +55,7 @@ static void advance(struct trial *t, int steps)
 static void check_throw(const char *model, const char *how)
 {
     static const double velocity[3] = {1, -2, 3}, uvw[3] = {0.3, 1, 0.5};
-    struct trial t;
+    struct run t;
     OPEN(&t, model, SHEET, "motion={velocity: [1,-2,3]}", how);
     double rest[3], xyz[3];
 
@@ -69,13 +65,13 @@ static void check_throw(const char *model, const char *how)
     for (int i = 0; i < 3; i++)
         if (!CHECK_NEAR(xyz[i], rest[i] + STEPS * t.scene.step * velocity[i], TOL_FLIGHT))
             printf("%s, %s\n", model, how);
-    trial_close(&t);
+    run_close(&t);
 }
 
 /* m v^2 / 2 + omega I omega / 2 about the middle, before any step. */
 static void check_energy(const char *model, const char *how)
 {
-    struct trial t;
+    struct run t;
     OPEN(&t, model, SHEET, "motion={velocity: [1,-2,3], spin: [4,-5,6]}", how);
     const double h = t.scene.thickness, mass = t.scene.density * h;
     const double across = mass / 12 * (1 + h * h), about = mass / 6;
@@ -87,14 +83,14 @@ static void check_energy(const char *model, const char *how)
     t.model->energy(t.state, &energy);
     if (!CHECK_NEAR(energy.kinetic / want, 1, tolerance))
         printf("%s, %s\n", model, how);
-    trial_close(&t);
+    run_close(&t);
 }
 
 /* An edge that is held stays, whatever was thrown. */
 static void check_held(const char *model, const char *how)
 {
     static const double uvw[3] = {0, 0.5, 0.5};
-    struct trial t;
+    struct run t;
     OPEN(&t, model, "motion={velocity: [0.01,0,0.1], spin: [0,0.1,0]}",
          "damping={kind: none}", how);
     double before[3], after[3];
@@ -104,13 +100,13 @@ static void check_held(const char *model, const char *how)
     t.model->probe(t.state, 1, uvw, after);
     for (int i = 0; i < 3; i++)
         CHECK_NEAR(after[i], before[i], TOL_FLIGHT);
-    trial_close(&t);
+    run_close(&t);
 }
 
 static void check_turn(const char *model)
 {
     static const double uvw[3] = {1, 1, 0.5};
-    struct trial t;
+    struct run t;
     OPEN(&t, model, SHEET, "material.young=1e8", "motion={spin: [0,10,0]}",
          "time={step: 0.00314159265358979, end: 1}", kinematics[3]);
     const double tolerance = t.model->matrices ? TOL_TURN : TOL_EULER;
@@ -125,7 +121,7 @@ static void check_turn(const char *model)
             CHECK_NEAR(xyz[2], 0, tolerance);
     if (!good)
         printf("%s\n", model);
-    trial_close(&t);
+    run_close(&t);
 }
 
 int main(void)

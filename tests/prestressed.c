@@ -2,10 +2,10 @@
  * stiffer by its weight, a plate that stands edge-on under its own buckles sideways. One
  * row a model.
  */
-#include "bench/harness/trial.h"
 #include "fem_ref/reference.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
+#include "tests/run_fixture.h"
 
 /* Of the hanging strip's frequencies: quadratic and linear spans of L / 38 are off by some
  * (k L / 38)^2 / 10, k L = 7.9 in the third mode; shear and rotary inertia of h / L = 1e-2
@@ -27,24 +27,20 @@ static const struct net nets[] = {
 };
 enum { NETS = sizeof nets / sizeof *nets, SETTINGS = 10 };
 
-static void open_trial(struct trial *t, const struct net *net, const char *points,
-                       const char *const more[SETTINGS])
+static void open_net(struct run *t, const struct net *net, const char *points,
+                     const char *const more[SETTINGS])
 {
     const char *settings[SETTINGS + 3] = {"discretization.kinematics=nonlinear", net->extra,
                                           points};
-    struct message why = {""};
     int count = 3;
 
     for (int n = 0; more[n]; n++)
         settings[count++] = more[n];
-    if (!CHECK(trial_open(t, SOURCE_DIR "/models/scenes/cantilever.yaml", count, settings,
-                          net->model, &why) == STATUS_OK)) {
-        printf("%s: %s\n", net->model, why.text);
-        exit(1);
-    }
+    run_fixture_open(t, SOURCE_DIR "/models/scenes/cantilever.yaml", net->model, count,
+                     settings);
 }
 
-static void settle(struct trial *t)
+static void settle(struct run *t)
 {
     struct counters counters = {0};
     struct message why = {""};
@@ -67,17 +63,16 @@ static void check_hanging(const struct net *net, const struct reference *table)
     double omega[3], rest[3], again[3];
     char E[64];
     struct counters counters = {0};
-    struct trial t;
+    struct run t;
 
     while (reference_number(table, row, "a") != gamma)
         row++;
     snprintf(E, sizeof E, "material.young=%.17g", young(gamma, 0.01));
-    open_trial(
-        &t, net, net->points,
-        (const char *const[SETTINGS]){
-            E, "material.poisson=0", "sheet.thickness=0.01", "sheet.width=0.05",
-            "pose={origin: [0,0,0], u: [0,0,-1], v: [0,1,0]}",
-            "supports=[{at: {u: 0}, fix: xyz}, {at: {u: [0,1], v: [0,1]}, fix: y}]"});
+    open_net(&t, net, net->points,
+             (const char *const[SETTINGS]){
+                 E, "material.poisson=0", "sheet.thickness=0.01", "sheet.width=0.05",
+                 "pose={origin: [0,0,0], u: [0,0,-1], v: [0,1,0]}",
+                 "supports=[{at: {u: 0}, fix: xyz}, {at: {u: [0,1], v: [0,1]}, fix: y}]"});
     CHECK(t.model->modes(t.state, 3, rest, NULL) == STATUS_OK);
     CHECK_RELATIVE(rest[0] * sqrt(1 / 9.81), 3.51602 / sqrt(gamma), TOL_REST);
     settle(&t);
@@ -94,7 +89,7 @@ static void check_hanging(const struct net *net, const struct reference *table)
     CHECK(t.model->advance(t.state, &counters) == STATUS_OK);
     CHECK(t.model->modes(t.state, 3, again, NULL) == STATUS_OK);
     CHECK(!memcmp(again, rest, sizeof rest));
-    trial_close(&t);
+    run_close(&t);
 }
 
 /* A square plate on edge, nu = 0, buckles at Gamma = 32.5: stable at a tenth less, at a
@@ -109,16 +104,16 @@ static void check_buckling(const struct net *net, const struct reference *table)
         row++;
     for (int above = 0; above < 2; above++) {
         double gamma = reference_number(table, row, "Gamma_star_c") * (above ? 1.1 : 0.9);
-        struct trial t;
+        struct run t;
         snprintf(E, sizeof E, "material.young=%.17g", young(gamma, 0.005));
-        open_trial(&t, net, net->plate,
-                   (const char *const[SETTINGS]){E, "material.poisson=0",
-                                                 "sheet.thickness=0.005",
-                                                 "gravity=[0,-9.81,0]"});
+        open_net(&t, net, net->plate,
+                 (const char *const[SETTINGS]){E, "material.poisson=0",
+                                               "sheet.thickness=0.005",
+                                               "gravity=[0,-9.81,0]"});
         settle(&t);
         CHECK(t.model->modes(t.state, 2, omega, NULL) == STATUS_OK);
         CHECK((omega[0] < 0) == above && omega[1] > 0);
-        trial_close(&t);
+        run_close(&t);
     }
 }
 

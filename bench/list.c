@@ -20,7 +20,8 @@ static enum status list_files(const struct named_file_kind *kind, struct message
     enum status st = named_file_list(kind, &entries, &count, why);
 
     for (int n = 0; n < count; n++)
-        print_item(entries[n].name, entries[n].text);
+        if (*entries[n].text)
+            print_item(entries[n].name, entries[n].text);
     named_file_list_free(entries, count);
     return st;
 }
@@ -66,12 +67,13 @@ static void list_items(const char *section)
         if (!c->section || strcmp(c->section, section))
             continue;
         for (int i = 0; c->items && c->items[i]; i++)
-            print_item(c->items[i]->name, c->items[i]->text);
+            if (c->items[i]->text) /* else its plan has it */
+                print_item(c->items[i]->name, c->items[i]->text);
     }
 }
 
-/* All sections in their order: files, what the table of contestants has, or else the items
- * of the commands. */
+/* All sections in their order: what the table of contestants has, or else the items of the
+ * commands; then files. */
 static const struct section {
     const char *name;
     const struct named_file_kind *files;
@@ -81,7 +83,7 @@ static const struct section {
     {"models", NULL, list_models},
     {"contestants", NULL, list_contestants},
     {"tables", NULL, NULL},
-    {"studies", NULL, NULL},
+    {"studies", &plan_study_kind, NULL},
     {"plans", &plan_kind, NULL},
     {"truths", &truth_file_kind, NULL},
     {"checks", NULL, NULL},
@@ -97,13 +99,11 @@ enum { SECTIONS = sizeof sections / sizeof *sections };
 
 static enum status list_section(const struct section *s, struct message *why)
 {
-    if (s->files)
-        return list_files(s->files, why);
     if (s->print)
         s->print();
     else
         list_items(s->name);
-    return STATUS_OK;
+    return s->files ? list_files(s->files, why) : STATUS_OK;
 }
 
 static enum status run(const struct command_line *line, struct message *why)

@@ -146,10 +146,32 @@ out:
     return st;
 }
 
+/* More than that overrun the stacks of the libraries that start them. */
+enum { THREADS_MOST = 1024 };
+
+static bool threads_are_few(struct message *why)
+{
+    static const char *const names[] = {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"};
+
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+        const char *text = getenv(names[n]);
+        if (text && strtol(text, NULL, 10) > THREADS_MOST) {
+            status_fail(why, STATUS_INPUT, "%s=%.32s: at most %d threads can be had",
+                        names[n], text, THREADS_MOST);
+            return false;
+        }
+    }
+    return true;
+}
+
 int main(int argc, char **argv)
 {
     struct message why = {{0}}, lost = {{0}};
 
+    if (!threads_are_few(&why)) {
+        fprintf(stderr, "clothbench: %s\n", why.text);
+        return EXIT_USAGE;
+    }
     blas_kernel_choose(argv);
     blas_kernel_set_threads(1);
     if (!getenv("OMP_NUM_THREADS"))

@@ -48,6 +48,9 @@ static void test_baseline(const struct table1_data *d)
     CHECK_RELATIVE(incremental[TABLE1_HEX32].rmse[2], 0.045, TOL_PROTOTYPE);
     for (int n = 2; n <= TABLE1_DENSITIES; n++) /* plain hexahedra approach the baseline */
         CHECK(printed[n].rmse[1] < printed[n - 1].rmse[1]);
+    /* the shell has one scheme, undamped */
+    CHECK(metric_rmse(printed[TABLE1_SHELL].run.xyz[3],
+                      incremental[TABLE1_SHELL].run.xyz[3]) == 0);
     for (int n = 0; n < TABLE1_VARIANTS; n++) {
         CHECK(printed[n].run.frames == TABLE1_TIMES && printed[n].run.step.count == 1);
         CHECK_NEAR(printed[n].run.time[1], table1_time[1], 1e-15);

@@ -2,6 +2,7 @@
 #include "bench/tables/table4.h"
 
 #include "bench/files/folder.h"
+#include "bench/files/store_scene.h"
 #include "bench/tables/interval.h"
 #include "bench/experiment/plan.h"
 #include "tests/check.h"
@@ -77,6 +78,39 @@ static void test_runs(const struct table4_data *d)
               1.1);
         CHECK(d->run[TABLE4_SOLID][TABLE4_DROP][row].result.value[MEASURE_STRETCH_MAX] <
               1.1);
+    }
+}
+
+/* What a reading makes of row 3, mu = 0.5, from the files: its scheme and its damping. */
+static void test_readings(void)
+{
+    static const char *const scheme[TABLE4_READINGS] = {
+        "printed",   "incremental", "incremental", "linear",
+        "nonlinear", "nonlinear",   "nonlinear"};
+    char path[4096], want[64];
+
+    for (int r = 0; r < TABLE4_READINGS; r++) {
+        const enum table4_damping damping = table4_reading[r].damping;
+        struct store_read *file = NULL;
+        struct scene scene;
+        char *text = NULL;
+        table4_path(folder, r, TABLE4_DROP, 2, path, sizeof path);
+        REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
+        REQUIRE(store_scene(file, path, &scene, NULL) == STATUS_OK);
+        REQUIRE(store_read_text(file, "/", "discretization", &text, NULL) == STATUS_OK);
+        snprintf(want, sizeof want, "kinematics=%s", scheme[r]);
+        CHECK(strstr(text, want) && !strcmp(scene.name, "edge_drop"));
+        CHECK(scene.young == 1e4 && scene.density == 0.1);
+        CHECK(scene.damping.kind == (damping == TABLE4_SCALE  ? DAMPING_VELOCITY_SCALE
+                                     : damping == TABLE4_RATE ? DAMPING_MASS
+                                                              : DAMPING_NONE));
+        if (damping == TABLE4_SCALE)
+            CHECK(scene.damping.value == 0.5);
+        if (damping == TABLE4_RATE) /* what it leaves of a speed in a frame */
+            CHECK_NEAR(exp(-scene.damping.value * scene.step), 0.5, 1e-15);
+        free(text);
+        scene_clear(&scene);
+        store_read_close(file);
     }
 }
 
@@ -214,6 +248,7 @@ int main(int argc, char **argv)
         return 1;
     }
     test_runs(d);
+    test_readings();
     test_agreement(d);
     test_rules(d);
     test_cells(d);

@@ -28,10 +28,11 @@ static const char *const GOOD[] = {
 };
 enum { LINES = sizeof GOOD / sizeof *GOOD };
 
-static const struct {
-    int line; /* replaced; LINES + 1: added */
+struct wrong {
+    int line; /* replaced; beyond the last: added */
     const char *text, *part;
-} BAD[] = {
+};
+static const struct wrong BAD[] = {
     {1, "name: Good plan", "name is 'Good plan', but must be 1 to 64 of the characters"},
     {1, "nam: good", "the plan has no key 'nam'; did you mean 'name'?"},
     {1, "name: [good]", "name is a list of 1, but must be a line of text"},
@@ -91,47 +92,131 @@ static const struct {
     {15, "map: {x: gamma, y: damping.value, marks: [{text: a, label: b, at: {}}]}",
      "the mark 'a' lacks the key damping.value, which the map shows"},
     {16, "look: 3", "key 'look' for the second time"},
+    {16, "times: [0.1]", "times is for studies, but the plan has no levels"},
+    {16, "truth: true", "truth is for studies, but the plan has no levels"},
+    {16, "timed: 3", "timed is for studies, but the plan has no levels"},
     {16, "- x", "not YAML"},
+};
+
+/* Likewise of studies. */
+static const char *const STUDIES[] = {
+    "name: studies",
+    "source: a test",
+    "scene: edge_drop",
+    "levels:",
+    "  - {label: 5x5x2, size: 0.3, settings: {discretization.points: [5,5,2]}}",
+    "  - {label: 9x9x2, settings: {discretization.points: [9,9,2]}, quick: {time.step: "
+    "0.01}}",
+    "times: [0.1, 0.2]",
+    "truth: true",
+    "timed: 3",
+    "studies:",
+    "  - {name: edge}",
+    "  - {name: corners, scene: corners_drop, truth: false, times: [0.05]}",
+};
+enum { STUDY_LINES = sizeof STUDIES / sizeof *STUDIES };
+
+static const struct wrong BAD_STUDIES[] = {
+    {3, "scene: nowhere", "no scene 'nowhere'"},
+    {5, "  - {size: 0.3}", "a level lacks the key 'label', a line of text"},
+    {5, "  - {label: a, size: -1}", "size is '-1', but must be a number between 0 and"},
+    {5, "  - {label: a, colour: red}", "has no key 'colour'"},
+    {5, "  - {label: a, model: ibm}", "there is no model 'ibm'; models: iga"},
+    {5, "  - {label: a, settings: 5}", "settings is '5', but must be a map {KEY: VALUE"},
+    {5, "  - {label: a, settings: {discretization.degree: [9,9,1]}}", "degree holds '9'"},
+    {5, "  - {label: a, settings: {material.colour: red}}", "has no key 'colour'"},
+    {5, "  - {label: a, quick: {sheet.thickness: -1}}", "thickness is '-1'"},
+    {5, "  - {label: a, name: A a}", "a level has the name 'A a', but must have 1 to 64"},
+    {5, "  - {label: a, phases: maybe}", "phases is 'maybe', but must be one of false"},
+    {6, "  - {label: 5X5X2}", "a level has the name '5x5x2' as another has"},
+    {7, "times: 0.1", "times is '0.1', but must be a list of numbers"},
+    {7, "times: [0.2, 0.1]", "times has 0.1 after 0.2, but must be increasing"},
+    {7, "times: [0]", "times holds '0', but must be"},
+    {7, "times: [0.1, 0.123]", "the time 0.123 s is no multiple of the step, 0.005 s, of"},
+    {7, "times: [0.105]", "the time 0.105 s is no multiple of the step, 0.01 s, of the"},
+    {8, "truth: shell", "truth is 'shell', but must be one of false, true"},
+    {9, "timed: 0.5", "timed is '0.5', but must be a whole number from 0"},
+    {9, "timed: yes", "timed is 'yes', but must be a whole number from 0"},
+    {11, "  - {caption: edge}", "a study lacks the key 'name', a line of text"},
+    {11, "  - {name: edge drop}", "a study has the name 'edge drop', but must have 1 to"},
+    {12, "  - {name: edge}", "a study has the name 'edge' as another has"},
+    {11, "  - {name: edge, times: []}", "has truth, but no times"},
+    {11, "  - {name: edge, levels: []}",
+     "levels is an empty list, but must be a list of 1"},
+    {11, "  - {name: edge, scene: nowhere}", "no scene 'nowhere'"},
+    {11, "  - {name: edge, settings: {time.end: x}}", "end is 'x', but must be a number"},
+    {13, "cases: [{name: a}]", "a plan with levels has no axes, cases and map"},
+    {13, "axes: [{key: gamma, values: [1]}]", "a plan with levels has no axes, cases and"},
 };
 
 static char path[] = "bad_plans_XXXXXX.yaml";
 
-/* The good plan with another line. */
-static enum status read_plan(int line, const char *text, struct plan *plan,
-                             struct message *why)
+/* A good plan with another line. */
+static enum status read_plan(const char *const *good, int lines, int line, const char *text,
+                             struct plan *plan, struct message *why)
 {
     FILE *file = fopen(path, "w");
 
     REQUIRE(file);
-    for (int n = 1; n <= LINES + 1; n++)
-        fprintf(file, "%s\n", n == line ? text : n <= LINES ? GOOD[n - 1] : "");
+    for (int n = 1; n <= lines + 1; n++)
+        fprintf(file, "%s\n", n == line ? text : n <= lines ? good[n - 1] : "");
     REQUIRE(fclose(file) == 0);
     memset(plan, 'x', sizeof *plan);
     return plan_read(path, plan, why);
 }
 
-static void check_bad(void)
+static void check_bad(const char *const *good, int lines, const struct wrong *bad,
+                      size_t count)
 {
     static const struct plan zero;
 
-    for (size_t n = 0; n < sizeof BAD / sizeof *BAD; n++) {
+    for (size_t n = 0; n < count; n++) {
         struct plan plan;
         struct message why = {""};
         char beginning[64];
-        enum status st = read_plan(BAD[n].line, BAD[n].text, &plan, &why);
+        enum status st = read_plan(good, lines, bad[n].line, bad[n].text, &plan, &why);
         size_t length = strlen(why.text);
         bool fine = st == STATUS_INPUT && !memcmp(&plan, &zero, sizeof plan);
 
-        snprintf(beginning, sizeof beginning, "%s:%d: ", path, BAD[n].line);
+        snprintf(beginning, sizeof beginning, "%s:%d: ", path, bad[n].line);
         fine = fine && !strncmp(why.text, beginning, strlen(beginning));
-        fine = fine && strstr(why.text, BAD[n].part) && length < sizeof why.text - 1;
+        fine = fine && strstr(why.text, bad[n].part) && length < sizeof why.text - 1;
         for (size_t i = 0; i < length; i++)
             fine = fine && (unsigned char)why.text[i] >= ' ';
         if (!CHECK(fine))
-            printf("  '%s': wanted '%s...%s', got status %d '%s'\n", BAD[n].text, beginning,
-                   BAD[n].part, st, why.text);
+            printf("  '%s': wanted '%s...%s', got status %d '%s'\n", bad[n].text, beginning,
+                   bad[n].part, st, why.text);
         plan_clear(&plan);
     }
+}
+
+/* What a study has of its own, and what of the plan. */
+static void check_studies(void)
+{
+    struct plan plan;
+    struct plan_case c;
+    struct message why = {""};
+
+    if (!CHECK(read_plan(STUDIES, STUDY_LINES, 0, "", &plan, &why) == STATUS_OK)) {
+        printf("%s\n", why.text);
+        return;
+    }
+    const struct plan_study *edge = &plan.studies[0], *corners = &plan.studies[1];
+    REQUIRE(plan.study_count == 2 && corners->level_count == 2);
+    CHECK(edge->truth && !corners->truth && edge->timed == 3 && corners->timed == 3);
+    CHECK(edge->time_count == 2 && edge->times[1] == 0.2);
+    CHECK(corners->time_count == 1 && corners->times[0] == 0.05);
+    CHECK(corners->levels[0].size == 0.3 && !strcmp(corners->levels[1].name, "9x9x2"));
+    CHECK(!strcmp(edge->caption, "edge"));
+    for (int quick = 0; quick < 2; quick++) {
+        REQUIRE(plan_case_level(&plan, corners, &corners->levels[1], quick, &c, &why) ==
+                STATUS_OK);
+        CHECK(!strcmp(settings_value(&c.settings, "discretization.points"), "[9,9,2]"));
+        CHECK(!settings_value(&c.settings, "time.step") == !quick);
+        CHECK(strstr(c.path, "corners_drop.yaml"));
+        plan_case_clear(&c);
+    }
+    plan_clear(&plan);
 }
 
 /* The combinations in their order, and Gamma through the thickness. */
@@ -143,7 +228,7 @@ static void check_good(void)
     struct message why = {""};
     const double tol_gamma = 1e-13; /* a square root and back */
 
-    if (!CHECK(read_plan(0, "", &plan, &why) == STATUS_OK)) {
+    if (!CHECK(read_plan(GOOD, LINES, 0, "", &plan, &why) == STATUS_OK)) {
         printf("%s\n", why.text);
         return;
     }
@@ -201,7 +286,9 @@ int main(void)
     REQUIRE(file >= 0);
     close(file);
     check_good();
-    check_bad();
+    check_studies();
+    check_bad(GOOD, LINES, BAD, sizeof BAD / sizeof *BAD);
+    check_bad(STUDIES, STUDY_LINES, BAD_STUDIES, sizeof BAD_STUDIES / sizeof *BAD_STUDIES);
     check_derived_keys();
     unlink(path);
     return check_result();

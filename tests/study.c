@@ -1,5 +1,5 @@
-/* The engine of studies: differences, errors, orders and metrics from result files, levels
- * that die or are refused, truth found again. */
+/* The engine of studies: plans with levels, differences, errors, orders and metrics from
+ * result files, levels that die or are refused, truth found again. */
 #include "bench/experiment/study_print.h"
 
 #include "bench/files/folder.h"
@@ -13,6 +13,23 @@
 static const double TOL_STORED = 1e-7;
 
 static const char *folder;
+
+/* A plan of this text, written where results go. */
+static struct plan plan_of(const char *name, const char *text)
+{
+    struct message why = {""};
+    struct plan plan;
+    char path[4096];
+
+    snprintf(path, sizeof path, "%s/%s.yaml", folder, name);
+    FILE *file = fopen(path, "w");
+    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
+    if (!CHECK(plan_read(path, &plan, &why) == STATUS_OK)) {
+        printf("%s\n", why.text);
+        exit(1);
+    }
+    return plan;
+}
 
 static double *field(const char *name, int frame)
 {
@@ -36,121 +53,135 @@ static double rmse(const char *a, const char *b, int frame)
     return value;
 }
 
-static void measure(const struct study *study)
+static void measure(const struct plan *plan)
 {
-    const struct experiment_options options = {
-        .folder = folder, .quick = true, .repeats = 1};
+    const struct measurement_options options = {.quick = true, .repeats = 1};
     struct message why = {""};
 
-    if (!CHECK(study_measure(study, &options, &why) == STATUS_OK)) {
+    if (!CHECK(study_measure(plan, folder, &options, &why) == STATUS_OK)) {
         printf("%s\n", why.text);
         exit(1);
     }
 }
 
 /* A plate so light that the truth is Kirchhoff's; the shell converges to it. */
-static const struct study_level light_levels[] = {
-    {"6x6", "6", "shell", {"discretization.points=[6,6]"}, 1 / 4.},
-    {"10x10", "10", "shell", {"discretization.points=[10,10]"}, 1 / 8.},
-    {"18x18", "18", "shell", {"discretization.points=[18,18]"}, 1 / 16.},
-};
-static const double light_times[] = {0.05, 0.1};
-static const struct study light = {
-    .name = "light",
-    .caption = "a light plate",
-    .scene = "cantilever_transient",
-    .settings = {"material.density=1e-4"},
-    .numerics = {"discretization.kinematics=linear", "time.step=0.0005"},
-    .count = 3,
-    .levels = light_levels,
-    .times = 2,
-    .time = light_times,
-    .truth = true};
+static const char *const light =
+    "name: light\nsource: a light plate\nscene: cantilever_transient\nmodel: shell\n"
+    "settings: {material.density: 1e-4, discretization.kinematics: linear,\n"
+    "           time.step: 0.0005}\n"
+    "levels:\n"
+    "  - {label: 6x6, name: \"6\", size: 0.25, settings: {discretization.points: [6,6]}}\n"
+    "  - {label: 10x10, name: \"10\", size: 0.125,\n"
+    "     settings: {discretization.points: [10,10]}}\n"
+    "  - {label: 18x18, name: \"18\", size: 0.0625,\n"
+    "     settings: {discretization.points: [18,18]}}\n"
+    "times: [0.05, 0.1]\ntruth: true\ntimed: 1\n";
 
 static void against_truth(void)
 {
-    struct study_result r;
+    struct plan plan = plan_of("light", light);
+    struct study_results all;
     struct message why = {""};
 
-    measure(&light);
-    REQUIRE(study_read(&light, folder, &r, &why) == STATUS_OK);
-    CHECK(r.length == 1 && r.gamma < TRUTH_GAMMA && strstr(r.truth->source, "Kirchhoff"));
+    measure(&plan);
+    REQUIRE(study_read(&plan, folder, &all, &why) == STATUS_OK);
+    const struct study *s = study_find(&all, "light");
+    REQUIRE(s && all.count == 1 && !study_find(&all, "heavy"));
+    CHECK(s->length == 1 && s->gamma < TRUTH_GAMMA);
+    REQUIRE(s->truth && strstr(s->truth->source, "Kirchhoff"));
     for (int t = 0; t < 2; t++) {
-        const struct study_frame *a = &r.row[0].frame[t], *b = &r.row[1].frame[t];
-        const struct study_frame *c = &r.row[2].frame[t];
+        const struct study_frame *a = &s->row[0].frame[t], *b = &s->row[1].frame[t];
+        const struct study_frame *c = &s->row[2].frame[t];
         CHECK_NEAR(a->next, rmse("light_6", "light_10", t), TOL_STORED);
         CHECK_NEAR(b->next, rmse("light_10", "light_18", t), TOL_STORED);
         CHECK_NEAR(a->finest, rmse("light_6", "light_18", t), TOL_STORED);
         CHECK(b->finest == b->next && isnan(c->finest) && isnan(c->next));
         CHECK(c->error < b->error && b->error < a->error);
-        CHECK(study_order(&light, &r, t) > 1); /* p = 2: two, once waves are resolved */
-        CHECK(r.true_frame[t].drop > 0 && r.true_frame[t].roughness > 0);
-        CHECK_RELATIVE(c->drop, r.true_frame[t].drop, 0.05); /* as the errors above */
+        CHECK(study_order(s, t) > 1); /* p = 2: two, once waves are resolved */
+        CHECK(s->true_frame[t].drop > 0 && s->true_frame[t].roughness > 0);
+        CHECK_RELATIVE(c->drop, s->true_frame[t].drop, 0.05); /* as the errors above */
     }
-    CHECK(r.row[0].unknowns == 3 * (36 - 12)); /* two rows of six are held */
-    CHECK(r.row[1].milliseconds > 0);
-    CHECK_RELATIVE(r.row[1].seconds, r.row[1].milliseconds * 1e-3 * 200, 1e-9);
-    study_result_clear(&r);
+    CHECK(s->row[0].result.unknowns == 3 * (36 - 12)); /* two rows of six are held */
+    CHECK(s->row[1].milliseconds > 0);
+    CHECK_RELATIVE(s->row[1].seconds, s->row[1].milliseconds * 1e-3 * 200, 1e-9);
+    study_clear(&all);
+    plan_clear(&plan);
 }
 
-static const struct study_level rough_levels[] = {
-    {"calm", "calm", NULL, {"discretization.points=[5,5,2]"}, 1 / 3.},
-    {"wild",
-     "wild", /* Ren et al. 2024, Table 4 row 7: over at 0.28 s */
-     NULL,
-     {"material.density=0.1", "material.young=5e4", "damping.value=0.9"},
-     1 / 8.},
-    {"odd", "odd", NULL, {"discretization.remedy=incompatible"}, 1 / 8.},
-};
-static const double rough_times[] = {0.05, 0.35};
-static const struct study rough = {.name = "rough",
-                                   .caption = "levels that end badly",
-                                   .scene = "edge_drop",
-                                   .count = 3,
-                                   .levels = rough_levels,
-                                   .times = 2,
-                                   .time = rough_times};
+/* The second: Ren et al. 2024, Table 4 row 7, which dies. No truth is claimed so late for
+ * the flag. */
+static const char *const rough =
+    "name: rough\nsource: levels that end badly\nscene: edge_drop\n"
+    "levels:\n"
+    "  - {label: calm, settings: {discretization.points: [5,5,2]}}\n"
+    "  - {label: wild, settings: {material.density: 0.1, material.young: 5e4,\n"
+    "                             damping.value: 0.9}}\n"
+    "  - {label: odd, settings: {discretization.remedy: incompatible}}\n"
+    "times: [0.05, 0.35]\ntimed: 1\n"
+    "studies:\n"
+    "  - {name: rough, caption: levels that end badly}\n"
+    "  - {name: late, scene: flag, settings: {damping: {kind: none}},\n"
+    "     truth: true, times: [0.5],\n"
+    "     levels: [{label: Flat Sheet, settings: {discretization.points: [4,4,2]}}]}\n";
 
 static void deaths_and_refusals(void)
 {
-    struct study_result r;
-    char text[8192] = "";
-    FILE *file = tmpfile();
+    struct plan plan = plan_of("rough", rough);
+    struct study_results all;
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
 
-    measure(&rough);
-    REQUIRE(file &&
-            study_print_all(&rough, folder, TABLE_TEXT, file, &r, NULL) == STATUS_OK);
-    CHECK(!r.truth && isnan(r.row[0].frame[0].error));
-    CHECK(r.row[1].frame[0].xyz && !r.row[1].frame[1].xyz);
-    CHECK(strstr(r.row[2].refused, "no remedy") && !r.row[2].frame[0].xyz);
-    CHECK_NEAR(r.row[0].frame[0].next, rmse("rough_calm", "rough_wild", 0), TOL_STORED);
-    CHECK(isnan(r.row[0].frame[1].next)); /* nobody else lives */
-    CHECK(isnan(study_order(&rough, &r, 0)));
-    rewind(file);
-    REQUIRE(fread(text, 1, sizeof text - 1, file) > 0);
-    CHECK(strstr(text, r.row[1].outcome) && strstr(text, "no remedy"));
+    measure(&plan);
+    REQUIRE(file && study_read(&plan, folder, &all, NULL) == STATUS_OK);
+    REQUIRE(study_print_all(&all, folder, TABLE_TEXT, file, NULL) == STATUS_OK);
     fclose(file);
-    study_result_clear(&r);
-    CHECK(study_read(&rough, "/nowhere", &r, NULL) == STATUS_FILE);
-    CHECK(!r.row[0].frame[0].xyz); /* all clear after a failure */
+    const struct study *s = study_find(&all, "rough"), *late = study_find(&all, "late");
+    const struct study_row *row = s->row;
+    CHECK(!s->truth && isnan(row[0].frame[0].error));
+    CHECK(row[1].frame[0].xyz && !row[1].frame[1].xyz && row[1].milliseconds > 0);
+    CHECK(run_result_refused(&row[2].result) && !row[2].frame[0].xyz);
+    CHECK_NEAR(row[0].frame[0].next, rmse("rough_calm", "rough_wild", 0), TOL_STORED);
+    CHECK(isnan(row[0].frame[1].next)); /* nobody else lives */
+    CHECK(isnan(study_order(s, 0)));
+    CHECK(strstr(text, "died at t = 0.265 s") && strstr(text, "no remedy"));
+    CHECK(!late->truth && strstr(text, "Truth: none; no truth is claimed"));
+    CHECK(!strcmp(late->plan->levels[0].name, "flat_sheet"));
+    free(text);
+    study_clear(&all);
+    CHECK(study_read(&plan, "/nowhere", &all, NULL) == STATUS_FILE);
+    CHECK(!all.study); /* all clear after a failure */
+    plan_clear(&plan);
+}
+
+/* Three levels without a run. */
+static struct study bare(const struct plan *plan)
+{
+    struct study s = {.plan = &plan->studies[0], .frames = 2};
+
+    for (int n = 0; n < 3; n++)
+        s.row[n].level = &plan->studies[0].levels[n];
+    return s;
 }
 
 /* Orders of errors C h^2 and of differences from the finest C h^3. */
 static void orders(void)
 {
-    struct study_result r = {0};
+    struct plan plan = plan_of("light", light);
+    struct study s = bare(&plan);
     struct truth truth = {0};
-    struct study study = {.count = 3, .levels = light_levels, .times = 1};
 
     for (int n = 0; n < 3; n++) {
-        r.row[n].frame[0].error = 0.3 * pow(light_levels[n].size, 2);
-        r.row[n].frame[0].finest = n < 2 ? 0.2 * pow(light_levels[n].size, 3) : NAN;
+        const double h = s.row[n].level->size;
+        s.row[n].frame[0].error = 0.3 * pow(h, 2);
+        s.row[n].frame[0].finest = n < 2 ? 0.2 * pow(h, 3) : NAN;
     }
-    CHECK_NEAR(study_order(&study, &r, 0), 3, 1e-12);
-    r.truth = &truth;
-    CHECK_NEAR(study_order(&study, &r, 0), 2, 1e-12);
-    r.row[1].frame[0].error = NAN; /* two points are no evidence of an order */
-    CHECK(isnan(study_order(&study, &r, 0)));
+    CHECK_NEAR(study_order(&s, 0), 3, 1e-12);
+    s.truth = &truth;
+    CHECK_NEAR(study_order(&s, 0), 2, 1e-12);
+    s.row[1].frame[0].error = NAN; /* two points are no evidence of an order */
+    CHECK(isnan(study_order(&s, 0)));
+    plan_clear(&plan);
 }
 
 /* What a quick shell left is found again without running; an empty folder says so. */
@@ -190,23 +221,54 @@ static void truth_again(void)
 /* Words for verdicts: a number of every level, and whether it rises or falls throughout. */
 static void trends(void)
 {
-    struct study_result r = {0};
-    struct study study = {.count = 3, .levels = light_levels, .times = 2};
+    struct plan plan = plan_of("light", light);
+    struct study s = bare(&plan);
     const size_t drop = offsetof(struct study_frame, drop);
     struct study_trend trend;
 
     for (int n = 0; n < 3; n++) {
-        r.row[n].frame[1].drop = 0.5 + n;
-        r.row[n].frame[0].drop = n == 1 ? 7 : 2 - n;
+        s.row[n].frame[1].drop = 0.5 + n;
+        s.row[n].frame[0].drop = n == 1 ? 7 : 2 - n;
     }
-    trend = study_print_trend(&study, &r, 1, drop);
+    trend = study_print_last(&s, drop);
     CHECK(trend.sign == 1 && !strcmp(trend.text, "0.5, 1.5, 2.5"));
-    CHECK(study_print_trend(&study, &r, 0, drop).sign == 0);
-    r.row[1].frame[0].drop = 1;
-    CHECK(study_print_trend(&study, &r, 0, drop).sign == -1);
-    r.row[1].frame[1].drop = NAN; /* a level that died proves nothing */
-    trend = study_print_trend(&study, &r, 1, drop);
+    CHECK(study_print_trend(&s, 0, drop).sign == 0);
+    s.row[1].frame[0].drop = 1;
+    CHECK(study_print_trend(&s, 0, drop).sign == -1);
+    s.row[1].frame[1].drop = NAN; /* a level that died proves nothing */
+    trend = study_print_last(&s, drop);
     CHECK(trend.sign == 0 && !strcmp(trend.text, "0.5, died, 2.5"));
+    plan_clear(&plan);
+}
+
+/* At rest: a flat plate only bends, as 1/h^2 under its own weight. A quick run of a plan
+ * with times for it is read as such. */
+static void rest_and_quick(void)
+{
+    struct plan plan =
+        plan_of("statics",
+                "name: statics\nsource: statics\nscene: cantilever\nmodel: shell_linear\n"
+                "settings: {discretization.points: [6,6]}\n"
+                "levels:\n"
+                "  - {label: thin, settings: {sheet.thickness: 0.001}}\n"
+                "  - {label: thick, settings: {sheet.thickness: 0.005},\n"
+                "     quick: {sheet.thickness: 0.004}}\n"
+                "studies:\n"
+                "  - {name: rest}\n"
+                "  - {name: motion, times: [0.01, 0.02], quick_times: [0.005]}\n");
+    struct study_results all;
+
+    measure(&plan);
+    REQUIRE(study_read(&plan, folder, &all, NULL) == STATUS_OK);
+    const struct study *rest = study_find(&all, "rest"),
+                       *moved = study_find(&all, "motion");
+    CHECK(rest->frames == 1 && !rest->time && isnan(rest->row[0].milliseconds));
+    REQUIRE(rest->row[0].frame[0].xyz && rest->row[1].frame[0].xyz);
+    CHECK(!rest->row[0].frame[1].xyz);
+    CHECK_RELATIVE(rest->row[0].frame[0].drop / rest->row[1].frame[0].drop, 16.0, 1e-4);
+    CHECK(moved->frames == 1 && moved->time[0] == 0.005 && moved->row[0].frame[0].xyz);
+    study_clear(&all);
+    plan_clear(&plan);
 }
 
 static void verdicts(void)
@@ -231,6 +293,7 @@ int main(int argc, char **argv)
     verdicts();
     trends();
     truth_again();
+    rest_and_quick();
     deaths_and_refusals();
     against_truth();
     return check_result();

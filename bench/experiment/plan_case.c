@@ -126,13 +126,13 @@ enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
                             enum status st, struct message *why)
 {
     static const char mark[] = "--set ";
-    const struct message old = *why;
     const struct plan_setting *s = NULL;
-    const char *text = old.text;
 
-    if ((st != STATUS_INPUT && st != STATUS_FILE) ||
-        !strncmp(text, plan->path, strlen(plan->path)))
+    if ((st != STATUS_INPUT && st != STATUS_FILE) || !why ||
+        !strncmp(why->text, plan->path, strlen(plan->path)))
         return st;
+    const struct message old = *why;
+    const char *text = old.text;
     if (!strncmp(text, mark, strlen(mark))) {
         text += strlen(mark);
         s = find_blamed(plan, c, text);

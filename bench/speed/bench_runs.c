@@ -221,7 +221,7 @@ static void note_growth(struct table *t, const struct growth *g)
 
 static void add_net(struct table *t, int n, const struct run_result *r, struct growth *g)
 {
-    const int side = paper_table2[PAPER_GROWTH + n].points[0];
+    const int side = 5 * (n + 1);
 
     g->unknowns[n] = r->unknowns;
     g->points[n] = 2.0 * side * side;

@@ -106,12 +106,20 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
         TRY(measure(part, b, why));
     if (part->sample)
         TRY(samples_read(&b->samples, folder, "samples", why));
-    TRY(part->print(b, why));
+    b->result = calloc((size_t)b->batch.count + 1, sizeof *b->result);
+    TRY(b->result ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < b->batch.count && !part->sample; n++)
+        TRY(batch_read(&b->batch, n, false, &b->result[n], why));
+    TRY(part->print(b));
     if (!part->sample && table_format_is_prose(b->format)) {
         measurement_machine(b->batch.files[0], stdout);
         printf("\n");
     }
 out:
+    for (int n = 0; b->result && n < b->batch.count; n++)
+        run_result_clear(&b->result[n]);
+    free(b->result);
+    b->result = NULL;
     batch_clear(&b->batch);
     samples_clear(&b->samples);
     b->folder = all;

@@ -200,7 +200,7 @@ static void ratio_cells(struct table *t, const struct bench *b, const char *net,
     table_number(t, a / o, 3);
 }
 
-static enum status print(const struct bench *b, struct message *why)
+static enum status print(const struct bench *b)
 {
     static const struct table_column columns[] = {{"case", NULL, TABLE_LEFT},
                                                   {"baseline", NULL, TABLE_LEFT},
@@ -216,7 +216,6 @@ static enum status print(const struct bench *b, struct message *why)
         table_create(sizeof columns / sizeof *columns, columns,
                      "The same matrices by libraries as they come, in this run");
 
-    (void)why;
     for (int n = 0; n < NETS; n++)
         for (int k = 0; k < 2; k++) {
             const char *net = bench_part_solids.rows[n].title;

@@ -56,7 +56,7 @@ static void add_contestant(struct table *t, const struct contestant *c,
         table_note(t, "%s: %s.", c->title, r->sentence.text);
 }
 
-static enum status print_contestants(const struct bench *b, struct message *why)
+static enum status print_contestants(const struct bench *b)
 {
     static const struct table_column columns[] = {
         {"model", NULL, TABLE_LEFT, .key = "title"},
@@ -72,21 +72,13 @@ static enum status print_contestants(const struct bench *b, struct message *why)
     struct table *t =
         table_create(sizeof columns / sizeof *columns, columns,
                      "A frame of each contestant, edge_drop to 0.2 s, one thread");
-    enum status st = STATUS_OK;
 
-    for (int n = 0; n < b->batch.count; n++) {
-        struct run_result r;
-        TRY(batch_read(&b->batch, n, false, &r, why));
-        add_contestant(t, b->batch.cases[n].plan.contestant, &r);
-        run_result_clear(&r);
-    }
+    for (int n = 0; n < b->batch.count; n++)
+        add_contestant(t, b->batch.cases[n].plan.contestant, &b->result[n]);
     table_note(t, "Medians of the repeats; undamped, but for the paper's own scheme. "
                   "Iterations: Newton's, or local and global steps; "
                   "none: one solve a frame.");
     return table_finish(t, b->format, stdout);
-out:
-    table_destroy(t);
-    return st;
 }
 
 const struct bench_part bench_part_contestants = {

@@ -155,7 +155,7 @@ out:
     return st;
 }
 
-static enum status print(const struct bench *b, struct message *why)
+static enum status print(const struct bench *b)
 {
     static const struct table_column columns[] = {
         {"surface", NULL, TABLE_LEFT}, {"pairs"}, {"tests"}, BENCH_PART_TIMES,
@@ -163,7 +163,6 @@ static enum status print(const struct bench *b, struct message *why)
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Self-intersections of 100 x 100 points");
 
-    (void)why;
     for (int n = 0; n < SHAPES; n++) {
         const char *name = shapes[n].name;
         const struct clock_summary tree = samples_of(&b->samples, name, way_name[TREE]);

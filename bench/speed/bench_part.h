@@ -25,7 +25,8 @@ struct bench {
     const char *models;            /* as --models has them                              */
     enum table_format format;
     bool quick;
-    struct batch batch;     /* the part's runs                                          */
+    struct batch batch; /* the part's runs                                          */
+    struct run_result *result; /* [batch.count] of them, when it prints          owned */
     struct samples samples; /* its other numbers                                        */
 };
 
@@ -38,7 +39,7 @@ struct bench_part {
     const struct bench_row *rows; /* [count] its runs; or else:                          */
     enum status (*plan)(struct bench *b, struct message *why);
     enum status (*sample)(struct bench *b, struct message *why); /* NULL: nothing       */
-    enum status (*print)(const struct bench *b, struct message *why);
+    enum status (*print)(const struct bench *b);
 };
 extern const struct bench_part bench_part_solids, bench_part_baselines, bench_part_levers,
     bench_part_growth, bench_part_intersection, bench_part_projective, bench_part_nonlinear,

@@ -306,7 +306,7 @@ static void approach_row(struct table *t, const struct bench *b, int points, boo
                needed >= MOST ? ", and is not quite it" : "");
 }
 
-static enum status print_acceleration(const struct bench *b, const struct scene *scene)
+static enum status print_acceleration(const struct bench *b)
 {
     static const struct table_column columns[] = {{"net", NULL, TABLE_LEFT},
                                                   {"iteration", NULL, TABLE_LEFT},
@@ -327,7 +327,7 @@ static enum status print_acceleration(const struct bench *b, const struct scene 
     table_note(t,
                "corners_drop undamped, matched triangles, dt = %g ms; largest distance of "
                "a node over the length.",
-               1e3 * scene->step);
+               1e3 * samples_number(&b->samples, "scene", "step"));
     return table_finish(t, b->format, stdout);
 }
 
@@ -337,6 +337,7 @@ static enum status sample(struct bench *b, struct message *why)
     struct scene scene = {0};
 
     TRY(read_scene(&scene, why));
+    samples_add(&b->samples, "scene", "step", scene.step);
     TRY(sample_frames(b, &scene, why));
     for (int n = 0; n < SIDES; n++)
         TRY(sample_net(b, &scene, sides[n], why));
@@ -345,17 +346,11 @@ out:
     return st;
 }
 
-static enum status print(const struct bench *b, struct message *why)
+static enum status print(const struct bench *b)
 {
-    enum status st;
-    struct scene scene = {0};
+    const enum status st = print_frames(b);
 
-    TRY(read_scene(&scene, why));
-    TRY(print_frames(b));
-    TRY(print_acceleration(b, &scene));
-out:
-    scene_clear(&scene);
-    return st;
+    return st == STATUS_OK ? print_acceleration(b) : st;
 }
 
 const struct bench_part bench_part_projective = {

@@ -99,27 +99,19 @@ static void add_run(struct table *t, const struct bench_row *row,
                    row->elsewhere);
 }
 
-static enum status print_runs(const struct bench *b, struct message *why)
+static enum status print_runs(const struct bench *b)
 {
     static const struct table_column columns[] = {{"case", NULL, TABLE_LEFT},
                                                   {"phase", NULL, TABLE_LEFT},
                                                   BENCH_PART_TIMES,
                                                   BENCH_PART_AIM};
     struct table *t = table_create(LEN(columns), columns, b->part->caption);
-    enum status st = STATUS_OK;
 
-    for (int n = 0; n < b->batch.count; n++) {
-        struct run_result r;
-        TRY(batch_read(&b->batch, n, false, &r, why));
-        add_run(t, &b->part->rows[n], &r);
-        run_result_clear(&r);
-    }
+    for (int n = 0; n < b->batch.count; n++)
+        add_run(t, &b->part->rows[n], &b->result[n]);
     if (b->part->note)
         table_note(t, "%s", b->part->note);
     return table_finish(t, b->format, stdout);
-out:
-    table_destroy(t);
-    return st;
 }
 
 const struct bench_part bench_part_solids = {
@@ -152,7 +144,7 @@ const struct bench_part bench_part_swings = {
 /* --- levers ------------------------------------------------------------------------------
  */
 
-static enum status print_levers(const struct bench *b, struct message *why)
+static enum status print_levers(const struct bench *b)
 {
     static const struct table_column columns[] = {{"lever", NULL, TABLE_LEFT},
                                                   {"case", NULL, TABLE_LEFT},
@@ -161,26 +153,19 @@ static enum status print_levers(const struct bench *b, struct message *why)
                                                   {"gain"},
                                                   {"repeats"}};
     struct table *t = table_create(LEN(columns), columns, b->part->caption);
-    enum status st = STATUS_OK;
 
     for (int n = 0; n + 1 < b->batch.count; n += 2) {
-        struct run_result without, with;
-        TRY(batch_read(&b->batch, n, false, &without, why));
-        TRY(batch_read(&b->batch, n + 1, false, &with, why));
+        const struct clock_summary *without = &b->result[n].step;
+        const struct clock_summary *with = &b->result[n + 1].step;
         table_row(t);
         table_text(t, "%s", levers[n].title);
         table_text(t, "%s", levers[n + 1].title);
-        table_number(t, 1e3 * without.step.median, 3);
-        table_number(t, 1e3 * with.step.median, 3);
-        table_number(t, without.step.median / with.step.median, 3);
-        table_integer(t, with.step.count);
-        run_result_clear(&without);
-        run_result_clear(&with);
+        table_number(t, 1e3 * without->median, 3);
+        table_number(t, 1e3 * with->median, 3);
+        table_number(t, without->median / with->median, 3);
+        table_integer(t, with->count);
     }
     return table_finish(t, b->format, stdout);
-out:
-    table_destroy(t);
-    return st;
 }
 
 const struct bench_part bench_part_levers = {
@@ -240,26 +225,18 @@ static void add_net(struct table *t, int n, const struct run_result *r, struct g
     table_integer(t, r->step.count);
 }
 
-static enum status print_growth(const struct bench *b, struct message *why)
+static enum status print_growth(const struct bench *b)
 {
     static const struct table_column columns[] = {
         {"net", NULL, TABLE_LEFT}, {"unknowns"},    {"frame", "ms"}, {"K and M", "ms"},
         {"factor", "ms"},          {"paper", "ms"}, {"ratio"},       {"repeats"}};
     struct table *t = table_create(LEN(columns), columns, b->part->caption);
     struct growth g;
-    enum status st = STATUS_OK;
 
-    for (int n = 0; n < NETS; n++) {
-        struct run_result r;
-        TRY(batch_read(&b->batch, n, false, &r, why));
-        add_net(t, n, &r, &g);
-        run_result_clear(&r);
-    }
+    for (int n = 0; n < NETS; n++)
+        add_net(t, n, &b->result[n], &g);
     note_growth(t, &g);
     return table_finish(t, b->format, stdout);
-out:
-    table_destroy(t);
-    return st;
 }
 
 const struct bench_part bench_part_growth = {

@@ -3,7 +3,7 @@
 #include "models/mechanics/dead_load.h"
 #include "iga/bspline.h"
 #include "tests/check.h"
-#include "tests/run_fixture.h"
+#include "tests/opened_run.h"
 
 /* Sums of up to 10^3 products. */
 static const double ROUND_OFF = 1e-12;
@@ -79,7 +79,7 @@ static void check_places(void)
 static void open_sheet(struct run *t, const char *model, int count,
                        const char *const *settings)
 {
-    run_fixture_open(t, SCENE, model, count, settings);
+    opened_run(t, SCENE, model, count, settings);
 }
 
 /* E = 1e5 Pa, nu = 0.3, 1 x 1 x 0.02 m; 2 N along the sheet at u = 1. */

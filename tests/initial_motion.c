@@ -2,7 +2,7 @@
 #include "bench/harness/contestant.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
-#include "tests/run_fixture.h"
+#include "tests/opened_run.h"
 
 /* Round-off of 20 steps: a sheet that keeps its shape asks for no iterations. The rebuilt
  * schemes sum it up, times the condition of control points as unknowns. */
@@ -34,7 +34,7 @@ static void open(struct run *t, const char *model, const char *const *settings)
 
     while (settings[count])
         count++;
-    run_fixture_open(t, path, model, count, settings);
+    opened_run(t, path, model, count, settings);
 }
 
 #define OPEN(run, model, ...) open(run, model, (const char *const[]){__VA_ARGS__, NULL})

@@ -5,7 +5,7 @@
 #include "fem_ref/reference.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
-#include "tests/run_fixture.h"
+#include "tests/opened_run.h"
 
 /* Of the hanging strip's frequencies: quadratic and linear spans of L / 38 are off by some
  * (k L / 38)^2 / 10, k L = 7.9 in the third mode; shear and rotary inertia of h / L = 1e-2
@@ -36,8 +36,7 @@ static void open_net(struct run *t, const struct net *net, const char *points,
 
     for (int n = 0; more[n]; n++)
         settings[count++] = more[n];
-    run_fixture_open(t, SOURCE_DIR "/models/scenes/cantilever.yaml", net->model, count,
-                     settings);
+    opened_run(t, SOURCE_DIR "/models/scenes/cantilever.yaml", net->model, count, settings);
 }
 
 static void settle(struct run *t)

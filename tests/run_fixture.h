@@ -1,26 +1,32 @@
-/* run_fixture.h - runs that must open, for tests that look into them. */
-#ifndef TESTS_RUN_FIXTURE_H
-#define TESTS_RUN_FIXTURE_H
+/* run_fixture.h - what tests of runs need: contestants by name, settings in a line. */
+#ifndef RUN_FIXTURE_H
+#define RUN_FIXTURE_H
 
-#include "bench/harness/run.h"
+#include "bench/harness/contestant.h"
 #include "tests/check.h"
 
-/* A model, or contestant, by its name on a scene with settings; ends the test if it cannot.
- */
-static inline void run_fixture_open(struct run *run, const char *scene, const char *name,
-                                    int count, const char *const *text)
-{
-    struct settings settings = {0};
-    struct run_plan plan = {.path = scene, .settings = &settings};
-    struct message why = {""};
+#define LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
+#define SCENES        SOURCE_DIR "/models/scenes/"
+#define DROP          SCENES "edge_drop.yaml"
 
-    REQUIRE(contestant_find(name, &plan.contestant, NULL) == STATUS_OK);
-    settings_set_all(&settings, count, text);
-    if (!CHECK(run_open(run, &plan, &why) == STATUS_OK)) {
-        printf("%s: %s\n", name, why.text);
-        exit(1);
-    }
-    settings_clear(&settings);
+static inline const struct contestant *named(const char *name)
+{
+    const struct contestant *c = NULL;
+
+    REQUIRE(contestant_find(name, &c, NULL) == STATUS_OK);
+    return c;
 }
+
+static inline struct settings list(int count, const char *const *text)
+{
+    struct settings s = {0};
+
+    settings_set_all(&s, count, text);
+    REQUIRE(s.status == STATUS_OK);
+    return s;
+}
+
+#define LIST(...)                                                                          \
+    list(LENGTH(((const char *const[]){__VA_ARGS__})), (const char *const[]){__VA_ARGS__})
 
 #endif

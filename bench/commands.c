@@ -4,7 +4,6 @@
 
 #include "bench/speed/bench.h"
 #include "bench/compare/compare.h"
-#include "bench/list.h"
 #include "bench/run/run_command.h"
 #include "bench/stress/stress.h"
 #include "bench/studies/studies.h"
@@ -14,7 +13,7 @@
 #include "bench/verify/verify.h"
 
 const struct command *const commands[] = {
-    &list_command,  &run_command,   &compare_command, &tables_command, &studies_command,
+    &commands_list, &run_command,   &compare_command, &tables_command, &studies_command,
     &sweep_command, &truth_command, &verify_command,  &stress_command, &bench_command,
     NULL,
 };

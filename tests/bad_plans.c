@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "bench/experiment/plan_case.h"
+#include "bench/experiment/plan_read.h"
 #include "bench/harness/derived_key.h"
 #include "tests/check.h"
 

@@ -5,6 +5,7 @@
  */
 #include "bench/files/folder.h"
 #include "bench/studies/study_timestep.h"
+#include "bench/experiment/plan_read.h"
 #include "models/metric/metric.h"
 #include "tests/check.h"
 

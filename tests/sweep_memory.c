@@ -9,6 +9,7 @@
 
 #include "bench/sweep/sweep.h"
 #include "bench/sweep/sweep_folder.h"
+#include "bench/experiment/plan_read.h"
 #include "tests/check.h"
 
 /* AddressSanitizer, where it is on, keeps what was freed: not for long here. */

@@ -8,6 +8,7 @@
 #include "bench/harness/fit.h"
 #include "bench/tables/table23.h"
 #include "bench/truth/paper.h"
+#include "bench/experiment/plan_read.h"
 #include "tests/check.h"
 
 /* What the paper's text and tables give to two decimals. */

@@ -5,6 +5,7 @@
 #include "bench/files/store_scene.h"
 #include "bench/tables/interval.h"
 #include "bench/experiment/plan.h"
+#include "bench/experiment/plan_read.h"
 #include "tests/check.h"
 
 static const char *folder;

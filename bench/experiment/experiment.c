@@ -1,4 +1,5 @@
 #include "bench/experiment/experiment.h"
+#include "bench/experiment/plan_read.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/experiment/plan_check.h"
 #include "models/reader/schema.h"
 
 #define IN(type, member) .offset = offsetof(struct type, member)
@@ -267,12 +266,11 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
     times = yaml_tree_find(root, "times");
     plan->base.times_line = times ? times->line : 0;
     TRY(settle_studies(plan, root, why));
-    TRY(plan_check(plan, why));
 out:
     return st;
 }
 
-enum status plan_read(const char *path, struct plan *plan, struct message *why)
+enum status plan_parse(const char *path, struct plan *plan, struct message *why)
 {
     enum status st = STATUS_OK;
     struct yaml_tree *root = NULL;
@@ -304,7 +302,7 @@ static char *describe_of(const char *path, bool studies)
     struct message why;
     char *text;
 
-    if (plan_read(path, &plan, &why) != STATUS_OK)
+    if (plan_parse(path, &plan, &why) != STATUS_OK)
         return strdup(why.text);
     text = strdup(studies && !plan.study_count ? "" : plan.what ? plan.what : plan.source);
     plan_clear(&plan);

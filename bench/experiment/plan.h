@@ -89,10 +89,10 @@ struct plan {
  * no studies as "". */
 extern const struct named_file_kind plan_kind, plan_study_kind;
 
-/* Reads a plan and tries every value in a case, all else at its first. STATUS_INPUT or
- * STATUS_FILE with a sentence; *plan is overwritten, and all-zero on failure. Free with
- * plan_clear, which accepts all-zero. */
-enum status plan_read(const char *path, struct plan *plan, struct message *why);
+/* Reads a plan as its schema has it (plan_read.h tries its values, too). STATUS_INPUT with
+ * a sentence; *plan is overwritten, and all-zero on failure. Free with plan_clear, which
+ * accepts all-zero. */
+enum status plan_parse(const char *path, struct plan *plan, struct message *why);
 void plan_clear(struct plan *plan);
 
 /* Calls line() for every key that a plan may have, with what it may be. */

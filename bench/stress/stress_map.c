@@ -10,6 +10,7 @@
 #include "bench/stress/stress.h"
 #include "bench/sweep/sweep.h"
 #include "bench/sweep/sweep_map.h"
+#include "bench/experiment/plan_read.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 

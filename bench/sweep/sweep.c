@@ -11,6 +11,7 @@
 #include "bench/sweep/sweep_map.h"
 #include "bench/sweep/sweep_summary.h"
 #include "bench/sweep/sweep_table.h"
+#include "bench/experiment/plan_read.h"
 
 /* What the processes of a sweep share. */
 struct sweep {

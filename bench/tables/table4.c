@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bench/experiment/plan_case.h"
+#include "bench/experiment/plan_read.h"
 #include "bench/harness/run_file.h"
 
 const char *const table4_scene[TABLE4_SCENES] = {"flag", "edge_drop"};

@@ -1,6 +1,6 @@
 /* table.c - what a table holds; table_print.c says how it looks to people, table_machine.c
  * to machines. */
-#include "bench/ui/table_cells.h"
+#include "bench/ui/table_parts.h"
 
 #include <assert.h>
 #include <math.h>

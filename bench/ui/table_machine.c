@@ -1,5 +1,5 @@
 /* table_machine.c - tables for machines: keys, CSV (RFC 4180), JSON. */
-#include "bench/ui/table_cells.h"
+#include "bench/ui/table_parts.h"
 
 #include <ctype.h>
 #include <math.h>

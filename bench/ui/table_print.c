@@ -1,5 +1,5 @@
 /* table_print.c - how a table looks to people, in each format. */
-#include "bench/ui/table_cells.h"
+#include "bench/ui/table_parts.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "bench/experiment/plan_check.h"
+#include "bench/experiment/plan_read.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -317,7 +317,7 @@ static enum status choose_model(struct plan *plan)
                                         1);
 }
 
-enum status plan_check(struct plan *plan, struct message *why)
+static enum status check(struct plan *plan, struct message *why)
 {
     enum status st;
     struct yaml_tree node;
@@ -334,5 +334,16 @@ enum status plan_check(struct plan *plan, struct message *why)
     for (int n = 0; n < plan->map.mark_count; n++)
         TRY(check_mark(plan, &plan->map.marks[n], why));
 out:
+    return st;
+}
+
+enum status plan_read(const char *path, struct plan *plan, struct message *why)
+{
+    enum status st = plan_parse(path, plan, why);
+
+    if (st == STATUS_OK)
+        st = check(plan, why);
+    if (st != STATUS_OK)
+        plan_clear(plan);
     return st;
 }

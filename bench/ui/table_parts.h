@@ -1,7 +1,7 @@
-/* table_cells.h - what table.c fills, table_print.c and table_machine.c print; no business
+/* table_parts.h - what table.c fills, table_print.c and table_machine.c print; no business
  * of others. */
-#ifndef TABLE_CELLS_H
-#define TABLE_CELLS_H
+#ifndef TABLE_PARTS_H
+#define TABLE_PARTS_H
 
 #include "bench/ui/table.h"
 

@@ -1,5 +1,4 @@
-#include "bench/list.h"
-
+/* The command `list`: what there is, of commands and files. */
 #include <string.h>
 
 #include "bench/commands.h"
@@ -125,7 +124,7 @@ out:
     return st;
 }
 
-const struct command list_command = {
+const struct command commands_list = {
     .name = "list",
     .summary = "what there is: " NAMES(", "),
     .arguments = "[" NAMES("|") "]",

@@ -72,7 +72,9 @@ static void print_scene_help(FILE *file)
 static void print_plan_help(FILE *file)
 {
     fputs("A plan is a YAML file; clothbench list plans names those that come with the\n"
-          "program. Its keys:\n\n",
+          "program. With cases and axes it is for clothbench sweep, with levels for "
+          "clothbench\n"
+          "study. Its keys:\n\n",
           file);
     plan_keys(print_key, file);
     fputs(

@@ -1,6 +1,7 @@
 #include "bench/experiment/plan_case.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,12 +9,17 @@
 #include "bench/harness/derived_key.h"
 #include "models/reader/scene_file.h"
 
-static enum status refuse(const struct plan *plan, int line, struct message *why,
-                          const char *text)
+enum status plan_case_refuse(const struct plan *plan, int line, struct message *why,
+                             const char *format, ...)
 {
     const struct yaml_tree node = {.origin = plan->path, .line = line};
+    struct message text;
+    va_list words;
 
-    return yaml_tree_refuse(&node, why, "%s", text);
+    va_start(words, format);
+    vsnprintf(text.text, sizeof text.text, format, words);
+    va_end(words);
+    return yaml_tree_refuse(&node, why, "%s", text.text);
 }
 
 const char *plan_case_set_by(const struct plan *plan, const char *key)
@@ -70,19 +76,19 @@ static enum status resolve(const struct plan *plan, const struct plan_setting *s
 {
     const char *by = plan_case_set_by(plan, s->key);
     struct scene scene = {0};
-    char text[160], *end;
+    char *end;
     double want = strtod(s->value, &end), value;
     enum status st;
 
-    snprintf(text, sizeof text, "%.40s is '%.40s', but must be a number above 0", s->key,
-             s->value);
     if (end == s->value || *end || !(want > 0 && isfinite(want)))
-        return refuse(plan, s->line, why, text);
+        return plan_case_refuse(plan, s->line, why,
+                                "%.40s is '%.40s', but must be a number above 0", s->key,
+                                s->value);
     TRY(plan_case_scene(c, &scene, why));
     value = derived_key_solve(s->key, by, want, &scene);
-    snprintf(text, sizeof text, "%.40s cannot be set by %.40s in this scene", s->key, by);
     if (isnan(value))
-        TRY(refuse(plan, s->line, why, text));
+        TRY(plan_case_refuse(plan, s->line, why,
+                             "%.40s cannot be set by %.40s in this scene", s->key, by));
     settings_number(&c->settings, by, value);
 out:
     scene_clear(&scene);
@@ -140,7 +146,7 @@ enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
     for (int k = 0; !s && k < plan->key_count; k++)
         if (!strcmp(plan->keys[k], "scene"))
             s = c->given[k]; /* the scene's file itself is wrong */
-    return refuse(plan, s ? s->line : 1, why, text);
+    return plan_case_refuse(plan, s ? s->line : 1, why, "%s", text);
 }
 
 /* Fills contestant, scene file and settings of a case whose `given` is there. */
@@ -163,11 +169,12 @@ static enum status build(const struct plan *plan, struct plan_case *c, struct me
             settings_word(&c->settings, s->key, s->value);
     }
     if (!scene)
-        return refuse(plan, 1, why, "the plan lacks the key 'scene', a name or a path");
+        return plan_case_refuse(plan, 1, why,
+                                "the plan lacks the key 'scene', a name or a path");
     if (contestant_find(model->value, &c->contestant, &text) != STATUS_OK)
-        return refuse(plan, model->line, why, text.text);
+        return plan_case_refuse(plan, model->line, why, "%s", text.text);
     if (plan_case_find_scene(plan, scene->value, &c->path, &text) != STATUS_OK)
-        return refuse(plan, scene->line, why, text.text);
+        return plan_case_refuse(plan, scene->line, why, "%s", text.text);
     for (int k = 0; k < plan->key_count; k++)
         if (c->given[k] && derived_key_is(c->given[k]->key))
             TRY(resolve(plan, c->given[k], c, why));

@@ -52,6 +52,10 @@ enum status plan_case_mark(const struct plan *plan, const struct plan_settings *
 enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
                             enum status st, struct message *why);
 
+/* The sentence `plan:line: ...`; returns STATUS_INPUT. */
+enum status plan_case_refuse(const struct plan *plan, int line, struct message *why,
+                             const char *format, ...) __attribute__((format(printf, 4, 5)));
+
 /* The file of a scene's name or path, a path seen from the plan's folder; *path is freed by
  * the receiver. STATUS_INPUT: no such name. */
 enum status plan_case_find_scene(const struct plan *plan, const char *argument, char **path,

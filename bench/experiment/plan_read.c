@@ -1,30 +1,12 @@
 #include "bench/experiment/plan_read.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/experiment/plan_case.h"
 #include "bench/harness/derived_key.h"
 #include "bench/harness/measures.h"
-
-static const struct yaml_tree *at(const struct plan *plan, int line, struct yaml_tree *node)
-{
-    *node = (struct yaml_tree){.origin = plan->path, .line = line};
-    return node;
-}
-
-static enum status refuse_twice(const struct plan *plan, const char *key, int line, int old,
-                                struct message *why)
-{
-    struct yaml_tree node;
-
-    return yaml_tree_refuse(at(plan, line, &node), why,
-                            "the key %s is given in line %d, too; give it once",
-                            yaml_tree_quote(key).text, old);
-}
 
 static bool add_key(struct plan *plan, const char *key)
 {
@@ -91,7 +73,9 @@ static enum status check_twice(const struct plan *plan, struct message *why)
         const char *key = plan->axes[n].key;
         const int line = line_of(plan, key, n);
         if (line)
-            return refuse_twice(plan, key, plan->axes[n].line, line, why);
+            return plan_case_refuse(plan, plan->axes[n].line, why,
+                                    "the key %s is given in line %d, too; give it once",
+                                    yaml_tree_quote(key).text, line);
     }
     for (int k = 0; k < plan->key_count; k++) {
         const char *key = plan->keys[k];
@@ -99,10 +83,9 @@ static enum status check_twice(const struct plan *plan, struct message *why)
             continue;
         const char *by = plan_case_set_by(plan, key);
         const int line = line_of(plan, by, plan->axis_count);
-        struct yaml_tree node;
         if (line)
-            return yaml_tree_refuse(
-                at(plan, line, &node), why,
+            return plan_case_refuse(
+                plan, line, why,
                 "%s is given here and also set by %s in line %d; leave one out, or let "
                 "another key be set with 'by'",
                 yaml_tree_quote(by).text, key, line_of(plan, key, plan->axis_count));
@@ -121,15 +104,14 @@ static bool is_measure(const char *name)
 static enum status check_map(const struct plan *plan, struct message *why)
 {
     const char *const names[] = {plan->map.x, plan->map.y, plan->map.panel};
-    struct yaml_tree node;
 
     for (int n = 0; n < 3; n++)
         if (n == 2 && names[n] && !strcmp(names[n], "name"))
             continue; /* of the listed cases */
         else if (names[n] && !line_of(plan, names[n], plan->axis_count) &&
                  !is_measure(names[n]))
-            return yaml_tree_refuse(
-                at(plan, plan->map.line, &node), why,
+            return plan_case_refuse(
+                plan, plan->map.line, why,
                 "the map shows %s, which is neither a key of the plan nor a measure",
                 yaml_tree_quote(names[n]).text);
     return STATUS_OK;
@@ -142,15 +124,14 @@ static enum status check_mark(const struct plan *plan, const struct plan_mark *m
     const char *const names[] = {plan->map.x, plan->map.y};
     struct message text;
     struct scene scene = {0};
-    struct yaml_tree node;
 
     for (int n = 0; n < 2; n++)
         if (!derived_key_is(names[n]) && !plan_settings_find(&mark->settings, names[n]))
-            return yaml_tree_refuse(at(plan, mark->line, &node), why,
+            return plan_case_refuse(plan, mark->line, why,
                                     "the mark %s lacks the key %s, which the map shows",
                                     yaml_tree_quote(mark->text).text, names[n]);
     if (plan_case_mark(plan, &mark->settings, &scene, &text) != STATUS_OK)
-        return yaml_tree_refuse(at(plan, mark->line, &node), why, "%s", text.text);
+        return plan_case_refuse(plan, mark->line, why, "%s", text.text);
     scene_clear(&scene);
     return STATUS_OK;
 }
@@ -187,22 +168,6 @@ out:
     return st;
 }
 
-static enum status refuse_at(const struct plan *plan, int line, struct message *why,
-                             const char *format, ...) __attribute__((format(printf, 4, 5)));
-
-static enum status refuse_at(const struct plan *plan, int line, struct message *why,
-                             const char *format, ...)
-{
-    struct yaml_tree node;
-    struct message text;
-    va_list words;
-
-    va_start(words, format);
-    vsnprintf(text.text, sizeof text.text, format, words);
-    va_end(words);
-    return yaml_tree_refuse(at(plan, line, &node), why, "%s", text.text);
-}
-
 /* A name becomes that of a file, which no other may have. */
 static enum status check_name(const struct plan *plan, const char *what, const char *name,
                               const char *before, int line, struct message *why)
@@ -210,15 +175,16 @@ static enum status check_name(const struct plan *plan, const char *what, const c
     const size_t good = strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_");
 
     if (!*name || name[good] || strlen(name) > 64)
-        return refuse_at(plan, line, why,
-                         "%s has the name %s, but must have 1 to 64 of the characters a-z, "
-                         "0-9 and _",
-                         what, yaml_tree_quote(name).text);
+        return plan_case_refuse(
+            plan, line, why,
+            "%s has the name %s, but must have 1 to 64 of the characters a-z, "
+            "0-9 and _",
+            what, yaml_tree_quote(name).text);
     if (before && !strcmp(before, name))
-        return refuse_at(plan, line, why,
-                         "%s has the name %s as another has; its files "
-                         "need a name of their own",
-                         what, yaml_tree_quote(name).text);
+        return plan_case_refuse(plan, line, why,
+                                "%s has the name %s as another has; its files "
+                                "need a name of their own",
+                                what, yaml_tree_quote(name).text);
     return STATUS_OK;
 }
 
@@ -232,10 +198,11 @@ static enum status check_times(const struct plan *plan, const struct plan_study 
                                                : study->quick_times[n - study->time_count];
         const double frames = t / scene->step;
         if (fabs(frames - round(frames)) > 1e-6 * frames || frames < 0.5)
-            return refuse_at(plan, study->times_line, why,
-                             "the time %g s is no multiple of the step, %g s, of the level "
-                             "%s",
-                             t, scene->step, yaml_tree_quote(level->label).text);
+            return plan_case_refuse(
+                plan, study->times_line, why,
+                "the time %g s is no multiple of the step, %g s, of the level "
+                "%s",
+                t, scene->step, yaml_tree_quote(level->label).text);
     }
     return STATUS_OK;
 }
@@ -267,13 +234,14 @@ static enum status check_study(const struct plan *plan, int n, struct message *w
         TRY(check_name(plan, "a study", study->name, k < n ? plan->studies[k].name : NULL,
                        study->line, why));
     if (!study->level_count)
-        return refuse_at(plan, study->line, why,
-                         "the study %s has no levels, and the plan has none for it",
-                         yaml_tree_quote(study->name).text);
+        return plan_case_refuse(plan, study->line, why,
+                                "the study %s has no levels, and the plan has none for it",
+                                yaml_tree_quote(study->name).text);
     if (study->truth && !study->time_count)
-        return refuse_at(plan, study->line, why,
-                         "the study %s has truth, but no times; a truth is of a motion",
-                         yaml_tree_quote(study->name).text);
+        return plan_case_refuse(
+            plan, study->line, why,
+            "the study %s has truth, but no times; a truth is of a motion",
+            yaml_tree_quote(study->name).text);
     for (int k = 0; k < study->level_count; k++) {
         const struct plan_level *level = &study->levels[k];
         for (int i = 0; i < k || i == 0; i++)
@@ -292,13 +260,14 @@ static enum status check_studies(const struct plan *plan, struct message *why)
     enum status st = STATUS_OK;
 
     if (plan->axis_count || plan->listed_count || plan->map.x)
-        return refuse_at(plan,
-                         plan->axis_count     ? plan->axes->line
-                         : plan->listed_count ? plan->listed->line
-                                              : plan->map.line,
-                         why,
-                         "a plan with levels has no axes, cases and map; a study for each "
-                         "of them is the same");
+        return plan_case_refuse(
+            plan,
+            plan->axis_count     ? plan->axes->line
+            : plan->listed_count ? plan->listed->line
+                                 : plan->map.line,
+            why,
+            "a plan with levels has no axes, cases and map; a study for each "
+            "of them is the same");
     for (int n = 0; n < plan->study_count; n++)
         TRY(check_study(plan, n, why));
 out:
@@ -320,14 +289,13 @@ static enum status choose_model(struct plan *plan)
 static enum status check(struct plan *plan, struct message *why)
 {
     enum status st;
-    struct yaml_tree node;
 
     TRY(choose_model(plan));
     TRY(add_keys(plan));
     TRY(check_twice(plan, why));
     TRY(check_map(plan, why));
     if (plan_case_count(plan) > PLAN_MAX_CASES)
-        return yaml_tree_refuse(at(plan, 1, &node), why,
+        return plan_case_refuse(plan, 1, why,
                                 "the plan has more than %d cases, the most there may be",
                                 PLAN_MAX_CASES);
     TRY(plan->study_count ? check_studies(plan, why) : try_values(plan, why));

@@ -113,42 +113,28 @@ out:
     return st;
 }
 
-static enum status copy_times(int *count, double **times, int from_count,
-                              const double *from)
-{
-    *count = from_count;
-    *times = from_count > 0 ? malloc((size_t)from_count * sizeof *from) : NULL;
-    if (from_count > 0 && !*times)
-        return STATUS_MEMORY;
-    for (int n = 0; n < from_count; n++)
-        (*times)[n] = from[n];
-    return STATUS_OK;
-}
-
 enum status plan_study_inherit(struct plan_study *study, const struct plan_study *base)
 {
-    enum status st = STATUS_OK;
-
     if (!study->level_count) {
         study->level_count = base->level_count;
         study->levels = base->levels;
     }
     if (study->time_count < 0) {
-        TRY(copy_times(&study->time_count, &study->times,
-                       base->time_count < 0 ? 0 : base->time_count, base->times));
-        if (!study->quick_count)
-            TRY(copy_times(&study->quick_count, &study->quick_times, base->quick_count,
-                           base->quick_times));
+        study->time_count = base->time_count < 0 ? 0 : base->time_count;
+        study->times = base->times;
         study->times_line = base->times_line;
+        if (!study->quick_count) {
+            study->quick_count = base->quick_count;
+            study->quick_times = base->quick_times;
+        }
     }
     if (study->truth < 0)
         study->truth = base->truth > 0;
     if (study->timed < 0)
         study->timed = base->timed < 0 ? 0 : base->timed;
     if (!study->caption)
-        TRY((study->caption = strdup(study->name)) ? STATUS_OK : STATUS_MEMORY);
-out:
-    return st;
+        study->caption = strdup(study->name);
+    return study->caption ? STATUS_OK : STATUS_MEMORY;
 }
 
 static void clear_level(struct plan_level *level)
@@ -161,16 +147,19 @@ static void clear_level(struct plan_level *level)
 
 void plan_study_clear(struct plan_study *study, const struct plan_study *base)
 {
-    if (study == base || study->levels != base->levels) {
-        for (int n = 0; n < study->level_count; n++)
-            clear_level(&study->levels[n]);
+    const bool own = study == base;
+
+    for (int n = 0; (own || study->levels != base->levels) && n < study->level_count; n++)
+        clear_level(&study->levels[n]);
+    if (own || study->levels != base->levels)
         free(study->levels);
-    }
+    if (own || study->times != base->times)
+        free(study->times);
+    if (own || study->quick_times != base->quick_times)
+        free(study->quick_times);
     plan_settings_clear(&study->settings);
     free(study->name);
     free(study->caption);
-    free(study->times);
-    free(study->quick_times);
     free(study->paper_net);
     *study = (struct plan_study){0};
 }

@@ -39,16 +39,16 @@ struct plan_study {
     char *caption; /* of its tables                                             owned  */
     struct plan_settings settings;
     int level_count;
-    struct plan_level *levels; /* [level_count]; owned unless they are the plan's       */
+    struct plan_level *levels; /* [level_count]; as times owned, unless the plan's */
     int time_count;            /* 0: static equilibrium, as the only frame; -1: not given */
-    double *times;             /* [time_count] [s]                              owned  */
+    double *times;             /* [time_count] [s]                                       */
     int quick_count;           /* 0: a quick run has the same times                     */
-    double *quick_times;       /*                                               owned  */
-    int truth;                 /* 0 or 1; -1: not given                                 */
-    int timed;                 /* repeats; 0: not timed; -1: not given                  */
-    double paper_ms;           /* of its levels that have none of their own; NaN        */
-    char *paper_net;           /* how somebody else writes degree and net       owned  */
-    int line, times_line;      /* in the plan                                           */
+    double *quick_times;
+    int truth;            /* 0 or 1; -1: not given                                 */
+    int timed;            /* repeats; 0: not timed; -1: not given                  */
+    double paper_ms;      /* of its levels that have none of their own; NaN        */
+    char *paper_net;      /* how somebody else writes degree and net       owned  */
+    int line, times_line; /* in the plan                                           */
 };
 
 /* What a plan may have of these, too, read into the struct plan_study that begins `at`

@@ -161,15 +161,16 @@ static void fill_row(const struct study *s, struct study_row *row)
     const struct run_result *r = &row->result;
     const int frames = r->frames < s->frames ? r->frames : s->frames;
     const double end = s->time ? s->time[s->frames - 1] : 0;
+    const double frame = s->plan->timed && r->step.count ? r->step.median : NAN;
 
     for (int t = 0; t < PLAN_STUDY_TIMES; t++)
         row->frame[t] = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     for (int t = 0; t < frames; t++)
         measure_frame(&row->run.scene, r->xyz[t], &row->frame[t]);
-    row->milliseconds = s->plan->timed && r->step.count ? 1e3 * r->step.median : NAN;
-    row->seconds = s->time ? r->step_seconds : 1e-3 * row->milliseconds;
-    if (s->time && !isnan(row->milliseconds))
-        row->seconds = 1e-3 * row->milliseconds * end / row->run.scene.step;
+    row->milliseconds = 1e3 * frame;
+    row->seconds = !s->time       ? frame
+                   : isnan(frame) ? r->step_seconds
+                                  : frame * end / row->run.scene.step;
     row->paper_ms = isnan(row->level->paper_ms) ? s->plan->paper_ms : row->level->paper_ms;
 }
 

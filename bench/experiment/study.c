@@ -50,6 +50,13 @@ out:
     return st;
 }
 
+/* Whether a scene has no truth, which is told with the numbers and ends nothing: none is
+ * claimed, or what was to be it died. */
+static bool has_none(enum status st)
+{
+    return st == STATUS_UNSUPPORTED || status_is_death(st);
+}
+
 /* What one level is measured by; `c` and `file` live as long as it. */
 struct job {
     struct plan_case c;
@@ -94,7 +101,7 @@ static enum status measure_truths(const struct plan *plan, const char *folder, b
         st = find_truth(plan, study, study->time_count, study->times, folder,
                         quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why);
         truth_destroy(truth);
-        if (st == STATUS_UNSUPPORTED) /* told when it is read */
+        if (has_none(st))
             st = STATUS_OK;
     }
     return st;
@@ -243,7 +250,7 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
     if (study->truth) {
         st = find_truth(plan, study, s->frames, s->time, folder, TRUTH_READ, &s->truth,
                         &s->no_truth);
-        if (st != STATUS_OK && st != STATUS_UNSUPPORTED)
+        if (st != STATUS_OK && !has_none(st))
             TRY(status_fail(why, st, "%s", s->no_truth.text));
         st = STATUS_OK;
     }

@@ -21,6 +21,7 @@ grep -q "truth's error bar" "$folder.txt" || fail "no error bar of the truth"
 grep -q "Kirchhoff plate" "$folder.txt" || fail "the truth is not named"
 
 # Cells of compare.csv, by the names of their columns; a title has a comma, nothing else.
+# shellcheck disable=SC2016 # awk's own words
 rows='{ sub(/^"[^"]*"/, "") } NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }'
 
 # Every run is there, timed three times, lives, and stays within 1 % of L; what does not lock

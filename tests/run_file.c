@@ -7,6 +7,7 @@
 
 #include "bench/experiment/measurement.h"
 #include "bench/files/hdf5_file.h"
+#include "bench/files/seal.h"
 #include "bench/files/store_read.h"
 #include "models/metric/metric.h"
 #include "tests/run_fixture.h"
@@ -363,6 +364,7 @@ static void test_damaged(void)
         hid_t id = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
         REQUIRE(id >= 0 && H5Ldelete(id, part[n], H5P_DEFAULT) >= 0);
         H5Fclose(id);
+        REQUIRE(seal_write(file, NULL) == STATUS_OK);
         CHECK(run_result_read(file, true, &r, &why) == STATUS_INPUT);
         CHECK(strstr(why.text, part[n]) && strstr(why.text, file));
     }
@@ -371,6 +373,7 @@ static void test_damaged(void)
     REQUIRE(id >= 0 && H5Ldelete(id, "xyz_time", H5P_DEFAULT) >= 0);
     REQUIRE(hdf5_file_put_array(id, "xyz_time", (const double[]){0, 1}, 2, 0) >= 0);
     H5Fclose(id);
+    REQUIRE(seal_write(file, NULL) == STATUS_OK);
     CHECK(run_result_read(file, true, &r, &why) == STATUS_INPUT);
     CHECK(strstr(why.text, "6 fields at 2 times"));
 }

@@ -42,9 +42,8 @@ static enum status read_times(struct job *j, const struct command_line *line,
         return status_fail(why, STATUS_INPUT, "--until %s: a time in seconds, above 0",
                            word);
     if (!word) {
-        enum status st =
-            truth_stored_times(j->path, &j->truth, until, COMPARE_TIMES, j->time, &j->times,
-                               why);
+        enum status st = truth_stored_times(j->path, &j->truth, until, COMPARE_TIMES,
+                                            j->time, &j->times, why);
         if (st != STATUS_OK || j->times)
             return st;
     }

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "bench/experiment/gallery.h"
+#include "bench/studies/study_cast.h"
 
 /* The paper's scheme first, then what else the same sheet may do. mu is damping in the
  * paper's scheme only; all others move undamped. */
@@ -30,10 +31,10 @@ static const struct gallery gallery = {
              {"printed, coarser net", "printed_coarse", "flag", "iga_paper"},
              {"incremental, undamped", "incremental", "flag", "iga_incremental"},
              {"nonlinear solid, selective", "nonlinear", "flag", "iga_selective"},
-             {"nonlinear shell", "shell", "flag", "shell"},
-             {"mass-spring, matched", "mass_spring", "flag", "mass_spring"},
-             {"projective dynamics, matched", "projective_dynamics", "flag",
-              "projective_dynamics"}},
+             {"nonlinear shell", STUDY_CAST_SHELL, "flag", STUDY_CAST_SHELL},
+             {"mass-spring, matched", STUDY_CAST_SPRINGS, "flag", STUDY_CAST_SPRINGS},
+             {"projective dynamics, matched", STUDY_CAST_PROJECTIVE, "flag",
+              STUDY_CAST_PROJECTIVE}},
     .settings = add_settings};
 
 static enum status measure(const struct experiment_options *options, struct message *why)

@@ -60,7 +60,8 @@ static double swing_of(const struct cloak *c, const struct study_row *row)
 
 static enum status measure(const struct study_results *r, struct cloak *c)
 {
-    const struct study *linear = study_find(r, "linear"), *shell = study_find(r, "shell");
+    const struct study *linear = study_find(r, "linear"),
+                       *shell = study_find(r, "nonlinear_shell");
     double *rest = malloc(3 * GRID_POINTS * sizeof *rest), uvw[3];
 
     if (!rest)

@@ -22,8 +22,8 @@ const struct table4_reading table4_reading[TABLE4_READINGS] = {
                       "iga_nonlinear", TABLE4_UNDAMPED, true},
     [TABLE4_SHELL_RATE] = {"shell_rate", "nonlinear shell, mu as a rate", "shell_2",
                            TABLE4_RATE, true},
-    [TABLE4_SHELL] = {"shell", "nonlinear shell, undamped", "shell_2", TABLE4_UNDAMPED,
-                      true},
+    [TABLE4_SHELL] = {"nonlinear_shell", "nonlinear shell, undamped", "shell_2",
+                      TABLE4_UNDAMPED, true},
 };
 
 /* The softest, the chaotic and the first feasible one. */

@@ -105,7 +105,7 @@ static void styles_and_panels(void)
                                        "steps",       "filled", "points pt 5 ps", "boxxy"};
     static const struct chart_tic tics[] = {{1, "one"}, {5, NULL}};
     struct chart *c = chart_create(NULL);
-    char label[8][16];
+    char label[8][24];
     struct message why;
 
     for (int panel = 0; panel < 2; panel++) {
@@ -169,7 +169,7 @@ static void looks(void)
 {
     struct chart *c = chart_create(NULL);
     struct message why;
-    char label[16];
+    char label[24];
 
     for (int n = 0; n < 9; n++) {
         if (n == 4)

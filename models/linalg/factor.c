@@ -343,7 +343,7 @@ enum status factor_solve(struct factor *f, double *b)
     enum status st = STATUS_OK;
     double *x = f->work;
     assert(f->ready);
-    if (f->straight)
+    if (f->straight && f->n)
         memcpy(x, b, f->n * sizeof *x);
     for (int i = 0; !f->straight && i < f->n; i++)
         x[f->place[i]] = b[i];
@@ -354,7 +354,7 @@ enum status factor_solve(struct factor *f, double *b)
         for (int i = part->n; i < f->first_row[p + 1] - f->first_row[p]; i++)
             own[i] = 0.0;
     }
-    if (f->straight)
+    if (f->straight && f->n)
         memcpy(b, x, f->n * sizeof *x);
     for (int i = 0; !f->straight && i < f->n; i++)
         b[i] = x[f->place[i]];

@@ -92,9 +92,8 @@ static enum status print_tips(const struct study_locking *s, enum table_format f
     table_note(
         t,
         "1 m x 1 m, linear kinematics: the load scales out. Milliseconds at h = %g mm, "
-        "median of repeats, all spaces in turn; equilibrium: factor and solve. "
-        "Kirchhoff's theory itself leaves out shear, of order (h/L)^2 = %.0e at h = %g "
-        "mm.",
+        "median of repeats, all spaces in turn; equilibrium: factor and solve. Kirchhoff's "
+        "theory itself leaves out shear, of order (h/L)^2 = %.0e at h = %g mm.",
         1e3 * h[s->count / 2], pow(thickest, 2), 1e3 * thickest);
     return table_finish(t, format, file);
 }

@@ -1,4 +1,4 @@
-#include "bench/studies/study_nets.h"
+#include "bench/studies/studies.h"
 
 #include <math.h>
 

@@ -1,4 +1,4 @@
-#include "bench/studies/study_thickness.h"
+#include "bench/studies/studies.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -183,8 +183,7 @@ static void judge_shell(const struct cloak *c, FILE *file)
     judge_scheme(c, FINE, "Nonlinear shell", file);
     fprintf(file,
             "\nThe shell's nets differ by up to %.1f degrees, its thicknesses by %.1f: "
-            "which of "
-            "them swings\nmore is %s.\n",
+            "which of them swings\nmore is %s.\n",
             apart, effect, 2 * apart < effect ? "resolved" : "not resolved by these nets");
 }
 

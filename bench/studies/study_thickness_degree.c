@@ -1,7 +1,7 @@
 #include <math.h>
 
 #include "bench/experiment/study_print.h"
-#include "bench/studies/study_thickness.h"
+#include "bench/studies/studies.h"
 #include "bench/truth/truth_plate.h"
 
 enum { DEGREES = 3 };

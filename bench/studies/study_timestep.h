@@ -62,6 +62,4 @@ const struct study_frame *study_timestep_frame(const struct study_timestep *s,
  * observed order if the motion has a limit; NaN with fewer than two differences. */
 double study_timestep_order(const struct study_timestep *s, enum study_timestep_kind kind);
 
-void study_timestep_text(const struct study_timestep *s, FILE *file); /* ..._text.c      */
-
 #endif

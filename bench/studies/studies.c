@@ -1,10 +1,5 @@
 #include "bench/studies/studies.h"
 
-#include "bench/studies/study_contact.h"
-#include "bench/studies/study_cures.h"
-#include "bench/studies/study_locking.h"
-#include "bench/studies/study_timestep.h"
-
 static const struct command_item *const items[] = {
     &study_nets_mesh.item,          &study_nets_degree.item,
     &study_nets_both.item,          &study_thickness_swing.item,

@@ -1,5 +1,5 @@
-/* studies.h - the command `study`, the studies that no test reads, and contestants that
- * more than one of them shows. */
+/* studies.h - the command `study`, its studies, and contestants that more than one of them
+ * shows. */
 #ifndef STUDIES_H
 #define STUDIES_H
 
@@ -18,6 +18,10 @@ extern const struct experiment study_nets_mesh, study_nets_degree, study_nets_bo
 /* On thickness (Fig. 10: a cloak of 1 mm and one of 5 mm swings) and on the degree through
  * it (Fig. 11). */
 extern const struct experiment study_thickness_swing, study_thickness_degree;
+
+/* Of headers of their own. */
+extern const struct experiment study_locking_experiment, study_cures_experiment,
+    study_timestep_experiment, study_contact_experiment;
 
 #define STUDIES_SHELL      "shell_2"
 #define STUDIES_SPRINGS    "mass_spring"

@@ -13,8 +13,6 @@
 #include "bench/experiment/experiment.h"
 #include "bench/experiment/study.h"
 
-extern const struct experiment study_timestep_experiment;
-
 /* edge_drop by kinematics and damping: the first studies of the plan. */
 enum study_timestep_kind {
     STUDY_TIMESTEP_PAPER,          /* printed, v <- mu v                                */

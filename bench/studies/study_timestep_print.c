@@ -3,6 +3,7 @@
 
 #include "bench/experiment/study_print.h"
 #include "bench/harness/fit.h"
+#include "bench/studies/studies.h"
 #include "bench/studies/study_timestep.h"
 #include "bench/ui/chart.h"
 #include "models/metric/metric.h"

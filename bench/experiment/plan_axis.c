@@ -109,15 +109,14 @@ out:
     return st;
 }
 
-enum status plan_axis_read(const struct yaml_tree *node, struct plan_axis *axis,
-                           struct message *why)
+enum status plan_axis_read(const struct yaml_tree *node, void *axis, struct message *why)
 {
     struct axis_reading r = {.axis.line = node->line, .from = NAN, .to = NAN};
     enum status st = schema_read(plan_axis_keys, node, "an axis", &r, why);
 
     if (st == STATUS_OK)
         st = fill_axis(&r, node, why);
-    *axis = r.axis;
+    *(struct plan_axis *)axis = r.axis;
     return st;
 }
 

@@ -20,11 +20,10 @@ struct plan_axis {
 /* Of an axis, for the list of a plan's keys. */
 extern const struct schema_key plan_axis_keys[];
 
-/* Reads `{key: ..., values: [...]}` or `{key: ..., from: ..., to: ..., count: ...}`. *axis
- * is overwritten; free it with plan_axis_clear after a failure, too. STATUS_INPUT with one
- * sentence `origin:line: ...`. */
-enum status plan_axis_read(const struct yaml_tree *node, struct plan_axis *axis,
-                           struct message *why);
+/* Reads `{key: ..., values: [...]}` or `{key: ..., from: ..., to: ..., count: ...}` into
+ * the struct plan_axis, which is overwritten; free it with plan_axis_clear after a failure,
+ * too. STATUS_INPUT with one sentence `origin:line: ...`. */
+enum status plan_axis_read(const struct yaml_tree *node, void *axis, struct message *why);
 void plan_axis_clear(struct plan_axis *axis); /* all-zero is allowed */
 
 #endif

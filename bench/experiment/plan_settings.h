@@ -14,12 +14,6 @@ struct plan_settings {
     struct plan_setting *list; /* owned                                                */
 };
 
-/* Adds the children of a map {KEY: VALUE, ...} or of a list of such maps; `what` names the
- * node in sentences. STATUS_INPUT with one sentence: not such a thing, a key given twice;
- * STATUS_MEMORY. */
-enum status plan_settings_read(const struct yaml_tree *node, const char *what,
-                               struct plan_settings *settings, struct message *why);
-
 /* Adds a key with the value that `node` has, or with the text `value`. STATUS_INPUT: a text
  * that does not fit a line. */
 enum status plan_settings_add(struct plan_settings *settings, const char *key,
@@ -27,14 +21,24 @@ enum status plan_settings_add(struct plan_settings *settings, const char *key,
 enum status plan_settings_add_text(struct plan_settings *settings, const char *key,
                                    const char *value, int line);
 
-/* Readers of schema.h, into the struct plan_settings at key->offset: a map of settings, as
- * plan_settings_read; the key itself with its value, a word. */
+/* Readers of schema.h, into the struct plan_settings at key->offset: the children of a map
+ * {KEY: VALUE, ...} or of a list of such maps; the key itself with its value, a word.
+ * STATUS_INPUT with one sentence: not such a thing, a key given twice; STATUS_MEMORY. */
 enum status plan_settings_read_key(const struct schema_key *key,
                                    const struct yaml_tree *node, void *target,
                                    struct message *why);
 enum status plan_settings_read_word(const struct schema_key *key,
                                     const struct yaml_tree *node, void *target,
                                     struct message *why);
+
+/* For readers of a list of key->low to key->most things of so many bytes: room for all of
+ * them, all-zero, freed by the receiver, and each read into it. *count has what was begun,
+ * on failure, too. NULL: *st says why. */
+void *plan_settings_list(const struct schema_key *key, const struct yaml_tree *node,
+                         size_t size, int *count,
+                         enum status read(const struct yaml_tree *node, void *element,
+                                          struct message *why),
+                         enum status *st, struct message *why);
 
 /* The words of schema.h for 0 and 1. */
 const char *plan_settings_truth(int value);

@@ -53,41 +53,24 @@ struct plan_study {
 
 /* What a plan may have of these, too, read into the struct plan_study that begins `at`
  * bytes into the target: rows of a schema. */
+/* clang-format off */
+#define PLAN_STUDY_TIMES_AT(at, values, count)                                             \
+    SCHEMA_NUMBERS, .low = 0, .high = 1e9, .open = true, .order = SCHEMA_INCREASING,       \
+    .most = PLAN_STUDY_TIMES, .offset = (at) + offsetof(struct plan_study, values),        \
+    .count_offset = (at) + offsetof(struct plan_study, count)
 #define PLAN_STUDY_KEYS(at)                                                                \
-    {"levels",                                                                             \
-     "from coarse to fine",                                                                \
-     SCHEMA_SPECIAL,                                                                       \
-     .keys = plan_study_level_keys,                                                        \
-     .read = plan_study_read_levels,                                                       \
-     .offset = (at),                                                                       \
+    {"levels", "from coarse to fine", SCHEMA_SPECIAL, .keys = plan_study_level_keys,       \
+     .read = plan_study_read_levels, .low = 1, .most = PLAN_STUDY_LEVELS, .offset = (at),  \
      .want = "a list of 1 to 16 levels {label: ..., settings: {KEY: VALUE, ...}}"},        \
-        {"times",                                                                          \
-         "at which sheets are compared [s]",                                               \
-         SCHEMA_NUMBERS,                                                                   \
-         .low = 0,                                                                         \
-         .high = 1e9,                                                                      \
-         .open = true,                                                                     \
-         .order = SCHEMA_INCREASING,                                                       \
-         .most = PLAN_STUDY_TIMES,                                                         \
-         .offset = (at) + offsetof(struct plan_study, times),                              \
-         .count_offset = (at) + offsetof(struct plan_study, time_count)},                  \
-        {"quick_times",                                                                    \
-         "instead of them in a quick run [s]",                                             \
-         SCHEMA_NUMBERS,                                                                   \
-         .low = 0,                                                                         \
-         .high = 1e9,                                                                      \
-         .open = true,                                                                     \
-         .order = SCHEMA_INCREASING,                                                       \
-         .most = PLAN_STUDY_TIMES,                                                         \
-         .offset = (at) + offsetof(struct plan_study, quick_times),                        \
-         .count_offset = (at) + offsetof(struct plan_study, quick_count)},                 \
-        {"truth", "errors against the scene's truth", SCHEMA_WORD,                         \
-         .word = plan_settings_truth,                                                      \
-         .offset = (at) + offsetof(struct plan_study, truth)},                             \
-    {                                                                                      \
-        "timed", "repeats of the milliseconds a frame", SCHEMA_COUNT,                      \
-            .low = 0, .high = 1000, .offset = (at) + offsetof(struct plan_study, timed)    \
-    }
+    {"times", "at which sheets are compared [s]",                                          \
+     PLAN_STUDY_TIMES_AT(at, times, time_count)},                                          \
+    {"quick_times", "instead of them in a quick run [s]",                                  \
+     PLAN_STUDY_TIMES_AT(at, quick_times, quick_count)},                                   \
+    {"truth", "errors against the scene's truth", SCHEMA_WORD,                             \
+     .word = plan_settings_truth, .offset = (at) + offsetof(struct plan_study, truth)},    \
+    {"timed", "repeats of the milliseconds a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
+     .offset = (at) + offsetof(struct plan_study, timed)}
+/* clang-format on */
 
 extern const struct schema_key plan_study_keys[], plan_study_level_keys[];
 
@@ -99,9 +82,9 @@ enum status plan_study_read_levels(const struct schema_key *key,
 /* Nothing given yet. */
 struct plan_study plan_study_none(void);
 
-/* Reads one of the list `studies`. *study is overwritten; free it with plan_study_clear
- * after a failure, too. STATUS_INPUT with one sentence. */
-enum status plan_study_read(const struct yaml_tree *node, struct plan_study *study,
+/* Reads one of the list `studies` into the struct plan_study, which is overwritten; free it
+ * with plan_study_clear after a failure, too. STATUS_INPUT with one sentence. */
+enum status plan_study_read(const struct yaml_tree *node, void *target,
                             struct message *why);
 
 /* Fills in from `base` what a study does not have; what is given nowhere is none. */

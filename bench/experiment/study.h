@@ -61,10 +61,6 @@ void study_clear(struct study_results *r);
 /* By its name; NULL: the plan has no such study. */
 const struct study *study_find(const struct study_results *r, const char *name);
 
-/* FOLDER/STUDY_LEVEL.h5, of a level, into path[size]. */
-void study_file(const struct plan_study *study, const struct plan_level *level,
-                const char *folder, char *path, int size);
-
 /* Observed order in the levels' size of the error against truth at a time; without a
  * truth, of the difference from the finest. NaN with fewer than three levels. */
 double study_order(const struct study *s, int time);

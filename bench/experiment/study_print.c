@@ -10,6 +10,12 @@
 
 enum { PATH = 4096 };
 
+void study_print_numbers(struct table *t, const char *digits, const double *value)
+{
+    for (; *digits; digits++)
+        table_number(t, *value++, *digits - '0');
+}
+
 /* Other people's milliseconds are those of their own scheme, which has no truth. */
 static double paper_of(const struct study *s, int level)
 {
@@ -65,11 +71,8 @@ static enum status print_cost(const struct study *s, enum table_format format, F
 /* The columns of a row that stand for a sheet at a time, the truth's or a level's. */
 static void metric_cells(struct table *t, const struct study_frame *f)
 {
-    table_number(t, f->roughness, 3);
-    table_number(t, f->inner, 3);
-    table_number(t, f->stretch, 4);
-    table_number(t, f->drop, 4);
-    table_number(t, f->unevenness, 3);
+    study_print_numbers(
+        t, "33443", (double[]){f->roughness, f->inner, f->stretch, f->drop, f->unevenness});
 }
 
 static double bar_of(const struct study *s, int time)
@@ -89,12 +92,9 @@ static void motion_row(struct table *t, const struct study *s, int n, int time)
     table_number(t, time_of(s, time), 3);
     table_fixed(t, is_refused(row) ? NAN : row->result.unknowns, 0);
     table_fixed(t, is_refused(row) ? NAN : row->result.factor_entries, 0);
-    table_number(t, row->milliseconds, 3);
-    table_number(t, paper_of(s, n), 4);
-    table_number(t, row->seconds, 3);
-    table_number(t, f->next, 3);
-    table_number(t, f->finest, 3);
-    table_number(t, f->error, 3);
+    study_print_numbers(t, "343333",
+                        (double[]){row->milliseconds, paper_of(s, n), row->seconds, f->next,
+                                   f->finest, f->error});
     table_missing(t, "%s", "");
     table_number(t, f->error, 3);
     table_number(t, bar_of(s, time), 2);

@@ -21,6 +21,9 @@ enum status study_print_files(const struct study *s, const char *folder,
 enum status study_print_all(const struct study_results *r, const char *folder,
                             enum table_format format, FILE *file, struct message *why);
 
+/* The next cells of a row: a number for each digit, to so many significant ones. */
+void study_print_numbers(struct table *t, const char *digits, const double *value);
+
 /* A number of every level at a time, for a verdict. */
 struct study_trend {
     char text[160]; /* "2.1, 3.9, 5.6"                                                   */

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "bench/experiment/measurement.h"
+#include "bench/experiment/study_print.h"
 #include "bench/studies/study_cures.h"
 #include "bench/ui/chart.h"
 
@@ -145,11 +146,10 @@ static enum status print_cost(const struct study_cures *s, enum table_format for
         table_row(t);
         table_text(t, "%s", study_cures_space[n].label);
         table_integer(t, s->zero_modes[n]);
-        table_number(t, median(&r->step), 3);
-        table_number(t, r->step.count ? r->step.min : NAN, 3);
-        table_number(t, cost(s, n), 3);
-        table_number(t, median(&r->phase[0]), 3);
-        table_number(t, median(&r->phase[1]), 3);
+        study_print_numbers(t, "33333",
+                            (double[]){median(&r->step), r->step.count ? r->step.min : NAN,
+                                       cost(s, n), median(&r->phase[0]),
+                                       median(&r->phase[1])});
         if (r->outcome)
             table_note(t, "%s: %s.", study_cures_space[n].label, r->sentence.text);
     }
@@ -260,8 +260,7 @@ static struct table *fill_errors(const struct study_cures *s)
             continue;
         table_row(t);
         table_text(t, "%s", study_cures_space[space].label);
-        for (size_t i = 0; i < sizeof row / sizeof *row; i++)
-            table_number(t, row[i], 6);
+        study_print_numbers(t, "66666", row);
     }
     return t;
 }

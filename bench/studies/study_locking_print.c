@@ -274,8 +274,7 @@ static struct table *fill(const struct study_locking *s)
         table_row(t);
         table_text(t, "%s", study_locking_space[space].label);
         table_text(t, "%s", model_of(space)->name);
-        for (size_t i = 0; i < sizeof row / sizeof *row; i++)
-            table_number(t, row[i], 4);
+        study_print_numbers(t, "4444444", row);
     }
     return t;
 }

@@ -24,9 +24,8 @@ static void motion_row(struct table *t, const struct study *study, int n)
 
     table_row(t);
     table_text(t, "%s", study->plan->caption);
-    table_number(t, 1e3 * row->level->size, 3);
-    table_number(t, row->milliseconds, 3);
-    table_number(t, row->seconds, 3);
+    study_print_numbers(
+        t, "333", (double[]){1e3 * row->level->size, row->milliseconds, row->seconds});
     for (int time = 0; time < TIMES; time++)
         table_number(t, row->frame[time].drop, 4);
     table_number(t, row->frame[LAST].stretch, 4);
@@ -84,9 +83,8 @@ static enum status print_limits(const struct study_timestep *s, enum table_forma
         }
         table_row(t);
         table_text(t, "%s", s->kind[kind].plan->caption);
-        table_number(t, 100 * most, 3);
-        table_number(t, 100 * least, 3);
-        table_number(t, study_timestep_order(s, kind), 3);
+        study_print_numbers(
+            t, "333", (double[]){100 * most, 100 * least, study_timestep_order(s, kind)});
     }
     table_note(
         t, "A motion with a limit of order e has differences ~ dt^e; at e near or below 0 "
@@ -114,14 +112,11 @@ static enum status print_falls(const struct study_timestep *s, enum table_format
     for (int n = 0; n < STUDY_TIMESTEP_FALLS; n++) {
         const struct study_timestep_fall *f = &s->fall[n];
         table_row(t);
-        table_number(t, f->mu, 3);
-        table_number(t, 1e3 * f->step, 3);
-        table_number(t, f->acceleration, 5);
-        table_number(t, f->expected, 5);
-        table_number(t, f->acceleration / f->expected, 6);
-        table_number(t, f->speed, 5);
-        table_number(t, f->expected * f->step, 5);
-        table_number(t, f->speed / (f->expected * f->step), 6);
+        study_print_numbers(t, "33556556",
+                            (double[]){f->mu, 1e3 * f->step, f->acceleration, f->expected,
+                                       f->acceleration / f->expected, f->speed,
+                                       f->expected * f->step,
+                                       f->speed / (f->expected * f->step)});
     }
     table_note(
         t, "From positions at 0.5, 0.75 and 1 s: printed falls with a constant "
@@ -143,12 +138,10 @@ static enum status print_creeps(const struct study_timestep *s, enum table_forma
     for (int n = 0; n < STUDY_TIMESTEP_CREEPS; n++) {
         const struct study_timestep_creep *c = &s->creep[n];
         table_row(t);
-        table_number(t, c->young, 3);
-        table_number(t, 1e3 * c->step, 3);
-        table_number(t, c->speed, 5);
-        table_number(t, c->sag, 5);
-        table_number(t, c->speed * c->step / c->sag, 6);
-        table_number(t, c->speed * c->young * c->step, 5);
+        study_print_numbers(t, "335565",
+                            (double[]){c->young, 1e3 * c->step, c->speed, c->sag,
+                                       c->speed * c->step / c->sag,
+                                       c->speed * c->young * c->step});
     }
     table_note(
         t, "h = 20 mm, mu = 0.5, gravity 0.1 m/s^2, speed from 0.5 to 0.75 s. Each step "
@@ -294,14 +287,13 @@ static struct table *motions(const struct study_timestep *s)
         for (int time = 0; time < TIMES; time++)
             for (int n = 0; n < LEVELS; n++) {
                 const struct study_row *row = &s->kind[kind].row[n];
+                const struct study_frame *f = &row->frame[time];
                 table_row(t);
                 table_text(t, "%s", s->kind[kind].plan->caption);
-                table_number(t, row->level->size, 3);
-                table_number(t, s->kind[kind].time[time], 3);
-                table_number(t, row->frame[time].drop, 4);
-                table_number(t, row->frame[time].stretch, 4);
-                table_number(t, row->frame[time].next, 3);
-                table_number(t, row->milliseconds, 3);
+                study_print_numbers(t, "334433",
+                                    (double[]){row->level->size, s->kind[kind].time[time],
+                                               f->drop, f->stretch, f->next,
+                                               row->milliseconds});
             }
     return t;
 }

@@ -222,12 +222,11 @@ static void compare(struct study *s, int t)
 static enum status read_scene(const struct plan *plan, const struct plan_study *study,
                               struct scene *scene, struct message *why)
 {
-    struct plan_case c = {0};
-    enum status st;
+    struct plan_case c;
+    enum status st = plan_case_level(plan, study, NULL, false, &c, why);
 
-    TRY(plan_case_level(plan, study, NULL, false, &c, why));
-    TRY(plan_case_scene(&c, scene, why));
-out:
+    if (st == STATUS_OK)
+        st = plan_case_scene(&c, scene, why);
     plan_case_clear(&c);
     return st;
 }
@@ -269,7 +268,7 @@ enum status study_read(const struct plan *plan, const char *folder, struct study
 {
     enum status st = STATUS_OK;
 
-    *r = (struct study_results){.plan = plan, .count = plan->study_count};
+    *r = (struct study_results){.count = plan->study_count};
     r->study = calloc((size_t)r->count + 1, sizeof *r->study);
     TRY(r->study ? STATUS_OK : STATUS_MEMORY);
     file_of(&plan->studies[0], &plan->studies[0].levels[0], folder, r->machine);

@@ -188,12 +188,9 @@ static enum status print_motion(const struct study *s, enum table_format format,
 
 enum status study_print(const struct study *s, enum table_format format, FILE *file)
 {
-    enum status st;
+    const enum status st = print_cost(s, format, file);
 
-    TRY(print_cost(s, format, file));
-    TRY(print_motion(s, format, file));
-out:
-    return st;
+    return st ? st : print_motion(s, format, file);
 }
 
 /* The truth's error bar at a time, across the levels' seconds. */

@@ -51,8 +51,7 @@ static double bar(const struct study_cures *s, int law)
     return worst;
 }
 
-static enum status print_law(const struct study_cures *s, int law, enum table_format format,
-                             FILE *file)
+static struct table *law_table(const struct study_cures *s, int law)
 {
     static const struct table_column columns[] = {
         {"space, remedy", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
@@ -95,7 +94,7 @@ static enum status print_law(const struct study_cures *s, int law, enum table_fo
         gamma > 0 ? "the elastica at nu = 0, the shell of degree 4 at h/L = 0.01 else"
                   : "Kirchhoff's plate",
         percent(bar(s, law)));
-    return table_finish(t, format, file);
+    return t;
 }
 
 /* The paper's way with locking at a space's degree. */
@@ -125,8 +124,7 @@ static double median(const struct clock_summary *c)
     return c->count ? c->median : NAN;
 }
 
-static enum status print_cost(const struct study_cures *s, enum table_format format,
-                              FILE *file)
+static struct table *cost_table(const struct study_cures *s)
 {
     static const struct table_column columns[] = {
         {"space, remedy", NULL, TABLE_LEFT},
@@ -155,7 +153,7 @@ static enum status print_cost(const struct study_cures *s, enum table_format for
     }
     table_note(
         t, "All spaces in turn; the fastest repeat tells them apart on a busy machine.");
-    return table_finish(t, format, file);
+    return t;
 }
 
 /* Which cells of a cure miss the target, in words. */
@@ -304,8 +302,8 @@ enum status study_cures_print(const char *folder, enum table_format format, FILE
 
     TRY(study_cures_read(folder, &s, why));
     for (int law = 0; law < STUDY_CURES_LAWS; law++)
-        TRY(print_law(s, law, format, file));
-    TRY(print_cost(s, format, file));
+        TRY(table_finish(law_table(s, law), format, file));
+    TRY(table_finish(cost_table(s), format, file));
     if (table_format_is_prose(format))
         print_text(s, file);
     errors = fill_errors(s);

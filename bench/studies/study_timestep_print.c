@@ -35,8 +35,7 @@ static void motion_row(struct table *t, const struct study *study, int n)
                    row->result.sentence.text);
 }
 
-static enum status print_motions(const struct study_timestep *s, enum table_format format,
-                                 FILE *file)
+static struct table *motion_table(const struct study_timestep *s)
 {
     static const struct table_column columns[] = {{"scheme", NULL, TABLE_LEFT},
                                                   {"step", "ms"},
@@ -61,11 +60,10 @@ static enum status print_motions(const struct study_timestep *s, enum table_form
         t, "IGA 10x10x2, (2,2,1). drop: lowest point below the support; to next step: RMSE "
            "over the material grid between this step and the next shorter one at 0.4 s; a "
            "frame: median over repeats; stepping: all frames to 0.4 s at that price.");
-    return table_finish(t, format, file);
+    return t;
 }
 
-static enum status print_limits(const struct study_timestep *s, enum table_format format,
-                                FILE *file)
+static struct table *limits_table(const struct study_timestep *s)
 {
     static const struct table_column columns[] = {{"scheme", NULL, TABLE_LEFT},
                                                   {"largest difference", "% L"},
@@ -90,11 +88,10 @@ static enum status print_limits(const struct study_timestep *s, enum table_forma
         t, "A motion with a limit of order e has differences ~ dt^e; at e near or below 0 "
            "halving the step changes the motion as much as the halving before. With v <- "
            "mu v the limit of incremental and nonlinear is a sheet that does not move.");
-    return table_finish(t, format, file);
+    return t;
 }
 
-static enum status print_falls(const struct study_timestep *s, enum table_format format,
-                               FILE *file)
+static struct table *falls_table(const struct study_timestep *s)
 {
     static const struct table_column columns[] = {{"mu"},
                                                   {"step", "ms"},
@@ -122,11 +119,10 @@ static enum status print_falls(const struct study_timestep *s, enum table_format
         t, "From positions at 0.5, 0.75 and 1 s: printed falls with a constant "
            "acceleration that is not g, incremental with a constant speed that vanishes "
            "with the step.");
-    return table_finish(t, format, file);
+    return t;
 }
 
-static enum status print_creeps(const struct study_timestep *s, enum table_format format,
-                                FILE *file)
+static struct table *creeps_table(const struct study_timestep *s)
 {
     static const struct table_column columns[] = {
         {"E", "Pa"},         {"step", "ms"},     {"tip's speed", "m/s"},
@@ -147,7 +143,7 @@ static enum status print_creeps(const struct study_timestep *s, enum table_forma
         t, "h = 20 mm, mu = 0.5, gravity 0.1 m/s^2, speed from 0.5 to 0.75 s. Each step "
            "adds the whole elastic sag of the load and forgets it: a sheet of viscosity "
            "E dt, which no elastic force holds up.");
-    return table_finish(t, format, file);
+    return t;
 }
 
 /* --- What a reader should take away. */
@@ -352,10 +348,10 @@ static enum status tell(const struct study_results *r, const char *folder,
     enum status st;
 
     study_timestep_read(r, &s);
-    TRY(print_motions(&s, format, file));
-    TRY(print_limits(&s, format, file));
-    TRY(print_falls(&s, format, file));
-    TRY(print_creeps(&s, format, file));
+    TRY(table_finish(motion_table(&s), format, file));
+    TRY(table_finish(limits_table(&s), format, file));
+    TRY(table_finish(falls_table(&s), format, file));
+    TRY(table_finish(creeps_table(&s), format, file));
     if (table_format_is_prose(format))
         print_text(&s, file);
     TRY(save(&s, folder, why));

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/reader/schema.h"
-
 #define IN(type, member) .offset = offsetof(struct type, member)
 
 static const char *keep_word(int value)

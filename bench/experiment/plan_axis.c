@@ -1,4 +1,4 @@
-#include "bench/experiment/plan_axis.h"
+#include "bench/experiment/plan.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "bench/harness/derived_key.h"
-#include "models/reader/schema.h"
 
 #define IN(type, member) .offset = offsetof(struct type, member)
 #define ANY              .low = -1e30, .high = 1e30

@@ -1,5 +1,5 @@
 #define _GNU_SOURCE /* open_memstream */
-#include "bench/experiment/plan_settings.h"
+#include "bench/experiment/plan.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "bench/experiment/plan_study.h"
+#include "bench/experiment/plan.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 
 #include <math.h>
 #include <stdarg.h>

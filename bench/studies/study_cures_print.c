@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "bench/experiment/measurement.h"
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/studies/study_cures.h"
 #include "bench/ui/chart.h"
 

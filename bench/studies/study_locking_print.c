@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bench/experiment/measurement.h"
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/harness/fit.h"
 #include "bench/studies/study_locking.h"
 #include "bench/ui/chart.h"

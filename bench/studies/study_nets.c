@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/studies/study_orders.h"
 
 /* The paper's scheme on either scene, and the same sheet with a truth. */

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/ui/chart.h"
 #include "bench/ui/picture.h"
 #include "models/grid.h"

@@ -1,6 +1,6 @@
 #include <math.h>
 
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/studies/studies.h"
 #include "bench/truth/truth_plate.h"
 

@@ -1,7 +1,7 @@
 /* The tables, sentences, CSV file and chart of study_timestep.h. */
 #include <math.h>
 
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/harness/fit.h"
 #include "bench/studies/studies.h"
 #include "bench/studies/study_timestep.h"

@@ -22,11 +22,6 @@ static double paper_of(const struct study *s, int level)
     return s->plan->truth ? NAN : s->row[level].paper_ms;
 }
 
-static bool is_refused(const struct study_row *row)
-{
-    return run_result_refused(&row->result);
-}
-
 /* NaN: at rest. */
 static double time_of(const struct study *s, int frame)
 {
@@ -45,7 +40,7 @@ static enum status print_cost(const struct study *s, enum table_format format, F
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
     for (int n = 0; n < s->plan->level_count; n++) {
         const struct study_row *row = &s->row[n];
-        const bool refused = is_refused(row);
+        const bool refused = run_result_refused(&row->result);
         table_row(t);
         table_text(t, "%s", row->level->label);
         if (refused)
@@ -90,8 +85,8 @@ static void motion_row(struct table *t, const struct study *s, int n, int time)
     table_text(t, "%s", row->level->label);
     table_number(t, row->level->size, 3);
     table_number(t, time_of(s, time), 3);
-    table_fixed(t, is_refused(row) ? NAN : row->result.unknowns, 0);
-    table_fixed(t, is_refused(row) ? NAN : row->result.factor_entries, 0);
+    table_fixed(t, run_result_refused(&row->result) ? NAN : row->result.unknowns, 0);
+    table_fixed(t, run_result_refused(&row->result) ? NAN : row->result.factor_entries, 0);
     study_print_numbers(t, "343333",
                         (double[]){row->milliseconds, paper_of(s, n), row->seconds, f->next,
                                    f->finest, f->error});
@@ -304,7 +299,7 @@ struct study_trend study_print_trend(const struct study *s, int time, size_t mem
         const char *comma = n ? ", " : "";
         if (isnan(value) && !f->xyz)
             snprintf(trend.text + used, room, "%s%s", comma,
-                     is_refused(&s->row[n]) ? "refused" : "died");
+                     run_result_refused(&s->row[n].result) ? "refused" : "died");
         else
             snprintf(trend.text + used, room, "%s%.3g", comma, value);
         rises += value > before;

@@ -6,11 +6,6 @@
 #include "bench/studies/study_cures.h"
 #include "bench/ui/chart.h"
 
-static double percent(double value)
-{
-    return 100 * value;
-}
-
 /* Two degrees, each with the paper's way first. */
 enum { HALF = STUDY_CURES_SPACES / 2 };
 
@@ -84,7 +79,7 @@ static struct table *law_table(const struct study_cures *s, int law)
         table_fixed(t, study_cures_nu[nu], 2);
         for (int n = 0; n < STUDY_CURES_THICKNESSES; n++)
             table_fixed(t, study_cures_ratio(s, space, law, nu, n), 4);
-        table_number(t, percent(worst), 2);
+        table_number(t, 100 * worst, 2);
         table_text(t, "%s", worst <= study_cures_target ? "yes" : "no");
     }
     table_note(
@@ -93,7 +88,7 @@ static struct table *law_table(const struct study_cures *s, int law)
         "coarser net it moves by %.2g %% at most. A dash: no equilibrium, or not asked.",
         gamma > 0 ? "the elastica at nu = 0, the shell of degree 4 at h/L = 0.01 else"
                   : "Kirchhoff's plate",
-        percent(bar(s, law)));
+        100 * bar(s, law));
     return t;
 }
 
@@ -174,13 +169,13 @@ static void tell_misses(const struct study_cures *s, int space, FILE *file)
                 if (++misses <= NAMED)
                     fprintf(file, "%s%s nu %g h/L %g (%.2g %%)",
                             misses > 1 ? "; " : "misses ", law_name(law, name),
-                            study_cures_nu[nu], study_cures_thickness[n], percent(error));
+                            study_cures_nu[nu], study_cures_thickness[n], 100 * error);
             }
     fprintf(file, "%s%d of %d cells within %g %%.\n",
             misses > NAMED ? "; ...; "
             : misses       ? "; "
                            : "",
-            cells - misses, cells, percent(study_cures_target));
+            cells - misses, cells, 100 * study_cures_target);
 }
 
 /* At h/L = 0.1 and large nu: how much of the miss the clamp's hold on the thickness is. */
@@ -197,8 +192,8 @@ static void tell_clamp(const struct study_cures *s, FILE *file)
         "it over a length of some h and no plate knows: a 3-D solid whose clamp leaves "
         "the thickness free (x and y held on the face, z on its lower edge) falls %.2g %% "
         "farther than the clamped one.\n",
-        study_cures_nu[nu], percent(fabs(plate)), plate > 0 ? "too soft" : "too stiff",
-        percent(slit));
+        study_cures_nu[nu], 100 * fabs(plate), plate > 0 ? "too soft" : "too stiff",
+        100 * slit);
 }
 
 static void tell_bends(const struct study_cures *s, FILE *file)
@@ -209,8 +204,8 @@ static void tell_bends(const struct study_cures *s, FILE *file)
     double thick[3], thin[3];
 
     for (int n = 0; n < 3; n++) {
-        thick[n] = percent(study_cures_error(s, space[n], law, 0, 2));
-        thin[n] = percent(study_cures_error(s, space[n], law, 0, 4));
+        thick[n] = 100 * study_cures_error(s, space[n], law, 0, 2);
+        thin[n] = 100 * study_cures_error(s, space[n], law, 0, 4);
     }
     fprintf(
         file,

@@ -182,12 +182,10 @@ static void judge_orders(const struct study_orders_result *r, FILE *file)
 {
     const double *same = r->motion[STUDY_ORDERS_ELEVATE_FIRST],
                  *k = r->motion[STUDY_ORDERS_K];
-
     bool equal = true;
 
     for (int t = 0; t < STUDY_ORDERS_TIMES; t++)
-        if (!(same[t] <= 1e-6 * k[t]))
-            equal = false;
+        equal &= same[t] <= 1e-6 * k[t];
     study_print_verdict(
         file,
         "the mixed operations in either order give the same knots, so the same motion",

@@ -63,15 +63,7 @@ void study_clear(struct study_results *r);
 /* By its name; NULL: the plan has no such study. */
 const struct study *study_find(const struct study_results *r, const char *name);
 
-/* Observed order in the levels' size of the error against truth at a time; without a
- * truth, of the difference from the finest. NaN with fewer than three levels. */
-double study_order(const struct study *s, int time);
-
 /* --- What is printed of one (study_print.c). */
-
-/* Two tables: cost of the levels; differences, error and metrics at every time, with
- * observed orders and the truth's source below. */
-enum status study_print(const struct study *s, enum table_format format, FILE *file);
 
 /* NAME.csv, a row for each level and time; NAME.png, error (without truth: the difference
  * from the finest) against seconds; NAME_sheets.png (picture.h), a row for each time, a
@@ -79,7 +71,10 @@ enum status study_print(const struct study *s, enum table_format format, FILE *f
 enum status study_print_files(const struct study *s, const char *folder,
                               struct message *why);
 
-/* Both, of all studies. */
+/* These files and two tables: cost of the levels; differences, error and metrics at every
+ * time, with observed orders and the truth's source below. The same of all studies. */
+enum status study_print(const struct study *s, const char *folder, enum table_format format,
+                        FILE *file, struct message *why);
 enum status study_print_all(const struct study_results *r, const char *folder,
                             enum table_format format, FILE *file, struct message *why);
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bench/harness/fit.h"
 #include "bench/ui/chart.h"
 #include "bench/ui/picture.h"
 
@@ -153,12 +154,30 @@ static struct table *motion_of(const struct study *s)
     return t;
 }
 
+/* Observed order in the levels' size of the error against truth at a time; without a
+ * truth, of the difference from the finest. NaN with fewer than three levels. */
+static double order_of(const struct study *s, int time)
+{
+    double size[PLAN_STUDY_LEVELS], value[PLAN_STUDY_LEVELS];
+    int count = 0;
+
+    for (int n = 0; n < s->plan->level_count; n++) {
+        const struct study_frame *f = &s->row[n].frame[time];
+        double v = s->truth ? f->error : f->finest;
+        if (isnan(v) || !(s->row[n].level->size > 0))
+            continue;
+        size[count] = s->row[n].level->size;
+        value[count++] = v;
+    }
+    return count < (s->truth ? 3 : 2) ? NAN : fit_exponent(count, size, value);
+}
+
 static enum status print_motion(const struct study *s, enum table_format format, FILE *file)
 {
     struct table *t = motion_of(s);
 
     for (int time = 0; time < s->frames; time++) {
-        double order = study_order(s, time);
+        double order = order_of(s, time);
         if (isnan(order))
             continue;
         if (s->time)
@@ -179,13 +198,6 @@ static enum status print_motion(const struct study *s, enum table_format format,
     else if (s->plan->truth)
         table_note(t, "Truth: none; %s.", s->no_truth.text);
     return table_finish(t, format, file);
-}
-
-enum status study_print(const struct study *s, enum table_format format, FILE *file)
-{
-    const enum status st = print_cost(s, format, file);
-
-    return st ? st : print_motion(s, format, file);
 }
 
 /* The truth's error bar at a time, across the levels' seconds. */
@@ -272,15 +284,25 @@ out:
     return st;
 }
 
+enum status study_print(const struct study *s, const char *folder, enum table_format format,
+                        FILE *file, struct message *why)
+{
+    enum status st;
+
+    TRY(print_cost(s, format, file));
+    TRY(print_motion(s, format, file));
+    TRY(study_print_files(s, folder, why));
+out:
+    return st;
+}
+
 enum status study_print_all(const struct study_results *r, const char *folder,
                             enum table_format format, FILE *file, struct message *why)
 {
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < r->count; n++) {
-        TRY(study_print(&r->study[n], format, file));
-        TRY(study_print_files(&r->study[n], folder, why));
-    }
+    for (int n = 0; n < r->count; n++)
+        TRY(study_print(&r->study[n], folder, format, file, why));
 out:
     return st;
 }

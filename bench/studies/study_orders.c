@@ -14,7 +14,7 @@
 #include "models/solid/solid_model.h"
 
 enum { SIDE = 10, QUICK_SIDE = 6, PATH = 4096, SAMPLES = 23 };
-const double study_orders_time[STUDY_ORDERS_TIMES] = {0.05, 0.1, 0.2};
+static const double picture[STUDY_ORDERS_TIMES] = {0.05, 0.1, 0.2}; /* [s] */
 
 static const char *const file_name[STUDY_ORDERS] = {"refine_first", "elevate_first", "k"};
 static const double LENGTH = 1, THICKNESS = 0.001;
@@ -157,10 +157,8 @@ static void add_settings(const struct patch *patch, struct settings *s)
 static enum status move(const struct run_plan *plan, const struct patch *patch,
                         const char *path, struct message *why)
 {
-    const struct run_keep keep = {.file = path,
-                                  .times = STUDY_ORDERS_TIMES,
-                                  .time = study_orders_time,
-                                  .doubles = true};
+    const struct run_keep keep = {
+        .file = path, .times = STUDY_ORDERS_TIMES, .time = picture, .doubles = true};
     struct run run = {0};
     struct motion m = {0};
     struct run_file *file = NULL, *done;
@@ -190,9 +188,9 @@ out:
     return st;
 }
 
-void study_orders_file(const char *folder, enum study_order_path path, char *text, int size)
+static void file_of(const char *folder, enum study_order_path n, char path[PATH])
 {
-    snprintf(text, (size_t)size, "%s/orders_%s.h5", folder, file_name[path]);
+    snprintf(path, PATH, "%s/orders_%s.h5", folder, file_name[n]);
 }
 
 enum status study_orders_measure(const struct experiment_options *options,
@@ -207,7 +205,7 @@ enum status study_orders_measure(const struct experiment_options *options,
     TRY(contestant_find("iga_paper", &plan.contestant, why));
     for (enum study_order_path n = 0; n < STUDY_ORDERS; n++) {
         TRY(study_orders_patch(n, options->quick ? QUICK_SIDE : SIDE, &patch, NULL, why));
-        study_orders_file(options->folder, n, path, sizeof path);
+        file_of(options->folder, n, path);
         add_settings(&patch, &settings);
         TRY(move(&plan, &patch, path, why));
         patch_clear(&patch);
@@ -308,7 +306,7 @@ enum status study_orders_read(const char *folder, struct study_orders_result *r,
 
     memset(r, 0, sizeof *r);
     for (enum study_order_path n = 0; n < STUDY_ORDERS; n++) {
-        study_orders_file(folder, n, path, sizeof path);
+        file_of(folder, n, path);
         TRY(run_result_read(path, true, &run[n], why));
         for (int t = 0; t < STUDY_ORDERS_TIMES; t++)
             r->motion[n][t] = t < run[0].frames && t < run[n].frames

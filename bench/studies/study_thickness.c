@@ -219,10 +219,8 @@ static enum status tell(const struct study_results *r, const char *folder,
     enum status st;
 
     TRY(measure(r, &c));
-    for (int n = 0; n < SOLIDS; n++) {
-        TRY(study_print(study_find(r, solid_name[n]), format, file));
-        TRY(study_print_files(study_find(r, solid_name[n]), folder, why));
-    }
+    for (int n = 0; n < SOLIDS; n++)
+        TRY(study_print(study_find(r, solid_name[n]), folder, format, file, why));
     TRY(print_swing(&c, folder, format, file, why));
     TRY(draw(&c, folder, why));
     if (!table_format_is_prose(format))

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bench/files/folder.h"
+#include "bench/harness/fit.h"
 #include "bench/harness/timing.h"
 #include "models/metric/metric.h"
 
@@ -298,4 +299,20 @@ const struct study *study_find(const struct study_results *r, const char *name)
         if (!strcmp(r->study[n].plan->name, name))
             return &r->study[n];
     return NULL;
+}
+
+double study_order(const struct study *s, int time)
+{
+    double size[PLAN_STUDY_LEVELS], value[PLAN_STUDY_LEVELS];
+    int count = 0;
+
+    for (int n = 0; n < s->plan->level_count; n++) {
+        const struct study_frame *f = &s->row[n].frame[time];
+        double v = s->truth ? f->error : f->finest;
+        if (isnan(v) || !(s->row[n].level->size > 0))
+            continue;
+        size[count] = s->row[n].level->size;
+        value[count++] = v;
+    }
+    return count < (s->truth ? 3 : 2) ? NAN : fit_exponent(count, size, value);
 }

@@ -63,6 +63,10 @@ void study_clear(struct study_results *r);
 /* By its name; NULL: the plan has no such study. */
 const struct study *study_find(const struct study_results *r, const char *name);
 
+/* Observed order in the levels' size of the error against truth at a time; without a
+ * truth, of the difference from the finest. NaN with fewer than three levels. */
+double study_order(const struct study *s, int time);
+
 /* --- What is printed of one (study_print.c). */
 
 /* NAME.csv, a row for each level and time; NAME.png, error (without truth: the difference

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bench/harness/fit.h"
 #include "bench/ui/chart.h"
 #include "bench/ui/picture.h"
 
@@ -154,30 +153,12 @@ static struct table *motion_of(const struct study *s)
     return t;
 }
 
-/* Observed order in the levels' size of the error against truth at a time; without a
- * truth, of the difference from the finest. NaN with fewer than three levels. */
-static double order_of(const struct study *s, int time)
-{
-    double size[PLAN_STUDY_LEVELS], value[PLAN_STUDY_LEVELS];
-    int count = 0;
-
-    for (int n = 0; n < s->plan->level_count; n++) {
-        const struct study_frame *f = &s->row[n].frame[time];
-        double v = s->truth ? f->error : f->finest;
-        if (isnan(v) || !(s->row[n].level->size > 0))
-            continue;
-        size[count] = s->row[n].level->size;
-        value[count++] = v;
-    }
-    return count < (s->truth ? 3 : 2) ? NAN : fit_exponent(count, size, value);
-}
-
 static enum status print_motion(const struct study *s, enum table_format format, FILE *file)
 {
     struct table *t = motion_of(s);
 
     for (int time = 0; time < s->frames; time++) {
-        double order = order_of(s, time);
+        double order = study_order(s, time);
         if (isnan(order))
             continue;
         if (s->time)

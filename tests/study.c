@@ -1,6 +1,6 @@
 /* The engine of studies: plans with levels, differences, errors, orders and metrics from
  * result files, levels that die or are refused, truth found again. */
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/experiment/plan_read.h"
 
 #include "bench/files/folder.h"

@@ -3,6 +3,7 @@
  *   study_contact FOLDER
  */
 #include "bench/files/folder.h"
+#include "bench/studies/studies.h"
 #include "bench/studies/study_contact.h"
 #include "tests/check.h"
 

@@ -1,5 +1,6 @@
 /* study cures: its 3-D truth is FreeFEM's, the cures meet it where one layer can, six zero
  * modes; and where they can't, the clamp is why. */
+#include "bench/studies/studies.h"
 #include "bench/studies/study_cures.h"
 #include "fem_ref/reference.h"
 #include "tests/check.h"

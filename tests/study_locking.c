@@ -5,6 +5,7 @@
  *   study_locking FOLDER
  */
 #include "bench/files/folder.h"
+#include "bench/studies/studies.h"
 #include "bench/studies/study_locking.h"
 #include "tests/check.h"
 

@@ -4,7 +4,7 @@
  *   study_thickness FOLDER
  */
 #include "bench/files/folder.h"
-#include "bench/studies/study_thickness.h"
+#include "bench/studies/studies.h"
 #include "tests/check.h"
 
 /* Of the table's four digits, and the two per cent that (4,4,r) on 10 points leave. */

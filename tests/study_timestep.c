@@ -4,6 +4,7 @@
  *   study_timestep FOLDER
  */
 #include "bench/files/folder.h"
+#include "bench/studies/studies.h"
 #include "bench/studies/study_timestep.h"
 #include "bench/experiment/plan_read.h"
 #include "models/metric/metric.h"

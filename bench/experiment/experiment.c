@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
 #include "bench/ui/progress.h"

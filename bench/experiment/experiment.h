@@ -2,7 +2,7 @@
  * files in a folder, and what is printed from these files alone, so that a new format or
  * plot needs no new run. One runner serves the commands `table` and `study`.
  *
- * Most are the studies of a plan (plan_study.h), and have sentences on them at most. An
+ * Most are the studies of a plan (plan.h), and have sentences on them at most. An
  * experiment is one `const struct experiment`, named in bench/tables/tables.c or
  * bench/studies/studies.c and nowhere else; a plan of the user's needs none.
  */

@@ -23,13 +23,6 @@ struct job {
     struct timing_case *timing; /* NULL: it is not timed                                */
 };
 
-static void discard(struct job *j)
-{
-    run_file_discard(j->file);
-    motion_clear(&j->motion);
-    run_close(&j->run);
-}
-
 static enum status rest(struct job *j, struct message *said, struct message *why)
 {
     struct counters work = {0};
@@ -217,8 +210,11 @@ enum status measurement_run(const struct measurement_options *options, int count
         TRY(run_file_close(file, jobs[n].moved ? &jobs[n].motion : NULL, NULL, why));
     }
 out:
-    for (int n = 0; jobs && n < count; n++)
-        discard(&jobs[n]);
+    for (int n = 0; jobs && n < count; n++) {
+        run_file_discard(jobs[n].file);
+        motion_clear(&jobs[n].motion);
+        run_close(&jobs[n].run);
+    }
     free(jobs);
     return st;
 }

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/reader/schema.h"
-
 #define IN(type, member) .offset = offsetof(struct type, member)
 
 static const char *keep_word(int value)
@@ -18,26 +16,22 @@ static const char *keep_word(int value)
 static enum status read_axes(const struct schema_key *key, const struct yaml_tree *node,
                              void *target, struct message *why)
 {
-    enum status st = STATUS_OK;
+    enum status st;
     struct plan *plan = target;
 
-    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > PLAN_MAX_AXES)
-        return schema_refuse(key, node, why);
-    plan->axes = calloc((size_t)node->count, sizeof *plan->axes);
-    if (!plan->axes)
-        return STATUS_MEMORY;
-    for (const struct yaml_tree *child = node->first; child; child = child->next)
-        TRY(plan_axis_read(child, &plan->axes[plan->axis_count++], why));
-out:
+    plan->axes = plan_settings_list(key, node, sizeof *plan->axes, &plan->axis_count,
+                                    plan_axis_read, &st, why);
     return st;
 }
 
 /* A map of settings, one of whose keys may be the name. */
-static enum status read_listed(const struct yaml_tree *node, struct plan_listed *listed,
+static enum status read_listed(const struct yaml_tree *node, void *target,
                                struct message *why)
 {
+    struct plan_listed *listed = target;
     enum status st = STATUS_OK;
 
+    listed->line = node->line;
     if (node->kind != YAML_TREE_MAP)
         return yaml_tree_refuse(node, why, "a case is %s, but must be a map {KEY: VALUE}",
                                 yaml_tree_describe(node).text);
@@ -56,38 +50,22 @@ out:
 static enum status read_cases(const struct schema_key *key, const struct yaml_tree *node,
                               void *target, struct message *why)
 {
-    enum status st = STATUS_OK;
+    enum status st;
     struct plan *plan = target;
 
-    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > PLAN_MAX_LISTED)
-        return schema_refuse(key, node, why);
-    plan->listed = calloc((size_t)node->count, sizeof *plan->listed);
-    if (!plan->listed)
-        return STATUS_MEMORY;
-    for (const struct yaml_tree *child = node->first; child; child = child->next) {
-        struct plan_listed *listed = &plan->listed[plan->listed_count++];
-
-        listed->line = child->line;
-        TRY(read_listed(child, listed, why));
-    }
-out:
+    plan->listed = plan_settings_list(key, node, sizeof *plan->listed, &plan->listed_count,
+                                      read_listed, &st, why);
     return st;
 }
 
 static enum status read_studies(const struct schema_key *key, const struct yaml_tree *node,
                                 void *target, struct message *why)
 {
-    enum status st = STATUS_OK;
+    enum status st;
     struct plan *plan = target;
 
-    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > PLAN_STUDY_MOST)
-        return schema_refuse(key, node, why);
-    plan->studies = calloc((size_t)node->count, sizeof *plan->studies);
-    if (!plan->studies)
-        return STATUS_MEMORY;
-    for (const struct yaml_tree *child = node->first; child; child = child->next)
-        TRY(plan_study_read(child, &plan->studies[plan->study_count++], why));
-out:
+    plan->studies = plan_settings_list(key, node, sizeof *plan->studies, &plan->study_count,
+                                       plan_study_read, &st, why);
     return st;
 }
 
@@ -141,26 +119,6 @@ static enum status read_verdicts(const struct schema_key *key, const struct yaml
     return yaml_tree_refuse(node, why, "%s: %s", key->key, reason.text);
 }
 
-static enum status read_mark(const struct yaml_tree *node, struct plan_mark *mark,
-                             struct message *why);
-
-static enum status read_marks(const struct schema_key *key, const struct yaml_tree *node,
-                              void *target, struct message *why)
-{
-    enum status st = STATUS_OK;
-    struct plan_map *map = &((struct plan *)target)->map;
-
-    if (node->kind != YAML_TREE_LIST || node->count > PLAN_MAX_LISTED)
-        return schema_refuse(key, node, why);
-    map->marks = calloc((size_t)node->count + 1, sizeof *map->marks);
-    if (!map->marks)
-        return STATUS_MEMORY;
-    for (const struct yaml_tree *child = node->first; child; child = child->next)
-        TRY(read_mark(child, &map->marks[map->mark_count++], why));
-out:
-    return st;
-}
-
 /* clang-format off */
 static const struct schema_key MARK[] = {
     {"text", "on the point", SCHEMA_TEXT, .required = true, IN(plan_mark, text)},
@@ -169,12 +127,32 @@ static const struct schema_key MARK[] = {
      .read = plan_settings_read_key, IN(plan_mark, settings), .want = "a map {KEY: VALUE, ...}"},
     {NULL}};
 
+static enum status read_mark(const struct yaml_tree *node, void *target,
+                             struct message *why)
+{
+    struct plan_mark *mark = target;
+
+    mark->line = node->line;
+    return schema_read(MARK, node, "a mark", mark, why);
+}
+
+static enum status read_marks(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
+{
+    enum status st;
+    struct plan_map *map = &((struct plan *)target)->map;
+
+    map->marks = plan_settings_list(key, node, sizeof *map->marks, &map->mark_count,
+                                    read_mark, &st, why);
+    return st;
+}
+
 static const struct schema_key MAP[] = {
     {"x", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
     {"y", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
     {"panel", "key of a panel each, or name (of cases)", SCHEMA_TEXT, IN(plan, map.panel)},
-    {"marks", "points that are no cases", SCHEMA_SPECIAL, .read = read_marks,
-     .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
+    {"marks", "points that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_LISTED,
+     .read = read_marks, .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
     {NULL}};
 
 static const struct schema_key PLAN[] = {
@@ -188,9 +166,11 @@ static const struct schema_key PLAN[] = {
      .read = plan_settings_read_word, IN(plan, settings), .want = "the name of a model"},
     {"settings", "of all cases", SCHEMA_SPECIAL, .read = plan_settings_read_key,
      IN(plan, settings), .want = "a map {KEY: VALUE, ...} of keys that --set takes"},
-    {"axes", "every combination", SCHEMA_SPECIAL, .read = read_axes, .keys = plan_axis_keys,
+    {"axes", "every combination", SCHEMA_SPECIAL, .low = 1, .most = PLAN_MAX_AXES,
+     .read = read_axes, .keys = plan_axis_keys,
      .want = "a list of 1 to 16 axes {key: ..., values: [...]}"},
-    {"cases", "each with all combinations of the axes", SCHEMA_SPECIAL, .read = read_cases,
+    {"cases", "each with all combinations of the axes", SCHEMA_SPECIAL, .low = 1,
+     .most = PLAN_MAX_LISTED, .read = read_cases,
      .want = "a list of 1 to 10000 maps {name: ..., KEY: VALUE, ...}"},
     {"look", "frames from one reading of the metrics to the next", SCHEMA_COUNT, .low = 1,
      .high = 1e6, IN(plan, look)},
@@ -205,17 +185,10 @@ static const struct schema_key PLAN[] = {
     {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
     PLAN_STUDY_KEYS(offsetof(struct plan, base)),
     {"studies", "each of these levels, times, ... unless it has its own", SCHEMA_SPECIAL,
-     .read = read_studies, .keys = plan_study_keys,
+     .read = read_studies, .low = 1, .most = PLAN_STUDY_MOST, .keys = plan_study_keys,
      .want = "a list of 1 to 100 studies {name: ..., scene: ..., settings: {KEY: VALUE}}"},
     {NULL}};
 /* clang-format on */
-
-static enum status read_mark(const struct yaml_tree *node, struct plan_mark *mark,
-                             struct message *why)
-{
-    mark->line = node->line;
-    return schema_read(MARK, node, "a mark", mark, why);
-}
 
 /* What the studies do not say themselves; a plan with levels alone is one study. */
 static enum status settle_studies(struct plan *plan, const struct yaml_tree *root,

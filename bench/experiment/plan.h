@@ -1,6 +1,6 @@
 /* plan.h - the plan of a sweep: which cases to run, what to read off them, how to judge and
- * draw them; or of studies, which have levels instead of cases (plan_study.h). Read from
- * YAML; every error is one sentence `file:line: ...`.
+ * draw them; or of studies, which have levels instead of cases. Read from YAML; every error
+ * is one sentence `file:line: ...`.
  *
  *     name: stiffness
  *     source: who wants to know
@@ -22,22 +22,184 @@
  * A key is any that --set takes, or `scene`, or `model`, or one of two that stand for
  * another key: `gamma` and `young_over_density` set the key `by` (material.young unless
  * told otherwise) so that the number takes the value with all else of the case as given.
+ *
+ * Studies are of scenes at several levels of one parameter, from coarse to fine:
+ *
+ *     what: a line on it, for lists
+ *     levels:
+ *       - {label: 5x5x2, size: 0.33, settings: {discretization.points: [5,5,2]}}
+ *       - {label: 9x9x2, size: 0.14, settings: {discretization.points: [9,9,2]}}
+ *     times: [0.5, 1]      # [s] at which sheets are compared; none: at rest
+ *     truth: true          # hold them against the scene's truth (truth.h), with its bar
+ *     timed: 9             # milliseconds a frame, from so many interleaved repeats
+ *     studies:             # each with the plan's levels, times, ... unless it has its own
+ *       - {name: edge, caption: ..., scene: edge_drop, settings: {...}}
+ *       - {name: corners, scene: corners_drop, times: [0.25]}
+ *
+ * Without `studies` the plan is one, of its own name. Settings of a level go before those
+ * of a study, these before the plan's.
  */
 #ifndef PLAN_H
 #define PLAN_H
 
 #include <stdbool.h>
 
-#include "bench/experiment/plan_axis.h"
-#include "bench/experiment/plan_study.h"
 #include "bench/experiment/verdict.h"
 #include "models/reader/named_file.h"
+#include "models/reader/schema.h"
 
 enum {
     PLAN_MAX_CASES = 100000,
     PLAN_MAX_LISTED = 10000, /* cases                                                  */
     PLAN_MAX_AXES = 16,
 };
+
+/* --- Settings (plan_settings.c): keys and values as a plan gives them, with their lines.
+ */
+
+struct plan_setting {
+    char *key, *value; /* as --set takes them: KEY=VALUE                         owned */
+    int line;          /* in the plan                                                  */
+};
+
+struct plan_settings {
+    int count;
+    struct plan_setting *list; /* owned                                                */
+};
+
+/* Adds a key with the value that `node` has, or with the text `value`. STATUS_INPUT: a text
+ * that does not fit a line. */
+enum status plan_settings_add(struct plan_settings *settings, const char *key,
+                              const struct yaml_tree *node, struct message *why);
+enum status plan_settings_add_text(struct plan_settings *settings, const char *key,
+                                   const char *value, int line);
+
+/* Readers of schema.h, into the struct plan_settings at key->offset: the children of a map
+ * {KEY: VALUE, ...} or of a list of such maps; the key itself with its value, a word.
+ * STATUS_INPUT with one sentence: not such a thing, a key given twice; STATUS_MEMORY. */
+enum status plan_settings_read_key(const struct schema_key *key,
+                                   const struct yaml_tree *node, void *target,
+                                   struct message *why);
+enum status plan_settings_read_word(const struct schema_key *key,
+                                    const struct yaml_tree *node, void *target,
+                                    struct message *why);
+
+/* For readers of a list of key->low to key->most things of so many bytes: room for all of
+ * them, all-zero, freed by the receiver, and each read into it. *count has what was begun,
+ * on failure, too. NULL: *st says why. */
+void *plan_settings_list(const struct schema_key *key, const struct yaml_tree *node,
+                         size_t size, int *count,
+                         enum status read(const struct yaml_tree *node, void *element,
+                                          struct message *why),
+                         enum status *st, struct message *why);
+
+/* The words of schema.h for 0 and 1. */
+const char *plan_settings_truth(int value);
+
+/* The setting of a key; NULL if there is none. */
+const struct plan_setting *plan_settings_find(const struct plan_settings *settings,
+                                              const char *key);
+
+void plan_settings_clear(struct plan_settings *settings); /* all-zero is allowed */
+
+/* --- Axes (plan_axis.c): a key and its values, listed or from ... to. */
+
+enum { PLAN_AXIS_MOST = 10000 }; /* values */
+
+enum plan_axis_scale { PLAN_AXIS_LINEAR, PLAN_AXIS_LOG };
+
+struct plan_axis {
+    char *key; /* owned                                                                */
+    char *by;  /* the key that a stand-in sets; NULL: material.young             owned */
+    int line;  /* in the plan                                                          */
+    enum plan_axis_scale scale;  /* of from ... to, and of the map                     */
+    struct plan_settings values; /* each with the axis's key                           */
+};
+
+/* Of an axis, for the list of a plan's keys. */
+extern const struct schema_key plan_axis_keys[];
+
+/* Reads `{key: ..., values: [...]}` or `{key: ..., from: ..., to: ..., count: ...}` into
+ * the struct plan_axis, which is overwritten; free it with plan_axis_clear after a failure,
+ * too. STATUS_INPUT with one sentence `origin:line: ...`. */
+enum status plan_axis_read(const struct yaml_tree *node, void *axis, struct message *why);
+void plan_axis_clear(struct plan_axis *axis); /* all-zero is allowed */
+
+/* --- Studies (plan_study.c). */
+
+enum { PLAN_STUDY_MOST = 100, PLAN_STUDY_LEVELS = 16, PLAN_STUDY_TIMES = 8 };
+
+struct plan_level {
+    char *label;     /* short, for tables and pictures                          owned  */
+    char *name;      /* of its file, [a-z0-9_]+; made of the label if not given  owned  */
+    double size;     /* mesh width, step, ...: observed orders are over it; 0: none     */
+    double paper_ms; /* what somebody else's frame costs; NaN: unknown                  */
+    int phases;      /* 1: a solid that is rebuilt every frame: time its phases, too    */
+    struct plan_settings settings;
+    struct plan_settings quick; /* on top of them in a quick run                       */
+    int line;
+};
+
+struct plan_study {
+    char *name;    /* of its files, [a-z0-9_]+                                  owned  */
+    char *caption; /* of its tables                                             owned  */
+    struct plan_settings settings;
+    int level_count;
+    struct plan_level *levels; /* [level_count]; as times owned, unless the plan's */
+    int time_count;            /* 0: static equilibrium, as the only frame; -1: not given */
+    double *times;             /* [time_count] [s]                                       */
+    int quick_count;           /* 0: a quick run has the same times                     */
+    double *quick_times;
+    int truth;            /* 0 or 1; -1: not given                                 */
+    int timed;            /* repeats; 0: not timed; -1: not given                  */
+    double paper_ms;      /* of its levels that have none of their own; NaN        */
+    char *paper_net;      /* how somebody else writes degree and net       owned  */
+    int line, times_line; /* in the plan                                           */
+};
+
+/* What a plan may have of these, too, read into the struct plan_study that begins `at`
+ * bytes into the target: rows of a schema. */
+/* clang-format off */
+#define PLAN_STUDY_TIMES_AT(at, values, count)                                             \
+    SCHEMA_NUMBERS, .low = 0, .high = 1e9, .open = true, .order = SCHEMA_INCREASING,       \
+    .most = PLAN_STUDY_TIMES, .offset = (at) + offsetof(struct plan_study, values),        \
+    .count_offset = (at) + offsetof(struct plan_study, count)
+#define PLAN_STUDY_KEYS(at)                                                                \
+    {"levels", "from coarse to fine", SCHEMA_SPECIAL, .keys = plan_study_level_keys,       \
+     .read = plan_study_read_levels, .low = 1, .most = PLAN_STUDY_LEVELS, .offset = (at),  \
+     .want = "a list of 1 to 16 levels {label: ..., settings: {KEY: VALUE, ...}}"},        \
+    {"times", "at which sheets are compared [s]",                                          \
+     PLAN_STUDY_TIMES_AT(at, times, time_count)},                                          \
+    {"quick_times", "instead of them in a quick run [s]",                                  \
+     PLAN_STUDY_TIMES_AT(at, quick_times, quick_count)},                                   \
+    {"truth", "errors against the scene's truth", SCHEMA_WORD,                             \
+     .word = plan_settings_truth, .offset = (at) + offsetof(struct plan_study, truth)},    \
+    {"timed", "repeats of the milliseconds a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
+     .offset = (at) + offsetof(struct plan_study, timed)}
+/* clang-format on */
+
+extern const struct schema_key plan_study_keys[], plan_study_level_keys[];
+
+/* A reader of schema.h, into the struct plan_study at key->offset. */
+enum status plan_study_read_levels(const struct schema_key *key,
+                                   const struct yaml_tree *node, void *target,
+                                   struct message *why);
+
+/* Nothing given yet. */
+struct plan_study plan_study_none(void);
+
+/* Reads one of the list `studies` into the struct plan_study, which is overwritten; free it
+ * with plan_study_clear after a failure, too. STATUS_INPUT with one sentence. */
+enum status plan_study_read(const struct yaml_tree *node, void *target,
+                            struct message *why);
+
+/* Fills in from `base` what a study does not have; what is given nowhere is none. */
+enum status plan_study_inherit(struct plan_study *study, const struct plan_study *base);
+
+/* `base`: of its plan. All-zero is allowed. */
+void plan_study_clear(struct plan_study *study, const struct plan_study *base);
+
+/* --- The plan. */
 
 struct plan_listed {
     char *name; /* or NULL                                                      owned  */

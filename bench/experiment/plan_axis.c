@@ -1,4 +1,4 @@
-#include "bench/experiment/plan_axis.h"
+#include "bench/experiment/plan.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "bench/harness/derived_key.h"
-#include "models/reader/schema.h"
 
 #define IN(type, member) .offset = offsetof(struct type, member)
 #define ANY              .low = -1e30, .high = 1e30
@@ -109,15 +108,14 @@ out:
     return st;
 }
 
-enum status plan_axis_read(const struct yaml_tree *node, struct plan_axis *axis,
-                           struct message *why)
+enum status plan_axis_read(const struct yaml_tree *node, void *axis, struct message *why)
 {
     struct axis_reading r = {.axis.line = node->line, .from = NAN, .to = NAN};
     enum status st = schema_read(plan_axis_keys, node, "an axis", &r, why);
 
     if (st == STATUS_OK)
         st = fill_axis(&r, node, why);
-    *axis = r.axis;
+    *(struct plan_axis *)axis = r.axis;
     return st;
 }
 

@@ -236,36 +236,36 @@ enum status plan_case_given(const struct plan *plan, long number, struct plan_ca
     return STATUS_OK;
 }
 
-enum status plan_case_open(const struct plan *plan, long number, struct plan_case *c,
-                           struct message *why)
+/* What is left to do once `given` is there, or was not to be had. */
+static enum status finish(const struct plan *plan, enum status st, struct plan_case *c,
+                          struct message *why)
 {
-    enum status st;
-
-    TRY(plan_case_given(plan, number, c));
-    TRY(plan_case_blame(plan, c, build(plan, c, why), why));
-out:
+    if (st == STATUS_OK)
+        st = plan_case_blame(plan, c, build(plan, c, why), why);
     if (st != STATUS_OK)
         plan_case_clear(c);
     return st;
+}
+
+enum status plan_case_open(const struct plan *plan, long number, struct plan_case *c,
+                           struct message *why)
+{
+    return finish(plan, plan_case_given(plan, number, c), c, why);
 }
 
 enum status plan_case_level(const struct plan *plan, const struct plan_study *study,
                             const struct plan_level *level, bool quick, struct plan_case *c,
                             struct message *why)
 {
-    enum status st;
+    const enum status st = begin(plan, 0, c);
 
-    TRY(begin(plan, 0, c));
-    give(plan, &study->settings, c);
-    if (level)
+    if (st == STATUS_OK)
+        give(plan, &study->settings, c);
+    if (st == STATUS_OK && level)
         give(plan, &level->settings, c);
-    if (level && quick)
+    if (st == STATUS_OK && level && quick)
         give(plan, &level->quick, c);
-    TRY(plan_case_blame(plan, c, build(plan, c, why), why));
-out:
-    if (st != STATUS_OK)
-        plan_case_clear(c);
-    return st;
+    return finish(plan, st, c, why);
 }
 
 void plan_case_clear(struct plan_case *c)

@@ -136,18 +136,47 @@ static enum status check_mark(const struct plan *plan, const struct plan_mark *m
     return STATUS_OK;
 }
 
+/* A frame can be had at every time. */
+static enum status check_times(const struct plan *plan, const struct plan_study *study,
+                               const struct plan_level *level, const struct scene *scene,
+                               struct message *why)
+{
+    for (int n = 0; n < study->time_count + study->quick_count; n++) {
+        const double t = n < study->time_count ? study->times[n]
+                                               : study->quick_times[n - study->time_count];
+        const double frames = t / scene->step;
+        if (fabs(frames - round(frames)) > 1e-6 * frames || frames < 0.5)
+            return plan_case_refuse(
+                plan, study->times_line, why,
+                "the time %g s is no multiple of the step, %g s, of the level "
+                "%s",
+                t, scene->step, yaml_tree_quote(level->label).text);
+    }
+    return STATUS_OK;
+}
+
+/* Whether a case's scene can be read, and has a frame at a study's times; clears the case.
+ */
+static enum status try_scene(const struct plan *plan, const struct plan_study *study,
+                             const struct plan_level *level, struct plan_case *c,
+                             struct message *why)
+{
+    struct scene scene = {0};
+    enum status st = plan_case_blame(plan, c, plan_case_scene(c, &scene, why), why);
+
+    if (st == STATUS_OK && study)
+        st = check_times(plan, study, level, &scene, why);
+    scene_clear(&scene);
+    plan_case_clear(c);
+    return st;
+}
+
 static enum status try_case(const struct plan *plan, long number, struct message *why)
 {
     struct plan_case c;
-    struct scene scene = {0};
-    enum status st;
+    const enum status st = plan_case_open(plan, number, &c, why);
 
-    TRY(plan_case_open(plan, number, &c, why));
-    st = plan_case_blame(plan, &c, plan_case_scene(&c, &scene, why), why);
-    scene_clear(&scene);
-    plan_case_clear(&c);
-out:
-    return st;
+    return st ? st : try_scene(plan, NULL, NULL, &c, why);
 }
 
 /* Every listed case with the axes at their first, every value of an axis in the first case.
@@ -188,41 +217,14 @@ static enum status check_name(const struct plan *plan, const char *what, const c
     return STATUS_OK;
 }
 
-/* A frame can be had at every time. */
-static enum status check_times(const struct plan *plan, const struct plan_study *study,
-                               const struct plan_level *level, const struct scene *scene,
-                               struct message *why)
-{
-    for (int n = 0; n < study->time_count + study->quick_count; n++) {
-        const double t = n < study->time_count ? study->times[n]
-                                               : study->quick_times[n - study->time_count];
-        const double frames = t / scene->step;
-        if (fabs(frames - round(frames)) > 1e-6 * frames || frames < 0.5)
-            return plan_case_refuse(
-                plan, study->times_line, why,
-                "the time %g s is no multiple of the step, %g s, of the level "
-                "%s",
-                t, scene->step, yaml_tree_quote(level->label).text);
-    }
-    return STATUS_OK;
-}
-
 static enum status try_level(const struct plan *plan, const struct plan_study *study,
                              const struct plan_level *level, bool quick,
                              struct message *why)
 {
     struct plan_case c;
-    struct scene scene = {0};
-    enum status st;
+    const enum status st = plan_case_level(plan, study, level, quick, &c, why);
 
-    TRY(plan_case_level(plan, study, level, quick, &c, why));
-    st = plan_case_blame(plan, &c, plan_case_scene(&c, &scene, why), why);
-    if (st == STATUS_OK)
-        st = check_times(plan, study, level, &scene, why);
-    scene_clear(&scene);
-    plan_case_clear(&c);
-out:
-    return st;
+    return st ? st : try_scene(plan, study, level, &c, why);
 }
 
 static enum status check_study(const struct plan *plan, int n, struct message *why)

@@ -1,5 +1,5 @@
 #define _GNU_SOURCE /* open_memstream */
-#include "bench/experiment/plan_settings.h"
+#include "bench/experiment/plan.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -72,8 +72,8 @@ out:
     return st;
 }
 
-enum status plan_settings_read(const struct yaml_tree *node, const char *what,
-                               struct plan_settings *settings, struct message *why)
+static enum status read_settings(const struct yaml_tree *node, const char *what,
+                                 struct plan_settings *settings, struct message *why)
 {
     enum status st = STATUS_OK;
 
@@ -82,7 +82,7 @@ enum status plan_settings_read(const struct yaml_tree *node, const char *what,
                                 what, yaml_tree_describe(node).text);
     for (const struct yaml_tree *child = node->first; child; child = child->next) {
         if (node->kind == YAML_TREE_LIST) {
-            TRY(plan_settings_read(child, what, settings, why));
+            TRY(read_settings(child, what, settings, why));
             continue;
         }
         const struct plan_setting *old = plan_settings_find(settings, child->key);
@@ -99,7 +99,7 @@ enum status plan_settings_read_key(const struct schema_key *key,
                                    const struct yaml_tree *node, void *target,
                                    struct message *why)
 {
-    return plan_settings_read(node, key->key, (void *)((char *)target + key->offset), why);
+    return read_settings(node, key->key, (void *)((char *)target + key->offset), why);
 }
 
 enum status plan_settings_read_word(const struct schema_key *key,
@@ -109,6 +109,23 @@ enum status plan_settings_read_word(const struct schema_key *key,
     if (node->kind != YAML_TREE_SCALAR || !*node->text)
         return schema_refuse(key, node, why);
     return plan_settings_add((void *)((char *)target + key->offset), key->key, node, why);
+}
+
+void *plan_settings_list(const struct schema_key *key, const struct yaml_tree *node,
+                         size_t size, int *count,
+                         enum status read(const struct yaml_tree *node, void *element,
+                                          struct message *why),
+                         enum status *st, struct message *why)
+{
+    char *list = NULL;
+
+    if (node->kind != YAML_TREE_LIST || node->count < key->low || node->count > key->most)
+        *st = schema_refuse(key, node, why);
+    else
+        *st = (list = calloc((size_t)node->count + 1, size)) ? STATUS_OK : STATUS_MEMORY;
+    for (const struct yaml_tree *n = node->first; n && *st == STATUS_OK; n = n->next)
+        *st = read(n, list + size * (size_t)(*count)++, why);
+    return list;
 }
 
 const char *plan_settings_truth(int value)

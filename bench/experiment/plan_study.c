@@ -1,4 +1,4 @@
-#include "bench/experiment/plan_study.h"
+#include "bench/experiment/plan.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -59,9 +59,10 @@ static char *make_name(const char *label)
     return name;
 }
 
-static enum status read_level(const struct yaml_tree *node, struct plan_level *level,
+static enum status read_level(const struct yaml_tree *node, void *target,
                               struct message *why)
 {
+    struct plan_level *level = target;
     enum status st;
 
     level->line = node->line;
@@ -80,16 +81,10 @@ enum status plan_study_read_levels(const struct schema_key *key,
                                    struct message *why)
 {
     struct plan_study *study = (void *)((char *)target + key->offset);
-    enum status st = STATUS_OK;
+    enum status st;
 
-    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > PLAN_STUDY_LEVELS)
-        return schema_refuse(key, node, why);
-    study->levels = calloc((size_t)node->count, sizeof *study->levels);
-    if (!study->levels)
-        return STATUS_MEMORY;
-    for (const struct yaml_tree *child = node->first; child; child = child->next)
-        TRY(read_level(child, &study->levels[study->level_count++], why));
-out:
+    study->levels = plan_settings_list(key, node, sizeof *study->levels,
+                                       &study->level_count, read_level, &st, why);
     return st;
 }
 
@@ -98,9 +93,9 @@ struct plan_study plan_study_none(void)
     return (struct plan_study){.time_count = -1, .truth = -1, .timed = -1, .paper_ms = NAN};
 }
 
-enum status plan_study_read(const struct yaml_tree *node, struct plan_study *study,
-                            struct message *why)
+enum status plan_study_read(const struct yaml_tree *node, void *target, struct message *why)
 {
+    struct plan_study *study = target;
     const struct yaml_tree *times;
     enum status st;
 

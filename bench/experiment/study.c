@@ -12,10 +12,10 @@
 
 enum { PATH = 4096 };
 
-void study_file(const struct plan_study *study, const struct plan_level *level,
-                const char *folder, char *path, int size)
+static void file_of(const struct plan_study *study, const struct plan_level *level,
+                    const char *folder, char path[PATH])
 {
-    snprintf(path, (size_t)size, "%s/%s_%s.h5", folder, study->name, level->name);
+    snprintf(path, PATH, "%s/%s_%s.h5", folder, study->name, level->name);
 }
 
 static bool begins(const char *text, const char *with)
@@ -75,7 +75,7 @@ static enum status set_up(const struct plan *plan, const struct plan_study *stud
     enum status st;
 
     TRY(plan_case_level(plan, study, level, quick_run, &job->c, why));
-    study_file(study, level, folder, job->file, sizeof job->file);
+    file_of(study, level, folder, job->file);
     *m = (struct measurement_case){
         .plan = plan_case_run(&job->c),
         .keep = {.file = job->file, .times = times, .time = time, .provenance = provenance},
@@ -190,7 +190,7 @@ static enum status read_row(const struct plan *plan, const struct plan_study *st
     enum status st;
 
     row->level = level;
-    study_file(study, level, folder, path, sizeof path);
+    file_of(study, level, folder, path);
     TRY(run_result_read(path, true, &row->result, why));
     TRY(plan_case_level(plan, study, level, false, &c, why));
     const struct run_plan what = plan_case_run(&c);
@@ -222,12 +222,11 @@ static void compare(struct study *s, int t)
 static enum status read_scene(const struct plan *plan, const struct plan_study *study,
                               struct scene *scene, struct message *why)
 {
-    struct plan_case c = {0};
-    enum status st;
+    struct plan_case c;
+    enum status st = plan_case_level(plan, study, NULL, false, &c, why);
 
-    TRY(plan_case_level(plan, study, NULL, false, &c, why));
-    TRY(plan_case_scene(&c, scene, why));
-out:
+    if (st == STATUS_OK)
+        st = plan_case_scene(&c, scene, why);
     plan_case_clear(&c);
     return st;
 }
@@ -269,11 +268,10 @@ enum status study_read(const struct plan *plan, const char *folder, struct study
 {
     enum status st = STATUS_OK;
 
-    *r = (struct study_results){.plan = plan, .count = plan->study_count};
+    *r = (struct study_results){.count = plan->study_count};
     r->study = calloc((size_t)r->count + 1, sizeof *r->study);
     TRY(r->study ? STATUS_OK : STATUS_MEMORY);
-    study_file(&plan->studies[0], &plan->studies[0].levels[0], folder, r->machine,
-               sizeof r->machine);
+    file_of(&plan->studies[0], &plan->studies[0].levels[0], folder, r->machine);
     for (int n = 0; n < r->count; n++)
         TRY(read_one(plan, &plan->studies[n], folder, &r->study[n], why));
 out:

@@ -1,14 +1,17 @@
-/* study.h - the studies of a plan (plan_study.h): run and timed together, kept as one
+/* study.h - the studies of a plan (plan.h): run and timed together, kept as one
  * result file a level, FOLDER/STUDY_LEVEL.h5, and read back as numbers.
  */
 #ifndef STUDY_H
 #define STUDY_H
+
+#include <stddef.h>
 
 #include "bench/experiment/measurement.h"
 #include "bench/experiment/plan_case.h"
 #include "bench/harness/run.h"
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth.h"
+#include "bench/ui/table.h"
 
 /* A level at a time, or at rest. NaN: there is no such number. */
 struct study_frame {
@@ -41,7 +44,6 @@ struct study {
 };
 
 struct study_results {
-    const struct plan *plan; /*                                               borrowed  */
     int count;
     struct study *study; /* [count]                                              owned  */
     char machine[4096];  /* a file whose provenance holds for all                       */
@@ -61,12 +63,40 @@ void study_clear(struct study_results *r);
 /* By its name; NULL: the plan has no such study. */
 const struct study *study_find(const struct study_results *r, const char *name);
 
-/* FOLDER/STUDY_LEVEL.h5, of a level, into path[size]. */
-void study_file(const struct plan_study *study, const struct plan_level *level,
-                const char *folder, char *path, int size);
-
 /* Observed order in the levels' size of the error against truth at a time; without a
  * truth, of the difference from the finest. NaN with fewer than three levels. */
 double study_order(const struct study *s, int time);
+
+/* --- What is printed of one (study_print.c). */
+
+/* NAME.csv, a row for each level and time; NAME.png, error (without truth: the difference
+ * from the finest) against seconds; NAME_sheets.png (picture.h), a row for each time, a
+ * column for each level and one for the truth. */
+enum status study_print_files(const struct study *s, const char *folder,
+                              struct message *why);
+
+/* These files and two tables: cost of the levels; differences, error and metrics at every
+ * time, with observed orders and the truth's source below. The same of all studies. */
+enum status study_print(const struct study *s, const char *folder, enum table_format format,
+                        FILE *file, struct message *why);
+enum status study_print_all(const struct study_results *r, const char *folder,
+                            enum table_format format, FILE *file, struct message *why);
+
+/* The next cells of a row: a number for each digit, to so many significant ones. */
+void study_print_numbers(struct table *t, const char *digits, const double *value);
+
+/* A number of every level at a time, for a verdict. */
+struct study_trend {
+    char text[160]; /* "2.1, 3.9, 5.6"                                                   */
+    int sign;       /* 1: larger from each level to the next; -1: smaller; 0: neither    */
+};
+
+/* Of a member of study_frame: offsetof(struct study_frame, roughness); at the last time. */
+struct study_trend study_print_trend(const struct study *s, int time, size_t member);
+struct study_trend study_print_last(const struct study *s, size_t member);
+
+/* `- "QUOTE": holds. SENTENCE`, or `does not hold`; the sentence has the numbers. */
+void study_print_verdict(FILE *file, const char *quote, bool holds, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
 #endif

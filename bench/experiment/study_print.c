@@ -1,4 +1,4 @@
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -10,15 +10,16 @@
 
 enum { PATH = 4096 };
 
+void study_print_numbers(struct table *t, const char *digits, const double *value)
+{
+    for (; *digits; digits++)
+        table_number(t, *value++, *digits - '0');
+}
+
 /* Other people's milliseconds are those of their own scheme, which has no truth. */
 static double paper_of(const struct study *s, int level)
 {
     return s->plan->truth ? NAN : s->row[level].paper_ms;
-}
-
-static bool is_refused(const struct study_row *row)
-{
-    return run_result_refused(&row->result);
 }
 
 /* NaN: at rest. */
@@ -39,7 +40,7 @@ static enum status print_cost(const struct study *s, enum table_format format, F
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
     for (int n = 0; n < s->plan->level_count; n++) {
         const struct study_row *row = &s->row[n];
-        const bool refused = is_refused(row);
+        const bool refused = run_result_refused(&row->result);
         table_row(t);
         table_text(t, "%s", row->level->label);
         if (refused)
@@ -65,11 +66,8 @@ static enum status print_cost(const struct study *s, enum table_format format, F
 /* The columns of a row that stand for a sheet at a time, the truth's or a level's. */
 static void metric_cells(struct table *t, const struct study_frame *f)
 {
-    table_number(t, f->roughness, 3);
-    table_number(t, f->inner, 3);
-    table_number(t, f->stretch, 4);
-    table_number(t, f->drop, 4);
-    table_number(t, f->unevenness, 3);
+    study_print_numbers(
+        t, "33443", (double[]){f->roughness, f->inner, f->stretch, f->drop, f->unevenness});
 }
 
 static double bar_of(const struct study *s, int time)
@@ -87,14 +85,11 @@ static void motion_row(struct table *t, const struct study *s, int n, int time)
     table_text(t, "%s", row->level->label);
     table_number(t, row->level->size, 3);
     table_number(t, time_of(s, time), 3);
-    table_fixed(t, is_refused(row) ? NAN : row->result.unknowns, 0);
-    table_fixed(t, is_refused(row) ? NAN : row->result.factor_entries, 0);
-    table_number(t, row->milliseconds, 3);
-    table_number(t, paper_of(s, n), 4);
-    table_number(t, row->seconds, 3);
-    table_number(t, f->next, 3);
-    table_number(t, f->finest, 3);
-    table_number(t, f->error, 3);
+    table_fixed(t, run_result_refused(&row->result) ? NAN : row->result.unknowns, 0);
+    table_fixed(t, run_result_refused(&row->result) ? NAN : row->result.factor_entries, 0);
+    study_print_numbers(t, "343333",
+                        (double[]){row->milliseconds, paper_of(s, n), row->seconds, f->next,
+                                   f->finest, f->error});
     table_missing(t, "%s", "");
     table_number(t, f->error, 3);
     table_number(t, bar_of(s, time), 2);
@@ -186,16 +181,6 @@ static enum status print_motion(const struct study *s, enum table_format format,
     return table_finish(t, format, file);
 }
 
-enum status study_print(const struct study *s, enum table_format format, FILE *file)
-{
-    enum status st;
-
-    TRY(print_cost(s, format, file));
-    TRY(print_motion(s, format, file));
-out:
-    return st;
-}
-
 /* The truth's error bar at a time, across the levels' seconds. */
 static void draw_bar(struct chart *c, const struct study *s, int time)
 {
@@ -280,15 +265,25 @@ out:
     return st;
 }
 
+enum status study_print(const struct study *s, const char *folder, enum table_format format,
+                        FILE *file, struct message *why)
+{
+    enum status st;
+
+    TRY(print_cost(s, format, file));
+    TRY(print_motion(s, format, file));
+    TRY(study_print_files(s, folder, why));
+out:
+    return st;
+}
+
 enum status study_print_all(const struct study_results *r, const char *folder,
                             enum table_format format, FILE *file, struct message *why)
 {
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < r->count; n++) {
-        TRY(study_print(&r->study[n], format, file));
-        TRY(study_print_files(&r->study[n], folder, why));
-    }
+    for (int n = 0; n < r->count; n++)
+        TRY(study_print(&r->study[n], folder, format, file, why));
 out:
     return st;
 }
@@ -307,7 +302,7 @@ struct study_trend study_print_trend(const struct study *s, int time, size_t mem
         const char *comma = n ? ", " : "";
         if (isnan(value) && !f->xyz)
             snprintf(trend.text + used, room, "%s%s", comma,
-                     is_refused(&s->row[n]) ? "refused" : "died");
+                     run_result_refused(&s->row[n].result) ? "refused" : "died");
         else
             snprintf(trend.text + used, room, "%s%.3g", comma, value);
         rises += value > before;

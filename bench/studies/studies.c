@@ -1,15 +1,5 @@
 #include "bench/studies/studies.h"
 
-#include "bench/experiment/experiment.h"
-#include "bench/studies/study_artefacts.h"
-#include "bench/studies/study_contact.h"
-#include "bench/studies/study_cures.h"
-#include "bench/studies/study_flag.h"
-#include "bench/studies/study_locking.h"
-#include "bench/studies/study_nets.h"
-#include "bench/studies/study_thickness.h"
-#include "bench/studies/study_timestep.h"
-
 static const struct command_item *const items[] = {
     &study_nets_mesh.item,          &study_nets_degree.item,
     &study_nets_both.item,          &study_thickness_swing.item,

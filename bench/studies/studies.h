@@ -1,9 +1,30 @@
-/* studies.h - the command `study`. */
+/* studies.h - the command `study`, its studies, and contestants that more than one of them
+ * shows. */
 #ifndef STUDIES_H
 #define STUDIES_H
 
-#include "bench/ui/command.h"
+#include "bench/experiment/experiment.h"
 
 extern const struct command studies_command;
+
+/* Ren et al. 2024, Fig. 15: a flag; Fig. 16: what can be wrong with a sheet, shown by runs
+ * and found by the rules of Table 4. */
+extern const struct experiment study_flag_experiment, study_artefacts_experiment;
+
+/* The paper's sentences on Figs. 12 to 14, judged by the plans of these names: denser nets,
+ * higher degrees, and both. */
+extern const struct experiment study_nets_mesh, study_nets_degree, study_nets_both;
+
+/* On thickness (Fig. 10: a cloak of 1 mm and one of 5 mm swings) and on the degree through
+ * it (Fig. 11). */
+extern const struct experiment study_thickness_swing, study_thickness_degree;
+
+/* Of headers of their own. */
+extern const struct experiment study_locking_experiment, study_cures_experiment,
+    study_timestep_experiment, study_contact_experiment;
+
+#define STUDIES_SHELL      "shell_2"
+#define STUDIES_SPRINGS    "mass_spring"
+#define STUDIES_PROJECTIVE "projective_dynamics"
 
 #endif

@@ -1,4 +1,4 @@
-#include "bench/studies/study_artefacts.h"
+#include "bench/studies/studies.h"
 
 #include <math.h>
 #include <string.h>
@@ -6,7 +6,6 @@
 #include "bench/experiment/gallery.h"
 #include "bench/harness/contestant.h"
 #include "bench/tables/table4.h"
-#include "bench/studies/study_cast.h"
 
 /* The paper's four words for Fig. 16, each by the row of Table 4 that shows it here, and
  * twice where what the paper shows and what the rules find are not the same. */
@@ -46,10 +45,10 @@ static const struct gallery gallery = {
     .time = {0.5, 1.5, 3},
     .count = CASES,
     .item = {{"normal: row 14, the paper's", "normal_paper", "flag", "iga_paper"},
-             {"normal: row 4, shell", "normal_shell", "edge_drop", STUDY_CAST_SHELL},
+             {"normal: row 4, shell", "normal_shell", "edge_drop", STUDIES_SHELL},
              {"super-elongation: row 4", "elongation", "flag", "iga_paper"},
              {"floating: row 13", "floating", "flag", "iga_paper"},
-             {"floating: row 13, shell", "floating_shell", "flag", STUDY_CAST_SHELL},
+             {"floating: row 13, shell", "floating_shell", "flag", STUDIES_SHELL},
              {"penetration: row 2", "penetration", "flag", "iga_paper"}},
     .settings = add_settings};
 

@@ -7,7 +7,7 @@
 #include "bench/files/store_read.h"
 #include "bench/files/store_scene.h"
 #include "bench/harness/run_file.h"
-#include "bench/studies/study_cast.h"
+#include "bench/studies/studies.h"
 #include "models/contact.h"
 #include "models/grid.h"
 #include "models/metric/intersection.h"
@@ -24,10 +24,9 @@ const struct study_contact_case study_contact_case[STUDY_CONTACT_CASES] = {
     {"IGA, printed, mu = 0.5", "printed_half", "iga_paper", 15, "damping.value=0.5"},
     {"IGA, incremental, undamped", "incremental", "iga_incremental", 15, UNDAMPED},
     {"IGA, linear", "linear", "iga_linear", 15, UNDAMPED},
-    {"shell, nonlinear", STUDY_CAST_SHELL, STUDY_CAST_SHELL, 10, UNDAMPED},
-    {"mass-spring, matched", STUDY_CAST_SPRINGS, STUDY_CAST_SPRINGS, 15, UNDAMPED},
-    {"projective dynamics, matched", STUDY_CAST_PROJECTIVE, STUDY_CAST_PROJECTIVE, 15,
-     UNDAMPED},
+    {"shell, nonlinear", STUDIES_SHELL, STUDIES_SHELL, 10, UNDAMPED},
+    {"mass-spring, matched", STUDIES_SPRINGS, STUDIES_SPRINGS, 15, UNDAMPED},
+    {"projective dynamics, matched", STUDIES_PROJECTIVE, STUDIES_PROJECTIVE, 15, UNDAMPED},
 };
 
 /* The paper's. */

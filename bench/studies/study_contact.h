@@ -47,6 +47,4 @@ void study_contact_clear(struct study_contact_run *run);
 enum status study_contact_print(const char *folder, enum table_format format, FILE *file,
                                 struct message *why);
 
-extern const struct experiment study_contact_experiment;
-
 #endif

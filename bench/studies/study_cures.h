@@ -16,8 +16,6 @@
 #include "bench/experiment/experiment.h"
 #include "bench/harness/run_result.h"
 
-extern const struct experiment study_cures_experiment;
-
 enum {
     STUDY_CURES_SPACES = 6,
     STUDY_CURES_THICKNESSES = 5,

@@ -2,13 +2,9 @@
 #include <math.h>
 
 #include "bench/experiment/measurement.h"
+#include "bench/experiment/study.h"
 #include "bench/studies/study_cures.h"
 #include "bench/ui/chart.h"
-
-static double percent(double value)
-{
-    return 100 * value;
-}
 
 /* Two degrees, each with the paper's way first. */
 enum { HALF = STUDY_CURES_SPACES / 2 };
@@ -50,8 +46,7 @@ static double bar(const struct study_cures *s, int law)
     return worst;
 }
 
-static enum status print_law(const struct study_cures *s, int law, enum table_format format,
-                             FILE *file)
+static struct table *law_table(const struct study_cures *s, int law)
 {
     static const struct table_column columns[] = {
         {"space, remedy", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
@@ -84,7 +79,7 @@ static enum status print_law(const struct study_cures *s, int law, enum table_fo
         table_fixed(t, study_cures_nu[nu], 2);
         for (int n = 0; n < STUDY_CURES_THICKNESSES; n++)
             table_fixed(t, study_cures_ratio(s, space, law, nu, n), 4);
-        table_number(t, percent(worst), 2);
+        table_number(t, 100 * worst, 2);
         table_text(t, "%s", worst <= study_cures_target ? "yes" : "no");
     }
     table_note(
@@ -93,8 +88,8 @@ static enum status print_law(const struct study_cures *s, int law, enum table_fo
         "coarser net it moves by %.2g %% at most. A dash: no equilibrium, or not asked.",
         gamma > 0 ? "the elastica at nu = 0, the shell of degree 4 at h/L = 0.01 else"
                   : "Kirchhoff's plate",
-        percent(bar(s, law)));
-    return table_finish(t, format, file);
+        100 * bar(s, law));
+    return t;
 }
 
 /* The paper's way with locking at a space's degree. */
@@ -124,8 +119,7 @@ static double median(const struct clock_summary *c)
     return c->count ? c->median : NAN;
 }
 
-static enum status print_cost(const struct study_cures *s, enum table_format format,
-                              FILE *file)
+static struct table *cost_table(const struct study_cures *s)
 {
     static const struct table_column columns[] = {
         {"space, remedy", NULL, TABLE_LEFT},
@@ -145,17 +139,16 @@ static enum status print_cost(const struct study_cures *s, enum table_format for
         table_row(t);
         table_text(t, "%s", study_cures_space[n].label);
         table_integer(t, s->zero_modes[n]);
-        table_number(t, median(&r->step), 3);
-        table_number(t, r->step.count ? r->step.min : NAN, 3);
-        table_number(t, cost(s, n), 3);
-        table_number(t, median(&r->phase[0]), 3);
-        table_number(t, median(&r->phase[1]), 3);
+        study_print_numbers(t, "33333",
+                            (double[]){median(&r->step), r->step.count ? r->step.min : NAN,
+                                       cost(s, n), median(&r->phase[0]),
+                                       median(&r->phase[1])});
         if (r->outcome)
             table_note(t, "%s: %s.", study_cures_space[n].label, r->sentence.text);
     }
     table_note(
         t, "All spaces in turn; the fastest repeat tells them apart on a busy machine.");
-    return table_finish(t, format, file);
+    return t;
 }
 
 /* Which cells of a cure miss the target, in words. */
@@ -176,13 +169,13 @@ static void tell_misses(const struct study_cures *s, int space, FILE *file)
                 if (++misses <= NAMED)
                     fprintf(file, "%s%s nu %g h/L %g (%.2g %%)",
                             misses > 1 ? "; " : "misses ", law_name(law, name),
-                            study_cures_nu[nu], study_cures_thickness[n], percent(error));
+                            study_cures_nu[nu], study_cures_thickness[n], 100 * error);
             }
     fprintf(file, "%s%d of %d cells within %g %%.\n",
             misses > NAMED ? "; ...; "
             : misses       ? "; "
                            : "",
-            cells - misses, cells, percent(study_cures_target));
+            cells - misses, cells, 100 * study_cures_target);
 }
 
 /* At h/L = 0.1 and large nu: how much of the miss the clamp's hold on the thickness is. */
@@ -199,8 +192,8 @@ static void tell_clamp(const struct study_cures *s, FILE *file)
         "it over a length of some h and no plate knows: a 3-D solid whose clamp leaves "
         "the thickness free (x and y held on the face, z on its lower edge) falls %.2g %% "
         "farther than the clamped one.\n",
-        study_cures_nu[nu], percent(fabs(plate)), plate > 0 ? "too soft" : "too stiff",
-        percent(slit));
+        study_cures_nu[nu], 100 * fabs(plate), plate > 0 ? "too soft" : "too stiff",
+        100 * slit);
 }
 
 static void tell_bends(const struct study_cures *s, FILE *file)
@@ -211,8 +204,8 @@ static void tell_bends(const struct study_cures *s, FILE *file)
     double thick[3], thin[3];
 
     for (int n = 0; n < 3; n++) {
-        thick[n] = percent(study_cures_error(s, space[n], law, 0, 2));
-        thin[n] = percent(study_cures_error(s, space[n], law, 0, 4));
+        thick[n] = 100 * study_cures_error(s, space[n], law, 0, 2);
+        thin[n] = 100 * study_cures_error(s, space[n], law, 0, 4);
     }
     fprintf(
         file,
@@ -260,8 +253,7 @@ static struct table *fill_errors(const struct study_cures *s)
             continue;
         table_row(t);
         table_text(t, "%s", study_cures_space[space].label);
-        for (size_t i = 0; i < sizeof row / sizeof *row; i++)
-            table_number(t, row[i], 6);
+        study_print_numbers(t, "66666", row);
     }
     return t;
 }
@@ -305,8 +297,8 @@ enum status study_cures_print(const char *folder, enum table_format format, FILE
 
     TRY(study_cures_read(folder, &s, why));
     for (int law = 0; law < STUDY_CURES_LAWS; law++)
-        TRY(print_law(s, law, format, file));
-    TRY(print_cost(s, format, file));
+        TRY(table_finish(law_table(s, law), format, file));
+    TRY(table_finish(cost_table(s), format, file));
     if (table_format_is_prose(format))
         print_text(s, file);
     errors = fill_errors(s);

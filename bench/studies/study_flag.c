@@ -1,9 +1,8 @@
-#include "bench/studies/study_flag.h"
+#include "bench/studies/studies.h"
 
 #include <math.h>
 
 #include "bench/experiment/gallery.h"
-#include "bench/studies/study_cast.h"
 
 /* The paper's scheme first, then what else the same sheet may do. mu is damping in the
  * paper's scheme only; all others move undamped. */
@@ -31,10 +30,10 @@ static const struct gallery gallery = {
              {"printed, coarser net", "printed_coarse", "flag", "iga_paper"},
              {"incremental, undamped", "incremental", "flag", "iga_incremental"},
              {"nonlinear solid, selective", "nonlinear", "flag", "iga_selective"},
-             {"nonlinear shell", STUDY_CAST_SHELL, "flag", STUDY_CAST_SHELL},
-             {"mass-spring, matched", STUDY_CAST_SPRINGS, "flag", STUDY_CAST_SPRINGS},
-             {"projective dynamics, matched", STUDY_CAST_PROJECTIVE, "flag",
-              STUDY_CAST_PROJECTIVE}},
+             {"nonlinear shell", STUDIES_SHELL, "flag", STUDIES_SHELL},
+             {"mass-spring, matched", STUDIES_SPRINGS, "flag", STUDIES_SPRINGS},
+             {"projective dynamics, matched", STUDIES_PROJECTIVE, "flag",
+              STUDIES_PROJECTIVE}},
     .settings = add_settings};
 
 static enum status measure(const struct experiment_options *options, struct message *why)
@@ -52,10 +51,9 @@ static void tell_flow(const struct gallery_result *r, FILE *file)
 
     fprintf(
         file,
-        "- The printed scheme's flag sinks by %.3g degrees by %g s, stretched by a "
-        "factor of %.3g%s.\n  As an elastic solid or shell with the same E, nu, rho and "
-        "thickness (Gamma = %.4g) it sinks by %.2g degrees\n  at most, stretched by "
-        "%.4g: %s.\n",
+        "- The printed scheme's flag sinks by %.3g degrees by %g s, stretched by a factor "
+        "of %.3g%s.\n  As an elastic solid or shell with the same E, nu, rho and thickness "
+        "(Gamma = %.4g) it sinks by %.2g degrees\n  at most, stretched by %.4g: %s.\n",
         printed->angle, gallery.time[end], printed->stretch,
         printed->intersections > 0 ? " and through itself" : "",
         r->run[PRINTED].value[MEASURE_GAMMA], angle, stretch,

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bench/experiment/measurement.h"
+#include "bench/studies/studies.h"
 #include "bench/truth/truth_plate.h"
 #include "fem_ref/reference.h"
 

@@ -15,8 +15,6 @@
 
 #include "bench/experiment/experiment.h"
 
-extern const struct experiment study_locking_experiment;
-
 enum { STUDY_LOCKING_SPACES = 16, STUDY_LOCKING_MOST = 12, STUDY_LOCKING_PROTOTYPES = 3 };
 
 struct study_locking_space {

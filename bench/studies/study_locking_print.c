@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bench/experiment/measurement.h"
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/harness/fit.h"
 #include "bench/studies/study_locking.h"
 #include "bench/ui/chart.h"
@@ -92,9 +92,8 @@ static enum status print_tips(const struct study_locking *s, enum table_format f
     table_note(
         t,
         "1 m x 1 m, linear kinematics: the load scales out. Milliseconds at h = %g mm, "
-        "median of repeats, all spaces in turn; equilibrium: factor and solve. "
-        "Kirchhoff's theory itself leaves out shear, of order (h/L)^2 = %.0e at h = %g "
-        "mm.",
+        "median of repeats, all spaces in turn; equilibrium: factor and solve. Kirchhoff's "
+        "theory itself leaves out shear, of order (h/L)^2 = %.0e at h = %g mm.",
         1e3 * h[s->count / 2], pow(thickest, 2), 1e3 * thickest);
     return table_finish(t, format, file);
 }
@@ -275,8 +274,7 @@ static struct table *fill(const struct study_locking *s)
         table_row(t);
         table_text(t, "%s", study_locking_space[space].label);
         table_text(t, "%s", model_of(space)->name);
-        for (size_t i = 0; i < sizeof row / sizeof *row; i++)
-            table_number(t, row[i], 4);
+        study_print_numbers(t, "4444444", row);
     }
     return t;
 }

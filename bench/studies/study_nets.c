@@ -1,8 +1,8 @@
-#include "bench/studies/study_nets.h"
+#include "bench/studies/studies.h"
 
 #include <math.h>
 
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/studies/study_orders.h"
 
 /* The paper's scheme on either scene, and the same sheet with a truth. */
@@ -182,12 +182,10 @@ static void judge_orders(const struct study_orders_result *r, FILE *file)
 {
     const double *same = r->motion[STUDY_ORDERS_ELEVATE_FIRST],
                  *k = r->motion[STUDY_ORDERS_K];
-
     bool equal = true;
 
     for (int t = 0; t < STUDY_ORDERS_TIMES; t++)
-        if (!(same[t] <= 1e-6 * k[t]))
-            equal = false;
+        equal &= same[t] <= 1e-6 * k[t];
     study_print_verdict(
         file,
         "the mixed operations in either order give the same knots, so the same motion",

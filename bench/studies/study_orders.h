@@ -14,7 +14,6 @@
 #include "iga/patch.h"
 
 enum { STUDY_ORDERS_TIMES = 3 };
-extern const double study_orders_time[STUDY_ORDERS_TIMES]; /* [s] */
 
 enum study_order_path {
     STUDY_ORDERS_REFINE_FIRST,  /* each span halved, then p = 2 to 3                   */
@@ -29,12 +28,8 @@ enum study_order_path {
 enum status study_orders_patch(enum study_order_path path, int side, struct patch *patch,
                                struct patch *base, struct message *why);
 
-/* FOLDER/orders_PATH.h5 into text[size]. */
-void study_orders_file(const char *folder, enum study_order_path path, char *text,
-                       int size);
-
 /* Moves all three under the paper's scheme, the sheet of Fig. 12 held along an edge, and
- * leaves a file of each. Quick: a smaller net. */
+ * leaves FOLDER/orders_PATH.h5 of each. Quick: a smaller net. */
 enum status study_orders_measure(const struct experiment_options *options,
                                  struct message *why);
 

@@ -1,9 +1,9 @@
-#include "bench/studies/study_thickness.h"
+#include "bench/studies/studies.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
 #include "bench/ui/chart.h"
 #include "bench/ui/picture.h"
 #include "models/grid.h"
@@ -183,8 +183,7 @@ static void judge_shell(const struct cloak *c, FILE *file)
     judge_scheme(c, FINE, "Nonlinear shell", file);
     fprintf(file,
             "\nThe shell's nets differ by up to %.1f degrees, its thicknesses by %.1f: "
-            "which of "
-            "them swings\nmore is %s.\n",
+            "which of them swings\nmore is %s.\n",
             apart, effect, 2 * apart < effect ? "resolved" : "not resolved by these nets");
 }
 
@@ -220,10 +219,8 @@ static enum status tell(const struct study_results *r, const char *folder,
     enum status st;
 
     TRY(measure(r, &c));
-    for (int n = 0; n < SOLIDS; n++) {
-        TRY(study_print(study_find(r, solid_name[n]), format, file));
-        TRY(study_print_files(study_find(r, solid_name[n]), folder, why));
-    }
+    for (int n = 0; n < SOLIDS; n++)
+        TRY(study_print(study_find(r, solid_name[n]), folder, format, file, why));
     TRY(print_swing(&c, folder, format, file, why));
     TRY(draw(&c, folder, why));
     if (!table_format_is_prose(format))

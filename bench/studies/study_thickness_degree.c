@@ -1,7 +1,7 @@
 #include <math.h>
 
-#include "bench/experiment/study_print.h"
-#include "bench/studies/study_thickness.h"
+#include "bench/experiment/study.h"
+#include "bench/studies/studies.h"
 #include "bench/truth/truth_plate.h"
 
 enum { DEGREES = 3 };
@@ -110,10 +110,8 @@ static enum status tell(const struct study_results *r, const char *folder,
     struct worth worth;
     enum status st;
 
-    for (int n = 0; n < 2; n++) {
-        TRY(study_print(cloaks[n], format, file));
-        TRY(study_print_files(cloaks[n], folder, why));
-    }
+    for (int n = 0; n < 2; n++)
+        TRY(study_print(cloaks[n], folder, format, file, why));
     TRY(read_worth(study_find(r, "plate"), &worth, why));
     TRY(print_worth(&worth, format, file));
     if (!table_format_is_prose(format))

@@ -13,8 +13,6 @@
 #include "bench/experiment/experiment.h"
 #include "bench/experiment/study.h"
 
-extern const struct experiment study_timestep_experiment;
-
 /* edge_drop by kinematics and damping: the first studies of the plan. */
 enum study_timestep_kind {
     STUDY_TIMESTEP_PAPER,          /* printed, v <- mu v                                */
@@ -61,7 +59,5 @@ const struct study_frame *study_timestep_frame(const struct study_timestep *s,
 /* Exponent e of (difference from the next shorter step) ~ dt^e at the last time: the
  * observed order if the motion has a limit; NaN with fewer than two differences. */
 double study_timestep_order(const struct study_timestep *s, enum study_timestep_kind kind);
-
-void study_timestep_text(const struct study_timestep *s, FILE *file); /* ..._text.c      */
 
 #endif

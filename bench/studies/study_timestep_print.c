@@ -1,15 +1,19 @@
-/* The tables, CSV file and chart of study_timestep.h. */
+/* The tables, sentences, CSV file and chart of study_timestep.h. */
 #include <math.h>
 
-#include "bench/experiment/study_print.h"
+#include "bench/experiment/study.h"
+#include "bench/harness/fit.h"
+#include "bench/studies/studies.h"
 #include "bench/studies/study_timestep.h"
 #include "bench/ui/chart.h"
+#include "models/metric/metric.h"
 
 enum {
     KINDS = STUDY_TIMESTEP_KINDS,
     LEVELS = STUDY_TIMESTEP_LEVELS,
     TIMES = STUDY_TIMESTEP_TIMES,
-    LAST = TIMES - 1
+    LAST = TIMES - 1,
+    FINEST = LEVELS - 1
 };
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
@@ -20,9 +24,8 @@ static void motion_row(struct table *t, const struct study *study, int n)
 
     table_row(t);
     table_text(t, "%s", study->plan->caption);
-    table_number(t, 1e3 * row->level->size, 3);
-    table_number(t, row->milliseconds, 3);
-    table_number(t, row->seconds, 3);
+    study_print_numbers(
+        t, "333", (double[]){1e3 * row->level->size, row->milliseconds, row->seconds});
     for (int time = 0; time < TIMES; time++)
         table_number(t, row->frame[time].drop, 4);
     table_number(t, row->frame[LAST].stretch, 4);
@@ -32,8 +35,7 @@ static void motion_row(struct table *t, const struct study *study, int n)
                    row->result.sentence.text);
 }
 
-static enum status print_motions(const struct study_timestep *s, enum table_format format,
-                                 FILE *file)
+static struct table *motion_table(const struct study_timestep *s)
 {
     static const struct table_column columns[] = {{"scheme", NULL, TABLE_LEFT},
                                                   {"step", "ms"},
@@ -58,11 +60,10 @@ static enum status print_motions(const struct study_timestep *s, enum table_form
         t, "IGA 10x10x2, (2,2,1). drop: lowest point below the support; to next step: RMSE "
            "over the material grid between this step and the next shorter one at 0.4 s; a "
            "frame: median over repeats; stepping: all frames to 0.4 s at that price.");
-    return table_finish(t, format, file);
+    return t;
 }
 
-static enum status print_limits(const struct study_timestep *s, enum table_format format,
-                                FILE *file)
+static struct table *limits_table(const struct study_timestep *s)
 {
     static const struct table_column columns[] = {{"scheme", NULL, TABLE_LEFT},
                                                   {"largest difference", "% L"},
@@ -80,19 +81,17 @@ static enum status print_limits(const struct study_timestep *s, enum table_forma
         }
         table_row(t);
         table_text(t, "%s", s->kind[kind].plan->caption);
-        table_number(t, 100 * most, 3);
-        table_number(t, 100 * least, 3);
-        table_number(t, study_timestep_order(s, kind), 3);
+        study_print_numbers(
+            t, "333", (double[]){100 * most, 100 * least, study_timestep_order(s, kind)});
     }
     table_note(
         t, "A motion with a limit of order e has differences ~ dt^e; at e near or below 0 "
            "halving the step changes the motion as much as the halving before. With v <- "
            "mu v the limit of incremental and nonlinear is a sheet that does not move.");
-    return table_finish(t, format, file);
+    return t;
 }
 
-static enum status print_falls(const struct study_timestep *s, enum table_format format,
-                               FILE *file)
+static struct table *falls_table(const struct study_timestep *s)
 {
     static const struct table_column columns[] = {{"mu"},
                                                   {"step", "ms"},
@@ -110,24 +109,20 @@ static enum status print_falls(const struct study_timestep *s, enum table_format
     for (int n = 0; n < STUDY_TIMESTEP_FALLS; n++) {
         const struct study_timestep_fall *f = &s->fall[n];
         table_row(t);
-        table_number(t, f->mu, 3);
-        table_number(t, 1e3 * f->step, 3);
-        table_number(t, f->acceleration, 5);
-        table_number(t, f->expected, 5);
-        table_number(t, f->acceleration / f->expected, 6);
-        table_number(t, f->speed, 5);
-        table_number(t, f->expected * f->step, 5);
-        table_number(t, f->speed / (f->expected * f->step), 6);
+        study_print_numbers(t, "33556556",
+                            (double[]){f->mu, 1e3 * f->step, f->acceleration, f->expected,
+                                       f->acceleration / f->expected, f->speed,
+                                       f->expected * f->step,
+                                       f->speed / (f->expected * f->step)});
     }
     table_note(
         t, "From positions at 0.5, 0.75 and 1 s: printed falls with a constant "
            "acceleration that is not g, incremental with a constant speed that vanishes "
            "with the step.");
-    return table_finish(t, format, file);
+    return t;
 }
 
-static enum status print_creeps(const struct study_timestep *s, enum table_format format,
-                                FILE *file)
+static struct table *creeps_table(const struct study_timestep *s)
 {
     static const struct table_column columns[] = {
         {"E", "Pa"},         {"step", "ms"},     {"tip's speed", "m/s"},
@@ -139,19 +134,137 @@ static enum status print_creeps(const struct study_timestep *s, enum table_forma
     for (int n = 0; n < STUDY_TIMESTEP_CREEPS; n++) {
         const struct study_timestep_creep *c = &s->creep[n];
         table_row(t);
-        table_number(t, c->young, 3);
-        table_number(t, 1e3 * c->step, 3);
-        table_number(t, c->speed, 5);
-        table_number(t, c->sag, 5);
-        table_number(t, c->speed * c->step / c->sag, 6);
-        table_number(t, c->speed * c->young * c->step, 5);
+        study_print_numbers(t, "335565",
+                            (double[]){c->young, 1e3 * c->step, c->speed, c->sag,
+                                       c->speed * c->step / c->sag,
+                                       c->speed * c->young * c->step});
     }
     table_note(
         t, "h = 20 mm, mu = 0.5, gravity 0.1 m/s^2, speed from 0.5 to 0.75 s. Each step "
            "adds the whole elastic sag of the load and forgets it: a sheet of viscosity "
            "E dt, which no elastic force holds up.");
-    return table_finish(t, format, file);
+    return t;
 }
+
+/* --- What a reader should take away. */
+
+/* Drop at the last time ~ dt^e. */
+static double drop_exponent(const struct study_timestep *s, enum study_timestep_kind kind)
+{
+    double size[LEVELS], drop[LEVELS];
+
+    for (int n = 0; n < LEVELS; n++) {
+        size[n] = s->kind[kind].row[n].level->size;
+        drop[n] = study_timestep_frame(s, kind, n)->drop;
+    }
+    return fit_exponent(LEVELS, size, drop);
+}
+
+/* A rate gives the same motion at every step, up to an error that falls with the step. */
+static void tell_scale(const struct study_timestep *s, FILE *file)
+{
+    double e = drop_exponent(s, STUDY_TIMESTEP_SHEET);
+
+    study_print_verdict(
+        file, "one damping coefficient mu limits the velocity, v <- mu v", fabs(e) < 0.5,
+        "\n  As a property of the cloth it would not depend on the step. An elastic sheet "
+        "(nonlinear) drops %.3f L\n  by 0.4 s at 10 ms and %.4f L at 0.625 ms, as dt^%.2f; "
+        "the incremental one as dt^%.2f: the shorter the step, the stiffer\n  the air, and "
+        "in the limit nothing moves.",
+        study_timestep_frame(s, STUDY_TIMESTEP_SHEET, 0)->drop,
+        study_timestep_frame(s, STUDY_TIMESTEP_SHEET, FINEST)->drop, e,
+        drop_exponent(s, STUDY_TIMESTEP_INCREMENT));
+}
+
+static void tell_paper(const struct study_timestep *s, FILE *file)
+{
+    const struct study_row *row = s->kind[STUDY_TIMESTEP_PAPER].row;
+    double order = study_timestep_order(s, STUDY_TIMESTEP_PAPER);
+
+    study_print_verdict(
+        file, "implicit integration does not depend on the time step (the printed scheme)",
+        order > 0.5,
+        "\n  Halving the step moves the sheet by %.2g, %.2g, %.2g and %.2g %% of L at 0.4 "
+        "s, as dt^%.2f; its largest stretch is %.3f,\n  %.3f, %.3f, %.3f and %.3f from 10 "
+        "to 0.625 ms. A viscosity E dt changes with the step, and goes to nothing.",
+        100 * row[0].frame[LAST].next, 100 * row[1].frame[LAST].next,
+        100 * row[2].frame[LAST].next, 100 * row[3].frame[LAST].next, order,
+        row[0].frame[LAST].stretch, row[1].frame[LAST].stretch, row[2].frame[LAST].stretch,
+        row[3].frame[LAST].stretch, row[4].frame[LAST].stretch);
+}
+
+static void tell_stability(const struct study_timestep *s, FILE *file)
+{
+    int dead = 0;
+
+    for (int n = 0; n < LEVELS; n++)
+        dead += !study_timestep_frame(s, STUDY_TIMESTEP_PAPER_MASS, n)->xyz;
+    study_print_verdict(file, "implicit integration is unconditionally stable", dead == 0,
+                        "\n  With mass damping instead of v <- mu v the printed scheme "
+                        "dies at %d of %d steps, sooner at shorter ones (above): its d,\n  "
+                        "never reset, is added to the sheet again every step, and only the "
+                        "scaling of v keeps it down.",
+                        dead, LEVELS);
+}
+
+static void tell_limits(const struct study_timestep *s, FILE *file)
+{
+    double rate = study_timestep_order(s, STUDY_TIMESTEP_SHEET_RATE);
+    double mass = study_timestep_order(s, STUDY_TIMESTEP_SHEET_MASS);
+    double increment = study_timestep_order(s, STUDY_TIMESTEP_INCREMENT_MASS);
+    const struct study_frame *a =
+        study_timestep_frame(s, STUDY_TIMESTEP_SHEET_RATE, FINEST);
+    const struct study_frame *b =
+        study_timestep_frame(s, STUDY_TIMESTEP_SHEET_MASS, FINEST);
+
+    if (a->xyz && b->xyz)
+        fprintf(
+            file,
+            "- What has a limit. An elastic sheet with a damping that is a rate: v <- (1 - "
+            "2 dt) v converges with order %.2f, C = 2 M\n  with order %.2f, and to the "
+            "same motion: at 0.625 ms they are %.2g %% of L apart.\n",
+            rate, mass, 100 * metric_rmse(a->xyz, b->xyz) / s->kind[0].length);
+    fprintf(
+        file,
+        "- What has none. incremental with C = 2 M forgets its strain every step, a "
+        "viscosity E dt again: halving the step changes\n  its motion as dt^%.2f%s, and "
+        "its stretch at 0.4 s goes from %.3f at 10 ms to %.3f at 0.625 ms.\n",
+        increment, increment < 0.5 ? ", no limit in sight" : "",
+        study_timestep_frame(s, STUDY_TIMESTEP_INCREMENT_MASS, 0)->stretch,
+        study_timestep_frame(s, STUDY_TIMESTEP_INCREMENT_MASS, FINEST)->stretch);
+}
+
+static void tell_viscous(const struct study_timestep *s, FILE *file)
+{
+    double step[STUDY_TIMESTEP_CREEPS], speed[STUDY_TIMESTEP_CREEPS], fall = 0, creep = 0;
+
+    for (int n = 0; n < STUDY_TIMESTEP_FALLS; n++)
+        fall = fmax(fall, fabs(s->fall[n].acceleration / s->fall[n].expected - 1));
+    for (int n = 0; n < STUDY_TIMESTEP_CREEPS; n++) {
+        const struct study_timestep_creep *c = &s->creep[n];
+        step[n] = c->young * c->step;
+        speed[n] = c->speed;
+        creep = fmax(creep, fabs(c->speed * c->step / c->sag - 1));
+    }
+    fprintf(
+        file,
+        "- The printed sheet is viscous. A free one falls with g (1 + mu) / (2 (1 - mu)) "
+        "to %.1e, whatever the step; a loaded\n  cantilever creeps by its elastic sag "
+        "every step to %.1e, so that its speed goes as (E dt)^%.3f.\n",
+        fall, creep, fit_exponent(STUDY_TIMESTEP_CREEPS, step, speed));
+}
+
+static void print_text(const struct study_timestep *s, FILE *file)
+{
+    fprintf(file, "What the step does\n\n");
+    tell_scale(s, file);
+    tell_paper(s, file);
+    tell_stability(s, file);
+    tell_viscous(s, file);
+    tell_limits(s, file);
+}
+
+/* --- Files. */
 
 /* A row for each scheme, time and step. */
 static struct table *motions(const struct study_timestep *s)
@@ -170,14 +283,13 @@ static struct table *motions(const struct study_timestep *s)
         for (int time = 0; time < TIMES; time++)
             for (int n = 0; n < LEVELS; n++) {
                 const struct study_row *row = &s->kind[kind].row[n];
+                const struct study_frame *f = &row->frame[time];
                 table_row(t);
                 table_text(t, "%s", s->kind[kind].plan->caption);
-                table_number(t, row->level->size, 3);
-                table_number(t, s->kind[kind].time[time], 3);
-                table_number(t, row->frame[time].drop, 4);
-                table_number(t, row->frame[time].stretch, 4);
-                table_number(t, row->frame[time].next, 3);
-                table_number(t, row->milliseconds, 3);
+                study_print_numbers(t, "334433",
+                                    (double[]){row->level->size, s->kind[kind].time[time],
+                                               f->drop, f->stretch, f->next,
+                                               row->milliseconds});
             }
     return t;
 }
@@ -236,12 +348,12 @@ static enum status tell(const struct study_results *r, const char *folder,
     enum status st;
 
     study_timestep_read(r, &s);
-    TRY(print_motions(&s, format, file));
-    TRY(print_limits(&s, format, file));
-    TRY(print_falls(&s, format, file));
-    TRY(print_creeps(&s, format, file));
+    TRY(table_finish(motion_table(&s), format, file));
+    TRY(table_finish(limits_table(&s), format, file));
+    TRY(table_finish(falls_table(&s), format, file));
+    TRY(table_finish(creeps_table(&s), format, file));
     if (table_format_is_prose(format))
-        study_timestep_text(&s, file);
+        print_text(&s, file);
     TRY(save(&s, folder, why));
     for (int n = 0; n < COUNT(shown); n++)
         TRY(study_print_files(&s.kind[shown[n]], folder, why));

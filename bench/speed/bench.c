@@ -5,7 +5,6 @@
 
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
-#include "bench/speed/bench_part.h"
 #include "bench/ui/progress.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_file.h"

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "bench/experiment/bench_solid.h"
-#include "bench/speed/bench_part.h"
+#include "bench/speed/bench.h"
 
 /* A net's matrix, lower triangle by columns, and what the libraries make of it. */
 struct baseline {

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "bench/speed/bench_part.h"
+#include "bench/speed/bench.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/intersection.h"

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bench/harness/timing.h"
-#include "bench/speed/bench_part.h"
+#include "bench/speed/bench.h"
 #include "models/reader/scene_file.h"
 #include "projective_dynamics/pd_motion.h"
 

@@ -164,8 +164,8 @@ enum status commands_find(const char *name, const struct command **command,
     for (int n = 0; planned[n]; n++)
         if (!strcmp(planned[n], name))
             return status_fail(why, STATUS_INPUT,
-                               "the command '%s' is planned but not built yet; "
-                               "clothbench help lists those that are",
+                               "the command '%s' is planned but not built yet; clothbench "
+                               "help lists those that are",
                                name);
     return status_fail(why, STATUS_INPUT,
                        "there is no command '%s'; clothbench help lists them", name);

@@ -257,9 +257,9 @@ static enum status run(const struct command_line *line, struct message *why)
     if (word)
         TRY(table_format_parse(word, &format, why));
     if (out && from)
-        return status_fail(why, STATUS_INPUT,
-                           "--from reads result files and --out writes "
-                           "them; give one of the two");
+        return status_fail(
+            why, STATUS_INPUT,
+            "--from reads result files and --out writes them; give one of the two");
     TRY(prepare(&j, line, why));
     snprintf(folder, sizeof folder, "results/compare_%s", j.scene.name);
     j.folder = from ? from : out ? out : folder;

@@ -339,10 +339,9 @@ static enum status print_reach(const struct compare *c, enum table_format format
         {"lowest", "% L", .key = "lowest_rmse_over_length", .key_unit = "1", .scale = 100},
         {"at", NULL, TABLE_LEFT},
         {"floor", NULL, TABLE_LEFT}};
-    struct table *t =
-        table_create(sizeof columns / sizeof *columns, columns,
-                     "Seconds (set-up and stepping) to an RMSE/L, at the worst "
-                     "of the times");
+    struct table *t = table_create(
+        sizeof columns / sizeof *columns, columns,
+        "Seconds (set-up and stepping) to an RMSE/L, at the worst of the times");
 
     for (int n = 0; n < c->count; n += length(c, n))
         add_reach(t, c, c->rows + n, length(c, n));

@@ -257,8 +257,8 @@ enum status fig6_compare(const char *path, const struct settings *user, const ch
     if (!table_format_is_prose(format))
         goto out;
     fprintf(file,
-            "The paper's sentences (over-stretched: beyond %.2f; rough: more than "
-            "%.1f times the IGA plate)\n\n",
+            "The paper's sentences (over-stretched: beyond %.2f; rough: more than %.1f "
+            "times the IGA plate)\n\n",
             OVER_STRETCHED, ROUGH);
     for (size_t n = 0; n < sizeof sentences / sizeof *sentences; n++)
         judge(&sentences[n], figures, file);

@@ -60,10 +60,10 @@ static enum status probe_init(struct probe *p, int count, const char *const *tex
         TRY(STATUS_MEMORY);
     for (int n = 0; n < count; n++)
         if (!read_point(texts[n], p->uvw + 3 * n))
-            TRY(status_fail(why, STATUS_INPUT,
-                            "--probe %s: must be u,v,w, three numbers from 0 to 1 with "
-                            "commas between",
-                            texts[n]));
+            TRY(status_fail(
+                why, STATUS_INPUT,
+                "--probe %s: must be u,v,w, three numbers from 0 to 1 with commas between",
+                texts[n]));
 out:
     if (st != STATUS_OK)
         probe_clear(p);
@@ -341,8 +341,8 @@ const struct command run_command = {
         "run edge_drop --model hex --set discretization.points=[16,16,2]\n"
         "run edge_drop --set material.young=5e4 --set time.end=1 --out drop.h5 --every 10\n"
         "run edge_drop --probe 1,0.5,0.5 --probe 1,0,0.5 > tips.csv\n"
-        "run cantilever --static --set discretization.degree=[3,3,2]"
-        " --set discretization.points=[10,10,3]\n"
+        "run cantilever --static --set discretization.degree=[3,3,2] --set "
+        "discretization.points=[10,10,3]\n"
         "run cantilever --modes 4 --format csv\n"
         "run cantilever --model shell --static --modes 3 --set gravity=[0,-9.81,0]\n"
         "run cantilever --static --matrices matrices\n",

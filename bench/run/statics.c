@@ -67,9 +67,8 @@ enum status statics_print(struct run *run, enum table_format format, FILE *file,
         run->model->probe(run->state, 1, uvw, xyz);
         add_point(t, &run->scene, uvw, xyz);
     }
-    table_note(t,
-               "Deflection is displacement along gravity; a beam of this length, clamped "
-               "at u = 0, has 1/8 at its tip where nu = 0.");
+    table_note(t, "Deflection is displacement along gravity; a beam of this length, "
+                  "clamped at u = 0, has 1/8 at its tip where nu = 0.");
     table_note(t, "Energies [J]: elastic %.7g, potential %.7g.", energy.elastic,
                energy.potential);
     TRY(table_print(t, format, file));
@@ -102,10 +101,9 @@ static void add_notes(struct table *t, bool settled, int count, const double *om
         unstable++;
     table_note(t, "lambda = omega L^2 sqrt(rho h / D), D = E h^3 / 12 (1 - nu^2).");
     if (unstable)
-        table_note(t,
-                   "The equilibrium is unstable: %d of these modes grow%s, as exp(-omega "
-                   "t).",
-                   unstable, unstable == 1 ? "s" : "");
+        table_note(
+            t, "The equilibrium is unstable: %d of these modes grow%s, as exp(-omega t).",
+            unstable, unstable == 1 ? "s" : "");
     else if (settled)
         table_note(t, "The equilibrium is stable: no mode grows.");
 }

@@ -168,9 +168,9 @@ static enum status run(const struct command_line *line, struct message *why)
     if (word)
         TRY(table_format_parse(word, &b.format, why));
     if (from && out)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "--from reads result files and --out writes "
-                        "them; give one of the two"));
+        TRY(status_fail(
+            why, STATUS_INPUT,
+            "--from reads result files and --out writes them; give one of the two"));
     TRY(contestant_check(b.models, why));
     TRY(scene_file_find("edge_drop", &path, why));
     b.path = path;
@@ -190,8 +190,7 @@ out:
 static const struct command_option options[] = {
     {"--models", "NAME,NAME,...", false,
      "which models or contestants the timing table has (all\nthat enter it; clothbench "
-     "list "
-     "contestants)"},
+     "list contestants)"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false, "where every repeat is kept (results/bench)"},
     {"--from", "DIR", false, "print again what an earlier run kept"},

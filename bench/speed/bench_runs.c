@@ -125,10 +125,10 @@ const struct bench_part bench_part_solids = {
 const struct bench_part bench_part_nonlinear = {
     .item = {"nonlinear", "shell, springs and nonlinear solids over whole motions"},
     .caption = "Frames of the models that iterate, edge_drop to 0.4 s, undamped",
-    .note = "A repeat counts with its mean frame: frames differ, as iterations grow where "
-            "the sheet buckles. Elsewhere, on another machine: gsKLShell 10x10 118 ms "
-            "(p = 2) and 484 ms (p = 3) for one Newton iteration; the paper's shell 130 ms "
-            "a frame.",
+    .note =
+        "A repeat counts with its mean frame: frames differ, as iterations grow where the "
+        "sheet buckles. Elsewhere, on another machine: gsKLShell 10x10 118 ms (p = 2) and "
+        "484 ms (p = 3) for one Newton iteration; the paper's shell 130 ms a frame.",
     .count = LEN(motions),
     .rows = motions,
     .print = print_runs};
@@ -188,13 +188,12 @@ struct growth {
 
 static void note_growth(struct table *t, const struct growth *g)
 {
-    table_note(
-        t,
-        "K and M alone grow as unknowns^%.2f and as elements^%.2f: a net of n "
-        "points a side has (n - 2)^2 elements, so that elements per unknown more than "
-        "double from 5 to 20.",
-        fit_exponent(NETS, g->unknowns, g->assemble),
-        fit_exponent(NETS, g->elements, g->assemble));
+    table_note(t,
+               "K and M alone grow as unknowns^%.2f and as elements^%.2f: a net of n "
+               "points a side has (n - 2)^2 elements, so that elements per unknown more "
+               "than double from 5 to 20.",
+               fit_exponent(NETS, g->unknowns, g->assemble),
+               fit_exponent(NETS, g->elements, g->assemble));
     table_note(
         t,
         "Cost grows as unknowns^%.2f (aim 1.2 or less), as control points^%.2f; the "
@@ -321,9 +320,9 @@ static enum status print_contestants(const struct bench *b)
 
     for (int n = 0; n < b->batch.count; n++)
         add_contestant(t, b->batch.cases[n].plan.contestant, &b->result[n]);
-    table_note(t, "Medians of the repeats; undamped, but for the paper's own scheme. "
-                  "Iterations: Newton's, or local and global steps; "
-                  "none: one solve a frame.");
+    table_note(t,
+               "Medians of the repeats; undamped, but for the paper's own scheme. "
+               "Iterations: Newton's, or local and global steps; none: one solve a frame.");
     return table_finish(t, b->format, stdout);
 }
 

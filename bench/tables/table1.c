@@ -159,9 +159,8 @@ out:
 }
 
 const struct experiment table1_exhibit = {
-    .item = {"1",
-             "Ren et al. 2024, Table 1: IGA plate against trilinear hexahedra, at equal "
-             "looks and against truth"},
+    .item = {"1", "Ren et al. 2024, Table 1: IGA plate against trilinear hexahedra, at "
+                  "equal looks and against truth"},
     .measure = measure,
     .print = table1_print,
 };

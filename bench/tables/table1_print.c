@@ -159,11 +159,11 @@ static void note_away(struct table *t, const struct table1_cell *cells)
     const double to = cells[TABLE1_SHELL - 1].rmse[LAST];
 
     if (to > from)
-        table_note(t,
-                   "Refining the hexahedra with incompatible modes leads away from the "
-                   "baseline (%.3f to %.3f m at %.1f s): what they converge to is not the "
-                   "IGA result.",
-                   from, to, table1_time[LAST]);
+        table_note(
+            t,
+            "Refining the hexahedra with incompatible modes leads away from the baseline "
+            "(%.3f to %.3f m at %.1f s): what they converge to is not the IGA result.",
+            from, to, table1_time[LAST]);
 }
 
 static enum status print_part(const struct table1_data *d, enum table1_part part,
@@ -186,13 +186,12 @@ static enum status print_part(const struct table1_data *d, enum table1_part part
         {"0.3 s", "m", .key = "rmse_0_3_s_m"},
         {"0.4 s", "m", .key = "rmse_0_4_s_m"},
         {"<= 0.04", NULL, TABLE_LEFT, .key = "within_0_04_m"}};
-    static const char *const caption[] = {
-        "Table 1, printed kinematics, mu = 0.5: a frame rebuilt each step, RMSE against "
-        "IGA",
-        "Table 1, incremental kinematics, undamped: a frame rebuilt each step, RMSE "
-        "against IGA",
-        "Table 1, linear kinematics, undamped: a step with one factorisation, RMSE "
-        "against IGA"};
+    static const char *const caption[] = {"Table 1, printed kinematics, mu = 0.5: a frame "
+                                          "rebuilt each step, RMSE against IGA",
+                                          "Table 1, incremental kinematics, undamped: a "
+                                          "frame rebuilt each step, RMSE against IGA",
+                                          "Table 1, linear kinematics, undamped: a step "
+                                          "with one factorisation, RMSE against IGA"};
     const struct table1_cell *cells = d->cell[part];
     struct table *t = table_create(COUNT(columns), columns, caption[part]);
 
@@ -208,9 +207,9 @@ static enum status print_part(const struct table1_data *d, enum table1_part part
     table_note(t,
                "Milliseconds a frame: mean over the frames of a repeat, then median, least "
                "and quartiles of the repeats, all cases in turn.%s",
-               part == TABLE1_LINEAR ? ""
-                                     : " The shell moves by its own nonlinear scheme, "
-                                       "undamped.");
+               part == TABLE1_LINEAR
+                   ? ""
+                   : " The shell moves by its own nonlinear scheme, undamped.");
     note_first(t, cells, TABLE1_HEX);
     note_first(t, cells, TABLE1_CURED);
     note_away(t, cells);
@@ -259,16 +258,16 @@ static void tell_worth(const struct table1_data *d, FILE *file)
     const double cured = error(d, TABLE1_CURED, TABLE1_TIMES);
     const double shell = error(d, TABLE1_SHELL, TABLE1_TIMES);
 
-    fprintf(file,
-            "- What it is worth. Against truth the static error is %.0f %% for IGA 10x10x2 "
-            "(tip %.3f of Kirchhoff's) and\n  %.1f %% for hex 32x32x2 (tip %.4f)%s.\n",
-            100 * iga, tip(d, 0), 100 * hex, tip(d, TABLE1_HEX32),
-            iga > 0.1 && hex > 0.1
-                ? ": the criterion matches one locked mesh to\n  another. A small RMSE "
-                  "between them says that the printed scheme, which has no elastic memory "
-                  "(it is\n  a viscosity E dt), hides their stiffness, not that either is "
-                  "right"
-                : "");
+    fprintf(
+        file,
+        "- What it is worth. Against truth the static error is %.0f %% for IGA 10x10x2 "
+        "(tip %.3f of Kirchhoff's) and\n  %.1f %% for hex 32x32x2 (tip %.4f)%s.\n",
+        100 * iga, tip(d, 0), 100 * hex, tip(d, TABLE1_HEX32),
+        iga > 0.1 && hex > 0.1
+            ? ": the criterion matches one locked mesh to\n  another. A small RMSE between "
+              "them says that the printed scheme, which has no elastic memory (it is\n  a "
+              "viscosity E dt), hides their stiffness, not that either is right"
+            : "");
     fprintf(file,
             "- At equal error. The same hexahedra with incompatible modes have %.1f %% at "
             "10x10x2 for %.2g times the cost\n  of IGA's frame. The claim that hexahedra "
@@ -293,38 +292,38 @@ static void tell(const struct table1_data *d, FILE *file)
     const int first = first_within(printed, TABLE1_HEX, LAST + 1);
     const double paper_ratio = paper_table1[1].seconds / paper_table1[0].seconds;
 
-    fprintf(file,
-            "What was reproduced, and what not\n\n"
-            "- The criterion. The paper refines hexahedra until their RMSE against IGA "
-            "10x10x2 is at most %.2f,\n  and ends at 32x32x2. Here, with its printed "
-            "scheme, ",
-            PAPER_TABLE1_RMSE);
+    fprintf(
+        file,
+        "What was reproduced, and what not\n\n"
+        "- The criterion. The paper refines hexahedra until their RMSE against IGA 10x10x2 "
+        "is at most %.2f,\n  and ends at 32x32x2. Here, with its printed scheme, ",
+        PAPER_TABLE1_RMSE);
     if (first < 0)
         fprintf(file,
-                "no density up to %d meets that at all four times: at 32x32x2\n  the "
-                "RMSE is %.3f, %.3f, %.3f, %.3f m at 0.1 ... 0.4 s. ",
+                "no density up to %d meets that at all four times: at 32x32x2\n  the RMSE "
+                "is %.3f, %.3f, %.3f, %.3f m at 0.1 ... 0.4 s. ",
                 table1_side(TABLE1_CURED - 1), hex->rmse[0], hex->rmse[1], hex->rmse[2],
                 hex->rmse[3]);
     else
         fprintf(file, "%dx%dx2 is the first to meet it at all four times.\n  ",
                 table1_side(first), table1_side(first));
-    fprintf(file,
-            "The paper does not say after how many\n  steps it compares.\n"
-            "- The ratio. A rebuilt frame of hex 32x32x2 costs %.1f times one of IGA "
-            "10x10x2 here, %.0f times in the\n  paper. 10.24 times the nodes at a "
-            "ratio of %.0f is a cost growing as nodes^%.1f; a banded or nested-\n  "
-            "dissection factorisation of a sheet grows as nodes^1.5 to nodes^2. The "
-            "paper's absolute times\n  (91 ms and 16048 ms a frame) are %.0f and %.0f "
-            "times ours, on another machine.\n",
-            cost(printed, TABLE1_HEX32), paper_ratio, paper_ratio,
-            log(paper_ratio) / log(32 * 32 / 100.0),
-            paper_table1[0].seconds / printed->run.step.median,
-            paper_table1[1].seconds / hex->run.step.median);
+    fprintf(
+        file,
+        "The paper does not say after how many\n  steps it compares.\n"
+        "- The ratio. A rebuilt frame of hex 32x32x2 costs %.1f times one of IGA 10x10x2 "
+        "here, %.0f times in the\n  paper. 10.24 times the nodes at a ratio of %.0f is a "
+        "cost growing as nodes^%.1f; a banded or nested-\n  dissection factorisation of a "
+        "sheet grows as nodes^1.5 to nodes^2. The paper's absolute times\n  (91 ms and "
+        "16048 ms a frame) are %.0f and %.0f times ours, on another machine.\n",
+        cost(printed, TABLE1_HEX32), paper_ratio, paper_ratio,
+        log(paper_ratio) / log(32 * 32 / 100.0),
+        paper_table1[0].seconds / printed->run.step.median,
+        paper_table1[1].seconds / hex->run.step.median);
     tell_worth(d, file);
     fprintf(file,
             "- Range. Gamma = rho g h L^3 / D is %.0f: small-strain linear theory (the "
-            "linear table and its truth) is a test\n  of the spaces, not of the "
-            "motion; it is 10 %% off from Gamma = 2.9 on.\n",
+            "linear table and its truth) is a test\n  of the spaces, not of the motion; it "
+            "is 10 %% off from Gamma = 2.9 on.\n",
             d->truth.gamma);
 }
 

@@ -94,16 +94,15 @@ static enum status print_rows(const struct table23 *d, enum table_format format,
         table_fixed(t, r->unknowns, 0);
         table_fixed(t, r->factor_entries, 0);
     }
-    table_note(t,
-               "Degree and net in the order the paper prints them; a net 2 x n x n has the "
-               "thickness in u, ours has it last.");
-    table_note(t, "%s",
-               caption(d,
-                       "The paper does not say what moves in Figs. 12 and 13: edge_drop "
-                       "here. A solid's frame costs the same whatever moves, as the rows "
-                       "of one net show.",
-                       "The paper gives Table 3 neither scene nor material: edge_drop with "
-                       "those of Fig. 12 here."));
+    table_note(t, "Degree and net in the order the paper prints them; a net 2 x n x n has "
+                  "the thickness in u, ours has it last.");
+    table_note(
+        t, "%s",
+        caption(d,
+                "The paper does not say what moves in Figs. 12 and 13: edge_drop here. A "
+                "solid's frame costs the same whatever moves, as the rows of one net show.",
+                "The paper gives Table 3 neither scene nor material: edge_drop with those "
+                "of Fig. 12 here."));
     return table_finish(t, format, file);
 }
 
@@ -204,13 +203,12 @@ static enum status print_cost(const struct table23 *d, const char *folder,
     enum status st;
 
     TRY(table_save(t, folder, "cost", why));
-    table_note(
-        t,
-        "Mean over the frames of a repeat, then median and quartiles of %d repeats, all "
-        "cases in turn, one thread. printed and incremental: matrices and factor anew "
-        "every frame, as in the paper. prefactored: linear kinematics, one "
-        "factorisation for all frames.",
-        table23_result(d, unit_row(d), TABLE23_PRINTED)->step.count);
+    table_note(t,
+               "Mean over the frames of a repeat, then median and quartiles of %d repeats, "
+               "all cases in turn, one thread. printed and incremental: matrices and "
+               "factor anew every frame, as in the paper. prefactored: linear kinematics, "
+               "one factorisation for all frames.",
+               table23_result(d, unit_row(d), TABLE23_PRINTED)->step.count);
     note_outcomes(t, d);
     return table_finish(t, format, file);
 out:
@@ -313,9 +311,8 @@ static enum status print_growth(const struct table23 *d, enum table_format forma
                                           TABLE23_GROWTH_ROWS - skip, quantity[k].of),
                          3);
     }
-    table_note(
-        t, "Least squares in logarithms. Factor multiplications: unknowns x bandwidth^2, "
-           "the bandwidth taken as entries / unknowns.");
+    table_note(t, "Least squares in logarithms. Factor multiplications: unknowns x "
+                  "bandwidth^2, the bandwidth taken as entries / unknowns.");
     return table_finish(t, format, file);
 }
 
@@ -349,9 +346,8 @@ static enum status print_degree(const struct table23 *d, enum table_format forma
                              table23_value(d, low, quantity[k]),
                          3);
     }
-    table_note(t,
-               "Counted: K and M as elements x functions^2 x Gauss points, the factor as "
-               "unknowns x bandwidth^2 with bandwidth = entries / unknowns.");
+    table_note(t, "Counted: K and M as elements x functions^2 x Gauss points, the factor "
+                  "as unknowns x bandwidth^2 with bandwidth = entries / unknowns.");
     return table_finish(t, format, file);
 }
 

@@ -136,10 +136,9 @@ static enum status print_agreement(const struct table4_data *d, enum table_forma
 
     for (int label = -1; label < PAPER_LABELS; label++)
         widen(&w, answer(label), COUNT(word), word);
-    struct table *t = table_create(
-        w.count, w.column,
-        "Agreement with the paper, of 18 rows (rows of the paper met / all it has, "
-        "+ rows only we have)");
+    struct table *t = table_create(w.count, w.column,
+                                   "Agreement with the paper, of 18 rows (rows of the "
+                                   "paper met / all it has, + rows only we have)");
     for (int r = 0; r < TABLE4_READINGS; r++) {
         if (r)
             table_rule(t);
@@ -227,10 +226,8 @@ static enum status print_hindsight(const struct table4_data *d, enum table_forma
         for (int s = 0; s < TABLE4_SCENES; s++)
             best_cell(t, d, s, judge, yes);
     }
-    table_note(
-        t,
-        "Our measure: the best that a threshold on it could do, printed scheme. Not used "
-        "anywhere: it shows what fitting would buy.");
+    table_note(t, "Our measure: the best that a threshold on it could do, printed scheme. "
+                  "Not used anywhere: it shows what fitting would buy.");
     return table_finish(t, format, file);
 }
 
@@ -241,10 +238,9 @@ static enum status print_whose(const struct table4_data *d, enum table_format fo
 
     for (int r = 0; r < TABLE4_READINGS; r++)
         widen(&w, table4_reading[r].name, TABLE4_SCENES, table4_scene);
-    struct table *t =
-        table_create(w.count, w.column,
-                     "Physics, or the scheme's? Rows of 18 that are called so, on flag and "
-                     "on edge_drop");
+    struct table *t = table_create(w.count, w.column,
+                                   "Physics, or the scheme's? Rows of 18 that are called "
+                                   "so, on flag and on edge_drop");
     for (int label = -1; label < PAPER_LABELS; label++) {
         bool yes[PAPER_TABLE4_ROWS];
         table_row(t);

@@ -82,22 +82,17 @@ static enum status prepare(struct job *j, const struct command_line *line,
                            struct message *why)
 {
     enum status st;
-    struct discretization unused = {0};
     int given;
     const char *const *set = command_values(line, "--set", &given);
 
     j->quick = command_given(line, "--quick");
     settings_set_all(&j->user, given, set);
     TRY(scene_file_find(line->words[0], &j->path, why));
-    TRY(settings_read(&j->user, j->path, &j->scene, &unused, why));
+    TRY(settings_read_scene(&j->user, j->path, &j->scene, why));
     choose_damping(j);
     TRY(read_times(j, line, why));
-    j->compare.scene = j->scene.name;
-    j->compare.gamma = scene_gamma(&j->scene);
-    j->compare.length = j->scene.length;
-    j->compare.frame = j->scene.step;
+    j->compare.scene = &j->scene;
 out:
-    discretization_clear(&unused);
     return st;
 }
 

@@ -31,10 +31,9 @@ struct compare_row {
 };
 
 struct compare {
-    const char *scene;           /* name, borrowed                                     */
-    double gamma, length, frame; /* 1, [m], [s]                                        */
-    char physics[128];           /* how damping was read                               */
-    const struct truth *truth;   /* of COMPARE_TIMES times at most                     */
+    const struct scene *scene; /*                                             borrowed */
+    char physics[128];         /* how damping was read                                 */
+    const struct truth *truth; /* of COMPARE_TIMES times at most                       */
     int count;
     struct compare_row *rows; /* those of a contestant stand together                  */
 };

@@ -36,7 +36,7 @@ static double bar_of(const struct compare *c)
     double bar = 0;
 
     for (int n = 0; n < c->truth->times; n++)
-        bar = fmax(bar, c->truth->error[n] / c->length);
+        bar = fmax(bar, c->truth->error[n] / c->scene->length);
     return bar;
 }
 
@@ -88,8 +88,8 @@ static struct table *create_runs(const struct compare *c, struct words *w)
     }
     for (size_t n = 0; n < sizeof more / sizeof *more; n++)
         columns[count++] = more[n];
-    snprintf(w->caption, sizeof w->caption, "Every run on %s (Gamma = %.4g, %s)", c->scene,
-             c->gamma, c->physics);
+    snprintf(w->caption, sizeof w->caption, "Every run on %s (Gamma = %.4g, %s)",
+             c->scene->name, scene_gamma(c->scene), c->physics);
     return table_create(count, columns, w->caption);
 }
 
@@ -104,7 +104,7 @@ static void add_run(struct table *t, const struct compare *c, const struct compa
     table_text(t, "%s", who->model->name);
     table_integer(t, r->at.side);
     table_text(t, "%dx%d", r->at.side, r->at.side);
-    table_number(t, c->frame / r->at.divisor, 3);
+    table_number(t, c->scene->step / r->at.divisor, 3);
     table_fixed(t, r->at.iterations ? r->at.iterations : NAN, 0);
     table_fixed(t, ran ? r->result.unknowns : NAN, 0);
     table_number(t, ran ? r->result.create.median : NAN, 3);
@@ -121,7 +121,7 @@ static void add_run(struct table *t, const struct compare *c, const struct compa
                    r->result.sentence.text);
     else if (r->result.outcome)
         table_note(t, "%s, %dx%d, step %.3g ms: %s.", who->title, r->at.side, r->at.side,
-                   1e3 * c->frame / r->at.divisor, r->result.sentence.text);
+                   1e3 * c->scene->step / r->at.divisor, r->result.sentence.text);
 }
 
 static void add_bar(struct table *t, const struct truth *truth, double length)
@@ -171,7 +171,7 @@ static struct chart *create(const struct compare *c, const struct table *runs,
         x.low = pow(10, floor(log10(low))), x.high = pow(10, ceil(log10(high)));
     y.low = error / 2, y.high = pow(10, ceil(log10(most)));
     snprintf(title, sizeof title, "%s to %g s, Gamma = %.4g; lines join the best runs %s",
-             c->scene, truth->time[truth->times - 1], c->gamma, of);
+             c->scene->name, truth->time[truth->times - 1], scene_gamma(c->scene), of);
     struct chart *chart = chart_create(title);
     chart_axes(chart, &x, &y);
     return chart;
@@ -255,7 +255,7 @@ static enum status print_runs(const struct compare *c, const char *folder,
     }
     TRY(table_save(t, folder, "compare", why));
     TRY(draw(c, t, folder, why));
-    add_bar(t, c->truth, c->length);
+    add_bar(t, c->truth, c->scene->length);
 out:
     if (st == STATUS_OK)
         return table_finish(t, format, file);

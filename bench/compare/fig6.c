@@ -222,12 +222,11 @@ static void judge(const struct sentence *s, const struct figures *figures, FILE 
 static enum status read(const struct batch *b, struct figures figures[CASES],
                         struct message *why)
 {
-    struct discretization unused = {0};
     struct scene scene = {0};
     enum status st;
 
-    TRY(settings_read(b->cases[0].plan.settings, b->cases[0].plan.path, &scene, &unused,
-                      why)); /* all have this sheet */
+    TRY(settings_read_scene(b->cases[0].plan.settings, b->cases[0].plan.path, &scene,
+                            why)); /* all have this sheet */
     for (int n = 0; n < CASES; n++) {
         struct run_result r = {0};
         TRY(batch_read(b, n, true, &r, why));
@@ -236,7 +235,6 @@ static enum status read(const struct batch *b, struct figures figures[CASES],
     }
 out:
     scene_clear(&scene);
-    discretization_clear(&unused);
     return st;
 }
 

@@ -78,7 +78,7 @@ static enum status measure(const struct bench_part *part, struct bench *b,
         TRY(batch_run(&b->batch, &options, why));
     if (part->sample) {
         TRY(part->sample(b, why));
-        TRY(samples_save(&b->samples, b->folder, "samples", why));
+        TRY(samples_save(&b->samples, b->folder, why));
         samples_clear(&b->samples);
     }
 out:
@@ -104,7 +104,7 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
     if (!read_only)
         TRY(measure(part, b, why));
     if (part->sample)
-        TRY(samples_read(&b->samples, folder, "samples", why));
+        TRY(samples_read(&b->samples, folder, why));
     b->result = calloc((size_t)b->batch.count + 1, sizeof *b->result);
     TRY(b->result ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < b->batch.count && !part->sample; n++)

@@ -414,9 +414,11 @@ static enum status draw(const struct table23 *d, const char *folder, struct mess
     return chart_save(c, folder, "cost", why);
 }
 
-static enum status print(const struct table23 *d, const char *folder,
+static enum status print(const struct study_results *r, const char *folder,
                          enum table_format format, FILE *file, struct message *why)
 {
+    const struct table23 table = {!strcmp(r->plan->name, table23_second.plan), r},
+                         *d = &table;
     enum status st;
 
     TRY(print_rows(d, format, file));
@@ -430,27 +432,15 @@ out:
     return st;
 }
 
-static enum status tell_second(const struct study_results *r, const char *folder,
-                               enum table_format format, FILE *file, struct message *why)
-{
-    return print(&(struct table23){true, r}, folder, format, file, why);
-}
-
-static enum status tell_third(const struct study_results *r, const char *folder,
-                              enum table_format format, FILE *file, struct message *why)
-{
-    return print(&(struct table23){false, r}, folder, format, file, why);
-}
-
 const struct experiment table23_second = {
     .item = {"2", "Ren et al. 2024, Table 2: milliseconds a frame over ten scenes, and how "
                   "they grow with the net"},
     .plan = "table2",
-    .tell = tell_second,
+    .tell = print,
 };
 
 const struct experiment table23_third = {
     .item = {"3", "Ren et al. 2024, Table 3: milliseconds a frame over degree and net"},
     .plan = "table3",
-    .tell = tell_third,
+    .tell = print,
 };

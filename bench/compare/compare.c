@@ -96,61 +96,31 @@ out:
     return st;
 }
 
-enum { MOST = CONTESTANT_STEPS * CONTESTANT_STEPS * CONTESTANT_STEPS };
-
-static int length(const int *list)
+static int length(const int *list, int most)
 {
     int n = 0;
 
-    while (n < CONTESTANT_STEPS && list[n])
+    while (n < most && list[n])
         n++;
     return n;
 }
 
-static int at_most(int most, int count)
+/* Nets, time steps and iterations of a contestant; `quick` leaves out the dear half. */
+static void add_rows(struct compare *c, const struct contestant *who, bool quick)
 {
-    return count < most ? count : most;
-}
-
-static int add(const struct contestant *c, bool quick, struct refinement *all)
-{
-    const int sides = at_most(quick ? 2 : CONTESTANT_STEPS, length(c->points));
-    const int divisors = at_most(quick ? 1 : CONTESTANT_STEPS, length(c->divisors));
-    const int iterations = length(c->iterations);
-    int count = 0;
+    const int sides = length(who->points, quick ? 2 : CONTESTANT_STEPS);
+    const int divisors = length(who->divisors, quick ? 1 : CONTESTANT_STEPS);
+    const int iterations = length(who->iterations, CONTESTANT_STEPS);
 
     for (int s = 0; s < sides; s++)
         for (int d = 0; d < divisors; d++)
             for (int i = 0; i == 0 || i < iterations; i++)
-                all[count++] = (struct refinement){c, c->points[s], c->divisors[d],
-                                                   iterations ? c->iterations[i] : 0};
-    return count;
+                c->rows[c->count++].at =
+                    (struct refinement){who, who->points[s], who->divisors[d],
+                                        iterations ? who->iterations[i] : 0};
 }
 
-/* All of a choice (contestant_chosen), model by model; `quick` leaves out the dear half. */
-static enum status make_refinements(const char *choice, bool quick, struct refinement **all,
-                                    int *count, struct message *why)
-{
-    const enum status st = contestant_check(choice, why);
-    const struct model *model;
-    int rows = 0;
-
-    if (st != STATUS_OK)
-        return st;
-    while (contestant_table[rows].name)
-        rows++;
-    *all = malloc(((size_t)rows * MOST + 1) * sizeof **all);
-    if (!*all)
-        return STATUS_MEMORY;
-    *count = 0;
-    for (int m = 0; (model = contestant_model(m)); m++)
-        for (const struct contestant *c = contestant_table; c->name; c++)
-            if (c->model == model && contestant_chosen(c, choice, CONTESTANT_COMPARE))
-                *count += add(c, quick, *all + *count);
-    return STATUS_OK;
-}
-
-static void set_refinement(const struct refinement *r, double frame, struct settings *s)
+static void refine(const struct refinement *r, double frame, struct settings *s)
 {
     contestant_settings(r->contestant, s); /* again: what the user set may not change it */
     contestant_points(r->contestant, r->side, r->side, s);
@@ -173,25 +143,32 @@ static void plan_row(struct job *j, const struct refinement *r)
     c->timed = MEASUREMENT_WHOLE;
     settings_append(batch_settings(&j->batch),
                     contestant_is_paper_scheme(r->contestant) ? &j->user : &j->truth);
-    set_refinement(r, j->scene.step, batch_settings(&j->batch));
+    refine(r, j->scene.step, batch_settings(&j->batch));
 }
 
+enum { MOST = CONTESTANT_STEPS * CONTESTANT_STEPS * CONTESTANT_STEPS };
+
+/* All of a choice (contestant_chosen), model by model. */
 static enum status plan_rows(struct job *j, const char *models, struct message *why)
 {
     struct compare *c = &j->compare;
-    struct refinement *all = NULL;
+    const struct model *model;
+    size_t contestants = 0;
     enum status st;
 
-    TRY(make_refinements(models, j->quick, &all, &c->count, why));
-    TRY(batch_init(&j->batch, j->folder, c->count));
-    c->rows = calloc((size_t)c->count + 1, sizeof *c->rows);
+    TRY(contestant_check(models, why));
+    while (contestant_table[contestants].name)
+        contestants++;
+    c->rows = calloc(contestants * MOST, sizeof *c->rows);
     TRY(c->rows ? STATUS_OK : STATUS_MEMORY);
-    for (int n = 0; n < c->count; n++) {
-        c->rows[n].at = all[n];
-        plan_row(j, &all[n]);
-    }
+    for (int m = 0; (model = contestant_model(m)); m++)
+        for (const struct contestant *who = contestant_table; who->name; who++)
+            if (who->model == model && contestant_chosen(who, models, CONTESTANT_COMPARE))
+                add_rows(c, who, j->quick);
+    TRY(batch_init(&j->batch, j->folder, c->count));
+    for (int n = 0; n < c->count; n++)
+        plan_row(j, &c->rows[n].at);
 out:
-    free(all);
     return st;
 }
 

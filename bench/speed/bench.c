@@ -133,23 +133,18 @@ static bool wanted(const struct command_line *line, const char *name)
     return line->word_count == 0;
 }
 
-static enum status check_words(const struct command_line *line, struct message *why)
+static enum status check_word(const char *word, struct message *why)
 {
-    for (int n = 0; n < line->word_count; n++) {
-        char names[256] = "";
-        bool known = false;
-        for (int p = 0; items[p]; p++) {
-            const size_t used = strlen(names);
-            known |= !strcmp(line->words[n], items[p]->name);
-            snprintf(names + used, sizeof names - used, "%s%s", p ? ", " : "",
-                     items[p]->name);
-        }
-        if (!known)
-            return status_fail(why, STATUS_INPUT,
-                               "there is no benchmark '%s'; there are %s", line->words[n],
-                               names);
+    char names[256] = "";
+
+    for (int p = 0; items[p]; p++) {
+        const size_t used = strlen(names);
+        if (!strcmp(word, items[p]->name))
+            return STATUS_OK;
+        snprintf(names + used, sizeof names - used, "%s%s", p ? ", " : "", items[p]->name);
     }
-    return STATUS_OK;
+    return status_fail(why, STATUS_INPUT, "there is no benchmark '%s'; there are %s", word,
+                       names);
 }
 
 static enum status run(const struct command_line *line, struct message *why)
@@ -162,9 +157,10 @@ static enum status run(const struct command_line *line, struct message *why)
                       .models = command_value(line, "--models"),
                       .quick = command_given(line, "--quick")};
     char *path = NULL;
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(check_words(line, why));
+    for (int n = 0; n < line->word_count; n++)
+        TRY(check_word(line->words[n], why));
     if (word)
         TRY(table_format_parse(word, &b.format, why));
     if (from && out)

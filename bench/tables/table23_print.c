@@ -134,10 +134,8 @@ static void cost_row(struct table *t, const struct table23 *d, int n)
     table_fixed(t, refused ? NAN : r->factor_entries, 0);
     table_number(t, printed, 3);
     quartile_cells(t, &r->step);
-    table_number(t, table23_value(d, n, TABLE23_INCREMENTAL_MS), 3);
-    table_number(t, table23_value(d, n, TABLE23_PREFACTORED_MS), 3);
-    for (int phase = TABLE23_ASSEMBLE_MS; phase <= TABLE23_SOLVE_MS; phase++)
-        table_number(t, table23_value(d, n, phase), 3);
+    for (int ours = TABLE23_INCREMENTAL_MS; ours <= TABLE23_SOLVE_MS; ours++)
+        table_number(t, table23_value(d, n, ours), 3);
     table_number(t, paper, paper < 1000 ? 3 : 4);
     table_number(t, paper / printed, 3);
     table_number(t, printed / table23_value(d, unit, TABLE23_PRINTED_MS), 3);

@@ -3,7 +3,6 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "bench/tables/interval.h"
 #include "bench/tables/table4.h"
 
 enum { PRINTED = TABLE4_PRINTED, FLAG = TABLE4_FLAG, DROP = TABLE4_DROP };
@@ -45,19 +44,19 @@ static struct span span_of(const struct table4_data *d, int reading, int scene, 
 }
 
 /* Rows that two bounds on a measure of the printed scheme get right at best. */
-static struct interval best(const struct table4_data *d, int measure, int label)
+static struct table4_interval best(const struct table4_data *d, int measure, int label)
 {
     double value[ROWS];
     bool yes[ROWS];
 
     table4_column(d, PRINTED, FLAG, measure, value);
     table4_paper(label, yes);
-    return interval_best(ROWS, value, yes, INTERVAL_ANY);
+    return table4_best(ROWS, value, yes, TABLE4_ANY);
 }
 
 static void tell_yes_or_no(const struct table4_data *d, struct table *t)
 {
-    const struct interval ratio = best(d, MEASURE_YOUNG_OVER_DENSITY, -1);
+    const struct table4_interval ratio = best(d, MEASURE_YOUNG_OVER_DENSITY, -1);
     bool yes[ROWS];
 
     table_note(

@@ -1,9 +1,11 @@
 #include "bench/run/statics.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 
-#include "bench/files/folder.h"
 #include "bench/files/matrix_market.h"
 #include "models/reader/scene_schema.h"
 
@@ -188,7 +190,9 @@ enum status statics_matrices(const char *folder, const struct run_plan *plan,
     points.settings = &settings;
     TRY(run_open(&run, &points, why));
     TRY(run.model->matrices(run.state, &K, &M));
-    TRY(folder_make(folder, why));
+    if (mkdir(folder, 0777) != 0 && errno != EEXIST)
+        TRY(status_fail(why, STATUS_FILE, "%s: the folder cannot be made: %s", folder,
+                        strerror(errno)));
     TRY(write_one(folder, "K.mtx", "Stiffness matrix of the rest shape [N/m]", &run, &K,
                   why));
     TRY(write_one(folder, "M.mtx", "Mass matrix of the rest shape [kg]", &run, &M, why));

@@ -10,10 +10,143 @@
 #include "bench/sweep/sweep.h"
 #include "bench/tables/tables.h"
 #include "bench/truth/truth_command.h"
+#include "bench/truth/truth_file.h"
 #include "bench/verify/verify.h"
+#include "bench/experiment/plan.h"
+#include "bench/harness/contestant.h"
+#include "models/reader/scene_file.h"
+
+static void print_item(const char *name, const char *text)
+{
+    printf("%-24s%s%s\n", name, strlen(name) < 24 ? "" : "  ", text);
+}
+
+static enum status list_files(const struct named_file_kind *kind, struct message *why)
+{
+    struct named_file_entry *entries = NULL;
+    int count = 0;
+    enum status st = named_file_list(kind, &entries, &count, why);
+
+    for (int n = 0; n < count; n++)
+        if (*entries[n].text)
+            print_item(entries[n].name, entries[n].text);
+    named_file_list_free(entries, count);
+    return st;
+}
+
+static void list_models(void)
+{
+    const struct model *model;
+
+    for (int n = 0; (model = contestant_model(n)); n++) {
+        char text[256];
+        snprintf(text, sizeof text, "%s (%s)", model->title, model->source);
+        print_item(model->name, text);
+    }
+}
+
+static void list_contestants(void)
+{
+    static const struct {
+        unsigned where;
+        const char *name;
+    } places[] = {{CONTESTANT_COMPARE, "compare"},
+                  {CONTESTANT_STRESS, "stress"},
+                  {CONTESTANT_SMALL, "verify, bending a little"},
+                  {CONTESTANT_LARGE, "verify, bending a lot"},
+                  {CONTESTANT_SPEED, "bench"}};
+
+    for (const struct contestant *c = contestant_table; c->name; c++) {
+        char text[256];
+        int used = snprintf(text, sizeof text, "%s", c->title);
+        for (size_t n = 0; n < sizeof places / sizeof *places; n++)
+            if (c->enters & places[n].where)
+                used += snprintf(text + used, sizeof text - (size_t)used, "; %s",
+                                 places[n].name);
+        print_item(c->name, text);
+    }
+}
+
+/* What the commands with this section have. */
+static void list_items(const char *section)
+{
+    for (int n = 0; commands[n]; n++) {
+        const struct command *c = commands[n];
+        if (!c->section || strcmp(c->section, section))
+            continue;
+        for (int i = 0; c->items && c->items[i]; i++)
+            if (c->items[i]->text) /* else its plan has it */
+                print_item(c->items[i]->name, c->items[i]->text);
+    }
+}
+
+/* All sections in their order: what the table of contestants has, or else the items of the
+ * commands; then files. */
+static const struct section {
+    const char *name;
+    const struct named_file_kind *files;
+    void (*print)(void);
+} sections[] = {
+    {"scenes", &scene_file_kind, NULL},
+    {"models", NULL, list_models},
+    {"contestants", NULL, list_contestants},
+    {"tables", NULL, NULL},
+    {"studies", &plan_study_kind, NULL},
+    {"plans", &plan_kind, NULL},
+    {"truths", &truth_file_kind, NULL},
+    {"checks", NULL, NULL},
+    {"cases", NULL, NULL},
+    {"benchmarks", NULL, NULL},
+};
+enum { SECTIONS = sizeof sections / sizeof *sections };
+
+#define NAMES(between)                                                                     \
+    "scenes" between "models" between "contestants" between "tables" between               \
+    "studies" between "plans" between "truths" between "checks" between "cases" between    \
+    "benchmarks"
+
+static enum status list_section(const struct section *s, struct message *why)
+{
+    if (s->print)
+        s->print();
+    else
+        list_items(s->name);
+    return s->files ? list_files(s->files, why) : STATUS_OK;
+}
+
+static enum status run(const struct command_line *line, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < SECTIONS; n++) {
+        if (line->word_count && strcmp(sections[n].name, line->words[0]))
+            continue;
+        if (line->word_count)
+            return list_section(&sections[n], why);
+        printf("%s%s:\n", n ? "\n" : "", sections[n].name);
+        TRY(list_section(&sections[n], why));
+    }
+    if (line->word_count)
+        st = status_fail(why, STATUS_INPUT, "list: there are " NAMES(", ") ", but no '%s'",
+                         line->words[0]);
+out:
+    return st;
+}
+
+static const struct command list_command = {
+    .name = "list",
+    .summary = "what there is: " NAMES(", "),
+    .arguments = "[" NAMES("|") "]",
+    .text =
+        "Prints names, one a line, each with a word on it. The names are those that the\n"
+        "other commands take.\n",
+    .examples = "list\nlist scenes\n",
+    .most = 1,
+    .run = run,
+};
 
 const struct command *const commands[] = {
-    &commands_list, &run_command,   &compare_command, &tables_command, &studies_command,
+    &list_command,  &run_command,   &compare_command, &tables_command, &studies_command,
     &sweep_command, &truth_command, &verify_command,  &stress_command, &bench_command,
     NULL,
 };
@@ -31,8 +164,8 @@ enum status commands_find(const char *name, const struct command **command,
     for (int n = 0; planned[n]; n++)
         if (!strcmp(planned[n], name))
             return status_fail(why, STATUS_INPUT,
-                               "the command '%s' is planned but not built yet; "
-                               "clothbench help lists those that are",
+                               "the command '%s' is planned but not built yet; clothbench "
+                               "help lists those that are",
                                name);
     return status_fail(why, STATUS_INPUT,
                        "there is no command '%s'; clothbench help lists them", name);

@@ -7,8 +7,6 @@
 /* In the order of the help; ends with NULL. */
 extern const struct command *const commands[];
 
-extern const struct command commands_list; /* `list`, of them and of files */
-
 /* STATUS_INPUT with a sentence: no such command, or one that is planned but not built. */
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why);

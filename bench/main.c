@@ -64,8 +64,8 @@ static void print_scene_help(FILE *file)
     scene_file_keys(print_key, file);
     fputs(
         "\n--set KEY=VALUE overrides any of them; the value is YAML, later settings win:\n"
-        "  --set material.young=5e4 --set 'damping={kind: none}' "
-        "--set supports[0].fix=xy\n",
+        "  --set material.young=5e4 --set 'damping={kind: none}' --set "
+        "supports[0].fix=xy\n",
         file);
 }
 

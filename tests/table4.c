@@ -3,7 +3,6 @@
 
 #include "bench/files/folder.h"
 #include "bench/files/store_scene.h"
-#include "bench/tables/interval.h"
 #include "bench/experiment/plan.h"
 #include "bench/experiment/plan_read.h"
 #include "tests/check.h"
@@ -22,7 +21,7 @@ static void test_paper(void)
     CHECK(table4_paper(-1, yes) == 2 && yes[13] && yes[14]);
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
         ratio[row] = paper_table4[row].young / paper_table4[row].density;
-    CHECK(interval_best(PAPER_TABLE4_ROWS, ratio, yes, INTERVAL_ANY).agree == 18);
+    CHECK(table4_best(PAPER_TABLE4_ROWS, ratio, yes, TABLE4_ANY).agree == 18);
 }
 
 /* Undamped runs are shared by rows of the same E/rho: 8 of them; others are not. */

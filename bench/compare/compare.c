@@ -82,23 +82,51 @@ static enum status prepare(struct job *j, const struct command_line *line,
                            struct message *why)
 {
     enum status st;
-    struct discretization unused = {0};
     int given;
     const char *const *set = command_values(line, "--set", &given);
 
     j->quick = command_given(line, "--quick");
     settings_set_all(&j->user, given, set);
     TRY(scene_file_find(line->words[0], &j->path, why));
-    TRY(settings_read(&j->user, j->path, &j->scene, &unused, why));
+    TRY(settings_read_scene(&j->user, j->path, &j->scene, why));
     choose_damping(j);
     TRY(read_times(j, line, why));
-    j->compare.scene = j->scene.name;
-    j->compare.gamma = scene_gamma(&j->scene);
-    j->compare.length = j->scene.length;
-    j->compare.frame = j->scene.step;
+    j->compare.scene = &j->scene;
 out:
-    discretization_clear(&unused);
     return st;
+}
+
+static int length(const int *list, int most)
+{
+    int n = 0;
+
+    while (n < most && list[n])
+        n++;
+    return n;
+}
+
+/* Nets, time steps and iterations of a contestant; `quick` leaves out the dear half. */
+static void add_rows(struct compare *c, const struct contestant *who, bool quick)
+{
+    const int sides = length(who->points, quick ? 2 : CONTESTANT_STEPS);
+    const int divisors = length(who->divisors, quick ? 1 : CONTESTANT_STEPS);
+    const int iterations = length(who->iterations, CONTESTANT_STEPS);
+
+    for (int s = 0; s < sides; s++)
+        for (int d = 0; d < divisors; d++)
+            for (int i = 0; i == 0 || i < iterations; i++)
+                c->rows[c->count++].at =
+                    (struct refinement){who, who->points[s], who->divisors[d],
+                                        iterations ? who->iterations[i] : 0};
+}
+
+static void refine(const struct refinement *r, double frame, struct settings *s)
+{
+    contestant_settings(r->contestant, s); /* again: what the user set may not change it */
+    contestant_points(r->contestant, r->side, r->side, s);
+    settings_number(s, "time.step", frame / r->divisor);
+    if (r->iterations)
+        settings_integer(s, "discretization.iterations", r->iterations);
 }
 
 static void plan_row(struct job *j, const struct refinement *r)
@@ -115,25 +143,32 @@ static void plan_row(struct job *j, const struct refinement *r)
     c->timed = MEASUREMENT_WHOLE;
     settings_append(batch_settings(&j->batch),
                     contestant_is_paper_scheme(r->contestant) ? &j->user : &j->truth);
-    refinement_settings(r, j->scene.step, batch_settings(&j->batch));
+    refine(r, j->scene.step, batch_settings(&j->batch));
 }
 
+enum { MOST = CONTESTANT_STEPS * CONTESTANT_STEPS * CONTESTANT_STEPS };
+
+/* All of a choice (contestant_chosen), model by model. */
 static enum status plan_rows(struct job *j, const char *models, struct message *why)
 {
     struct compare *c = &j->compare;
-    struct refinement *all = NULL;
+    const struct model *model;
+    size_t contestants = 0;
     enum status st;
 
-    TRY(refinement_make(models, j->quick, &all, &c->count, why));
-    TRY(batch_init(&j->batch, j->folder, c->count));
-    c->rows = calloc((size_t)c->count + 1, sizeof *c->rows);
+    TRY(contestant_check(models, why));
+    while (contestant_table[contestants].name)
+        contestants++;
+    c->rows = calloc(contestants * MOST, sizeof *c->rows);
     TRY(c->rows ? STATUS_OK : STATUS_MEMORY);
-    for (int n = 0; n < c->count; n++) {
-        c->rows[n].at = all[n];
-        plan_row(j, &all[n]);
-    }
+    for (int m = 0; (model = contestant_model(m)); m++)
+        for (const struct contestant *who = contestant_table; who->name; who++)
+            if (who->model == model && contestant_chosen(who, models, CONTESTANT_COMPARE))
+                add_rows(c, who, j->quick);
+    TRY(batch_init(&j->batch, j->folder, c->count));
+    for (int n = 0; n < c->count; n++)
+        plan_row(j, &c->rows[n].at);
 out:
-    free(all);
     return st;
 }
 
@@ -194,9 +229,9 @@ static enum status run(const struct command_line *line, struct message *why)
     if (word)
         TRY(table_format_parse(word, &format, why));
     if (out && from)
-        return status_fail(why, STATUS_INPUT,
-                           "--from reads result files and --out writes "
-                           "them; give one of the two");
+        return status_fail(
+            why, STATUS_INPUT,
+            "--from reads result files and --out writes them; give one of the two");
     TRY(prepare(&j, line, why));
     snprintf(folder, sizeof folder, "results/compare_%s", j.scene.name);
     j.folder = from ? from : out ? out : folder;

@@ -2,7 +2,7 @@
 #ifndef COMPARE_H
 #define COMPARE_H
 
-#include "bench/compare/refinement.h"
+#include "bench/harness/contestant.h"
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth.h"
 #include "bench/ui/command.h"
@@ -11,6 +11,15 @@
 extern const struct command compare_command;
 
 enum { COMPARE_TIMES = 5 };
+
+/* The steps on which each contestant is set: nets, time steps, iterations, from cheap to
+ * dear, as its row of the table has them. */
+struct refinement {
+    const struct contestant *contestant;
+    int side;       /* points along u and v                                            */
+    int divisor;    /* the scene's frame is divided into so many steps                 */
+    int iterations; /* local-global iterations, 0: the model has none                  */
+};
 
 /* A contestant, refined so far, with what came of it. */
 struct compare_row {
@@ -22,28 +31,17 @@ struct compare_row {
 };
 
 struct compare {
-    const char *scene;           /* name, borrowed                                     */
-    double gamma, length, frame; /* 1, [m], [s]                                        */
-    char physics[128];           /* how damping was read                               */
-    const struct truth *truth;   /* of COMPARE_TIMES times at most                     */
+    const struct scene *scene; /*                                             borrowed */
+    char physics[128];         /* how damping was read                                 */
+    const struct truth *truth; /* of COMPARE_TIMES times at most                       */
     int count;
     struct compare_row *rows; /* those of a contestant stand together                  */
 };
 
-/* Rows of the contestant whose first row is this one. */
-int compare_length(const struct compare *c, int first);
-
-/* Of a contestant's rows: the one nearest to the truth; NULL if none lived. */
-const struct compare_row *compare_nearest(const struct compare_row *rows, int count);
-
-/* compare_print.c: the table of all runs to `file` and as compare.csv in the folder, where
- * the charts are; seconds to given errors; no contestant's run is cheaper and as good. */
+/* The table of all runs to `file` and as compare.csv in the folder; seconds to given
+ * errors; charts of seconds against error, the best of each model in compare.png, all by
+ * model in compare_models.png (compare_print.c). */
 enum status compare_print(const struct compare *c, const char *folder,
                           enum table_format format, FILE *file, struct message *why);
-
-/* compare_chart.c: seconds against error from the table of all runs; the best of each model
- * in compare.png, all by model in compare_models.png. */
-enum status compare_chart(const struct compare *c, const struct table *runs,
-                          const char *folder, struct message *why);
 
 #endif

@@ -1,14 +1,16 @@
-/* The tables of compare.h. */
+/* The tables and charts of compare.h. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/compare/compare.h"
+#include "bench/ui/chart.h"
 
 static const double targets[] = {0.1, 0.03, 0.01, 0.001};
 enum { TARGETS = sizeof targets / sizeof *targets };
 
-int compare_length(const struct compare *c, int first)
+/* Rows of the contestant whose first row is this one. */
+static int length(const struct compare *c, int first)
 {
     int count = 1;
 
@@ -18,7 +20,8 @@ int compare_length(const struct compare *c, int first)
     return count;
 }
 
-const struct compare_row *compare_nearest(const struct compare_row *rows, int count)
+/* Of a contestant's rows: the one nearest to the truth; NULL if none lived. */
+static const struct compare_row *nearest(const struct compare_row *rows, int count)
 {
     const struct compare_row *best = NULL;
 
@@ -26,6 +29,15 @@ const struct compare_row *compare_nearest(const struct compare_row *rows, int co
         if (!isnan(rows[n].worst) && (!best || rows[n].worst < best->worst))
             best = &rows[n];
     return best;
+}
+
+static double bar_of(const struct compare *c)
+{
+    double bar = 0;
+
+    for (int n = 0; n < c->truth->times; n++)
+        bar = fmax(bar, c->truth->error[n] / c->scene->length);
+    return bar;
 }
 
 /* No run of its contestant is cheaper and as good: the line a plot draws. */
@@ -76,8 +88,8 @@ static struct table *create_runs(const struct compare *c, struct words *w)
     }
     for (size_t n = 0; n < sizeof more / sizeof *more; n++)
         columns[count++] = more[n];
-    snprintf(w->caption, sizeof w->caption, "Every run on %s (Gamma = %.4g, %s)", c->scene,
-             c->gamma, c->physics);
+    snprintf(w->caption, sizeof w->caption, "Every run on %s (Gamma = %.4g, %s)",
+             c->scene->name, scene_gamma(c->scene), c->physics);
     return table_create(count, columns, w->caption);
 }
 
@@ -92,7 +104,7 @@ static void add_run(struct table *t, const struct compare *c, const struct compa
     table_text(t, "%s", who->model->name);
     table_integer(t, r->at.side);
     table_text(t, "%dx%d", r->at.side, r->at.side);
-    table_number(t, c->frame / r->at.divisor, 3);
+    table_number(t, c->scene->step / r->at.divisor, 3);
     table_fixed(t, r->at.iterations ? r->at.iterations : NAN, 0);
     table_fixed(t, ran ? r->result.unknowns : NAN, 0);
     table_number(t, ran ? r->result.create.median : NAN, 3);
@@ -109,7 +121,7 @@ static void add_run(struct table *t, const struct compare *c, const struct compa
                    r->result.sentence.text);
     else if (r->result.outcome)
         table_note(t, "%s, %dx%d, step %.3g ms: %s.", who->title, r->at.side, r->at.side,
-                   1e3 * c->frame / r->at.divisor, r->result.sentence.text);
+                   1e3 * c->scene->step / r->at.divisor, r->result.sentence.text);
 }
 
 static void add_bar(struct table *t, const struct truth *truth, double length)
@@ -125,6 +137,110 @@ static void add_bar(struct table *t, const struct truth *truth, double length)
                truth->source);
 }
 
+/* A line through the best runs of a contestant, and its others as open points. */
+static void add_series(struct chart *c, const struct table *runs, const char *label,
+                       const char *contestant, int colour)
+{
+    const struct chart_where where[] = {{"contestant", contestant}, {"front", NULL, 1}};
+
+    chart_series(c, &(struct chart_series){label, .sorted = true, .colour = colour});
+    chart_rows(c, runs, "seconds", "worst_rmse_over_length", 2, where);
+    chart_series(
+        c, &(struct chart_series){NULL, CHART_POINTS, .colour = colour, .second = true});
+    chart_rows(c, runs, "seconds", "worst_rmse_over_length", 1, where);
+}
+
+/* All panels with the same axes, so that they can be compared; the bar is on them. */
+static struct chart *create(const struct compare *c, const struct table *runs,
+                            const char *of)
+{
+    const struct truth *truth = c->truth;
+    char title[256];
+    struct chart_axis x = chart_axis_of(runs, "seconds", true);
+    struct chart_axis y = chart_axis_of(runs, "worst_rmse_over_length", true);
+    double low = INFINITY, high = 0, error = bar_of(c), most = error;
+
+    for (int n = 0; n < c->count; n++)
+        if (!isnan(c->rows[n].worst)) {
+            low = fmin(low, c->rows[n].seconds);
+            high = fmax(high, c->rows[n].seconds);
+            error = fmin(error, c->rows[n].worst);
+            most = fmax(most, c->rows[n].worst);
+        }
+    if (high > low)
+        x.low = pow(10, floor(log10(low))), x.high = pow(10, ceil(log10(high)));
+    y.low = error / 2, y.high = pow(10, ceil(log10(most)));
+    snprintf(title, sizeof title, "%s to %g s, Gamma = %.4g; lines join the best runs %s",
+             c->scene->name, truth->time[truth->times - 1], scene_gamma(c->scene), of);
+    struct chart *chart = chart_create(title);
+    chart_axes(chart, &x, &y);
+    return chart;
+}
+
+/* The first row of the contestant of a model that comes nearest to the truth; -1: none. */
+static int best_of(const struct compare *c, const struct model *model)
+{
+    const struct compare_row *best = NULL;
+    int found = -1;
+
+    for (int n = 0; n < c->count; n += length(c, n)) {
+        const struct compare_row *r = nearest(&c->rows[n], length(c, n));
+        if (c->rows[n].at.contestant->model == model && r &&
+            (!best || r->worst < best->worst))
+            best = r, found = n;
+    }
+    return found;
+}
+
+static struct chart *chart_best(const struct compare *c, const struct table *runs)
+{
+    struct chart *chart = create(c, runs, "of each model's best contestant");
+    const struct model *model;
+
+    chart_band(chart, "truth's error bar", 0, bar_of(c));
+    for (int m = 0, lines = 0; (model = contestant_model(m)); m++) {
+        const int n = best_of(c, model);
+        if (n < 0 || lines++ == CHART_LINES_MOST)
+            continue;
+        const struct contestant *who = c->rows[n].at.contestant;
+        add_series(chart, runs, who->title, who->name, lines);
+    }
+    return chart;
+}
+
+static struct chart *chart_models(const struct compare *c, const struct table *runs)
+{
+    struct chart *chart = create(c, runs, "of each contestant");
+    const struct model *model;
+    int colour = 0;
+
+    for (int m = 0; (model = contestant_model(m)); m++) {
+        int lines = 0;
+        for (int n = 0; n < c->count; n += length(c, n)) {
+            const struct contestant *who = c->rows[n].at.contestant;
+            if (who->model != model || lines == CHART_LINES_MOST)
+                continue;
+            if (!lines++) {
+                chart_panel(chart, model->title);
+                chart_band(chart, "truth's error bar", 0, bar_of(c));
+            }
+            add_series(chart, runs, who->title, who->name, ++colour);
+        }
+    }
+    return chart;
+}
+
+static enum status draw(const struct compare *c, const struct table *runs,
+                        const char *folder, struct message *why)
+{
+    enum status st;
+
+    TRY(chart_save(chart_best(c, runs), folder, "compare", why));
+    TRY(chart_save(chart_models(c, runs), folder, "compare_models", why));
+out:
+    return st;
+}
+
 static enum status print_runs(const struct compare *c, const char *folder,
                               enum table_format format, FILE *file, struct message *why)
 {
@@ -138,8 +254,8 @@ static enum status print_runs(const struct compare *c, const char *folder,
         add_run(t, c, &c->rows[n]);
     }
     TRY(table_save(t, folder, "compare", why));
-    TRY(compare_chart(c, t, folder, why));
-    add_bar(t, c->truth, c->length);
+    TRY(draw(c, t, folder, why));
+    add_bar(t, c->truth, c->scene->length);
 out:
     if (st == STATUS_OK)
         return table_finish(t, format, file);
@@ -166,14 +282,12 @@ static const char *floor_of(const struct compare *c, const struct compare_row *r
 {
     static const double STILL_FALLING = 0.75;
     const struct compare_row *fine = &rows[count - 1], *coarse = NULL;
-    double bar = 0;
+    const double bar = bar_of(c);
 
     for (int n = 0; n < count - 1; n++)
         if (rows[n].at.divisor == fine->at.divisor &&
             rows[n].at.iterations == fine->at.iterations)
             coarse = &rows[n];
-    for (int n = 0; n < c->truth->times; n++)
-        bar = fmax(bar, c->truth->error[n] / c->length);
     if (isnan(fine->worst))
         return run_result_refused(&fine->result) ? "the finest net is refused"
                                                  : "the finest run died";
@@ -190,7 +304,7 @@ static const char *floor_of(const struct compare *c, const struct compare_row *r
 static void add_reach(struct table *t, const struct compare *c,
                       const struct compare_row *rows, int count)
 {
-    const struct compare_row *best = compare_nearest(rows, count);
+    const struct compare_row *best = nearest(rows, count);
 
     table_row(t);
     table_text(t, "%s", rows->at.contestant->title);
@@ -225,13 +339,12 @@ static enum status print_reach(const struct compare *c, enum table_format format
         {"lowest", "% L", .key = "lowest_rmse_over_length", .key_unit = "1", .scale = 100},
         {"at", NULL, TABLE_LEFT},
         {"floor", NULL, TABLE_LEFT}};
-    struct table *t =
-        table_create(sizeof columns / sizeof *columns, columns,
-                     "Seconds (set-up and stepping) to an RMSE/L, at the worst "
-                     "of the times");
+    struct table *t = table_create(
+        sizeof columns / sizeof *columns, columns,
+        "Seconds (set-up and stepping) to an RMSE/L, at the worst of the times");
 
-    for (int n = 0; n < c->count; n += compare_length(c, n))
-        add_reach(t, c, c->rows + n, compare_length(c, n));
+    for (int n = 0; n < c->count; n += length(c, n))
+        add_reach(t, c, c->rows + n, length(c, n));
     return table_finish(t, format, file);
 }
 

@@ -222,12 +222,11 @@ static void judge(const struct sentence *s, const struct figures *figures, FILE 
 static enum status read(const struct batch *b, struct figures figures[CASES],
                         struct message *why)
 {
-    struct discretization unused = {0};
     struct scene scene = {0};
     enum status st;
 
-    TRY(settings_read(b->cases[0].plan.settings, b->cases[0].plan.path, &scene, &unused,
-                      why)); /* all have this sheet */
+    TRY(settings_read_scene(b->cases[0].plan.settings, b->cases[0].plan.path, &scene,
+                            why)); /* all have this sheet */
     for (int n = 0; n < CASES; n++) {
         struct run_result r = {0};
         TRY(batch_read(b, n, true, &r, why));
@@ -236,7 +235,6 @@ static enum status read(const struct batch *b, struct figures figures[CASES],
     }
 out:
     scene_clear(&scene);
-    discretization_clear(&unused);
     return st;
 }
 
@@ -257,8 +255,8 @@ enum status fig6_compare(const char *path, const struct settings *user, const ch
     if (!table_format_is_prose(format))
         goto out;
     fprintf(file,
-            "The paper's sentences (over-stretched: beyond %.2f; rough: more than "
-            "%.1f times the IGA plate)\n\n",
+            "The paper's sentences (over-stretched: beyond %.2f; rough: more than %.1f "
+            "times the IGA plate)\n\n",
             OVER_STRETCHED, ROUGH);
     for (size_t n = 0; n < sizeof sentences / sizeof *sentences; n++)
         judge(&sentences[n], figures, file);

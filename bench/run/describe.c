@@ -23,11 +23,10 @@ static void describe_gamma(const struct scene *scene, const struct discretizatio
     fprintf(file, "Gamma           %.4g (weight against bending)\n", gamma);
     if (d->kinematics != KINEMATICS_LINEAR || gamma <= gamma_one_percent)
         return;
-    fprintf(
-        file,
-        "warning: small-strain theory misses a cantilever's tip by more than %s at this "
-        "Gamma\n",
-        gamma > gamma_ten_percent ? "10 %" : "1 %");
+    fprintf(file,
+            "warning: small-strain theory misses a cantilever's tip by more than %s at "
+            "this Gamma\n",
+            gamma > gamma_ten_percent ? "10 %" : "1 %");
 }
 
 static void describe_discretization(const struct discretization *d, FILE *file)

@@ -1,14 +1,97 @@
 #include "bench/run/run_command.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bench/harness/run_file.h"
 #include "bench/run/describe.h"
-#include "bench/run/matrices.h"
-#include "bench/run/probe.h"
 #include "bench/run/statics.h"
 #include "models/reader/scene_file.h"
+
+/* Material points followed through a motion, as CSV: t,u,v,w,x,y,z with 17 digits, a line a
+ * point and frame. */
+struct probe {
+    int count;
+    double *uvw, *xyz;   /* [count][3] owned */
+    struct table *table; /* owned            */
+};
+
+static bool read_point(const char *text, double uvw[3])
+{
+    for (int n = 0; n < 3; n++) {
+        char *end;
+        uvw[n] = strtod(text, &end);
+        if (end == text || *end != (n < 2 ? ',' : '\0') || !(uvw[n] >= 0 && uvw[n] <= 1))
+            return false;
+        text = end + 1;
+    }
+    return true;
+}
+
+static void probe_clear(struct probe *p)
+{
+    free(p->uvw);
+    free(p->xyz);
+    table_destroy(p->table);
+    *p = (struct probe){0};
+}
+
+static enum status probe_init(struct probe *p, int count, const char *const *texts,
+                              struct message *why)
+{
+    static const struct table_column columns[] = {{"t", "s", .key = "t"},
+                                                  {"u"},
+                                                  {"v"},
+                                                  {"w"},
+                                                  {"x", "m", .key = "x"},
+                                                  {"y", "m", .key = "y"},
+                                                  {"z", "m", .key = "z"}};
+    enum status st = STATUS_OK;
+    size_t size = (size_t)(3 * count + 1) * sizeof(double);
+
+    *p = (struct probe){.count = count,
+                        .uvw = malloc(size),
+                        .xyz = malloc(size),
+                        .table =
+                            table_create(sizeof columns / sizeof *columns, columns, NULL)};
+    if (!p->uvw || !p->xyz || !p->table)
+        TRY(STATUS_MEMORY);
+    for (int n = 0; n < count; n++)
+        if (!read_point(texts[n], p->uvw + 3 * n))
+            TRY(status_fail(
+                why, STATUS_INPUT,
+                "--probe %s: must be u,v,w, three numbers from 0 to 1 with commas between",
+                texts[n]));
+out:
+    if (st != STATUS_OK)
+        probe_clear(p);
+    return st;
+}
+
+static enum status probe_print(struct probe *p, const struct run *run, double t, FILE *file,
+                               struct message *why)
+{
+    enum { DIGITS = 17 };
+
+    run->model->probe(run->state, p->count, p->uvw, p->xyz);
+    for (int n = 0; n < p->count; n++) {
+        table_row(p->table);
+        table_number(p->table, t, DIGITS);
+        for (int i = 0; i < 3; i++)
+            table_number(p->table, p->uvw[3 * n + i], DIGITS);
+        for (int i = 0; i < 3; i++)
+            table_number(p->table, p->xyz[3 * n + i], DIGITS);
+    }
+    errno = 0;
+    const enum status st = table_flush(p->table, file);
+    if (st == STATUS_FILE)
+        return status_fail(why, st, "--probe: the run ends at t = %.6g s: %s", t,
+                           errno == EPIPE ? "the reader of standard output went away"
+                                          : strerror(errno));
+    return st;
+}
 
 enum task { TASK_MOTION, TASK_STATIC, TASK_MODES };
 
@@ -202,7 +285,7 @@ static enum status run(const struct command_line *line, struct message *why)
     if (!j.quiet)
         describe_setup(&j.run, stderr);
     if (folder)
-        TRY(matrices_write(folder, &j.plan, why));
+        TRY(statics_matrices(folder, &j.plan, why));
     TRY(run_task(&j, why));
 out:
     run_file_discard(j.file);
@@ -258,8 +341,8 @@ const struct command run_command = {
         "run edge_drop --model hex --set discretization.points=[16,16,2]\n"
         "run edge_drop --set material.young=5e4 --set time.end=1 --out drop.h5 --every 10\n"
         "run edge_drop --probe 1,0.5,0.5 --probe 1,0,0.5 > tips.csv\n"
-        "run cantilever --static --set discretization.degree=[3,3,2]"
-        " --set discretization.points=[10,10,3]\n"
+        "run cantilever --static --set discretization.degree=[3,3,2] --set "
+        "discretization.points=[10,10,3]\n"
         "run cantilever --modes 4 --format csv\n"
         "run cantilever --model shell --static --modes 3 --set gravity=[0,-9.81,0]\n"
         "run cantilever --static --matrices matrices\n",

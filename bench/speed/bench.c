@@ -5,7 +5,6 @@
 
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
-#include "bench/speed/bench_part.h"
 #include "bench/ui/progress.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_file.h"
@@ -79,7 +78,7 @@ static enum status measure(const struct bench_part *part, struct bench *b,
         TRY(batch_run(&b->batch, &options, why));
     if (part->sample) {
         TRY(part->sample(b, why));
-        TRY(samples_save(&b->samples, b->folder, "samples", why));
+        TRY(samples_save(&b->samples, b->folder, why));
         samples_clear(&b->samples);
     }
 out:
@@ -105,7 +104,7 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
     if (!read_only)
         TRY(measure(part, b, why));
     if (part->sample)
-        TRY(samples_read(&b->samples, folder, "samples", why));
+        TRY(samples_read(&b->samples, folder, why));
     b->result = calloc((size_t)b->batch.count + 1, sizeof *b->result);
     TRY(b->result ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < b->batch.count && !part->sample; n++)
@@ -134,23 +133,18 @@ static bool wanted(const struct command_line *line, const char *name)
     return line->word_count == 0;
 }
 
-static enum status check_words(const struct command_line *line, struct message *why)
+static enum status check_word(const char *word, struct message *why)
 {
-    for (int n = 0; n < line->word_count; n++) {
-        char names[256] = "";
-        bool known = false;
-        for (int p = 0; items[p]; p++) {
-            const size_t used = strlen(names);
-            known |= !strcmp(line->words[n], items[p]->name);
-            snprintf(names + used, sizeof names - used, "%s%s", p ? ", " : "",
-                     items[p]->name);
-        }
-        if (!known)
-            return status_fail(why, STATUS_INPUT,
-                               "there is no benchmark '%s'; there are %s", line->words[n],
-                               names);
+    char names[256] = "";
+
+    for (int p = 0; items[p]; p++) {
+        const size_t used = strlen(names);
+        if (!strcmp(word, items[p]->name))
+            return STATUS_OK;
+        snprintf(names + used, sizeof names - used, "%s%s", p ? ", " : "", items[p]->name);
     }
-    return STATUS_OK;
+    return status_fail(why, STATUS_INPUT, "there is no benchmark '%s'; there are %s", word,
+                       names);
 }
 
 static enum status run(const struct command_line *line, struct message *why)
@@ -163,15 +157,16 @@ static enum status run(const struct command_line *line, struct message *why)
                       .models = command_value(line, "--models"),
                       .quick = command_given(line, "--quick")};
     char *path = NULL;
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(check_words(line, why));
+    for (int n = 0; n < line->word_count; n++)
+        TRY(check_word(line->words[n], why));
     if (word)
         TRY(table_format_parse(word, &b.format, why));
     if (from && out)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "--from reads result files and --out writes "
-                        "them; give one of the two"));
+        TRY(status_fail(
+            why, STATUS_INPUT,
+            "--from reads result files and --out writes them; give one of the two"));
     TRY(contestant_check(b.models, why));
     TRY(scene_file_find("edge_drop", &path, why));
     b.path = path;
@@ -191,8 +186,7 @@ out:
 static const struct command_option options[] = {
     {"--models", "NAME,NAME,...", false,
      "which models or contestants the timing table has (all\nthat enter it; clothbench "
-     "list "
-     "contestants)"},
+     "list contestants)"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false, "where every repeat is kept (results/bench)"},
     {"--from", "DIR", false, "print again what an earlier run kept"},

@@ -1,9 +1,69 @@
-/* bench.h - the command `bench`: speed, as times and as ratios to named baselines. */
+/* bench.h - the command `bench`: speed, as times and as ratios to named baselines. It is
+ * made of parts that are measured, kept in a folder and printed from there.
+ */
 #ifndef BENCH_H
 #define BENCH_H
 
+#include "bench/experiment/batch.h"
+#include "bench/speed/samples.h"
 #include "bench/ui/command.h"
+#include "bench/ui/table.h"
 
 extern const struct command bench_command;
+
+/* A run on edge_drop, with what to reach [ms] (0: no aim) and what others took for the same
+ * work, on another two-core machine: named, never in a ratio. */
+struct bench_row {
+    const char *title, *contestant;
+    const char *settings[4]; /* KEY=VALUE; NULL ends                                    */
+    double end; /* all frames up to it are timed [s]; 0: twenty, and the phases, apart  */
+    double frame, phase[3];
+    const char *elsewhere; /* NULL: nothing                                             */
+};
+
+struct bench {
+    const struct bench_part *part; /* at work                                           */
+    const char *folder, *path;     /* of its results; of edge_drop's scene file         */
+    const char *models;            /* as --models has them                              */
+    enum table_format format;
+    bool quick;
+    struct batch batch; /* the part's runs                                          */
+    struct run_result *result; /* [batch.count] of them, when it prints          owned */
+    struct samples samples; /* its other numbers                                        */
+};
+
+enum { BENCH_PART_RUNS = 64 };
+
+struct bench_part {
+    struct command_item item;
+    const char *caption, *note; /* of its table                                         */
+    int count;
+    const struct bench_row *rows; /* [count] its runs; or else:                          */
+    enum status (*plan)(struct bench *b, struct message *why);
+    enum status (*sample)(struct bench *b, struct message *why); /* NULL: nothing       */
+    enum status (*print)(const struct bench *b);
+};
+extern const struct bench_part bench_part_solids, bench_part_baselines, bench_part_levers,
+    bench_part_growth, bench_part_intersection, bench_part_projective, bench_part_nonlinear,
+    bench_part_swings, bench_part_contestants;
+
+/* Plans one more run. */
+enum status bench_part_add(struct bench *b, const struct bench_row *row,
+                           struct message *why);
+
+/* A row's cells of seconds: median, least, quartiles, how many repeats; what to reach, and
+ * whether the median does. */
+#define BENCH_PART_TIMES                                                                   \
+    {"median", "ms"}, {"min", "ms"}, {"lower", "ms"}, {"upper", "ms"},                     \
+    {                                                                                      \
+        "repeats"                                                                          \
+    }
+#define BENCH_PART_AIM                                                                     \
+    {"aim", "ms"},                                                                         \
+    {                                                                                      \
+        "reached", NULL, TABLE_LEFT                                                        \
+    }
+void bench_part_times(struct table *t, const struct clock_summary *s);
+void bench_part_aim(struct table *t, const struct clock_summary *s, double aim);
 
 #endif

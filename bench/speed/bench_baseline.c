@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "bench/experiment/bench_solid.h"
-#include "bench/speed/bench_part.h"
+#include "bench/speed/bench.h"
 
 /* A net's matrix, lower triangle by columns, and what the libraries make of it. */
 struct baseline {
@@ -228,9 +228,8 @@ static enum status print(const struct bench *b)
             ratio_cells(t, b, net, "solve", library[k]);
             table_integer(t, samples_of(&b->samples, net, "factor ours").count);
         }
-    table_note(t,
-               "CHOLMOD with its defaults, analysis not counted; LAPACK dpbtrf and dpbtrs "
-               "in natural order. Our factor includes filling in the numbers.");
+    table_note(t, "CHOLMOD with its defaults, analysis not counted; LAPACK dpbtrf and "
+                  "dpbtrs in natural order. Our factor includes filling in the numbers.");
     return table_finish(t, b->format, stdout);
 }
 

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "bench/speed/bench_part.h"
+#include "bench/speed/bench.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/intersection.h"
@@ -175,10 +175,10 @@ static enum status print(const struct bench *b)
         table_number(t, 1e3 * all, 3);
         table_number(t, all / tree.median, 3);
     }
-    table_note(t,
-               "Made surfaces. Every pair: %.0f tests, boxes of triangles first; the same "
-               "counts.",
-               samples_number(&b->samples, shapes[SHAPES - 1].name, "all tests"));
+    table_note(
+        t,
+        "Made surfaces. Every pair: %.0f tests, boxes of triangles first; the same counts.",
+        samples_number(&b->samples, shapes[SHAPES - 1].name, "all tests"));
     return table_finish(t, b->format, stdout);
 }
 

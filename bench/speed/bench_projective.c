@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bench/harness/timing.h"
-#include "bench/speed/bench_part.h"
+#include "bench/speed/bench.h"
 #include "models/reader/scene_file.h"
 #include "projective_dynamics/pd_motion.h"
 
@@ -155,9 +155,8 @@ static enum status print_frames(const struct bench *b)
         table_note(t, "%d points a side elsewhere, on another machine: %s.", nets[n].points,
                    nets[n].elsewhere);
     }
-    table_note(t,
-               "Constraints are edges or triangles, and rows of bending; bending about a "
-               "flat rest shape lies in the constant matrix and has no local step.");
+    table_note(t, "Constraints are edges or triangles, and rows of bending; bending about "
+                  "a flat rest shape lies in the constant matrix and has no local step.");
     return table_finish(t, b->format, stdout);
 }
 
@@ -299,11 +298,10 @@ static void approach_row(struct table *t, const struct bench *b, int points, boo
     if (!chebyshev)
         return;
     const double needed = samples_number(&b->samples, name, "needed");
-    table_note(t,
-               "%d points a side: radius %.6f; the end itself took %.0f plain "
-               "iterations%s.",
-               points, samples_number(&b->samples, name, "radius"), needed,
-               needed >= MOST ? ", and is not quite it" : "");
+    table_note(
+        t, "%d points a side: radius %.6f; the end itself took %.0f plain iterations%s.",
+        points, samples_number(&b->samples, name, "radius"), needed,
+        needed >= MOST ? ", and is not quite it" : "");
 }
 
 static enum status print_acceleration(const struct bench *b)

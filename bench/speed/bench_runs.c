@@ -4,7 +4,7 @@
 
 #include "bench/experiment/bench_solid.h"
 #include "bench/harness/fit.h"
-#include "bench/speed/bench_part.h"
+#include "bench/speed/bench.h"
 #include "bench/truth/paper.h"
 
 #define LEN(array) (sizeof array / sizeof *array)
@@ -125,10 +125,10 @@ const struct bench_part bench_part_solids = {
 const struct bench_part bench_part_nonlinear = {
     .item = {"nonlinear", "shell, springs and nonlinear solids over whole motions"},
     .caption = "Frames of the models that iterate, edge_drop to 0.4 s, undamped",
-    .note = "A repeat counts with its mean frame: frames differ, as iterations grow where "
-            "the sheet buckles. Elsewhere, on another machine: gsKLShell 10x10 118 ms "
-            "(p = 2) and 484 ms (p = 3) for one Newton iteration; the paper's shell 130 ms "
-            "a frame.",
+    .note =
+        "A repeat counts with its mean frame: frames differ, as iterations grow where the "
+        "sheet buckles. Elsewhere, on another machine: gsKLShell 10x10 118 ms (p = 2) and "
+        "484 ms (p = 3) for one Newton iteration; the paper's shell 130 ms a frame.",
     .count = LEN(motions),
     .rows = motions,
     .print = print_runs};
@@ -188,13 +188,12 @@ struct growth {
 
 static void note_growth(struct table *t, const struct growth *g)
 {
-    table_note(
-        t,
-        "K and M alone grow as unknowns^%.2f and as elements^%.2f: a net of n "
-        "points a side has (n - 2)^2 elements, so that elements per unknown more than "
-        "double from 5 to 20.",
-        fit_exponent(NETS, g->unknowns, g->assemble),
-        fit_exponent(NETS, g->elements, g->assemble));
+    table_note(t,
+               "K and M alone grow as unknowns^%.2f and as elements^%.2f: a net of n "
+               "points a side has (n - 2)^2 elements, so that elements per unknown more "
+               "than double from 5 to 20.",
+               fit_exponent(NETS, g->unknowns, g->assemble),
+               fit_exponent(NETS, g->elements, g->assemble));
     table_note(
         t,
         "Cost grows as unknowns^%.2f (aim 1.2 or less), as control points^%.2f; the "
@@ -245,3 +244,89 @@ const struct bench_part bench_part_growth = {
     .count = NETS,
     .rows = growing,
     .print = print_growth};
+
+/* --- contestants: the timing table of all that enter it, on edge_drop --------------------
+ */
+
+/* Ten points a side, unless it is never refined so. */
+static int usual_side(const struct contestant *c)
+{
+    for (int n = 0; n < CONTESTANT_STEPS; n++)
+        if (c->points[n] == 10)
+            return 10;
+    return c->points[0];
+}
+
+static enum status plan_contestants(struct bench *b, struct message *why)
+{
+    static const double end[] = {0.2};
+    enum status st = contestant_check(b->models, why);
+
+    for (const struct contestant *c = contestant_table; c->name && st == STATUS_OK; c++) {
+        if (!contestant_chosen(c, b->models, CONTESTANT_SPEED))
+            continue;
+        const char *damping = contestant_is_paper_scheme(c) ? NULL : UNDAMPED;
+        st = bench_part_add(
+            b, &(struct bench_row){c->title, c->name, {damping}, *end, 0, {0}, NULL}, why);
+        if (st != STATUS_OK)
+            break;
+        contestant_points(c, usual_side(c), usual_side(c), batch_settings(&b->batch));
+        b->batch.cases[b->batch.count - 1].keep.times = 1;
+        b->batch.cases[b->batch.count - 1].keep.time = end; /* the work up to there */
+    }
+    return st;
+}
+
+static void add_contestant(struct table *t, const struct contestant *c,
+                           const struct run_result *r)
+{
+    const bool ran = !run_result_refused(r);
+
+    table_row(t);
+    table_text(t, "%s", c->title);
+    table_text(t, "%s", c->name);
+    table_text(t, "%s", c->model->name);
+    table_text(t, "%dx%d", usual_side(c), usual_side(c));
+    table_fixed(t, ran ? r->unknowns : NAN, 0);
+    table_number(t, ran ? 1e3 * r->create.median : NAN, 3);
+    table_number(t, ran ? 1e3 * r->step.median : NAN, 3);
+    table_fixed(t, ran ? r->step.count : NAN, 0);
+    table_number(t,
+                 ran && r->work.iterations
+                     ? (double)r->work.iterations / (double)r->work.steps
+                     : NAN,
+                 3);
+    table_text(t, "%s", r->sentence.text);
+    if (r->outcome)
+        table_note(t, "%s: %s.", c->title, r->sentence.text);
+}
+
+static enum status print_contestants(const struct bench *b)
+{
+    static const struct table_column columns[] = {
+        {"model", NULL, TABLE_LEFT, .key = "title"},
+        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+        {"model", NULL, TABLE_LEFT, .readers = TABLE_MACHINES, .key = "model"},
+        {"net", NULL, TABLE_LEFT},
+        {"unknowns"},
+        {"set-up", "ms"},
+        {"a frame", "ms"},
+        {"repeats"},
+        {"iterations", "a frame", .key = "iterations_a_frame"},
+        {"outcome", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
+    struct table *t =
+        table_create(LEN(columns), columns,
+                     "A frame of each contestant, edge_drop to 0.2 s, one thread");
+
+    for (int n = 0; n < b->batch.count; n++)
+        add_contestant(t, b->batch.cases[n].plan.contestant, &b->result[n]);
+    table_note(t,
+               "Medians of the repeats; undamped, but for the paper's own scheme. "
+               "Iterations: Newton's, or local and global steps; none: one solve a frame.");
+    return table_finish(t, b->format, stdout);
+}
+
+const struct bench_part bench_part_contestants = {
+    .item = {"contestants", "set-up and a frame of each contestant on one scene"},
+    .plan = plan_contestants,
+    .print = print_contestants};

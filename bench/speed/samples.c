@@ -90,8 +90,7 @@ out:
     return st;
 }
 
-enum status samples_save(const struct samples *s, const char *folder, const char *name,
-                         struct message *why)
+enum status samples_save(const struct samples *s, const char *folder, struct message *why)
 {
     static const struct table_column columns[] = {
         {"case", NULL, TABLE_LEFT}, {"quantity", NULL, TABLE_LEFT}, {"value"}};
@@ -103,18 +102,17 @@ enum status samples_save(const struct samples *s, const char *folder, const char
         table_text(t, "%s", s->all[n].what);
         table_number(t, s->all[n].value, 17);
     }
-    const enum status st = s->status ? s->status : table_save(t, folder, name, why);
+    const enum status st = s->status ? s->status : table_save(t, folder, "samples", why);
     table_destroy(t);
     return st;
 }
 
-enum status samples_read(struct samples *s, const char *folder, const char *name,
-                         struct message *why)
+enum status samples_read(struct samples *s, const char *folder, struct message *why)
 {
     char path[4096], line[256], word[SAMPLES_NAME], what[SAMPLES_NAME];
     double value;
 
-    snprintf(path, sizeof path, "%s/%s.csv", folder, name);
+    snprintf(path, sizeof path, "%s/samples.csv", folder);
     FILE *file = fopen(path, "r");
     if (!file)
         return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));

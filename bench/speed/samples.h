@@ -42,11 +42,9 @@ struct samples_task {
 enum status samples_time(struct samples *s, bool quick, int count,
                          const struct samples_task *tasks);
 
-/* FOLDER/NAME.csv: case, quantity, value. STATUS_FILE, STATUS_MEMORY, STATUS_INPUT with a
- * sentence. */
-enum status samples_save(const struct samples *s, const char *folder, const char *name,
-                         struct message *why);
-enum status samples_read(struct samples *s, const char *folder, const char *name,
-                         struct message *why);
+/* FOLDER/samples.csv: case, quantity, value. STATUS_FILE, STATUS_MEMORY, STATUS_INPUT with
+ * a sentence. */
+enum status samples_save(const struct samples *s, const char *folder, struct message *why);
+enum status samples_read(struct samples *s, const char *folder, struct message *why);
 
 #endif

@@ -62,8 +62,7 @@ double table23_exponent(const struct table23 *t, int first, int count,
 /* How far the rebuilt sheet is from its obstacle when it was last looked at [m]; NaN. */
 double table23_gap(const struct table23 *t, int row);
 
-enum status table23_growth(const struct table23 *t, enum table_format format,
-                           FILE *file);                 /* table23_growth.c             */
-void table23_text(const struct table23 *t, FILE *file); /* table23_text.c               */
+/* What a reader should take away, in sentences from the numbers. */
+void table23_text(const struct table23 *t, FILE *file);
 
 #endif

@@ -263,6 +263,33 @@ void table4_column(const struct table4_data *d, int reading, int scene, int meas
         value[row] = d->run[reading][scene][row].result.value[measure];
 }
 
+static int agreement(int count, const double *value, const bool *yes, double low,
+                     double high)
+{
+    int agree = 0;
+
+    for (int n = 0; n < count; n++)
+        agree += (value[n] >= low && value[n] <= high) == yes[n];
+    return agree;
+}
+
+struct table4_interval table4_best(int count, const double *value, const bool *yes,
+                                   enum table4_bounds shape)
+{
+    struct table4_interval best = {INFINITY, -INFINITY, 0};
+
+    best.agree = agreement(count, value, yes, best.low, best.high);
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < count; j++) {
+            double low = shape == TABLE4_BELOW ? -INFINITY : value[i];
+            double high = shape == TABLE4_ABOVE ? INFINITY : value[j];
+            int agree = agreement(count, value, yes, low, high);
+            if (agree > best.agree)
+                best = (struct table4_interval){low, high, agree};
+        }
+    return best;
+}
+
 const char *table4_words(unsigned labels, char *text, int size)
 {
     size_t used = 0;

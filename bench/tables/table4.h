@@ -93,6 +93,21 @@ struct table4_agreement table4_agree(const struct table4_data *d, int reading, i
 void table4_column(const struct table4_data *d, int reading, int scene, int measure,
                    double value[PAPER_TABLE4_ROWS]);
 
+/* What a threshold can do at its best: how many of some yes-or-no answers a number alone
+ * reproduces, with the bounds chosen in hindsight. */
+struct table4_interval {
+    double low, high; /* yes inside, bounds included; -INFINITY, INFINITY: open         */
+    int agree;        /* answers reproduced                                             */
+};
+
+enum table4_bounds { TABLE4_ANY, TABLE4_ABOVE, TABLE4_BELOW };
+
+/* The first interval of a shape that reproduces most of yes[count]. The
+ * empty one ("always no", low > high) is among them. NaN lies in none. Bounds are values.
+ */
+struct table4_interval table4_best(int count, const double *value, const bool *yes,
+                                   enum table4_bounds shape);
+
 /* Labels in words, "-" for none, into text[size]; returns text. */
 const char *table4_words(unsigned labels, char *text, int size);
 

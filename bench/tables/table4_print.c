@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "bench/experiment/measurement.h"
-#include "bench/tables/interval.h"
 #include "bench/tables/table4.h"
 #include "bench/ui/chart.h"
 
@@ -136,10 +135,9 @@ static enum status print_agreement(const struct table4_data *d, enum table_forma
 
     for (int label = -1; label < PAPER_LABELS; label++)
         widen(&w, answer(label), COUNT(word), word);
-    struct table *t = table_create(
-        w.count, w.column,
-        "Agreement with the paper, of 18 rows (rows of the paper met / all it has, "
-        "+ rows only we have)");
+    struct table *t = table_create(w.count, w.column,
+                                   "Agreement with the paper, of 18 rows (rows of the "
+                                   "paper met / all it has, + rows only we have)");
     for (int r = 0; r < TABLE4_READINGS; r++) {
         if (r)
             table_rule(t);
@@ -171,17 +169,16 @@ static enum status print_agreement(const struct table4_data *d, enum table_forma
  * no is not the matter of one measure: stretch stands for all that grow with softness. */
 struct judge {
     int measure;
-    enum interval_shape shape;
+    enum table4_bounds shape;
 };
 static struct judge judge_of(const struct table4_data *d, int label)
 {
     for (int n = 0; n < d->rules.count && label >= 0; n++) {
         const struct verdict_rule *rule = &d->rules.rule[n];
         if (!strcmp(rule->label, paper_label[label]))
-            return (struct judge){rule->measure,
-                                  rule->above ? INTERVAL_ABOVE : INTERVAL_BELOW};
+            return (struct judge){rule->measure, rule->above ? TABLE4_ABOVE : TABLE4_BELOW};
     }
-    return (struct judge){MEASURE_STRETCH_MAX, INTERVAL_ANY};
+    return (struct judge){MEASURE_STRETCH_MAX, TABLE4_ANY};
 }
 
 static void best_cell(struct table *t, const struct table4_data *d, int scene,
@@ -190,7 +187,7 @@ static void best_cell(struct table *t, const struct table4_data *d, int scene,
     double value[PAPER_TABLE4_ROWS];
 
     table4_column(d, TABLE4_PRINTED, scene, judge.measure, value);
-    table_integer(t, interval_best(PAPER_TABLE4_ROWS, value, yes, judge.shape).agree);
+    table_integer(t, table4_best(PAPER_TABLE4_ROWS, value, yes, judge.shape).agree);
 }
 
 static enum status print_hindsight(const struct table4_data *d, enum table_format format,
@@ -204,7 +201,7 @@ static enum status print_hindsight(const struct table4_data *d, enum table_forma
                                                   {"our measure", NULL, TABLE_LEFT},
                                                   {"flag"},
                                                   {"edge_drop"}};
-    static const struct judge ratio = {MEASURE_YOUNG_OVER_DENSITY, INTERVAL_ANY};
+    static const struct judge ratio = {MEASURE_YOUNG_OVER_DENSITY, TABLE4_ANY};
     struct table *t = table_create(COUNT(columns), columns,
                                    "What the agreement is worth: rows of 18 that simpler "
                                    "answers get right, bounds chosen in hindsight");
@@ -221,16 +218,14 @@ static enum status print_hindsight(const struct table4_data *d, enum table_forma
         table_integer(t, count);
         table_integer(t, PAPER_TABLE4_ROWS - count);
         best_cell(t, d, TABLE4_FLAG, ratio, yes);
-        table_integer(t, interval_best(PAPER_TABLE4_ROWS, mu, yes, INTERVAL_ANY).agree);
+        table_integer(t, table4_best(PAPER_TABLE4_ROWS, mu, yes, TABLE4_ANY).agree);
         table_text(t, "%s%s", measure_name(judge.measure),
-                   judge.shape == INTERVAL_ANY ? ", two bounds" : "");
+                   judge.shape == TABLE4_ANY ? ", two bounds" : "");
         for (int s = 0; s < TABLE4_SCENES; s++)
             best_cell(t, d, s, judge, yes);
     }
-    table_note(
-        t,
-        "Our measure: the best that a threshold on it could do, printed scheme. Not used "
-        "anywhere: it shows what fitting would buy.");
+    table_note(t, "Our measure: the best that a threshold on it could do, printed scheme. "
+                  "Not used anywhere: it shows what fitting would buy.");
     return table_finish(t, format, file);
 }
 
@@ -241,10 +236,9 @@ static enum status print_whose(const struct table4_data *d, enum table_format fo
 
     for (int r = 0; r < TABLE4_READINGS; r++)
         widen(&w, table4_reading[r].name, TABLE4_SCENES, table4_scene);
-    struct table *t =
-        table_create(w.count, w.column,
-                     "Physics, or the scheme's? Rows of 18 that are called so, on flag and "
-                     "on edge_drop");
+    struct table *t = table_create(w.count, w.column,
+                                   "Physics, or the scheme's? Rows of 18 that are called "
+                                   "so, on flag and on edge_drop");
     for (int label = -1; label < PAPER_LABELS; label++) {
         bool yes[PAPER_TABLE4_ROWS];
         table_row(t);

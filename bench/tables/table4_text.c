@@ -3,7 +3,6 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "bench/tables/interval.h"
 #include "bench/tables/table4.h"
 
 enum { PRINTED = TABLE4_PRINTED, FLAG = TABLE4_FLAG, DROP = TABLE4_DROP };
@@ -45,32 +44,32 @@ static struct span span_of(const struct table4_data *d, int reading, int scene, 
 }
 
 /* Rows that two bounds on a measure of the printed scheme get right at best. */
-static struct interval best(const struct table4_data *d, int measure, int label)
+static struct table4_interval best(const struct table4_data *d, int measure, int label)
 {
     double value[ROWS];
     bool yes[ROWS];
 
     table4_column(d, PRINTED, FLAG, measure, value);
     table4_paper(label, yes);
-    return interval_best(ROWS, value, yes, INTERVAL_ANY);
+    return table4_best(ROWS, value, yes, TABLE4_ANY);
 }
 
 static void tell_yes_or_no(const struct table4_data *d, struct table *t)
 {
-    const struct interval ratio = best(d, MEASURE_YOUNG_OVER_DENSITY, -1);
+    const struct table4_interval ratio = best(d, MEASURE_YOUNG_OVER_DENSITY, -1);
     bool yes[ROWS];
 
     table_note(
         t,
-        "Yes or no: the printed scheme is judged as the paper judges it in %d of 18 "
-        "rows on flag and %d on edge_drop. That is weak evidence for anything: `no` "
-        "to every row is right in %d, and any number that grows with E/rho, whatever "
-        "it is, in %d, with two bounds chosen in hindsight (%.3g to %.3g m^2/s^2)%s.",
+        "Yes or no: the printed scheme is judged as the paper judges it in %d of 18 rows "
+        "on flag and %d on edge_drop. That is weak evidence for anything: `no` to every "
+        "row is right in %d, and any number that grows with E/rho, whatever it is, in %d, "
+        "with two bounds chosen in hindsight (%.3g to %.3g m^2/s^2)%s.",
         table4_agree(d, PRINTED, FLAG, -1).agree, table4_agree(d, PRINTED, DROP, -1).agree,
         ROWS - table4_paper(-1, yes), ratio.agree, ratio.low, ratio.high,
-        ratio.agree == ROWS ? ". The paper's yes or no is a function of E/rho, and mu "
-                              "plays no part in it"
-                            : "");
+        ratio.agree == ROWS
+            ? ". The paper's yes or no is a function of E/rho, and mu plays no part in it"
+            : "");
 }
 
 static void tell_one_number(const struct table4_data *d, struct table *t)
@@ -81,13 +80,12 @@ static void tell_one_number(const struct table4_data *d, struct table *t)
     for (int n = 0; n < TABLE4_SCALED; n++)
         same += !memcmp(d->scaled[n].value, d->run[PRINTED][FLAG][row[n]].result.value,
                         sizeof d->scaled[n].value);
-    table_note(
-        t,
-        "E and rho are one parameter: gravity is the only load, and so rho divides "
-        "out of the printed scheme. Rows %d, %d and %d with four times the E and four "
-        "times the rho gave the same numbers, bit for bit, in %d of %d runs%s.",
-        row[0] + 1, row[1] + 1, row[2] + 1, same, TABLE4_SCALED,
-        same == TABLE4_SCALED ? ": the motion depends on E/rho and mu alone" : "");
+    table_note(t,
+               "E and rho are one parameter: gravity is the only load, and so rho divides "
+               "out of the printed scheme. Rows %d, %d and %d with four times the E and "
+               "four times the rho gave the same numbers, bit for bit, in %d of %d runs%s.",
+               row[0] + 1, row[1] + 1, row[2] + 1, same, TABLE4_SCALED,
+               same == TABLE4_SCALED ? ": the motion depends on E/rho and mu alone" : "");
 }
 
 static void tell_crossings(const struct table4_data *d, struct table *t)
@@ -139,9 +137,8 @@ static void tell_deaths(const struct table4_data *d, struct table *t)
     table_note(
         t,
         "Chaos: blow-ups of the printed scheme:%s. The paper calls row 7 chaotic. On "
-        "edge_drop %d rows move faster than the sheet could by falling: under "
-        "v <- mu v the scheme falls with g (1 + mu) / 2 (1 - mu), which is 9.5 g at "
-        "mu = 0.9.",
+        "edge_drop %d rows move faster than the sheet could by falling: under v <- mu v "
+        "the scheme falls with g (1 + mu) / 2 (1 - mu), which is 9.5 g at mu = 0.9.",
         words, fast);
 }
 

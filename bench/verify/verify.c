@@ -6,11 +6,8 @@
 #include <string.h>
 
 #include "bench/files/folder.h"
-#include "bench/truth/truth_table.h"
 #include "bench/ui/progress.h"
-#include "bench/verify/verify_checks.h"
 #include "bench/verify/verify_file.h"
-#include "bench/verify/verify_print.h"
 
 enum { MOST_CHECKS = 64 };
 
@@ -104,23 +101,121 @@ out:
 
 static enum status run_check(struct job *job, int n, struct message *why)
 {
-    enum status st;
     const struct verify_check *check = job->check[n];
     struct verify_sheet *sheet = &job->sheet[n];
-    struct reference *table = NULL;
 
     if (job->read_only)
         return verify_file_read(check, job->folder, sheet, why);
     *sheet = (struct verify_sheet){.models = job->models, .quick = job->quick};
-    if (check->table)
-        TRY(truth_table_open(check->table, &table, why));
-    sheet->table = table;
-    TRY(check->run(sheet, why));
+    if (!check->table || verify_sheet_table(sheet, check->table))
+        check->run(sheet);
     if (sheet->status != STATUS_OK)
-        TRY(status_fail(why, sheet->status, "%s", sheet->why.text));
-    TRY(verify_file_write(check, sheet, job->folder, why));
+        return status_fail(why, sheet->status, "%s", sheet->why.text);
+    return verify_file_write(check, sheet, job->folder, why);
+}
+
+/* Whether an earlier row of the sheet has the same remark: one note does for all. */
+static bool told(const struct verify_sheet *sheet, int row)
+{
+    for (int n = 0; n < row; n++)
+        if (!strcmp(sheet->rows[n].note, sheet->rows[row].note) &&
+            !strcmp(sheet->rows[n].subject, sheet->rows[row].subject))
+            return true;
+    return false;
+}
+
+static enum status print_sheet(const struct verify_check *check,
+                               const struct verify_sheet *sheet, enum table_format format)
+{
+    const struct verify_row *row = sheet->rows;
+    char caption[512];
+
+    snprintf(caption, sizeof caption, "%s: %s", check->item.name, check->item.text);
+    struct table *t = verify_file_table(caption);
+    for (int n = 0; n < sheet->count; n++) {
+        if (n && strcmp(row[n].quantity, row[n - 1].quantity) &&
+            !strcmp(row[n].subject, row[0].subject))
+            table_rule(t);
+        verify_file_row(t, check, &row[n]);
+    }
+    table_note(t, "Truth: %s", check->source);
+    for (int n = 0; n < sheet->count; n++)
+        if (*row[n].note && !told(sheet, n))
+            table_note(t, "%s: %s.", row[n].subject, row[n].note);
+    return table_finish(t, format, stdout);
+}
+
+/* For machines: all rows in one table. */
+static enum status print_flat(const struct job *job)
+{
+    struct table *t = verify_file_table(NULL);
+
+    for (int s = 0; s < job->count; s++)
+        for (int n = 0; n < job->sheet[s].count; n++)
+            verify_file_row(t, job->check[s], &job->sheet[s].rows[n]);
+    return table_finish(t, job->format, stdout);
+}
+
+/* How many rows end how, and their seconds. */
+struct tally {
+    long rows[VERIFY_VERDICTS], all;
+    double seconds;
+};
+
+static void count_rows(const struct verify_sheet *sheet, struct tally *tally)
+{
+    for (int n = 0; n < sheet->count; n++, tally->all++) {
+        tally->rows[sheet->rows[n].verdict]++;
+        tally->seconds += sheet->rows[n].seconds;
+    }
+}
+
+static void add_tally(struct table *t, const char *name, const struct tally *tally)
+{
+    table_row(t);
+    table_text(t, "%s", name);
+    for (int v = 0; v < VERIFY_VERDICTS; v++)
+        table_integer(t, tally->rows[v]);
+    table_integer(t, tally->all);
+    table_number(t, tally->seconds, 2);
+}
+
+static enum status print_summary(const struct job *job)
+{
+    struct table_column heads[VERIFY_VERDICTS + 3] = {{"check", NULL, TABLE_LEFT}};
+    struct tally sum = {{0}};
+
+    for (int v = 0; v < VERIFY_VERDICTS; v++)
+        heads[v + 1] = (struct table_column){verify_verdict_name(v)};
+    heads[VERIFY_VERDICTS + 1] = (struct table_column){"rows"};
+    heads[VERIFY_VERDICTS + 2] = (struct table_column){"time", "s"};
+    struct table *t = table_create(VERIFY_VERDICTS + 3, heads, "How many rows end how");
+    for (int s = 0; s < job->count; s++) {
+        struct tally one = {{0}};
+        count_rows(&job->sheet[s], &one);
+        count_rows(&job->sheet[s], &sum);
+        add_tally(t, job->check[s]->item.name, &one);
+    }
+    table_rule(t);
+    add_tally(t, "all", &sum);
+    table_note(t, "met: error <= tolerance + error bar. A tolerance is a claim, fixed with "
+                  "its reason before the first result; where nothing is claimed, the error "
+                  "is measured all the same. The command fails if a claim is missed, or "
+                  "dies.");
+    return table_finish(t, job->format, stdout);
+}
+
+/* Tables of all checks, and below them how many rows of each end how. CSV: one table. */
+static enum status print(const struct job *job)
+{
+    enum status st = STATUS_OK;
+
+    if (!table_format_is_prose(job->format))
+        return print_flat(job);
+    for (int s = 0; s < job->count; s++)
+        TRY(print_sheet(job->check[s], &job->sheet[s], job->format));
+    TRY(print_summary(job));
 out:
-    reference_close(table);
     return st;
 }
 
@@ -161,7 +256,7 @@ static enum status run(const struct command_line *line, struct message *why)
         TRY(run_check(job, n, why));
     }
     progress_end(&progress);
-    TRY(verify_print(job->count, job->check, job->sheet, job->format, stdout));
+    TRY(print(job));
     TRY(tell_failures(job, why));
 out:
     progress_end(&progress);

@@ -1,4 +1,4 @@
-#include "bench/verify/verify_checks.h"
+#include "bench/verify/verify_check.h"
 
 /* Statics first, then motions, frequencies, and what outside programs computed. */
 #define STATICS(X)                                                                         \

@@ -5,7 +5,6 @@
 #ifndef VERIFY_REFINE_H
 #define VERIFY_REFINE_H
 
-#include "bench/verify/verify_sheet.h"
 #include "bench/verify/verify_trial.h"
 
 enum { VERIFY_REFINE_STEPS = 3 };
@@ -31,10 +30,9 @@ struct verify_refine {
 };
 
 /* Adds the rows, `quantity` their name: the error of the finest run, judged, and, with
- * several steps, what the last halving changed, not judged. *lived is false if that run
- * did not get to its end. */
-enum status verify_refine(struct verify_sheet *sheet, const struct verify_subject *subject,
-                          const struct verify_refine *r, const char *quantity, bool *lived,
-                          struct message *why);
+ * several steps, what the last halving changed, not judged. Whether that run got to its
+ * end. */
+bool verify_refine(struct verify_sheet *sheet, const struct verify_subject *subject,
+                   const struct verify_refine *r, const char *quantity);
 
 #endif

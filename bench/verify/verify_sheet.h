@@ -8,15 +8,22 @@
 
 struct verify_sheet {
     const char *models; /* of --models; NULL: all                             borrowed */
-    const struct reference *table; /* of the truth; NULL: the check has none borrowed */
+    struct reference *table; /* the last that was asked for; NULL: none       owned    */
     bool quick; /* a check may leave out the dear half of its rows             */
     int count, room;
     struct verify_row *rows; /* [count]                                       owned    */
     struct verify_row spare; /* where rows go when memory is out                       */
-    enum status status;      /* not STATUS_OK: something failed on the way             */
-    struct message why;
+    enum status status;      /* not STATUS_OK: something failed on the way, and why:   */
+    struct message why;      /* walks end then, and runs do not begin                  */
 };
 void verify_sheet_clear(struct verify_sheet *sheet); /* all-zero is allowed */
+
+/* Keeps the status of what had sheet->why for its sentence; whether nothing failed so far:
+ *     if (verify_sheet_holds(sheet, truth_plate_init(.., &sheet->why))) */
+bool verify_sheet_holds(struct verify_sheet *sheet, enum status st);
+
+/* Opens a truth's table (truth_table.h) in place of the last one; whether it is there. */
+bool verify_sheet_table(struct verify_sheet *sheet, const char *name);
 
 /* Walks a field as --models asks for it: its entries, then the others that enter. *n
  * begins at 0.

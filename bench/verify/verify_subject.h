@@ -23,6 +23,10 @@ struct verify_entry {
     bool mark;                             /* as the check uses it                        */
 };
 
+/* Those that differ in what frees them of locking, which rigid motion does not ask for. */
+#define VERIFY_REMEDIES                                                                    \
+    "iga_nonlinear_3,iga_reduced,iga_reduced_3,iga_selective,hex_incompatible,shell_3"
+
 /* Whom a check judges. */
 struct verify_field {
     const struct verify_entry *entry; /* contestant NULL ends; in this order              */
@@ -56,6 +60,9 @@ struct verify_subject verify_subject_of(const struct verify_field *field,
 /* Two nets of as many points along as across; the last `count` nets alone. */
 void verify_subject_square(struct verify_subject *s, int coarse, int fine);
 void verify_subject_last(struct verify_subject *s, int count);
+
+/* Another claim, where there is one; its reason, or NULL. */
+void verify_subject_claim(struct verify_subject *s, double tolerance, const char *reason);
 
 /* "IGA, reduced, 10x10x2, graded", with the finest net. */
 void verify_subject_title(const struct verify_subject *s, char text[VERIFY_SUBJECT_TEXT]);

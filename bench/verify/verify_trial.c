@@ -1,16 +1,29 @@
 #include "bench/verify/verify_trial.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "models/clock.h"
 #include "models/reader/scene_file.h"
 
-/* What a model's status means for the row; an error if it is neither a refusal nor a death.
- */
-static enum status tell(struct verify_trial *t, enum status st,
-                        const struct message *sentence, struct message *why)
+struct verify_trial verify_trial_of(struct verify_sheet *sheet,
+                                    const struct verify_subject *subject, const char *scene,
+                                    const char *quantity, ...)
+{
+    char text[VERIFY_TEXT];
+    va_list arguments;
+
+    va_start(arguments, quantity);
+    vsnprintf(text, sizeof text, quantity, arguments);
+    va_end(arguments);
+    return (struct verify_trial){sheet, verify_sheet_add(sheet, subject, "%s", text),
+                                 subject, scene};
+}
+
+/* A refusal and a death are the row's, anything else is the sheet's. */
+static bool tell(struct verify_trial *t, enum status st, const struct message *sentence)
 {
     t->lived = st == STATUS_OK;
     if (st == STATUS_UNSUPPORTED)
@@ -19,30 +32,29 @@ static enum status tell(struct verify_trial *t, enum status st,
         verify_row_end(t->row, VERIFY_DIED, "%s",
                        *sentence->text ? sentence->text : status_text(st));
     else if (st != STATUS_OK)
-        return status_fail(why, st, "%s: %s", t->subject->contestant->title,
-                           sentence->text);
-    return STATUS_OK;
+        verify_sheet_holds(t->sheet,
+                           status_fail(&t->sheet->why, st, "%s: %s",
+                                       t->subject->contestant->title, sentence->text));
+    return t->lived;
 }
 
 enum status verify_trial_scene(const char *name, struct scene *scene, struct message *why)
 {
     enum status st;
-    struct discretization unused = {0};
     char *path = NULL;
 
     TRY(scene_file_find(name, &path, why));
-    TRY(scene_file_read(path, 0, NULL, scene, &unused, why));
+    TRY(settings_read_scene(&(struct settings){0}, path, scene, why));
 out:
-    discretization_clear(&unused);
     free(path);
     return st;
 }
 
-enum status verify_trial_open(struct verify_trial *t, struct message *why)
+bool verify_trial_open(struct verify_trial *t)
 {
     enum status st;
     char *path = NULL;
-    struct message sentence = {""};
+    struct message sentence = {""}, *why = &t->sheet->why;
 
     t->lived = false;
     verify_subject_settings(t->subject, t->net, &t->settings);
@@ -50,104 +62,78 @@ enum status verify_trial_open(struct verify_trial *t, struct message *why)
     TRY(run_read(&t->run,
                  &(struct run_plan){path, t->subject->contestant, &t->settings, t->end},
                  why));
-    st = run_build(&t->run, &sentence);
+    enum status built = run_build(&t->run, &sentence);
     t->row->seconds += t->run.create_seconds;
-    if (st == STATUS_INPUT && isnan(t->row->tolerance))
-        st = STATUS_UNSUPPORTED; /* one that the check does not know has no such net */
-    TRY(tell(t, st, &sentence, why));
+    if (built == STATUS_INPUT && isnan(t->row->tolerance))
+        built = STATUS_UNSUPPORTED; /* one that the check does not know has no such net */
+    tell(t, built, &sentence);
 out:
+    verify_sheet_holds(t->sheet, st);
     settings_clear(&t->settings);
     free(path);
-    return st;
+    return t->lived;
 }
 
-void verify_trial_close(struct verify_trial *t)
+bool verify_trial_settle(struct verify_trial *t)
 {
-    run_close(&t->run);
-}
-
-enum status verify_trial_settle(struct verify_trial *t, struct message *why)
-{
-    enum status st;
     struct counters work = {0};
     struct message sentence = {""};
 
-    TRY(verify_trial_open(t, why));
-    if (!t->lived)
-        goto out;
+    if (!verify_trial_open(t))
+        return false;
     const double start = clock_now();
-    st = run_settle(&t->run, &work, &sentence);
+    const enum status st = run_settle(&t->run, &work, &sentence);
     t->row->seconds += clock_now() - start;
-    TRY(tell(t, st, &sentence, why));
-out:
-    return st;
+    return tell(t, st, &sentence);
 }
 
-enum status verify_trial_equilibrium(struct verify_trial *t, int n, const double *uvw,
-                                     double *xyz, struct message *why)
+bool verify_trial_equilibrium(struct verify_trial *t, int n, const double *uvw, double *xyz)
 {
-    const enum status st = verify_trial_settle(t, why);
-
-    if (t->lived)
+    if (verify_trial_settle(t))
         t->run.model->probe(t->run.state, n, uvw, xyz);
-    verify_trial_close(t);
-    return st;
+    run_close(&t->run);
+    return t->lived;
 }
 
-/* Modes of what open() leaves. */
-static enum status find_modes(struct verify_trial *t,
-                              enum status (*open)(struct verify_trial *, struct message *),
-                              int count, double *omega, struct message *why)
+bool verify_trial_tip(struct verify_trial *t, double xyz[3])
 {
-    enum status st;
+    return verify_trial_equilibrium(t, 1, (double[]){1, 0.5, 0.5}, xyz);
+}
+
+bool verify_trial_modes(struct verify_trial *t, bool settled, int count, double *omega)
+{
     struct message sentence = {""};
 
-    TRY(open(t, why));
-    if (!t->lived)
-        goto out;
-    const double start = clock_now();
-    st = run_modes(&t->run, count, omega, &sentence);
-    t->row->seconds += clock_now() - start;
-    TRY(tell(t, st, &sentence, why));
-out:
-    verify_trial_close(t);
-    return st;
+    if (settled ? verify_trial_settle(t) : verify_trial_open(t)) {
+        const double start = clock_now();
+        const enum status st = run_modes(&t->run, count, omega, &sentence);
+        t->row->seconds += clock_now() - start;
+        tell(t, st, &sentence);
+    }
+    run_close(&t->run);
+    return t->lived;
 }
 
-enum status verify_trial_modes(struct verify_trial *t, int count, double *omega,
-                               struct message *why)
+bool verify_trial_watch(struct verify_trial *t, motion_watcher *watch, void *context)
 {
-    return find_modes(t, verify_trial_open, count, omega, why);
-}
-
-enum status verify_trial_settled_modes(struct verify_trial *t, int count, double *omega,
-                                       struct message *why)
-{
-    return find_modes(t, verify_trial_settle, count, omega, why);
-}
-
-enum status verify_trial_watch(struct verify_trial *t, motion_watcher *watch, void *context,
-                               struct message *why)
-{
-    enum status st;
+    enum status st = STATUS_OK;
     struct motion m = {0};
 
-    TRY(verify_trial_open(t, why));
-    if (!t->lived)
+    if (!verify_trial_open(t))
         goto out;
     TRY(motion_init(&m, t->run.model, &t->run.scene, t->run.state));
-    TRY(motion_run(&m, watch, context, true, why));
+    TRY(motion_run(&m, watch, context, true, &t->sheet->why));
     for (int i = 0; i < m.steps; i++)
         t->row->seconds += m.seconds[i];
-    if (m.death != STATUS_OK) {
+    if (m.death != STATUS_OK)
         verify_row_end(t->row, VERIFY_DIED, "at %g s: %s", m.death_time,
                        status_text(m.death));
-        t->lived = false;
-    }
+    t->lived = m.death == STATUS_OK;
 out:
+    t->lived &= verify_sheet_holds(t->sheet, st);
     motion_clear(&m);
-    verify_trial_close(t);
-    return st;
+    run_close(&t->run);
+    return t->lived;
 }
 
 /* Keeps the points at the times that are wanted. */
@@ -169,25 +155,24 @@ static enum status keep(void *context, const struct motion *m, struct message *w
     return STATUS_OK;
 }
 
-enum status verify_trial_motion(struct verify_trial *t, int times, const double *time,
-                                int n, const double *uvw, double *xyz, struct message *why)
+bool verify_trial_motion(struct verify_trial *t, int times, const double *time, int n,
+                         const double *uvw, double *xyz)
 {
     struct keeper k = {.times = times, .n = n, .time = time, .uvw = uvw, .xyz = xyz};
 
     t->end = time[times - 1];
-    return verify_trial_watch(t, keep, &k, why);
+    return verify_trial_watch(t, keep, &k);
 }
 
-enum status verify_trial_nets(struct verify_trial *t, verify_trial_measure *measure,
-                              void *context, double truth, double bar, struct message *why)
+bool verify_trial_nets(struct verify_trial *t, verify_trial_measure *measure, void *context,
+                       double truth, double bar)
 {
-    enum status st = STATUS_OK;
     double value = NAN, error[VERIFY_NETS];
 
     for (t->net = 0; t->net < t->subject->nets; t->net++) {
-        TRY(measure(t, context, &value, why));
+        value = measure(t, context);
         if (!t->lived)
-            goto out;
+            return false;
         error[t->net] = isnan(truth) ? value : fabs(value - truth) / fabs(truth);
     }
     if (isnan(truth))
@@ -195,6 +180,5 @@ enum status verify_trial_nets(struct verify_trial *t, verify_trial_measure *meas
     else
         verify_row_judge(t->row, value, truth, bar);
     t->row->order = verify_subject_order(t->subject, error, bar);
-out:
-    return st;
+    return true;
 }

@@ -27,6 +27,9 @@ struct verify_entry {
 #define VERIFY_REMEDIES                                                                    \
     "iga_nonlinear_3,iga_reduced,iga_reduced_3,iga_selective,hex_incompatible,shell_3"
 
+/* The same but for the cured in their own nets, and those that only lock. */
+#define VERIFY_LOCKED "iga_nonlinear_3,iga_reduced_3,iga_selective,hex_nonlinear"
+
 /* Whom a check judges. */
 struct verify_field {
     const struct verify_entry *entry; /* contestant NULL ends; in this order              */

@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "bench/truth/truth_plate.h"
-#include "bench/truth/truth_table.h"
 #include "bench/verify/checks/verify_plates.h"
 
 /* Weight small enough that every model's answer is that of linear theory: slopes of 1e-3
@@ -90,82 +89,47 @@ static void run_kirchhoff(struct verify_sheet *sheet, double nu)
 
 /* --- Three-dimensional elasticity: stored fields of FreeFEM. */
 
-enum { FIELD_POINTS = 144 };
-
-struct field {
-    double thickness, young, poisson, density, gravity;
-    double error; /* rms [m]                                                            */
-    int count;
-    double uvw[FIELD_POINTS][3], shift[FIELD_POINTS][3]; /* [1], [m]                   */
-    double rms;                                          /* of the shifts           [m] */
-};
-
-static bool read_field(struct verify_sheet *sheet, const char *name, struct field *f)
+static double rms(double sum)
 {
-    static const char *const column[] = {"dx", "dy", "dz"};
-    double sum = 0;
-
-    if (!verify_sheet_table(sheet, name))
-        return false;
-    const struct reference *table = sheet->table;
-    *f = (struct field){.thickness = truth_table_note(table, "thickness"),
-                        .young = truth_table_note(table, "young"),
-                        .poisson = truth_table_note(table, "poisson"),
-                        .density = truth_table_note(table, "density"),
-                        .gravity = truth_table_note(table, "gravity"),
-                        .error = truth_table_note(table, "mesh_error_m")};
-    for (int n = 0; n < reference_rows(table) && n < FIELD_POINTS; n++, f->count++) {
-        f->uvw[n][0] = reference_number(table, n, "u");
-        f->uvw[n][1] = reference_number(table, n, "v");
-        f->uvw[n][2] = 0.5;
-        for (int i = 0; i < 3; i++) {
-            f->shift[n][i] = reference_number(table, n, column[i]);
-            sum += f->shift[n][i] * f->shift[n][i];
-        }
-    }
-    f->rms = sqrt(sum / f->count);
-    return true;
+    return sqrt(sum / VERIFY_PLATES_POINTS);
 }
 
 /* rms of the difference of one net's field, of the rms of the truth's. The load is that of
  * gamma_of, the shifts are scaled back. */
 static double measure_field(struct verify_trial *t, void *context)
 {
-    const struct field *f = context;
-    const double h = f->thickness;
-    const double scale = f->density * f->gravity * 12 * (1 - f->poisson * f->poisson) /
-                         (f->young * h * h) / gamma_of(h);
-    double sum = 0, xyz[FIELD_POINTS][3] = {{0}};
+    const struct freefem_field *f = context;
+    const struct reference *table = t->sheet->table;
+    const double h = truth_table_note(table, "thickness");
+    const double nu = truth_table_note(table, "poisson");
+    const double gravity = truth_table_note(table, "gravity");
+    const double scale = truth_table_note(table, "density") * gravity * 12 * (1 - nu * nu) /
+                         (truth_table_note(table, "young") * h * h) / gamma_of(h);
+    double uvw[VERIFY_PLATES_POINTS][3], xyz[VERIFY_PLATES_POINTS][3] = {{0}};
 
-    settings_number(&t->settings, "sheet.thickness", h);
-    settings_number(&t->settings, "material.young", f->young);
-    settings_number(&t->settings, "material.poisson", f->poisson);
-    settings_number(&t->settings, "material.density", f->density);
-    settings_numbers(&t->settings, "gravity", 3, (double[]){0, 0, -f->gravity / scale});
-    verify_trial_equilibrium(t, f->count, f->uvw[0], xyz[0]);
-    for (int k = 0; k < f->count; k++)
-        for (int i = 0; i < 3; i++) {
-            double rest = i < 2 ? f->uvw[k][i] : 0;
-            double apart = (xyz[k][i] - rest) * scale - f->shift[k][i];
-            sum += apart * apart;
-        }
-    return sqrt(sum / f->count) / f->rms;
+    verify_plates_points(uvw);
+    verify_plates_physics(t->sheet, &t->settings);
+    settings_numbers(&t->settings, "gravity", 3, (double[]){0, 0, -gravity / scale});
+    verify_trial_equilibrium(t, VERIFY_PLATES_POINTS, uvw[0], xyz[0]);
+    return rms(verify_plates_apart(f, 0, xyz, scale)) / rms(verify_plates_moved(f, 0));
 }
 
 static void add_field(struct verify_sheet *sheet, const struct verify_subject *s,
-                      struct field *f)
+                      struct freefem_field *f)
 {
+    const double h = truth_table_note(sheet->table, "thickness");
     struct verify_trial t =
-        verify_trial_of(sheet, s, "cantilever", "field by FreeFEM, h/L = %g, nu = %g",
-                        f->thickness, f->poisson);
+        verify_trial_of(sheet, s, "cantilever", "field by FreeFEM, h/L = %g, nu = %g", h,
+                        truth_table_note(sheet->table, "poisson"));
 
-    if (!verify_trial_nets(&t, measure_field, f, NAN, f->error / f->rms))
+    if (!verify_trial_nets(&t, measure_field, f, NAN,
+                           f->error[0] / rms(verify_plates_moved(f, 0))))
         return;
     if (t.row->verdict == VERIFY_MISSED && s->layers == 2)
         verify_row_note(t.row,
                         "one layer in plane stress thins at the clamp, over a width h, "
                         "where a solid cannot: no net mends that");
-    if (!s->layers && f->thickness >= THICK)
+    if (!s->layers && h >= THICK)
         verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "a theory of thin sheets");
 }
 
@@ -176,11 +140,12 @@ static void run(struct verify_sheet *sheet)
         "freefem_static_h10mm", "freefem_static_h100mm_nu00", "freefem_static_h100mm_nu03",
         "freefem_static_h100mm_nu049"};
     struct verify_subject s;
-    struct field f;
+    struct freefem_field f;
 
     for (int n = 0; n < (sheet->quick ? 1 : 3); n++)
         run_kirchhoff(sheet, nus[n]);
-    for (int n = 0; n < (sheet->quick ? 2 : 4) && read_field(sheet, names[n], &f); n++)
+    for (int n = 0; n < (sheet->quick ? 2 : 4) && verify_plates_read(sheet, names[n], &f);
+         n++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
             add_field(sheet, &s, &f);
 }

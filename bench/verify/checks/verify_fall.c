@@ -81,7 +81,6 @@ static void add_fall(struct verify_sheet *sheet, struct verify_subject *s,
                               .n = POINTS,
                               .uvw = uvw[0],
                               .truth = truth[0],
-                              .bar = 0,
                               .measure = deviation,
                               .context = &way};
 

@@ -17,14 +17,10 @@
 static const double ZERO = 1e-11;
 static const double LENGTH = 1.1, WIDTH = 0.7, THICKNESS = 0.05;
 static const double YOUNG = 3, POISSON = 0.3, DENSITY = 1.7;
-static const char *const box_settings[] = {"sheet.length=1.1",
-                                           "sheet.width=0.7",
-                                           "sheet.thickness=0.05",
-                                           "material.young=3",
-                                           "material.poisson=0.3",
-                                           "material.density=1.7",
-                                           NULL};
-enum { BOX = sizeof box_settings / sizeof *box_settings, SHAPE = 4 };
+static const char *const box_settings[] = {
+    "sheet={length: 1.1, width: 0.7, thickness: 0.05}", "material.young=3",
+    "material.poisson=0.3", "material.density=1.7", NULL};
+enum { BOX = sizeof box_settings / sizeof *box_settings, SHAPE = 2 };
 
 /* Degrees are in the settings, and in the title. Marked: its stiffness is not that of the
  * full rule, on purpose. */

@@ -5,26 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "bench/truth/truth_table.h"
-#include "bench/verify/verify_check.h"
-#include "fem_ref/freefem.h"
-
-/* The physics that a file's notes tell. */
-static void add_physics(const struct verify_sheet *sheet, struct settings *all)
-{
-    const struct reference *table = sheet->table;
-    static const char *const key[][2] = {
-        {"length", "sheet.length"},      {"width", "sheet.width"},
-        {"young", "material.young"},     {"poisson", "material.poisson"},
-        {"density", "material.density"}, {"thickness", "sheet.thickness"}};
-
-    for (int n = 0; n < (int)(sizeof key / sizeof *key); n++)
-        if (reference_note(table, key[n][0]))
-            settings_number(all, key[n][1], truth_table_note(table, key[n][0]));
-    if (reference_note(table, "gravity"))
-        settings_numbers(all, "gravity", 3,
-                         (double[]){0, 0, -truth_table_note(table, "gravity")});
-}
+#include "bench/verify/checks/verify_plates.h"
 
 /* ------------------------------------------------------------------ matrices -------- */
 
@@ -73,7 +54,7 @@ static void add_block(struct verify_sheet *sheet, const struct verify_subject *s
     struct verify_trial t =
         verify_trial_of(sheet, s, "cantilever", "stiffness matrix of a block, CalculiX");
 
-    add_physics(sheet, &t.settings);
+    verify_plates_physics(sheet, &t.settings);
     if (verify_trial_open(&t) &&
         verify_sheet_holds(sheet, t.run.model->matrices(t.run.state, &K, &M))) {
         verify_row_judge_error(t.row, matrix_error(&K, table, "stiffness"), DIGITS);
@@ -110,7 +91,7 @@ static void add_tip(struct verify_sheet *sheet, const struct verify_subject *s, 
                                             "tip [m] by C3D8I, h/L = %g, %s", h, column[0]);
 
     settings_number(&t.settings, "sheet.thickness", h);
-    add_physics(sheet, &t.settings);
+    verify_plates_physics(sheet, &t.settings);
     verify_trial_equilibrium(&t, 2, uvw[0], xyz[0]);
     for (int k = 0; k < 2 && t.lived; k++) {
         if (k == 1)
@@ -170,7 +151,7 @@ static void add_swing(struct verify_sheet *sheet, const struct verify_subject *s
 
     read_swing(sheet->table, time, truth);
     settings_set(&t.settings, "time.step=0.005");
-    add_physics(sheet, &t.settings);
+    verify_plates_physics(sheet, &t.settings);
     if (!verify_trial_motion(&t, TIMES, time, POINTS, uvw[0], xyz[0]))
         return;
     for (int n = 0; n < TIMES * POINTS; n++)
@@ -202,26 +183,19 @@ static const struct verify_field plate_field = {
     {35},
     {19}};
 
-enum { SIDE = FREEFEM_SIDE, PLATE_POINTS = SIDE * SIDE };
-
 /* Largest rms difference at one of the times, of the rms of the field; *bar: its error. */
-static double plate_error(const struct freefem_field *f, const double (*uvw)[3],
-                          const double (*xyz)[3], double *bar)
+static double plate_error(const struct freefem_field *f, const double (*xyz)[3],
+                          double *bar)
 {
     double worst = -1;
 
     for (int t = 0; t < f->times; t++) {
-        const double *shift = f->shift[t][0][0];
-        double far = 0, moved = 0;
-        for (int n = 0; n < PLATE_POINTS; n++)
-            for (int i = 0; i < 3; i++) {
-                double x = xyz[t * PLATE_POINTS + n][i] - (i < 2 ? uvw[n][i] : 0);
-                far += pow(x - shift[3 * n + i], 2);
-                moved += pow(shift[3 * n + i], 2);
-            }
-        if (verify_row_worse(sqrt(far / moved), worst) != worst)
-            *bar = f->error[t] / sqrt(moved / PLATE_POINTS);
-        worst = verify_row_worse(sqrt(far / moved), worst);
+        const double moved = verify_plates_moved(f, t);
+        const double error =
+            sqrt(verify_plates_apart(f, t, xyz + t * VERIFY_PLATES_POINTS, 1) / moved);
+        if (verify_row_worse(error, worst) != worst)
+            *bar = f->error[t] / sqrt(moved / VERIFY_PLATES_POINTS);
+        worst = verify_row_worse(error, worst);
     }
     return worst;
 }
@@ -229,44 +203,21 @@ static double plate_error(const struct freefem_field *f, const double (*uvw)[3],
 static void add_plate(struct verify_sheet *sheet, const struct verify_subject *s,
                       const struct freefem_field *f)
 {
-    double uvw[PLATE_POINTS][3], bar = NAN;
-    double(*xyz)[3] = calloc((size_t)f->times * PLATE_POINTS, sizeof *xyz);
+    double uvw[VERIFY_PLATES_POINTS][3], bar = NAN;
+    double(*xyz)[3] = calloc((size_t)f->times * VERIFY_PLATES_POINTS, sizeof *xyz);
     struct verify_trial t = verify_trial_of(sheet, s, "cantilever_transient",
                                             "let go, field by FreeFEM to 0.4 s, h/L = %g",
                                             truth_table_note(sheet->table, "thickness"));
 
-    for (int n = 0; n < PLATE_POINTS; n++) {
-        uvw[n][0] = n % SIDE / (SIDE - 1.0), uvw[n][1] = n / SIDE / (SIDE - 1.0);
-        uvw[n][2] = 0.5;
-    }
+    verify_plates_points(uvw);
     settings_set(&t.settings, "time.step=0.00125");
-    add_physics(sheet, &t.settings);
+    verify_plates_physics(sheet, &t.settings);
     if (verify_sheet_holds(sheet, xyz ? STATUS_OK : STATUS_MEMORY) &&
-        verify_trial_motion(&t, f->times, f->time, PLATE_POINTS, uvw[0], xyz[0])) {
-        double error = plate_error(f, uvw, xyz, &bar);
+        verify_trial_motion(&t, f->times, f->time, VERIFY_PLATES_POINTS, uvw[0], xyz[0])) {
+        double error = plate_error(f, xyz, &bar);
         verify_row_judge_error(t.row, error, bar);
     }
     free(xyz);
-}
-
-/* The field that FreeFEM left in the sheet's table, for the physics that its notes tell. */
-static enum status read_plates(const struct reference *table, const char *name,
-                               struct freefem_field *f, struct message *why)
-{
-    enum status st;
-    char *path = NULL;
-    const struct freefem_job job = {.thickness = truth_table_note(table, "thickness"),
-                                    .young = truth_table_note(table, "young"),
-                                    .poisson = truth_table_note(table, "poisson"),
-                                    .density = truth_table_note(table, "density"),
-                                    .gravity = truth_table_note(table, "gravity"),
-                                    .steps = (int)truth_table_note(table, "steps")};
-
-    TRY(truth_table_path(name, &path, why));
-    TRY(freefem_stored(&job, path, f, why));
-out:
-    free(path);
-    return st;
 }
 
 static void run_plates(struct verify_sheet *sheet, const char *name)
@@ -275,8 +226,7 @@ static void run_plates(struct verify_sheet *sheet, const char *name)
     struct freefem_field *f = malloc(sizeof *f);
 
     if (verify_sheet_holds(sheet, f ? STATUS_OK : STATUS_MEMORY) &&
-        verify_sheet_table(sheet, name) &&
-        verify_sheet_holds(sheet, read_plates(sheet->table, name, f, &sheet->why)))
+        verify_plates_read(sheet, name, f))
         for (int n = 0; verify_sheet_next(sheet, &plate_field, &n, &s);)
             add_plate(sheet, &s, f);
     free(f);

@@ -27,7 +27,7 @@ static void check_verdicts(void)
 
     CHECK(verify_sheet_next(&sheet, &field, &n, &claimed));
     CHECK(verify_sheet_next(&sheet, &field, &n, &unclaimed));
-    struct verify_row *row = verify_sheet_add(&sheet, &claimed, "tip %d", 1);
+    struct verify_row *row = verify_sheet_add(&claimed, "tip %d", 1);
 
     CHECK(row->verdict == VERIFY_NOT_APPLICABLE && !verify_row_failed(row));
     verify_row_judge(row, 1.011, 1, 0.002);
@@ -45,7 +45,7 @@ static void check_verdicts(void)
     CHECK(verify_row_failed(row));
     CHECK(!strcmp(row->note, "asked; beyond; at 1 s"));
 
-    row = verify_sheet_add(&sheet, &unclaimed, "tip");
+    row = verify_sheet_add(&unclaimed, "tip");
     verify_row_judge(row, 5, 1, 0);
     CHECK(row->verdict == VERIFY_NO_CLAIM && !verify_row_failed(row));
     verify_row_end(row, VERIFY_DIED, "%s", "");
@@ -135,8 +135,9 @@ static void check_file(const char *folder)
     struct verify_subject s = verify_subject_of(&field, &entries[0], contestant_table);
     struct message why = {""};
 
+    s.sheet = &made;
     for (int n = 0; n < 50; n++) {
-        struct verify_row *row = verify_sheet_add(&made, &s, "tip, Gamma = %d", n);
+        struct verify_row *row = verify_sheet_add(&s, "tip, Gamma = %d", n);
         verify_row_judge(row, 1 + n / 3000.0, 1, 1e-10);
         row->seconds = n / 7.0;
         if (n % 2)

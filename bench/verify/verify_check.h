@@ -11,7 +11,7 @@
  *     {
  *         struct verify_subject s;
  *         for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);) {
- *             struct verify_trial t = verify_trial_of(sheet, &s, "cantilever", "tip");
+ *             struct verify_trial t = verify_trial_of(&s, "cantilever", "tip");
  *             if (verify_trial_equilibrium(&t, 1, uvw, xyz))
  *                 verify_row_judge(t.row, xyz[2], truth, 1e-10);
  *         }

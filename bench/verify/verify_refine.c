@@ -8,7 +8,6 @@
 /* The runs of one subject. */
 struct runs {
     const struct verify_refine *r;
-    struct verify_sheet *sheet;
     const struct verify_subject *subject;
     struct verify_row scratch; /* of the runs that are no rows                          */
     double *field[2];          /* [times][n][3] of the last run and the one before      */
@@ -18,7 +17,7 @@ struct runs {
 static bool run(struct runs *runs, struct verify_row *row, int net, int coarser)
 {
     const struct verify_refine *r = runs->r;
-    struct verify_trial t = {runs->sheet, row, runs->subject, r->scene, net};
+    struct verify_trial t = {row, runs->subject, r->scene, net};
 
     settings_list(&t.settings, INT_MAX, r->settings);
     settings_number(&t.settings, "time.step", r->step * (1 << coarser));
@@ -83,7 +82,7 @@ static bool add_rows(struct runs *runs, const char *quantity)
 {
     const struct verify_refine *r = runs->r;
     struct verify_subject unclaimed = *runs->subject;
-    struct verify_row *row = verify_sheet_add(runs->sheet, &unclaimed, "%s", quantity);
+    struct verify_row *row = verify_sheet_add(&unclaimed, "%s", quantity);
 
     if (!run(runs, row, unclaimed.nets - 1, 0))
         return false;
@@ -100,21 +99,22 @@ static bool add_rows(struct runs *runs, const char *quantity)
     if (r->steps > 1) {
         unclaimed.tolerance = NAN;
         unclaimed.reason = NULL;
-        row = verify_sheet_add(runs->sheet, &unclaimed, "%s: change by step %g to %g ms",
-                               quantity, 2e3 * r->step, 1e3 * r->step);
+        row = verify_sheet_add(&unclaimed, "%s: change by step %g to %g ms", quantity,
+                               2e3 * r->step, 1e3 * r->step);
         refine_step(runs, row);
     }
     return true;
 }
 
-bool verify_refine(struct verify_sheet *sheet, const struct verify_subject *subject,
-                   const struct verify_refine *r, const char *quantity)
+bool verify_refine(const struct verify_subject *subject, const struct verify_refine *r,
+                   const char *quantity)
 {
     const size_t size = 3 * (size_t)r->times * (size_t)r->n;
     double *room = malloc(2 * size * sizeof *room);
-    struct runs runs = {r, sheet, subject, .field = {room, room + size}};
-    const bool lived = verify_sheet_holds(sheet, room ? STATUS_OK : STATUS_MEMORY) &&
-                       add_rows(&runs, quantity);
+    struct runs runs = {r, subject, .field = {room, room + size}};
+    const bool lived =
+        verify_sheet_holds(subject->sheet, room ? STATUS_OK : STATUS_MEMORY) &&
+        add_rows(&runs, quantity);
 
     free(room);
     return lived;

@@ -32,7 +32,7 @@ struct verify_refine {
 /* Adds the rows, `quantity` their name: the error of the finest run, judged, and, with
  * several steps, what the last halving changed, not judged. Whether that run got to its
  * end. */
-bool verify_refine(struct verify_sheet *sheet, const struct verify_subject *subject,
-                   const struct verify_refine *r, const char *quantity);
+bool verify_refine(const struct verify_subject *subject, const struct verify_refine *r,
+                   const char *quantity);
 
 #endif

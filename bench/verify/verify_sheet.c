@@ -79,6 +79,7 @@ bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *fi
             return false;
         if (c && (entry || comes_in(sheet, field, c))) {
             *subject = verify_subject_of(field, entry, c);
+            subject->sheet = sheet;
             return true;
         }
     }
@@ -100,11 +101,10 @@ struct verify_row *verify_sheet_grow(struct verify_sheet *sheet)
     return &sheet->rows[sheet->count++];
 }
 
-struct verify_row *verify_sheet_add(struct verify_sheet *sheet,
-                                    const struct verify_subject *subject,
+struct verify_row *verify_sheet_add(const struct verify_subject *subject,
                                     const char *quantity, ...)
 {
-    struct verify_row *row = verify_sheet_grow(sheet);
+    struct verify_row *row = verify_sheet_grow(subject->sheet);
     va_list arguments;
 
     *row = (struct verify_row){.value = NAN,

@@ -35,11 +35,10 @@ bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *fi
 /* A place for one more row, as memory has it. Good until the next; never NULL. */
 struct verify_row *verify_sheet_grow(struct verify_sheet *sheet);
 
-/* The next row: no numbers yet, the subject's tolerance, verdict NOT_APPLICABLE. Likewise.
- */
-struct verify_row *verify_sheet_add(struct verify_sheet *sheet,
-                                    const struct verify_subject *subject,
+/* The next row of the subject's sheet: no numbers yet, its tolerance, verdict
+ * NOT_APPLICABLE. Likewise. */
+struct verify_row *verify_sheet_add(const struct verify_subject *subject,
                                     const char *quantity, ...)
-    __attribute__((format(printf, 3, 4)));
+    __attribute__((format(printf, 2, 3)));
 
 #endif

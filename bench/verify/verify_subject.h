@@ -42,6 +42,8 @@ struct verify_field {
 };
 
 struct verify_subject {
+    struct verify_sheet
+        *sheet; /* that its rows go to                            borrowed */
     const struct contestant *contestant;
     double tolerance;   /* NAN: nothing is claimed                                        */
     const char *reason; /* or NULL                                                        */

@@ -8,8 +8,7 @@
 #include "models/clock.h"
 #include "models/reader/scene_file.h"
 
-struct verify_trial verify_trial_of(struct verify_sheet *sheet,
-                                    const struct verify_subject *subject, const char *scene,
+struct verify_trial verify_trial_of(const struct verify_subject *subject, const char *scene,
                                     const char *quantity, ...)
 {
     char text[VERIFY_TEXT];
@@ -18,8 +17,7 @@ struct verify_trial verify_trial_of(struct verify_sheet *sheet,
     va_start(arguments, quantity);
     vsnprintf(text, sizeof text, quantity, arguments);
     va_end(arguments);
-    return (struct verify_trial){sheet, verify_sheet_add(sheet, subject, "%s", text),
-                                 subject, scene};
+    return (struct verify_trial){verify_sheet_add(subject, "%s", text), subject, scene};
 }
 
 /* A refusal and a death are the row's, anything else is the sheet's. */
@@ -32,8 +30,8 @@ static bool tell(struct verify_trial *t, enum status st, const struct message *s
         verify_row_end(t->row, VERIFY_DIED, "%s",
                        *sentence->text ? sentence->text : status_text(st));
     else if (st != STATUS_OK)
-        verify_sheet_holds(t->sheet,
-                           status_fail(&t->sheet->why, st, "%s: %s",
+        verify_sheet_holds(t->subject->sheet,
+                           status_fail(&t->subject->sheet->why, st, "%s: %s",
                                        t->subject->contestant->title, sentence->text));
     return t->lived;
 }
@@ -54,7 +52,7 @@ bool verify_trial_open(struct verify_trial *t)
 {
     enum status st;
     char *path = NULL;
-    struct message sentence = {""}, *why = &t->sheet->why;
+    struct message sentence = {""}, *why = &t->subject->sheet->why;
 
     t->lived = false;
     verify_subject_settings(t->subject, t->net, &t->settings);
@@ -68,7 +66,7 @@ bool verify_trial_open(struct verify_trial *t)
         built = STATUS_UNSUPPORTED; /* one that the check does not know has no such net */
     tell(t, built, &sentence);
 out:
-    verify_sheet_holds(t->sheet, st);
+    verify_sheet_holds(t->subject->sheet, st);
     settings_clear(&t->settings);
     free(path);
     return t->lived;
@@ -122,7 +120,7 @@ bool verify_trial_watch(struct verify_trial *t, motion_watcher *watch, void *con
     if (!verify_trial_open(t))
         goto out;
     TRY(motion_init(&m, t->run.model, &t->run.scene, t->run.state));
-    TRY(motion_run(&m, watch, context, true, &t->sheet->why));
+    TRY(motion_run(&m, watch, context, true, &t->subject->sheet->why));
     for (int i = 0; i < m.steps; i++)
         t->row->seconds += m.seconds[i];
     if (m.death != STATUS_OK)
@@ -130,7 +128,7 @@ bool verify_trial_watch(struct verify_trial *t, motion_watcher *watch, void *con
                        status_text(m.death));
     t->lived = m.death == STATUS_OK;
 out:
-    t->lived &= verify_sheet_holds(t->sheet, st);
+    t->lived &= verify_sheet_holds(t->subject->sheet, st);
     motion_clear(&m);
     run_close(&t->run);
     return t->lived;

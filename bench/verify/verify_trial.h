@@ -1,7 +1,7 @@
 /* verify_trial.h - the runs behind rows. Seconds go into the row, and so does a refusal or
  * a death, which is no error: `lived` is false then.
  *
- *     struct verify_trial t = verify_trial_of(sheet, subject, "cantilever", "tip [m]");
+ *     struct verify_trial t = verify_trial_of(subject, "cantilever", "tip [m]");
  *     settings_number(&t.settings, "sheet.thickness", h);
  *     if (verify_trial_equilibrium(&t, 1, tip, xyz))
  *         verify_row_judge(t.row, xyz[2], truth, bar);
@@ -16,7 +16,6 @@
 #include "bench/verify/verify_sheet.h"
 
 struct verify_trial {
-    struct verify_sheet *sheet;
     struct verify_row *row;
     const struct verify_subject *subject;
     const char *scene;        /* a name of `list scenes`                                  */
@@ -29,10 +28,9 @@ struct verify_trial {
 };
 
 /* With a row of its own, as verify_sheet_add makes it. */
-struct verify_trial verify_trial_of(struct verify_sheet *sheet,
-                                    const struct verify_subject *subject, const char *scene,
+struct verify_trial verify_trial_of(const struct verify_subject *subject, const char *scene,
                                     const char *quantity, ...)
-    __attribute__((format(printf, 4, 5)));
+    __attribute__((format(printf, 3, 4)));
 
 /* The scene of that name, as it stands; scene_clear it. */
 enum status verify_trial_scene(const char *name, struct scene *scene, struct message *why);

@@ -80,7 +80,7 @@ static void run_kirchhoff(struct verify_sheet *sheet, double nu)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);) {
             struct thin p = {hs[i], nu};
             struct verify_trial t = verify_trial_of(
-                sheet, &s, "cantilever", "tip w D / (q L^4), h/L = %g, nu = %g", p.h, p.nu);
+                &s, "cantilever", "tip w D / (q L^4), h/L = %g, nu = %g", p.h, p.nu);
             /* A solid is no Kirchhoff plate: shear adds some (h/L)^2, and near free and
              * clamped edges, over a width h, stresses differ; h / L in all. */
             verify_trial_nets(&t, measure_tip, &p, tip, s.layers ? bar + p.h : bar);
@@ -99,7 +99,7 @@ static double rms(double sum)
 static double measure_field(struct verify_trial *t, void *context)
 {
     const struct freefem_field *f = context;
-    const struct reference *table = t->sheet->table;
+    const struct reference *table = t->subject->sheet->table;
     const double h = truth_table_note(table, "thickness");
     const double nu = truth_table_note(table, "poisson");
     const double gravity = truth_table_note(table, "gravity");
@@ -108,19 +108,18 @@ static double measure_field(struct verify_trial *t, void *context)
     double uvw[VERIFY_PLATES_POINTS][3], xyz[VERIFY_PLATES_POINTS][3] = {{0}};
 
     verify_plates_points(uvw);
-    verify_plates_physics(t->sheet, &t->settings);
+    verify_plates_physics(t->subject->sheet, &t->settings);
     settings_numbers(&t->settings, "gravity", 3, (double[]){0, 0, -gravity / scale});
     verify_trial_equilibrium(t, VERIFY_PLATES_POINTS, uvw[0], xyz[0]);
     return rms(verify_plates_apart(f, 0, xyz, scale)) / rms(verify_plates_moved(f, 0));
 }
 
-static void add_field(struct verify_sheet *sheet, const struct verify_subject *s,
-                      struct freefem_field *f)
+static void add_field(const struct verify_subject *s, struct freefem_field *f)
 {
-    const double h = truth_table_note(sheet->table, "thickness");
+    const double h = truth_table_note(s->sheet->table, "thickness");
     struct verify_trial t =
-        verify_trial_of(sheet, s, "cantilever", "field by FreeFEM, h/L = %g, nu = %g", h,
-                        truth_table_note(sheet->table, "poisson"));
+        verify_trial_of(s, "cantilever", "field by FreeFEM, h/L = %g, nu = %g", h,
+                        truth_table_note(s->sheet->table, "poisson"));
 
     if (!verify_trial_nets(&t, measure_field, f, NAN,
                            f->error[0] / rms(verify_plates_moved(f, 0))))
@@ -147,7 +146,7 @@ static void run(struct verify_sheet *sheet)
     for (int n = 0; n < (sheet->quick ? 2 : 4) && verify_plates_read(sheet, names[n], &f);
          n++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            add_field(sheet, &s, &f);
+            add_field(&s, &f);
 }
 
 const struct verify_check verify_cantilever = {

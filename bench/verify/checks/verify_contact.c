@@ -105,27 +105,26 @@ static bool watch_sheet(struct verify_trial *t, double slope, double friction, d
     return verify_trial_watch(t, look, seen);
 }
 
-static void add_rest(struct verify_sheet *sheet, struct verify_subject *s)
+static void add_rest(struct verify_subject *s)
 {
     struct seen seen;
-    struct verify_trial t = verify_trial_of(sheet, s, "ground", "force on the ground [N]");
+    struct verify_trial t = verify_trial_of(s, "ground", "force on the ground [N]");
 
     if (!watch_sheet(&t, 0, 0.5, 300, &seen))
         return;
     verify_row_judge(t.row, seen.force, WEIGHT, 0);
     verify_subject_claim(s, CLOSED, NULL);
-    verify_row_judge_error(verify_sheet_add(sheet, s, "least gap of the net / L"),
+    verify_row_judge_error(verify_sheet_add(s, "least gap of the net / L"),
                            fabs(seen.gap) / LENGTH, 0);
 }
 
-static void add_slide(struct verify_sheet *sheet, const struct verify_subject *s,
-                      double friction)
+static void add_slide(const struct verify_subject *s, double friction)
 {
     struct seen seen;
     const double dt = step_of(s), pull = G * (sin(SLOPE) - friction * cos(SLOPE));
     struct verify_trial t = verify_trial_of(
-        sheet, s, "ground",
-        pull > 0 ? "slides, mu = %g [m/s^2], error / g" : "slips / L, mu = %g", friction);
+        s, "ground", pull > 0 ? "slides, mu = %g [m/s^2], error / g" : "slips / L, mu = %g",
+        friction);
 
     if (pull <= 0 && !isnan(t.row->tolerance))
         t.row->tolerance = STUCK;
@@ -154,10 +153,10 @@ static void run(struct verify_sheet *sheet)
     struct verify_subject s;
 
     for (int k = 0; next(sheet, &k, &s);)
-        add_rest(sheet, &s);
+        add_rest(&s);
     for (int n = 0; n < 3; n++)
         for (int k = 0; next(sheet, &k, &s);)
-            add_slide(sheet, &s, frictions[n]);
+            add_slide(&s, frictions[n]);
 }
 
 const struct verify_check verify_contact = {

@@ -61,14 +61,13 @@ static void measure(struct verify_trial *t, const struct verify_strips_load *loa
 }
 
 /* Loads of a decade, one in `every`; the row tells of the worst of them. */
-static void add_row(struct verify_sheet *sheet, const struct verify_subject *s, int count,
+static void add_row(const struct verify_subject *s, int count,
                     const struct verify_strips_load *load, int every)
 {
     const bool linear = verify_subject_is_linear(s);
     const double from = load[0].load, to = load[count - 1].load;
-    struct verify_trial t =
-        verify_trial_of(sheet, s, "cantilever", "%s, Gamma = %.3g .. %.3g",
-                        linear ? "drop / L" : "tip", from, to);
+    struct verify_trial t = verify_trial_of(s, "cantilever", "%s, Gamma = %.3g .. %.3g",
+                                            linear ? "drop / L" : "tip", from, to);
     const struct verify_strips_load *died =
         verify_strips_worst(&t, measure, count, load, every, BAR);
 
@@ -108,7 +107,7 @@ static void run(struct verify_sheet *sheet)
     for (int first = 0, count; first < reference_rows(table); first += count) {
         count = read_decade(table, first, load);
         for (int n = 0; verify_sheet_next(sheet, &verify_strips, &n, &s);)
-            add_row(sheet, &s, count, load, every);
+            add_row(&s, count, load, every);
     }
 }
 

@@ -65,12 +65,11 @@ static void note_work(struct verify_row *row, double dt, const struct counters *
                         fmax((double)work->substeps / (double)work->steps, 1));
 }
 
-static void add_rows(struct verify_sheet *sheet, struct verify_subject *s, double dt,
-                     double end)
+static void add_rows(struct verify_subject *s, double dt, double end)
 {
     struct ledger l = {0};
-    struct verify_trial t = verify_trial_of(sheet, s, "edge_drop",
-                                            "energy gained, %g s by %g ms", end, 1e3 * dt);
+    struct verify_trial t =
+        verify_trial_of(s, "edge_drop", "energy gained, %g s by %g ms", end, 1e3 * dt);
 
     t.end = end;
     settings_set(&t.settings, "damping={kind: none}");
@@ -86,9 +85,8 @@ static void add_rows(struct verify_sheet *sheet, struct verify_subject *s, doubl
     verify_row_judge_error(t.row, l.gained / l.turned, 0);
     s->tolerance = !s->mark ? NAN : verify_subject_is_linear(s) ? LINEAR : LOSS;
     s->reason = NULL;
-    verify_row_judge_error(
-        verify_sheet_add(sheet, s, "energy lost, %g s by %g ms", end, 1e3 * dt),
-        l.lost / l.turned, 0);
+    verify_row_judge_error(verify_sheet_add(s, "energy lost, %g s by %g ms", end, 1e3 * dt),
+                           l.lost / l.turned, 0);
 }
 
 static void run(struct verify_sheet *sheet)
@@ -101,7 +99,7 @@ static void run(struct verify_sheet *sheet)
     for (int n = 0; n < (sheet->quick ? 1 : 3); n++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
             if (!s.dear || swings[n].end <= 2)
-                add_rows(sheet, &s, swings[n].dt, sheet->quick ? 0.6 : swings[n].end);
+                add_rows(&s, swings[n].dt, sheet->quick ? 0.6 : swings[n].end);
 }
 
 const struct verify_check verify_energy = {

@@ -82,11 +82,10 @@ static double bending_length(struct verify_trial *t, void *context)
     return exp(x[1]) / 2;
 }
 
-static void add_row(struct verify_sheet *sheet, const struct verify_subject *s,
-                    struct fabric *f, double gamma)
+static void add_row(const struct verify_subject *s, struct fabric *f, double gamma)
 {
     struct verify_trial t =
-        verify_trial_of(sheet, s, "cantilever", "bending length [m], %s", f->name);
+        verify_trial_of(s, "cantilever", "bending length [m], %s", f->name);
 
     if (!s->contestant->model->equilibrium) {
         verify_row_end(t.row, VERIFY_NOT_APPLICABLE,
@@ -117,7 +116,7 @@ static void run(struct verify_sheet *sheet)
                            reference_number(table, n, "D_eq_Nm")};
         f.overhang = cbrt(gamma * f.D / (f.weight * GRAVITY));
         for (int k = 0; verify_sheet_next(sheet, &verify_strips, &k, &s);)
-            add_row(sheet, &s, &f, gamma);
+            add_row(&s, &f, gamma);
     }
 }
 

@@ -64,8 +64,7 @@ static double deviation(const void *context, const double *a, const double *b)
     return worst / *(const double *)context;
 }
 
-static void add_fall(struct verify_sheet *sheet, struct verify_subject *s,
-                     const struct fall *f)
+static void add_fall(struct verify_subject *s, const struct fall *f)
 {
     const char *settings[] = {f->drag, f->damping, NULL};
     const double time = T, way = f->rate > 0
@@ -92,7 +91,7 @@ static void add_fall(struct verify_sheet *sheet, struct verify_subject *s,
         s->tolerance = SECOND, s->reason = "second order";
     if (f->rate == 0 && s->tolerance == EXACT)
         r.steps = 1;
-    verify_refine(sheet, s, &r, f->quantity);
+    verify_refine(s, &r, f->quantity);
 }
 
 /* Speed of a sheet of mass rho h L W by its kinetic energy [m/s]. */
@@ -110,29 +109,28 @@ static enum status see_speed(void *context, const struct motion *m, struct messa
 }
 
 /* Terminal speed rho g / c; exp(-c t / rho) of it is missing. */
-static void add_terminal(struct verify_sheet *sheet, struct verify_subject *s)
+static void add_terminal(struct verify_subject *s)
 {
     const double end = 2, truth = 1.962, missing = exp(-5 * end);
     double speed;
 
     verify_subject_claim(s, missing, NULL);
     struct verify_trial t =
-        verify_trial_of(sheet, s, "drag_fall", "terminal speed with drag [m/s]");
+        verify_trial_of(s, "drag_fall", "terminal speed with drag [m/s]");
     t.end = end;
     if (verify_trial_watch(&t, see_speed, &speed))
         verify_row_judge(t.row, speed, truth, missing);
 }
 
 /* v <- mu v after every step: mu / (1 - mu) g dt, a speed that the step sets. */
-static void add_scaled(struct verify_sheet *sheet, struct verify_subject *s, double mu,
-                       double truth)
+static void add_scaled(struct verify_subject *s, double mu, double truth)
 {
     const double dt = 0.001, end = mu > 0.95 ? 2 : 0.2; /* mu^n is missing */
     double speed;
 
     verify_subject_claim(s, SPEED, NULL);
     struct verify_trial t =
-        verify_trial_of(sheet, s, "drag_fall", "v <- %g v: speed / (g dt)", mu);
+        verify_trial_of(s, "drag_fall", "v <- %g v: speed / (g dt)", mu);
     t.end = end;
     settings_set(&t.settings, "drag.coefficient=0");
     settings_set(&t.settings, "time.step=0.001");
@@ -149,12 +147,12 @@ static void run(struct verify_sheet *sheet)
 
     for (int f = 0; f < FALLS; f++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            add_fall(sheet, &s, &falls[f]);
+            add_fall(&s, &falls[f]);
     for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-        add_terminal(sheet, &s);
+        add_terminal(&s);
     for (int n = 0; (n = reference_find(table, n, "case", "newmark_vscale")) >= 0; n++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            add_scaled(sheet, &s, reference_number(table, n, "a"),
+            add_scaled(&s, reference_number(table, n, "a"),
                        reference_number(table, n, "v1"));
 }
 

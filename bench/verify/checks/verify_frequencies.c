@@ -83,8 +83,7 @@ static bool measure(struct verify_trial *t, const double *truth, double unit, do
 }
 
 /* omega L^2 sqrt(rho h / D) on two nets; NAFEMS' plates in Hz, on the finer one alone. */
-static void add_row(struct verify_sheet *sheet, const struct verify_subject *s,
-                    const struct plate *p, bool nafems)
+static void add_row(const struct verify_subject *s, const struct plate *p, bool nafems)
 {
     const double young = 1e5, density = 0.05, *truth = nafems ? p->hertz : p->lambda;
     const double scale = sqrt(young / (12 * (1 - p->nu * p->nu) * density));
@@ -93,9 +92,9 @@ static void add_row(struct verify_sheet *sheet, const struct verify_subject *s,
     double found[2][MODES] = {{0}}, error[MODES][2];
     int worst = 0;
     struct verify_trial t =
-        nafems ? verify_trial_of(sheet, s, "cantilever", "NAFEMS %s [Hz], worst of %d",
+        nafems ? verify_trial_of(s, "cantilever", "NAFEMS %s [Hz], worst of %d",
                                  *p->edges == 'F' ? "FV12" : "FV16", MODES)
-               : verify_trial_of(sheet, s, "cantilever",
+               : verify_trial_of(s, "cantilever",
                                  "lambda, %s, b/a = %g, nu = %g, worst of %d modes",
                                  p->edges, p->width, p->nu, MODES);
 
@@ -129,7 +128,7 @@ static void add_rows(struct verify_sheet *sheet, const struct plate *p)
             /* The sixth mode has two to three half waves. */
             const int points = s.degree == 2 ? 16 : 8;
             verify_subject_square(&s, points, 2 * points);
-            add_row(sheet, &s, p, both);
+            add_row(&s, p, both);
         }
 }
 

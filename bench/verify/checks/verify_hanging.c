@@ -89,11 +89,10 @@ static double measure(struct verify_trial *t, void *context)
     return find_worst(s, omega);
 }
 
-static void add_row(struct verify_sheet *sheet, const struct verify_subject *subject,
-                    struct strip *s)
+static void add_row(const struct verify_subject *subject, struct strip *s)
 {
-    struct verify_trial t = verify_trial_of(sheet, subject, "cantilever",
-                                            "omega sqrt(L / g), Gamma = %g", s->gamma);
+    struct verify_trial t =
+        verify_trial_of(subject, "cantilever", "omega sqrt(L / g), Gamma = %g", s->gamma);
 
     if (!verify_trial_nets(&t, measure, s, NAN, BAR))
         return;
@@ -120,7 +119,7 @@ static void run(struct verify_sheet *sheet)
             continue;
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &subject);)
             if (subject.contestant->model->modes || count == 1) /* told once */
-                add_row(sheet, &subject, &s);
+                add_row(&subject, &s);
     }
 }
 

@@ -102,11 +102,10 @@ static double find(struct verify_trial *t, void *context)
     return NAN;
 }
 
-static void add_row(struct verify_sheet *sheet, const struct verify_subject *s,
-                    struct plate *p)
+static void add_row(const struct verify_subject *s, struct plate *p)
 {
     struct verify_trial t = verify_trial_of(
-        sheet, s, "cantilever", "critical Gamma, w / L = %g, nu = %g", p->width, p->nu);
+        s, "cantilever", "critical Gamma, w / L = %g, nu = %g", p->width, p->nu);
 
     if (!verify_trial_nets(&t, find, p, p->critical, p->bar))
         return;
@@ -119,14 +118,13 @@ static void add_row(struct verify_sheet *sheet, const struct verify_subject *s,
 }
 
 /* The bracket in time: the same disturbance dies below and grows above. */
-static void add_motion(struct verify_sheet *sheet, struct verify_subject *s,
-                       const struct plate *p)
+static void add_motion(struct verify_subject *s, const struct plate *p)
 {
     double factor[2];
 
     verify_subject_last(s, 1);
     struct verify_trial t = verify_trial_of(
-        sheet, s, "cantilever", "jolt dies, grows, w / L = %g, nu = %g", p->width, p->nu);
+        s, "cantilever", "jolt dies, grows, w / L = %g, nu = %g", p->width, p->nu);
     t.row->tolerance = isnan(s->tolerance) ? NAN : BRACKET;
     for (int n = 0; n < 2; n++) {
         factor[n] = growth(&t, p, (1 + (n ? BRACKET : -BRACKET)) * p->critical);
@@ -149,13 +147,13 @@ static void add_plate(struct verify_sheet *sheet, struct plate *p)
         if (p->width != 0.5)
             verify_subject_last(&s, 1);
         if (s.contestant->model->modes || (p->width == 0.5 && p->nu == 0))
-            add_row(sheet, &s, p);
+            add_row(&s, p);
     }
     if (sheet->quick || p->width != 0.5 || p->nu != 0.3)
         return;
     for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
         if (s.contestant->model->modes)
-            add_motion(sheet, &s, p);
+            add_motion(&s, p);
 }
 
 static bool chosen(const struct verify_sheet *sheet, const struct plate *p)

@@ -104,7 +104,7 @@ static bool find_matrices(struct verify_trial *t, struct matrices *m)
         verify_row_end(t->row, VERIFY_NOT_APPLICABLE,
                        "it has none for control points as unknowns");
     else
-        verify_sheet_holds(t->sheet, st);
+        verify_sheet_holds(t->subject->sheet, st);
     run_close(&t->run);
     return t->lived;
 }
@@ -151,11 +151,11 @@ out:
     return st;
 }
 
-static void add_box(struct verify_sheet *sheet, const struct verify_subject *s, bool mass)
+static void add_box(const struct verify_subject *s, bool mass)
 {
     struct matrices m = {0};
     struct verify_trial t =
-        verify_trial_of(sheet, s, "cantilever", "%s of a box, entries", mass ? "M" : "K");
+        verify_trial_of(s, "cantilever", "%s of a box, entries", mass ? "M" : "K");
 
     settings_list(&t.settings, BOX, box_settings);
     if (find_matrices(&t, &m) && !mass && s->mark)
@@ -164,8 +164,8 @@ static void add_box(struct verify_sheet *sheet, const struct verify_subject *s, 
     else if (t.lived) {
         const size_t count = (size_t)m.rows * (size_t)m.rows;
         double *K = calloc(2 * count, sizeof *K), *M = K + count;
-        if (verify_sheet_holds(sheet, K ? products(&m, s->layers, K, M, &sheet->why)
-                                        : STATUS_MEMORY))
+        if (verify_sheet_holds(s->sheet, K ? products(&m, s->layers, K, M, &s->sheet->why)
+                                           : STATUS_MEMORY))
             verify_row_judge_error(t.row, apart(count, mass ? m.M : m.K, mass ? M : K), 0);
         free(K);
     }
@@ -174,8 +174,7 @@ static void add_box(struct verify_sheet *sheet, const struct verify_subject *s, 
 
 /* --- Motions without energy. */
 
-static void add_zero_modes(struct verify_sheet *sheet, struct verify_subject *s,
-                           const char *scene)
+static void add_zero_modes(struct verify_subject *s, const char *scene)
 {
     struct matrices m = {0};
     int zeros = 0;
@@ -183,13 +182,13 @@ static void add_zero_modes(struct verify_sheet *sheet, struct verify_subject *s,
     /* of six: not one more or less */
     verify_subject_claim(s, 0.1, "three shifts, three turns");
     struct verify_trial t =
-        verify_trial_of(sheet, s, scene, "eigenvalues of K that vanish, %s", scene);
+        verify_trial_of(s, scene, "eigenvalues of K that vanish, %s", scene);
     settings_number(&t.settings, "sheet.thickness", THICKNESS);
     if (find_matrices(&t, &m)) {
         double *lambda = m.M; /* its room is enough, and it is not asked for */
         if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'N', 'U', m.rows, m.K, m.rows, lambda))
-            verify_sheet_holds(
-                sheet, status_fail(&sheet->why, STATUS_LIBRARY, "LAPACK's dsyevd failed"));
+            verify_sheet_holds(s->sheet, status_fail(&s->sheet->why, STATUS_LIBRARY,
+                                                     "LAPACK's dsyevd failed"));
         for (int n = 0; n < m.rows; n++)
             zeros += fabs(lambda[n]) < ZERO * lambda[m.rows - 1];
         verify_row_judge(t.row, zeros, 6, 0);
@@ -236,14 +235,14 @@ static void add_supports(double angle, bool solid, struct settings *all)
     settings_more(all, "]");
 }
 
-static void add_rigid(struct verify_sheet *sheet, struct verify_subject *s, double angle)
+static void add_rigid(struct verify_subject *s, double angle)
 {
     struct energy energy;
 
     if (!s->layers && s->degree == 1)
         verify_subject_claim(s, NAN, "springs may crumple between the corners");
     struct verify_trial t = verify_trial_of(
-        sheet, s, "cantilever", "energy / (E m^3), corners turned by %g rad", angle);
+        s, "cantilever", "energy / (E m^3), corners turned by %g rad", angle);
     settings_list(&t.settings, SHAPE, box_settings);
     settings_set(&t.settings, "discretization.kinematics=nonlinear");
     settings_set(&t.settings, "gravity=[0,0,0]");
@@ -262,11 +261,11 @@ static void run(struct verify_sheet *sheet)
     for (int kind = 0; kind < 6; kind++)
         for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
             if (kind < 2)
-                add_box(sheet, &s, kind == 1);
+                add_box(&s, kind == 1);
             else if (kind < 4)
-                add_zero_modes(sheet, &s, kind == 2 ? "cantilever" : "cloak");
+                add_zero_modes(&s, kind == 2 ? "cantilever" : "cloak");
             else
-                add_rigid(sheet, &s, kind == 4 ? 0.5 : 1);
+                add_rigid(&s, kind == 4 ? 0.5 : 1);
 }
 
 const struct verify_check verify_matrices = {

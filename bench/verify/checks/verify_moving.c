@@ -66,14 +66,14 @@ static double worst_of(const struct verify_subject *s, double (*moved)[POINTS][3
     return worst;
 }
 
-static void add_row(struct verify_sheet *sheet, const struct verify_subject *s)
+static void add_row(const struct verify_subject *s)
 {
     static const double uvw[POINTS][3] = {{0, 0.5, 0.5}, {0.5, 0.5, 0.5}, {1, 0, 0.5},
                                           {1, 0.5, 0},   {1, 0.5, 1},     {1, 1, 0.5}};
     const double time[TIMES] = {0.1, 0.2, STEPS * DT};
     double at[2][TIMES][POINTS][3]; /* still and moved */
-    struct verify_trial t = verify_trial_of(
-        sheet, s, "moving_edge", "seen from the edge / L, until %g s", STEPS * DT);
+    struct verify_trial t =
+        verify_trial_of(s, "moving_edge", "seen from the edge / L, until %g s", STEPS * DT);
 
     for (int moved = 0; moved < 2; moved++) {
         settings_set(&t.settings, "damping={kind: none}");
@@ -95,7 +95,7 @@ static void run(struct verify_sheet *sheet)
     struct verify_subject s;
 
     for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
-        add_row(sheet, &s);
+        add_row(&s);
 }
 
 const struct verify_check verify_moving = {

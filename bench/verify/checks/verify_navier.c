@@ -65,14 +65,14 @@ static double measure(struct verify_trial *t, void *context)
     return value;
 }
 
-static void add_row(struct verify_sheet *sheet, struct verify_subject *s, struct plate *p)
+static void add_row(struct verify_subject *s, struct plate *p)
 {
     if ((s->layers == 2 && p->h > ONE_LAYER) ||
         (s->layers == SOLID_LAYERS && p->h < SOLID_LOCKS))
         s->tolerance = NAN;
     if (!s->mark)
         verify_subject_square(s, 8, 16);
-    struct verify_trial t = verify_trial_of(sheet, s, "navier", "%s, h/a = %g, nu = %g",
+    struct verify_trial t = verify_trial_of(s, "navier", "%s, h/a = %g, nu = %g",
                                             !strcmp(p->kind, "unif")     ? "w D / (q a^4)"
                                             : !strcmp(p->kind, "freq11") ? "lambda 1,1"
                                                                          : "lambda 1,2",
@@ -96,7 +96,7 @@ static void run(struct verify_sheet *sheet)
              (p.nu != 0.3 || p.h != (strcmp(p.kind, "unif") ? 0.1 : 0.001))))
             continue;
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            add_row(sheet, &s, &p);
+            add_row(&s, &p);
     }
 }
 

@@ -47,20 +47,19 @@ static double matrix_error(const struct matrix *m, const struct reference *table
     return apart / most;
 }
 
-static void add_block(struct verify_sheet *sheet, const struct verify_subject *s)
+static void add_block(const struct verify_subject *s)
 {
-    const struct reference *table = sheet->table;
+    const struct reference *table = s->sheet->table;
     struct matrix K = {0}, M = {0};
     struct verify_trial t =
-        verify_trial_of(sheet, s, "cantilever", "stiffness matrix of a block, CalculiX");
+        verify_trial_of(s, "cantilever", "stiffness matrix of a block, CalculiX");
 
-    verify_plates_physics(sheet, &t.settings);
+    verify_plates_physics(s->sheet, &t.settings);
     if (verify_trial_open(&t) &&
-        verify_sheet_holds(sheet, t.run.model->matrices(t.run.state, &K, &M))) {
+        verify_sheet_holds(s->sheet, t.run.model->matrices(t.run.state, &K, &M))) {
         verify_row_judge_error(t.row, matrix_error(&K, table, "stiffness"), DIGITS);
-        verify_row_judge_error(
-            verify_sheet_add(sheet, s, "mass matrix of a block, CalculiX"),
-            matrix_error(&M, table, "mass"), DIGITS);
+        verify_row_judge_error(verify_sheet_add(s, "mass matrix of a block, CalculiX"),
+                               matrix_error(&M, table, "mass"), DIGITS);
     }
     matrix_clear(&K);
     matrix_clear(&M);
@@ -81,23 +80,22 @@ static double rounding(double h)
     return 1e-16 * 2.5e12 * pow(h / 1e-3, -4);
 }
 
-static void add_tip(struct verify_sheet *sheet, const struct verify_subject *s, int n)
+static void add_tip(const struct verify_subject *s, int n)
 {
     const double uvw[2][3] = {{1, 0.5, 0.5}, {1, 1, 0.5}};
     const char *const column[] = {"middle", "corner"};
-    const double h = reference_number(sheet->table, n, "thickness");
+    const double h = reference_number(s->sheet->table, n, "thickness");
     double xyz[2][3];
-    struct verify_trial t = verify_trial_of(sheet, s, "cantilever",
-                                            "tip [m] by C3D8I, h/L = %g, %s", h, column[0]);
+    struct verify_trial t =
+        verify_trial_of(s, "cantilever", "tip [m] by C3D8I, h/L = %g, %s", h, column[0]);
 
     settings_number(&t.settings, "sheet.thickness", h);
-    verify_plates_physics(sheet, &t.settings);
+    verify_plates_physics(s->sheet, &t.settings);
     verify_trial_equilibrium(&t, 2, uvw[0], xyz[0]);
     for (int k = 0; k < 2 && t.lived; k++) {
         if (k == 1)
-            t.row =
-                verify_sheet_add(sheet, s, "tip [m] by C3D8I, h/L = %g, %s", h, column[1]);
-        verify_row_judge(t.row, -xyz[k][2], reference_number(sheet->table, n, column[k]),
+            t.row = verify_sheet_add(s, "tip [m] by C3D8I, h/L = %g, %s", h, column[1]);
+        verify_row_judge(t.row, -xyz[k][2], reference_number(s->sheet->table, n, column[k]),
                          rounding(h));
     }
 }
@@ -141,25 +139,25 @@ static void read_swing(const struct reference *table, double time[TIMES],
     }
 }
 
-static void add_swing(struct verify_sheet *sheet, const struct verify_subject *s)
+static void add_swing(const struct verify_subject *s)
 {
     static const double uvw[POINTS][3] = {
         {1, 0.5, 0.5}, {0.75, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.25, 0.5, 0.5}};
     double time[TIMES], truth[TIMES * POINTS][2], xyz[TIMES * POINTS][3], worst = 0;
-    struct verify_trial t = verify_trial_of(sheet, s, "cantilever_transient",
+    struct verify_trial t = verify_trial_of(s, "cantilever_transient",
                                             "swing by C3D20R: position / L until 0.3 s");
 
-    read_swing(sheet->table, time, truth);
+    read_swing(s->sheet->table, time, truth);
     settings_set(&t.settings, "time.step=0.005");
-    verify_plates_physics(sheet, &t.settings);
+    verify_plates_physics(s->sheet, &t.settings);
     if (!verify_trial_motion(&t, TIMES, time, POINTS, uvw[0], xyz[0]))
         return;
     for (int n = 0; n < TIMES * POINTS; n++)
         worst = verify_row_worse(hypot(xyz[n][0] - truth[n][0], xyz[n][2] - truth[n][1]),
                                  worst);
     verify_row_judge_error(t.row, worst,
-                           truth_table_note(sheet->table, "mesh_error_m") +
-                               truth_table_note(sheet->table, "step_error_m"));
+                           truth_table_note(s->sheet->table, "mesh_error_m") +
+                               truth_table_note(s->sheet->table, "step_error_m"));
 }
 
 /* ------------------------------------------------------------------ plates let go --- */
@@ -200,19 +198,18 @@ static double plate_error(const struct freefem_field *f, const double (*xyz)[3],
     return worst;
 }
 
-static void add_plate(struct verify_sheet *sheet, const struct verify_subject *s,
-                      const struct freefem_field *f)
+static void add_plate(const struct verify_subject *s, const struct freefem_field *f)
 {
     double uvw[VERIFY_PLATES_POINTS][3], bar = NAN;
     double(*xyz)[3] = calloc((size_t)f->times * VERIFY_PLATES_POINTS, sizeof *xyz);
-    struct verify_trial t = verify_trial_of(sheet, s, "cantilever_transient",
+    struct verify_trial t = verify_trial_of(s, "cantilever_transient",
                                             "let go, field by FreeFEM to 0.4 s, h/L = %g",
-                                            truth_table_note(sheet->table, "thickness"));
+                                            truth_table_note(s->sheet->table, "thickness"));
 
     verify_plates_points(uvw);
     settings_set(&t.settings, "time.step=0.00125");
-    verify_plates_physics(sheet, &t.settings);
-    if (verify_sheet_holds(sheet, xyz ? STATUS_OK : STATUS_MEMORY) &&
+    verify_plates_physics(s->sheet, &t.settings);
+    if (verify_sheet_holds(s->sheet, xyz ? STATUS_OK : STATUS_MEMORY) &&
         verify_trial_motion(&t, f->times, f->time, VERIFY_PLATES_POINTS, uvw[0], xyz[0])) {
         double error = plate_error(f, xyz, &bar);
         verify_row_judge_error(t.row, error, bar);
@@ -228,7 +225,7 @@ static void run_plates(struct verify_sheet *sheet, const char *name)
     if (verify_sheet_holds(sheet, f ? STATUS_OK : STATUS_MEMORY) &&
         verify_plates_read(sheet, name, f))
         for (int n = 0; verify_sheet_next(sheet, &plate_field, &n, &s);)
-            add_plate(sheet, &s, f);
+            add_plate(&s, f);
     free(f);
 }
 
@@ -238,14 +235,14 @@ static void run(struct verify_sheet *sheet)
 
     if (verify_sheet_table(sheet, "calculix_matrices_box"))
         for (int n = 0; verify_sheet_next(sheet, &block_field, &n, &s);)
-            add_block(sheet, &s);
+            add_block(&s);
     if (verify_sheet_table(sheet, "calculix_tips"))
         for (int n = 0; (n = reference_find(sheet->table, n, "element", "C3D8I")) >= 0; n++)
             for (int k = 0; verify_sheet_next(sheet, &twin_field, &k, &s);)
-                add_tip(sheet, &s, n);
+                add_tip(&s, n);
     if (verify_sheet_table(sheet, "calculix_swing_h5mm"))
         for (int n = 0; verify_sheet_next(sheet, &strip_field, &n, &s);)
-            add_swing(sheet, &s);
+            add_swing(&s);
     run_plates(sheet, "freefem_transient_h10mm");
     if (!sheet->quick)
         run_plates(sheet, "freefem_transient_h1mm");

@@ -118,17 +118,17 @@ static void take_nets(const struct swing *swing, struct verify_subject *s)
         verify_subject_last(s, 1);
 }
 
-static void add_rows(struct verify_sheet *sheet, struct verify_subject *s,
-                     const struct swing *swing, struct verify_refine *r)
+static void add_rows(struct verify_subject *s, const struct swing *swing,
+                     struct verify_refine *r)
 {
     char quantity[VERIFY_TEXT];
 
     take_nets(swing, s);
     r->beyond = verify_subject_is_linear(s) ? "small strains reach to Gamma = 0.9" : NULL;
-    r->steps = s->mark || sheet->quick ? 1 : VERIFY_REFINE_STEPS;
+    r->steps = s->mark || s->sheet->quick ? 1 : VERIFY_REFINE_STEPS;
     snprintf(quantity, sizeof quantity, "%s: position / L until %g s", swing->name,
              TIMES * APART);
-    verify_refine(sheet, s, r, quantity);
+    verify_refine(s, r, quantity);
 }
 
 static void add_swing(struct verify_sheet *sheet, const struct swing *swing)
@@ -150,7 +150,7 @@ static void add_swing(struct verify_sheet *sheet, const struct swing *swing)
 
     read_truth(sheet, swing->file, time, truth);
     for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
-        add_rows(sheet, &s, swing, &r);
+        add_rows(&s, swing, &r);
 }
 
 static void run(struct verify_sheet *sheet)

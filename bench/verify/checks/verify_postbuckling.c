@@ -76,20 +76,20 @@ static bool press(struct verify_trial *t, double shortening, double value[2])
     return true;
 }
 
-static void add_rows(struct verify_sheet *sheet, const struct verify_subject *s,
-                     double shortening, const double truth[2])
+static void add_rows(const struct verify_subject *s, double shortening,
+                     const double truth[2])
 {
     static const char *const names[] = {"P / P_cr", "mid deflection / L"};
     double value[2] = {NAN, NAN}, error[2][VERIFY_NETS];
     struct verify_row work = {.tolerance = s->tolerance};
-    struct verify_trial t = {sheet, &work, s, "cantilever"};
+    struct verify_trial t = {&work, s, "cantilever"};
 
     for (; t.net < s->nets && press(&t, shortening, value); t.net++)
         for (int q = 0; q < 2; q++)
             error[q][t.net] = fabs(value[q] - truth[q]) / truth[q];
     for (int q = 0; q < 2; q++) {
         struct verify_row *row =
-            verify_sheet_add(sheet, s, "%s, shortened by %g", names[q], shortening);
+            verify_sheet_add(s, "%s, shortened by %g", names[q], shortening);
         row->seconds = work.seconds / 2;
         if (t.lived) {
             verify_row_judge(row, value[q], truth[q], BAR);
@@ -102,7 +102,7 @@ static void add_rows(struct verify_sheet *sheet, const struct verify_subject *s,
 /* Pressed by a tenth, its middle at the elastica's deflection all the way, and then moved
  * across to as far on the other side: through shapes whose middle has to be pulled. The
  * energy at the end is that of the start. */
-static void add_crossing(struct verify_sheet *sheet, struct verify_subject *s)
+static void add_crossing(struct verify_subject *s)
 {
     static const char supports[] =
         "supports=[{at: {u: 0}, fix: xyz}, "
@@ -113,7 +113,7 @@ static void add_crossing(struct verify_sheet *sheet, struct verify_subject *s)
 
     verify_subject_last(s, 1);
     struct verify_trial t =
-        verify_trial_of(sheet, s, "cantilever", "energy, pushed through / before");
+        verify_trial_of(s, "cantilever", "energy, pushed through / before");
     if (!isnan(t.row->tolerance))
         t.row->tolerance = MIRROR;
     /* Found here, with the claim made and lost: on this way the hexahedra's increments end
@@ -146,11 +146,11 @@ static void run(struct verify_sheet *sheet)
             continue;
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
             if (s.contestant->model->equilibrium || shortening == 0.1) /* told once */
-                add_rows(sheet, &s, shortening, truth);
+                add_rows(&s, shortening, truth);
     }
     for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
         if (s.contestant->model->equilibrium)
-            add_crossing(sheet, &s);
+            add_crossing(&s);
 }
 
 const struct verify_check verify_postbuckling = {

@@ -114,12 +114,11 @@ static double deviation(const struct telling *t, double plainly[TIMES][POINTS][3
     return worst;
 }
 
-static void add_row(struct verify_sheet *sheet, const struct verify_subject *s,
-                    const struct telling *t)
+static void add_row(const struct verify_subject *s, const struct telling *t)
 {
     double plainly[TIMES][POINTS][3], told[TIMES][POINTS][3];
     struct verify_trial trial =
-        verify_trial_of(sheet, s, "edge_drop", "%s: position / L at 0.2 s", t->name);
+        verify_trial_of(s, "edge_drop", "%s: position / L at 0.2 s", t->name);
 
     if (t->scaled && !isnan(trial.row->tolerance))
         trial.row->tolerance = UNITS;
@@ -133,7 +132,7 @@ static void run(struct verify_sheet *sheet)
 
     for (size_t t = 0; t < sizeof tellings / sizeof *tellings; t++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            add_row(sheet, &s, &tellings[t]);
+            add_row(&s, &tellings[t]);
 }
 
 const struct verify_check verify_similarity = {

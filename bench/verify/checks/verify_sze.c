@@ -35,11 +35,11 @@ static void measure(struct verify_trial *t, const struct verify_strips_load *loa
     *error /= load->out;
 }
 
-static void add_shear(struct verify_sheet *sheet, const struct verify_subject *s, int count,
+static void add_shear(const struct verify_subject *s, int count,
                       const struct verify_strips_load *load)
 {
     const double from = load[0].load * FULL_LOAD, to = load[count - 1].load * FULL_LOAD;
-    struct verify_trial t = verify_trial_of(sheet, s, "cantilever",
+    struct verify_trial t = verify_trial_of(s, "cantilever",
                                             count > 1 ? "3.1, end shear %.3g .. %.3g: tip"
                                                       : "3.1, end shear %.3g: tip",
                                             from, to);
@@ -74,7 +74,7 @@ static void add_steps(struct verify_sheet *sheet)
         const int group = count - first < GROUP ? count - first : GROUP;
         const int skip = sheet->quick ? group - 1 : 0; /* the last alone */
         for (int n = 0; verify_sheet_next(sheet, &verify_strips, &n, &s);)
-            add_shear(sheet, &s, group - skip, &load[first + skip]);
+            add_shear(&s, group - skip, &load[first + skip]);
     }
 }
 
@@ -119,7 +119,7 @@ static void add_leading(double turn, struct settings *all)
 }
 
 /* *s as of 3.1, on its finest net. */
-static void add_moment(struct verify_sheet *sheet, struct verify_subject *s, double share)
+static void add_moment(struct verify_subject *s, double share)
 {
     const double turn = share * 2 * acos(-1), time[1] = {REST_AT};
     const double uvw[3][3] = {{0.25, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.75, 0.5, 0.5}};
@@ -128,7 +128,7 @@ static void add_moment(struct verify_sheet *sheet, struct verify_subject *s, dou
     s->grade = 0; /* no boundary layer here */
     verify_subject_last(s, 1);
     struct verify_trial t =
-        verify_trial_of(sheet, s, "cantilever", "3.2, end turned by %.3g rad: shape", turn);
+        verify_trial_of(s, "cantilever", "3.2, end turned by %.3g rad: shape", turn);
     if (!s->layers || verify_subject_is_linear(s)) {
         verify_row_end(t.row, VERIFY_NOT_APPLICABLE,
                        s->layers ? "small strains do not turn"
@@ -160,7 +160,7 @@ static void run(struct verify_sheet *sheet)
     add_steps(sheet);
     for (int k = 0; k < (sheet->quick ? 1 : 3); k++)
         for (int n = 0; verify_sheet_next(sheet, &verify_strips, &n, &s);)
-            add_moment(sheet, &s, shares[k]);
+            add_moment(&s, shares[k]);
 }
 
 const struct verify_check verify_sze = {

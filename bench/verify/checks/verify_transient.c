@@ -135,12 +135,11 @@ static double solid_error(const struct transient *t, double *bar)
     return worst;
 }
 
-static void add_rows(struct verify_sheet *sheet, struct verify_subject *s,
-                     struct transient *t)
+static void add_rows(struct verify_subject *s, struct transient *t)
 {
     const struct verify_refine r = {.scene = "cantilever_transient",
                                     .settings = settings,
-                                    .steps = sheet->quick ? 1 : VERIFY_REFINE_STEPS,
+                                    .steps = s->sheet->quick ? 1 : VERIFY_REFINE_STEPS,
                                     .step = STEP,
                                     .times = TIMES,
                                     .time = times,
@@ -153,12 +152,12 @@ static void add_rows(struct verify_sheet *sheet, struct verify_subject *s,
                                     .field = t->field};
     double bar = NAN;
 
-    if (sheet->quick) /* the finest two, no coarser step */
+    if (s->sheet->quick) /* the finest two, no coarser step */
         verify_subject_last(s, 2);
-    if (verify_refine(sheet, s, &r, "rms deflection, Kirchhoff") && !sheet->quick) {
+    if (verify_refine(s, &r, "rms deflection, Kirchhoff") && !s->sheet->quick) {
         double error = solid_error(t, &bar);
-        verify_row_judge_error(verify_sheet_add(sheet, s, "rms deflection, 3-D elasticity"),
-                               error, bar);
+        verify_row_judge_error(verify_sheet_add(s, "rms deflection, 3-D elasticity"), error,
+                               bar);
     }
 }
 
@@ -171,7 +170,7 @@ static void run(struct verify_sheet *sheet)
         return;
     verify_sheet_holds(sheet, transient_init(t, &sheet->why));
     for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
-        add_rows(sheet, &s, t);
+        add_rows(&s, t);
     scene_clear(&t->scene);
     truth_plate_clear(&t->plate);
     free(t);

@@ -35,12 +35,11 @@ struct stored {
     double uvw[3 * GRID_POINTS], xyz[3 * GRID_POINTS];
 };
 
-static void add_row(struct verify_sheet *sheet, struct stored *s,
-                    const struct verify_subject *subject)
+static void add_row(struct stored *s, const struct verify_subject *subject)
 {
     const double time = s->truth.time[s->index];
     struct verify_trial t =
-        verify_trial_of(sheet, subject, s->scene, "%s, rms / L at %.3g s", s->scene, time);
+        verify_trial_of(subject, s->scene, "%s, rms / L at %.3g s", s->scene, time);
 
     if (s->damping)
         settings_set(&t.settings, s->damping);
@@ -68,7 +67,7 @@ static enum status add_scene(struct verify_sheet *sheet, struct stored *s)
     for (int n = 0; n < s->truth.claimed && s->truth.time[n] <= latest + 1e-9; n++)
         s->index = n;
     for (int n = 0; s->index >= 0 && verify_sheet_next(sheet, &field, &n, &subject);)
-        add_row(sheet, s, &subject);
+        add_row(s, &subject);
 out:
     scene_clear(&scene);
     truth_made_clear(&s->truth);

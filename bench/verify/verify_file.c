@@ -70,7 +70,7 @@ enum status verify_file_write(const struct verify_check *check,
                               struct message *why)
 {
     enum status st;
-    struct output *file = NULL, *whole;
+    struct output *file = NULL;
     struct provenance provenance;
     struct table *t = verify_file_table(NULL);
     char path[PATH];
@@ -85,11 +85,9 @@ enum status verify_file_write(const struct verify_check *check,
     for (int n = 0; n < sheet->count; n++)
         verify_file_row(t, check, &sheet->rows[n]);
     table_flush(t, output_stream(file));
-    whole = file, file = NULL;
-    TRY(output_close(whole, why));
+    st = output_close(file, why);
 out:
     table_destroy(t);
-    output_discard(file);
     return st;
 }
 
@@ -174,16 +172,15 @@ static enum status read_rows(FILE *file, const char *path, struct verify_sheet *
     if (!ours)
         return status_fail(why, STATUS_INPUT, "%s: its columns are not those of verify",
                            path);
-    for (;;) {
-        if (!read_line(file, cell, &end))
-            return status_fail(why, STATUS_INPUT, "%s: row %d has not %d cells", path,
-                               sheet->count + 1, COLUMNS);
+    while (read_line(file, cell, &end)) {
         if (end)
             return sheet->status;
         if (!take_row(cell, verify_sheet_grow(sheet)))
             return status_fail(why, STATUS_INPUT, "%s: '%s' is no verdict", path,
                                cell[VERDICT]);
     }
+    return status_fail(why, STATUS_INPUT, "%s: row %d has not %d cells", path,
+                       sheet->count + 1, COLUMNS);
 }
 
 enum status verify_file_read(const struct verify_check *check, const char *folder,

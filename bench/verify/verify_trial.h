@@ -1,12 +1,6 @@
 /* verify_trial.h - the runs behind rows. Seconds go into the row, and so does a refusal or
- * a death, which is no error: `lived` is false then.
- *
- *     struct verify_trial t = verify_trial_of(subject, "cantilever", "tip [m]");
- *     settings_number(&t.settings, "sheet.thickness", h);
- *     if (verify_trial_equilibrium(&t, 1, tip, xyz))
- *         verify_row_judge(t.row, xyz[2], truth, bar);
- *
- * All functions tell `lived`. What is neither goes to the sheet (verify_sheet_holds).
+ * a death, which is no error: `lived` is false then, as all functions tell. What is neither
+ * goes to the sheet (verify_sheet_holds). verify_check.h has an example.
  */
 #ifndef VERIFY_TRIAL_H
 #define VERIFY_TRIAL_H

@@ -1,6 +1,6 @@
 /* verify_check.h - a check: one truth (a closed form, a table computed elsewhere, an
  * outside program) and all contestants it applies to. It is one `const struct verify_check`
- * in a file of its own, bench/verify/checks/verify_NAME.c, named in verify_checks.c and
+ * in a file of its own, bench/verify/checks/verify_NAME.c, named in verify.c and
  * nowhere else:
  *
  *     static const struct verify_entry entries[] = {
@@ -38,9 +38,5 @@ struct verify_check {
      * the sheet, and no row follows. */
     void (*run)(struct verify_sheet *sheet);
 };
-
-/* The checks there are, and the same as the command's items; NULL ends them. */
-extern const struct verify_check *const verify_checks[];
-extern const struct command_item *const verify_checks_items[];
 
 #endif

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "bench/verify/verify_check.h"
-#include "bench/verify/verify_refine.h"
 
 /* Round-off of a solve with a matrix of condition 2e7, over hundreds of steps; Newton's
  * method and local-global iterations end at 1e-7 L. */
@@ -71,17 +70,17 @@ static void add_fall(struct verify_subject *s, const struct fall *f)
                                      ? G / f->rate * (T - (1 - exp(-f->rate * T)) / f->rate)
                                      : G * T * T / 2;
     double truth[POINTS][3];
-    struct verify_refine r = {.scene = "drag_fall",
-                              .settings = settings,
-                              .steps = VERIFY_REFINE_STEPS,
-                              .step = DT,
-                              .times = 1,
-                              .time = &time,
-                              .n = POINTS,
-                              .uvw = uvw[0],
-                              .truth = truth[0],
-                              .measure = deviation,
-                              .context = &way};
+    struct verify_trial_refine r = {.scene = "drag_fall",
+                                    .settings = settings,
+                                    .steps = VERIFY_TRIAL_STEPS,
+                                    .step = DT,
+                                    .times = 1,
+                                    .time = &time,
+                                    .n = POINTS,
+                                    .uvw = uvw[0],
+                                    .truth = truth[0],
+                                    .measure = deviation,
+                                    .context = &way};
 
     for (int n = 0; n < POINTS; n++) {
         truth[n][0] = uvw[n][0], truth[n][1] = uvw[n][1];
@@ -91,7 +90,7 @@ static void add_fall(struct verify_subject *s, const struct fall *f)
         s->tolerance = SECOND, s->reason = "second order";
     if (f->rate == 0 && s->tolerance == EXACT)
         r.steps = 1;
-    verify_refine(s, &r, f->quantity);
+    verify_trial_refine(s, &r, f->quantity);
 }
 
 /* Speed of a sheet of mass rho h L W by its kinetic energy [m/s]. */

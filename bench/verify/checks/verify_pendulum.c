@@ -4,7 +4,6 @@
 
 #include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
-#include "bench/verify/verify_refine.h"
 
 /* Asked of the nonlinear solid wherever the strip is heavy: 1 %; of a shell, whose theory
  * is the truth's own: 1e-3 L. */
@@ -119,16 +118,16 @@ static void take_nets(const struct swing *swing, struct verify_subject *s)
 }
 
 static void add_rows(struct verify_subject *s, const struct swing *swing,
-                     struct verify_refine *r)
+                     struct verify_trial_refine *r)
 {
     char quantity[VERIFY_TEXT];
 
     take_nets(swing, s);
     r->beyond = verify_subject_is_linear(s) ? "small strains reach to Gamma = 0.9" : NULL;
-    r->steps = s->mark || s->sheet->quick ? 1 : VERIFY_REFINE_STEPS;
+    r->steps = s->mark || s->sheet->quick ? 1 : VERIFY_TRIAL_STEPS;
     snprintf(quantity, sizeof quantity, "%s: position / L until %g s", swing->name,
              TIMES * APART);
-    verify_refine(s, r, quantity);
+    verify_trial_refine(s, r, quantity);
 }
 
 static void add_swing(struct verify_sheet *sheet, const struct swing *swing)
@@ -136,16 +135,16 @@ static void add_swing(struct verify_sheet *sheet, const struct swing *swing)
     static const double uvw[POINTS][3] = {
         {1, 0.5, 0.5}, {0.75, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.25, 0.5, 0.5}};
     static double time[TIMES], truth[TIMES][POINTS][3];
-    struct verify_refine r = {.scene = "hinge",
-                              .settings = swing->settings,
-                              .step = STEP,
-                              .times = TIMES,
-                              .time = time,
-                              .n = POINTS,
-                              .uvw = uvw[0],
-                              .truth = truth[0][0],
-                              .bar = BAR,
-                              .measure = distance};
+    struct verify_trial_refine r = {.scene = "hinge",
+                                    .settings = swing->settings,
+                                    .step = STEP,
+                                    .times = TIMES,
+                                    .time = time,
+                                    .n = POINTS,
+                                    .uvw = uvw[0],
+                                    .truth = truth[0][0],
+                                    .bar = BAR,
+                                    .measure = distance};
     struct verify_subject s;
 
     read_truth(sheet, swing->file, time, truth);

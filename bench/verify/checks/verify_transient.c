@@ -5,7 +5,6 @@
 #include "bench/truth/truth_plate.h"
 #include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
-#include "bench/verify/verify_refine.h"
 #include "fem_ref/freefem.h"
 #include "models/metric/metric.h"
 
@@ -134,24 +133,24 @@ static double solid_error(const struct transient *t, double *bar)
 
 static void add_rows(struct verify_subject *s, struct transient *t)
 {
-    const struct verify_refine r = {.scene = "cantilever_transient",
-                                    .settings = settings,
-                                    .steps = s->sheet->quick ? 1 : VERIFY_REFINE_STEPS,
-                                    .step = STEP,
-                                    .times = TIMES,
-                                    .time = times,
-                                    .n = GRID_POINTS,
-                                    .uvw = t->uvw,
-                                    .truth = t->truth,
-                                    .bar = KIRCHHOFF_TRANSIENT_ERROR,
-                                    .measure = plate_error,
-                                    .context = t,
-                                    .field = t->field};
+    const struct verify_trial_refine r = {.scene = "cantilever_transient",
+                                          .settings = settings,
+                                          .steps = s->sheet->quick ? 1 : VERIFY_TRIAL_STEPS,
+                                          .step = STEP,
+                                          .times = TIMES,
+                                          .time = times,
+                                          .n = GRID_POINTS,
+                                          .uvw = t->uvw,
+                                          .truth = t->truth,
+                                          .bar = KIRCHHOFF_TRANSIENT_ERROR,
+                                          .measure = plate_error,
+                                          .context = t,
+                                          .field = t->field};
     double bar = NAN;
 
     if (s->sheet->quick) /* the finest two, no coarser step */
         verify_subject_last(s, 2);
-    if (verify_refine(s, &r, "rms deflection, Kirchhoff") && !s->sheet->quick) {
+    if (verify_trial_refine(s, &r, "rms deflection, Kirchhoff") && !s->sheet->quick) {
         double error = solid_error(t, &bar);
         verify_row_judge_error(verify_sheet_add(s, "rms deflection, 3-D elasticity"), error,
                                bar);

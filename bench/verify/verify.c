@@ -218,7 +218,9 @@ static enum status print_summary(const struct job *job)
                   "its reason before the first result; where nothing is claimed, the error "
                   "is measured all the same. The command fails if a claim is missed, or "
                   "dies.");
-    return table_finish(t, job->format, stdout);
+    enum status st = table_print(t, job->format, stdout);
+    table_destroy(t);
+    return st;
 }
 
 /* Tables of all checks, and below them how many rows of each end how. CSV: one table. */

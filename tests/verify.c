@@ -95,6 +95,20 @@ static void check_walk(void)
     CHECK(sheet.status == STATUS_INPUT);
 }
 
+/* The first failure is kept, and walks end with it. */
+static void check_failure(void)
+{
+    struct verify_sheet sheet = {0};
+    char text[512];
+
+    CHECK(!verify_sheet_table(&sheet, "no_such_table"));
+    CHECK(sheet.status == STATUS_INPUT && strstr(sheet.why.text, "no_such_table"));
+    CHECK(!verify_sheet_holds(&sheet, STATUS_MEMORY) && sheet.status == STATUS_INPUT);
+    walk(&sheet, &field, text);
+    CHECK(!*text);
+    verify_sheet_clear(&sheet);
+}
+
 /* Nets of an entry, of the field, and of the contestant itself, in title and settings. */
 static void check_nets(void)
 {
@@ -188,6 +202,7 @@ int main(int argc, char **argv)
 {
     check_verdicts();
     check_walk();
+    check_failure();
     check_nets();
     check_file(argc > 1 ? argv[1] : ".");
     check_refusals(argc > 1 ? argv[1] : ".");

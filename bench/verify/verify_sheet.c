@@ -22,7 +22,8 @@ bool verify_sheet_table(struct verify_sheet *sheet, const char *name)
 {
     reference_close(sheet->table);
     sheet->table = NULL;
-    return verify_sheet_holds(sheet, truth_table_open(name, &sheet->table, &sheet->why));
+    return sheet->status == STATUS_OK &&
+           verify_sheet_holds(sheet, truth_table_open(name, &sheet->table, &sheet->why));
 }
 
 /* Whether an entry names it. */

@@ -27,7 +27,7 @@ static void check_verdicts(void)
 
     CHECK(verify_sheet_next(&sheet, &field, &n, &claimed));
     CHECK(verify_sheet_next(&sheet, &field, &n, &unclaimed));
-    struct verify_row *row = verify_sheet_add(&sheet, &claimed, "tip %d", 1);
+    struct verify_row *row = verify_sheet_add(&claimed, "tip %d", 1);
 
     CHECK(row->verdict == VERIFY_NOT_APPLICABLE && !verify_row_failed(row));
     verify_row_judge(row, 1.011, 1, 0.002);
@@ -45,7 +45,7 @@ static void check_verdicts(void)
     CHECK(verify_row_failed(row));
     CHECK(!strcmp(row->note, "asked; beyond; at 1 s"));
 
-    row = verify_sheet_add(&sheet, &unclaimed, "tip");
+    row = verify_sheet_add(&unclaimed, "tip");
     verify_row_judge(row, 5, 1, 0);
     CHECK(row->verdict == VERIFY_NO_CLAIM && !verify_row_failed(row));
     verify_row_end(row, VERIFY_DIED, "%s", "");
@@ -95,6 +95,20 @@ static void check_walk(void)
     CHECK(sheet.status == STATUS_INPUT);
 }
 
+/* The first failure is kept, and walks end with it. */
+static void check_failure(void)
+{
+    struct verify_sheet sheet = {0};
+    char text[512];
+
+    CHECK(!verify_sheet_table(&sheet, "no_such_table"));
+    CHECK(sheet.status == STATUS_INPUT && strstr(sheet.why.text, "no_such_table"));
+    CHECK(!verify_sheet_holds(&sheet, STATUS_MEMORY) && sheet.status == STATUS_INPUT);
+    walk(&sheet, &field, text);
+    CHECK(!*text);
+    verify_sheet_clear(&sheet);
+}
+
 /* Nets of an entry, of the field, and of the contestant itself, in title and settings. */
 static void check_nets(void)
 {
@@ -135,8 +149,9 @@ static void check_file(const char *folder)
     struct verify_subject s = verify_subject_of(&field, &entries[0], contestant_table);
     struct message why = {""};
 
+    s.sheet = &made;
     for (int n = 0; n < 50; n++) {
-        struct verify_row *row = verify_sheet_add(&made, &s, "tip, Gamma = %d", n);
+        struct verify_row *row = verify_sheet_add(&s, "tip, Gamma = %d", n);
         verify_row_judge(row, 1 + n / 3000.0, 1, 1e-10);
         row->seconds = n / 7.0;
         if (n % 2)
@@ -187,6 +202,7 @@ int main(int argc, char **argv)
 {
     check_verdicts();
     check_walk();
+    check_failure();
     check_nets();
     check_file(argc > 1 ? argv[1] : ".");
     check_refusals(argc > 1 ? argv[1] : ".");

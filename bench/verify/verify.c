@@ -6,11 +6,24 @@
 #include <string.h>
 
 #include "bench/files/folder.h"
-#include "bench/truth/truth_table.h"
 #include "bench/ui/progress.h"
-#include "bench/verify/verify_checks.h"
 #include "bench/verify/verify_file.h"
-#include "bench/verify/verify_print.h"
+
+/* Statics first, then motions, and what outside programs and stored truths say. */
+#define CHECKS(X)                                                                          \
+    X(elastica), X(sze), X(fabrics), X(matrices), X(navier), X(frequencies),               \
+        X(cantilever), X(lateral), X(postbuckling), X(hanging), X(pendulum), X(transient), \
+        X(energy), X(fall), X(period), X(moving), X(contact), X(similarity), X(outside),   \
+        X(truths)
+
+#define CHECK_NAME(name) verify_##name
+extern const struct verify_check CHECKS(CHECK_NAME);
+
+#define CHECK_ADDRESS(name) &verify_##name
+static const struct verify_check *const checks[] = {CHECKS(CHECK_ADDRESS), NULL};
+
+#define CHECK_ITEM(name) &verify_##name.item
+static const struct command_item *const items[] = {CHECKS(CHECK_ITEM), NULL};
 
 enum { MOST_CHECKS = 64 };
 
@@ -38,14 +51,14 @@ static enum status find(const char *name, const struct verify_check **check,
 {
     char known[768] = "";
 
-    for (int n = 0; verify_checks[n]; n++) {
+    for (int n = 0; checks[n]; n++) {
         size_t used = strlen(known);
-        if (!strcmp(verify_checks[n]->item.name, name)) {
-            *check = verify_checks[n];
+        if (!strcmp(checks[n]->item.name, name)) {
+            *check = checks[n];
             return STATUS_OK;
         }
         snprintf(known + used, sizeof known - used, "%s%s", n ? ", " : "",
-                 verify_checks[n]->item.name);
+                 checks[n]->item.name);
     }
     return status_fail(why, STATUS_INPUT, "verify: there is no check '%s'; there are %s",
                        name, known);
@@ -63,14 +76,14 @@ static enum status choose(struct job *job, const struct command_line *line,
         TRY(find(line->words[n], &check, why));
         for (int i = 0; i < job->count; i++)
             known |= job->check[i] == check;
-        if (!known && job->count < MOST_CHECKS)
+        if (!known)
             job->check[job->count++] = check;
     }
     if (line->word_count)
         return STATUS_OK;
-    for (int n = 0; verify_checks[n] && job->count < MOST_CHECKS; n++)
-        if (!job->quick || !verify_checks[n]->slow)
-            job->check[job->count++] = verify_checks[n];
+    for (int n = 0; checks[n]; n++)
+        if (!job->quick || !checks[n]->slow)
+            job->check[job->count++] = checks[n];
 out:
     return st;
 }
@@ -104,23 +117,123 @@ out:
 
 static enum status run_check(struct job *job, int n, struct message *why)
 {
-    enum status st;
     const struct verify_check *check = job->check[n];
     struct verify_sheet *sheet = &job->sheet[n];
-    struct reference *table = NULL;
 
     if (job->read_only)
         return verify_file_read(check, job->folder, sheet, why);
     *sheet = (struct verify_sheet){.models = job->models, .quick = job->quick};
-    if (check->table)
-        TRY(truth_table_open(check->table, &table, why));
-    sheet->table = table;
-    TRY(check->run(sheet, why));
+    if (!check->table || verify_sheet_table(sheet, check->table))
+        check->run(sheet);
     if (sheet->status != STATUS_OK)
-        TRY(status_fail(why, sheet->status, "%s", sheet->why.text));
-    TRY(verify_file_write(check, sheet, job->folder, why));
+        return status_fail(why, sheet->status, "%s", sheet->why.text);
+    return verify_file_write(check, sheet, job->folder, why);
+}
+
+/* Whether an earlier row of the sheet has the same remark: one note does for all. */
+static bool told(const struct verify_sheet *sheet, int row)
+{
+    for (int n = 0; n < row; n++)
+        if (!strcmp(sheet->rows[n].note, sheet->rows[row].note) &&
+            !strcmp(sheet->rows[n].subject, sheet->rows[row].subject))
+            return true;
+    return false;
+}
+
+static enum status print_sheet(const struct verify_check *check,
+                               const struct verify_sheet *sheet, enum table_format format)
+{
+    const struct verify_row *row = sheet->rows;
+    char caption[512];
+
+    snprintf(caption, sizeof caption, "%s: %s", check->item.name, check->item.text);
+    struct table *t = verify_file_table(caption);
+    for (int n = 0; n < sheet->count; n++) {
+        if (n && strcmp(row[n].quantity, row[n - 1].quantity) &&
+            !strcmp(row[n].subject, row[0].subject))
+            table_rule(t);
+        verify_file_row(t, check, &row[n]);
+    }
+    table_note(t, "Truth: %s", check->source);
+    for (int n = 0; n < sheet->count; n++)
+        if (*row[n].note && !told(sheet, n))
+            table_note(t, "%s: %s.", row[n].subject, row[n].note);
+    return table_finish(t, format, stdout);
+}
+
+/* For machines: all rows in one table. */
+static enum status print_flat(const struct job *job)
+{
+    struct table *t = verify_file_table(NULL);
+
+    for (int s = 0; s < job->count; s++)
+        for (int n = 0; n < job->sheet[s].count; n++)
+            verify_file_row(t, job->check[s], &job->sheet[s].rows[n]);
+    return table_finish(t, job->format, stdout);
+}
+
+/* How many rows end how, and their seconds. */
+struct tally {
+    long rows[VERIFY_VERDICTS], all;
+    double seconds;
+};
+
+static void count_rows(const struct verify_sheet *sheet, struct tally *tally)
+{
+    for (int n = 0; n < sheet->count; n++, tally->all++) {
+        tally->rows[sheet->rows[n].verdict]++;
+        tally->seconds += sheet->rows[n].seconds;
+    }
+}
+
+static void add_tally(struct table *t, const char *name, const struct tally *tally)
+{
+    table_row(t);
+    table_text(t, "%s", name);
+    for (int v = 0; v < VERIFY_VERDICTS; v++)
+        table_integer(t, tally->rows[v]);
+    table_integer(t, tally->all);
+    table_number(t, tally->seconds, 2);
+}
+
+static enum status print_summary(const struct job *job)
+{
+    struct table_column heads[VERIFY_VERDICTS + 3] = {{"check", NULL, TABLE_LEFT}};
+    struct tally sum = {{0}};
+
+    for (int v = 0; v < VERIFY_VERDICTS; v++)
+        heads[v + 1] = (struct table_column){verify_verdict_name(v)};
+    heads[VERIFY_VERDICTS + 1] = (struct table_column){"rows"};
+    heads[VERIFY_VERDICTS + 2] = (struct table_column){"time", "s"};
+    struct table *t = table_create(VERIFY_VERDICTS + 3, heads, "How many rows end how");
+    for (int s = 0; s < job->count; s++) {
+        struct tally one = {{0}};
+        count_rows(&job->sheet[s], &one);
+        count_rows(&job->sheet[s], &sum);
+        add_tally(t, job->check[s]->item.name, &one);
+    }
+    table_rule(t);
+    add_tally(t, "all", &sum);
+    table_note(t, "met: error <= tolerance + error bar. A tolerance is a claim, fixed with "
+                  "its reason before the first result; where nothing is claimed, the error "
+                  "is measured all the same. The command fails if a claim is missed, or "
+                  "dies.");
+    enum status st = table_print(t, job->format, stdout);
+    table_destroy(t);
+    return st;
+}
+
+/* Tables of all checks, and below them how many rows of each end how. CSV: one table. */
+static enum status print(const struct job *job)
+{
+    enum status st = STATUS_OK;
+
+    if (!table_format_is_prose(job->format))
+        return print_flat(job);
+    for (int s = 0; s < job->count; s++)
+        TRY(print_sheet(job->check[s], &job->sheet[s], job->format));
+    TRY(print_summary(job));
 out:
-    reference_close(table);
     return st;
 }
 
@@ -161,7 +274,7 @@ static enum status run(const struct command_line *line, struct message *why)
         TRY(run_check(job, n, why));
     }
     progress_end(&progress);
-    TRY(verify_print(job->count, job->check, job->sheet, job->format, stdout));
+    TRY(print(job));
     TRY(tell_failures(job, why));
 out:
     progress_end(&progress);
@@ -186,6 +299,6 @@ const struct command verify_command = {
     .most = MOST_CHECKS,
     .options = options,
     .section = "checks",
-    .items = verify_checks_items,
+    .items = items,
     .run = run,
 };

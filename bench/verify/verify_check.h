@@ -1,23 +1,20 @@
 /* verify_check.h - a check: one truth (a closed form, a table computed elsewhere, an
  * outside program) and all contestants it applies to. It is one `const struct verify_check`
- * in a file of its own, bench/verify/checks/verify_NAME.c, named in verify_checks.c and
+ * in a file of its own, bench/verify/checks/verify_NAME.c, named in verify.c and
  * nowhere else:
  *
  *     static const struct verify_entry entries[] = {
  *         {"iga_reduced", 0.01, "1 % is asked", {16, 32}, {3, 3}}, {NULL}};
  *     static const struct verify_field field = {entries, CONTESTANT_LARGE};
  *
- *     static enum status run(struct verify_sheet *sheet, struct message *why)
+ *     static void run(struct verify_sheet *sheet)
  *     {
  *         struct verify_subject s;
  *         for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);) {
- *             struct verify_row *row = verify_sheet_add(sheet, &s, "tip, Gamma %g", g);
- *             struct verify_trial t = {row, &s, "cantilever"};
- *             TRY(verify_trial_equilibrium(&t, 1, uvw, xyz, why));
- *             if (t.lived)
- *                 verify_row_judge(row, xyz[2], truth, 1e-10);
+ *             struct verify_trial t = verify_trial_of(&s, "cantilever", "tip");
+ *             if (verify_trial_equilibrium(&t, 1, uvw, xyz))
+ *                 verify_row_judge(t.row, xyz[2], truth, 1e-10);
  *         }
- *     out: ...
  *     }
  *
  * Every contestant has a row: one whose model has no such thing, or whose theory does not
@@ -29,7 +26,6 @@
 #define VERIFY_CHECK_H
 
 #include "bench/ui/command.h"
-#include "bench/verify/verify_sheet.h"
 #include "bench/verify/verify_trial.h"
 
 struct verify_check {
@@ -38,8 +34,9 @@ struct verify_check {
     const char *table;        /* that it is read from, sheet->table; NULL: none           */
     bool slow;                /* more than some 10 s: --quick leaves it out               */
 
-    /* Adds its rows. Deaths and refusals of models are rows, not errors. */
-    enum status (*run)(struct verify_sheet *sheet, struct message *why);
+    /* Adds its rows. Deaths and refusals of models are rows; what fails besides is kept by
+     * the sheet, and no row follows. */
+    void (*run)(struct verify_sheet *sheet);
 };
 
 #endif

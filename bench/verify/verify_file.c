@@ -65,11 +65,6 @@ void verify_file_row(struct table *t, const struct verify_check *check,
     table_text(t, "%s", check->source);
 }
 
-static void path_of(const struct verify_check *check, const char *folder, char path[PATH])
-{
-    snprintf(path, PATH, "%s/%s.csv", folder, check->item.name);
-}
-
 enum status verify_file_write(const struct verify_check *check,
                               const struct verify_sheet *sheet, const char *folder,
                               struct message *why)
@@ -80,7 +75,7 @@ enum status verify_file_write(const struct verify_check *check,
     struct table *t = verify_file_table(NULL);
     char path[PATH];
 
-    path_of(check, folder, path);
+    snprintf(path, PATH, "%s/%s.csv", folder, check->item.name);
     TRY(output_create(path, &file, why));
     provenance_collect(&provenance);
     output_print(file, "# clothbench verify %s\n", check->item.name);
@@ -90,12 +85,9 @@ enum status verify_file_write(const struct verify_check *check,
     for (int n = 0; n < sheet->count; n++)
         verify_file_row(t, check, &sheet->rows[n]);
     table_flush(t, output_stream(file));
-    struct output *whole = file;
-    file = NULL;
-    TRY(output_close(whole, why));
+    st = output_close(file, why);
 out:
     table_destroy(t);
-    output_discard(file);
     return st;
 }
 
@@ -147,14 +139,6 @@ static double number_of(const char *cell)
     return strtod(*cell ? cell : "nan", NULL);
 }
 
-static void take_text(const char *cell, size_t size, char *text)
-{
-    const size_t length = strlen(cell) < size ? strlen(cell) : size - 1;
-
-    memcpy(text, cell, length);
-    text[length] = '\0';
-}
-
 /* False for a verdict that is none. */
 static bool take_row(char cell[COLUMNS][CELL], struct verify_row *row)
 {
@@ -165,9 +149,9 @@ static bool take_row(char cell[COLUMNS][CELL], struct verify_row *row)
                                .tolerance = number_of(cell[TOLERANCE]),
                                .order = number_of(cell[ORDER]),
                                .seconds = number_of(cell[SECONDS])};
-    take_text(cell[QUANTITY], sizeof row->quantity, row->quantity);
-    take_text(cell[MODEL], sizeof row->subject, row->subject);
-    take_text(cell[REMARK], sizeof row->note, row->note);
+    snprintf(row->quantity, VERIFY_TEXT, "%.*s", VERIFY_TEXT - 1, cell[QUANTITY]);
+    snprintf(row->subject, VERIFY_TEXT, "%.*s", VERIFY_TEXT - 1, cell[MODEL]);
+    snprintf(row->note, VERIFY_NOTE, "%.*s", VERIFY_NOTE - 1, cell[REMARK]);
     for (int n = 0; n < VERIFY_VERDICTS; n++)
         if (!strcmp(cell[VERDICT], verify_verdict_name(n))) {
             row->verdict = (enum verify_verdict)n;
@@ -188,16 +172,15 @@ static enum status read_rows(FILE *file, const char *path, struct verify_sheet *
     if (!ours)
         return status_fail(why, STATUS_INPUT, "%s: its columns are not those of verify",
                            path);
-    for (;;) {
-        if (!read_line(file, cell, &end))
-            return status_fail(why, STATUS_INPUT, "%s: row %d has not %d cells", path,
-                               sheet->count + 1, COLUMNS);
+    while (read_line(file, cell, &end)) {
         if (end)
             return sheet->status;
         if (!take_row(cell, verify_sheet_grow(sheet)))
             return status_fail(why, STATUS_INPUT, "%s: '%s' is no verdict", path,
                                cell[VERDICT]);
     }
+    return status_fail(why, STATUS_INPUT, "%s: row %d has not %d cells", path,
+                       sheet->count + 1, COLUMNS);
 }
 
 enum status verify_file_read(const struct verify_check *check, const char *folder,
@@ -206,7 +189,7 @@ enum status verify_file_read(const struct verify_check *check, const char *folde
     char path[PATH];
 
     *sheet = (struct verify_sheet){0};
-    path_of(check, folder, path);
+    snprintf(path, PATH, "%s/%s.csv", folder, check->item.name);
     FILE *file = fopen(path, "r");
     if (!file)
         return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));

@@ -33,6 +33,11 @@ void verify_row_judge(struct verify_row *row, double value, double truth, double
     verify_row_judge_error(row, fabs(value - truth) / fabs(truth), bar);
 }
 
+double verify_row_worse(double a, double b)
+{
+    return a > b || isnan(a) ? a : b;
+}
+
 static void add_note(struct verify_row *row, const char *note, va_list arguments)
 {
     size_t used = strlen(row->note);

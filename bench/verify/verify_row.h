@@ -42,6 +42,9 @@ struct verify_row {
 void verify_row_judge(struct verify_row *row, double value, double truth, double bar);
 void verify_row_judge_error(struct verify_row *row, double error, double bar);
 
+/* The larger one; NaN if one is. */
+double verify_row_worse(double a, double b);
+
 /* Adds a sentence. */
 void verify_row_note(struct verify_row *row, const char *note, ...)
     __attribute__((format(printf, 2, 3)));

@@ -6,15 +6,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/truth/truth_table.h"
+
 /* No contestant's: enters nowhere, but where it is named. */
 static const unsigned NOWHERE = 1u << 31;
 
-static void fail(struct verify_sheet *sheet, enum status st, const struct message *why)
+bool verify_sheet_holds(struct verify_sheet *sheet, enum status st)
 {
-    if (sheet->status != STATUS_OK || st == STATUS_OK)
-        return;
-    sheet->status = st;
-    sheet->why = *why;
+    if (sheet->status == STATUS_OK)
+        sheet->status = st;
+    return sheet->status == STATUS_OK;
+}
+
+bool verify_sheet_table(struct verify_sheet *sheet, const char *name)
+{
+    reference_close(sheet->table);
+    sheet->table = NULL;
+    return sheet->status == STATUS_OK &&
+           verify_sheet_holds(sheet, truth_table_open(name, &sheet->table, &sheet->why));
 }
 
 /* Whether an entry names it. */
@@ -41,57 +50,41 @@ static bool comes_in(const struct verify_sheet *sheet, const struct verify_field
     return contestant_chosen(c, sheet->models, left_out ? NOWHERE : field->enters);
 }
 
-/* Their number; at the walk's start `without` is looked at. */
-static int begin(struct verify_sheet *sheet, const struct verify_field *field, int n)
-{
-    struct message why = {""};
-    int count = 0;
-
-    if (n == 0 && field->without)
-        fail(sheet, contestant_check(field->without, &why), &why);
-    while (field->entry && field->entry[count].contestant)
-        count++;
-    return count;
-}
-
 /* The contestant of an entry that is wanted; NULL: it is not. */
 static const struct contestant *listed(struct verify_sheet *sheet,
                                        const struct verify_entry *entry)
 {
     const struct contestant *c = NULL;
-    struct message why = {""};
-    const enum status st = contestant_find(entry->contestant, &c, &why);
 
-    if (st != STATUS_OK) {
-        fail(sheet, st, &why);
-        return NULL;
-    }
-    return contestant_chosen(c, sheet->models, 0) && !(entry->dear && sheet->quick) ? c
-                                                                                    : NULL;
+    return verify_sheet_holds(sheet, contestant_find(entry->contestant, &c, &sheet->why)) &&
+                   contestant_chosen(c, sheet->models, 0) && !(entry->dear && sheet->quick)
+               ? c
+               : NULL;
 }
 
 bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *field, int *n,
                        struct verify_subject *subject)
 {
-    const int entries = begin(sheet, field, *n);
+    int entries = 0;
 
-    for (;;) {
+    if (*n == 0 && field->without)
+        verify_sheet_holds(sheet, contestant_check(field->without, &sheet->why));
+    while (field->entry && field->entry[entries].contestant)
+        entries++;
+    while (sheet->status == STATUS_OK) {
         const int at = (*n)++;
         const struct verify_entry *entry = at < entries ? &field->entry[at] : NULL;
-        const struct contestant *c;
-        if (entry)
-            c = listed(sheet, entry);
-        else {
-            c = &contestant_table[at - entries];
-            if (!c->name)
-                return false;
-            c = comes_in(sheet, field, c) ? c : NULL;
-        }
-        if (c) {
+        const struct contestant *c =
+            entry ? listed(sheet, entry) : &contestant_table[at - entries];
+        if (!entry && !c->name)
+            return false;
+        if (c && (entry || comes_in(sheet, field, c))) {
             *subject = verify_subject_of(field, entry, c);
+            subject->sheet = sheet;
             return true;
         }
     }
+    return false;
 }
 
 struct verify_row *verify_sheet_grow(struct verify_sheet *sheet)
@@ -100,7 +93,7 @@ struct verify_row *verify_sheet_grow(struct verify_sheet *sheet)
         int room = sheet->room ? 2 * sheet->room : 32;
         struct verify_row *rows = realloc(sheet->rows, (size_t)room * sizeof *rows);
         if (!rows) {
-            fail(sheet, STATUS_MEMORY, &(struct message){""});
+            verify_sheet_holds(sheet, STATUS_MEMORY);
             return &sheet->spare;
         }
         sheet->rows = rows;
@@ -109,11 +102,10 @@ struct verify_row *verify_sheet_grow(struct verify_sheet *sheet)
     return &sheet->rows[sheet->count++];
 }
 
-struct verify_row *verify_sheet_add(struct verify_sheet *sheet,
-                                    const struct verify_subject *subject,
+struct verify_row *verify_sheet_add(const struct verify_subject *subject,
                                     const char *quantity, ...)
 {
-    struct verify_row *row = verify_sheet_grow(sheet);
+    struct verify_row *row = verify_sheet_grow(subject->sheet);
     va_list arguments;
 
     *row = (struct verify_row){.value = NAN,
@@ -134,6 +126,7 @@ struct verify_row *verify_sheet_add(struct verify_sheet *sheet,
 
 void verify_sheet_clear(struct verify_sheet *sheet)
 {
+    reference_close(sheet->table);
     free(sheet->rows);
     memset(sheet, 0, sizeof *sheet);
 }

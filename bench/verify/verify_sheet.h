@@ -8,15 +8,22 @@
 
 struct verify_sheet {
     const char *models; /* of --models; NULL: all                             borrowed */
-    const struct reference *table; /* of the truth; NULL: the check has none borrowed */
+    struct reference *table; /* the last that was asked for; NULL: none       owned    */
     bool quick; /* a check may leave out the dear half of its rows             */
     int count, room;
     struct verify_row *rows; /* [count]                                       owned    */
     struct verify_row spare; /* where rows go when memory is out                       */
-    enum status status;      /* not STATUS_OK: something failed on the way             */
-    struct message why;
+    enum status status;      /* not STATUS_OK: something failed on the way, and why:   */
+    struct message why;      /* walks end then, and runs do not begin                  */
 };
 void verify_sheet_clear(struct verify_sheet *sheet); /* all-zero is allowed */
+
+/* Keeps the status of what had sheet->why for its sentence; whether nothing failed so far:
+ *     if (verify_sheet_holds(sheet, truth_plate_init(.., &sheet->why))) */
+bool verify_sheet_holds(struct verify_sheet *sheet, enum status st);
+
+/* Opens a truth's table (truth_table.h) in place of the last one; whether it is there. */
+bool verify_sheet_table(struct verify_sheet *sheet, const char *name);
 
 /* Walks a field as --models asks for it: its entries, then the others that enter. *n
  * begins at 0.
@@ -28,11 +35,10 @@ bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *fi
 /* A place for one more row, as memory has it. Good until the next; never NULL. */
 struct verify_row *verify_sheet_grow(struct verify_sheet *sheet);
 
-/* The next row: no numbers yet, the subject's tolerance, verdict NOT_APPLICABLE. Likewise.
- */
-struct verify_row *verify_sheet_add(struct verify_sheet *sheet,
-                                    const struct verify_subject *subject,
+/* The next row of the subject's sheet: no numbers yet, its tolerance, verdict
+ * NOT_APPLICABLE. Likewise. */
+struct verify_row *verify_sheet_add(const struct verify_subject *subject,
                                     const char *quantity, ...)
-    __attribute__((format(printf, 3, 4)));
+    __attribute__((format(printf, 2, 3)));
 
 #endif

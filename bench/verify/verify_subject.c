@@ -21,6 +21,14 @@ void verify_subject_last(struct verify_subject *s, int count)
         }
 }
 
+void verify_subject_claim(struct verify_subject *s, double tolerance, const char *reason)
+{
+    if (!isnan(s->tolerance)) {
+        s->tolerance = tolerance;
+        s->reason = reason;
+    }
+}
+
 /* Nets of a subject that says none. */
 static void take_nets(struct verify_subject *s, const struct verify_field *field)
 {

@@ -23,6 +23,13 @@ struct verify_entry {
     bool mark;                             /* as the check uses it                        */
 };
 
+/* Those that differ in what frees them of locking, which rigid motion does not ask for. */
+#define VERIFY_REMEDIES                                                                    \
+    "iga_nonlinear_3,iga_reduced,iga_reduced_3,iga_selective,hex_incompatible,shell_3"
+
+/* The same but for the cured in their own nets, and those that only lock. */
+#define VERIFY_LOCKED "iga_nonlinear_3,iga_reduced_3,iga_selective,hex_nonlinear"
+
 /* Whom a check judges. */
 struct verify_field {
     const struct verify_entry *entry; /* contestant NULL ends; in this order              */
@@ -35,6 +42,8 @@ struct verify_field {
 };
 
 struct verify_subject {
+    struct verify_sheet
+        *sheet; /* that its rows go to                            borrowed */
     const struct contestant *contestant;
     double tolerance;   /* NAN: nothing is claimed                                        */
     const char *reason; /* or NULL                                                        */
@@ -56,6 +65,9 @@ struct verify_subject verify_subject_of(const struct verify_field *field,
 /* Two nets of as many points along as across; the last `count` nets alone. */
 void verify_subject_square(struct verify_subject *s, int coarse, int fine);
 void verify_subject_last(struct verify_subject *s, int count);
+
+/* Another claim, where there is one; its reason, or NULL. */
+void verify_subject_claim(struct verify_subject *s, double tolerance, const char *reason);
 
 /* "IGA, reduced, 10x10x2, graded", with the finest net. */
 void verify_subject_title(const struct verify_subject *s, char text[VERIFY_SUBJECT_TEXT]);

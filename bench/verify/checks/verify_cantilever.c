@@ -2,10 +2,8 @@
  * Kirchhoff's plate at any thickness, and against three-dimensional elasticity.
  */
 #include <math.h>
-#include <stdlib.h>
 
 #include "bench/truth/truth_plate.h"
-#include "bench/truth/truth_table.h"
 #include "bench/verify/checks/verify_plates.h"
 
 /* Weight small enough that every model's answer is that of linear theory: slopes of 1e-3
@@ -55,11 +53,10 @@ struct thin {
 };
 
 /* w D / (q L^4) at the middle of the free edge. */
-static enum status measure_tip(struct verify_trial *t, void *context, double *value,
-                               struct message *why)
+static double measure_tip(struct verify_trial *t, void *context)
 {
     const struct thin *p = context;
-    const double tip[3] = {1, 0.5, 0.5}, young = 1e5, h = p->h, nu = p->nu;
+    const double young = 1e5, h = p->h, nu = p->nu;
     const double D = young * h * h * h / (12 * (1 - nu * nu)), gamma = gamma_of(h);
     double xyz[3] = {0};
 
@@ -67,153 +64,89 @@ static enum status measure_tip(struct verify_trial *t, void *context, double *va
     settings_number(&t->settings, "material.poisson", nu);
     settings_numbers(&t->settings, "gravity", 3, (double[]){0, 0, -gamma * D / h});
     settings_set(&t->settings, "material.density=1");
-    enum status st = verify_trial_equilibrium(t, 1, tip, xyz, why);
-    *value = -xyz[2] / gamma;
-    return st;
+    verify_trial_tip(t, xyz);
+    return -xyz[2] / gamma;
 }
 
-static enum status add_tip(struct verify_sheet *sheet, const struct verify_subject *s,
-                           struct thin *p, double truth, double bar, struct message *why)
+static void run_kirchhoff(struct verify_sheet *sheet, double nu)
 {
-    struct verify_row *row =
-        verify_sheet_add(sheet, s, "tip w D / (q L^4), h/L = %g, nu = %g", p->h, p->nu);
-    struct verify_trial t = {row, s, "cantilever"};
-
-    /* A solid is no Kirchhoff plate: shear adds some (h/L)^2, and near free and clamped
-     * edges, over a width h, stresses differ; h / L in all. */
-    return verify_trial_nets(&t, measure_tip, p, truth, s->layers ? bar + p->h : bar, why);
-}
-
-static enum status run_kirchhoff(struct verify_sheet *sheet, struct message *why)
-{
-    static const double nus[] = {0.3, 0, 0.49}, hs[] = {1e-1, 1e-3, 1e-5, 1e-2, 1e-4};
-    enum status st = STATUS_OK;
+    static const double hs[] = {1e-1, 1e-3, 1e-5, 1e-2, 1e-4};
     struct verify_subject s;
+    double tip = NAN, bar = NAN;
 
-    for (int n = 0; n < (sheet->quick ? 1 : 3); n++) {
-        double tip, bar;
-        TRY(kirchhoff_tip(nus[n], &tip, &bar));
-        for (int i = 0; i < (sheet->quick ? 3 : 5); i++) {
-            struct thin p = {hs[i], nus[n]};
-            for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-                TRY(add_tip(sheet, &s, &p, tip, bar, why));
+    if (!verify_sheet_holds(sheet, kirchhoff_tip(nu, &tip, &bar)))
+        return;
+    for (int i = 0; i < (sheet->quick ? 3 : 5); i++)
+        for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);) {
+            struct thin p = {hs[i], nu};
+            struct verify_trial t = verify_trial_of(
+                &s, "cantilever", "tip w D / (q L^4), h/L = %g, nu = %g", p.h, p.nu);
+            /* A solid is no Kirchhoff plate: shear adds some (h/L)^2, and near free and
+             * clamped edges, over a width h, stresses differ; h / L in all. */
+            verify_trial_nets(&t, measure_tip, &p, tip, s.layers ? bar + p.h : bar);
         }
-    }
-out:
-    return st;
 }
 
 /* --- Three-dimensional elasticity: stored fields of FreeFEM. */
 
-enum { FIELD_POINTS = 144 };
-
-struct field {
-    double thickness, young, poisson, density, gravity;
-    double error; /* rms [m]                                                            */
-    int count;
-    double uvw[FIELD_POINTS][3], shift[FIELD_POINTS][3]; /* [1], [m]                   */
-    double rms;                                          /* of the shifts           [m] */
-};
-
-static enum status read_field(const char *name, struct field *f, struct message *why)
+static double rms(double sum)
 {
-    static const char *const column[] = {"dx", "dy", "dz"};
-    enum status st;
-    struct reference *table = NULL;
-    double sum = 0;
-
-    TRY(truth_table_open(name, &table, why));
-    *f = (struct field){.thickness = truth_table_note(table, "thickness"),
-                        .young = truth_table_note(table, "young"),
-                        .poisson = truth_table_note(table, "poisson"),
-                        .density = truth_table_note(table, "density"),
-                        .gravity = truth_table_note(table, "gravity"),
-                        .error = truth_table_note(table, "mesh_error_m")};
-    for (int n = 0; n < reference_rows(table) && n < FIELD_POINTS; n++, f->count++) {
-        f->uvw[n][0] = reference_number(table, n, "u");
-        f->uvw[n][1] = reference_number(table, n, "v");
-        f->uvw[n][2] = 0.5;
-        for (int i = 0; i < 3; i++) {
-            f->shift[n][i] = reference_number(table, n, column[i]);
-            sum += f->shift[n][i] * f->shift[n][i];
-        }
-    }
-    f->rms = sqrt(sum / f->count);
-out:
-    reference_close(table);
-    return st;
+    return sqrt(sum / VERIFY_PLATES_POINTS);
 }
 
 /* rms of the difference of one net's field, of the rms of the truth's. The load is that of
  * gamma_of, the shifts are scaled back. */
-static enum status measure_field(struct verify_trial *t, void *context, double *error,
-                                 struct message *why)
+static double measure_field(struct verify_trial *t, void *context)
 {
-    const struct field *f = context;
-    const double h = f->thickness;
-    const double scale = f->density * f->gravity * 12 * (1 - f->poisson * f->poisson) /
-                         (f->young * h * h) / gamma_of(h);
-    double sum = 0, xyz[FIELD_POINTS][3] = {{0}};
+    const struct freefem_field *f = context;
+    const struct reference *table = t->subject->sheet->table;
+    const double h = truth_table_note(table, "thickness");
+    const double nu = truth_table_note(table, "poisson");
+    const double gravity = truth_table_note(table, "gravity");
+    const double scale = truth_table_note(table, "density") * gravity * 12 * (1 - nu * nu) /
+                         (truth_table_note(table, "young") * h * h) / gamma_of(h);
+    double uvw[VERIFY_PLATES_POINTS][3], xyz[VERIFY_PLATES_POINTS][3] = {{0}};
 
-    settings_number(&t->settings, "sheet.thickness", h);
-    settings_number(&t->settings, "material.young", f->young);
-    settings_number(&t->settings, "material.poisson", f->poisson);
-    settings_number(&t->settings, "material.density", f->density);
-    settings_numbers(&t->settings, "gravity", 3, (double[]){0, 0, -f->gravity / scale});
-    enum status st = verify_trial_equilibrium(t, f->count, f->uvw[0], xyz[0], why);
-    for (int k = 0; k < f->count; k++)
-        for (int i = 0; i < 3; i++) {
-            double rest = i < 2 ? f->uvw[k][i] : 0;
-            double apart = (xyz[k][i] - rest) * scale - f->shift[k][i];
-            sum += apart * apart;
-        }
-    *error = sqrt(sum / f->count) / f->rms;
-    return st;
+    verify_plates_points(uvw);
+    verify_plates_physics(t->subject->sheet, &t->settings);
+    settings_numbers(&t->settings, "gravity", 3, (double[]){0, 0, -gravity / scale});
+    verify_trial_equilibrium(t, VERIFY_PLATES_POINTS, uvw[0], xyz[0]);
+    return rms(verify_plates_apart(f, 0, xyz, scale)) / rms(verify_plates_moved(f, 0));
 }
 
-static enum status add_field(struct verify_sheet *sheet, const struct verify_subject *s,
-                             struct field *f, struct message *why)
+static void add_field(const struct verify_subject *s, struct freefem_field *f)
 {
-    struct verify_row *row = verify_sheet_add(
-        sheet, s, "field by FreeFEM, h/L = %g, nu = %g", f->thickness, f->poisson);
-    struct verify_trial t = {row, s, "cantilever"};
-    enum status st = verify_trial_nets(&t, measure_field, f, NAN, f->error / f->rms, why);
+    const double h = truth_table_note(s->sheet->table, "thickness");
+    struct verify_trial t =
+        verify_trial_of(s, "cantilever", "field by FreeFEM, h/L = %g, nu = %g", h,
+                        truth_table_note(s->sheet->table, "poisson"));
 
-    if (row->verdict == VERIFY_MISSED && s->layers == 2)
-        verify_row_note(row,
+    if (!verify_trial_nets(&t, measure_field, f, NAN,
+                           f->error[0] / rms(verify_plates_moved(f, 0))))
+        return;
+    if (t.row->verdict == VERIFY_MISSED && s->layers == 2)
+        verify_row_note(t.row,
                         "one layer in plane stress thins at the clamp, over a width h, "
                         "where a solid cannot: no net mends that");
-    if (t.lived && !s->layers && f->thickness >= THICK)
-        verify_row_end(row, VERIFY_OUT_OF_RANGE, "a theory of thin sheets");
-    return st;
+    if (!s->layers && h >= THICK)
+        verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "a theory of thin sheets");
 }
 
-static enum status run_fields(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
+    static const double nus[] = {0.3, 0, 0.49};
     static const char *const names[] = {
         "freefem_static_h10mm", "freefem_static_h100mm_nu00", "freefem_static_h100mm_nu03",
         "freefem_static_h100mm_nu049"};
-    enum status st = STATUS_OK;
     struct verify_subject s;
-    struct field f;
+    struct freefem_field f;
 
-    for (size_t n = 0; n < (sheet->quick ? 2 : sizeof names / sizeof *names); n++) {
-        TRY(read_field(names[n], &f, why));
+    for (int n = 0; n < (sheet->quick ? 1 : 3); n++)
+        run_kirchhoff(sheet, nus[n]);
+    for (int n = 0; n < (sheet->quick ? 2 : 4) && verify_plates_read(sheet, names[n], &f);
+         n++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            TRY(add_field(sheet, &s, &f, why));
-    }
-out:
-    return st;
-}
-
-static enum status run(struct verify_sheet *sheet, struct message *why)
-{
-    enum status st;
-
-    TRY(run_kirchhoff(sheet, why));
-    TRY(run_fields(sheet, why));
-out:
-    return st;
+            add_field(&s, &f);
 }
 
 const struct verify_check verify_cantilever = {

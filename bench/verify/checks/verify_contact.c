@@ -27,11 +27,7 @@ static const struct verify_entry entries[] = {
     {"projective_dynamics", BALANCE},
     {NULL}};
 static const struct verify_field field = {
-    entries,
-    CONTESTANT_LARGE,
-    "iga_nonlinear_3,iga_reduced,iga_reduced_3,iga_selective,hex_incompatible,shell_3",
-    {8},
-    {7}};
+    entries, CONTESTANT_LARGE, VERIFY_REMEDIES, {8}, {7}};
 
 static double step_of(const struct verify_subject *s)
 {
@@ -40,10 +36,7 @@ static double step_of(const struct verify_subject *s)
 
 enum { SIDE = 21, LOOKS = 12 };
 
-/* What is seen of the last frames. A solid swings through its thickness, and breathes, when
- * its weight comes onto it: forces are looked at after that, with a step that resolves it
- * and stiffness damping, which leaves rigid motion alone; at rest mass damping ends what is
- * slower. */
+/* What is seen of the last frames. */
 struct seen {
     double settled;  /* when looking begins                                        [s] */
     double force;    /* along z, the farthest from the weight                      [N] */
@@ -88,8 +81,8 @@ static enum status look(void *context, const struct motion *m, struct message *w
 }
 
 /* Runs a sheet on a plane inclined by `slope` (gravity is): what is seen of it. */
-static enum status watch_sheet(struct verify_trial *t, double slope, double friction,
-                               double mass, struct seen *seen, struct message *why)
+static bool watch_sheet(struct verify_trial *t, double slope, double friction, double mass,
+                        struct seen *seen)
 {
     const bool solid = t->subject->layers;
     const double dt = step_of(t->subject);
@@ -109,50 +102,40 @@ static enum status watch_sheet(struct verify_trial *t, double slope, double fric
     else
         settings_set(s, "damping={kind: none}");
     t->end = seen->settled + LOOKS * dt;
-    return verify_trial_watch(t, look, seen, why);
+    return verify_trial_watch(t, look, seen);
 }
 
-static enum status add_rest(struct verify_sheet *sheet, const struct verify_subject *s,
-                            struct message *why)
+static void add_rest(struct verify_subject *s)
 {
     struct seen seen;
-    struct verify_subject gap = *s;
-    struct verify_row *row = verify_sheet_add(sheet, s, "force on the ground [N]");
-    struct verify_trial t = {row, s, "ground"};
-    enum status st = watch_sheet(&t, 0, 0.5, 300, &seen, why);
+    struct verify_trial t = verify_trial_of(s, "ground", "force on the ground [N]");
 
-    if (!t.lived)
-        return st;
-    verify_row_judge(row, seen.force, WEIGHT, 0);
-    gap.tolerance = isnan(gap.tolerance) ? NAN : CLOSED;
-    gap.reason = NULL;
-    row = verify_sheet_add(sheet, &gap, "least gap of the net / L");
-    verify_row_judge_error(row, fabs(seen.gap) / LENGTH, 0);
-    return st;
+    if (!watch_sheet(&t, 0, 0.5, 300, &seen))
+        return;
+    verify_row_judge(t.row, seen.force, WEIGHT, 0);
+    verify_subject_claim(s, CLOSED, NULL);
+    verify_row_judge_error(verify_sheet_add(s, "least gap of the net / L"),
+                           fabs(seen.gap) / LENGTH, 0);
 }
 
-static enum status add_slide(struct verify_sheet *sheet, const struct verify_subject *s,
-                             double friction, struct message *why)
+static void add_slide(const struct verify_subject *s, double friction)
 {
     struct seen seen;
     const double dt = step_of(s), pull = G * (sin(SLOPE) - friction * cos(SLOPE));
-    struct verify_row *row = verify_sheet_add(
-        sheet, s, pull > 0 ? "slides, mu = %g [m/s^2], error / g" : "slips / L, mu = %g",
+    struct verify_trial t = verify_trial_of(
+        s, "ground", pull > 0 ? "slides, mu = %g [m/s^2], error / g" : "slips / L, mu = %g",
         friction);
-    struct verify_trial t = {row, s, "ground"};
 
-    if (pull <= 0 && !isnan(row->tolerance))
-        row->tolerance = STUCK;
-    enum status st = watch_sheet(&t, SLOPE, friction, 0, &seen, why);
-    if (!t.lived)
-        return st;
+    if (pull <= 0 && !isnan(t.row->tolerance))
+        t.row->tolerance = STUCK;
+    if (!watch_sheet(&t, SLOPE, friction, 0, &seen))
+        return;
     if (pull > 0) {
-        row->value = (seen.along[2] - 2 * seen.along[1] + seen.along[0]) / (dt * dt);
-        row->truth = pull;
-        verify_row_judge_error(row, fabs(row->value - pull) / G, 0);
+        t.row->value = (seen.along[2] - 2 * seen.along[1] + seen.along[0]) / (dt * dt);
+        t.row->truth = pull;
+        verify_row_judge_error(t.row, fabs(t.row->value - pull) / G, 0);
     } else
-        verify_row_judge_error(row, fabs(seen.along[2] - seen.from) / LENGTH, 0);
-    return st;
+        verify_row_judge_error(t.row, fabs(seen.along[2] - seen.from) / LENGTH, 0);
 }
 
 /* The next; where nothing is claimed, the hasty do not look. */
@@ -164,19 +147,16 @@ static bool next(struct verify_sheet *sheet, int *n, struct verify_subject *s)
     return false;
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
     static const double frictions[] = {0, 0.2, 0.6};
     struct verify_subject s;
 
     for (int k = 0; next(sheet, &k, &s);)
-        TRY(add_rest(sheet, &s, why));
+        add_rest(&s);
     for (int n = 0; n < 3; n++)
         for (int k = 0; next(sheet, &k, &s);)
-            TRY(add_slide(sheet, &s, frictions[n], why));
-out:
-    return st;
+            add_slide(&s, frictions[n]);
 }
 
 const struct verify_check verify_contact = {

@@ -13,9 +13,8 @@ static const double REST = 1e-4;
 
 /* Motion with twice the lowest frequency as mass damping, near the critical, over some ten
  * decay times; *xyz of the tip at the end. */
-static enum status come_to_rest(struct verify_trial *t,
-                                const struct verify_strips_load *load, double *xyz,
-                                struct message *why)
+static void come_to_rest(struct verify_trial *t, const struct verify_strips_load *load,
+                         double *xyz)
 {
     enum { STEPS = 2000 };
     /* omega^2 = 3.516^2 B / (rho h L^4) in the beam's first mode, or that of a pendulum. */
@@ -27,9 +26,8 @@ static enum status come_to_rest(struct verify_trial *t,
     settings_number(&t->settings, "damping.value", 2 * rate);
     settings_number(&t->settings, "time.step", end / STEPS);
     settings_number(&t->settings, "time.end", end);
-    enum status st = verify_trial_motion(t, 2, time, 1, tip, both, why);
-    if (!t->lived)
-        return st;
+    if (!verify_trial_motion(t, 2, time, 1, tip, both))
+        return;
     for (int i = 0; i < 3; i++)
         xyz[i] = both[3 + i];
     const double moved = hypot(both[3] - both[0], both[5] - both[2]);
@@ -38,51 +36,46 @@ static enum status come_to_rest(struct verify_trial *t,
                        "not at rest: moved %.2g L in the last half", moved);
         t->lived = false;
     }
-    return st;
 }
 
-static enum status measure(struct verify_trial *t, const struct verify_strips_load *load,
-                           double *drop, double *error, struct message *why)
+static void measure(struct verify_trial *t, const struct verify_strips_load *load,
+                    double *drop, double *error)
 {
     /* E h^3 / 12 = rho g h / Gamma for L = 1: the load is kept, the stiffness follows. */
     const double thickness = 1e-3, weight = 0.05 * 9.81 * thickness;
-    const double tip[3] = {1, 0.5, 0.5};
     double xyz[3] = {NAN, NAN, NAN};
 
     settings_number(&t->settings, "sheet.width", VERIFY_STRIPS_WIDTH);
     settings_set(&t->settings, "material.poisson=0");
     settings_number(&t->settings, "material.young",
                     12 * weight / load->load / (thickness * thickness * thickness));
-    enum status st = t->subject->contestant->model->equilibrium
-                         ? verify_trial_equilibrium(t, 1, tip, xyz, why)
-                         : come_to_rest(t, load, xyz, why);
+    if (t->subject->contestant->model->equilibrium)
+        verify_trial_tip(t, xyz);
+    else
+        come_to_rest(t, load, xyz);
     *drop = -xyz[2];
     *error = verify_subject_is_linear(t->subject)
                  ? fabs(*drop - load->out)
                  : hypot(xyz[0] - load->along, *drop - load->out);
     *error /= load->out;
-    return st;
 }
 
 /* Loads of a decade, one in `every`; the row tells of the worst of them. */
-static enum status add_row(struct verify_sheet *sheet, const struct verify_subject *s,
-                           int count, const struct verify_strips_load *load, int every,
-                           struct message *why)
+static void add_row(const struct verify_subject *s, int count,
+                    const struct verify_strips_load *load, int every)
 {
     const bool linear = verify_subject_is_linear(s);
     const double from = load[0].load, to = load[count - 1].load;
-    const struct verify_strips_load *died;
-    struct verify_row *row = verify_sheet_add(sheet, s, "%s, Gamma = %.3g .. %.3g",
-                                              linear ? "drop / L" : "tip", from, to);
-    struct verify_trial t = {row, s, "cantilever"};
-    enum status st = verify_strips_worst(&t, measure, count, load, every, BAR, &died, why);
+    struct verify_trial t = verify_trial_of(s, "cantilever", "%s, Gamma = %.3g .. %.3g",
+                                            linear ? "drop / L" : "tip", from, to);
+    const struct verify_strips_load *died =
+        verify_strips_worst(&t, measure, count, load, every, BAR);
 
     if (died)
-        verify_row_note(row, "Gamma = %.4g", died->load);
+        verify_row_note(t.row, "Gamma = %.4g", died->load);
     else if (linear && to > VERIFY_STRIPS_LINEAR_GAMMA)
-        verify_row_end(row, VERIFY_OUT_OF_RANGE, "small strains reach to Gamma = %g",
+        verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "small strains reach to Gamma = %g",
                        VERIFY_STRIPS_LINEAR_GAMMA);
-    return st;
 }
 
 /* Rows of the table from `first` on in the same decade of Gamma; returns their number. */
@@ -104,9 +97,8 @@ static int read_decade(const struct reference *table, int first,
     return count;
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
     const struct reference *table = sheet->table;
     struct verify_strips_load load[MOST];
     struct verify_subject s;
@@ -115,10 +107,8 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
     for (int first = 0, count; first < reference_rows(table); first += count) {
         count = read_decade(table, first, load);
         for (int n = 0; verify_sheet_next(sheet, &verify_strips, &n, &s);)
-            TRY(add_row(sheet, &s, count, load, every, why));
+            add_row(&s, count, load, every);
     }
-out:
-    return st;
 }
 
 const struct verify_check verify_elastica = {

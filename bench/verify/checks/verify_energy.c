@@ -65,37 +65,32 @@ static void note_work(struct verify_row *row, double dt, const struct counters *
                         fmax((double)work->substeps / (double)work->steps, 1));
 }
 
-static enum status add_rows(struct verify_sheet *sheet, const struct verify_subject *s,
-                            double dt, double end, struct message *why)
+static void add_rows(struct verify_subject *s, double dt, double end)
 {
     struct ledger l = {0};
-    struct verify_subject loss = *s;
-    struct verify_row *row =
-        verify_sheet_add(sheet, s, "energy gained, %g s by %g ms", end, 1e3 * dt);
-    struct verify_trial t = {row, s, "edge_drop", .end = end};
+    struct verify_trial t =
+        verify_trial_of(s, "edge_drop", "energy gained, %g s by %g ms", end, 1e3 * dt);
 
+    t.end = end;
     settings_set(&t.settings, "damping={kind: none}");
     settings_number(&t.settings, "time.step", dt);
-    enum status st = verify_trial_watch(&t, note_energy, &l, why);
-    if (st == STATUS_OK)
-        note_work(row, dt, &l.work);
+    verify_trial_watch(&t, note_energy, &l);
+    note_work(t.row, dt, &l.work);
     if (!t.lived)
-        return st;
+        return;
     if (isnan(l.gained)) {
-        verify_row_end(row, VERIFY_NOT_APPLICABLE, "it has no elastic energy");
-        return st;
+        verify_row_end(t.row, VERIFY_NOT_APPLICABLE, "it has no elastic energy");
+        return;
     }
-    verify_row_judge_error(row, l.gained / l.turned, 0);
-    loss.tolerance = !s->mark ? NAN : verify_subject_is_linear(s) ? LINEAR : LOSS;
-    loss.reason = NULL;
-    row = verify_sheet_add(sheet, &loss, "energy lost, %g s by %g ms", end, 1e3 * dt);
-    verify_row_judge_error(row, l.lost / l.turned, 0);
-    return st;
+    verify_row_judge_error(t.row, l.gained / l.turned, 0);
+    s->tolerance = !s->mark ? NAN : verify_subject_is_linear(s) ? LINEAR : LOSS;
+    s->reason = NULL;
+    verify_row_judge_error(verify_sheet_add(s, "energy lost, %g s by %g ms", end, 1e3 * dt),
+                           l.lost / l.turned, 0);
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
     const struct {
         double dt, end;
     } swings[] = {{0.005, 2}, {0.0025, 2}, {0.005, 10}};
@@ -104,10 +99,7 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
     for (int n = 0; n < (sheet->quick ? 1 : 3); n++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
             if (!s.dear || swings[n].end <= 2)
-                TRY(add_rows(sheet, &s, swings[n].dt, sheet->quick ? 0.6 : swings[n].end,
-                             why));
-out:
-    return st;
+                add_rows(&s, swings[n].dt, sheet->quick ? 0.6 : swings[n].end);
 }
 
 const struct verify_check verify_energy = {

@@ -47,99 +47,77 @@ struct fabric {
 };
 
 /* How far below 41.5 degrees the tip is at an overhang [m]. */
-static enum status tip_angle(struct verify_trial *t, const struct fabric *f,
-                             double overhang, double *off, struct message *why)
+static double tip_angle(struct verify_trial *t, const struct fabric *f, double overhang)
 {
-    const double tip[3] = {1, 0.5, 0.5};
     double xyz[3] = {0};
 
-    settings_number(&t->settings, "sheet.length", overhang);
-    settings_number(&t->settings, "sheet.width", VERIFY_STRIPS_WIDTH * overhang);
-    settings_number(&t->settings, "sheet.thickness", THICKNESS);
-    settings_number(&t->settings, "material.density", f->weight / THICKNESS);
-    settings_number(&t->settings, "material.young",
-                    12 * f->D / (THICKNESS * THICKNESS * THICKNESS));
-    settings_set(&t->settings, "material.poisson=0");
+    settings_print(&t->settings, "sheet={length: %.17g, width: %.17g, thickness: %.17g}",
+                   overhang, VERIFY_STRIPS_WIDTH * overhang, THICKNESS);
+    settings_print(&t->settings, "material={young: %.17g, poisson: 0, density: %.17g}",
+                   12 * f->D / (THICKNESS * THICKNESS * THICKNESS), f->weight / THICKNESS);
     settings_set(&t->settings, "gravity=[0,0,-9.81]");
-    enum status st = verify_trial_equilibrium(t, 1, tip, xyz, why);
-    *off = atan2(-xyz[2], xyz[0]) - angle_wanted();
-    return st;
+    verify_trial_tip(t, xyz);
+    return atan2(-xyz[2], xyz[0]) - angle_wanted();
 }
 
 /* Half the overhang at 41.5 degrees, by the secant method in log(overhang). */
-static enum status bending_length(struct verify_trial *t, void *context, double *c,
-                                  struct message *why)
+static double bending_length(struct verify_trial *t, void *context)
 {
     const struct fabric *f = context;
-    enum status st;
     double x[2] = {log(f->overhang), log(1.05 * f->overhang)}, off[2] = {0};
 
-    for (int n = 0; n < 2; n++) {
-        TRY(tip_angle(t, f, exp(x[n]), &off[n], why));
-        if (!t->lived)
-            goto out;
-    }
-    for (int n = 0; n < MOST_TRIES && fabs(x[1] - x[0]) > FOUND; n++) {
+    t->lived = true;
+    for (int n = 0; n < 2 && t->lived; n++)
+        off[n] = tip_angle(t, f, exp(x[n]));
+    for (int n = 0; t->lived && n < MOST_TRIES && fabs(x[1] - x[0]) > FOUND; n++) {
         double step = -off[1] * (x[1] - x[0]) / (off[1] - off[0]);
         x[0] = x[1], off[0] = off[1];
         x[1] += fmin(fmax(step, -1), 1);
-        TRY(tip_angle(t, f, exp(x[1]), &off[1], why));
-        if (!t->lived)
-            goto out;
+        off[1] = tip_angle(t, f, exp(x[1]));
     }
-    *c = exp(x[1]) / 2;
-    if (!(fabs(x[1] - x[0]) <= FOUND)) {
+    if (t->lived && !(fabs(x[1] - x[0]) <= FOUND)) {
         t->lived = false;
         verify_row_end(t->row, VERIFY_DIED, "no overhang found in %d tries", MOST_TRIES);
     }
-out:
-    return st;
+    return exp(x[1]) / 2;
 }
 
-static enum status add_row(struct verify_sheet *sheet, const struct verify_subject *s,
-                           struct fabric *f, double gamma, struct message *why)
+static void add_row(const struct verify_subject *s, struct fabric *f, double gamma)
 {
-    enum status st = STATUS_OK;
-    struct verify_row *row = verify_sheet_add(sheet, s, "bending length [m], %s", f->name);
-    struct verify_trial t = {row, s, "cantilever"};
+    struct verify_trial t =
+        verify_trial_of(s, "cantilever", "bending length [m], %s", f->name);
 
     if (!s->contestant->model->equilibrium) {
-        verify_row_end(row, VERIFY_NOT_APPLICABLE,
+        verify_row_end(t.row, VERIFY_NOT_APPLICABLE,
                        "at this Gamma it does not come to rest (see elastica)");
-        goto out;
+        return;
     }
-    TRY(verify_trial_nets(&t, bending_length, f, f->overhang / 2, FOUND, why));
-    if (!t.lived)
-        goto out;
-    verify_row_note(row, "%s: weight c^3 = %.4g N m for D = %.4g N m", f->name,
-                    f->weight * GRAVITY * pow(row->value, 3), f->D);
+    if (!verify_trial_nets(&t, bending_length, f, f->overhang / 2, FOUND))
+        return;
+    verify_row_note(t.row, "%s: weight c^3 = %.4g N m for D = %.4g N m", f->name,
+                    f->weight * GRAVITY * pow(t.row->value, 3), f->D);
     if (verify_subject_is_linear(s))
-        verify_row_end(row, VERIFY_OUT_OF_RANGE,
+        verify_row_end(t.row, VERIFY_OUT_OF_RANGE,
                        "small strains reach to Gamma = %g, this is at %.4g",
                        VERIFY_STRIPS_LINEAR_GAMMA, gamma);
-out:
-    return st;
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
     const struct reference *table = sheet->table;
+    const int rows = reference_rows(table), every = sheet->quick ? rows - 1 : 1;
     struct verify_subject s;
     double gamma;
 
-    TRY(gamma_wanted(&gamma));
-    int rows = reference_rows(table), every = sheet->quick ? rows - 1 : 1;
+    verify_sheet_holds(sheet, gamma_wanted(&gamma));
     for (int n = 0; n < rows; n += every) {
         struct fabric f = {reference_text(table, n, "fabric"),
                            reference_number(table, n, "area_density_kg_m2"),
                            reference_number(table, n, "D_eq_Nm")};
         f.overhang = cbrt(gamma * f.D / (f.weight * GRAVITY));
         for (int k = 0; verify_sheet_next(sheet, &verify_strips, &k, &s);)
-            TRY(add_row(sheet, &s, &f, gamma, why));
+            add_row(&s, &f, gamma);
     }
-out:
-    return st;
 }
 
 const struct verify_check verify_fabrics = {

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "bench/verify/verify_check.h"
-#include "bench/verify/verify_refine.h"
 
 /* Round-off of a solve with a matrix of condition 2e7, over hundreds of steps; Newton's
  * method and local-global iterations end at 1e-7 L. */
@@ -19,16 +18,12 @@ static const double SPEED = 1e-6;
 static const double SECOND = 1e-4;
 #define FIRST (DT / T * (1 + 1e-6))
 
+#define LATE "starts without acceleration: dt / t"
 /* Marked: the kinetic energy is that of the step's mean speed, not of v. */
 static const struct verify_entry entries[] = {
     {"iga_linear", EXACT, NULL, {5}, {4}},
     {"iga_paper", 0, "the paper's scheme", {5}, {4}, .mark = true},
-    {"iga_incremental",
-     FIRST,
-     "starts without acceleration: dt / t",
-     {5},
-     {4},
-     .mark = true},
+    {"iga_incremental", FIRST, LATE, {5}, {4}, .mark = true},
     {"iga_nonlinear", EXACT, NULL, {5}, {4}},
     {"hex_linear", EXACT, NULL, {5}, {4}},
     {"hex_nonlinear", EXACT, NULL, {5}, {4}},
@@ -38,11 +33,7 @@ static const struct verify_entry entries[] = {
     {"projective_dynamics", FIRST, "implicit Euler: dt / t", {5}},
     {NULL}};
 static const struct verify_field field = {
-    entries,
-    CONTESTANT_LARGE,
-    "iga_nonlinear_3,iga_reduced,iga_reduced_3,iga_selective,hex_incompatible,shell_3",
-    {5},
-    {5}};
+    entries, CONTESTANT_LARGE, VERIFY_REMEDIES, {5}, {5}};
 
 /* One kind of fall, until T: rest + way along -z. */
 struct fall {
@@ -72,27 +63,24 @@ static double deviation(const void *context, const double *a, const double *b)
     return worst / *(const double *)context;
 }
 
-static enum status add_fall(struct verify_sheet *sheet, struct verify_subject *s,
-                            const struct fall *f, struct message *why)
+static void add_fall(struct verify_subject *s, const struct fall *f)
 {
     const char *settings[] = {f->drag, f->damping, NULL};
     const double time = T, way = f->rate > 0
                                      ? G / f->rate * (T - (1 - exp(-f->rate * T)) / f->rate)
                                      : G * T * T / 2;
     double truth[POINTS][3];
-    bool lived;
-    struct verify_refine r = {.scene = "drag_fall",
-                              .settings = settings,
-                              .steps = VERIFY_REFINE_STEPS,
-                              .step = DT,
-                              .times = 1,
-                              .time = &time,
-                              .n = POINTS,
-                              .uvw = uvw[0],
-                              .truth = truth[0],
-                              .bar = 0,
-                              .measure = deviation,
-                              .context = &way};
+    struct verify_trial_refine r = {.scene = "drag_fall",
+                                    .settings = settings,
+                                    .steps = VERIFY_TRIAL_STEPS,
+                                    .step = DT,
+                                    .times = 1,
+                                    .time = &time,
+                                    .n = POINTS,
+                                    .uvw = uvw[0],
+                                    .truth = truth[0],
+                                    .measure = deviation,
+                                    .context = &way};
 
     for (int n = 0; n < POINTS; n++) {
         truth[n][0] = uvw[n][0], truth[n][1] = uvw[n][1];
@@ -102,7 +90,7 @@ static enum status add_fall(struct verify_sheet *sheet, struct verify_subject *s
         s->tolerance = SECOND, s->reason = "second order";
     if (f->rate == 0 && s->tolerance == EXACT)
         r.steps = 1;
-    return verify_refine(sheet, s, &r, f->quantity, &lived, why);
+    verify_trial_refine(s, &r, f->quantity);
 }
 
 /* Speed of a sheet of mass rho h L W by its kinetic energy [m/s]. */
@@ -119,66 +107,52 @@ static enum status see_speed(void *context, const struct motion *m, struct messa
     return STATUS_OK;
 }
 
-/* Another claim, where there is one: without the reason of the first. */
-static void claim(struct verify_subject *s, double tolerance)
-{
-    if (!isnan(s->tolerance))
-        s->tolerance = tolerance, s->reason = NULL;
-}
-
 /* Terminal speed rho g / c; exp(-c t / rho) of it is missing. */
-static enum status add_terminal(struct verify_sheet *sheet, struct verify_subject *s,
-                                struct message *why)
+static void add_terminal(struct verify_subject *s)
 {
     const double end = 2, truth = 1.962, missing = exp(-5 * end);
     double speed;
 
-    claim(s, missing);
-    struct verify_row *row = verify_sheet_add(sheet, s, "terminal speed with drag [m/s]");
-    struct verify_trial t = {row, s, "drag_fall", .end = end};
-    enum status st = verify_trial_watch(&t, see_speed, &speed, why);
-    if (t.lived)
-        verify_row_judge(row, speed, truth, missing);
-    return st;
+    verify_subject_claim(s, missing, NULL);
+    struct verify_trial t =
+        verify_trial_of(s, "drag_fall", "terminal speed with drag [m/s]");
+    t.end = end;
+    if (verify_trial_watch(&t, see_speed, &speed))
+        verify_row_judge(t.row, speed, truth, missing);
 }
 
 /* v <- mu v after every step: mu / (1 - mu) g dt, a speed that the step sets. */
-static enum status add_scaled(struct verify_sheet *sheet, struct verify_subject *s,
-                              double mu, double truth, struct message *why)
+static void add_scaled(struct verify_subject *s, double mu, double truth)
 {
     const double dt = 0.001, end = mu > 0.95 ? 2 : 0.2; /* mu^n is missing */
     double speed;
 
-    claim(s, SPEED);
-    struct verify_row *row = verify_sheet_add(sheet, s, "v <- %g v: speed / (g dt)", mu);
-    struct verify_trial t = {row, s, "drag_fall", .end = end};
+    verify_subject_claim(s, SPEED, NULL);
+    struct verify_trial t =
+        verify_trial_of(s, "drag_fall", "v <- %g v: speed / (g dt)", mu);
+    t.end = end;
     settings_set(&t.settings, "drag.coefficient=0");
     settings_set(&t.settings, "time.step=0.001");
     settings_print(&t.settings, "damping={kind: velocity_scale, value: %g}", mu);
-    enum status st = verify_trial_watch(&t, see_speed, &speed, why);
-    if (t.lived)
-        verify_row_judge(row, speed / (G * dt) - (s->mark ? 0.5 : 0), truth,
+    if (verify_trial_watch(&t, see_speed, &speed))
+        verify_row_judge(t.row, speed / (G * dt) - (s->mark ? 0.5 : 0), truth,
                          fmax(pow(mu, end / dt), 1e-12));
-    return st;
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
     const struct reference *table = sheet->table;
     struct verify_subject s;
 
     for (int f = 0; f < FALLS; f++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            TRY(add_fall(sheet, &s, &falls[f], why));
+            add_fall(&s, &falls[f]);
     for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-        TRY(add_terminal(sheet, &s, why));
+        add_terminal(&s);
     for (int n = 0; (n = reference_find(table, n, "case", "newmark_vscale")) >= 0; n++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            TRY(add_scaled(sheet, &s, reference_number(table, n, "a"),
-                           reference_number(table, n, "v1"), why));
-out:
-    return st;
+            add_scaled(&s, reference_number(table, n, "a"),
+                       reference_number(table, n, "v1"));
 }
 
 const struct verify_check verify_fall = {

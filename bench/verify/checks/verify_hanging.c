@@ -69,8 +69,7 @@ static double find_worst(struct strip *s, const double omega[MODES])
 }
 
 /* sqrt(L / g) omega of one net. */
-static enum status measure(struct verify_trial *t, void *context, double *error,
-                           struct message *why)
+static double measure(struct verify_trial *t, void *context)
 {
     struct strip *s = context;
     const double gamma = s->gamma, rho = 0.05, g = 9.81;
@@ -84,41 +83,34 @@ static enum status measure(struct verify_trial *t, void *context, double *error,
     settings_set(&t->settings, "pose={origin: [0,0,0], u: [0,0,-1], v: [0,1,0]}");
     settings_set(&t->settings, "supports=[{at: {u: 0}, fix: xyz}, "
                                "{at: {u: [0,1], v: [0,1]}, fix: y}]");
-    enum status st = verify_trial_settled_modes(t, MODES, omega, why);
+    verify_trial_modes(t, true, MODES, omega);
     for (int n = 0; n < MODES; n++)
         omega[n] *= sqrt(1 / g);
-    *error = find_worst(s, omega);
-    return st;
+    return find_worst(s, omega);
 }
 
-static enum status add_row(struct verify_sheet *sheet, const struct verify_subject *subject,
-                           struct strip *s, struct message *why)
+static void add_row(const struct verify_subject *subject, struct strip *s)
 {
-    struct verify_row *row =
-        verify_sheet_add(sheet, subject, "omega sqrt(L / g), Gamma = %g", s->gamma);
-    struct verify_trial t = {row, subject, "cantilever"};
-    enum status st = verify_trial_nets(&t, measure, s, NAN, BAR, why);
+    struct verify_trial t =
+        verify_trial_of(subject, "cantilever", "omega sqrt(L / g), Gamma = %g", s->gamma);
 
-    if (!t.lived)
-        return st;
-    verify_row_judge(row, s->found, s->omega[s->worst], BAR);
-    snprintf(row->quantity, sizeof row->quantity,
+    if (!verify_trial_nets(&t, measure, s, NAN, BAR))
+        return;
+    verify_row_judge(t.row, s->found, s->omega[s->worst], BAR);
+    snprintf(t.row->quantity, sizeof t.row->quantity,
              "omega_%d sqrt(L / g), worst of 3, Gamma = %g", s->worst + 1, s->gamma);
     if (verify_subject_is_linear(subject) && s->gamma > LINEAR_GAMMA)
-        verify_row_end(row, VERIFY_OUT_OF_RANGE, "modes without weight reach to Gamma = %g",
-                       LINEAR_GAMMA);
-    return st;
+        verify_row_end(t.row, VERIFY_OUT_OF_RANGE,
+                       "modes without weight reach to Gamma = %g", LINEAR_GAMMA);
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
     const struct reference *table = sheet->table;
     struct verify_subject subject;
     int every = sheet->quick ? 3 : 1, count = 0;
 
-    for (int n = reference_find(table, 0, "case", "hangfreq"); n >= 0;
-         n = reference_find(table, n + 1, "case", "hangfreq")) {
+    for (int n = 0; (n = reference_find(table, n, "case", "hangfreq")) >= 0; n++) {
         struct strip s = {reference_number(table, n, "a"),
                           {reference_number(table, n, "v1"),
                            reference_number(table, n, "v2"),
@@ -127,10 +119,8 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
             continue;
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &subject);)
             if (subject.contestant->model->modes || count == 1) /* told once */
-                TRY(add_row(sheet, &subject, &s, why));
+                add_row(&subject, &s);
     }
-out:
-    return st;
 }
 
 const struct verify_check verify_hanging = {

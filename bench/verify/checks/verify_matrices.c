@@ -17,14 +17,10 @@
 static const double ZERO = 1e-11;
 static const double LENGTH = 1.1, WIDTH = 0.7, THICKNESS = 0.05;
 static const double YOUNG = 3, POISSON = 0.3, DENSITY = 1.7;
-static const char *const box_settings[] = {"sheet.length=1.1",
-                                           "sheet.width=0.7",
-                                           "sheet.thickness=0.05",
-                                           "material.young=3",
-                                           "material.poisson=0.3",
-                                           "material.density=1.7",
-                                           NULL};
-enum { BOX = sizeof box_settings / sizeof *box_settings, SHAPE = 4 };
+static const char *const box_settings[] = {
+    "sheet={length: 1.1, width: 0.7, thickness: 0.05}", "material.young=3",
+    "material.poisson=0.3", "material.density=1.7", NULL};
+enum { BOX = sizeof box_settings / sizeof *box_settings, SHAPE = 2 };
 
 /* Degrees are in the settings, and in the title. Marked: its stiffness is not that of the
  * full rule, on purpose. */
@@ -90,34 +86,27 @@ out:
     return st;
 }
 
-/* t->lived is false, and the row says why, if it has none. */
-static enum status find_matrices(struct verify_trial *t, struct matrices *m,
-                                 struct message *why)
+/* Whether it has any; the row says why not. */
+static bool find_matrices(struct verify_trial *t, struct matrices *m)
 {
-    enum status st;
-    const char *none = NULL;
+    enum status st = STATUS_OK;
 
     if (t->subject->layers) /* solids may have other unknowns than control points */
         settings_set(&t->settings, "discretization.unknowns=points");
-    TRY(verify_trial_open(t, why));
-    if (!t->lived)
-        goto out;
-    if (!t->run.model->matrices)
-        none = "it has no constant matrices";
-    else {
+    if (verify_trial_open(t) && !t->run.model->matrices) {
+        t->lived = false;
+        verify_row_end(t->row, VERIFY_NOT_APPLICABLE, "it has no constant matrices");
+    } else if (t->lived) {
         st = keep_matrices(&t->run, m);
-        if (st == STATUS_UNSUPPORTED)
-            none = "it has none for control points as unknowns";
-        else
-            TRY(st);
+        t->lived = st == STATUS_OK;
     }
-    st = STATUS_OK;
-    t->lived = !none;
-    if (none)
-        verify_row_end(t->row, VERIFY_NOT_APPLICABLE, "%s", none);
-out:
-    verify_trial_close(t);
-    return st;
+    if (st == STATUS_UNSUPPORTED)
+        verify_row_end(t->row, VERIFY_NOT_APPLICABLE,
+                       "it has none for control points as unknowns");
+    else
+        verify_sheet_holds(t->subject->sheet, st);
+    run_close(&t->run);
+    return t->lived;
 }
 
 /* Largest difference of A and B, of the largest of B. */
@@ -132,7 +121,8 @@ static double apart(size_t count, const double *A, const double *B)
     return worst / most;
 }
 
-/* Products for the box: K, and M spread over three components, [3 nodes][3 nodes]. */
+/* Products for the box: K, and M (zeros) spread over three components, [3 nodes][3 nodes].
+ */
 static enum status products(const struct matrices *m, bool solid, double *K, double *M,
                             struct message *why)
 {
@@ -150,7 +140,6 @@ static enum status products(const struct matrices *m, bool solid, double *K, dou
     size_t n = (size_t)verify_box_nodes(&box);
     small = malloc(n * n * sizeof *small);
     st = small ? verify_box_matrices(&box, K, small) : STATUS_MEMORY;
-    memset(M, 0, 9 * n * n * sizeof *M);
     for (size_t t = 0; st == STATUS_OK && t < 3 * n * n; t++) {
         size_t a = t / 3 / n, b = t / 3 % n, i = t % 3;
         M[(3 * a + i) * 3 * n + 3 * b + i] = small[a * n + b];
@@ -162,68 +151,49 @@ out:
     return st;
 }
 
-static enum status add_box(struct verify_sheet *sheet, const struct verify_subject *s,
-                           bool mass, struct message *why)
+static void add_box(const struct verify_subject *s, bool mass)
 {
-    enum status st;
-    double *want = NULL;
     struct matrices m = {0};
-    struct verify_row *row =
-        verify_sheet_add(sheet, s, "%s of a box, entries", mass ? "M" : "K");
-    struct verify_trial t = {row, s, "cantilever"};
+    struct verify_trial t =
+        verify_trial_of(s, "cantilever", "%s of a box, entries", mass ? "M" : "K");
 
     settings_list(&t.settings, BOX, box_settings);
-    TRY(find_matrices(&t, &m, why));
-    if (!t.lived)
-        goto out;
-    if (!mass && s->mark) {
-        verify_row_end(row, VERIFY_NOT_APPLICABLE,
+    if (find_matrices(&t, &m) && !mass && s->mark)
+        verify_row_end(t.row, VERIFY_NOT_APPLICABLE,
                        "its stiffness differs from the solid's on purpose");
-        goto out;
+    else if (t.lived) {
+        const size_t count = (size_t)m.rows * (size_t)m.rows;
+        double *K = calloc(2 * count, sizeof *K), *M = K + count;
+        if (verify_sheet_holds(s->sheet, K ? products(&m, s->layers, K, M, &s->sheet->why)
+                                           : STATUS_MEMORY))
+            verify_row_judge_error(t.row, apart(count, mass ? m.M : m.K, mass ? M : K), 0);
+        free(K);
     }
-    const size_t count = (size_t)m.rows * (size_t)m.rows;
-    want = malloc(2 * count * sizeof *want);
-    st = want ? products(&m, s->layers, want, want + count, why) : STATUS_MEMORY;
-    if (st == STATUS_OK)
-        verify_row_judge_error(
-            row, mass ? apart(count, m.M, want + count) : apart(count, m.K, want), 0);
-out:
     matrices_clear(&m);
-    free(want);
-    return st;
 }
 
 /* --- Motions without energy. */
 
-static enum status add_zero_modes(struct verify_sheet *sheet, struct verify_subject *s,
-                                  const char *scene, struct message *why)
+static void add_zero_modes(struct verify_subject *s, const char *scene)
 {
-    enum status st;
-    double *lambda = NULL;
     struct matrices m = {0};
     int zeros = 0;
 
-    if (!isnan(s->tolerance)) /* of six: not one more or less */
-        s->tolerance = 0.1, s->reason = "three shifts, three turns";
-    struct verify_row *row =
-        verify_sheet_add(sheet, s, "eigenvalues of K that vanish, %s", scene);
-    struct verify_trial t = {row, s, scene};
+    /* of six: not one more or less */
+    verify_subject_claim(s, 0.1, "three shifts, three turns");
+    struct verify_trial t =
+        verify_trial_of(s, scene, "eigenvalues of K that vanish, %s", scene);
     settings_number(&t.settings, "sheet.thickness", THICKNESS);
-    TRY(find_matrices(&t, &m, why));
-    if (!t.lived)
-        goto out;
-    lambda = malloc((size_t)m.rows * sizeof *lambda);
-    if (!lambda)
-        TRY(STATUS_MEMORY);
-    if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'N', 'U', m.rows, m.K, m.rows, lambda))
-        TRY(status_fail(why, STATUS_LIBRARY, "LAPACK's dsyevd failed"));
-    for (int n = 0; n < m.rows; n++)
-        zeros += fabs(lambda[n]) < ZERO * lambda[m.rows - 1];
-    verify_row_judge(row, zeros, 6, 0);
-out:
+    if (find_matrices(&t, &m)) {
+        double *lambda = m.M; /* its room is enough, and it is not asked for */
+        if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'N', 'U', m.rows, m.K, m.rows, lambda))
+            verify_sheet_holds(s->sheet, status_fail(&s->sheet->why, STATUS_LIBRARY,
+                                                     "LAPACK's dsyevd failed"));
+        for (int n = 0; n < m.rows; n++)
+            zeros += fabs(lambda[n]) < ZERO * lambda[m.rows - 1];
+        verify_row_judge(t.row, zeros, 6, 0);
+    }
     matrices_clear(&m);
-    free(lambda);
-    return st;
 }
 
 /* --- A sheet whose corners are turned, and nothing else: all of it follows. From a third
@@ -265,46 +235,37 @@ static void add_supports(double angle, bool solid, struct settings *all)
     settings_more(all, "]");
 }
 
-static enum status add_rigid(struct verify_sheet *sheet, struct verify_subject *s,
-                             double angle, struct message *why)
+static void add_rigid(struct verify_subject *s, double angle)
 {
     struct energy energy;
 
-    if (!s->layers && s->degree == 1 && !isnan(s->tolerance)) {
-        s->tolerance = NAN;
-        s->reason = "springs may crumple between the corners";
-    }
-    struct verify_row *row =
-        verify_sheet_add(sheet, s, "energy / (E m^3), corners turned by %g rad", angle);
-    struct verify_trial t = {row, s, "cantilever"};
+    if (!s->layers && s->degree == 1)
+        verify_subject_claim(s, NAN, "springs may crumple between the corners");
+    struct verify_trial t = verify_trial_of(
+        s, "cantilever", "energy / (E m^3), corners turned by %g rad", angle);
     settings_list(&t.settings, SHAPE, box_settings);
     settings_set(&t.settings, "discretization.kinematics=nonlinear");
     settings_set(&t.settings, "gravity=[0,0,0]");
     add_supports(angle, s->layers, &t.settings);
-    enum status st = verify_trial_settle(&t, why);
-    if (t.lived && t.run.model->energy) {
+    if (verify_trial_settle(&t) && t.run.model->energy) {
         t.run.model->energy(t.run.state, &energy);
-        verify_row_judge_error(row, energy.elastic / YOUNG, 0);
+        verify_row_judge_error(t.row, energy.elastic / YOUNG, 0);
     }
-    verify_trial_close(&t);
-    return st;
+    run_close(&t.run);
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
     struct verify_subject s;
 
     for (int kind = 0; kind < 6; kind++)
         for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
             if (kind < 2)
-                TRY(add_box(sheet, &s, kind == 1, why));
+                add_box(&s, kind == 1);
             else if (kind < 4)
-                TRY(add_zero_modes(sheet, &s, kind == 2 ? "cantilever" : "cloak", why));
+                add_zero_modes(&s, kind == 2 ? "cantilever" : "cloak");
             else
-                TRY(add_rigid(sheet, &s, kind == 4 ? 0.5 : 1, why));
-out:
-    return st;
+                add_rigid(&s, kind == 4 ? 0.5 : 1);
 }
 
 const struct verify_check verify_matrices = {

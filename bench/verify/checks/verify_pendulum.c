@@ -4,7 +4,6 @@
 
 #include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
-#include "bench/verify/verify_refine.h"
 
 /* Asked of the nonlinear solid wherever the strip is heavy: 1 %; of a shell, whose theory
  * is the truth's own: 1e-3 L. */
@@ -13,23 +12,24 @@
 
 struct swing {
     const char *name, *file;
-    const char *settings[4]; /* beside those of all                                   */
+    const char *settings[5]; /* NULL ends                                             */
     bool hinged, thin, quick;
 };
 
+#define SHEET    "sheet.width=0.1"
 #define CLAMPED  "supports=[{at: {u: 0}, fix: xyz}]"
 #define UNDAMPED "damping={kind: none}"
 #define THICK(h) "sheet.thickness=" h
 /* clang-format off */
 static const struct swing swings[] = {
     {"C0, h = 5 mm, undamped", "pendulum_C0_E1e5_h5mm_undamped",
-     {CLAMPED, THICK("0.005"), UNDAMPED}, .quick = true},
+     {SHEET, CLAMPED, THICK("0.005"), UNDAMPED}, .quick = true},
     {"A5, h = 1 mm, damped", "pendulum_A5_E1e5_h1mm_damp0.5",
-     {CLAMPED, THICK("0.001")}, .thin = true},
+     {SHEET, CLAMPED, THICK("0.001")}, .thin = true},
     {"A0, h = 1 mm, undamped", "pendulum_A0_E1e5_h1mm_undamped",
-     {CLAMPED, THICK("0.001"), UNDAMPED}, .thin = true},
+     {SHEET, CLAMPED, THICK("0.001"), UNDAMPED}, .thin = true},
     {"H5, h = 1 mm, hinged", "pendulum_H5_E1e5_h1mm_damp0.5_hinged",
-     {THICK("0.001")}, .hinged = true, .thin = true},
+     {SHEET, THICK("0.001")}, .hinged = true, .thin = true},
 };
 /* clang-format on */
 
@@ -63,32 +63,30 @@ static const struct verify_field field = {
     entries, CONTESTANT_LARGE, "iga_nonlinear,iga_reduced_3,hex_nonlinear", {40, 80}};
 
 /* Positions at all times, and when; the strip is 0.1 m wide. */
-static enum status read_truth(const char *file, double *time, double (*xyz)[POINTS][3],
-                              struct message *why)
+static void read_truth(struct verify_sheet *sheet, const char *file, double *time,
+                       double (*xyz)[POINTS][3])
 {
     static const char *const column[POINTS][2] = {
         {"x1", "z1"}, {"x075", "z075"}, {"x05", "z05"}, {"x025", "z025"}};
-    enum status st;
-    struct reference *table = NULL;
-    int row = 0;
+    const bool there = verify_sheet_table(sheet, file);
+    const struct reference *table = sheet->table;
 
-    TRY(truth_table_open(file, &table, why));
-    for (int t = 0; t < TIMES; t++) {
+    for (int t = 0, row = 0; there && t < TIMES; t++) {
         time[t] = APART * (t + 1);
         while (row < reference_rows(table) &&
                fabs(reference_number(table, row, "t") - time[t]) > 1e-9)
             row++;
-        if (row == reference_rows(table))
-            TRY(status_fail(why, STATUS_INPUT, "%s: no row for %g s", file, time[t]));
+        if (row == reference_rows(table)) {
+            verify_sheet_holds(sheet, status_fail(&sheet->why, STATUS_INPUT,
+                                                  "%s: no row for %g s", file, time[t]));
+            return;
+        }
         for (int n = 0; n < POINTS; n++) {
             xyz[t][n][0] = reference_number(table, row, column[n][0]);
             xyz[t][n][1] = 0.05;
             xyz[t][n][2] = reference_number(table, row, column[n][1]);
         }
     }
-out:
-    reference_close(table);
-    return st;
 }
 
 /* Largest distance of a point at any time; L = 1 m. */
@@ -101,7 +99,7 @@ static double distance(const void *context, const double *a, const double *b)
         double far = 0;
         for (int i = 0; i < 3; i++)
             far += pow(a[3 * n + i] - b[3 * n + i], 2);
-        worst = far > worst || isnan(far) ? far : worst;
+        worst = verify_row_worse(far, worst);
     }
     return sqrt(worst);
 }
@@ -119,58 +117,46 @@ static void take_nets(const struct swing *swing, struct verify_subject *s)
         verify_subject_last(s, 1);
 }
 
-static enum status add_rows(struct verify_sheet *sheet, struct verify_subject *s,
-                            const struct swing *swing, struct verify_refine *r,
-                            struct message *why)
+static void add_rows(struct verify_subject *s, const struct swing *swing,
+                     struct verify_trial_refine *r)
 {
     char quantity[VERIFY_TEXT];
-    bool lived;
 
     take_nets(swing, s);
     r->beyond = verify_subject_is_linear(s) ? "small strains reach to Gamma = 0.9" : NULL;
-    r->steps = s->mark || sheet->quick ? 1 : VERIFY_REFINE_STEPS;
+    r->steps = s->mark || s->sheet->quick ? 1 : VERIFY_TRIAL_STEPS;
     snprintf(quantity, sizeof quantity, "%s: position / L until %g s", swing->name,
              TIMES * APART);
-    return verify_refine(sheet, s, r, quantity, &lived, why);
+    verify_trial_refine(s, r, quantity);
 }
 
-static enum status add_swing(struct verify_sheet *sheet, const struct swing *swing,
-                             struct message *why)
+static void add_swing(struct verify_sheet *sheet, const struct swing *swing)
 {
     static const double uvw[POINTS][3] = {
         {1, 0.5, 0.5}, {0.75, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.25, 0.5, 0.5}};
     static double time[TIMES], truth[TIMES][POINTS][3];
-    enum status st;
-    const char *settings[] = {"sheet.width=0.1", swing->settings[0], swing->settings[1],
-                              swing->settings[2], NULL};
-    struct verify_refine r = {.scene = "hinge",
-                              .settings = settings,
-                              .step = STEP,
-                              .times = TIMES,
-                              .time = time,
-                              .n = POINTS,
-                              .uvw = uvw[0],
-                              .truth = truth[0][0],
-                              .bar = BAR,
-                              .measure = distance};
+    struct verify_trial_refine r = {.scene = "hinge",
+                                    .settings = swing->settings,
+                                    .step = STEP,
+                                    .times = TIMES,
+                                    .time = time,
+                                    .n = POINTS,
+                                    .uvw = uvw[0],
+                                    .truth = truth[0][0],
+                                    .bar = BAR,
+                                    .measure = distance};
     struct verify_subject s;
 
-    TRY(read_truth(swing->file, time, truth, why));
+    read_truth(sheet, swing->file, time, truth);
     for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
-        TRY(add_rows(sheet, &s, swing, &r, why));
-out:
-    return st;
+        add_rows(&s, swing, &r);
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
-
     for (size_t n = 0; n < sizeof swings / sizeof *swings; n++)
         if (swings[n].quick || !sheet->quick)
-            TRY(add_swing(sheet, &swings[n], why));
-out:
-    return st;
+            add_swing(sheet, &swings[n]);
 }
 
 const struct verify_check verify_pendulum = {

@@ -1,9 +1,12 @@
-/* verify_plates.h - plates of linear theory: what is claimed of whom in all checks on them.
+/* verify_plates.h - plates of linear theory: what is claimed of whom in all checks on them,
+ * and fields of clamped ones that FreeFEM computed as three-dimensional solids.
  */
 #ifndef VERIFY_PLATES_H
 #define VERIFY_PLATES_H
 
+#include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
+#include "fem_ref/freefem.h"
 
 #define VERIFY_PLATES_THEORY 0.01, "half of what is asked of solids: nothing in it can lock"
 #define VERIFY_PLATES_SHEAR  "nothing frees twisting from shear in thin ones"
@@ -24,5 +27,21 @@
 
 /* The same of those that vibrate. */
 #define VERIFY_PLATES_CURED 0.02, "what is asked of the cured plate's deflection"
+
+enum { VERIFY_PLATES_POINTS = FREEFEM_SIDE * FREEFEM_SIDE };
+
+/* A stored field; the sheet's table is that file's then. */
+bool verify_plates_read(struct verify_sheet *sheet, const char *name,
+                        struct freefem_field *f);
+
+/* The physics that the notes of the sheet's table tell. */
+void verify_plates_physics(const struct verify_sheet *sheet, struct settings *all);
+
+/* Material points of a field's; the sum of the squares of its shifts at one of the times
+ * [m^2]; the same of how far the shifts of those points, times `scale`, are from them. */
+void verify_plates_points(double uvw[VERIFY_PLATES_POINTS][3]);
+double verify_plates_moved(const struct freefem_field *f, int time);
+double verify_plates_apart(const struct freefem_field *f, int time, const double (*xyz)[3],
+                           double scale);
 
 #endif

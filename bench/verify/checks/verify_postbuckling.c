@@ -25,18 +25,14 @@ static const struct verify_entry entries[] = {
     {"projective_dynamics", 0, NULL, {25, 49}, {3, 5}},
     {NULL}};
 static const struct verify_field field = {
-    entries,
-    CONTESTANT_LARGE,
-    "iga_nonlinear_3,iga_reduced_3,iga_selective,hex_nonlinear",
-    {25, 49}};
+    entries, CONTESTANT_LARGE, VERIFY_LOCKED, {25, 49}};
 
 struct shape {
     double energy, elastic, deflection; /* [J], [J], of the middle [m]                 */
 };
 
 /* Equilibrium with the supports that t->settings have, at time `end`. */
-static enum status settle(struct verify_trial *t, double end, struct shape *shape,
-                          struct message *why)
+static bool settle(struct verify_trial *t, double end, struct shape *shape)
 {
     const double middle[3] = {0.5, 0.5, 0.5};
     struct energy energy;
@@ -47,26 +43,22 @@ static enum status settle(struct verify_trial *t, double end, struct shape *shap
     /* Gamma = 4e-3: a sag of 1e-5 L, which says where to buckle to */
     settings_set(&t->settings, "gravity=[0,0,-6.7e-4]");
     settings_number(&t->settings, "time.end", end);
-    enum status st = verify_trial_settle(t, why);
-    if (t->lived && !t->run.model->energy) {
+    if (verify_trial_settle(t) && !t->run.model->energy) {
         verify_row_end(t->row, VERIFY_NOT_APPLICABLE, "it tells no energy");
         t->lived = false;
-    }
-    if (t->lived) {
+    } else if (t->lived) {
         t->run.model->energy(t->run.state, &energy);
         t->run.model->probe(t->run.state, 1, middle, xyz);
         *shape = (struct shape){energy.elastic + energy.potential, energy.elastic, -xyz[2]};
     }
-    verify_trial_close(t);
-    return st;
+    run_close(&t->run);
+    return t->lived;
 }
 
 /* P / P_cr and deflection / L at a shortening: the force at the supports is the energy's
  * derivative by it, of two equilibria on both sides. */
-static enum status press(struct verify_trial *t, double shortening, double value[2],
-                         struct message *why)
+static bool press(struct verify_trial *t, double shortening, double value[2])
 {
-    enum status st = STATUS_OK;
     const double pi = acos(-1.0), part = 0.01;
     const double critical = 4 * pi * pi * YOUNG * pow(THICKNESS, 3) / 12 * WIDTH;
     struct shape shape[3];
@@ -76,94 +68,77 @@ static enum status press(struct verify_trial *t, double shortening, double value
                        "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz, "
                        "path: [[0,0,0,0],[1,%.17g,0,0]]}]",
                        -shortening * (1 + (n - 1) * part));
-        TRY(settle(t, 1, &shape[n], why));
-        if (!t->lived)
-            goto out;
+        if (!settle(t, 1, &shape[n]))
+            return false;
     }
     value[0] = (shape[2].energy - shape[0].energy) / (2 * part * shortening) / critical;
     value[1] = shape[1].deflection;
-out:
-    return st;
+    return true;
 }
 
-static enum status add_rows(struct verify_sheet *sheet, const struct verify_subject *s,
-                            double shortening, const double truth[2], struct message *why)
+static void add_rows(const struct verify_subject *s, double shortening,
+                     const double truth[2])
 {
     static const char *const names[] = {"P / P_cr", "mid deflection / L"};
-    enum status st = STATUS_OK;
     double value[2] = {NAN, NAN}, error[2][VERIFY_NETS];
     struct verify_row work = {.tolerance = s->tolerance};
     struct verify_trial t = {&work, s, "cantilever"};
 
-    for (t.net = 0; t.net < s->nets; t.net++) {
-        TRY(press(&t, shortening, value, why));
-        if (!t.lived)
-            break;
+    for (; t.net < s->nets && press(&t, shortening, value); t.net++)
         for (int q = 0; q < 2; q++)
             error[q][t.net] = fabs(value[q] - truth[q]) / truth[q];
-    }
     for (int q = 0; q < 2; q++) {
         struct verify_row *row =
-            verify_sheet_add(sheet, s, "%s, shortened by %g", names[q], shortening);
+            verify_sheet_add(s, "%s, shortened by %g", names[q], shortening);
         row->seconds = work.seconds / 2;
         if (t.lived) {
             verify_row_judge(row, value[q], truth[q], BAR);
             row->order = verify_subject_order(s, error[q], BAR);
-        } else {
-            row->verdict = work.verdict;
-            verify_row_note(row, "%s", work.note);
-        }
+        } else
+            verify_row_end(row, work.verdict, "%s", work.note);
     }
-out:
-    return st;
 }
 
 /* Pressed by a tenth, its middle at the elastica's deflection all the way, and then moved
  * across to as far on the other side: through shapes whose middle has to be pulled. The
  * energy at the end is that of the start. */
-static enum status add_crossing(struct verify_sheet *sheet, const struct verify_subject *s,
-                                struct message *why)
+static void add_crossing(struct verify_subject *s)
 {
     static const char supports[] =
         "supports=[{at: {u: 0}, fix: xyz}, "
         "{at: {u: 1}, fix: xyz, path: [[0,0,0,0],[1,-0.1,0,0]]}, "
         "{at: {u: 0.5}, fix: z, path: [[0,0,0,0],[0.01,0,0,-0.0201],[0.1,0,0,-0.0635],"
         "[0.2,0,0,-0.0895],[0.5,0,0,-0.1401],[1,0,0,-0.1949],[2,0,0,0.1949]]}]";
-    enum status st = STATUS_OK;
     struct shape shape[2]; /* before and after */
-    struct verify_row *row = verify_sheet_add(sheet, s, "energy, pushed through / before");
-    struct verify_trial t = {row, s, "cantilever", .net = s->nets - 1};
 
-    if (!isnan(row->tolerance))
-        row->tolerance = MIRROR;
+    verify_subject_last(s, 1);
+    struct verify_trial t =
+        verify_trial_of(s, "cantilever", "energy, pushed through / before");
+    if (!isnan(t.row->tolerance))
+        t.row->tolerance = MIRROR;
     /* Found here, with the claim made and lost: on this way the hexahedra's increments end
      * (they follow one whose middle moves in one line). */
     if (!strcmp(s->contestant->name, "hex_incompatible")) {
-        row->tolerance = NAN;
-        verify_row_note(row, "not every way across is followed: hexahedra lose this one");
+        t.row->tolerance = NAN;
+        verify_row_note(t.row, "not every way across is followed: hexahedra lose this one");
     }
     for (int n = 0; n < 2; n++) {
         settings_set(&t.settings, supports);
-        TRY(settle(&t, 1 + n, &shape[n], why));
-        if (!t.lived)
-            goto out;
+        if (!settle(&t, 1 + n, &shape[n]))
+            return;
     }
-    verify_row_judge(row, shape[1].elastic / shape[0].elastic, 1, 0);
+    verify_row_judge(t.row, shape[1].elastic / shape[0].elastic, 1, 0);
     if (!(shape[1].deflection < -0.15))
-        verify_row_judge_error(row, INFINITY, 0); /* it is not on the other side */
-    verify_row_note(row, "a mirror image: its tolerance is %g", MIRROR);
-out:
-    return st;
+        verify_row_judge_error(t.row, INFINITY, 0); /* it is not on the other side */
+    verify_row_note(t.row, "a mirror image: its tolerance is %g", MIRROR);
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
     const struct reference *table = sheet->table;
     struct verify_subject s;
 
-    for (int n = reference_find(table, 0, "case", "euler"); n >= 0;
-         n = reference_find(table, n + 1, "case", "euler")) {
+    for (int n = 0; (n = reference_find(table, n, "case", "euler")) >= 0; n++) {
         const double truth[2] = {reference_number(table, n, "v1"),
                                  reference_number(table, n, "v2")};
         double shortening = reference_number(table, n, "a");
@@ -171,13 +146,11 @@ static enum status run(struct verify_sheet *sheet, struct message *why)
             continue;
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
             if (s.contestant->model->equilibrium || shortening == 0.1) /* told once */
-                TRY(add_rows(sheet, &s, shortening, truth, why));
+                add_rows(&s, shortening, truth);
     }
     for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
         if (s.contestant->model->equilibrium)
-            TRY(add_crossing(sheet, &s, why));
-out:
-    return st;
+            add_crossing(&s);
 }
 
 const struct verify_check verify_postbuckling = {

@@ -26,12 +26,8 @@ static const struct verify_entry entries[] = {
     {"mass_spring", SAME, {11}, {8}},
     {"projective_dynamics", SAME, {11}, {8}},
     {NULL}};
-static const struct verify_field field = {
-    entries,
-    CONTESTANT_LARGE,
-    "iga_nonlinear,iga_nonlinear_3,iga_reduced_3,hex_nonlinear,shell_3",
-    {7},
-    {6}};
+#define OTHERS "iga_nonlinear,iga_nonlinear_3,iga_reduced_3,hex_nonlinear,shell_3"
+static const struct verify_field field = {entries, CONTESTANT_LARGE, OTHERS, {7}, {6}};
 
 /* How the scene is told. */
 struct telling {
@@ -83,8 +79,8 @@ static void tell(const struct telling *t, struct settings *all)
     add_vector(t, "drag.wind", 3, 2, 1, l, all);
 }
 
-static enum status run_told(struct verify_trial *trial, const struct telling *t,
-                            double xyz[TIMES][POINTS][3], struct message *why)
+static bool run_told(struct verify_trial *trial, const struct telling *t,
+                     double xyz[TIMES][POINTS][3])
 {
     static const double uvw[POINTS][3] = {{0.2, 0.3, 0.5}, {0.5, 0.5, 0.5}, {1, 0, 0.5},
                                           {1, 0.5, 0},     {1, 0.5, 1},     {1, 1, 0.5}};
@@ -94,7 +90,7 @@ static enum status run_told(struct verify_trial *trial, const struct telling *t,
     settings_set(&trial->settings, trial->subject->mark
                                        ? "damping={kind: velocity_scale, value: 0.5}"
                                        : "damping={kind: mass, value: 0.5}");
-    return verify_trial_motion(trial, TIMES, time, POINTS, uvw[0], xyz[0][0], why);
+    return verify_trial_motion(trial, TIMES, time, POINTS, uvw[0], xyz[0][0]);
 }
 
 /* Largest deviation over the length, 1 m. */
@@ -108,43 +104,31 @@ static double deviation(const struct telling *t, double plainly[TIMES][POINTS][3
         turn(t, plainly[k / POINTS][k % POINTS], x);
         for (int i = 0; i < 3; i++) {
             double e = fabs(told[k / POINTS][k % POINTS][i] / t->unit - x[i]);
-            worst = e > worst || isnan(e) ? e : worst;
+            worst = verify_row_worse(e, worst);
         }
     }
     return worst;
 }
 
-static enum status add_row(struct verify_sheet *sheet, const struct verify_subject *s,
-                           const struct telling *t, struct message *why)
+static void add_row(const struct verify_subject *s, const struct telling *t)
 {
-    enum status st;
     double plainly[TIMES][POINTS][3], told[TIMES][POINTS][3];
-    struct verify_row *row =
-        verify_sheet_add(sheet, s, "%s: position / L at 0.2 s", t->name);
-    struct verify_trial trial = {row, s, "edge_drop"};
+    struct verify_trial trial =
+        verify_trial_of(s, "edge_drop", "%s: position / L at 0.2 s", t->name);
 
-    if (t->scaled && !isnan(row->tolerance))
-        row->tolerance = UNITS;
-    TRY(run_told(&trial, &plain, plainly, why));
-    if (!trial.lived)
-        goto out;
-    TRY(run_told(&trial, t, told, why));
-    if (trial.lived)
-        verify_row_judge_error(row, deviation(t, plainly, told), 0);
-out:
-    return st;
+    if (t->scaled && !isnan(trial.row->tolerance))
+        trial.row->tolerance = UNITS;
+    if (run_told(&trial, &plain, plainly) && run_told(&trial, t, told))
+        verify_row_judge_error(trial.row, deviation(t, plainly, told), 0);
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
     struct verify_subject s;
 
     for (size_t t = 0; t < sizeof tellings / sizeof *tellings; t++)
         for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            TRY(add_row(sheet, &s, &tellings[t], why));
-out:
-    return st;
+            add_row(&s, &tellings[t]);
 }
 
 const struct verify_check verify_similarity = {

@@ -8,16 +8,8 @@
 /* Near the clamp a heavy strip turns down within L / Gamma^(1/3), 0.05 L at Gamma = 1e4:
  * splines have their knots drawn together there, hexahedra are many. */
 #define GRADED {16, 32}, {3, 3}, 2
-#define CUBIC                                                                              \
-    GRADED, NULL,                                                                          \
-    {                                                                                      \
-        "discretization.degree=[3,2,1]"                                                    \
-    }
-#define MANY                                                                               \
-    {80, 160},                                                                             \
-    {                                                                                      \
-        2, 2                                                                               \
-    }
+#define CUBIC  GRADED, NULL, {"discretization.degree=[3,2,1]"}, 0
+#define MANY   {80, 160}, {2, 2}, 0
 
 /* clang-format off */
 static const struct verify_entry entries[] = {
@@ -38,23 +30,18 @@ static const struct verify_entry entries[] = {
 
 const struct verify_field verify_strips = {entries, CONTESTANT_LARGE, .along = {20, 40}};
 
-enum status verify_strips_worst(struct verify_trial *t, verify_strips_measure *measure,
-                                int count, const struct verify_strips_load *load, int every,
-                                double bar, const struct verify_strips_load **died,
-                                struct message *why)
+const struct verify_strips_load *
+verify_strips_worst(struct verify_trial *t, verify_strips_measure *measure, int count,
+                    const struct verify_strips_load *load, int every, double bar)
 {
-    enum status st = STATUS_OK;
     const int nets = t->subject->nets;
     double error[VERIFY_NETS], out = NAN, worst = -1;
 
-    *died = NULL;
     for (int n = 0; n < count; n += every) {
         for (t->net = 0; t->net < nets; t->net++) {
-            TRY(measure(t, &load[n], &out, &error[t->net], why));
-            if (!t->lived) {
-                *died = &load[n];
-                goto out;
-            }
+            measure(t, &load[n], &out, &error[t->net]);
+            if (!t->lived)
+                return &load[n];
         }
         if (error[nets - 1] > worst) {
             worst = error[nets - 1];
@@ -64,6 +51,5 @@ enum status verify_strips_worst(struct verify_trial *t, verify_strips_measure *m
         }
     }
     verify_row_judge_error(t->row, worst, bar);
-out:
-    return st;
+    return NULL;
 }

@@ -21,15 +21,14 @@ struct verify_strips_load {
 };
 
 /* On one net: what is shown, and the tip's distance from the truth, of `out`. */
-typedef enum status verify_strips_measure(struct verify_trial *t,
-                                          const struct verify_strips_load *load,
-                                          double *out, double *error, struct message *why);
+typedef void verify_strips_measure(struct verify_trial *t,
+                                   const struct verify_strips_load *load, double *out,
+                                   double *error);
 
 /* Loads 0, every, 2 every, ...: the worst of them is judged. NULL: all lived, or the load
  * at which one did not. */
-enum status verify_strips_worst(struct verify_trial *t, verify_strips_measure *measure,
-                                int count, const struct verify_strips_load *load, int every,
-                                double bar, const struct verify_strips_load **died,
-                                struct message *why);
+const struct verify_strips_load *
+verify_strips_worst(struct verify_trial *t, verify_strips_measure *measure, int count,
+                    const struct verify_strips_load *load, int every, double bar);
 
 #endif

@@ -18,56 +18,53 @@ static const double LINEAR_LOAD = 0.05;
 
 /* Distance of the tip from the truth, of its deflection; the load is a share of the full
  * one, `along` how far the tip has come back. */
-static enum status measure(struct verify_trial *t, const struct verify_strips_load *load,
-                           double *up, double *error, struct message *why)
+static void measure(struct verify_trial *t, const struct verify_strips_load *load,
+                    double *up, double *error)
 {
-    const double tip[3] = {1, 0.5, 0.5};
     double xyz[3] = {NAN, NAN, NAN};
 
     settings_number(&t->settings, "sheet.length", LENGTH);
     settings_list(&t->settings, STRIP, strip);
     settings_print(&t->settings, "loads=[{at: {u: 1}, force: [0, 0, %.17g]}]",
                    load->load * FULL_LOAD);
-    enum status st = verify_trial_equilibrium(t, 1, tip, xyz, why);
+    verify_trial_tip(t, xyz);
     *up = xyz[2];
     *error = verify_subject_is_linear(t->subject)
                  ? fabs(xyz[2] - load->out)
                  : hypot(xyz[2] - load->out, LENGTH - xyz[0] - load->along);
     *error /= load->out;
-    return st;
 }
 
-static enum status add_shear(struct verify_sheet *sheet, const struct verify_subject *s,
-                             int count, const struct verify_strips_load *load,
-                             struct message *why)
+static void add_shear(const struct verify_subject *s, int count,
+                      const struct verify_strips_load *load)
 {
     const double from = load[0].load * FULL_LOAD, to = load[count - 1].load * FULL_LOAD;
-    const struct verify_strips_load *died;
-    struct verify_row *row =
-        count > 1 ? verify_sheet_add(sheet, s, "3.1, end shear %.3g .. %.3g: tip", from, to)
-                  : verify_sheet_add(sheet, s, "3.1, end shear %.3g: tip", from);
-    struct verify_trial t = {row, s, "cantilever"};
-    enum status st = verify_strips_worst(&t, measure, count, load, 1, BAR, &died, why);
+    struct verify_trial t = verify_trial_of(s, "cantilever",
+                                            count > 1 ? "3.1, end shear %.3g .. %.3g: tip"
+                                                      : "3.1, end shear %.3g: tip",
+                                            from, to);
+    const struct verify_strips_load *died =
+        verify_strips_worst(&t, measure, count, load, 1, BAR);
 
     if (died)
-        verify_row_note(row, "at %.3g of the load", died->load);
+        verify_row_note(t.row, "at %.3g of the load", died->load);
     else if (verify_subject_is_linear(s) && load[count - 1].load > LINEAR_LOAD)
-        verify_row_end(row, VERIFY_OUT_OF_RANGE, "small strains reach to %g of the load",
+        verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "small strains reach to %g of the load",
                        LINEAR_LOAD);
-    return st;
 }
 
-static enum status add_steps(struct verify_sheet *sheet, const struct reference *table,
-                             struct message *why)
+static void add_steps(struct verify_sheet *sheet)
 {
+    const struct reference *table = sheet->table;
     enum { MOST = 32, GROUP = 5 };
-    enum status st = STATUS_OK;
     struct verify_strips_load load[MOST];
     struct verify_subject s;
     int count = 0;
 
-    for (int row = reference_find(table, 0, "problem", "3.1"); row >= 0 && count < MOST;
-         row = reference_find(table, row + 1, "problem", "3.1")) {
+    for (int row = 0; count < MOST; row++) {
+        row = reference_find(table, row, "problem", "3.1");
+        if (row < 0)
+            break;
         load[count] = (struct verify_strips_load){
             reference_number(table, row, "P_over_Pmax"),
             reference_number(table, row, "exact2"), reference_number(table, row, "exact1")};
@@ -77,10 +74,8 @@ static enum status add_steps(struct verify_sheet *sheet, const struct reference 
         const int group = count - first < GROUP ? count - first : GROUP;
         const int skip = sheet->quick ? group - 1 : 0; /* the last alone */
         for (int n = 0; verify_sheet_next(sheet, &verify_strips, &n, &s);)
-            TRY(add_shear(sheet, &s, group - skip, &load[first + skip], why));
+            add_shear(&s, group - skip, &load[first + skip]);
     }
-out:
-    return st;
 }
 
 /* --- 3.2: the end face is led along the circle, which is what a moment asks of it; the
@@ -124,8 +119,7 @@ static void add_leading(double turn, struct settings *all)
 }
 
 /* *s as of 3.1, on its finest net. */
-static enum status add_moment(struct verify_sheet *sheet, struct verify_subject *s,
-                              double share, struct message *why)
+static void add_moment(struct verify_subject *s, double share)
 {
     const double turn = share * 2 * acos(-1), time[1] = {REST_AT};
     const double uvw[3][3] = {{0.25, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.75, 0.5, 0.5}};
@@ -133,47 +127,40 @@ static enum status add_moment(struct verify_sheet *sheet, struct verify_subject 
 
     s->grade = 0; /* no boundary layer here */
     verify_subject_last(s, 1);
-    struct verify_row *row =
-        verify_sheet_add(sheet, s, "3.2, end turned by %.3g rad: shape", turn);
-    struct verify_trial t = {row, s, "cantilever"};
+    struct verify_trial t =
+        verify_trial_of(s, "cantilever", "3.2, end turned by %.3g rad: shape", turn);
     if (!s->layers || verify_subject_is_linear(s)) {
-        verify_row_end(row, VERIFY_NOT_APPLICABLE,
+        verify_row_end(t.row, VERIFY_NOT_APPLICABLE,
                        s->layers ? "small strains do not turn"
                                  : "its edge has no face that could be led");
-        return STATUS_OK;
+        return;
     }
     settings_number(&t.settings, "sheet.length", LONG);
     settings_list(&t.settings, STRIP, strip);
     settings_list(&t.settings, STRIP, slowly);
     add_leading(turn, &t.settings);
-    enum status st = verify_trial_motion(&t, 1, time, 3, uvw[0], xyz[0], why);
-    if (!t.lived)
-        return st;
+    if (!verify_trial_motion(&t, 1, time, 3, uvw[0], xyz[0]))
+        return;
     for (int k = 0; k < 3; k++) {
         double x, up;
         arc(turn, uvw[k][0], 0, &x, &up);
         sum += (xyz[k][0] - x) * (xyz[k][0] - x) + (xyz[k][2] - up) * (xyz[k][2] - up);
     }
-    verify_row_judge_error(row, sqrt(sum / 3) / LONG, 1e-4); /* E z^2 / 24 R^2 of the
+    verify_row_judge_error(t.row, sqrt(sum / 3) / LONG, 1e-4); /* E z^2 / 24 R^2 of the
                                                                 middle */
-    verify_row_note(row, "moment %.4g N m by supports that lead the end face",
+    verify_row_note(t.row, "moment %.4g N m by supports that lead the end face",
                     BENDING * turn / LONG);
-    return st;
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
     static const double shares[] = {0.25, 0.5, 1};
-    enum status st = STATUS_OK;
-    const struct reference *table = sheet->table;
     struct verify_subject s;
 
-    TRY(add_steps(sheet, table, why));
+    add_steps(sheet);
     for (int k = 0; k < (sheet->quick ? 1 : 3); k++)
         for (int n = 0; verify_sheet_next(sheet, &verify_strips, &n, &s);)
-            TRY(add_moment(sheet, &s, shares[k], why));
-out:
-    return st;
+            add_moment(&s, shares[k]);
 }
 
 const struct verify_check verify_sze = {

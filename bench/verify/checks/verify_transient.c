@@ -5,7 +5,6 @@
 #include "bench/truth/truth_plate.h"
 #include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
-#include "bench/verify/verify_refine.h"
 #include "fem_ref/freefem.h"
 #include "models/metric/metric.h"
 
@@ -30,21 +29,9 @@ static const double STEP = 0.00125;
     .more = "iterated to the end",                                                         \
     .settings = {"discretization.acceleration=chebyshev",                                  \
                  "discretization.iterations=100000", "discretization.tolerance=1e-13"}
-#define EVERY_EIGHTH                                                                       \
-    {10, 18, 34},                                                                          \
-    {                                                                                      \
-        6, 10, 18                                                                          \
-    }
-#define THREE                                                                              \
-    {11, 19, 35},                                                                          \
-    {                                                                                      \
-        7, 11, 19                                                                          \
-    }
-#define MANY                                                                               \
-    {17, 33, 65},                                                                          \
-    {                                                                                      \
-        9, 17, 33                                                                          \
-    }
+#define EVERY_EIGHTH {10, 18, 34}, {6, 10, 18}, 0
+#define THREE        {11, 19, 35}, {7, 11, 19}, 0
+#define MANY         {17, 33, 65}, {9, 17, 33}, 0
 static const struct verify_entry entries[] = {
     {"iga_linear", 0, "the paper's space: locks", EVERY_EIGHTH},
     {"iga_paper", 0, "the paper's scheme: viscous, not elastic", {10}, {6}},
@@ -61,9 +48,9 @@ static const struct verify_entry entries[] = {
     {"mass_spring", 0, EULER, {21, 41}, .settings = {"discretization.tolerance=1e-9"}},
     {"projective_dynamics", 0, EULER, {11, 21}, TO_THE_END, .dear = true},
     {NULL}};
+#define OTHERS "iga_linear_3,iga_reduced_linear_3,iga_selective_linear_3,shell_linear"
 static const struct verify_field field = {
-    entries, CONTESTANT_SMALL,
-    "iga_linear_3,iga_reduced_linear_3,iga_selective_linear_3,shell_linear", THREE};
+    entries, CONTESTANT_SMALL, OTHERS, {11, 19, 35}, {7, 11, 19}};
 
 /* Truths and room. */
 struct transient {
@@ -71,7 +58,8 @@ struct transient {
     struct truth_plate plate;
     struct freefem_field solid; /* 3-D elasticity                                       */
     double fallen[TIMES];       /* rms [m]                                              */
-    double *uvw, *truth, *field;
+    double uvw[3 * GRID_POINTS], truth[TIMES * 3 * GRID_POINTS];
+    double field[TIMES * 3 * GRID_POINTS];
 };
 
 static enum status read_solid(struct transient *t, struct message *why)
@@ -95,29 +83,14 @@ out:
     return st;
 }
 
-static void transient_clear(struct transient *t)
-{
-    scene_clear(&t->scene);
-    truth_plate_clear(&t->plate);
-    free(t->uvw);
-    free(t->truth);
-    free(t->field);
-}
-
 /* *t all zero. */
 static enum status transient_init(struct transient *t, struct message *why)
 {
     enum status st;
-    const size_t grid = 3 * sizeof(double) * GRID_POINTS;
 
     TRY(verify_trial_scene("cantilever_transient", &t->scene, why));
     TRY(truth_plate_init(&t->plate, &t->scene, TIMES, times, why));
     TRY(read_solid(t, why));
-    t->uvw = malloc(grid);
-    t->truth = malloc(TIMES * grid);
-    t->field = malloc(TIMES * grid);
-    if (!t->uvw || !t->truth || !t->field)
-        TRY(STATUS_MEMORY);
     for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, t->uvw + 3 * n);
     for (int n = 0; n < TIMES; n++) {
@@ -138,8 +111,7 @@ static double plate_error(const void *context, const double *a, const double *b)
 
     for (int n = 0; n < TIMES; n++) {
         double e = metric_rmse(a + 3 * GRID_POINTS * n, b + 3 * GRID_POINTS * n);
-        e /= t->fallen[n];
-        worst = e > worst || isnan(e) ? e : worst;
+        worst = verify_row_worse(e / t->fallen[n], worst);
     }
     return worst;
 }
@@ -159,51 +131,45 @@ static double solid_error(const struct transient *t, double *bar)
     return worst;
 }
 
-static enum status add_rows(struct verify_sheet *sheet, struct verify_subject *s,
-                            const struct transient *t, struct message *why)
+static void add_rows(struct verify_subject *s, struct transient *t)
 {
-    enum status st;
-    struct verify_refine r = {.scene = "cantilever_transient",
-                              .settings = settings,
-                              .steps = sheet->quick ? 1 : VERIFY_REFINE_STEPS,
-                              .step = STEP,
-                              .times = TIMES,
-                              .time = times,
-                              .n = GRID_POINTS,
-                              .uvw = t->uvw,
-                              .truth = t->truth,
-                              .bar = KIRCHHOFF_TRANSIENT_ERROR,
-                              .measure = plate_error,
-                              .context = t,
-                              .field = t->field};
+    const struct verify_trial_refine r = {.scene = "cantilever_transient",
+                                          .settings = settings,
+                                          .steps = s->sheet->quick ? 1 : VERIFY_TRIAL_STEPS,
+                                          .step = STEP,
+                                          .times = TIMES,
+                                          .time = times,
+                                          .n = GRID_POINTS,
+                                          .uvw = t->uvw,
+                                          .truth = t->truth,
+                                          .bar = KIRCHHOFF_TRANSIENT_ERROR,
+                                          .measure = plate_error,
+                                          .context = t,
+                                          .field = t->field};
     double bar = NAN;
-    bool lived;
 
-    if (sheet->quick) /* the finest two, no coarser step */
+    if (s->sheet->quick) /* the finest two, no coarser step */
         verify_subject_last(s, 2);
-    TRY(verify_refine(sheet, s, &r, "rms deflection, Kirchhoff", &lived, why));
-    if (lived && !sheet->quick) {
-        struct verify_row *row =
-            verify_sheet_add(sheet, s, "rms deflection, 3-D elasticity");
+    if (verify_trial_refine(s, &r, "rms deflection, Kirchhoff") && !s->sheet->quick) {
         double error = solid_error(t, &bar);
-        verify_row_judge_error(row, error, bar);
+        verify_row_judge_error(verify_sheet_add(s, "rms deflection, 3-D elasticity"), error,
+                               bar);
     }
-out:
-    return st;
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st;
-    struct transient t = {0};
+    struct transient *t = calloc(1, sizeof *t);
     struct verify_subject s;
 
-    TRY(transient_init(&t, why));
+    if (!verify_sheet_holds(sheet, t ? STATUS_OK : STATUS_MEMORY))
+        return;
+    verify_sheet_holds(sheet, transient_init(t, &sheet->why));
     for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
-        TRY(add_rows(sheet, &s, &t, why));
-out:
-    transient_clear(&t);
-    return st;
+        add_rows(&s, t);
+    scene_clear(&t->scene);
+    truth_plate_clear(&t->plate);
+    free(t);
 }
 
 const struct verify_check verify_transient = {

@@ -21,11 +21,7 @@ static const struct verify_entry entries[] = {
     {"projective_dynamics", 0, "implicit Euler", {21}},
     {NULL}};
 static const struct verify_field field = {
-    entries,
-    CONTESTANT_LARGE,
-    "iga_nonlinear,iga_nonlinear_3,iga_reduced_3,iga_selective,hex_nonlinear",
-    {11},
-    {11}};
+    entries, CONTESTANT_LARGE, "iga_nonlinear," VERIFY_LOCKED, {11}, {11}};
 
 /* The motions part with time: judged not later than this [s]. */
 static const double LATEST = 0.3, QUICK = 0.1;
@@ -36,32 +32,28 @@ struct stored {
     const char *damping; /* setting, or NULL                                           */
     struct truth_made truth;
     int index; /* of the time at which they are judged, -1: none                       */
-    double *uvw;
+    double uvw[3 * GRID_POINTS], xyz[3 * GRID_POINTS];
 };
 
-static enum status add_row(struct verify_sheet *sheet, const struct stored *s,
-                           const struct verify_subject *subject, double *xyz,
-                           struct message *why)
+static void add_row(struct stored *s, const struct verify_subject *subject)
 {
     const double time = s->truth.time[s->index];
-    struct verify_row *row =
-        verify_sheet_add(sheet, subject, "%s, rms / L at %.3g s", s->scene, time);
-    struct verify_trial t = {row, subject, s->scene};
+    struct verify_trial t =
+        verify_trial_of(subject, s->scene, "%s, rms / L at %.3g s", s->scene, time);
 
     if (s->damping)
         settings_set(&t.settings, s->damping);
-    enum status st = verify_trial_motion(&t, 1, &time, GRID_POINTS, s->uvw, xyz, why);
-    if (t.lived)
-        verify_row_judge_error(row, metric_rmse(xyz, s->truth.xyz[s->index]) / s->length,
+    if (verify_trial_motion(&t, 1, &time, GRID_POINTS, s->uvw, s->xyz))
+        verify_row_judge_error(t.row,
+                               metric_rmse(s->xyz, s->truth.xyz[s->index]) / s->length,
                                s->truth.value[s->index][TRUTH_ERROR] / s->length);
-    return st;
 }
 
-static enum status add_scene(struct verify_sheet *sheet, struct stored *s, double *xyz,
-                             struct message *why)
+static enum status add_scene(struct verify_sheet *sheet, struct stored *s)
 {
     double latest = sheet->quick ? QUICK : LATEST;
     char *file = NULL, *physics = NULL;
+    struct message *why = &sheet->why;
     struct verify_subject subject;
     struct scene scene = {0};
     enum status st;
@@ -75,7 +67,7 @@ static enum status add_scene(struct verify_sheet *sheet, struct stored *s, doubl
     for (int n = 0; n < s->truth.claimed && s->truth.time[n] <= latest + 1e-9; n++)
         s->index = n;
     for (int n = 0; s->index >= 0 && verify_sheet_next(sheet, &field, &n, &subject);)
-        TRY(add_row(sheet, s, &subject, xyz, why));
+        add_row(s, &subject);
 out:
     scene_clear(&scene);
     truth_made_clear(&s->truth);
@@ -84,29 +76,26 @@ out:
     return st;
 }
 
-static enum status run(struct verify_sheet *sheet, struct message *why)
+static void run(struct verify_sheet *sheet)
 {
-    enum status st;
+    enum status st = STATUS_MEMORY;
     struct named_file_entry *files = NULL;
-    struct stored s = {0};
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
+    struct stored *s = calloc(1, sizeof *s);
     int count = 0;
 
-    s.uvw = malloc(3 * GRID_POINTS * sizeof *s.uvw);
-    if (!xyz || !s.uvw)
-        TRY(STATUS_MEMORY);
+    if (!s)
+        goto out;
     for (int n = 0; n < GRID_POINTS; n++)
-        grid_point(n, s.uvw + 3 * n);
-    TRY(named_file_list(&truth_file_kind, &files, &count, why));
+        grid_point(n, s->uvw + 3 * n);
+    TRY(named_file_list(&truth_file_kind, &files, &count, &sheet->why));
     for (int n = 0; n < count; n++) {
-        s.scene = files[n].name;
-        TRY(add_scene(sheet, &s, xyz, why));
+        s->scene = files[n].name;
+        TRY(add_scene(sheet, s));
     }
 out:
+    verify_sheet_holds(sheet, st);
     named_file_list_free(files, count);
-    free(s.uvw);
-    free(xyz);
-    return st;
+    free(s);
 }
 
 const struct verify_check verify_truths = {

@@ -5,24 +5,29 @@
 #include "bench/harness/contestant.h"
 #include "bench/ui/command.h"
 
-/* What the error of a case is measured against, and how. */
-enum stress_truth {
-    STRESS_PLATE,      /* tip at rest against the Kirchhoff plate; relative              */
-    STRESS_ELASTICA,   /* tip at rest against the heavy elastica; distance / L           */
-    STRESS_VIBRATION,  /* tip in time against the Kirchhoff plate's modal solution; over
-                          its greatest deflection                                        */
-    STRESS_SIMILAR,    /* motion against the model's own in other units; RMSE / L        */
-    STRESS_ENERGY,     /* greatest drift of energy over the energy in play               */
-    STRESS_BUCKLED,    /* middle of a shortened strip against Euler's elastica; / L      */
-    STRESS_STILL,      /* motion where there should be none; RMSE / L                    */
-    STRESS_STILL_REST, /* the same from the model's own static equilibrium               */
-    STRESS_SHIFTED,    /* where a thrown sheet comes to rest; RMSE / L                   */
-    STRESS_SHELL,      /* motion against a finer nonlinear shell (truth.h); RMSE / L     */
-    STRESS_TRUTHS
-};
+/* What the error of a case is measured against, and how: code, judge, a sentence. */
+#define STRESS_TRUTH_LIST(X)                                                               \
+    X(PLATE, plate, "tip at rest against the Kirchhoff plate (Ritz), relative")            \
+    X(ELASTICA, elastica, "tip at rest against the heavy elastica, over L")                \
+    X(VIBRATION, vibration,                                                                \
+      "tip in time against the Kirchhoff plate's modal solution, over its greatest "       \
+      "deflection")                                                                        \
+    X(SIMILAR, similar,                                                                    \
+      "against the model's own motion in metres, kilograms and seconds, RMSE over L")      \
+    X(ENERGY, energy, "drift of the sum of energies, over the energy in play")             \
+    X(BUCKLED, buckled, "middle against Euler's elastica, over L")                         \
+    X(STILL, still, "motion where there should be none, RMSE over L")                      \
+    X(STILL_REST, still_rest, "motion away from the model's own equilibrium, RMSE over L") \
+    X(SHIFTED, shifted, "where it comes to rest, RMSE over L")                             \
+    X(SHELL, shell, "against a finer nonlinear shell, RMSE over L")
 
-/* One sentence on it. */
-const char *stress_truth_text(enum stress_truth truth);
+enum stress_truth {
+#define STRESS_TRUTH_CODE(code, name, text) STRESS_##code,
+    STRESS_TRUTH_LIST(STRESS_TRUTH_CODE)
+#undef STRESS_TRUTH_CODE
+        STRESS_TRUTHS
+};
+extern const char *const stress_truth_text[STRESS_TRUTHS];
 
 enum { STRESS_SETTINGS = 8 };
 

@@ -6,6 +6,8 @@
 
 #include "bench/files/output.h"
 
+enum { PATH = 4096 };
+
 static const char *const outcome_words[] = {
     [STRESS_RAN] = "ran", [STRESS_SAID_NO] = "refused", [STRESS_DEAD] = "died"};
 enum { OUTCOMES = sizeof outcome_words / sizeof *outcome_words };
@@ -26,25 +28,21 @@ enum stress_end stress_result_end(const struct stress_result *r, double bound)
     return r->error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
 }
 
-void stress_result_name(const struct stress_case *c, const struct contestant *contestant,
-                        char *text, int size)
+static void find_file(const char *folder, const struct stress_case *c,
+                      const struct contestant *contestant, char path[PATH])
 {
-    snprintf(text, (size_t)size, "%s.%s", c->item.name, contestant->name);
+    snprintf(path, PATH, "%s/%s.%s.txt", folder, c->item.name, contestant->name);
 }
 
-static void file_of(const char *folder, const char *name, char *path, int size)
-{
-    snprintf(path, (size_t)size, "%s/%s.txt", folder, name);
-}
-
-enum status stress_result_write(const char *folder, const char *name,
+enum status stress_result_write(const char *folder, const struct stress_case *c,
+                                const struct contestant *contestant,
                                 const struct stress_result *r, struct message *why)
 {
     struct output *out = NULL;
-    char path[4096];
+    char path[PATH];
     enum status st;
 
-    file_of(folder, name, path, sizeof path);
+    find_file(folder, c, contestant, path);
     TRY(output_create(path, &out, why));
     output_print(out, "outcome %s\nerror %.17g\ntime %.17g\nseconds %.17g\nsentence %s\n",
                  outcome_words[r->outcome], r->error, r->time, r->seconds,
@@ -73,14 +71,15 @@ static bool read_result(FILE *file, struct stress_result *r)
     return end && outcome < OUTCOMES;
 }
 
-enum status stress_result_read(const char *folder, const char *name,
-                               struct stress_result *r, struct message *why)
+enum status stress_result_read(const char *folder, const struct stress_case *c,
+                               const struct contestant *contestant, struct stress_result *r,
+                               struct message *why)
 {
-    char path[4096];
+    char path[PATH];
     enum status st = STATUS_OK;
 
     *r = (struct stress_result){.error = NAN, .time = NAN, .seconds = NAN};
-    file_of(folder, name, path, sizeof path);
+    find_file(folder, c, contestant, path);
     FILE *file = fopen(path, "r");
     if (!file)
         return status_fail(why, STATUS_FILE, "%s cannot be read", path);

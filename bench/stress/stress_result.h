@@ -21,14 +21,12 @@ struct stress_result {
 /* The one of four. An error that is no number is a death. */
 enum stress_end stress_result_end(const struct stress_result *r, double bound);
 
-/* The file of a result. STATUS_FILE, STATUS_INPUT: it is none. */
-enum status stress_result_write(const char *folder, const char *name,
+/* Its file, FOLDER/CASE.CONTESTANT.txt. STATUS_FILE, STATUS_INPUT: it is none. */
+enum status stress_result_write(const char *folder, const struct stress_case *c,
+                                const struct contestant *contestant,
                                 const struct stress_result *r, struct message *why);
-enum status stress_result_read(const char *folder, const char *name,
-                               struct stress_result *r, struct message *why);
-
-/* CASE.CONTESTANT into text[size]. */
-void stress_result_name(const struct stress_case *c, const struct contestant *contestant,
-                        char *text, int size);
+enum status stress_result_read(const char *folder, const struct stress_case *c,
+                               const struct contestant *contestant, struct stress_result *r,
+                               struct message *why);
 
 #endif

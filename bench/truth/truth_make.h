@@ -10,7 +10,6 @@
 
 #include "bench/truth/truth_level.h"
 #include "bench/truth/truth_plan.h"
-#include "bench/truth/truth_watch.h"
 
 /* What is known at each time: name, unit. Orders are NaN where differences do not shrink.
  */
@@ -31,9 +30,12 @@ enum truth_column {
 #undef TRUTH_COLUMN_CODE
         TRUTH_COLUMNS
 };
-/* Static storage. */
-const char *truth_column_name(int column);
-const char *truth_column_unit(int column);
+
+enum { TRUTH_WATCH_TEXT = 256 };
+
+/* Where TRUTH_PERTURBATION has grown so many times (rms over the length), a net's own 1e-3
+ * has grown to the size of the sheet: nothing can be claimed. */
+#define TRUTH_MOST_GROWTH 1e3
 
 /* Nothing is claimed from the first time on at which this or TRUTH_MOST_GROWTH is passed: a
  * truth that leaves 5 % of the length open tells few models apart. */
@@ -41,12 +43,13 @@ const char *truth_column_unit(int column);
 
 struct truth_made {
     int times, claimed;             /* times before the horizon                          */
-    double *time;                   /* [times] [s]                                owned  */
-    double (*value)[TRUTH_COLUMNS]; /* [times]                                   owned  */
-    double **xyz;                   /* [times] (grid.h) [m]                       owned  */
+    double **xyz;                   /* [times] (grid.h) [m]; owns the other arrays, too  */
+    double *time;                   /* [times] [s]                                       */
+    double (*value)[TRUTH_COLUMNS]; /* [times]                                           */
     struct truth_level level;       /* whose field it is                                 */
     char note[400];                 /* a sentence: source and error bar                  */
-    char horizon[TRUTH_WATCH_TEXT]; /* another: of truth_watch.h                       */
+    char horizon[TRUTH_WATCH_TEXT]; /* until when it is predictable: gravity is
+ changed a little, and the change watched as long as the scene lasts */
 };
 
 /* Runs what is not in the folder yet. progress() may be NULL. STATUS_DIVERGED: a run died;
@@ -55,7 +58,11 @@ enum status truth_make(const struct truth_plan *plan, const struct truth_runs *r
                        const struct scene *scene,
                        void (*progress)(void *context, int done, int total), void *context,
                        struct truth_made *made, struct message *why);
-void truth_made_clear(struct truth_made *made);
+
+/* Arrays of zeros for these times, fields for the first `claimed` of them, else NULL. */
+enum status truth_made_init(struct truth_made *made, int times, int claimed,
+                            const double *time);
+void truth_made_clear(struct truth_made *made); /* all-zero is allowed, and left */
 
 /* Times before one of the bounds is passed. */
 int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 
 void truth_plate_clear(struct truth_plate *t)
 {
@@ -12,17 +13,6 @@ void truth_plate_clear(struct truth_plate *t)
         free(t->xyz[n]);
     free(t->rest);
     memset(t, 0, sizeof *t);
-}
-
-static enum status make_rest(const struct scene *scene, double **rest)
-{
-    *rest = malloc(3 * GRID_POINTS * sizeof **rest);
-    for (int n = 0; *rest && n < GRID_POINTS; n++) {
-        double uvw[3];
-        grid_point(n, uvw);
-        scene_rest_point(scene, uvw, *rest + 3 * n);
-    }
-    return *rest ? STATUS_OK : STATUS_MEMORY;
 }
 
 enum status truth_plate_init(struct truth_plate *t, const struct scene *scene, int times,
@@ -37,7 +27,8 @@ enum status truth_plate_init(struct truth_plate *t, const struct scene *scene, i
 
     TRY(kirchhoff_field_plate(scene, &plate, why));
     TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
-    TRY(make_rest(scene, &new.rest));
+    new.rest = metric_rest_field(scene);
+    TRY(new.rest ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n <= times; n++) {
         new.xyz[n] = malloc(3 * GRID_POINTS * sizeof *new.xyz[n]);
         TRY(new.xyz[n] ? STATUS_OK : STATUS_MEMORY);

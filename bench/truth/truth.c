@@ -7,8 +7,7 @@
 
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_physics.h"
-#include "fem_ref/kirchhoff_field.h"
-#include "models/grid.h"
+#include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
@@ -39,27 +38,22 @@ void truth_destroy(struct truth *t)
 static enum status from_kirchhoff(const struct scene *scene, struct truth *t,
                                   struct message *why)
 {
-    enum status st;
-    struct kirchhoff_plate plate;
-    struct kirchhoff *k = NULL;
-    double gamma = scene_gamma(scene), *rest = metric_rest_field(scene);
+    const double gamma = scene_gamma(scene);
     /* What linear theory leaves out (TRUTH_GAMMA), and what Kirchhoff's does. */
-    double relative = KIRCHHOFF_TRANSIENT_ERROR + 0.0125 * gamma * gamma +
-                      2 * pow(scene->thickness / scene->length, 2);
+    const double relative = KIRCHHOFF_TRANSIENT_ERROR + 0.0125 * gamma * gamma +
+                            2 * pow(scene->thickness / scene->length, 2);
+    double *rest = metric_rest_field(scene);
+    enum status st = rest ? STATUS_OK : STATUS_MEMORY;
 
-    TRY(rest ? STATUS_OK : STATUS_MEMORY);
-    TRY(kirchhoff_field_plate(scene, &plate, why));
-    TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
-    for (int n = 0; n < t->times; n++) {
-        TRY(kirchhoff_field_sample(k, scene, t->time[n], t->xyz[n], why));
+    TRY(st);
+    TRY(truth_plate_fields(scene, t->times, t->time, t->xyz, why));
+    for (int n = 0; n < t->times; n++)
         t->error[n] = relative * metric_rmse(t->xyz[n], rest);
-    }
     snprintf(t->source, sizeof t->source,
              "Kirchhoff plate, modal solution exact in time; Gamma = %.3g leaves linear "
              "theory",
              gamma);
 out:
-    kirchhoff_destroy(k);
     free(rest);
     return st;
 }
@@ -150,7 +144,7 @@ static enum status read_stored(const struct scene *scene, struct truth_made *mad
     enum status st;
 
     memset(made, 0, sizeof *made);
-    if (!truth_file_exists(scene->name, &path))
+    if (named_file_find(&truth_file_kind, scene->name, &path, NULL) != STATUS_OK)
         return STATUS_OK;
     TRY(truth_file_read(path, made, &physics, why));
     TRY(truth_physics(scene, &wanted));

@@ -221,8 +221,3 @@ const struct named_file_kind truth_file_kind = {
     .in_source = TRUTHS_IN_SOURCE,
     .describe = describe,
 };
-
-bool truth_file_exists(const char *scene, char **path)
-{
-    return named_file_find(&truth_file_kind, scene, path, NULL) == STATUS_OK;
-}

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bench/truth/truth_order.h"
+#include "bench/ui/progress.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 
@@ -157,52 +158,43 @@ void truth_made_clear(struct truth_made *made)
 }
 
 static enum status find_all(struct family family[TRUTH_MODELS],
-                            const struct truth_runs *runs,
-                            void (*progress)(void *, int, int), void *context,
+                            const struct truth_runs *runs, bool quiet,
                             struct run_result *pushed, struct message *why)
 {
     enum { TOTAL = TRUTH_MODELS * RUNS + 1 };
+    struct progress bar = progress_start("truth", TOTAL, quiet);
     struct truth_level push = family[TRUTH_SOLID].level[TWICE];
     enum status st = STATUS_OK;
-    int done = 0;
 
-    for (int m = 0; m < TRUTH_MODELS; m++)
-        for (int n = 0; n < RUNS; n++) {
-            if (progress)
-                progress(context, done, TOTAL);
-            TRY(truth_level_find(runs, &family[m].level[n], false, &family[m].run[n], why));
-            done++;
-        }
+    for (int n = 0; n < TOTAL - 1; n++) {
+        struct family *f = &family[n / RUNS];
+        progress_update(&bar, n);
+        TRY(truth_level_find(runs, &f->level[n % RUNS], false, &f->run[n % RUNS], why));
+    }
     push.perturbed = true;
     TRY(truth_level_find(runs, &push, false, pushed, why));
-    if (progress)
-        progress(context, TOTAL, TOTAL);
 out:
+    progress_end(&bar);
     return st;
 }
 
 static void tell(const struct truth_runs *runs, const struct truth_level *level,
                  const struct run_result run[2], double length, char *text)
 {
-    double most = 0, last = runs->time[runs->times - 1];
+    double most = 0;
     int n = 0;
 
     for (; n < runs->times && most <= TRUTH_MOST_GROWTH; n++)
         most = fmax(most, metric_rmse(run[0].xyz[n], run[1].xyz[n]) /
                               (TRUTH_PERTURBATION * length));
-    if (most > TRUTH_MOST_GROWTH)
-        snprintf(
-            text, TRUTH_WATCH_TEXT,
-            "a change of gravity by %g has grown %.2g-fold at %.3g s: from there on the "
-            "motion cannot be predicted (solid, %dx%d, step %.3g ms)",
-            TRUTH_PERTURBATION, most, runs->time[n - 1], level->side, level->side,
-            1e3 * level->step);
-    else
-        snprintf(text, TRUTH_WATCH_TEXT,
-                 "a change of gravity by %g grows at most %.2g-fold up to %.3g s: so long "
-                 "the motion can be predicted (solid, %dx%d, step %.3g ms)",
-                 TRUTH_PERTURBATION, most, last, level->side, level->side,
-                 1e3 * level->step);
+    const bool lost = most > TRUTH_MOST_GROWTH;
+    snprintf(text, TRUTH_WATCH_TEXT,
+             "a change of gravity by %g %s %.2g-fold %s %.3g s: %s predicted (solid, "
+             "%dx%d, step %.3g ms)",
+             TRUTH_PERTURBATION, lost ? "has grown" : "grows at most", most,
+             lost ? "at" : "up to", runs->time[n - 1],
+             lost ? "from there on the motion cannot be" : "so long the motion can be",
+             level->side, level->side, 1e3 * level->step);
 }
 
 /* The coarse solid of the plan (with obstacles, the middle one), with twice its step, every
@@ -249,9 +241,8 @@ static enum status watch(const struct truth_plan *plan, const struct truth_runs 
 }
 
 enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
-                       const struct scene *scene,
-                       void (*progress)(void *context, int done, int total), void *context,
-                       struct truth_made *made, struct message *why)
+                       const struct scene *scene, bool quiet, struct truth_made *made,
+                       struct message *why)
 {
     struct family family[TRUTH_MODELS] = {0};
     struct run_result pushed = {0};
@@ -260,7 +251,7 @@ enum status truth_make(const struct truth_plan *plan, const struct truth_runs *r
     for (int m = 0; m < TRUTH_MODELS; m++)
         plan_family(&plan->ladder[m], (enum truth_model)m, &family[m]);
     TRY(truth_made_init(made, runs->times, runs->times, runs->time));
-    TRY(find_all(family, runs, progress, context, &pushed, why));
+    TRY(find_all(family, runs, quiet, &pushed, why));
     for (int n = 0; n < runs->times; n++)
         compare(family, &pushed, scene->length, n, made->value[n]);
     choose(family, scene->length, made);

@@ -52,12 +52,11 @@ struct truth_made {
  changed a little, and the change watched as long as the scene lasts */
 };
 
-/* Runs what is not in the folder yet. progress() may be NULL. STATUS_DIVERGED: a run died;
- * STATUS_UNSUPPORTED: a model cannot serve the scene. Free with truth_made_clear. */
+/* Runs what is not in the folder yet; `quiet`: no progress bar. STATUS_DIVERGED: a run
+ * died; STATUS_UNSUPPORTED: a model cannot serve the scene. Free with truth_made_clear. */
 enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
-                       const struct scene *scene,
-                       void (*progress)(void *context, int done, int total), void *context,
-                       struct truth_made *made, struct message *why);
+                       const struct scene *scene, bool quiet, struct truth_made *made,
+                       struct message *why);
 
 /* Arrays of zeros for these times, fields for the first `claimed` of them, else NULL. */
 enum status truth_made_init(struct truth_made *made, int times, int claimed,

@@ -5,11 +5,11 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "bench/harness/pool.h"
 #include "bench/harness/run_file.h"
 #include "bench/sweep/sweep_map.h"
-#include "bench/sweep/sweep_summary.h"
 #include "bench/sweep/sweep_table.h"
 #include "bench/experiment/plan_read.h"
 
@@ -114,11 +114,9 @@ static enum status collect(const struct plan *plan, const struct sweep_folder *f
                             "%s: the file of case %ld is gone or broken; "
                             "--resume runs it again",
                             folder->path, n + 1));
-        const struct verdict verdict = sweep_table_verdict(plan, &row);
         TRY(plan_case_given(plan, n, &c));
-        sweep_table_row(t, &c, &row, &verdict);
-        st = sweep_map_row(map, &c, &row,
-                           sweep_table_labels(plan, &row, verdict, labels, sizeof labels));
+        sweep_table_row(t, &c, &row, labels, sizeof labels);
+        st = sweep_map_row(map, &c, &row, labels);
         plan_case_clear(&c);
         run_result_clear(&row.result);
         TRY(st);
@@ -136,6 +134,103 @@ out:
     sweep_map_destroy(map);
     sweep_table_discard(t);
     return st;
+}
+
+static void print_plan(const struct plan *plan, FILE *file)
+{
+    const struct plan_setting *scene = plan_settings_find(&plan->settings, "scene");
+
+    fprintf(file, "%s: %ld cases", plan->name, plan_case_count(plan));
+    if (scene)
+        fprintf(file, " of %s", scene->value);
+    if (plan->listed_count)
+        fprintf(file, "; %d listed", plan->listed_count);
+    for (int n = 0; n < plan->axis_count; n++)
+        fprintf(file, "%s%d of %s", n || plan->listed_count ? " x " : "; ",
+                plan->axes[n].values.count, plan->axes[n].key);
+    fprintf(file, "\n\n");
+}
+
+/* Whether a rule before n has the same label. */
+static bool said(const struct verdict_rules *rules, int n)
+{
+    for (int m = 0; m < n; m++)
+        if (!strcmp(rules->rule[m].label, rules->rule[n].label))
+            return true;
+    return false;
+}
+
+/* Those of which there are none are not worth a line, but for labels. */
+static void print_verdicts(const struct plan *plan, const struct sweep_table *t, FILE *file)
+{
+    const struct verdict_rules *rules = &plan->verdicts;
+    const struct {
+        const char *end, *why;
+        long count;
+    } ends[] = {
+        {"died", "the numerics ended the run", t->died},
+        {"unsupported", "the model leaves something out", t->unsupported},
+        {"no result", "timed out, killed or refused: see table.csv", t->failed},
+    };
+
+    if (rules->count)
+        fprintf(file, "  %-24s%6ld\n", "feasible", t->feasible);
+    for (int n = 0; n < rules->count; n++)
+        if (!said(rules, n))
+            fprintf(file, "  %-24s%6ld\n", rules->rule[n].label, t->labels[n]);
+    for (int n = 0; n < 3; n++)
+        if (ends[n].count)
+            fprintf(file, "  %-24s%6ld   %s\n", ends[n].end, ends[n].count, ends[n].why);
+    fprintf(file, "\n");
+}
+
+/* Of a result file on average [kB]. */
+static double file_size(const struct sweep_folder *folder, long cases)
+{
+    double sum = 0;
+    long count = 0;
+
+    for (long n = 0; n < cases; n++) {
+        char path[SWEEP_FOLDER_PATH];
+        struct stat info;
+
+        sweep_folder_file(folder, n, "h5", path);
+        if (stat(path, &info) == 0)
+            sum += 1e-3 * (double)info.st_size, count++;
+    }
+    return count ? sum / (double)count : 0;
+}
+
+static void print_cost(const struct pool *p, FILE *file)
+{
+    const double most = p->wall * p->hands;
+
+    if (!p->ran) {
+        fprintf(file, "Nothing was left to run.\n");
+        return;
+    }
+    fprintf(file,
+            "%ld cases run now, %d at a time: %.3g s of processor time each, %.4g s in all "
+            "within %.4g s; efficiency %.1f %%.\n",
+            p->ran, p->hands, p->seconds / (double)p->ran, p->seconds, p->wall,
+            100 * p->seconds / most);
+}
+
+/* What a sweep found, in words for people. `plot`: why there is no picture, or "". */
+static enum status print_summary(const struct sweep *s, const struct sweep_table *table,
+                                 const char *plot, FILE *file)
+{
+    const struct plan *plan = s->plan;
+
+    print_plan(plan, file);
+    print_verdicts(plan, table, file);
+    print_cost(&s->pool, file);
+    fprintf(file, "%s: table.csv, seconds.csv, %sa file a case, %.3g kB on average.\n",
+            s->folder.path, plan->map.x && !*plot ? "map.png, " : "",
+            file_size(&s->folder, plan_case_count(plan)));
+    if (*plot)
+        fprintf(file, "%s\n", plot);
+    return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 
 static const char *folder_of(const struct sweep *s, char path[SWEEP_FOLDER_PATH])
@@ -191,7 +286,7 @@ static enum status lead(struct sweep *s, const struct sweep_options *options,
     TRY(run_all(s, name, why));
     TRY(collect(s->plan, &s->folder, &table, &plot, why));
     if (!options->quiet)
-        TRY(sweep_summary_print(s->plan, &s->folder, &s->pool, &table, plot.text, file));
+        TRY(print_summary(s, &table, plot.text, file));
 out:
     sweep_folder_close(&s->folder);
     return st;

@@ -14,33 +14,28 @@
 #include "bench/experiment/plan_case.h"
 #include "models/reader/scene_file.h"
 
-/* Adds the text of a scene that the plan names. */
-static enum status add_scene(const struct plan *plan, const char *scene, FILE *text,
-                             struct message *why)
+/* Adds the texts of the scenes among these settings. */
+static enum status add_scenes(const struct plan *plan, const struct plan_settings *settings,
+                              FILE *text, struct message *why)
 {
     enum status st = STATUS_OK;
     char *path = NULL, *bytes = NULL;
     size_t size;
 
-    TRY(plan_case_find_scene(plan, scene, &path, why));
-    TRY(named_file_read(&scene_file_kind, path, &bytes, &size, why));
-    fprintf(text, "\n--- scene %s\n", scene);
-    fwrite(bytes, 1, size, text);
+    for (int n = 0; n < settings->count; n++) {
+        const struct plan_setting *s = &settings->list[n];
+        if (strcmp(s->key, "scene") != 0)
+            continue;
+        free(path), path = NULL;
+        free(bytes), bytes = NULL;
+        TRY(plan_case_find_scene(plan, s->value, &path, why));
+        TRY(named_file_read(&scene_file_kind, path, &bytes, &size, why));
+        fprintf(text, "\n--- scene %s\n", s->value);
+        fwrite(bytes, 1, size, text);
+    }
 out:
     free(path);
     free(bytes);
-    return st;
-}
-
-static enum status add_scenes(const struct plan *plan, const struct plan_settings *settings,
-                              FILE *text, struct message *why)
-{
-    enum status st = STATUS_OK;
-
-    for (int n = 0; n < settings->count; n++)
-        if (!strcmp(settings->list[n].key, "scene"))
-            TRY(add_scene(plan, settings->list[n].value, text, why));
-out:
     return st;
 }
 

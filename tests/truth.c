@@ -6,7 +6,6 @@
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
 #include "bench/truth/truth_file.h"
-#include "bench/truth/truth_order.h"
 #include "bench/truth/truth_physics.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"

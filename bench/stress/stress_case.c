@@ -1,5 +1,5 @@
 /* The cases of `stress`, as data. */
-#include "bench/stress/stress_case.h"
+#include "bench/stress/stress.h"
 
 #include <stddef.h>
 
@@ -160,7 +160,7 @@ const struct stress_case *stress_case_at(int n)
 }
 
 const char *const stress_truth_text[STRESS_TRUTHS] = {
-#define STRESS_TRUTH_TEXT(code, name, text) text,
+#define STRESS_TRUTH_TEXT(code, text) text,
     STRESS_TRUTH_LIST(STRESS_TRUTH_TEXT)
 #undef STRESS_TRUTH_TEXT
 };

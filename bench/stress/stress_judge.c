@@ -162,30 +162,27 @@ static enum status make_plate(struct judged *r, struct message *why)
     return st == STATUS_OK ? st : status_fail(why, st, "%s", status_text(st));
 }
 
-static enum status judge_plate(struct judged *r, struct message *why)
+static enum status end_plate(struct judged *r, struct message *why)
 {
     const struct scene *s = &r->run.scene;
     double d[3];
-    enum status st;
 
-    TRY(make_plate(r, why));
-    TRY(settle(r, why));
+    (void)why;
     displacement(r, tip, d);
     r->result->error =
         fabs(-d[2] / kirchhoff_static(r->plate, r->load, s->length, s->width / 2) - 1);
-out:
-    return st;
+    return STATUS_OK;
 }
 
-static enum status judge_elastica(struct judged *r, struct message *why)
+static enum status end_elastica(struct judged *r, struct message *why)
 {
     const struct scene *s = &r->run.scene;
     struct elastica e;
     double d[3];
     enum status st;
 
+    (void)why;
     TRY(elastica_solve(scene_gamma(s), &e));
-    TRY(settle(r, why));
     displacement(r, tip, d);
     r->result->error = hypot(d[0] / s->length + 1 - e.reach, d[2] / s->length + e.drop);
 out:
@@ -208,16 +205,6 @@ static enum status watch_vibration(void *context, const struct motion *m,
     return STATUS_OK;
 }
 
-static enum status judge_vibration(struct judged *r, struct message *why)
-{
-    enum status st;
-
-    TRY(make_plate(r, why));
-    st = move(r, watch_vibration, why);
-out:
-    return st;
-}
-
 /* The scene in units of `length` metres, `mass` kilograms and `time` seconds. */
 static void change_units(struct scene *s, double length, double mass, double time)
 {
@@ -230,14 +217,14 @@ static void change_units(struct scene *s, double length, double mass, double tim
     s->step /= time, s->end /= time;
 }
 
-static enum status judge_similar(struct judged *r, struct message *why)
+/* The same once more in other units, in which it may die, too. */
+static enum status end_similar(struct judged *r, struct message *why)
 {
     const struct stress_case *c = r->job->c;
     struct judged other = *r;
     enum status st;
 
     other.run = (struct run){0};
-    TRY(move(r, NULL, why));
     r->run.model->sample(r->run.state, r->xyz);
     TRY(read_run(r->job, &other.run, why));
     change_units(&other.run.scene, c->length, c->mass, c->time);
@@ -248,10 +235,21 @@ static enum status judge_similar(struct judged *r, struct message *why)
         r->first[n] *= c->length;
     r->result->error = metric_rmse(r->xyz, r->first) / r->run.scene.length;
 out:
-    if (st != STATUS_OK && isfinite(r->result->time))
-        r->result->time *= other.run.state ? c->time : 1;
+    r->result->time *= c->time;
     run_close(&other.run);
     return st;
+}
+
+static enum status begin_energy(struct judged *r, struct message *why)
+{
+    struct energy rest = {NAN, NAN, NAN};
+
+    if (r->run.model->energy)
+        r->run.model->energy(r->run.state, &rest);
+    return isfinite(rest.elastic)
+               ? STATUS_OK
+               : status_fail(why, STATUS_UNSUPPORTED,
+                             "unsupported: no elastic energy that could be kept");
 }
 
 static enum status watch_energy(void *context, const struct motion *m, struct message *why)
@@ -267,49 +265,36 @@ static enum status watch_energy(void *context, const struct motion *m, struct me
     return STATUS_OK;
 }
 
-static enum status judge_energy(struct judged *r, struct message *why)
+static enum status end_energy(struct judged *r, struct message *why)
 {
-    const struct run *run = &r->run;
-    struct energy rest = {NAN, NAN, NAN};
-    double *drift = NULL;
-    enum status st;
+    double *drift = malloc((size_t)r->frames * sizeof *drift), most = 0, least = 0;
 
-    if (run->model->energy)
-        run->model->energy(run->state, &rest);
-    if (!isfinite(rest.elastic))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "unsupported: no elastic energy that could be kept");
-    TRY(move(r, watch_energy, why));
-    drift = malloc((size_t)r->frames * sizeof *drift);
-    TRY(drift ? STATUS_OK : STATUS_MEMORY);
+    (void)why;
+    if (!drift)
+        return STATUS_MEMORY;
     metric_energy_drift(r->frames, r->energies, drift);
-    double most = 0, least = 0;
     for (int n = 0; n < r->frames; n++) {
-        note(r, n * run->scene.step, fabs(drift[n]));
+        note(r, n * r->run.scene.step, fabs(drift[n]));
         most = fmax(most, drift[n]), least = fmin(least, drift[n]);
     }
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
              "%d steps: %.2g won at most, %.2g lost at most, of the energy in play",
              r->frames - 1, most, -least);
-out:
     free(drift);
-    return st;
+    return STATUS_OK;
 }
 
-static enum status judge_buckled(struct judged *r, struct message *why)
+static enum status end_buckled(struct judged *r, struct message *why)
 {
     const struct scene *s = &r->run.scene;
-    const struct scene_support *moved = &s->supports[s->support_count - 1];
     double d[3], shift[3];
-    enum status st;
 
-    scene_support_shift(moved, s->end, shift);
-    TRY(move(r, NULL, why));
+    (void)why;
+    scene_support_shift(&s->supports[s->support_count - 1], s->end, shift);
     displacement(r, middle, d);
     r->result->error =
         fabs(fabs(d[2]) / s->length - elastica_buckled(-shift[0] / s->length));
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status watch_still(void *context, const struct motion *m, struct message *why)
@@ -323,40 +308,42 @@ static enum status watch_still(void *context, const struct motion *m, struct mes
     return STATUS_OK;
 }
 
-static enum status judge_still(struct judged *r, struct message *why)
+static enum status begin_still_rest(struct judged *r, struct message *why)
 {
-    return move(r, watch_still, why);
+    return r->run.model->equilibrium
+               ? settle(r, why)
+               : status_fail(why, STATUS_UNSUPPORTED,
+                             "unsupported: no static equilibrium to start from");
 }
 
-static enum status judge_still_rest(struct judged *r, struct message *why)
-{
-    enum status st;
-
-    if (!r->run.model->equilibrium)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "unsupported: no static equilibrium to start from");
-    TRY(settle(r, why));
-    st = judge_still(r, why);
-out:
-    return st;
-}
-
-static enum status judge_shifted(struct judged *r, struct message *why)
+static enum status end_shifted(struct judged *r, struct message *why)
 {
     const struct scene *s = &r->run.scene;
     double shift[3], *rest = metric_rest_field(s);
-    enum status st = rest ? STATUS_OK : STATUS_MEMORY;
 
-    TRY(st);
+    (void)why;
+    if (!rest)
+        return STATUS_MEMORY;
     scene_support_shift(&s->supports[0], s->end, shift);
-    TRY(move(r, NULL, why));
     r->run.model->sample(r->run.state, r->xyz);
     for (int n = 0; n < 3 * GRID_POINTS; n++)
         rest[n] += shift[n % 3];
     r->result->error = metric_rmse(r->xyz, rest) / s->length;
-out:
     free(rest);
-    return st;
+    return STATUS_OK;
+}
+
+static enum status begin_shell(struct judged *r, struct message *why)
+{
+    struct message missing = {""};
+
+    if (stress_find_truth(r->job, TRUTH_READ, &r->truth, &missing) != STATUS_OK)
+        return status_fail(why, STATUS_UNSUPPORTED, "no truth to hold it against: %.900s",
+                           missing.text);
+    snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
+             "the truth's error bar is %.2g",
+             r->truth->error[r->truth->times - 1] / r->run.scene.length);
+    return STATUS_OK;
 }
 
 static enum status watch_shell(void *context, const struct motion *m, struct message *why)
@@ -373,27 +360,36 @@ static enum status watch_shell(void *context, const struct motion *m, struct mes
     return STATUS_OK;
 }
 
-static enum status judge_shell(struct judged *r, struct message *why)
+/* How a case of each truth is judged. */
+static const struct {
+    enum status (*begin)(struct judged *r, struct message *why); /* NULL: nothing to do  */
+    bool rests;                                                  /* instead of moving    */
+    motion_watcher *watch;
+    enum status (*end)(struct judged *r, struct message *why); /* NULL: `watch` told all */
+} judges[STRESS_TRUTHS] = {
+    [STRESS_PLATE] = {make_plate, true, NULL, end_plate},
+    [STRESS_ELASTICA] = {NULL, true, NULL, end_elastica},
+    [STRESS_VIBRATION] = {make_plate, false, watch_vibration, NULL},
+    [STRESS_SIMILAR] = {NULL, false, NULL, end_similar},
+    [STRESS_ENERGY] = {begin_energy, false, watch_energy, end_energy},
+    [STRESS_BUCKLED] = {NULL, false, NULL, end_buckled},
+    [STRESS_STILL] = {NULL, false, watch_still, NULL},
+    [STRESS_STILL_REST] = {begin_still_rest, false, watch_still, NULL},
+    [STRESS_SHIFTED] = {NULL, false, NULL, end_shifted},
+    [STRESS_SHELL] = {begin_shell, false, watch_shell, NULL},
+};
+
+static enum status judge(struct judged *r, struct message *why)
 {
-    struct message missing = {""};
+    const enum stress_truth n = r->job->c->truth;
     enum status st;
 
-    if (stress_find_truth(r->job, TRUTH_READ, &r->truth, &missing) != STATUS_OK)
-        return status_fail(why, STATUS_UNSUPPORTED, "no truth to hold it against: %.900s",
-                           missing.text);
-    TRY(move(r, watch_shell, why));
-    snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
-             "the truth's error bar is %.2g",
-             r->truth->error[r->truth->times - 1] / r->run.scene.length);
+    TRY(judges[n].begin ? judges[n].begin(r, why) : STATUS_OK);
+    TRY(judges[n].rests ? settle(r, why) : move(r, judges[n].watch, why));
+    TRY(judges[n].end ? judges[n].end(r, why) : STATUS_OK);
 out:
     return st;
 }
-
-static enum status (*const judges[STRESS_TRUTHS])(struct judged *, struct message *) = {
-#define STRESS_TRUTH_JUDGE(code, name, text) judge_##name,
-    STRESS_TRUTH_LIST(STRESS_TRUTH_JUDGE)
-#undef STRESS_TRUTH_JUDGE
-};
 
 /* What a model makes of the case is the result, whatever it is. */
 static enum status settle_result(enum status st, const struct message *said,
@@ -426,7 +422,7 @@ enum status stress_judge(const struct stress_job *job, struct stress_result *res
     TRY(r.xyz && r.first ? STATUS_OK : STATUS_MEMORY);
     TRY(read_run(job, &r.run, &said));
     TRY(run_build(&r.run, &said));
-    st = judges[job->c->truth](&r, &said);
+    st = judge(&r, &said);
 out:
     result->seconds = clock_processor() - start;
     kirchhoff_destroy(r.plate);

@@ -1,4 +1,4 @@
-#include "bench/stress/stress_result.h"
+#include "bench/stress/stress.h"
 
 #include <math.h>
 #include <stdio.h>

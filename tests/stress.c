@@ -164,7 +164,7 @@ static struct stress_result check_run(const char *path, const char *folder, cons
     REQUIRE(stress_judge(&job, &r, NULL) == STATUS_OK);
     const enum stress_end end = stress_result_end(&r, job.c->bound);
     if (!CHECK(end == want))
-        printf("%s, %s: %s with error %g (%s)\n", c, contestant, stress_end_name(end),
+        printf("%s, %s: %s with error %g (%s)\n", c, contestant, stress_end_name[end],
                r.error, r.sentence.text);
     if (end == STRESS_REFUSED || end == STRESS_DIED)
         CHECK(*r.sentence.text && isnan(r.error));

@@ -79,8 +79,7 @@ struct stress_job {
 
 enum stress_end { STRESS_ACCURATE, STRESS_DEGRADED, STRESS_REFUSED, STRESS_DIED };
 
-/* "accurate", ...; static storage. */
-const char *stress_end_name(enum stress_end end);
+extern const char *const stress_end_name[4]; /* "accurate", ... */
 
 /* How a run went. */
 struct stress_result {

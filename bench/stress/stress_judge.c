@@ -20,7 +20,7 @@ struct judged {
     const struct stress_job *job; /*                                          borrowed */
     struct run run;
     struct stress_result *result; /* to be filled                             borrowed */
-    double *xyz, *first;          /* fields (grid.h), room for judges            owned */
+    double *xyz, *first;          /* fields (grid.h), room for judges        xyz owned */
     struct kirchhoff *plate;      /* of the judges that need it                  owned */
     double load;                  /* on that plate [N/m^2]                             */
     struct energy *energies;      /* [frame_count + 1]                           owned */
@@ -417,9 +417,9 @@ enum status stress_judge(const struct stress_job *job, struct stress_result *res
     enum status st;
 
     *result = (struct stress_result){.error = NAN, .time = NAN};
-    r.xyz = malloc(3 * GRID_POINTS * sizeof *r.xyz);
-    r.first = malloc(3 * GRID_POINTS * sizeof *r.first);
-    TRY(r.xyz && r.first ? STATUS_OK : STATUS_MEMORY);
+    r.xyz = malloc(2 * 3 * GRID_POINTS * sizeof *r.xyz);
+    TRY(r.xyz ? STATUS_OK : STATUS_MEMORY);
+    r.first = r.xyz + 3 * GRID_POINTS;
     TRY(read_run(job, &r.run, &said));
     TRY(run_build(&r.run, &said));
     st = judge(&r, &said);
@@ -430,6 +430,5 @@ out:
     run_close(&r.run);
     free(r.energies);
     free(r.xyz);
-    free(r.first);
     return settle_result(st, &said, result, why);
 }

@@ -114,8 +114,7 @@ static void create_tables(struct map *m)
     for (int e = 0; e < m->stiffnesses; e++)
         columns[count++] = (struct table_column){value_of(m, 0, e), NULL, TABLE_RIGHT};
     for (int n = 0; n < 4; n++)
-        columns[count++] =
-            (struct table_column){stress_end_name((enum stress_end)n), NULL, TABLE_RIGHT};
+        columns[count++] = (struct table_column){stress_end_name[n], NULL, TABLE_RIGHT};
     m->models = table_create(
         count, columns, "Stability: the largest step up to which all steps are accurate");
     m->spots = table_create(sizeof spots / sizeof *spots, spots, NULL);
@@ -221,7 +220,7 @@ static enum status add_case(struct map *m, int model, int stiffness, int step,
     enum status st;
 
     TRY(judge(m, number, &row, end, &error, why));
-    const char *label = step == 0 && m->reference.xyz ? "reference" : stress_end_name(*end);
+    const char *label = step == 0 && m->reference.xyz ? "reference" : stress_end_name[*end];
     TRY(plan_case_given(&m->plan, number, &c));
     TRY(sweep_map_row(m->picture, &c, &row, label));
     table_row(m->spots);

@@ -1,8 +1,89 @@
-/* What the folder of `stress` holds, as tables. */
+/* What the folder of `stress` holds: a file a run, and tables of them. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "bench/files/output.h"
 #include "bench/stress/stress.h"
+
+enum { PATH = 4096 };
+
+static const char *const outcome_words[] = {
+    [STRESS_RAN] = "ran", [STRESS_SAID_NO] = "refused", [STRESS_DEAD] = "died"};
+enum { OUTCOMES = sizeof outcome_words / sizeof *outcome_words };
+
+const char *const stress_end_name[4] = {"accurate", "degraded", "refused", "died"};
+
+enum stress_end stress_result_end(const struct stress_result *r, double bound)
+{
+    if (r->outcome == STRESS_SAID_NO)
+        return STRESS_REFUSED;
+    if (r->outcome == STRESS_DEAD || !isfinite(r->error))
+        return STRESS_DIED;
+    return r->error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
+}
+
+static void find_file(const char *folder, const struct stress_case *c,
+                      const struct contestant *contestant, char path[PATH])
+{
+    snprintf(path, PATH, "%s/%s.%s.txt", folder, c->item.name, contestant->name);
+}
+
+enum status stress_result_write(const char *folder, const struct stress_case *c,
+                                const struct contestant *contestant,
+                                const struct stress_result *r, struct message *why)
+{
+    struct output *out = NULL;
+    char path[PATH];
+    enum status st;
+
+    find_file(folder, c, contestant, path);
+    TRY(output_create(path, &out, why));
+    output_print(out, "outcome %s\nerror %.17g\ntime %.17g\nseconds %.17g\nsentence %s\n",
+                 outcome_words[r->outcome], r->error, r->time, r->seconds,
+                 r->sentence.text);
+    st = output_close(out, why);
+out:
+    return st;
+}
+
+/* As stress_write has it, to the last line's end. */
+static bool read_result(FILE *file, struct stress_result *r)
+{
+    char word[16];
+    int outcome = 0;
+
+    if (fscanf(file, "outcome %15s error %lf time %lf seconds %lf sentence%*1[ ]", word,
+               &r->error, &r->time, &r->seconds) != 4 ||
+        !fgets(r->sentence.text, sizeof r->sentence.text, file))
+        return false;
+    while (outcome < OUTCOMES && strcmp(outcome_words[outcome], word))
+        outcome++;
+    r->outcome = (enum stress_outcome)outcome;
+    char *end = strchr(r->sentence.text, '\n');
+    if (end)
+        *end = '\0';
+    return end && outcome < OUTCOMES;
+}
+
+enum status stress_result_read(const char *folder, const struct stress_case *c,
+                               const struct contestant *contestant, struct stress_result *r,
+                               struct message *why)
+{
+    char path[PATH];
+    enum status st = STATUS_OK;
+
+    *r = (struct stress_result){.error = NAN, .time = NAN, .seconds = NAN};
+    find_file(folder, c, contestant, path);
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return status_fail(why, STATUS_FILE, "%s cannot be read", path);
+    if (!read_result(file, r))
+        st = status_fail(why, STATUS_INPUT, "%s is no result of `stress`", path);
+    fclose(file);
+    return st;
+}
 
 /* How all ended, a row a case; what each is held against; a row a run, with everything. */
 enum { OVERVIEW, TRUTHS, DETAILS, TABLES };
@@ -78,13 +159,13 @@ static void add_result(struct tables *t, const struct stress_case *c,
     else if (end == STRESS_DIED && isfinite(r->time))
         table_text(overview, "died %.2g s", r->time);
     else
-        table_text(overview, "%s", stress_end_name(end));
+        table_text(overview, "%s", stress_end_name[end]);
 
     table_row(details);
     table_text(details, "%s", c->item.name);
     table_text(details, "%s", contestant->name);
     table_number(details, c->bound, 1);
-    table_text(details, "%s", stress_end_name(end));
+    table_text(details, "%s", stress_end_name[end]);
     table_number(details, isfinite(r->error) ? r->error : NAN, 3);
     table_number(details, r->time, 3);
     table_fixed(details, r->seconds, 2);

@@ -78,7 +78,7 @@ enum status stress_map_measure(const char *folder, const struct stress_choice *c
     st = sweep_run(&plan,
                    &(struct sweep_options){
                        .folder = map, .start = SWEEP_AGAIN, .jobs = jobs, .quiet = true},
-                   stdout, why);
+                   why);
 out:
     plan_clear(&plan);
     return st;

@@ -15,9 +15,9 @@
 
 /* What the processes of a sweep share. */
 struct sweep {
-    const char *path; /* of the plan's file, where it is still to be read               */
-    const char *out;  /* the folder asked for; NULL: results/sweep_NAME                 */
-    struct plan own;
+    const char *word; /* the plan, as the command line has it                           */
+    struct sweep_options options;
+    struct plan own; /* where the command reads it                                      */
     const struct plan *plan;
     struct sweep_folder folder;
     struct pool pool;
@@ -70,11 +70,6 @@ static enum status settle(void *context, long number, const struct child_end *en
     if (failed)
         st = sweep_folder_fail(&s->folder, number, end->why.text, why);
     return st ? st : sweep_folder_log(&s->folder, failed ? "failed" : "end", number, why);
-}
-
-static struct pool pool_of(struct sweep *s)
-{
-    return (struct pool){.context = s, .work = work, .begin = begin, .settle = settle};
 }
 
 /* What is done already; true where a case needs no run. */
@@ -218,9 +213,10 @@ static void print_cost(const struct pool *p, FILE *file)
 
 /* What a sweep found, in words for people. `plot`: why there is no picture, or "". */
 static enum status print_summary(const struct sweep *s, const struct sweep_table *table,
-                                 const char *plot, FILE *file)
+                                 const char *plot)
 {
     const struct plan *plan = s->plan;
+    FILE *file = stdout;
 
     print_plan(plan, file);
     print_verdicts(plan, table, file);
@@ -233,14 +229,15 @@ static enum status print_summary(const struct sweep *s, const struct sweep_table
     return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 
+/* Into path[], which it returns, if no folder was asked for. */
 static const char *folder_of(const struct sweep *s, char path[SWEEP_FOLDER_PATH])
 {
     snprintf(path, SWEEP_FOLDER_PATH, "results/sweep_%s", s->plan->name);
-    return s->out ? s->out : path;
+    return s->options.folder ? s->options.folder : path;
 }
 
-/* Runs what is not done. `name`: of the plan on the command line. */
-static enum status run_all(struct sweep *s, const char *name, struct message *why)
+/* Runs what is not done. */
+static enum status run_all(struct sweep *s, struct message *why)
 {
     struct pool *pool = &s->pool;
     struct message reason = {""};
@@ -256,7 +253,7 @@ static enum status run_all(struct sweep *s, const char *name, struct message *wh
         TRY(status_fail(why, st,
                         "%s; what is done is kept, and clothbench sweep %s "
                         "--resume goes on",
-                        reason.text, name));
+                        reason.text, s->word));
 out:
     free(done);
     if (!pool->stopped_by)
@@ -264,41 +261,48 @@ out:
     fprintf(stderr,
             "clothbench: stopped by signal %d after %ld cases; what is done is kept: "
             "clothbench sweep %s --resume goes on\n",
-            pool->stopped_by, pool->ran, name);
+            pool->stopped_by, pool->ran, s->word);
     pool_raise(pool);
     return st;
 }
 
 /* The sweep of the process that leads. */
-static enum status lead(struct sweep *s, const struct sweep_options *options,
-                        const char *name, FILE *file, struct message *why)
+static enum status lead(struct sweep *s, struct message *why)
 {
+    const struct sweep_options *o = &s->options;
     char path[SWEEP_FOLDER_PATH];
     struct sweep_table table = {0};
     struct message plot = {""};
     enum status st;
 
-    s->folder = (struct sweep_folder){.lock = -1, .log = -1};
-    s->out = options->folder;
-    TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, options->start, why));
-    s->pool.slots = s->pool.ranks ? 1 : options->jobs ? options->jobs : omp_get_num_procs();
-    s->pool.quiet = options->quiet;
-    TRY(run_all(s, name, why));
+    TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, o->start, why));
+    s->pool.slots = s->pool.ranks ? 1 : o->jobs ? o->jobs : omp_get_num_procs();
+    s->pool.quiet = o->quiet;
+    TRY(run_all(s, why));
     TRY(collect(s->plan, &s->folder, &table, &plot, why));
-    if (!options->quiet)
-        TRY(print_summary(s, &table, plot.text, file));
+    if (!o->quiet)
+        TRY(print_summary(s, &table, plot.text));
 out:
     sweep_folder_close(&s->folder);
     return st;
 }
 
-enum status sweep_run(const struct plan *plan, const struct sweep_options *options,
-                      FILE *file, struct message *why)
+static struct sweep sweep_of(const char *word)
 {
-    struct sweep s = {.plan = plan};
+    return (struct sweep){.word = word,
+                          .folder = {.lock = -1, .log = -1},
+                          .pool = {.work = work, .begin = begin, .settle = settle}};
+}
 
-    s.pool = pool_of(&s);
-    return lead(&s, options, plan->path, file, why);
+enum status sweep_run(const struct plan *plan, const struct sweep_options *options,
+                      struct message *why)
+{
+    struct sweep s = sweep_of(plan->path);
+
+    s.plan = plan;
+    s.options = *options;
+    s.pool.context = &s;
+    return lead(&s, why);
 }
 
 /* On another rank: what it needs for any case. */
@@ -306,63 +310,52 @@ static enum status prepare(void *context, struct message *why)
 {
     struct sweep *s = context;
     char path[SWEEP_FOLDER_PATH];
-    enum status st = plan_read(s->path, &s->own, why);
+    enum status st = plan_read(s->word, &s->own, why);
 
     if (st != STATUS_OK)
         return st;
-    s->plan = &s->own;
     s->pool.time_limit = s->own.time_limit;
     snprintf(s->folder.path, sizeof s->folder.path, "%s", folder_of(s, path));
     return STATUS_OK;
 }
 
-static enum status read_options(const struct command_line *line, const struct ranks *ranks,
-                                struct sweep_options *o, struct message *why)
-{
-    long jobs = 0;
-    enum status st = command_integer(line, "--jobs", 1, 1024, &jobs, why);
-
-    if (st == STATUS_OK && jobs && ranks)
-        st = status_fail(why, STATUS_INPUT,
-                         "--jobs: under mpirun every rank runs one case at a time; say "
-                         "how many with mpirun -n");
-    *o = (struct sweep_options){.folder = command_value(line, "--out"),
-                                .start = command_given(line, "--resume") ? SWEEP_RESUME
-                                                                         : SWEEP_NEW,
-                                .jobs = (int)jobs,
-                                .quiet = command_given(line, "--quiet")};
-    return st;
-}
-
 static enum status run(const struct command_line *line, struct message *why)
 {
-    enum status st;
     const struct ranks *ranks = NULL;
-    struct sweep_options options;
-    struct sweep s = {.plan = &s.own};
+    struct sweep s = sweep_of(line->words[0]);
     char *path = NULL;
+    long jobs = 0;
+    enum status st;
 
     omp_set_num_threads(1);
     signal(SIGXFSZ, SIG_IGN); /* a limit on file sizes is a full disk, not a death */
     TRY(ranks_start(&ranks, why));
-    s.pool = pool_of(&s);
+    s.plan = &s.own;
+    s.pool.context = &s;
     s.pool.ranks = ranks;
+    s.options.folder = command_value(line, "--out");
+    s.options.start = command_given(line, "--resume") ? SWEEP_RESUME : SWEEP_NEW;
+    s.options.quiet = command_given(line, "--quiet");
     if (ranks && ranks->rank) { /* rank 0 tells what is wrong, if something is */
-        named_file_find(&plan_kind, line->words[0], &path, NULL);
-        s.path = path ? path : line->words[0];
-        s.out = command_value(line, "--out");
+        named_file_find(&plan_kind, s.word, &path, NULL);
+        s.word = path ? path : s.word;
         TRY(pool_serve(&s.pool, prepare, why));
         goto out;
     }
-    TRY(read_options(line, ranks, &options, why));
-    TRY(named_file_find(&plan_kind, line->words[0], &path, why));
+    TRY(command_integer(line, "--jobs", 1, 1024, &jobs, why));
+    s.options.jobs = (int)jobs;
+    if (jobs && ranks)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "--jobs: under mpirun every rank runs one case at a time; say "
+                        "how many with mpirun -n"));
+    TRY(named_file_find(&plan_kind, s.word, &path, why));
     TRY(plan_read(path, &s.own, why));
     if (s.own.study_count)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: the plan has levels, so it is no sweep; clothbench study runs "
                         "it",
                         path));
-    TRY(lead(&s, &options, line->words[0], stdout, why));
+    TRY(lead(&s, why));
 out:
     if (ranks && !ranks->rank)
         pool_dismiss(ranks);

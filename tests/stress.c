@@ -27,66 +27,6 @@ static void check_ends(void)
     CHECK(end_of(STRESS_DEAD, 0) == STRESS_DIED);
 }
 
-static void check_file(const char *folder)
-{
-    const struct stress_result all[] = {
-        {STRESS_RAN, 1 / 3., NAN, 0.1, {"the truth's error bar is 1e-3"}},
-        {STRESS_RAN, 1e-300, 0.25, 0, {""}},
-        {STRESS_SAID_NO, NAN, NAN, 0, {"unsupported: no contact"}},
-        {STRESS_DEAD, NAN, 1e-3, 1e3, {"killed by signal 11"}},
-    };
-    struct stress_result r;
-    struct message why = {""};
-
-    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
-    for (size_t n = 0; n < sizeof all / sizeof *all; n++) {
-        REQUIRE(stress_result_write(folder, "a.b", &all[n], NULL) == STATUS_OK);
-        REQUIRE(stress_result_read(folder, "a.b", &r, NULL) == STATUS_OK);
-        CHECK(r.outcome == all[n].outcome &&
-              !strcmp(r.sentence.text, all[n].sentence.text));
-        CHECK(r.error == all[n].error || (isnan(r.error) && isnan(all[n].error)));
-        CHECK(r.time == all[n].time || (isnan(r.time) && isnan(all[n].time)));
-        CHECK(r.seconds == all[n].seconds);
-    }
-    CHECK(stress_result_read(folder, "none", &r, &why) == STATUS_FILE && *why.text);
-}
-
-static void check_broken(const char *folder, const char *text)
-{
-    char path[512];
-    struct stress_result r;
-    struct message why = {""};
-
-    snprintf(path, sizeof path, "%s/broken.txt", folder);
-    FILE *file = fopen(path, "w");
-    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
-    CHECK(stress_result_read(folder, "broken", &r, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "broken.txt"));
-}
-
-/* A case that no model can read would be refused by all, and say nothing. */
-static void check_case(const struct stress_case *c, const char *path)
-{
-    struct scene scene = {0};
-    struct discretization d = {0};
-    struct message why = {""};
-    int count = 0;
-
-    while (count < STRESS_SETTINGS && c->physics[count])
-        count++;
-    if (!CHECK(scene_file_read(path, count, c->physics, &scene, &d, &why) == STATUS_OK))
-        printf("%s: %s\n", c->item.name, why.text);
-    CHECK(c->bound > 0 && *c->why && *c->item.text && *stress_truth_text(c->truth));
-    CHECK(c->gamma <= 0 || scene_gamma(&scene) > 0);
-    CHECK(c->truth != STRESS_SIMILAR || (c->length > 0 && c->mass > 0 && c->time > 0));
-    CHECK(strspn(c->item.name, "abcdefghijklmnopqrstuvwxyz0123456789_") ==
-          strlen(c->item.name));
-    for (int n = 0; stress_case_at(n) != c; n++)
-        CHECK(strcmp(stress_case_at(n)->item.name, c->item.name));
-    scene_clear(&scene);
-    discretization_clear(&d);
-}
-
 static const struct stress_case *find_case(const char *name)
 {
     int n = 0;
@@ -103,6 +43,70 @@ static const struct contestant *find_contestant(const char *name)
 
     REQUIRE(contestant_find(name, &c, NULL) == STATUS_OK);
     return c;
+}
+
+static void check_file(const char *folder)
+{
+    const struct stress_result all[] = {
+        {STRESS_RAN, 1 / 3., NAN, 0.1, {"the truth's error bar is 1e-3"}},
+        {STRESS_RAN, 1e-300, 0.25, 0, {""}},
+        {STRESS_SAID_NO, NAN, NAN, 0, {"unsupported: no contact"}},
+        {STRESS_DEAD, NAN, 1e-3, 1e3, {"killed by signal 11"}},
+    };
+    const struct contestant *at = find_contestant("iga"), *other = find_contestant("shell");
+    const struct stress_case *c = find_case("still");
+    struct stress_result r;
+    struct message why = {""};
+
+    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
+    for (size_t n = 0; n < sizeof all / sizeof *all; n++) {
+        REQUIRE(stress_result_write(folder, c, at, &all[n], NULL) == STATUS_OK);
+        REQUIRE(stress_result_read(folder, c, at, &r, NULL) == STATUS_OK);
+        CHECK(r.outcome == all[n].outcome &&
+              !strcmp(r.sentence.text, all[n].sentence.text));
+        CHECK(r.error == all[n].error || (isnan(r.error) && isnan(all[n].error)));
+        CHECK(r.time == all[n].time || (isnan(r.time) && isnan(all[n].time)));
+        CHECK(r.seconds == all[n].seconds);
+    }
+    CHECK(stress_result_read(folder, c, other, &r, &why) == STATUS_FILE && *why.text);
+}
+
+static void check_broken(const char *folder, const char *text)
+{
+    const struct stress_case *broken = find_case("thrown");
+    const struct contestant *at = find_contestant("iga");
+    char path[512];
+    struct stress_result r;
+    struct message why = {""};
+
+    snprintf(path, sizeof path, "%s/%s.%s.txt", folder, broken->item.name, at->name);
+    FILE *file = fopen(path, "w");
+    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
+    CHECK(stress_result_read(folder, broken, at, &r, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, path));
+}
+
+/* A case that no model can read would be refused by all, and say nothing. */
+static void check_case(const struct stress_case *c, const char *path)
+{
+    struct scene scene = {0};
+    struct discretization d = {0};
+    struct message why = {""};
+    int count = 0;
+
+    while (count < STRESS_SETTINGS && c->physics[count])
+        count++;
+    if (!CHECK(scene_file_read(path, count, c->physics, &scene, &d, &why) == STATUS_OK))
+        printf("%s: %s\n", c->item.name, why.text);
+    CHECK(c->bound > 0 && *c->why && *c->item.text && *stress_truth_text[c->truth]);
+    CHECK(c->gamma <= 0 || scene_gamma(&scene) > 0);
+    CHECK(c->truth != STRESS_SIMILAR || (c->length > 0 && c->mass > 0 && c->time > 0));
+    CHECK(strspn(c->item.name, "abcdefghijklmnopqrstuvwxyz0123456789_") ==
+          strlen(c->item.name));
+    for (int n = 0; stress_case_at(n) != c; n++)
+        CHECK(strcmp(stress_case_at(n)->item.name, c->item.name));
+    scene_clear(&scene);
+    discretization_clear(&d);
 }
 
 /* How many contestants are chosen. */
@@ -160,7 +164,7 @@ static struct stress_result check_run(const char *path, const char *folder, cons
     REQUIRE(stress_judge(&job, &r, NULL) == STATUS_OK);
     const enum stress_end end = stress_result_end(&r, job.c->bound);
     if (!CHECK(end == want))
-        printf("%s, %s: %s with error %g (%s)\n", c, contestant, stress_end_name(end),
+        printf("%s, %s: %s with error %g (%s)\n", c, contestant, stress_end_name[end],
                r.error, r.sentence.text);
     if (end == STRESS_REFUSED || end == STRESS_DIED)
         CHECK(*r.sentence.text && isnan(r.error));

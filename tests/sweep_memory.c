@@ -43,7 +43,7 @@ static long lead(const char *folder, int count)
             &plan,
             &(struct sweep_options){
                 .folder = folder, .start = SWEEP_RESUME, .jobs = 2, .quiet = true},
-            stdout, &why);
+            &why);
     if (st != STATUS_OK)
         printf("%s\n", why.text);
     getrusage(RUSAGE_SELF, &used);

@@ -6,7 +6,6 @@
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
 #include "bench/truth/truth_file.h"
-#include "bench/truth/truth_order.h"
 #include "bench/truth/truth_physics.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -103,17 +102,9 @@ static const char *const undamped[] = {"damping={kind: none}",
 /* A made-up truth: a sheet that rises, known until the second of three times. */
 static void make_up(struct truth_made *made)
 {
-    memset(made, 0, sizeof *made);
-    made->times = TIMES;
+    REQUIRE(truth_made_init(made, TIMES, TIMES, times) == STATUS_OK);
     made->claimed = 2;
-    made->time = malloc(sizeof times);
-    made->value = calloc(TIMES, sizeof *made->value);
-    made->xyz = calloc(TIMES, sizeof *made->xyz);
-    REQUIRE(made->time && made->value && made->xyz);
-    memcpy(made->time, times, sizeof times);
     for (int n = 0; n < TIMES; n++) {
-        made->xyz[n] = malloc(3 * GRID_POINTS * sizeof(double));
-        REQUIRE(made->xyz[n]);
         for (int k = 0; k < 3 * GRID_POINTS; k++)
             made->xyz[n][k] = sin(1e-3 * k + n);
         for (int c = 0; c < TRUTH_COLUMNS; c++)

@@ -115,9 +115,9 @@ static void made_anew(const char *scene)
     REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
     undamp(&settings, &s);
     struct truth_runs runs = {path, &settings, TIMES, times, folder};
-    REQUIRE(truth_file_exists(scene, &file));
+    REQUIRE(named_file_find(&truth_file_kind, scene, &file, NULL) == STATUS_OK);
     REQUIRE(truth_file_read(file, &stored, &physics, NULL) == STATUS_OK);
-    if (!CHECK(truth_make(&plan, &runs, &s, NULL, NULL, &made, &why) == STATUS_OK))
+    if (!CHECK(truth_make(&plan, &runs, &s, true, &made, &why) == STATUS_OK))
         printf("%s\n", why.text);
     CHECK(made.claimed == TIMES && strstr(made.horizon, "can be predicted"));
     for (int n = 0; n < made.claimed; n++) {

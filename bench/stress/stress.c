@@ -3,6 +3,7 @@
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bench/files/folder.h"
 #include "bench/harness/pool.h"
@@ -17,13 +18,74 @@ struct options {
     int jobs;
 };
 
+static bool has_word(const struct stress_choice *choice, const char *word)
+{
+    for (int n = 0; n < choice->word_count; n++)
+        if (!strcmp(choice->words[n], word))
+            return true;
+    return false;
+}
+
+bool stress_choice_case(const struct stress_choice *choice, const struct stress_case *c)
+{
+    return choice->word_count ? has_word(choice, c->item.name) : c->quick || !choice->quick;
+}
+
+bool stress_choice_map(const struct stress_choice *choice)
+{
+    return !choice->word_count || has_word(choice, "map");
+}
+
+const struct contestant *stress_choice_next(const struct stress_choice *choice,
+                                            const struct contestant *last)
+{
+    const struct contestant *c = last ? last + 1 : contestant_table;
+
+    while (c->name && !contestant_chosen(c, choice->models, CONTESTANT_STRESS))
+        c++;
+    return c->name ? c : NULL;
+}
+
+enum status stress_choice_check(const struct stress_choice *choice, struct message *why)
+{
+    for (int w = 0; w < choice->word_count; w++) {
+        int n = 0;
+        while (stress_case_items[n] && strcmp(stress_case_items[n]->name, choice->words[w]))
+            n++;
+        if (!stress_case_items[n])
+            return status_fail(why, STATUS_INPUT,
+                               "stress: there is no case '%s'; clothbench list cases has "
+                               "them",
+                               choice->words[w]);
+    }
+    return contestant_check(choice->models, why);
+}
+
+enum status stress_find_truth(const struct stress_job *job, enum truth_effort effort,
+                              struct truth **truth, struct message *why)
+{
+    static const double time[] = {0.1, 0.2, 0.3};
+    char folder[4096];
+    struct settings physics = {0};
+    enum status st = STATUS_OK;
+
+    settings_list(&physics, STRESS_SETTINGS, job->c->physics);
+    snprintf(folder, sizeof folder, "%s/%s.truth", job->folder, job->c->item.name);
+    if (effort != TRUTH_READ)
+        TRY(folder_make(folder, why));
+    st = truth_find(job->path, &physics, sizeof time / sizeof *time, time, folder, effort,
+                    truth, why);
+out:
+    settings_clear(&physics);
+    return st;
+}
+
 /* A job in a process: a run, or with no contestant the case's truth. */
 static enum status work(void *context, long number, struct message *why)
 {
     const struct stress_job *job = (const struct stress_job *)context + number;
     struct stress_result result;
     struct truth *truth = NULL;
-    char name[256];
     enum status st;
 
     child_limit(job->quick ? QUICK_LIMIT : TIME_LIMIT);
@@ -33,8 +95,7 @@ static enum status work(void *context, long number, struct message *why)
         return STATUS_OK;
     }
     TRY(stress_judge(job, &result, why));
-    stress_result_name(job->c, job->contestant, name, sizeof name);
-    st = stress_result_write(job->folder, name, &result, why);
+    st = stress_result_write(job->folder, job->c, job->contestant, &result, why);
 out:
     return st;
 }
@@ -49,35 +110,28 @@ static enum status settle(void *context, long number, const struct child_end *en
                                        .time = end->reached,
                                        .seconds = end->seconds,
                                        .sentence = end->why};
-    char name[256];
 
     if (end->outcome == CHILD_DONE || !job->contestant)
         return STATUS_OK;
-    stress_result_name(job->c, job->contestant, name, sizeof name);
-    return stress_result_write(job->folder, name, &dead, why);
+    return stress_result_write(job->folder, job->c, job->contestant, &dead, why);
 }
 
-/* The jobs asked for into list[], NULL: none; returns their number. `truths`: of the cases
- * that need one, else runs. */
+/* The jobs asked for into list[]; returns their number. `truths`: of the cases that need
+ * one, else runs. */
 static long list_jobs(const struct options *o, const char *path, bool truths,
                       struct stress_job *list)
 {
     struct stress_job job = {.path = path, .folder = o->folder, .quick = o->choice.quick};
     long count = 0;
 
-    for (int n = 0; (job.c = stress_case_at(n)); n++) {
-        if (!stress_choice_case(&o->choice, job.c) ||
-            (truths && job.c->truth != STRESS_SHELL))
+    for (int n = 0; (job.c = stress_case_at(n)); n++)
+        if (!stress_choice_case(&o->choice, job.c))
             continue;
-        job.contestant = truths ? NULL : stress_choice_next(&o->choice, NULL);
-        do {
-            if (list)
-                list[count] = job;
-            count++;
-            if (!truths)
-                job.contestant = stress_choice_next(&o->choice, job.contestant);
-        } while (job.contestant);
-    }
+        else if (!truths)
+            while ((job.contestant = stress_choice_next(&o->choice, job.contestant)))
+                list[count++] = job;
+        else if (job.c->truth == STRESS_SHELL)
+            list[count++] = job;
     return count;
 }
 
@@ -85,21 +139,25 @@ static enum status run_jobs(const struct options *o, const char *path, bool trut
                             struct message *why)
 {
     struct pool pool = {
-        .count = list_jobs(o, path, truths, NULL),
         .slots = o->jobs,
         .time_limit = 10 * (o->choice.quick ? QUICK_LIMIT : TIME_LIMIT),
         .work = work,
         .settle = settle,
     };
-    struct stress_job *list = calloc((size_t)pool.count + 1, sizeof *list);
-    enum status st = list ? STATUS_OK : STATUS_MEMORY;
+    size_t cases = 0, contestants = 0;
+    enum status st = STATUS_OK;
 
-    TRY(st);
-    list_jobs(o, path, truths, list);
+    while (stress_case_at((int)cases))
+        cases++;
+    while (contestant_table[contestants].name)
+        contestants++;
+    struct stress_job *list = calloc(cases * contestants, sizeof *list);
+    if (!list)
+        return STATUS_MEMORY;
     pool.context = list;
+    pool.count = list_jobs(o, path, truths, list);
     if (pool.count)
         st = pool_run(&pool, why);
-out:
     free(list);
     if (pool.stopped_by)
         pool_raise(&pool);

@@ -14,10 +14,92 @@
 #ifndef STRESS_H
 #define STRESS_H
 
-#include "bench/stress/stress_case.h"
-#include "bench/stress/stress_result.h"
+#include "bench/harness/contestant.h"
 #include "bench/truth/truth.h"
+#include "bench/ui/command.h"
 #include "bench/ui/table.h"
+
+/* What the error of a case is measured against, and how. */
+#define STRESS_TRUTH_LIST(X)                                                               \
+    X(PLATE, "tip at rest against the Kirchhoff plate (Ritz), relative")                   \
+    X(ELASTICA, "tip at rest against the heavy elastica, over L")                          \
+    X(VIBRATION,                                                                           \
+      "tip in time against the Kirchhoff plate's modal solution, over its greatest "       \
+      "deflection")                                                                        \
+    X(SIMILAR,                                                                             \
+      "against the model's own motion in metres, kilograms and seconds, RMSE over L")      \
+    X(ENERGY, "drift of the sum of energies, over the energy in play")                     \
+    X(BUCKLED, "middle against Euler's elastica, over L")                                  \
+    X(STILL, "motion where there should be none, RMSE over L")                             \
+    X(STILL_REST, "motion away from the model's own equilibrium, RMSE over L")             \
+    X(SHIFTED, "where it comes to rest, RMSE over L")                                      \
+    X(SHELL, "against a finer nonlinear shell, RMSE over L")
+
+enum stress_truth {
+#define STRESS_TRUTH_CODE(code, text) STRESS_##code,
+    STRESS_TRUTH_LIST(STRESS_TRUTH_CODE)
+#undef STRESS_TRUTH_CODE
+        STRESS_TRUTHS
+};
+extern const char *const stress_truth_text[STRESS_TRUTHS];
+
+enum { STRESS_SETTINGS = 8 };
+
+struct stress_case {
+    struct command_item item; /* name [a-z0-9_]+, and what is hard; first: items of the
+                                 command are pointers to these                         */
+    enum stress_truth truth;
+    double gamma;                          /* sets E; 0: left as it is                  */
+    const char *physics[STRESS_SETTINGS];  /* KEY=VALUE on stress_case_scene; NULL ends  */
+    const char *numerics[STRESS_SETTINGS]; /* the same, of every contestant            */
+    int side;            /* points a side of nets; 0: 10; 1: one element             */
+    double weight_ratio; /* NURBS weights: of every other row to the rest; 0: none     */
+    double length, mass, time; /* SIMILAR: the other units in ours [m], [kg], [s]      */
+    double bound;              /* of the error, to be accurate                         */
+    const char *why;           /* that bound                                           */
+    bool quick;                /* part of --quick                                      */
+    const char *quick_end;     /* setting of time.end then; NULL: as ever              */
+};
+
+extern const char *const stress_case_scene; /* what all cases start from, by name */
+/* The command's words: the map, then the cases; ends with NULL. */
+extern const struct command_item *const stress_case_items[];
+
+/* Case n = 0, 1, ...; NULL past the last. */
+const struct stress_case *stress_case_at(int n);
+
+/* A contestant on a case. */
+struct stress_job {
+    const struct stress_case *c;         /*                            borrowed */
+    const struct contestant *contestant; /*                            borrowed */
+    const char *path;   /* of stress_case_scene's file                          borrowed */
+    const char *folder; /* for truths that are kept                             borrowed */
+    bool quick;
+};
+
+enum stress_end { STRESS_ACCURATE, STRESS_DEGRADED, STRESS_REFUSED, STRESS_DIED };
+
+extern const char *const stress_end_name[4]; /* "accurate", ... */
+
+/* How a run went. */
+struct stress_result {
+    enum stress_outcome { STRESS_RAN, STRESS_SAID_NO, STRESS_DEAD } outcome;
+    double error;   /* ran; NaN otherwise                                              */
+    double time;    /* of death, or until when the error was within the bound; NaN [s] */
+    double seconds; /* of processor time                                               */
+    struct message sentence; /* why refused or dead; what else is worth knowing        */
+};
+
+/* The one of four. An error that is no number is a death. */
+enum stress_end stress_result_end(const struct stress_result *r, double bound);
+
+/* Its file, FOLDER/CASE.CONTESTANT.txt. STATUS_FILE, STATUS_INPUT: it is none. */
+enum status stress_result_write(const char *folder, const struct stress_case *c,
+                                const struct contestant *contestant,
+                                const struct stress_result *r, struct message *why);
+enum status stress_result_read(const char *folder, const struct stress_case *c,
+                               const struct contestant *contestant, struct stress_result *r,
+                               struct message *why);
 
 /* What was asked for. */
 struct stress_choice {

@@ -1,5 +1,5 @@
 /* The cases of `stress`, as data. */
-#include "bench/stress/stress_case.h"
+#include "bench/stress/stress.h"
 
 #include <stddef.h>
 
@@ -159,24 +159,8 @@ const struct stress_case *stress_case_at(int n)
     return (const struct stress_case *)stress_case_items[n + 1];
 }
 
-const char *stress_truth_text(enum stress_truth truth)
-{
-    static const char *const text[STRESS_TRUTHS] = {
-        [STRESS_PLATE] = "tip at rest against the Kirchhoff plate (Ritz), relative",
-        [STRESS_ELASTICA] = "tip at rest against the heavy elastica, over L",
-        [STRESS_VIBRATION] =
-            "tip in time against the Kirchhoff plate's modal solution, over "
-            "its greatest deflection",
-        [STRESS_SIMILAR] =
-            "against the model's own motion in metres, kilograms and seconds, "
-            "RMSE over L",
-        [STRESS_ENERGY] = "drift of the sum of energies, over the energy in play",
-        [STRESS_BUCKLED] = "middle against Euler's elastica, over L",
-        [STRESS_STILL] = "motion where there should be none, RMSE over L",
-        [STRESS_STILL_REST] = "motion away from the model's own equilibrium, RMSE over L",
-        [STRESS_SHIFTED] = "where it comes to rest, RMSE over L",
-        [STRESS_SHELL] = "against a finer nonlinear shell, RMSE over L",
-    };
-
-    return text[truth];
-}
+const char *const stress_truth_text[STRESS_TRUTHS] = {
+#define STRESS_TRUTH_TEXT(code, text) text,
+    STRESS_TRUTH_LIST(STRESS_TRUTH_TEXT)
+#undef STRESS_TRUTH_TEXT
+};

@@ -3,21 +3,155 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "bench/files/folder.h"
+#include "bench/harness/child.h"
+#include "bench/harness/derived_key.h"
+#include "bench/harness/motion.h"
+#include "bench/harness/run.h"
 #include "bench/stress/stress.h"
-#include "bench/stress/stress_run.h"
 #include "fem_ref/elastica.h"
+#include "fem_ref/kirchhoff.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
+
+/* A run of a hard case, on its way to an error. */
+struct judged {
+    const struct stress_job *job; /*                                          borrowed */
+    struct run run;
+    struct stress_result *result; /* to be filled                             borrowed */
+    double *xyz, *first;          /* fields (grid.h), room for judges        xyz owned */
+    struct kirchhoff *plate;      /* of the judges that need it                  owned */
+    double load;                  /* on that plate [N/m^2]                             */
+    struct energy *energies;      /* [frame_count + 1]                           owned */
+    int frames;                   /* of energies                                       */
+    struct truth *truth;          /* of STRESS_SHELL                             owned */
+    motion_watcher *watch;
+};
+
+/* Settings of the case, on top of the contestant's. */
+static void add_settings(const struct stress_job *job, struct settings *s)
+{
+    const struct stress_case *c = job->c;
+    const int least = contestant_least(job->contestant);
+    const int side = c->side == 0 ? 10 : c->side == 1 ? least : c->side;
+
+    settings_list(s, STRESS_SETTINGS, c->physics);
+    if (job->quick && c->quick_end)
+        settings_set(s, c->quick_end);
+    contestant_points(job->contestant, side, side, s);
+    settings_list(s, STRESS_SETTINGS, c->numerics);
+}
+
+/* Every other row of control points weighs `ratio`. */
+static enum status give_weights(struct discretization *d, double ratio)
+{
+    const int row = d->points[1] * (d->points[2] > 0 ? d->points[2] : 1);
+    const int count = d->points[0] * row;
+
+    d->weights = malloc((size_t)count * sizeof *d->weights);
+    if (!d->weights)
+        return STATUS_MEMORY;
+    for (int n = 0; n < count; n++)
+        d->weights[n] = n / row % 2 ? ratio : 1;
+    d->weight_count = count;
+    return STATUS_OK;
+}
+
+/* The case's scene and the contestant's numerics, E from Gamma; errors as run_read. */
+static enum status read_run(const struct stress_job *job, struct run *run,
+                            struct message *why)
+{
+    const struct stress_case *c = job->c;
+    struct settings settings = {0};
+    enum status st;
+
+    add_settings(job, &settings);
+    TRY(run_read(run, &(struct run_plan){job->path, job->contestant, .settings = &settings},
+                 why));
+    if (c->gamma > 0)
+        run->scene.young =
+            derived_key_solve("gamma", "material.young", c->gamma, &run->scene);
+    if (c->weight_ratio > 0)
+        st = give_weights(&run->discretization, c->weight_ratio);
+out:
+    settings_clear(&settings);
+    return st;
+}
+
+/* Leaves word of the time, for whoever finds out that it was the last. */
+static enum status watch_time(void *context, const struct motion *m, struct message *why)
+{
+    struct judged *r = context;
+
+    child_reached(m->time);
+    return r->watch ? r->watch(context, m, why) : STATUS_OK;
+}
+
+/* Through the scene's motion, watch(run) at every frame (NULL: nobody); a death leaves its
+ * time and sentence. */
+static enum status move(struct judged *r, motion_watcher *watch, struct message *why)
+{
+    const struct run *run = &r->run;
+    struct motion m = {0};
+    enum status st;
+
+    TRY(motion_init(&m, run->model, &run->scene, run->state));
+    r->watch = watch;
+    TRY(motion_run(&m, watch_time, r, true, why));
+    if (!m.death)
+        goto out;
+    r->result->time = m.death_time;
+    st = status_fail(why, m.death, "%s", status_text(m.death));
+out:
+    motion_clear(&m);
+    return st;
+}
+
+/* To static equilibrium; by damped motion where the model has no other way. */
+static enum status settle(struct judged *r, struct message *why)
+{
+    struct counters counters = {0};
+    enum status st;
+
+    if (!r->run.model->equilibrium)
+        return move(r, NULL, why);
+    st = run_settle(&r->run, &counters, why);
+    if (status_is_death(st))
+        r->result->time = 0;
+    return st;
+}
+
+/* How far a material point has come from rest [m]. */
+static void displacement(const struct judged *r, const double uvw[3], double d[3])
+{
+    const struct run *run = &r->run;
+    double rest[3];
+
+    run->model->probe(run->state, 1, uvw, d);
+    scene_rest_point(&run->scene, uvw, rest);
+    for (int i = 0; i < 3; i++)
+        d[i] -= rest[i];
+}
+
+/* The error at a frame: the greatest is the run's, and the bound is kept until its first
+ * above that. */
+static void note(struct judged *r, double time, double error)
+{
+    struct stress_result *result = r->result;
+
+    if (!(error <= r->job->c->bound) && !(result->error > r->job->c->bound))
+        result->time = time;
+    if (!(error <= result->error))
+        result->error = error;
+}
 
 static const double tip[3] = {1, 0.5, 0.5}, middle[3] = {0.5, 0.5, 0.5};
 
 /* Functions a direction: 24 give statics to 1e-6. */
 enum { TERMS = 24 };
 
-static enum status make_plate(struct stress_run *r, struct message *why)
+static enum status make_plate(struct judged *r, struct message *why)
 {
     const struct scene *s = &r->run.scene;
     const struct kirchhoff_plate plate = {s->length, s->width,   s->thickness,
@@ -28,31 +162,28 @@ static enum status make_plate(struct stress_run *r, struct message *why)
     return st == STATUS_OK ? st : status_fail(why, st, "%s", status_text(st));
 }
 
-static enum status judge_plate(struct stress_run *r, struct message *why)
+static enum status end_plate(struct judged *r, struct message *why)
 {
     const struct scene *s = &r->run.scene;
     double d[3];
-    enum status st;
 
-    TRY(make_plate(r, why));
-    TRY(stress_run_settle(r, why));
-    stress_run_displacement(r, tip, d);
+    (void)why;
+    displacement(r, tip, d);
     r->result->error =
         fabs(-d[2] / kirchhoff_static(r->plate, r->load, s->length, s->width / 2) - 1);
-out:
-    return st;
+    return STATUS_OK;
 }
 
-static enum status judge_elastica(struct stress_run *r, struct message *why)
+static enum status end_elastica(struct judged *r, struct message *why)
 {
     const struct scene *s = &r->run.scene;
     struct elastica e;
     double d[3];
     enum status st;
 
+    (void)why;
     TRY(elastica_solve(scene_gamma(s), &e));
-    TRY(stress_run_settle(r, why));
-    stress_run_displacement(r, tip, d);
+    displacement(r, tip, d);
     r->result->error = hypot(d[0] / s->length + 1 - e.reach, d[2] / s->length + e.drop);
 out:
     return st;
@@ -61,28 +192,17 @@ out:
 static enum status watch_vibration(void *context, const struct motion *m,
                                    struct message *why)
 {
-    struct stress_run *r = context;
+    struct judged *r = context;
     const struct scene *s = &r->run.scene;
     const double at = s->length, half = s->width / 2;
     double d[3];
 
     (void)why;
-    stress_run_displacement(r, tip, d);
+    displacement(r, tip, d);
     const double true_tip = kirchhoff_transient(r->plate, r->load, 0, m->time, at, half);
     const double greatest = 2 * kirchhoff_static(r->plate, r->load, at, half);
-    stress_run_note(r, m->time, fabs(-d[2] - true_tip) / greatest);
+    note(r, m->time, fabs(-d[2] - true_tip) / greatest);
     return STATUS_OK;
-}
-
-static enum status judge_vibration(struct stress_run *r, struct message *why)
-{
-    enum status st;
-
-    r->result->error = 0;
-    TRY(make_plate(r, why));
-    st = stress_run_move(r, watch_vibration, why);
-out:
-    return st;
 }
 
 /* The scene in units of `length` metres, `mass` kilograms and `time` seconds. */
@@ -97,33 +217,44 @@ static void change_units(struct scene *s, double length, double mass, double tim
     s->step /= time, s->end /= time;
 }
 
-static enum status judge_similar(struct stress_run *r, struct message *why)
+/* The same once more in other units, in which it may die, too. */
+static enum status end_similar(struct judged *r, struct message *why)
 {
     const struct stress_case *c = r->job->c;
-    struct stress_run other = *r;
+    struct judged other = *r;
     enum status st;
 
     other.run = (struct run){0};
-    TRY(stress_run_move(r, NULL, why));
     r->run.model->sample(r->run.state, r->xyz);
-    TRY(stress_run_read(r->job, &other.run, why));
+    TRY(read_run(r->job, &other.run, why));
     change_units(&other.run.scene, c->length, c->mass, c->time);
     TRY(run_build(&other.run, why));
-    TRY(stress_run_move(&other, NULL, why));
+    TRY(move(&other, NULL, why));
     other.run.model->sample(other.run.state, r->first);
     for (size_t n = 0; n < 3 * GRID_POINTS; n++)
         r->first[n] *= c->length;
     r->result->error = metric_rmse(r->xyz, r->first) / r->run.scene.length;
 out:
-    if (st != STATUS_OK && isfinite(r->result->time))
-        r->result->time *= other.run.state ? c->time : 1;
+    r->result->time *= c->time;
     run_close(&other.run);
     return st;
 }
 
+static enum status begin_energy(struct judged *r, struct message *why)
+{
+    struct energy rest = {NAN, NAN, NAN};
+
+    if (r->run.model->energy)
+        r->run.model->energy(r->run.state, &rest);
+    return isfinite(rest.elastic)
+               ? STATUS_OK
+               : status_fail(why, STATUS_UNSUPPORTED,
+                             "unsupported: no elastic energy that could be kept");
+}
+
 static enum status watch_energy(void *context, const struct motion *m, struct message *why)
 {
-    struct stress_run *r = context;
+    struct judged *r = context;
 
     (void)why;
     if (!r->energies)
@@ -134,174 +265,130 @@ static enum status watch_energy(void *context, const struct motion *m, struct me
     return STATUS_OK;
 }
 
-static enum status judge_energy(struct stress_run *r, struct message *why)
+static enum status end_energy(struct judged *r, struct message *why)
 {
-    const struct run *run = &r->run;
-    struct energy rest = {NAN, NAN, NAN};
-    double *drift = NULL;
-    enum status st;
+    double *drift = malloc((size_t)r->frames * sizeof *drift), most = 0, least = 0;
 
-    if (run->model->energy)
-        run->model->energy(run->state, &rest);
-    if (!isfinite(rest.elastic))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "unsupported: no elastic energy that could be kept");
-    TRY(stress_run_move(r, watch_energy, why));
-    drift = malloc((size_t)r->frames * sizeof *drift);
-    TRY(drift ? STATUS_OK : STATUS_MEMORY);
+    (void)why;
+    if (!drift)
+        return STATUS_MEMORY;
     metric_energy_drift(r->frames, r->energies, drift);
-    r->result->error = 0;
-    double most = 0, least = 0;
     for (int n = 0; n < r->frames; n++) {
-        stress_run_note(r, n * run->scene.step, fabs(drift[n]));
+        note(r, n * r->run.scene.step, fabs(drift[n]));
         most = fmax(most, drift[n]), least = fmin(least, drift[n]);
     }
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
              "%d steps: %.2g won at most, %.2g lost at most, of the energy in play",
              r->frames - 1, most, -least);
-out:
     free(drift);
-    return st;
+    return STATUS_OK;
 }
 
-static enum status judge_buckled(struct stress_run *r, struct message *why)
+static enum status end_buckled(struct judged *r, struct message *why)
 {
     const struct scene *s = &r->run.scene;
-    const struct scene_support *moved = &s->supports[s->support_count - 1];
     double d[3], shift[3];
-    enum status st;
 
-    scene_support_shift(moved, s->end, shift);
-    TRY(stress_run_move(r, NULL, why));
-    stress_run_displacement(r, middle, d);
+    (void)why;
+    scene_support_shift(&s->supports[s->support_count - 1], s->end, shift);
+    displacement(r, middle, d);
     r->result->error =
         fabs(fabs(d[2]) / s->length - elastica_buckled(-shift[0] / s->length));
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status watch_still(void *context, const struct motion *m, struct message *why)
 {
-    struct stress_run *r = context;
+    struct judged *r = context;
 
     (void)why;
     m->model->sample(m->state, m->frames ? r->xyz : r->first);
     if (m->frames)
-        stress_run_note(r, m->time, metric_rmse(r->xyz, r->first) / m->scene->length);
+        note(r, m->time, metric_rmse(r->xyz, r->first) / m->scene->length);
     return STATUS_OK;
 }
 
-static enum status judge_still(struct stress_run *r, struct message *why)
+static enum status begin_still_rest(struct judged *r, struct message *why)
 {
-    enum status st = STATUS_OK;
-
-    if (r->job->c->truth == STRESS_STILL_REST) {
-        if (!r->run.model->equilibrium)
-            return status_fail(why, STATUS_UNSUPPORTED,
-                               "unsupported: no static equilibrium to start from");
-        TRY(stress_run_settle(r, why));
-    }
-    r->result->error = 0;
-    st = stress_run_move(r, watch_still, why);
-out:
-    return st;
+    return r->run.model->equilibrium
+               ? settle(r, why)
+               : status_fail(why, STATUS_UNSUPPORTED,
+                             "unsupported: no static equilibrium to start from");
 }
 
-static enum status judge_shifted(struct stress_run *r, struct message *why)
+static enum status end_shifted(struct judged *r, struct message *why)
 {
     const struct scene *s = &r->run.scene;
     double shift[3], *rest = metric_rest_field(s);
-    enum status st = rest ? STATUS_OK : STATUS_MEMORY;
 
-    TRY(st);
+    (void)why;
+    if (!rest)
+        return STATUS_MEMORY;
     scene_support_shift(&s->supports[0], s->end, shift);
-    TRY(stress_run_move(r, NULL, why));
     r->run.model->sample(r->run.state, r->xyz);
     for (int n = 0; n < 3 * GRID_POINTS; n++)
         rest[n] += shift[n % 3];
     r->result->error = metric_rmse(r->xyz, rest) / s->length;
-out:
     free(rest);
-    return st;
+    return STATUS_OK;
 }
 
-enum status stress_find_truth(const struct stress_job *job, enum truth_effort effort,
-                              struct truth **truth, struct message *why)
+static enum status begin_shell(struct judged *r, struct message *why)
 {
-    static const double time[] = {0.1, 0.2, 0.3};
-    char folder[4096];
-    struct settings physics = {0};
-    enum status st = STATUS_OK;
+    struct message missing = {""};
 
-    settings_list(&physics, STRESS_SETTINGS, job->c->physics);
-    snprintf(folder, sizeof folder, "%s/%s.truth", job->folder, job->c->item.name);
-    if (effort != TRUTH_READ)
-        TRY(folder_make(folder, why));
-    st = truth_find(job->path, &physics, sizeof time / sizeof *time, time, folder, effort,
-                    truth, why);
-out:
-    settings_clear(&physics);
-    return st;
+    if (stress_find_truth(r->job, TRUTH_READ, &r->truth, &missing) != STATUS_OK)
+        return status_fail(why, STATUS_UNSUPPORTED, "no truth to hold it against: %.900s",
+                           missing.text);
+    snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
+             "the truth's error bar is %.2g",
+             r->truth->error[r->truth->times - 1] / r->run.scene.length);
+    return STATUS_OK;
 }
 
 static enum status watch_shell(void *context, const struct motion *m, struct message *why)
 {
-    struct stress_run *r = context;
+    struct judged *r = context;
     const struct truth *truth = r->truth;
 
     (void)why;
     for (int n = 0; n < truth->times; n++)
         if (fabs(m->time - truth->time[n]) < m->scene->step / 4) {
             m->model->sample(m->state, r->xyz);
-            stress_run_note(r, m->time,
-                            metric_rmse(r->xyz, truth->xyz[n]) / m->scene->length);
+            note(r, m->time, metric_rmse(r->xyz, truth->xyz[n]) / m->scene->length);
         }
     return STATUS_OK;
 }
 
-static enum status judge_shell(struct stress_run *r, struct message *why)
+/* How a case of each truth is judged. */
+static const struct {
+    enum status (*begin)(struct judged *r, struct message *why); /* NULL: nothing to do  */
+    bool rests;                                                  /* instead of moving    */
+    motion_watcher *watch;
+    enum status (*end)(struct judged *r, struct message *why); /* NULL: `watch` told all */
+} judges[STRESS_TRUTHS] = {
+    [STRESS_PLATE] = {make_plate, true, NULL, end_plate},
+    [STRESS_ELASTICA] = {NULL, true, NULL, end_elastica},
+    [STRESS_VIBRATION] = {make_plate, false, watch_vibration, NULL},
+    [STRESS_SIMILAR] = {NULL, false, NULL, end_similar},
+    [STRESS_ENERGY] = {begin_energy, false, watch_energy, end_energy},
+    [STRESS_BUCKLED] = {NULL, false, NULL, end_buckled},
+    [STRESS_STILL] = {NULL, false, watch_still, NULL},
+    [STRESS_STILL_REST] = {begin_still_rest, false, watch_still, NULL},
+    [STRESS_SHIFTED] = {NULL, false, NULL, end_shifted},
+    [STRESS_SHELL] = {begin_shell, false, watch_shell, NULL},
+};
+
+static enum status judge(struct judged *r, struct message *why)
 {
-    struct message missing = {""};
+    const enum stress_truth n = r->job->c->truth;
     enum status st;
 
-    if (stress_find_truth(r->job, TRUTH_READ, &r->truth, &missing) != STATUS_OK)
-        return status_fail(why, STATUS_UNSUPPORTED, "no truth to hold it against: %.900s",
-                           missing.text);
-    r->result->error = 0;
-    TRY(stress_run_move(r, watch_shell, why));
-    snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
-             "the truth's error bar is %.2g",
-             r->truth->error[r->truth->times - 1] / r->run.scene.length);
+    TRY(judges[n].begin ? judges[n].begin(r, why) : STATUS_OK);
+    TRY(judges[n].rests ? settle(r, why) : move(r, judges[n].watch, why));
+    TRY(judges[n].end ? judges[n].end(r, why) : STATUS_OK);
 out:
     return st;
-}
-
-static enum status judge(struct stress_run *r, struct message *why)
-{
-    switch (r->job->c->truth) {
-    case STRESS_PLATE:
-        return judge_plate(r, why);
-    case STRESS_ELASTICA:
-        return judge_elastica(r, why);
-    case STRESS_VIBRATION:
-        return judge_vibration(r, why);
-    case STRESS_SIMILAR:
-        return judge_similar(r, why);
-    case STRESS_ENERGY:
-        return judge_energy(r, why);
-    case STRESS_BUCKLED:
-        return judge_buckled(r, why);
-    case STRESS_STILL:
-    case STRESS_STILL_REST:
-        return judge_still(r, why);
-    case STRESS_SHIFTED:
-        return judge_shifted(r, why);
-    case STRESS_SHELL:
-        return judge_shell(r, why);
-    case STRESS_TRUTHS:
-        break;
-    }
-    return STATUS_LIBRARY;
 }
 
 /* What a model makes of the case is the result, whatever it is. */
@@ -324,16 +411,16 @@ static enum status settle_result(enum status st, const struct message *said,
 enum status stress_judge(const struct stress_job *job, struct stress_result *result,
                          struct message *why)
 {
-    struct stress_run r = {.job = job, .result = result};
+    struct judged r = {.job = job, .result = result};
     struct message said = {""};
     const double start = clock_processor();
     enum status st;
 
     *result = (struct stress_result){.error = NAN, .time = NAN};
-    r.xyz = malloc(3 * GRID_POINTS * sizeof *r.xyz);
-    r.first = malloc(3 * GRID_POINTS * sizeof *r.first);
-    TRY(r.xyz && r.first ? STATUS_OK : STATUS_MEMORY);
-    TRY(stress_run_read(job, &r.run, &said));
+    r.xyz = malloc(2 * 3 * GRID_POINTS * sizeof *r.xyz);
+    TRY(r.xyz ? STATUS_OK : STATUS_MEMORY);
+    r.first = r.xyz + 3 * GRID_POINTS;
+    TRY(read_run(job, &r.run, &said));
     TRY(run_build(&r.run, &said));
     st = judge(&r, &said);
 out:
@@ -343,6 +430,5 @@ out:
     run_close(&r.run);
     free(r.energies);
     free(r.xyz);
-    free(r.first);
     return settle_result(st, &said, result, why);
 }

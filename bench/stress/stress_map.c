@@ -26,9 +26,11 @@ static const char *const stiffnesses[] = {"[1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9]",
                                           "[1e4, 1e6, 1e8]"};
 enum { SIDE = 6, TIME_LIMIT = 600, TIMES = 3 };
 
-static void path_of(const char *folder, const char *name, char *path, int size)
+static void find_paths(const char *folder, char map[SWEEP_FOLDER_PATH],
+                       char plan[SWEEP_FOLDER_PATH])
 {
-    snprintf(path, (size_t)size, "%s/map%s%s", folder, *name ? "/" : "", name);
+    snprintf(map, SWEEP_FOLDER_PATH, "%s/map", folder);
+    snprintf(plan, SWEEP_FOLDER_PATH, "%s/map/plan.yaml", folder);
 }
 
 static enum status write_plan(const char *path, const struct stress_choice *choice,
@@ -65,44 +67,57 @@ out:
 enum status stress_map_measure(const char *folder, const struct stress_choice *choice,
                                int jobs, struct message *why)
 {
-    char path[SWEEP_FOLDER_PATH];
+    char map[SWEEP_FOLDER_PATH], path[SWEEP_FOLDER_PATH];
     struct plan plan = {0};
     enum status st;
 
-    path_of(folder, "", path, sizeof path);
-    TRY(folder_make(path, why));
-    path_of(folder, "plan.yaml", path, sizeof path);
+    find_paths(folder, map, path);
+    TRY(folder_make(map, why));
     TRY(write_plan(path, choice, why));
     TRY(plan_read(path, &plan, why));
-    path_of(folder, "", path, sizeof path);
     st = sweep_run(&plan,
                    &(struct sweep_options){
-                       .folder = path, .start = SWEEP_AGAIN, .jobs = jobs, .quiet = true},
-                   stdout, why);
+                       .folder = map, .start = SWEEP_AGAIN, .jobs = jobs, .quiet = true},
+                   why);
 out:
     plan_clear(&plan);
     return st;
 }
 
-/* A case on the map. */
-struct spot {
-    enum stress_end end;
-    bool reference; /* it has the finest step                                          */
-    double error;
-};
-
+/* What is drawn and printed of a map. */
 struct map {
     struct plan plan;
     struct sweep_folder folder;
-    int models, stiffnesses, steps;
+    int stiffnesses, steps;
     struct run_result reference; /* with fields: that of the finest step               */
     double moved[TIMES];         /* by the reference [m] */
+    struct sweep_map *picture;
+    struct table *models, *spots; /* a row a model, a row a case                       */
 };
 
-static void clear_map(struct map *m)
+static const char *value_of(const struct map *m, int axis, int n)
 {
-    plan_clear(&m->plan);
-    run_result_clear(&m->reference);
+    return m->plan.axes[axis].values.list[n].value;
+}
+
+static void create_tables(struct map *m)
+{
+    static const struct table_column spots[] = {
+        {"model"},
+        {"young_over_density", "m^2/s^2", .key = "young_over_density"},
+        {"step", "s", .key = "step"},
+        {"end"},
+        {"error"}};
+    struct table_column columns[1 + 16 + 4] = {{"step [s] by E/rho", NULL, TABLE_LEFT}};
+    int count = 1;
+
+    for (int e = 0; e < m->stiffnesses; e++)
+        columns[count++] = (struct table_column){value_of(m, 0, e), NULL, TABLE_RIGHT};
+    for (int n = 0; n < 4; n++)
+        columns[count++] = (struct table_column){stress_end_name[n], NULL, TABLE_RIGHT};
+    m->models = table_create(
+        count, columns, "Stability: the largest step up to which all steps are accurate");
+    m->spots = table_create(sizeof spots / sizeof *spots, spots, NULL);
 }
 
 /* *there is false where no map was made. */
@@ -113,17 +128,26 @@ static enum status open_map(struct map *m, const char *folder, bool *there,
     enum status st = STATUS_OK;
 
     *m = (struct map){.folder = {.lock = -1, .log = -1}};
-    path_of(folder, "", m->folder.path, sizeof m->folder.path);
-    path_of(folder, "plan.yaml", path, sizeof path);
+    find_paths(folder, m->folder.path, path);
     *there = access(path, R_OK) == 0;
     if (!*there)
         return st;
     TRY(plan_read(path, &m->plan, why));
-    m->models = m->plan.listed_count;
+    TRY(sweep_map_create(&m->picture, &m->plan, "accurate"));
     m->stiffnesses = m->plan.axes[0].values.count;
     m->steps = m->plan.axes[1].values.count;
+    create_tables(m);
 out:
     return st;
+}
+
+static void clear_map(struct map *m)
+{
+    plan_clear(&m->plan);
+    run_result_clear(&m->reference);
+    sweep_map_destroy(m->picture);
+    table_destroy(m->models);
+    table_destroy(m->spots);
 }
 
 /* Takes the run with the finest step over. */
@@ -135,8 +159,7 @@ static enum status set_reference(struct map *m, struct run_result *r, const char
     double *rest = NULL;
     enum status st;
 
-    m->reference = *r;
-    *r = (struct run_result){0};
+    HAND_OVER(&m->reference, *r);
     TRY(store_read_open(path, &file, why));
     TRY(store_scene(file, path, &scene, why));
     rest = metric_rest_field(&scene);
@@ -163,152 +186,76 @@ static double worst(const struct map *m, const struct run_result *r)
     return error;
 }
 
-static enum status judge(struct map *m, long number, const struct sweep_row *row,
-                         struct spot *spot, struct message *why)
+static enum status judge(struct map *m, long number, struct sweep_row *row,
+                         enum stress_end *end, double *error, struct message *why)
 {
-    const bool refused = run_result_refused(&row->result);
     const bool finest = number % m->steps == 0;
     char path[SWEEP_FOLDER_PATH];
-    struct run_result r = {0};
     enum status st = STATUS_OK;
 
-    *spot = (struct spot){.end = refused ? STRESS_REFUSED : STRESS_DIED, .error = NAN};
+    sweep_folder_file(&m->folder, number, "h5", path);
+    row->ran = run_result_read(path, true, &row->result, NULL) == STATUS_OK;
+    *end = row->ran && run_result_refused(&row->result) ? STRESS_REFUSED : STRESS_DIED;
+    *error = NAN;
     if (finest)
         run_result_clear(&m->reference);
     if (!row->ran || row->result.outcome != STATUS_OK)
         return STATUS_OK;
-    sweep_folder_file(&m->folder, number, "h5", path);
-    TRY(run_result_read(path, true, &r, why));
     if (finest)
-        TRY(set_reference(m, &r, path, why));
-    spot->reference = finest;
-    spot->error = worst(m, finest ? &m->reference : &r);
-    spot->end = spot->error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
+        TRY(set_reference(m, &row->result, path, why));
+    *error = worst(m, finest ? &m->reference : &row->result);
+    *end = *error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
 out:
-    run_result_clear(&r);
     return st;
 }
 
-/* Of one model: counts, and by stiffness the largest step up to which all are accurate. */
-struct summary {
-    int count[4];
-    int largest[16];
-    bool broken[16];
-};
-
-static void note(struct summary *s, int stiffness, int step, const struct spot *spot)
+/* A case, onto the map and into the table of spots. */
+static enum status add_case(struct map *m, int model, int stiffness, int step,
+                            enum stress_end *end, struct message *why)
 {
-    s->count[spot->end]++;
-    if (spot->end != STRESS_ACCURATE)
-        s->broken[stiffness] = true;
-    if (!s->broken[stiffness])
-        s->largest[stiffness] = step;
-}
-
-static void print_model(struct table *t, const struct map *m, int model,
-                        const struct summary *s)
-{
-    table_row(t);
-    table_text(t, "%s", m->plan.listed[model].name);
-    for (int e = 0; e < m->stiffnesses; e++)
-        if (s->largest[e] < 0)
-            table_text(t, "none");
-        else
-            table_text(t, "%s", m->plan.axes[1].values.list[s->largest[e]].value);
-    for (int n = 0; n < 4; n++)
-        table_integer(t, s->count[n]);
-}
-
-static struct table *make_table(const struct map *m)
-{
-    struct table_column columns[1 + 16 + 4] = {{"step [s] by E/rho", NULL, TABLE_LEFT}};
-    int count = 1;
-
-    for (int e = 0; e < m->stiffnesses; e++)
-        columns[count++] =
-            (struct table_column){m->plan.axes[0].values.list[e].value, NULL, TABLE_RIGHT};
-    for (int n = 0; n < 4; n++)
-        columns[count++] =
-            (struct table_column){stress_end_name((enum stress_end)n), NULL, TABLE_RIGHT};
-    return table_create(count, columns,
-                        "Stability: the largest step up to which all steps are accurate");
-}
-
-/* Of each case a spot. */
-static struct table *make_spots(void)
-{
-    static const struct table_column columns[] = {
-        {"model"},
-        {"young_over_density", "m^2/s^2", .key = "young_over_density"},
-        {"step", "s", .key = "step"},
-        {"end"},
-        {"error"}};
-
-    return table_create(sizeof columns / sizeof *columns, columns, NULL);
-}
-
-/* What is drawn and printed of a map. */
-struct shown {
-    struct sweep_map *map;
-    struct table *steps, *spots;
-};
-
-/* A case: onto the map, into the tables. */
-static enum status add_case(struct map *m, int model, int n, struct shown *to,
-                            struct summary *s, struct message *why)
-{
-    const long number = (long)model * m->stiffnesses * m->steps + n;
+    const long number = ((long)model * m->stiffnesses + stiffness) * m->steps + step;
     struct plan_case c = {0};
-    struct sweep_row row;
-    struct spot spot;
+    struct sweep_row row = {0};
+    double error;
     enum status st;
 
-    sweep_folder_read(&m->folder, number, false, &row);
-    TRY(judge(m, number, &row, &spot, why));
-    const char *label = spot.reference ? "reference" : stress_end_name(spot.end);
-    note(s, n / m->steps, n % m->steps, &spot);
+    TRY(judge(m, number, &row, end, &error, why));
+    const char *label = step == 0 && m->reference.xyz ? "reference" : stress_end_name[*end];
     TRY(plan_case_given(&m->plan, number, &c));
-    TRY(sweep_map_row(to->map, &c, &row, label));
-    table_row(to->spots);
-    table_text(to->spots, "%s", m->plan.listed[model].name);
-    table_text(to->spots, "%s", m->plan.axes[0].values.list[n / m->steps].value);
-    table_text(to->spots, "%s", m->plan.axes[1].values.list[n % m->steps].value);
-    table_text(to->spots, "%s", label);
-    table_number(to->spots, spot.error, 3);
+    TRY(sweep_map_row(m->picture, &c, &row, label));
+    table_row(m->spots);
+    table_text(m->spots, "%s", m->plan.listed[model].name);
+    table_text(m->spots, "%s", value_of(m, 0, stiffness));
+    table_text(m->spots, "%s", value_of(m, 1, step));
+    table_text(m->spots, "%s", label);
+    table_number(m->spots, error, 3);
 out:
     plan_case_clear(&c);
     run_result_clear(&row.result);
     return st;
 }
 
-static enum status add_model(struct map *m, int model, struct shown *to,
-                             struct message *why)
+/* By stiffness the largest step up to which all are accurate, and how many ended how. */
+static enum status add_model(struct map *m, int model, struct message *why)
 {
-    struct summary s = {{0}, {0}, {0}};
+    int count[4] = {0};
+    enum stress_end end;
     enum status st = STATUS_OK;
 
-    for (int e = 0; e < 16; e++)
-        s.largest[e] = -1;
-    for (int n = 0; n < m->stiffnesses * m->steps; n++)
-        TRY(add_case(m, model, n, to, &s, why));
-    print_model(to->steps, m, model, &s);
+    table_row(m->models);
+    table_text(m->models, "%s", m->plan.listed[model].name);
+    for (int e = 0; e < m->stiffnesses; e++) {
+        int good = 0; /* steps before the first that is not                            */
+        for (int n = 0; n < m->steps; n++) {
+            TRY(add_case(m, model, e, n, &end, why));
+            count[end]++;
+            good += good == n && end == STRESS_ACCURATE;
+        }
+        table_text(m->models, "%s", good ? value_of(m, 1, good - 1) : "none");
+    }
+    for (int n = 0; n < 4; n++)
+        table_integer(m->models, count[n]);
 out:
-    return st;
-}
-
-static enum status show(struct map *m, struct shown *to, struct message *why)
-{
-    struct chart *chart = NULL;
-    enum status st;
-
-    TRY(sweep_map_create(&to->map, &m->plan, "accurate"));
-    for (int n = 0; n < m->models; n++)
-        TRY(add_model(m, n, to, why));
-    TRY(table_save(to->spots, m->folder.path, "stability", why));
-    TRY(sweep_map_chart(to->map, &chart, why));
-    st = chart_save(chart, m->folder.path, "map", why);
-out:
-    sweep_map_destroy(to->map);
     return st;
 }
 
@@ -316,28 +263,27 @@ enum status stress_map_print(const char *folder, enum table_format format, FILE 
                              bool *there, struct message *why)
 {
     struct map m;
-    struct shown shown = {NULL};
+    struct chart *chart = NULL;
     enum status st;
 
     TRY(open_map(&m, folder, there, why));
     if (!*there)
         goto out;
-    shown.steps = make_table(&m);
-    shown.spots = make_spots();
-    TRY(show(&m, &shown, why));
+    for (int n = 0; n < m.plan.listed_count; n++)
+        TRY(add_model(&m, n, why));
+    TRY(table_save(m.spots, m.folder.path, "stability", why));
+    TRY(sweep_map_chart(m.picture, &chart, why));
+    TRY(chart_save(chart, m.folder.path, "map", why));
     table_note(
-        shown.steps,
+        m.models,
         "A sheet of 1 m x 1 m x 1 cm let go, at the worst of 0.1, 0.2 and 0.3 s, %d x %d "
-        "points. E/rho in "
-        "m^2/s^2. Accurate: within %g of how far the sheet has moved, from the run of "
-        "the same model with the finest step (%s s), which is counted as accurate; what "
-        "lives where that has died is degraded.",
-        SIDE, SIDE, bound, m.plan.axes[1].values.list[0].value);
+        "points. E/rho in m^2/s^2. Accurate: within %g of how far the sheet has moved, "
+        "from the run of the same model with the finest step (%s s), which is counted as "
+        "accurate; what lives where that has died is degraded.",
+        SIDE, SIDE, bound, value_of(&m, 1, 0));
     if (file)
-        st = table_print(shown.steps, format, file);
+        st = table_print(m.models, format, file);
 out:
-    table_destroy(shown.steps);
-    table_destroy(shown.spots);
     clear_map(&m);
     return st;
 }

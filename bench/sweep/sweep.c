@@ -5,19 +5,19 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "bench/harness/pool.h"
 #include "bench/harness/run_file.h"
 #include "bench/sweep/sweep_map.h"
-#include "bench/sweep/sweep_summary.h"
 #include "bench/sweep/sweep_table.h"
 #include "bench/experiment/plan_read.h"
 
 /* What the processes of a sweep share. */
 struct sweep {
-    const char *path; /* of the plan's file, where it is still to be read               */
-    const char *out;  /* the folder asked for; NULL: results/sweep_NAME                 */
-    struct plan own;
+    const char *word; /* the plan, as the command line has it                           */
+    struct sweep_options options;
+    struct plan own; /* where the command reads it                                      */
     const struct plan *plan;
     struct sweep_folder folder;
     struct pool pool;
@@ -72,11 +72,6 @@ static enum status settle(void *context, long number, const struct child_end *en
     return st ? st : sweep_folder_log(&s->folder, failed ? "failed" : "end", number, why);
 }
 
-static struct pool pool_of(struct sweep *s)
-{
-    return (struct pool){.context = s, .work = work, .begin = begin, .settle = settle};
-}
-
 /* What is done already; true where a case needs no run. */
 static enum status scan(const struct sweep *s, bool **done, struct message *why)
 {
@@ -114,11 +109,9 @@ static enum status collect(const struct plan *plan, const struct sweep_folder *f
                             "%s: the file of case %ld is gone or broken; "
                             "--resume runs it again",
                             folder->path, n + 1));
-        const struct verdict verdict = sweep_table_verdict(plan, &row);
         TRY(plan_case_given(plan, n, &c));
-        sweep_table_row(t, &c, &row, &verdict);
-        st = sweep_map_row(map, &c, &row,
-                           sweep_table_labels(plan, &row, verdict, labels, sizeof labels));
+        sweep_table_row(t, &c, &row, labels, sizeof labels);
+        st = sweep_map_row(map, &c, &row, labels);
         plan_case_clear(&c);
         run_result_clear(&row.result);
         TRY(st);
@@ -138,14 +131,113 @@ out:
     return st;
 }
 
+static void print_plan(const struct plan *plan, FILE *file)
+{
+    const struct plan_setting *scene = plan_settings_find(&plan->settings, "scene");
+
+    fprintf(file, "%s: %ld cases", plan->name, plan_case_count(plan));
+    if (scene)
+        fprintf(file, " of %s", scene->value);
+    if (plan->listed_count)
+        fprintf(file, "; %d listed", plan->listed_count);
+    for (int n = 0; n < plan->axis_count; n++)
+        fprintf(file, "%s%d of %s", n || plan->listed_count ? " x " : "; ",
+                plan->axes[n].values.count, plan->axes[n].key);
+    fprintf(file, "\n\n");
+}
+
+/* Whether a rule before n has the same label. */
+static bool said(const struct verdict_rules *rules, int n)
+{
+    for (int m = 0; m < n; m++)
+        if (!strcmp(rules->rule[m].label, rules->rule[n].label))
+            return true;
+    return false;
+}
+
+/* Those of which there are none are not worth a line, but for labels. */
+static void print_verdicts(const struct plan *plan, const struct sweep_table *t, FILE *file)
+{
+    const struct verdict_rules *rules = &plan->verdicts;
+    const struct {
+        const char *end, *why;
+        long count;
+    } ends[] = {
+        {"died", "the numerics ended the run", t->died},
+        {"unsupported", "the model leaves something out", t->unsupported},
+        {"no result", "timed out, killed or refused: see table.csv", t->failed},
+    };
+
+    if (rules->count)
+        fprintf(file, "  %-24s%6ld\n", "feasible", t->feasible);
+    for (int n = 0; n < rules->count; n++)
+        if (!said(rules, n))
+            fprintf(file, "  %-24s%6ld\n", rules->rule[n].label, t->labels[n]);
+    for (int n = 0; n < 3; n++)
+        if (ends[n].count)
+            fprintf(file, "  %-24s%6ld   %s\n", ends[n].end, ends[n].count, ends[n].why);
+    fprintf(file, "\n");
+}
+
+/* Of a result file on average [kB]. */
+static double file_size(const struct sweep_folder *folder, long cases)
+{
+    double sum = 0;
+    long count = 0;
+
+    for (long n = 0; n < cases; n++) {
+        char path[SWEEP_FOLDER_PATH];
+        struct stat info;
+
+        sweep_folder_file(folder, n, "h5", path);
+        if (stat(path, &info) == 0)
+            sum += 1e-3 * (double)info.st_size, count++;
+    }
+    return count ? sum / (double)count : 0;
+}
+
+static void print_cost(const struct pool *p, FILE *file)
+{
+    const double most = p->wall * p->hands;
+
+    if (!p->ran) {
+        fprintf(file, "Nothing was left to run.\n");
+        return;
+    }
+    fprintf(file,
+            "%ld cases run now, %d at a time: %.3g s of processor time each, %.4g s in all "
+            "within %.4g s; efficiency %.1f %%.\n",
+            p->ran, p->hands, p->seconds / (double)p->ran, p->seconds, p->wall,
+            100 * p->seconds / most);
+}
+
+/* What a sweep found, in words for people. `plot`: why there is no picture, or "". */
+static enum status print_summary(const struct sweep *s, const struct sweep_table *table,
+                                 const char *plot)
+{
+    const struct plan *plan = s->plan;
+    FILE *file = stdout;
+
+    print_plan(plan, file);
+    print_verdicts(plan, table, file);
+    print_cost(&s->pool, file);
+    fprintf(file, "%s: table.csv, seconds.csv, %sa file a case, %.3g kB on average.\n",
+            s->folder.path, plan->map.x && !*plot ? "map.png, " : "",
+            file_size(&s->folder, plan_case_count(plan)));
+    if (*plot)
+        fprintf(file, "%s\n", plot);
+    return ferror(file) ? STATUS_FILE : STATUS_OK;
+}
+
+/* Into path[], which it returns, if no folder was asked for. */
 static const char *folder_of(const struct sweep *s, char path[SWEEP_FOLDER_PATH])
 {
     snprintf(path, SWEEP_FOLDER_PATH, "results/sweep_%s", s->plan->name);
-    return s->out ? s->out : path;
+    return s->options.folder ? s->options.folder : path;
 }
 
-/* Runs what is not done. `name`: of the plan on the command line. */
-static enum status run_all(struct sweep *s, const char *name, struct message *why)
+/* Runs what is not done. */
+static enum status run_all(struct sweep *s, struct message *why)
 {
     struct pool *pool = &s->pool;
     struct message reason = {""};
@@ -161,7 +253,7 @@ static enum status run_all(struct sweep *s, const char *name, struct message *wh
         TRY(status_fail(why, st,
                         "%s; what is done is kept, and clothbench sweep %s "
                         "--resume goes on",
-                        reason.text, name));
+                        reason.text, s->word));
 out:
     free(done);
     if (!pool->stopped_by)
@@ -169,41 +261,48 @@ out:
     fprintf(stderr,
             "clothbench: stopped by signal %d after %ld cases; what is done is kept: "
             "clothbench sweep %s --resume goes on\n",
-            pool->stopped_by, pool->ran, name);
+            pool->stopped_by, pool->ran, s->word);
     pool_raise(pool);
     return st;
 }
 
 /* The sweep of the process that leads. */
-static enum status lead(struct sweep *s, const struct sweep_options *options,
-                        const char *name, FILE *file, struct message *why)
+static enum status lead(struct sweep *s, struct message *why)
 {
+    const struct sweep_options *o = &s->options;
     char path[SWEEP_FOLDER_PATH];
     struct sweep_table table = {0};
     struct message plot = {""};
     enum status st;
 
-    s->folder = (struct sweep_folder){.lock = -1, .log = -1};
-    s->out = options->folder;
-    TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, options->start, why));
-    s->pool.slots = s->pool.ranks ? 1 : options->jobs ? options->jobs : omp_get_num_procs();
-    s->pool.quiet = options->quiet;
-    TRY(run_all(s, name, why));
+    TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, o->start, why));
+    s->pool.slots = s->pool.ranks ? 1 : o->jobs ? o->jobs : omp_get_num_procs();
+    s->pool.quiet = o->quiet;
+    TRY(run_all(s, why));
     TRY(collect(s->plan, &s->folder, &table, &plot, why));
-    if (!options->quiet)
-        TRY(sweep_summary_print(s->plan, &s->folder, &s->pool, &table, plot.text, file));
+    if (!o->quiet)
+        TRY(print_summary(s, &table, plot.text));
 out:
     sweep_folder_close(&s->folder);
     return st;
 }
 
-enum status sweep_run(const struct plan *plan, const struct sweep_options *options,
-                      FILE *file, struct message *why)
+static struct sweep sweep_of(const char *word)
 {
-    struct sweep s = {.plan = plan};
+    return (struct sweep){.word = word,
+                          .folder = {.lock = -1, .log = -1},
+                          .pool = {.work = work, .begin = begin, .settle = settle}};
+}
 
-    s.pool = pool_of(&s);
-    return lead(&s, options, plan->path, file, why);
+enum status sweep_run(const struct plan *plan, const struct sweep_options *options,
+                      struct message *why)
+{
+    struct sweep s = sweep_of(plan->path);
+
+    s.plan = plan;
+    s.options = *options;
+    s.pool.context = &s;
+    return lead(&s, why);
 }
 
 /* On another rank: what it needs for any case. */
@@ -211,63 +310,52 @@ static enum status prepare(void *context, struct message *why)
 {
     struct sweep *s = context;
     char path[SWEEP_FOLDER_PATH];
-    enum status st = plan_read(s->path, &s->own, why);
+    enum status st = plan_read(s->word, &s->own, why);
 
     if (st != STATUS_OK)
         return st;
-    s->plan = &s->own;
     s->pool.time_limit = s->own.time_limit;
     snprintf(s->folder.path, sizeof s->folder.path, "%s", folder_of(s, path));
     return STATUS_OK;
 }
 
-static enum status read_options(const struct command_line *line, const struct ranks *ranks,
-                                struct sweep_options *o, struct message *why)
-{
-    long jobs = 0;
-    enum status st = command_integer(line, "--jobs", 1, 1024, &jobs, why);
-
-    if (st == STATUS_OK && jobs && ranks)
-        st = status_fail(why, STATUS_INPUT,
-                         "--jobs: under mpirun every rank runs one case at a time; say "
-                         "how many with mpirun -n");
-    *o = (struct sweep_options){.folder = command_value(line, "--out"),
-                                .start = command_given(line, "--resume") ? SWEEP_RESUME
-                                                                         : SWEEP_NEW,
-                                .jobs = (int)jobs,
-                                .quiet = command_given(line, "--quiet")};
-    return st;
-}
-
 static enum status run(const struct command_line *line, struct message *why)
 {
-    enum status st;
     const struct ranks *ranks = NULL;
-    struct sweep_options options;
-    struct sweep s = {.plan = &s.own};
+    struct sweep s = sweep_of(line->words[0]);
     char *path = NULL;
+    long jobs = 0;
+    enum status st;
 
     omp_set_num_threads(1);
     signal(SIGXFSZ, SIG_IGN); /* a limit on file sizes is a full disk, not a death */
     TRY(ranks_start(&ranks, why));
-    s.pool = pool_of(&s);
+    s.plan = &s.own;
+    s.pool.context = &s;
     s.pool.ranks = ranks;
+    s.options.folder = command_value(line, "--out");
+    s.options.start = command_given(line, "--resume") ? SWEEP_RESUME : SWEEP_NEW;
+    s.options.quiet = command_given(line, "--quiet");
     if (ranks && ranks->rank) { /* rank 0 tells what is wrong, if something is */
-        named_file_find(&plan_kind, line->words[0], &path, NULL);
-        s.path = path ? path : line->words[0];
-        s.out = command_value(line, "--out");
+        named_file_find(&plan_kind, s.word, &path, NULL);
+        s.word = path ? path : s.word;
         TRY(pool_serve(&s.pool, prepare, why));
         goto out;
     }
-    TRY(read_options(line, ranks, &options, why));
-    TRY(named_file_find(&plan_kind, line->words[0], &path, why));
+    TRY(command_integer(line, "--jobs", 1, 1024, &jobs, why));
+    s.options.jobs = (int)jobs;
+    if (jobs && ranks)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "--jobs: under mpirun every rank runs one case at a time; say "
+                        "how many with mpirun -n"));
+    TRY(named_file_find(&plan_kind, s.word, &path, why));
     TRY(plan_read(path, &s.own, why));
     if (s.own.study_count)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: the plan has levels, so it is no sweep; clothbench study runs "
                         "it",
                         path));
-    TRY(lead(&s, &options, line->words[0], stdout, why));
+    TRY(lead(&s, why));
 out:
     if (ranks && !ranks->rank)
         pool_dismiss(ranks);

@@ -14,11 +14,11 @@ struct sweep_options {
 };
 
 /* Runs what is not done yet of a plan, writes table.csv, seconds.csv and the map, prints a
- * summary to `file`. Alone, without the ranks of mpirun. STATUS_FILE: a result could not be
+ * summary. Alone, without the ranks of mpirun. STATUS_FILE: a result could not be
  * written; what is done stays. A signal that asks to stop ends the program as ever, after a
  * sentence. */
 enum status sweep_run(const struct plan *plan, const struct sweep_options *options,
-                      FILE *file, struct message *why);
+                      struct message *why);
 
 extern const struct command sweep_command;
 

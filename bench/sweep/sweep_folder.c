@@ -14,33 +14,28 @@
 #include "bench/experiment/plan_case.h"
 #include "models/reader/scene_file.h"
 
-/* Adds the text of a scene that the plan names. */
-static enum status add_scene(const struct plan *plan, const char *scene, FILE *text,
-                             struct message *why)
+/* Adds the texts of the scenes among these settings. */
+static enum status add_scenes(const struct plan *plan, const struct plan_settings *settings,
+                              FILE *text, struct message *why)
 {
     enum status st = STATUS_OK;
     char *path = NULL, *bytes = NULL;
     size_t size;
 
-    TRY(plan_case_find_scene(plan, scene, &path, why));
-    TRY(named_file_read(&scene_file_kind, path, &bytes, &size, why));
-    fprintf(text, "\n--- scene %s\n", scene);
-    fwrite(bytes, 1, size, text);
+    for (int n = 0; n < settings->count; n++) {
+        const struct plan_setting *s = &settings->list[n];
+        if (strcmp(s->key, "scene") != 0)
+            continue;
+        free(path), path = NULL;
+        free(bytes), bytes = NULL;
+        TRY(plan_case_find_scene(plan, s->value, &path, why));
+        TRY(named_file_read(&scene_file_kind, path, &bytes, &size, why));
+        fprintf(text, "\n--- scene %s\n", s->value);
+        fwrite(bytes, 1, size, text);
+    }
 out:
     free(path);
     free(bytes);
-    return st;
-}
-
-static enum status add_scenes(const struct plan *plan, const struct plan_settings *settings,
-                              FILE *text, struct message *why)
-{
-    enum status st = STATUS_OK;
-
-    for (int n = 0; n < settings->count; n++)
-        if (!strcmp(settings->list[n].key, "scene"))
-            TRY(add_scene(plan, settings->list[n].value, text, why));
-out:
     return st;
 }
 
@@ -59,51 +54,41 @@ out:
     return st;
 }
 
-/* The first line in which they differ; false if there is none. Both move on to it. */
-static bool differ(const char **old, const char **new, int *line)
-{
-    for (*line = 1; **old || **new; ++*line) {
-        const size_t a = strcspn(*old, "\n"), b = strcspn(*new, "\n");
-
-        if (a != b || strncmp(*old, *new, a) || (*old)[a] != (*new)[b])
-            return true;
-        *old += a + ((*old)[a] == '\n');
-        *new += b + ((*new)[b] == '\n');
-    }
-    return false;
-}
-
-static enum status compare_manifest(const char *path, FILE *file, const char *text,
+/* The sweep in the folder is to be of the same plan and scenes, line by line. */
+static enum status compare_manifest(const char *path, FILE *file, const char *is,
                                     struct message *why)
 {
+    char *was = NULL;
+    size_t room = 0, line = 0;
+    int number = 1;
     enum status st = STATUS_OK;
-    char *old = NULL;
-    size_t room = 0;
-    const char *was, *is = text;
-    int line;
 
-    if (getdelim(&old, &room, '\0', file) < 0)
+    if (getdelim(&was, &room, '\0', file) < 0)
         TRY(status_fail(why, STATUS_FILE, "%s: cannot be read", path));
-    was = old;
-    if (differ(&was, &is, &line))
+    for (size_t n = 0; was[n] && was[n] == is[n]; n++)
+        if (was[n] == '\n')
+            line = n + 1, number++;
+    if (strcmp(was, is) != 0)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: the sweep was begun with another plan or scene: line %d was "
                         "'%.*s' and is now '%.*s'; give another folder with --out",
-                        path, line, (int)strcspn(was, "\n"), was, (int)strcspn(is, "\n"),
-                        is));
+                        path, number, (int)strcspn(was + line, "\n"), was + line,
+                        (int)strcspn(is + line, "\n"), is + line));
 out:
-    free(old);
+    free(was);
     return st;
 }
 
-static enum status create_manifest(const char *path, const char *text, struct message *why)
+/* A text file of one text. */
+static enum status write_file(const char *path, const char *text, const char *end,
+                              struct message *why)
 {
     struct output *out = NULL;
     enum status st = output_create(path, &out, why);
 
     if (st != STATUS_OK)
         return st;
-    output_print(out, "%s", text);
+    output_print(out, "%s%s", text, end);
     return output_close(out, why);
 }
 
@@ -125,7 +110,7 @@ static enum status settle_manifest(const struct sweep_folder *folder,
     snprintf(path, sizeof path, "%s/manifest.txt", folder->path);
     file = fopen(path, "r");
     if (!file)
-        TRY(create_manifest(path, text, why));
+        TRY(write_file(path, text, "", why));
     else if (!resume)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s has a sweep already; --resume goes on with it, --out DIR "
@@ -268,15 +253,9 @@ enum status sweep_folder_fail(const struct sweep_folder *folder, long number,
                               const char *sentence, struct message *why)
 {
     char path[SWEEP_FOLDER_PATH];
-    struct output *out = NULL;
-    enum status st;
 
     sweep_folder_file(folder, number, "txt", path);
-    TRY(output_create(path, &out, why));
-    output_print(out, "%s\n", sentence);
-    TRY(output_close(out, why));
-out:
-    return st;
+    return write_file(path, sentence, "\n", why);
 }
 
 enum status sweep_folder_log(const struct sweep_folder *folder, const char *event,

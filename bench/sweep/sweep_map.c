@@ -27,15 +27,15 @@ struct names {
 /* A case on the map. */
 struct spot {
     int panel, label;
-    double x, y, x_side[2], y_side[2];
+    double x, y;
 };
 
 struct sweep_map {
     const struct plan *plan;
     struct dimension x, y, panel;
     struct names panels, labels;
-    long count, room;
-    struct spot *spot; /* [count]                                                 owned */
+    long count;
+    struct spot *spot; /* [count], with room for all cases                        owned */
 };
 
 /* Its number, a new one for a new name; -1: no memory. */
@@ -55,12 +55,6 @@ static int add_name(struct names *names, const char *name)
     }
     names->uses[n]++;
     return n;
-}
-
-static void clear_names(struct names *names)
-{
-    for (int n = 0; n < names->count; n++)
-        free(names->name[n]);
 }
 
 static struct dimension find_dimension(const struct plan *plan, const char *name)
@@ -92,17 +86,21 @@ static double place_of(const struct dimension *d, int n)
     return d->words ? n : strtod(d->axis->values.list[n].value, NULL);
 }
 
-/* Half way from a to b. */
+/* Half way from a to b; as far on the other side of b as a is on this one. */
 static double between(const struct dimension *d, double a, double b)
 {
     return d->log ? sqrt(a * b) : (a + b) / 2;
+}
+
+static double beyond(const struct dimension *d, double a, double b)
+{
+    return d->log ? b * b / a : 2 * b - a;
 }
 
 /* The cell around a place of an axis: half way to the nearest other places; as far to the
  * other side at the ends. */
 static void find_cell(const struct dimension *d, double at, double side[2])
 {
-    double *const low = &side[0], *const high = &side[1];
     double below = -INFINITY, above = INFINITY;
 
     for (int n = 0; n < d->axis->values.count; n++) {
@@ -112,14 +110,10 @@ static void find_cell(const struct dimension *d, double at, double side[2])
         if (other > at)
             above = fmin(above, other);
     }
-    *low = isfinite(below) ? between(d, below, at) : NAN;
-    *high = isfinite(above) ? between(d, at, above) : NAN;
-    if (isnan(*low) && isnan(*high)) /* the only value */
-        *low = d->log ? at / 2 : at - 0.5, *high = d->log ? at * 2 : at + 0.5;
-    else if (isnan(*low))
-        *low = d->log ? at * at / *high : 2 * at - *high;
-    else if (isnan(*high))
-        *high = d->log ? at * at / *low : 2 * at - *low;
+    const double low = between(d, below, at), high = between(d, at, above);
+    const double alone[2] = {d->log ? at / 2 : at - 0.5, d->log ? at * 2 : at + 0.5};
+    side[0] = isfinite(low) ? low : isfinite(high) ? beyond(d, high, at) : alone[0];
+    side[1] = isfinite(high) ? high : isfinite(low) ? beyond(d, low, at) : alone[1];
 }
 
 /* Where the case is drawn; NaN: nowhere. */
@@ -139,14 +133,14 @@ static double find_place(const struct dimension *d, const struct plan_case *c,
 static void panel_text(const struct dimension *d, const struct plan_case *c,
                        const struct sweep_row *row, char *text, int size)
 {
-    if (!d->name)
-        snprintf(text, (size_t)size, "%s", "");
-    else if (!strcmp(d->name, "name"))
-        snprintf(text, (size_t)size, "%s", c->name ? c->name : "-");
+    const char *words = "";
+
+    if (d->name && !strcmp(d->name, "name"))
+        words = c->name ? c->name : "-";
     else if (d->key >= 0)
-        snprintf(text, (size_t)size, "%s",
-                 c->given[d->key] ? c->given[d->key]->value : "-");
-    else
+        words = c->given[d->key] ? c->given[d->key]->value : "-";
+    snprintf(text, (size_t)size, "%s", words);
+    if (d->measure >= 0 && d->key < 0)
         snprintf(text, (size_t)size, "%.4g",
                  row->ran ? row->result.value[d->measure] : NAN);
 }
@@ -163,7 +157,8 @@ enum status sweep_map_create(struct sweep_map **map, const struct plan *plan,
     m->x = find_dimension(plan, plan->map.x);
     m->y = find_dimension(plan, plan->map.y);
     m->panel = find_dimension(plan, plan->map.panel);
-    if (add_name(&m->labels, best) < 0)
+    m->spot = calloc((size_t)plan_case_count(plan), sizeof *m->spot);
+    if (!m->spot || add_name(&m->labels, best) < 0)
         return STATUS_MEMORY;
     m->labels.uses[0] = 0;
     return STATUS_OK;
@@ -173,25 +168,12 @@ void sweep_map_destroy(struct sweep_map *m)
 {
     if (!m)
         return;
-    clear_names(&m->panels);
-    clear_names(&m->labels);
+    for (int n = 0; n < NAMES; n++) {
+        free(m->panels.name[n]);
+        free(m->labels.name[n]);
+    }
     free(m->spot);
     free(m);
-}
-
-static enum status add_spot(struct sweep_map *m, const struct spot *spot)
-{
-    if (spot->panel < 0 || spot->label < 0)
-        return STATUS_MEMORY;
-    if (m->count == m->room) {
-        const long room = m->room ? 2 * m->room : 64;
-        struct spot *grown = realloc(m->spot, (size_t)room * sizeof *grown);
-        if (!grown)
-            return STATUS_MEMORY;
-        m->spot = grown, m->room = room;
-    }
-    m->spot[m->count++] = *spot;
-    return STATUS_OK;
 }
 
 static bool has_cells(const struct sweep_map *m)
@@ -202,23 +184,20 @@ static bool has_cells(const struct sweep_map *m)
 enum status sweep_map_row(struct sweep_map *m, const struct plan_case *c,
                           const struct sweep_row *row, const char *labels)
 {
-    struct spot spot;
     char panel[64];
 
     if (!m)
         return STATUS_OK;
-    spot.x = find_place(&m->x, c, row);
-    spot.y = find_place(&m->y, c, row);
+    struct spot spot = {.x = find_place(&m->x, c, row), .y = find_place(&m->y, c, row)};
     if (!isfinite(spot.x) || !isfinite(spot.y))
         return STATUS_OK;
-    if (has_cells(m)) {
-        find_cell(&m->x, spot.x, spot.x_side);
-        find_cell(&m->y, spot.y, spot.y_side);
-    }
     panel_text(&m->panel, c, row, panel, sizeof panel);
     spot.panel = add_name(&m->panels, panel);
     spot.label = add_name(&m->labels, labels);
-    return add_spot(m, &spot);
+    if (spot.panel < 0 || spot.label < 0)
+        return STATUS_MEMORY;
+    m->spot[m->count++] = spot;
+    return STATUS_OK;
 }
 
 /* What is good is green, what has no result grey; the rest are told apart by eyes of all
@@ -291,10 +270,16 @@ static void draw_label(const struct sweep_map *m, struct chart *c, int panel, in
                                         .rgb = colour_of(name, label)});
     for (long n = 0; n < m->count; n++) {
         const struct spot *s = &m->spot[n];
-        if (s->panel == panel && s->label == label && has_cells(m))
-            chart_cell(c, s->x, s->y, s->x_side, s->y_side);
-        else if (s->panel == panel && s->label == label)
+        double x[2], y[2];
+        if (s->panel != panel || s->label != label)
+            continue;
+        if (!has_cells(m)) {
             chart_point(c, s->x, s->y);
+            continue;
+        }
+        find_cell(&m->x, s->x, x);
+        find_cell(&m->y, s->y, y);
+        chart_cell(c, s->x, s->y, x, y);
     }
 }
 

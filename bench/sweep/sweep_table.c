@@ -5,15 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static enum status open_file(const struct sweep_folder *folder, const char *name,
-                             struct output **file, struct message *why)
-{
-    char path[SWEEP_FOLDER_PATH + 16];
-
-    snprintf(path, sizeof path, "%s/%s", folder->path, name);
-    return output_create(path, file, why);
-}
-
 /* Every key and measure; a key that has another column's name gets one of its own. */
 static struct table *create_table(const struct plan *plan)
 {
@@ -47,37 +38,27 @@ static struct table *create_table(const struct plan *plan)
 enum status sweep_table_open(struct sweep_table *t, const struct plan *plan,
                              const struct sweep_folder *folder, struct message *why)
 {
-    static const struct table_column columns[] = {{"case"},
+    static const struct table_column seconds[] = {{"case"},
                                                   {"create", "s", .key = "create"},
                                                   {"steps", "s", .key = "steps"},
                                                   {"looks", "s", .key = "looks"}};
-    enum status st;
+    static const char *const names[SWEEP_TABLES] = {"table", "seconds"};
+    enum status st = STATUS_OK;
 
-    *t = (struct sweep_table){.plan = plan};
-    TRY(open_file(folder, "table.csv", &t->table_file, why));
-    TRY(open_file(folder, "seconds.csv", &t->seconds_file, why));
-    t->table = create_table(plan);
-    t->seconds = table_create(sizeof columns / sizeof *columns, columns, NULL);
-    TRY(t->table && t->seconds ? STATUS_OK : STATUS_MEMORY);
+    *t = (struct sweep_table){
+        .plan = plan,
+        .table = {create_table(plan),
+                  table_create(sizeof seconds / sizeof *seconds, seconds, NULL)}};
+    for (int n = 0; n < SWEEP_TABLES; n++) {
+        char path[SWEEP_FOLDER_PATH + 16];
+        snprintf(path, sizeof path, "%s/%s.csv", folder->path, names[n]);
+        TRY(t->table[n] ? STATUS_OK : STATUS_MEMORY);
+        TRY(output_create(path, &t->file[n], why));
+    }
 out:
     if (st != STATUS_OK)
         sweep_table_discard(t);
     return st;
-}
-
-struct verdict sweep_table_verdict(const struct plan *plan, const struct sweep_row *row)
-{
-    return row->ran ? verdict_apply(&plan->verdicts, row->result.outcome, row->result.value)
-                    : (struct verdict){.kind = VERDICT_NONE};
-}
-
-const char *sweep_table_labels(const struct plan *plan, const struct sweep_row *row,
-                               struct verdict verdict, char *text, int size)
-{
-    if (row->ran)
-        return verdict_text(&plan->verdicts, verdict, text, size);
-    snprintf(text, (size_t)size, "no result");
-    return text;
 }
 
 static void count(struct sweep_table *t, const struct sweep_row *row,
@@ -96,53 +77,55 @@ static void count(struct sweep_table *t, const struct sweep_row *row,
 }
 
 void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
-                     const struct sweep_row *row, const struct verdict *verdict)
+                     const struct sweep_row *row, char *labels, int size)
 {
     static const char *const words[] = {[VERDICT_FEASIBLE] = "feasible",
                                         [VERDICT_INFEASIBLE] = "infeasible",
                                         [VERDICT_NONE] = "none"};
-    char labels[1024];
+    const struct verdict_rules *rules = &t->plan->verdicts;
+    const struct run_result *r = &row->result;
+    struct verdict verdict = {.kind = VERDICT_NONE};
+    struct table *table = t->table[0], *seconds = t->table[1];
 
-    count(t, row, verdict);
-    table_row(t->table);
-    table_integer(t->table, c->number + 1);
-    table_text(t->table, "%s", c->name ? c->name : "");
+    snprintf(labels, (size_t)size, "no result");
+    if (row->ran) {
+        verdict = verdict_apply(rules, r->outcome, r->value);
+        verdict_text(rules, verdict, labels, size);
+    }
+    count(t, row, &verdict);
+    table_row(table);
+    table_integer(table, c->number + 1);
+    table_text(table, "%s", c->name ? c->name : "");
     for (int k = 0; k < t->plan->key_count; k++)
-        table_text(t->table, "%s", c->given[k] ? c->given[k]->value : "");
+        table_text(table, "%s", c->given[k] ? c->given[k]->value : "");
     for (int n = 0; n < MEASURES; n++)
-        table_number(t->table, row->ran ? row->result.value[n] : NAN, 6);
-    table_text(t->table, "%s", words[verdict->kind]);
-    table_text(t->table, "%s",
-               sweep_table_labels(t->plan, row, *verdict, labels, sizeof labels));
-    table_text(t->table, "%s", row->ran ? row->result.sentence.text : row->why.text);
-    table_flush(t->table, output_stream(t->table_file));
+        table_number(table, row->ran ? r->value[n] : NAN, 6);
+    table_text(table, "%s", words[verdict.kind]);
+    table_text(table, "%s", labels);
+    table_text(table, "%s", row->ran ? r->sentence.text : row->why.text);
+    table_flush(table, output_stream(t->file[0]));
     if (!row->ran)
         return;
-    table_row(t->seconds);
-    table_integer(t->seconds, c->number + 1);
-    table_number(t->seconds, row->result.create_seconds, 6);
-    table_number(t->seconds, row->result.step_seconds, 6);
-    table_number(t->seconds, row->result.look_seconds, 6);
-    table_flush(t->seconds, output_stream(t->seconds_file));
-}
-
-static enum status close_file(struct table *t, struct output **file, struct message *why)
-{
-    struct output *whole = *file;
-    /* where there were no rows: the names */
-    const enum status filled = table_flush(t, output_stream(whole));
-
-    *file = NULL;
-    const enum status st = output_close(whole, why);
-    return st ? st : filled;
+    table_row(seconds);
+    table_integer(seconds, c->number + 1);
+    table_number(seconds, r->create_seconds, 6);
+    table_number(seconds, r->step_seconds, 6);
+    table_number(seconds, r->look_seconds, 6);
+    table_flush(seconds, output_stream(t->file[1]));
 }
 
 enum status sweep_table_close(struct sweep_table *t, struct message *why)
 {
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(close_file(t->table, &t->table_file, why));
-    st = close_file(t->seconds, &t->seconds_file, why);
+    for (int n = 0; n < SWEEP_TABLES; n++) {
+        struct output *whole = t->file[n];
+        /* where there were no rows: the names */
+        const enum status filled = table_flush(t->table[n], output_stream(whole));
+        t->file[n] = NULL;
+        TRY(output_close(whole, why));
+        TRY(filled);
+    }
 out:
     sweep_table_discard(t);
     return st;
@@ -150,10 +133,9 @@ out:
 
 void sweep_table_discard(struct sweep_table *t)
 {
-    output_discard(t->table_file);
-    output_discard(t->seconds_file);
-    table_destroy(t->table);
-    table_destroy(t->seconds);
-    t->table = t->seconds = NULL;
-    t->table_file = t->seconds_file = NULL;
+    for (int n = 0; n < SWEEP_TABLES; n++) {
+        output_discard(t->file[n]);
+        table_destroy(t->table[n]);
+        t->file[n] = NULL, t->table[n] = NULL;
+    }
 }

@@ -10,10 +10,12 @@
 #include "bench/experiment/plan_case.h"
 #include "bench/sweep/sweep_folder.h"
 
+enum { SWEEP_TABLES = 2 }; /* table.csv, seconds.csv */
+
 struct sweep_table {
     const struct plan *plan; /* borrowed                                               */
-    struct table *table, *seconds;
-    struct output *table_file, *seconds_file;
+    struct table *table[SWEEP_TABLES];
+    struct output *file[SWEEP_TABLES];
 
     /* counted row by row */
     long died, unsupported, failed, feasible;
@@ -23,16 +25,11 @@ struct sweep_table {
 /* Begins both files in the folder. STATUS_FILE. */
 enum status sweep_table_open(struct sweep_table *t, const struct plan *plan,
                              const struct sweep_folder *folder, struct message *why);
+
+/* A case. Its labels, "feasible", "unsupported", "no result", also go into labels[size]. */
 void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
-                     const struct sweep_row *row, const struct verdict *verdict);
+                     const struct sweep_row *row, char *labels, int size);
 enum status sweep_table_close(struct sweep_table *t, struct message *why);
 void sweep_table_discard(struct sweep_table *t); /* all-zero is allowed */
-
-/* The verdict of a row; one without result has none. */
-struct verdict sweep_table_verdict(const struct plan *plan, const struct sweep_row *row);
-
-/* Its labels, "feasible", "unsupported", "no result"; into text[size], returns text. */
-const char *sweep_table_labels(const struct plan *plan, const struct sweep_row *row,
-                               struct verdict verdict, char *text, int size);
 
 #endif

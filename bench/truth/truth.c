@@ -7,107 +7,86 @@
 
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_physics.h"
-#include "fem_ref/kirchhoff_field.h"
-#include "models/grid.h"
+#include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
-void truth_destroy(struct truth *t)
-{
-    if (!t)
-        return;
-    for (int n = 0; t->xyz && n < t->times; n++)
-        free(t->xyz[n]);
-    free(t->xyz);
-    free(t->time);
-    free(t->error);
-    free(t);
-}
-
+/* One block holds all of it. */
 static struct truth *make(int times, const double *time)
 {
-    struct truth *t = calloc(1, sizeof *t);
+    const size_t count = (size_t)times, field = 3 * GRID_POINTS;
+    struct truth *t =
+        calloc(1, sizeof *t + count * (sizeof *t->xyz + (2 + field) * sizeof(double)));
 
     if (!t)
         return NULL;
     t->times = times;
-    t->time = malloc((size_t)times * sizeof *t->time);
-    t->error = malloc((size_t)times * sizeof *t->error);
-    t->xyz = calloc((size_t)times, sizeof *t->xyz);
-    if (!t->time || !t->error || !t->xyz) {
-        truth_destroy(t);
-        return NULL;
-    }
-    memcpy(t->time, time, (size_t)times * sizeof *time);
+    t->xyz = (double **)(t + 1);
+    t->time = (double *)(t->xyz + count);
+    t->error = t->time + count;
+    for (size_t n = 0; n < count; n++)
+        t->xyz[n] = t->error + count + n * field;
+    memcpy(t->time, time, count * sizeof *time);
     return t;
+}
+
+void truth_destroy(struct truth *t)
+{
+    free(t);
 }
 
 static enum status from_kirchhoff(const struct scene *scene, struct truth *t,
                                   struct message *why)
 {
-    enum status st;
-    struct kirchhoff_plate plate;
-    struct kirchhoff *k = NULL;
-    double gamma = scene_gamma(scene), *rest = metric_rest_field(scene);
+    const double gamma = scene_gamma(scene);
     /* What linear theory leaves out (TRUTH_GAMMA), and what Kirchhoff's does. */
-    double relative = KIRCHHOFF_TRANSIENT_ERROR + 0.0125 * gamma * gamma +
-                      2 * pow(scene->thickness / scene->length, 2);
+    const double relative = KIRCHHOFF_TRANSIENT_ERROR + 0.0125 * gamma * gamma +
+                            2 * pow(scene->thickness / scene->length, 2);
+    double *rest = metric_rest_field(scene);
+    enum status st = rest ? STATUS_OK : STATUS_MEMORY;
 
-    TRY(rest ? STATUS_OK : STATUS_MEMORY);
-    TRY(kirchhoff_field_plate(scene, &plate, why));
-    TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
-    for (int n = 0; n < t->times; n++) {
-        t->xyz[n] = malloc(3 * GRID_POINTS * sizeof(double));
-        if (!t->xyz[n])
-            TRY(STATUS_MEMORY);
-        TRY(kirchhoff_field_sample(k, scene, t->time[n], t->xyz[n], why));
+    TRY(st);
+    TRY(truth_plate_fields(scene, t->times, t->time, t->xyz, why));
+    for (int n = 0; n < t->times; n++)
         t->error[n] = relative * metric_rmse(t->xyz[n], rest);
-    }
     snprintf(t->source, sizeof t->source,
              "Kirchhoff plate, modal solution exact in time; Gamma = %.3g leaves linear "
              "theory",
              gamma);
 out:
-    kirchhoff_destroy(k);
     free(rest);
     return st;
 }
 
 /* Nets and steps of the shell: the truth, and the coarser one that gives its error bar. */
-struct level {
+static const struct {
     int side, divisor;
-};
-static const struct level fine[2] = {{36, 8}, {16, 4}}, coarse[2] = {{24, 4}, {12, 2}};
-
-static struct truth_level shell_level(struct level l, double step)
-{
-    return (struct truth_level){
-        .model = TRUTH_SHELL, .degree = 3, .side = l.side, .step = step / l.divisor};
-}
+} shells[2][2] = {{{36, 8}, {24, 4}}, {{16, 4}, {12, 2}}};
 
 static enum status from_shell(const struct truth_runs *runs, double step, bool quick,
                               bool read_only, struct truth *t, struct message *why)
 {
-    enum status st;
-    struct run_result best = {0}, check = {0};
-    struct truth_level first = shell_level(coarse[quick], step),
-                       second = shell_level(fine[quick], step);
+    struct run_result run[2] = {{0}, {0}};
+    struct truth_level level[2];
+    enum status st = STATUS_OK;
 
-    TRY(truth_level_find(runs, &first, read_only, &check, why));
-    TRY(truth_level_find(runs, &second, read_only, &best, why));
+    for (int n = 1; n >= 0; n--) {
+        level[n] = (struct truth_level){TRUTH_SHELL, 3, shells[quick][n].side,
+                                        step / shells[quick][n].divisor, false};
+        TRY(truth_level_find(runs, &level[n], read_only, &run[n], why));
+    }
     for (int n = 0; n < t->times; n++) {
-        t->xyz[n] = best.xyz[n];
-        best.xyz[n] = NULL;
-        t->error[n] = metric_rmse(t->xyz[n], check.xyz[n]);
+        memcpy(t->xyz[n], run[0].xyz[n], 3 * GRID_POINTS * sizeof(double));
+        t->error[n] = metric_rmse(t->xyz[n], run[1].xyz[n]);
     }
     snprintf(t->source, sizeof t->source,
              "nonlinear Kirchhoff-Love shell, p = 3, %dx%d, step %.4g ms; error bar: its "
              "difference from %dx%d, %.4g ms",
-             fine[quick].side, fine[quick].side, 1e3 * step / fine[quick].divisor,
-             coarse[quick].side, coarse[quick].side, 1e3 * step / coarse[quick].divisor);
+             level[0].side, level[0].side, 1e3 * level[0].step, level[1].side,
+             level[1].side, 1e3 * level[1].step);
 out:
-    run_result_clear(&best);
-    run_result_clear(&check);
+    run_result_clear(&run[0]);
+    run_result_clear(&run[1]);
     return st;
 }
 
@@ -131,10 +110,10 @@ static int stored_index(const struct truth_made *made, double time)
     return -1;
 }
 
-/* Moves what is stored for the times of t into it. *found is false if a time is missing.
+/* Copies what is stored for the times of t. *found is false if a time is missing.
  * STATUS_UNSUPPORTED: one is past the horizon. */
-static enum status take(const struct scene *scene, struct truth_made *made, struct truth *t,
-                        bool *found, struct message *why)
+static enum status take(const struct scene *scene, const struct truth_made *made,
+                        struct truth *t, bool *found, struct message *why)
 {
     double horizon = made->claimed ? made->time[made->claimed - 1] : 0;
     bool ends = made->claimed < made->times;
@@ -146,13 +125,10 @@ static enum status take(const struct scene *scene, struct truth_made *made, stru
                                "no truth is claimed for %s at %.3g s: its motion is known "
                                "to %.3g s (clothbench truth %s --stored)",
                                scene->name, t->time[n], horizon, scene->name);
-        if (stored_index(made, t->time[n]) < 0)
+        const int k = stored_index(made, t->time[n]);
+        if (k < 0)
             return STATUS_OK;
-    }
-    for (int n = 0; n < t->times; n++) {
-        int k = stored_index(made, t->time[n]);
-        t->xyz[n] = made->xyz[k];
-        made->xyz[k] = NULL;
+        memcpy(t->xyz[n], made->xyz[k], 3 * GRID_POINTS * sizeof(double));
         t->error[n] = made->value[k][TRUTH_ERROR];
     }
     snprintf(t->source, sizeof t->source, "stored: %s", made->note);
@@ -168,7 +144,7 @@ static enum status read_stored(const struct scene *scene, struct truth_made *mad
     enum status st;
 
     memset(made, 0, sizeof *made);
-    if (!truth_file_exists(scene->name, &path))
+    if (named_file_find(&truth_file_kind, scene->name, &path, NULL) != STATUS_OK)
         return STATUS_OK;
     TRY(truth_file_read(path, made, &physics, why));
     TRY(truth_physics(scene, &wanted));

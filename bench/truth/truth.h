@@ -15,11 +15,11 @@
 /* A cantilever's tip is off by 0.0125 Gamma^2 in linear theory (heavy elastica): 1e-4. */
 #define TRUTH_GAMMA 0.09
 
-struct truth {
+struct truth { /* with its arrays                                                      */
     int times;
-    double *time;     /* [times] [s]                                        owned   */
-    double **xyz;     /* [times] fields (grid.h) [m]                        owned   */
-    double *error;    /* [times] rms error bar [m]                          owned   */
+    double *time;     /* [times] [s]                                                */
+    double **xyz;     /* [times] fields (grid.h) [m]                                */
+    double *error;    /* [times] rms error bar [m]                                  */
     char source[512]; /* a sentence                                                 */
 };
 

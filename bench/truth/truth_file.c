@@ -13,6 +13,14 @@
 #include "bench/truth/truth_physics.h"
 #include "models/grid.h"
 
+static const struct {
+    const char *name, *unit;
+} columns[] = {
+#define TRUTH_COLUMN_ROW(code, name, unit) {name, unit},
+    TRUTH_COLUMN_LIST(TRUTH_COLUMN_ROW)
+#undef TRUTH_COLUMN_ROW
+};
+
 /* FNV-1a, 64 bits (Fowler, Noll, Vo 1991). */
 static uint64_t add(uint64_t sum, const void *bytes, size_t size)
 {
@@ -50,8 +58,8 @@ static enum status put_columns(struct store *store, const struct truth_made *mad
     for (int c = 0; c < TRUTH_COLUMNS && st == STATUS_OK; c++) {
         for (int n = 0; n < made->times; n++)
             column[n] = made->value[n][c];
-        st = store_metric(store, truth_column_name(c), truth_column_unit(c), column,
-                          made->times, why);
+        st =
+            store_metric(store, columns[c].name, columns[c].unit, column, made->times, why);
     }
     free(column);
     return st;
@@ -116,13 +124,13 @@ static enum status read_columns(const struct store_read *file, struct truth_made
 {
     enum status st = STATUS_OK;
     double *column = NULL;
-    int rows, columns;
+    int rows, width;
 
     for (int c = 0; c < TRUTH_COLUMNS; c++) {
         char name[64];
-        snprintf(name, sizeof name, "metrics/%s", truth_column_name(c));
-        TRY(store_read_array(file, name, &column, &rows, &columns, NULL));
-        if (rows != made->times || columns != 1)
+        snprintf(name, sizeof name, "metrics/%s", columns[c].name);
+        TRY(store_read_array(file, name, &column, &rows, &width, NULL));
+        if (rows != made->times || width != 1)
             TRY(STATUS_INPUT);
         for (int n = 0; n < rows; n++)
             made->value[n][c] = column[n];
@@ -136,29 +144,23 @@ out:
 static enum status read_made(const struct store_read *file, struct truth_made *made)
 {
     enum status st;
+    double *time = NULL;
     char *note = NULL, *horizon = NULL;
-    int columns;
+    int times, width, claimed = store_read_frames(file);
 
-    TRY(store_read_array(file, "time", &made->time, &made->times, &columns, NULL));
-    made->claimed = store_read_frames(file);
-    made->xyz = calloc((size_t)made->times + 1, sizeof *made->xyz);
-    made->value = calloc((size_t)made->times + 1, sizeof *made->value);
-    if (!made->xyz || !made->value)
-        TRY(STATUS_MEMORY);
-    if (made->claimed > made->times)
+    TRY(store_read_array(file, "time", &time, &times, &width, NULL));
+    if (claimed > times)
         TRY(STATUS_INPUT);
+    TRY(truth_made_init(made, times, claimed, time));
     TRY(read_columns(file, made));
-    for (int n = 0; n < made->claimed; n++) {
-        made->xyz[n] = malloc(3 * GRID_POINTS * sizeof(double));
-        if (!made->xyz[n])
-            TRY(STATUS_MEMORY);
+    for (int n = 0; n < claimed; n++)
         TRY(store_read_frame(file, n, made->xyz[n], NULL));
-    }
     TRY(store_read_text(file, "/", "note", &note, NULL));
     TRY(store_read_text(file, "/", "horizon", &horizon, NULL));
     snprintf(made->note, sizeof made->note, "%s", note);
     snprintf(made->horizon, sizeof made->horizon, "%s", horizon);
 out:
+    free(time);
     free(note);
     free(horizon);
     return st;
@@ -219,8 +221,3 @@ const struct named_file_kind truth_file_kind = {
     .in_source = TRUTHS_IN_SOURCE,
     .describe = describe,
 };
-
-bool truth_file_exists(const char *scene, char **path)
-{
-    return named_file_find(&truth_file_kind, scene, path, NULL) == STATUS_OK;
-}

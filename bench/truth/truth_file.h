@@ -29,8 +29,4 @@ enum status truth_file_write(const char *path, const struct truth_runs *runs,
 enum status truth_file_read(const char *path, struct truth_made *made, char **physics,
                             struct message *why);
 
-/* Of a scene by its name: true, and the file's path (freed by the receiver), if there is
- * one. */
-bool truth_file_exists(const char *scene, char **path);
-
 #endif

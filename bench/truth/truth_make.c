@@ -5,25 +5,47 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/truth/truth_order.h"
+#include "bench/ui/progress.h"
+#include "models/grid.h"
 #include "models/metric/metric.h"
 
-static const struct {
-    const char *name, *unit;
-} columns[] = {
-#define TRUTH_COLUMN_ROW(code, name, unit) {name, unit},
-    TRUTH_COLUMN_LIST(TRUTH_COLUMN_ROW)
-#undef TRUTH_COLUMN_ROW
-};
+static const double SAFETY = 1.25, UNSAFE = 3, LEAST = 0.5;
 
-const char *truth_column_name(int column)
+/* first / second, if errors were c h^p. */
+static double ratio(const double h[3], double p)
 {
-    return columns[column].name;
+    return (pow(h[0], p) - pow(h[1], p)) / (pow(h[1], p) - pow(h[2], p));
 }
 
-const char *truth_column_unit(int column)
+/* The ratio grows with p: halving. */
+static double solve(const double h[3], double wanted)
 {
-    return columns[column].unit;
+    double low = 1e-3, high = 20;
+
+    if (!(wanted > ratio(h, low)))
+        return NAN;
+    for (int n = 0; n < 60; n++) {
+        double middle = (low + high) / 2;
+        if (ratio(h, middle) < wanted)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+struct truth_order truth_order(const double h[3], double first, double second,
+                               double promised)
+{
+    struct truth_order o = {.order = NAN};
+
+    if (!(second > 0))
+        return o;
+    o.order = solve(h, first / second);
+    double p = o.order >= LEAST ? fmin(o.order, promised) : LEAST;
+    double left = pow(h[2], p) / (pow(h[1], p) - pow(h[2], p));
+    o.bar = (o.order >= LEAST ? SAFETY : UNSAFE) * second * left;
+    return o;
 }
 
 /* Of one model: coarse, middle, fine net; the middle one with twice and four times the
@@ -129,19 +151,17 @@ static int better(struct truth_made *made, double length)
     return last[TRUTH_SOLID_BAR] <= last[TRUTH_SHELL_BAR] ? TRUTH_SOLID : TRUTH_SHELL;
 }
 
-static void choose(struct family family[TRUTH_MODELS], double length,
+static void choose(const struct family family[TRUTH_MODELS], double length,
                    struct truth_made *made)
 {
     int best = better(made, length);
-    struct family *f = &family[best], *other = &family[!best];
+    const struct family *f = &family[best], *other = &family[!best];
     const struct truth_level *l = &f->level[FINE], *o = &other->level[FINE];
 
     made->claimed = bars_of(best, made, length);
     made->level = *l;
-    for (int n = 0; n < made->times; n++) {
-        made->xyz[n] = f->run[FINE].xyz[n];
-        f->run[FINE].xyz[n] = NULL;
-    }
+    for (int n = 0; n < made->times; n++)
+        memcpy(made->xyz[n], f->run[FINE].xyz[n], 3 * GRID_POINTS * sizeof(double));
     snprintf(made->note, sizeof made->note,
              "nonlinear %s, p = %d, %dx%d, step %.4g ms; error bar: its own by observed "
              "orders or, if larger, its difference from the %s, p = %d, %dx%d, %.4g ms",
@@ -151,50 +171,116 @@ static void choose(struct family family[TRUTH_MODELS], double length,
              o->side, o->side, 1e3 * o->step);
 }
 
-static enum status allocate(const struct truth_runs *runs, struct truth_made *made)
+enum status truth_made_init(struct truth_made *made, int times, int claimed,
+                            const double *time)
 {
-    size_t times = (size_t)runs->times;
+    const size_t count = (size_t)times, field = 3 * GRID_POINTS;
+    const size_t numbers = count * (1 + TRUTH_COLUMNS) + (size_t)claimed * field;
 
-    memset(made, 0, sizeof *made);
-    made->times = runs->times;
-    made->time = malloc(times * sizeof *made->time);
-    made->value = malloc(times * sizeof *made->value);
-    made->xyz = calloc(times, sizeof *made->xyz);
-    if (!made->time || !made->value || !made->xyz)
+    *made = (struct truth_made){.times = times, .claimed = claimed};
+    made->xyz = calloc(1, count * sizeof *made->xyz + (numbers + 1) * sizeof(double));
+    if (!made->xyz)
         return STATUS_MEMORY;
-    memcpy(made->time, runs->time, times * sizeof *made->time);
+    made->time = (double *)(made->xyz + count);
+    made->value = (double(*)[TRUTH_COLUMNS])(made->time + count);
+    for (int n = 0; n < claimed; n++)
+        made->xyz[n] = made->value[count] + (size_t)n * field;
+    memcpy(made->time, time, count * sizeof *time);
     return STATUS_OK;
 }
 
+void truth_made_clear(struct truth_made *made)
+{
+    free(made->xyz);
+    *made = (struct truth_made){0};
+}
+
 static enum status find_all(struct family family[TRUTH_MODELS],
-                            const struct truth_runs *runs,
-                            void (*progress)(void *, int, int), void *context,
+                            const struct truth_runs *runs, bool quiet,
                             struct run_result *pushed, struct message *why)
 {
     enum { TOTAL = TRUTH_MODELS * RUNS + 1 };
+    struct progress bar = progress_start("truth", TOTAL, quiet);
     struct truth_level push = family[TRUTH_SOLID].level[TWICE];
     enum status st = STATUS_OK;
-    int done = 0;
 
-    for (int m = 0; m < TRUTH_MODELS; m++)
-        for (int n = 0; n < RUNS; n++) {
-            if (progress)
-                progress(context, done, TOTAL);
-            TRY(truth_level_find(runs, &family[m].level[n], false, &family[m].run[n], why));
-            done++;
-        }
+    for (int n = 0; n < TOTAL - 1; n++) {
+        struct family *f = &family[n / RUNS];
+        progress_update(&bar, n);
+        TRY(truth_level_find(runs, &f->level[n % RUNS], false, &f->run[n % RUNS], why));
+    }
     push.perturbed = true;
     TRY(truth_level_find(runs, &push, false, pushed, why));
-    if (progress)
-        progress(context, TOTAL, TOTAL);
 out:
+    progress_end(&bar);
+    return st;
+}
+
+static void tell(const struct truth_runs *runs, const struct truth_level *level,
+                 const struct run_result run[2], double length, char *text)
+{
+    double most = 0;
+    int n = 0;
+
+    for (; n < runs->times && most <= TRUTH_MOST_GROWTH; n++)
+        most = fmax(most, metric_rmse(run[0].xyz[n], run[1].xyz[n]) /
+                              (TRUTH_PERTURBATION * length));
+    const bool lost = most > TRUTH_MOST_GROWTH;
+    snprintf(text, TRUTH_WATCH_TEXT,
+             "a change of gravity by %g %s %.2g-fold %s %.3g s: %s predicted (solid, "
+             "%dx%d, step %.3g ms)",
+             TRUTH_PERTURBATION, lost ? "has grown" : "grows at most", most,
+             lost ? "at" : "up to", runs->time[n - 1],
+             lost ? "from there on the motion cannot be" : "so long the motion can be",
+             level->side, level->side, 1e3 * level->step);
+}
+
+/* The coarse solid of the plan (with obstacles, the middle one), with twice its step, every
+ * tenth of a second up to the scene's end or the plan's; a sentence on the growth into
+ * text. A death is one, too. */
+static enum status watch(const struct truth_plan *plan, const struct truth_runs *runs,
+                         const struct scene *scene, char text[TRUTH_WATCH_TEXT],
+                         struct message *why)
+{
+    const struct truth_ladder *ladder = &plan->ladder[TRUTH_SOLID];
+    /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
+    int net = scene->obstacle_count ? 1 : 0;
+    struct truth_level level = {TRUTH_SOLID, ladder->degree, ladder->side[net],
+                                2 * ladder->step, false};
+    struct truth_runs far = *runs;
+    struct run_result run[2] = {{0}};
+    struct message death = {""};
+    enum status st = STATUS_OK;
+
+    far.times = (int)floor(10 * fmin(scene->end, plan->watch) + 1e-9);
+    double *time = malloc(((size_t)far.times + 1) * sizeof *time);
+    if (!time)
+        return STATUS_MEMORY;
+    for (int n = 0; n < far.times; n++)
+        time[n] = (n + 1) / 10.0;
+    far.time = time;
+    snprintf(text, TRUTH_WATCH_TEXT, "the scene is too short to watch a change grow");
+    for (int n = 0; n < 2 && far.times > 0 && st == STATUS_OK; n++) {
+        level.perturbed = n;
+        st = truth_level_find(&far, &level, false, &run[n], &death);
+    }
+    if (st == STATUS_OK && far.times > 0)
+        tell(&far, &level, run, scene->length, text);
+    else if (st == STATUS_DIVERGED) {
+        snprintf(text, TRUTH_WATCH_TEXT, "the growth of a change was not watched: %.200s",
+                 death.text);
+        st = STATUS_OK;
+    } else if (st != STATUS_OK && why)
+        *why = death;
+    run_result_clear(&run[0]);
+    run_result_clear(&run[1]);
+    free(time);
     return st;
 }
 
 enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
-                       const struct scene *scene,
-                       void (*progress)(void *context, int done, int total), void *context,
-                       struct truth_made *made, struct message *why)
+                       const struct scene *scene, bool quiet, struct truth_made *made,
+                       struct message *why)
 {
     struct family family[TRUTH_MODELS] = {0};
     struct run_result pushed = {0};
@@ -202,12 +288,12 @@ enum status truth_make(const struct truth_plan *plan, const struct truth_runs *r
 
     for (int m = 0; m < TRUTH_MODELS; m++)
         plan_family(&plan->ladder[m], (enum truth_model)m, &family[m]);
-    TRY(allocate(runs, made));
-    TRY(find_all(family, runs, progress, context, &pushed, why));
+    TRY(truth_made_init(made, runs->times, runs->times, runs->time));
+    TRY(find_all(family, runs, quiet, &pushed, why));
     for (int n = 0; n < runs->times; n++)
         compare(family, &pushed, scene->length, n, made->value[n]);
     choose(family, scene->length, made);
-    TRY(truth_watch(plan, runs, scene, made->horizon, why));
+    TRY(watch(plan, runs, scene, made->horizon, why));
 out:
     for (int m = 0; m < TRUTH_MODELS; m++)
         for (int n = 0; n < RUNS; n++)
@@ -216,14 +302,4 @@ out:
     if (st != STATUS_OK)
         truth_made_clear(made);
     return st;
-}
-
-void truth_made_clear(struct truth_made *made)
-{
-    for (int n = 0; made->xyz && n < made->times; n++)
-        free(made->xyz[n]);
-    free(made->xyz);
-    free(made->time);
-    free(made->value);
-    memset(made, 0, sizeof *made);
 }

@@ -10,7 +10,6 @@
 
 #include "bench/truth/truth_level.h"
 #include "bench/truth/truth_plan.h"
-#include "bench/truth/truth_watch.h"
 
 /* What is known at each time: name, unit. Orders are NaN where differences do not shrink.
  */
@@ -31,9 +30,12 @@ enum truth_column {
 #undef TRUTH_COLUMN_CODE
         TRUTH_COLUMNS
 };
-/* Static storage. */
-const char *truth_column_name(int column);
-const char *truth_column_unit(int column);
+
+enum { TRUTH_WATCH_TEXT = 256 };
+
+/* Where TRUTH_PERTURBATION has grown so many times (rms over the length), a net's own 1e-3
+ * has grown to the size of the sheet: nothing can be claimed. */
+#define TRUTH_MOST_GROWTH 1e3
 
 /* Nothing is claimed from the first time on at which this or TRUTH_MOST_GROWTH is passed: a
  * truth that leaves 5 % of the length open tells few models apart. */
@@ -41,21 +43,40 @@ const char *truth_column_unit(int column);
 
 struct truth_made {
     int times, claimed;             /* times before the horizon                          */
-    double *time;                   /* [times] [s]                                owned  */
-    double (*value)[TRUTH_COLUMNS]; /* [times]                                   owned  */
-    double **xyz;                   /* [times] (grid.h) [m]                       owned  */
+    double **xyz;                   /* [times] (grid.h) [m]; owns the other arrays, too  */
+    double *time;                   /* [times] [s]                                       */
+    double (*value)[TRUTH_COLUMNS]; /* [times]                                           */
     struct truth_level level;       /* whose field it is                                 */
     char note[400];                 /* a sentence: source and error bar                  */
-    char horizon[TRUTH_WATCH_TEXT]; /* another: of truth_watch.h                       */
+    char horizon[TRUTH_WATCH_TEXT]; /* until when it is predictable: gravity is
+ changed a little, and the change watched as long as the scene lasts */
 };
 
-/* Runs what is not in the folder yet. progress() may be NULL. STATUS_DIVERGED: a run died;
- * STATUS_UNSUPPORTED: a model cannot serve the scene. Free with truth_made_clear. */
+/* Runs what is not in the folder yet; `quiet`: no progress bar. STATUS_DIVERGED: a run
+ * died; STATUS_UNSUPPORTED: a model cannot serve the scene. Free with truth_made_clear. */
 enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
-                       const struct scene *scene,
-                       void (*progress)(void *context, int done, int total), void *context,
-                       struct truth_made *made, struct message *why);
-void truth_made_clear(struct truth_made *made);
+                       const struct scene *scene, bool quiet, struct truth_made *made,
+                       struct message *why);
+
+/* Arrays of zeros for these times, fields for the first `claimed` of them, else NULL. */
+enum status truth_made_init(struct truth_made *made, int times, int claimed,
+                            const double *time);
+void truth_made_clear(struct truth_made *made); /* all-zero is allowed, and left */
+
+/* The order at which three runs approach a limit, and how far the finest may still be from
+ * it (Roache, J. Fluids Eng. 116, 1994; Celik et al., same, 130, 2008). */
+struct truth_order {
+    double order; /* observed [1]; NaN: the differences do not shrink                  */
+    double bar;   /* of the finest run, in the unit of the differences                 */
+};
+
+/* From sizes h[0] > h[1] > h[2] > 0, the differences first = |x0 - x1| and second = |x1 -
+ * x2|, both >= 0, and the order that theory promises. The bar is the difference that the
+ * order leaves, times the usual factor of safety: 1.25. An order above the promised one is
+ * not believed; one below 0.5, or none, counts as 0.5 with a factor of 3. Two equal runs:
+ * 0. */
+struct truth_order truth_order(const double h[3], double first, double second,
+                               double promised);
 
 /* Times before one of the bounds is passed. */
 int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length);

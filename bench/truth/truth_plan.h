@@ -17,7 +17,7 @@ struct truth_ladder {
 struct truth_plan {
     const char *scene; /* name; NULL: of all others                                    */
     double until;      /* [s]                                                          */
-    double watch;      /* at most so long for the growth of a change (truth_watch.h) [s] */
+    double watch;      /* at most so long for the growth of a change [s] */
     struct truth_ladder ladder[TRUTH_MODELS];
 };
 

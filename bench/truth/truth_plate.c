@@ -5,50 +5,52 @@
 #include <string.h>
 
 #include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 
 void truth_plate_clear(struct truth_plate *t)
 {
-    for (int n = 0; n <= TRUTH_PLATE_TIMES; n++)
-        free(t->xyz[n]);
+    free(t->xyz[0]);
     free(t->rest);
     memset(t, 0, sizeof *t);
 }
 
-static enum status make_rest(const struct scene *scene, double **rest)
+enum status truth_plate_fields(const struct scene *scene, int times, const double *time,
+                               double *const *xyz, struct message *why)
 {
-    *rest = malloc(3 * GRID_POINTS * sizeof **rest);
-    for (int n = 0; *rest && n < GRID_POINTS; n++) {
-        double uvw[3];
-        grid_point(n, uvw);
-        scene_rest_point(scene, uvw, *rest + 3 * n);
-    }
-    return *rest ? STATUS_OK : STATUS_MEMORY;
+    struct kirchhoff_plate plate;
+    struct kirchhoff *k = NULL;
+    enum status st;
+
+    TRY(kirchhoff_field_plate(scene, &plate, why));
+    TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
+    for (int n = 0; n < times; n++)
+        TRY(kirchhoff_field_sample(k, scene, time[n], xyz[n], why));
+out:
+    kirchhoff_destroy(k);
+    return st;
 }
 
 enum status truth_plate_init(struct truth_plate *t, const struct scene *scene, int times,
                              const double *time, struct message *why)
 {
+    const size_t field = 3 * GRID_POINTS;
+    double at[TRUTH_PLATE_TIMES + 1];
     enum status st;
-    struct kirchhoff_plate plate;
-    struct kirchhoff *k = NULL;
-    struct truth_plate new = {.times = times,
+
+    *t = (struct truth_plate){.times = times,
+                              .rest = metric_rest_field(scene),
                               .thickness_ratio = scene->thickness / scene->length,
                               .gamma = scene_gamma(scene)};
-
-    TRY(kirchhoff_field_plate(scene, &plate, why));
-    TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
-    TRY(make_rest(scene, &new.rest));
+    t->xyz[0] = malloc(((size_t)times + 1) * field * sizeof(double));
+    TRY(t->rest && t->xyz[0] ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n <= times; n++) {
-        new.xyz[n] = malloc(3 * GRID_POINTS * sizeof *new.xyz[n]);
-        TRY(new.xyz[n] ? STATUS_OK : STATUS_MEMORY);
-        TRY(kirchhoff_field_sample(k, scene, n < times ? time[n] : INFINITY, new.xyz[n],
-                                   why));
+        t->xyz[n] = t->xyz[0] + (size_t)n * field;
+        at[n] = n < times ? time[n] : INFINITY;
     }
-    *t = new;
-    memset(&new, 0, sizeof new);
+    TRY(truth_plate_fields(scene, times + 1, at, t->xyz, why));
 out:
-    truth_plate_clear(&new);
-    kirchhoff_destroy(k);
+    if (st != STATUS_OK)
+        truth_plate_clear(t);
     return st;
 }
 

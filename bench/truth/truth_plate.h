@@ -11,11 +11,16 @@ enum { TRUTH_PLATE_TIMES = 8 };
 
 struct truth_plate {
     int times;
-    double *xyz[TRUTH_PLATE_TIMES + 1]; /* [times], then the static one  [m]    owned   */
+    double *xyz[TRUTH_PLATE_TIMES + 1]; /* [times], then the static one [m]; xyz[0] owned */
     double *rest;                       /* rest positions                [m]    owned   */
     double thickness_ratio;             /* h / L                                        */
     double gamma;
 };
+
+/* Fields xyz[times] of the scene (undamped, linear) at time[times]; INFINITY: in
+ * equilibrium. */
+enum status truth_plate_fields(const struct scene *scene, int times, const double *time,
+                               double *const *xyz, struct message *why);
 
 /* Computes it for the scene (undamped, linear) at time[times]. */
 enum status truth_plate_init(struct truth_plate *t, const struct scene *scene, int times,

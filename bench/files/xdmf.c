@@ -6,7 +6,7 @@
 #include "bench/files/output.h"
 #include "models/grid.h"
 
-char *xdmf_path(const char *result_path)
+static char *path_beside(const char *result_path)
 {
     static const char ending[] = ".xdmf";
     size_t length = strlen(result_path);
@@ -66,7 +66,7 @@ enum status xdmf_write(const char *result_path, const double *time, int frames,
 {
     enum status st = STATUS_OK;
     struct output *out = NULL;
-    char *path = xdmf_path(result_path), *name = xml_name(result_path);
+    char *path = path_beside(result_path), *name = xml_name(result_path);
 
     if (!path || !name)
         TRY(STATUS_MEMORY);

@@ -154,13 +154,12 @@ enum status command_integer(const struct command_line *line, const char *option,
     return STATUS_OK;
 }
 
-/* Lines of `text`, each after `indent` blanks; the first is continued where the cursor is.
- */
-static void print_lines(const char *text, int indent, FILE *file)
+/* Lines of `text`, each but the first after `indent` blanks, all after `before`. */
+static void print_lines(const char *text, int indent, const char *before, FILE *file)
 {
     for (const char *line = text; *line;) {
         int size = (int)strcspn(line, "\n");
-        fprintf(file, "%*s%.*s\n", line == text ? 0 : indent, "", size, line);
+        fprintf(file, "%*s%s%.*s\n", line == text ? 0 : indent, "", before, size, line);
         line += size + (line[size] == '\n');
     }
 }
@@ -182,14 +181,10 @@ void command_help(const struct command *command, FILE *file)
             width = 0;
         }
         fprintf(file, "%*s", HELP_COLUMN - width, "");
-        print_lines(o->help, HELP_COLUMN, file);
+        print_lines(o->help, HELP_COLUMN, "", file);
     }
     if (!command->examples)
         return;
     fputs("\nExamples:\n", file);
-    for (const char *line = command->examples; *line;) {
-        int size = (int)strcspn(line, "\n");
-        fprintf(file, "  clothbench %.*s\n", size, line);
-        line += size + (line[size] == '\n');
-    }
+    print_lines(command->examples, 0, "  clothbench ", file);
 }

@@ -78,7 +78,7 @@ void plot_text(struct output *out, const char *text)
     output_print(out, "'");
 }
 
-enum status plot_run(const char *folder, const char *script, struct message *why)
+static enum status run_script(const char *folder, const char *script, struct message *why)
 {
     int code;
     pid_t child = fork();
@@ -112,7 +112,7 @@ enum status plot_end(const char *folder, const char *name, struct output **out,
     output_print(whole, "unset multiplot\nunset output\n");
     TRY(output_close(whole, why));
     snprintf(script, sizeof script, "%s.gp", name);
-    TRY(plot_run(folder, script, why));
+    TRY(run_script(folder, script, why));
 out:
     return st;
 }

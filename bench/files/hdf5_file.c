@@ -1,5 +1,6 @@
 #include "bench/files/hdf5_file.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -42,28 +43,21 @@ enum status hdf5_file_fail(const char *path, const char *doing, struct message *
     return STATUS_FILE;
 }
 
-static herr_t put_attribute(hid_t object, const char *key, hid_t type, const void *value)
+/* Attributes end at 64 kB: what is longer becomes a dataset. */
+static herr_t put_scalar(hid_t object, const char *key, hid_t type, size_t size,
+                         const void *value)
 {
+    enum { ATTRIBUTE_MOST = 60000 };
+    const bool set = size > ATTRIBUTE_MOST;
     hid_t space = H5Screate(H5S_SCALAR);
-    hid_t attribute = H5Acreate2(object, key, type, space, H5P_DEFAULT, H5P_DEFAULT);
-    herr_t result = attribute < 0 ? -1 : H5Awrite(attribute, type, value);
+    hid_t made =
+        set ? H5Dcreate2(object, key, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)
+            : H5Acreate2(object, key, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    herr_t result = made < 0 ? -1
+                    : set    ? H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value)
+                             : H5Awrite(made, type, value);
 
-    if (attribute >= 0 && H5Aclose(attribute) < 0)
-        result = -1;
-    H5Sclose(space);
-    return result;
-}
-
-/* Attributes end at 64 kB. */
-enum { ATTRIBUTE_MOST = 60000 };
-
-static herr_t put_long_text(hid_t object, const char *key, hid_t type, const char *text)
-{
-    hid_t space = H5Screate(H5S_SCALAR);
-    hid_t set = H5Dcreate2(object, key, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    herr_t result = set < 0 ? -1 : H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
-
-    if (set >= 0 && H5Dclose(set) < 0)
+    if (made >= 0 && (set ? H5Dclose(made) : H5Aclose(made)) < 0)
         result = -1;
     H5Sclose(space);
     return result;
@@ -78,20 +72,19 @@ herr_t hdf5_file_put_text(hid_t object, const char *key, const char *text)
     H5Tset_size(type, length ? length : 1);
     H5Tset_strpad(type, H5T_STR_NULLPAD);
     H5Tset_cset(type, H5T_CSET_UTF8);
-    herr_t result = length > ATTRIBUTE_MOST ? put_long_text(object, key, type, text)
-                                            : put_attribute(object, key, type, text);
+    herr_t result = put_scalar(object, key, type, length, text);
     H5Tclose(type);
     return result;
 }
 
 herr_t hdf5_file_put_long(hid_t object, const char *key, long value)
 {
-    return put_attribute(object, key, H5T_NATIVE_LONG, &value);
+    return put_scalar(object, key, H5T_NATIVE_LONG, sizeof value, &value);
 }
 
 herr_t hdf5_file_put_double(hid_t object, const char *key, double value)
 {
-    return put_attribute(object, key, H5T_NATIVE_DOUBLE, &value);
+    return put_scalar(object, key, H5T_NATIVE_DOUBLE, sizeof value, &value);
 }
 
 herr_t hdf5_file_put_array(hid_t file, const char *name, const double *values, int rows,

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/mman.h>
 
-#include "bench/files/atomic_file.h"
+#include "bench/files/output.h"
 #include "models/linalg/cholmod_status.h"
 
 /* CHOLMOD copies comments from a file: this one has no place on disk. Puts the % and the
@@ -61,28 +61,23 @@ enum status matrix_market_write(const char *path, const struct matrix *m,
                                 const char *comment, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct atomic_file aside = {0};
+    struct output *out = NULL, *whole;
+    FILE *comments = comment_file(comment);
     char name[64];
-    FILE *file = NULL, *comments = NULL;
 
-    TRY(atomic_file_open(path, &aside, why));
-    errno = 0;
-    file = fopen(aside.temporary, "w");
-    comments = comment_file(comment);
-    st = file && comments ? STATUS_OK : STATUS_FILE;
-    if (st == STATUS_OK) {
-        snprintf(name, sizeof name, "/proc/self/fd/%d", fileno(comments));
-        st = print_matrix(file, m, name);
-    }
-    if (file && fclose(file) != 0)
-        st = STATUS_FILE;
-    if (st == STATUS_FILE)
-        status_fail(why, st, "%s: cannot be written: %s", path, strerror(errno));
-    TRY(st);
-    TRY(atomic_file_commit(&aside, why));
+    if (!comments)
+        TRY(status_fail(why, STATUS_FILE, "%s: cannot be written: %s", path,
+                        strerror(errno)));
+    snprintf(name, sizeof name, "/proc/self/fd/%d", fileno(comments));
+    TRY(output_create(path, &out, why));
+    st = print_matrix(output_stream(out), m, name);
+    if (st != STATUS_FILE) /* why it is that, the end of the file tells */
+        TRY(st);
+    whole = out, out = NULL;
+    TRY(output_close(whole, why));
 out:
     if (comments)
         fclose(comments);
-    atomic_file_discard(&aside);
+    output_discard(out);
     return st;
 }

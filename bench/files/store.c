@@ -18,11 +18,20 @@
 
 #define FORMAT "clothbench run 2"
 
-/* One number a frame; the order of frame_values. */
+/* One number a frame, the order of store_frame's values; the first of those with a field.
+ */
 static const char *const series_name[] = {
-    "energy/kinetic",  "energy/elastic",      "energy/potential",
-    "counters/steps",  "counters/assemblies", "counters/factorisations",
-    "counters/solves", "counters/iterations", "counters/substeps",
+    "xyz_time",
+    "time",
+    "energy/kinetic",
+    "energy/elastic",
+    "energy/potential",
+    "counters/steps",
+    "counters/assemblies",
+    "counters/factorisations",
+    "counters/solves",
+    "counters/iterations",
+    "counters/substeps",
 };
 enum { SERIES = sizeof series_name / sizeof *series_name };
 
@@ -30,9 +39,7 @@ struct store {
     struct atomic_file target;
     hid_t file, xyz;
     int frames, fields, room;
-    double *time;           /* [room]         owned; written at the end                  */
-    double *field_time;     /* [room]         owned; of the frames that have a field     */
-    double *series[SERIES]; /* [room] each    owned                                      */
+    double *series[SERIES]; /* [room] each    owned; written at the end                  */
     bool single, packed;
     enum status outcome;
     double death_time;
@@ -151,12 +158,11 @@ static enum status make_room(struct store *s)
     if (s->frames < s->room)
         return STATUS_OK;
     int room = s->room ? 2 * s->room : 64;
-    for (int i = -2; i < SERIES; i++) {
-        double **array = i == -2 ? &s->field_time : i == -1 ? &s->time : &s->series[i];
-        double *grown = realloc(*array, (size_t)room * sizeof *grown);
+    for (int i = 0; i < SERIES; i++) {
+        double *grown = realloc(s->series[i], (size_t)room * sizeof *grown);
         if (!grown)
             return STATUS_MEMORY;
-        *array = grown;
+        s->series[i] = grown;
     }
     s->room = room;
     return STATUS_OK;
@@ -187,6 +193,8 @@ enum status store_frame(struct store *s, double t, const double *xyz,
     const struct energy *e = energy ? energy : &unknown;
     const struct counters *c = counters ? counters : &nothing;
     const double value[SERIES] = {
+        NAN,
+        t,
         e->kinetic,
         e->elastic,
         e->potential,
@@ -203,10 +211,9 @@ enum status store_frame(struct store *s, double t, const double *xyz,
     if (xyz) {
         if (!write_field(s, xyz))
             TRY(fail(s, why));
-        s->field_time[s->fields++] = t;
+        s->series[0][s->fields++] = t;
     }
-    s->time[s->frames] = t;
-    for (int i = 0; i < SERIES; i++)
+    for (int i = 1; i < SERIES; i++)
         s->series[i][s->frames] = value[i];
     s->frames++;
 out:
@@ -306,11 +313,9 @@ static enum status put_views(struct store *s, struct message *why)
 
 static enum status put_end(struct store *s, struct message *why)
 {
-    if (hdf5_file_put_array(s->file, "time", s->time, s->frames, 0) < 0 ||
-        hdf5_file_put_array(s->file, "xyz_time", s->field_time, s->fields, 0) < 0)
-        return fail(s, why);
     for (int i = 0; i < SERIES; i++)
-        if (hdf5_file_put_array(s->file, series_name[i], s->series[i], s->frames, 0) < 0)
+        if (hdf5_file_put_array(s->file, series_name[i], s->series[i],
+                                i ? s->frames : s->fields, 0) < 0)
             return fail(s, why);
     enum status st = put_views(s, why);
     if (st != STATUS_OK)
@@ -344,7 +349,7 @@ enum status store_close(struct store *s, struct message *why)
     TRY(seal_write(s->target.temporary, why));
     TRY(atomic_file_commit(&s->target, why));
     if (s->fields)
-        TRY(xdmf_write(path, s->field_time, s->fields, why));
+        TRY(xdmf_write(path, s->series[0], s->fields, why));
 out:
     free(path);
     store_discard(s);
@@ -376,8 +381,6 @@ void store_discard(struct store *s)
     if (s->file >= 0)
         H5Fclose(s->file);
     atomic_file_discard(&s->target);
-    free(s->time);
-    free(s->field_time);
     for (int i = 0; i < SERIES; i++)
         free(s->series[i]);
     free(s);

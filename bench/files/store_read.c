@@ -16,6 +16,13 @@ struct store_read {
     long size; /* [bytes]: nothing in a sound file is larger */
 };
 
+/* Any identifier of the library's, valid or not. */
+static void drop(hid_t id)
+{
+    if (id >= 0)
+        H5Idec_ref(id);
+}
+
 enum { FRAME_LEAST = GRID_POINTS * 3 * 4 }; /* of 32-bit numbers [bytes] */
 enum { TEXT_MOST = 1 << 24 };
 
@@ -38,8 +45,7 @@ static bool open_xyz(struct store_read *f)
     bool good = space >= 0 && H5Sget_simple_extent_ndims(space) == 5 &&
                 H5Sget_simple_extent_dims(space, size, NULL) == 5 && size[1] == GRID_W &&
                 size[2] == GRID_V && size[3] == GRID_U && size[4] == 3;
-    if (space >= 0)
-        H5Sclose(space);
+    drop(space);
     /* Deflate packs a thousandfold at most. */
     good = good && size[0] <= INT_MAX &&
            size[0] * FRAME_LEAST <= 1032 * H5Dget_storage_size(f->xyz);
@@ -75,8 +81,7 @@ void store_read_close(struct store_read *f)
 {
     if (!f)
         return;
-    if (f->xyz >= 0)
-        H5Dclose(f->xyz);
+    drop(f->xyz);
     if (f->file >= 0)
         H5Fclose(f->file);
     free(f->path);
@@ -149,10 +154,8 @@ enum status store_read_array(const struct store_read *f, const char *name, doubl
     *columns = (int)size[1];
 out:
     free(array);
-    if (space >= 0)
-        H5Sclose(space);
-    if (set >= 0)
-        H5Dclose(set);
+    drop(space);
+    drop(set);
     return st;
 }
 
@@ -169,12 +172,12 @@ enum status store_read_text(const struct store_read *f, const char *group, const
                             char **text, struct message *why)
 {
     const bool short_one = H5Aexists_by_name(f->file, group, key, H5P_DEFAULT) > 0;
-    hid_t object = short_one
-                       ? H5Aopen_by_name(f->file, group, key, H5P_DEFAULT, H5P_DEFAULT)
-                       : H5I_INVALID_HID;
+    hid_t object = H5I_INVALID_HID;
     size_t size;
 
-    if (!short_one && !strcmp(group, "/") && store_read_has(f, key))
+    if (short_one)
+        object = H5Aopen_by_name(f->file, group, key, H5P_DEFAULT, H5P_DEFAULT);
+    else if (!strcmp(group, "/") && store_read_has(f, key))
         object = H5Dopen2(f->file, key, H5P_DEFAULT);
     hid_t type = object < 0  ? H5I_INVALID_HID
                  : short_one ? H5Aget_type(object)
@@ -188,12 +191,9 @@ enum status store_read_text(const struct store_read *f, const char *group, const
         good =
             (short_one ? H5Aread(object, type, *text)
                        : H5Dread(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, *text)) >= 0;
-    if (space >= 0)
-        H5Sclose(space);
-    if (type >= 0)
-        H5Tclose(type);
-    if (object >= 0 && (short_one ? H5Aclose(object) : H5Dclose(object)) < 0)
-        good = false;
+    drop(space);
+    drop(type);
+    drop(object);
     if (good)
         return *text ? STATUS_OK : STATUS_MEMORY;
     free(*text);
@@ -209,10 +209,8 @@ enum status store_read_number(const struct store_read *f, const char *key, doubl
     bool good = space >= 0 && H5Sget_simple_extent_npoints(space) == 1 &&
                 H5Aread(attribute, H5T_NATIVE_DOUBLE, number) >= 0;
 
-    if (space >= 0)
-        H5Sclose(space);
-    if (attribute >= 0)
-        H5Aclose(attribute);
+    drop(space);
+    drop(attribute);
     return good ? STATUS_OK
                 : status_fail(why, STATUS_INPUT, "%s: has no number %s", f->path, key);
 }

@@ -4,12 +4,9 @@
 
 #include "models/status.h"
 
-/* Name of the XDMF beside a result file: .h5 becomes .xdmf, another name gets it appended.
- * Freed by the receiver; NULL: out of memory. */
-char *xdmf_path(const char *result_path);
-
-/* Writes it: one structured grid of the two layers a frame, at time[frames], with the start
- * position as point data. Written aside and renamed. */
+/* Writes it beside the result file (.h5 becomes .xdmf, another name gets it appended): one
+ * structured grid of the two layers a frame, at time[frames], with the start position as
+ * point data. Written aside and renamed. */
 enum status xdmf_write(const char *result_path, const double *time, int frames,
                        struct message *why);
 

@@ -23,31 +23,33 @@ static void list_names(bool models, char *text, size_t size)
                                      c->name);
 }
 
-static enum status refuse(const char *name, int length, struct message *why)
+static bool is(const char *word, size_t length, const char *name)
+{
+    return strlen(name) == length && !strncmp(word, name, length);
+}
+
+/* By a name of `length` letters. */
+static enum status find(const char *name, size_t length, const struct contestant **found,
+                        struct message *why)
 {
     char models[256], others[768];
 
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        if (is(name, length, c->name)) {
+            *found = c;
+            return STATUS_OK;
+        }
     list_names(true, models, sizeof models);
     list_names(false, others, sizeof others);
     return status_fail(why, STATUS_INPUT,
-                       "there is no model '%.*s'; models: %s; contestants: %s", length,
+                       "there is no model '%.*s'; models: %s; contestants: %s", (int)length,
                        name, models, others);
 }
 
 enum status contestant_find(const char *name, const struct contestant **found,
                             struct message *why)
 {
-    for (const struct contestant *c = contestant_table; c->name; c++)
-        if (!strcmp(c->name, name)) {
-            *found = c;
-            return STATUS_OK;
-        }
-    return refuse(name, (int)strlen(name), why);
-}
-
-static bool is(const char *word, size_t length, const char *name)
-{
-    return strlen(name) == length && !strncmp(word, name, length);
+    return find(name, strlen(name), found, why);
 }
 
 static bool is_all(const char *choice)
@@ -83,21 +85,19 @@ bool contestant_chosen(const struct contestant *c, const char *choice, unsigned 
 
 enum status contestant_check(const char *choice, struct message *why)
 {
+    const struct contestant *unused;
+    enum status st = STATUS_OK;
     size_t length;
 
     if (is_all(choice))
         return STATUS_OK;
     if (!*choice)
         return status_fail(why, STATUS_INPUT, "no model is named");
-    for (const char *at = choice; *at; at += length + (at[length] == ',')) {
-        const struct contestant *c = contestant_table;
+    for (const char *at = choice; *at && !st; at += length + (at[length] == ',')) {
         length = strcspn(at, ",");
-        while (c->name && !is(at, length, c->name))
-            c++;
-        if (!c->name)
-            return refuse(at, (int)length, why);
+        st = find(at, length, &unused, why);
     }
-    return STATUS_OK;
+    return st;
 }
 
 void contestant_settings(const struct contestant *c, struct settings *s)
@@ -107,12 +107,11 @@ void contestant_settings(const struct contestant *c, struct settings *s)
 
 const char *contestant_setting(const struct contestant *c, const char *key)
 {
-    const size_t length = strlen(key);
+    int count = 0;
 
-    for (int n = 0; n < CONTESTANT_SETTINGS && c->settings[n]; n++)
-        if (!strncmp(c->settings[n], key, length) && c->settings[n][length] == '=')
-            return c->settings[n] + length + 1;
-    return NULL;
+    while (count < CONTESTANT_SETTINGS && c->settings[count])
+        count++;
+    return settings_value(&(struct settings){count, (char **)c->settings}, key);
 }
 
 bool contestant_is_paper_scheme(const struct contestant *c)

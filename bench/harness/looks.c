@@ -5,40 +5,39 @@
 
 #include "models/metric/metric.h"
 
-const char *looks_name(int series)
-{
-    return series < MEASURES_METRICS       ? measures_metric[series].name
-           : series == LOOKS_INTERSECTIONS ? "intersections"
-                                           : "speed";
-}
-
-const char *looks_unit(int series)
-{
-    return series < MEASURES_METRICS       ? measures_metric[series].unit
-           : series == LOOKS_INTERSECTIONS ? "1"
-                                           : "m/s";
-}
+const struct looks_series looks_series[LOOKS_SERIES] = {
+    [LOOKS_DROP] = {"drop", "1", metric_drop, MEASURE_DROP_MAX, MEASURE_DROP_END},
+    [LOOKS_ANGLE] = {"angle", "degrees", metric_angle, MEASURE_ANGLE_MAX,
+                     MEASURE_ANGLE_END},
+    [LOOKS_STRETCH] = {"stretch", "1", metric_stretch, MEASURE_STRETCH_MAX,
+                       MEASURE_STRETCH_END},
+    [LOOKS_ROUGHNESS] = {"roughness", "1", metric_roughness, MEASURE_ROUGHNESS_MAX,
+                         MEASURE_ROUGHNESS_END},
+    [LOOKS_PENETRATION] = {"penetration", "m", metric_penetration, MEASURE_PENETRATION_MAX,
+                           -1},
+    [LOOKS_INTERSECTIONS] = {"intersections", "1", NULL, MEASURE_INTERSECTIONS_MAX,
+                             MEASURE_INTERSECTIONS_END},
+    [LOOKS_SPEED] = {"speed", "m/s", NULL, MEASURE_SPEED_MAX, MEASURE_SPEED_END},
+};
 
 enum status looks_init(struct looks *l, int room)
 {
-    size_t size = (size_t)(room + 1) * sizeof(double);
-    bool good;
+    const size_t size = (size_t)room + 1;
 
     *l = (struct looks){.room = room};
-    l->time = malloc(size);
-    l->energy = malloc((size_t)(room + 1) * sizeof *l->energy);
-    good = l->time && l->energy;
-    for (int n = 0; n < LOOKS_SERIES; n++)
-        good = (l->series[n] = malloc(size)) && good;
-    return good ? STATUS_OK : STATUS_MEMORY;
+    l->time = malloc((1 + LOOKS_SERIES) * size * sizeof *l->time);
+    l->energy = malloc(size * sizeof *l->energy);
+    if (!l->time || !l->energy)
+        return STATUS_MEMORY;
+    for (size_t n = 0; n < LOOKS_SERIES; n++)
+        l->series[n] = l->time + (n + 1) * size;
+    return STATUS_OK;
 }
 
 void looks_clear(struct looks *l)
 {
     free(l->time);
     free(l->energy);
-    for (int n = 0; n < LOOKS_SERIES; n++)
-        free(l->series[n]);
     *l = (struct looks){0};
 }
 
@@ -71,22 +70,11 @@ static double first_crossing(const struct looks *l)
 
 static void reduce_series(const struct looks *l, const struct scene *scene, double *value)
 {
-    static const struct {
-        int series, most, end; /* end < 0: none */
-    } pair[] = {
-        {MEASURES_STRETCH, MEASURE_STRETCH_MAX, MEASURE_STRETCH_END},
-        {MEASURES_DROP, MEASURE_DROP_MAX, MEASURE_DROP_END},
-        {MEASURES_ANGLE, MEASURE_ANGLE_MAX, MEASURE_ANGLE_END},
-        {MEASURES_ROUGHNESS, MEASURE_ROUGHNESS_MAX, MEASURE_ROUGHNESS_END},
-        {MEASURES_PENETRATION, MEASURE_PENETRATION_MAX, -1},
-        {LOOKS_INTERSECTIONS, MEASURE_INTERSECTIONS_MAX, MEASURE_INTERSECTIONS_END},
-        {LOOKS_SPEED, MEASURE_SPEED_MAX, MEASURE_SPEED_END},
-    };
-
-    for (size_t n = 0; n < sizeof pair / sizeof *pair; n++) {
-        value[pair[n].most] = largest(l->count, l->series[pair[n].series]);
-        if (pair[n].end >= 0)
-            value[pair[n].end] = last(l->count, l->series[pair[n].series]);
+    for (int n = 0; n < LOOKS_SERIES; n++) {
+        const struct looks_series *s = &looks_series[n];
+        value[s->most] = largest(l->count, l->series[n]);
+        if (s->end >= 0)
+            value[s->end] = last(l->count, l->series[n]);
     }
     if (!scene->obstacle_count)
         value[MEASURE_PENETRATION_MAX] = NAN;

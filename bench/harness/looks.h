@@ -9,17 +9,27 @@
 
 /* One number a look. */
 enum {
-    LOOKS_INTERSECTIONS = MEASURES_METRICS, /* NaN: not counted                        */
+    LOOKS_DROP,
+    LOOKS_ANGLE,
+    LOOKS_STRETCH,
+    LOOKS_ROUGHNESS,
+    LOOKS_PENETRATION,
+    LOOKS_INTERSECTIONS, /* NaN: not counted                                           */
     LOOKS_SPEED, /* rms over the grid since the look before; NaN at the first    [m/s] */
     LOOKS_SERIES
 };
-const char *looks_name(int series);
-const char *looks_unit(int series);
+
+struct looks_series {
+    const char *name, *unit; /* as in result files (store.h)                           */
+    double (*value)(const struct scene *scene, const double *xyz); /* NULL: not of this */
+    int most, end; /* measures: the largest and the last one; < 0: none                */
+};
+extern const struct looks_series looks_series[LOOKS_SERIES];
 
 struct looks {
     int count, room;
-    double *time;                 /* [count] [s]                               owned   */
-    double *series[LOOKS_SERIES]; /* [count]                                   owned   */
+    double *time;                 /* [count] [s]; owned, with the series behind it     */
+    double *series[LOOKS_SERIES]; /* [count]                                           */
     struct energy *energy;        /* [count]; NaN: the model has none          owned   */
 };
 

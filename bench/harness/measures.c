@@ -1,15 +1,5 @@
 #include "bench/harness/measures.h"
 
-#include "models/metric/metric.h"
-
-const struct measures_metric measures_metric[MEASURES_METRICS] = {
-    [MEASURES_DROP] = {"drop", "1", metric_drop},
-    [MEASURES_ANGLE] = {"angle", "degrees", metric_angle},
-    [MEASURES_STRETCH] = {"stretch", "1", metric_stretch},
-    [MEASURES_ROUGHNESS] = {"roughness", "1", metric_roughness},
-    [MEASURES_PENETRATION] = {"penetration", "m", metric_penetration},
-};
-
 static const struct {
     const char *name, *unit, *sentence;
 } words[] = {

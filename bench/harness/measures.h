@@ -1,26 +1,8 @@
-/* measures.h - what a run is reduced to: the metrics of a moment, and the numbers read off
- * all moments that were looked at.
+/* measures.h - what a run is reduced to: numbers read off all moments that were looked at
+ * (looks.h).
  */
 #ifndef MEASURES_H
 #define MEASURES_H
-
-#include "models/scene.h"
-
-/* Metrics of one field. */
-enum {
-    MEASURES_DROP,
-    MEASURES_ANGLE,
-    MEASURES_STRETCH,
-    MEASURES_ROUGHNESS,
-    MEASURES_PENETRATION,
-    MEASURES_METRICS
-};
-
-struct measures_metric {
-    const char *name, *unit; /* as in result files (store.h)                           */
-    double (*value)(const struct scene *scene, const double *xyz);
-};
-extern const struct measures_metric measures_metric[MEASURES_METRICS];
 
 /* Numbers of a run: name, unit, sentence. `Largest` and `end` are of the looks that the run
  * lived to see. A time that did not come is INFINITY; a number that does not exist

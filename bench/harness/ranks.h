@@ -33,4 +33,7 @@ struct ranks {
  * storage. */
 enum status ranks_start(const struct ranks **ranks, struct message *why);
 
+/* What clothbench_mpi.so exports: joins the ranks; NULL: MPI does not start. */
+const struct ranks *ranks_mpi_start(void);
+
 #endif

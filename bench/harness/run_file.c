@@ -93,13 +93,13 @@ out:
 
 static void measure(struct run_file *f)
 {
-    const struct run *run = f->run;
     struct looks *l = &f->looks;
     const int n = l->count++;
 
     l->time[n] = f->time;
-    for (int i = 0; i < MEASURES_METRICS; i++)
-        l->series[i][n] = measures_metric[i].value(&run->scene, f->xyz);
+    for (int i = 0; i < LOOKS_SERIES; i++)
+        if (looks_series[i].value)
+            l->series[i][n] = looks_series[i].value(&f->run->scene, f->xyz);
     l->series[LOOKS_INTERSECTIONS][n] =
         f->keep->intersections ? metric_intersections_every(f->xyz, INTERSECTION_STEP)
                                : NAN;
@@ -207,8 +207,8 @@ static enum status store_series(struct run_file *f, struct message *why)
     enum status st = drift ? STATUS_OK : STATUS_MEMORY;
 
     for (int n = 0; n < LOOKS_SERIES && st == STATUS_OK; n++)
-        st = store_metric(f->store, looks_name(n), looks_unit(n), l->series[n], l->count,
-                          why);
+        st = store_metric(f->store, looks_series[n].name, looks_series[n].unit,
+                          l->series[n], l->count, why);
     TRY(st);
     TRY(store_own(f, drift, why));
     metric_energy_drift(l->count, l->energy, drift);

@@ -58,7 +58,7 @@ static enum status read_looks(const struct store_read *file, const char *path,
     l->count = count;
     TRY(read_numbers(file, path, "time", count, 1, l->time, why));
     for (int n = 0; n < LOOKS_SERIES; n++) {
-        snprintf(name, sizeof name, "metrics/%s", looks_name(n));
+        snprintf(name, sizeof name, "metrics/%s", looks_series[n].name);
         TRY(read_numbers(file, path, name, count, 1, l->series[n], why));
     }
     TRY(read_numbers(file, path, "energy/kinetic", count, 3, &l->energy->kinetic, why));

@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* vasprintf */
 #include "bench/harness/settings.h"
 
 #include <stdarg.h>
@@ -46,21 +47,12 @@ void settings_list(struct settings *s, int most, const char *const *text)
         settings_set(s, text[n]);
 }
 
-/* What printf writes after `begin`, on the heap; NULL: no memory. */
-static char *printed(const char *begin, const char *format, va_list arguments)
+/* What printf writes, on the heap; NULL: no memory. */
+static char *printed(const char *format, va_list arguments)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
+    char *text;
 
-    if (!out)
-        return NULL;
-    fputs(begin, out);
-    vfprintf(out, format, arguments);
-    if (fclose(out) == 0)
-        return text;
-    free(text);
-    return NULL;
+    return vasprintf(&text, format, arguments) < 0 ? NULL : text;
 }
 
 void settings_print(struct settings *s, const char *format, ...)
@@ -68,7 +60,7 @@ void settings_print(struct settings *s, const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    take(s, printed("", format, arguments));
+    take(s, printed(format, arguments));
     va_end(arguments);
 }
 
@@ -80,8 +72,13 @@ void settings_more(struct settings *s, const char *format, ...)
         return;
     char *last = s->text[--s->count];
     va_start(arguments, format);
-    take(s, printed(last, format, arguments));
+    char *more = printed(format, arguments);
     va_end(arguments);
+    if (more)
+        settings_print(s, "%s%s", last, more);
+    else
+        take(s, NULL);
+    free(more);
     free(last);
 }
 
@@ -92,77 +89,35 @@ void settings_append(struct settings *s, const struct settings *more)
         s->status = more->status;
 }
 
-/* KEY=VALUE, or KEY=[VALUE,VALUE,...] of `count` numbers that print() writes. */
-static void take_list(struct settings *s, const char *key, int count, bool list,
-                      void (*print)(FILE *out, const void *value, int n), const void *value)
-{
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-
-    if (!out) {
-        s->status = STATUS_MEMORY;
-        return;
-    }
-    fprintf(out, "%s=%s", key, list ? "[" : "");
-    for (int n = 0; n < count; n++) {
-        if (n)
-            fputc(',', out);
-        print(out, value, n);
-    }
-    if (list)
-        fputc(']', out);
-    if (fclose(out) != 0) {
-        free(text);
-        text = NULL;
-    }
-    take(s, text);
-}
-
-static void print_word(FILE *out, const void *value, int n)
-{
-    (void)n;
-    fputs(value, out);
-}
-
-static void print_double(FILE *out, const void *value, int n)
-{
-    fprintf(out, "%.17g", ((const double *)value)[n]);
-}
-
-static void print_long(FILE *out, const void *value, int n)
-{
-    fprintf(out, "%ld", ((const long *)value)[n]);
-}
-
-static void print_int(FILE *out, const void *value, int n)
-{
-    fprintf(out, "%d", ((const int *)value)[n]);
-}
-
 void settings_word(struct settings *s, const char *key, const char *value)
 {
-    take_list(s, key, 1, false, print_word, value);
+    settings_print(s, "%s=%s", key, value);
 }
 
 void settings_number(struct settings *s, const char *key, double value)
 {
-    take_list(s, key, 1, false, print_double, &value);
+    settings_print(s, "%s=%.17g", key, value);
 }
 
 void settings_integer(struct settings *s, const char *key, long value)
 {
-    take_list(s, key, 1, false, print_long, &value);
+    settings_print(s, "%s=%ld", key, value);
 }
 
 void settings_integers(struct settings *s, const char *key, int count, const int *value)
 {
-    take_list(s, key, count, true, print_int, value);
+    settings_print(s, "%s=[", key);
+    for (int n = 0; n < count; n++)
+        settings_more(s, "%s%d", n ? "," : "", value[n]);
+    settings_more(s, "]");
 }
 
 void settings_numbers(struct settings *s, const char *key, int count, const double *value)
 {
-    take_list(s, key, count, true, print_double, value);
+    settings_print(s, "%s=[", key);
+    for (int n = 0; n < count; n++)
+        settings_more(s, "%s%.17g", n ? "," : "", value[n]);
+    settings_more(s, "]");
 }
 
 const char *settings_value(const struct settings *s, const char *key)

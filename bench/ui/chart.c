@@ -66,22 +66,23 @@ static void clear_axis(struct chart_axis *axis)
     free((char *)axis->unit);
 }
 
+static void clear_list(struct chart_list *list)
+{
+    for (int n = 0; n < list->count; n++) {
+        free((char *)list->item[n].as.label);
+        free((char *)list->item[n].as.rgb);
+        free(list->item[n].at);
+    }
+    free(list->item);
+}
+
 static void clear_pane(struct chart_pane *p)
 {
-    for (int n = 0; n < p->item_count; n++) {
-        free((char *)p->item[n].as.label);
-        free((char *)p->item[n].as.rgb);
-        free(p->item[n].at);
-    }
-    for (int n = 0; n < p->stripe_count; n++)
-        free(p->stripe[n].label);
-    for (int n = 0; n < p->note_count; n++)
-        free(p->note[n].text);
+    clear_list(&p->series);
+    clear_list(&p->stripes);
+    clear_list(&p->marks);
     clear_axis(&p->axis[0]);
     clear_axis(&p->axis[1]);
-    free(p->item);
-    free(p->stripe);
-    free(p->note);
     free(p->title);
 }
 
@@ -133,7 +134,7 @@ void chart_panel(struct chart *c, const char *title)
 
     if (!p)
         return;
-    if (p->title || p->item_count) {
+    if (p->title || p->series.count) {
         p = one_more(c, &c->pane, &c->pane_count, sizeof *p);
         if (!p)
             return;
@@ -151,50 +152,50 @@ struct chart_axis chart_axis_of(const struct table *t, const char *key, bool log
                   : (struct chart_axis){.log = log};
 }
 
-/* An earlier series with this label, of this panel or one before; NULL: none. */
+/* The first series with this label, of this panel or one before; NULL: none. */
 static const struct chart_item *namesake(const struct chart *c, const char *label)
 {
-    for (int p = 0; label && p < c->pane_count; p++)
-        for (int n = 0; n < c->pane[p].item_count; n++) {
-            const char *other = c->pane[p].item[n].as.label;
-            if (other && !strcmp(other, label))
-                return &c->pane[p].item[n];
-        }
+    for (int p = 0; label && p < c->pane_count; p++) {
+        const struct chart_list *list = &c->pane[p].series;
+        for (int n = 0; n < list->count; n++)
+            if (list->item[n].as.label && !strcmp(list->item[n].as.label, label))
+                return &list->item[n];
+    }
     return NULL;
+}
+
+/* One more in a list of the panel, NULL without memory. */
+static struct chart_item *add_item(struct chart *c, struct chart_list *list,
+                                   const struct chart_series *as)
+{
+    struct chart_item *item = one_more(c, &list->item, &list->count, sizeof *item);
+
+    if (item) {
+        item->as = *as;
+        item->as.label = copy(c, as->label);
+        item->as.rgb = copy(c, as->rgb);
+    }
+    return item;
 }
 
 void chart_series(struct chart *c, const struct chart_series *series)
 {
     struct chart_pane *p = pane_of(c);
+    struct chart_item *item = p ? add_item(c, &p->series, series) : NULL;
+    const struct chart_item *same = item ? namesake(c, item->as.label) : NULL;
 
-    if (!p)
-        return;
-    struct chart_series own = *series;
-    own.label = copy(c, series->label);
-    own.rgb = copy(c, series->rgb);
-    const struct chart_item *same = namesake(c, own.label);
-    const int look = series->colour ? series->colour - 1
-                     : same         ? same->look
-                                    : c->look_count++;
-    struct chart_item *item = one_more(c, &p->item, &p->item_count, sizeof *item);
-    if (!item) {
-        free((char *)own.label);
-        free((char *)own.rgb);
-        return;
-    }
-    item->as = own;
-    item->look = look;
+    if (item)
+        item->look = series->colour         ? series->colour - 1
+                     : same && same != item ? same->look
+                                            : c->look_count++;
 }
 
-static void add(struct chart *c, struct chart_place place)
+static void add(struct chart *c, struct chart_list *list, struct chart_place place)
 {
-    struct chart_pane *p = pane_of(c);
-
-    if (!p)
-        return;
-    assert(p->item_count > 0);
-    struct chart_item *item = &p->item[p->item_count - 1];
+    assert(list->count > 0);
+    struct chart_item *item = &list->item[list->count - 1];
     struct chart_place *at = one_more(c, &item->at, &item->count, sizeof *at);
+
     if (!at)
         return;
     *at = place;
@@ -202,20 +203,29 @@ static void add(struct chart *c, struct chart_place place)
     item->celled = item->celled || !isnan(place.x_side[0]);
 }
 
+static void add_point(struct chart *c, struct chart_place place)
+{
+    struct chart_pane *p = pane_of(c);
+
+    if (p)
+        add(c, &p->series, place);
+}
+
 void chart_point(struct chart *c, double x, double y)
 {
-    add(c, (struct chart_place){x, y, {NAN, NAN}, {NAN, NAN}});
+    add_point(c, (struct chart_place){x, y, {NAN, NAN}, {NAN, NAN}});
 }
 
 void chart_bar(struct chart *c, double x, double y, double low, double high)
 {
-    add(c, (struct chart_place){x, y, {NAN, NAN}, {low, high}});
+    add_point(c, (struct chart_place){x, y, {NAN, NAN}, {low, high}});
 }
 
 void chart_cell(struct chart *c, double x, double y, const double x_side[2],
                 const double y_side[2])
 {
-    add(c, (struct chart_place){x, y, {x_side[0], x_side[1]}, {y_side[0], y_side[1]}});
+    add_point(c,
+              (struct chart_place){x, y, {x_side[0], x_side[1]}, {y_side[0], y_side[1]}});
 }
 
 static bool meets(const struct table *t, int row, const struct chart_where *where)
@@ -247,27 +257,21 @@ void chart_rows(struct chart *c, const struct table *t, const char *x, const cha
 void chart_band(struct chart *c, const char *label, double low, double high)
 {
     struct chart_pane *p = pane_of(c);
-    char *own = p ? copy(c, label) : NULL;
-    struct chart_stripe *stripe =
-        p ? one_more(c, &p->stripe, &p->stripe_count, sizeof *stripe) : NULL;
+    struct chart_item *item =
+        p ? add_item(c, &p->stripes, &(struct chart_series){label}) : NULL;
 
-    if (stripe)
-        *stripe = (struct chart_stripe){own, low, high};
-    else
-        free(own);
+    if (!item)
+        return;
+    item->band = true;
+    add(c, &p->stripes, (struct chart_place){.y_side = {low, high}});
 }
 
 void chart_mark(struct chart *c, double x, double y, const char *text)
 {
     struct chart_pane *p = pane_of(c);
-    char *own = p ? copy(c, text) : NULL;
-    struct chart_note *note =
-        p ? one_more(c, &p->note, &p->note_count, sizeof *note) : NULL;
 
-    if (note)
-        *note = (struct chart_note){own, x, y};
-    else
-        free(own);
+    if (p && add_item(c, &p->marks, &(struct chart_series){text}))
+        add(c, &p->marks, (struct chart_place){x, y});
 }
 
 enum status chart_save(struct chart *c, const char *folder, const char *name,

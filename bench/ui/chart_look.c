@@ -1,5 +1,7 @@
-/* chart_look.c - colours, points and dashes. */
+/* chart_look.c - colours, points and dashes, and the legend that tells them. */
 #include "bench/ui/chart_parts.h"
+
+#include <string.h>
 
 #include "bench/ui/plot.h"
 
@@ -66,4 +68,69 @@ void chart_look_write(struct output *out, const struct chart_item *item, bool le
     }
     output_print(out, " lc rgb ");
     plot_text(out, rgb);
+}
+
+/* --- the legend ----------------------------------------------------------------------- */
+
+enum { KEY = 70 }; /* points for the picture of a line or point, and the room around */
+
+static bool has_entry(const struct chart_legend *l, const char *label)
+{
+    for (int n = 0; n < l->count; n++)
+        if (!strcmp(l->entry[n]->as.label, label))
+            return true;
+    return false;
+}
+
+static void add_entries(struct chart_legend *l, const struct chart_list *list)
+{
+    for (int n = 0; n < list->count && l->count < CHART_ENTRIES; n++)
+        if (list->item[n].as.label && !has_entry(l, list->item[n].as.label))
+            l->entry[l->count++] = &list->item[n];
+}
+
+struct chart_legend chart_look_legend(const struct chart *c, int width)
+{
+    struct chart_legend l = {0};
+    int widest = 1;
+
+    for (int p = 0; p < c->pane_count; p++) {
+        add_entries(&l, &c->pane[p].series);
+        add_entries(&l, &c->pane[p].stripes);
+    }
+    for (int n = 0; n < l.count; n++)
+        if (table_width(l.entry[n]->as.label) > widest)
+            widest = table_width(l.entry[n]->as.label);
+    l.columns = (width - 40) / (KEY + CHART_CHARACTER * widest);
+    if (l.columns < 1)
+        l.columns = 1;
+    l.rows = (l.count + l.columns - 1) / l.columns;
+    if (l.rows) /* as even as it can be */
+        l.columns = (l.count + l.rows - 1) / l.rows;
+    return l;
+}
+
+void chart_look_write_legend(struct output *out, const struct chart_legend *l)
+{
+    output_print(out,
+                 "unset object\nunset arrow\nunset label\nunset logscale\nunset border\n"
+                 "unset tics\nunset grid\nunset title\nunset xlabel\nunset ylabel\n"
+                 "set lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n"
+                 "set key center center horizontal maxcols %d Left reverse samplen 3\n"
+                 "plot [0:1][0:1] \\\n",
+                 l->columns);
+    for (int n = 0; n < l->count; n++) {
+        const struct chart_item *item = l->entry[n];
+        output_print(out, "NaN");
+        if (!item->band)
+            chart_look_write(out, item, true);
+        else if (item->at->y_side[0] == item->at->y_side[1])
+            output_print(out, " with lines lw 1.5 dt (6,4) lc rgb '#808080'");
+        else
+            output_print(out, " with points pt 5 ps scale*2 lc rgb '%s'", chart_look_band);
+        output_print(out, " title ");
+        plot_text(out, item->as.label);
+        output_print(out, ", \\\n");
+    }
+    output_print(out, "NaN notitle\n");
 }

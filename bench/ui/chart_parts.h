@@ -13,28 +13,22 @@ struct chart_place {
 struct chart_item {
     struct chart_series as; /* label and rgb                                     owned */
     int look;               /* from 0                                                  */
+    bool band;              /* of chart_band                                           */
     bool barred, celled;    /* its points have sides in y; in x and y                  */
     int count;
     struct chart_place *at; /* [count]                                           owned */
 };
 
-struct chart_stripe {
-    char *label; /*                                                              owned */
-    double low, high;
-};
-
-struct chart_note {
-    char *text; /*                                                               owned */
-    double x, y;
+struct chart_list {
+    int count;
+    struct chart_item *item; /* [count]                                          owned */
 };
 
 struct chart_pane {
     char *title;               /*                                                  owned */
     struct chart_axis axis[2]; /* x, y; with all they point to                   owned */
-    int item_count, stripe_count, note_count;
-    struct chart_item *item;     /*                                              owned */
-    struct chart_stripe *stripe; /*                                              owned */
-    struct chart_note *note;     /*                                              owned */
+    struct chart_list series;
+    struct chart_list stripes, marks; /* of one place each; a stripe's has sides in y  */
 };
 
 struct chart {
@@ -44,23 +38,18 @@ struct chart {
     bool failed;             /* out of memory somewhere                                */
 };
 
-/* chart_look.c: ` with STYLE ... lc rgb ...`, as the plot or as the legend has it. */
+/* Of chart_look.c: ` with STYLE ... lc rgb ...`, as the plot or as the legend has it. */
 void chart_look_write(struct output *out, const struct chart_item *item, bool legend);
 extern const char chart_look_band[]; /* colour of a band */
 const char *chart_look_rgb(const struct chart_item *item);
 
-/* chart_legend.c */
+/* What stands below the panels, a label once. */
 enum { CHART_ENTRIES = 64, CHART_CHARACTER = 8 /* its width in points */ };
-struct chart_entry {
-    const char *label;
-    const struct chart_item *item; /* NULL: a band                                     */
-    bool line;                     /* which is one line                                */
-};
 struct chart_legend {
     int count, columns, rows;
-    struct chart_entry entry[CHART_ENTRIES];
+    const struct chart_item *entry[CHART_ENTRIES];
 };
-struct chart_legend chart_legend_of(const struct chart *c, int width);
-void chart_legend_write(struct output *out, const struct chart_legend *l);
+struct chart_legend chart_look_legend(const struct chart *c, int width);
+void chart_look_write_legend(struct output *out, const struct chart_legend *l);
 
 #endif

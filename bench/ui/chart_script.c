@@ -38,7 +38,7 @@ static int by_x(const void *a, const void *b)
 
 static void write_block(struct output *out, const struct chart_pane *p, int pane, int n)
 {
-    const struct chart_item *item = &p->item[n];
+    const struct chart_item *item = &p->series.item[n];
 
     if (item->as.sorted && item->count)
         qsort(item->at, (size_t)item->count, sizeof *item->at, by_x);
@@ -65,26 +65,19 @@ static bool ends_of(const struct chart_pane *p, int axis, double *low, double *h
     bool celled = false;
 
     *low = INFINITY, *high = -INFINITY;
-    for (int n = 0; n < p->item_count; n++)
-        for (int k = 0; k < p->item[n].count; k++) {
-            const struct chart_place *at = &p->item[n].at[k];
+    for (int n = 0; n < p->series.count; n++)
+        for (int k = 0; k < p->series.item[n].count; k++) {
+            const struct chart_place *at = &p->series.item[n].at[k];
             const double value = axis ? at->y : at->x;
             const double *side = axis ? at->y_side : at->x_side;
+            const bool cell = p->series.item[n].celled;
             if (!is_drawn(p->axis, at))
                 continue;
-            celled = celled || p->item[n].celled;
-            *low = fmin(*low, p->item[n].celled ? side[0] : value);
-            *high = fmax(*high, p->item[n].celled ? side[1] : value);
+            celled = celled || cell;
+            *low = fmin(*low, cell ? side[0] : value);
+            *high = fmax(*high, cell ? side[1] : value);
         }
     return celled;
-}
-
-static void write_end(struct output *out, double value)
-{
-    if (isnan(value))
-        output_print(out, "*");
-    else
-        output_print(out, "%.9g", value);
 }
 
 /* gnuplot numbers decades only: on fewer than two of them 1, 2 and 5 of each. */
@@ -117,6 +110,20 @@ static void write_tics(struct output *out, char name, const struct chart_axis *a
     output_print(out, ")\n");
 }
 
+/* Of data that has no range of its own: gnuplot wants one all the same, and adds room to
+ * that of cells. */
+static void write_range(struct output *out, char name, bool celled, double low, double high)
+{
+    const double room = fmax(fabs(low) / 2, 1e-9);
+
+    if (low > high)
+        output_print(out, "set %crange [1:10]\n", name);
+    else if (celled)
+        output_print(out, "set %crange [%.9g:%.9g]\n", name, low, high);
+    else if (low == high)
+        output_print(out, "set %crange [%.9g:%.9g]\n", name, low - room, high + room);
+}
+
 static void write_axis(struct output *out, const struct chart_pane *p, int n)
 {
     const struct chart_axis *axis = &p->axis[n];
@@ -133,21 +140,15 @@ static void write_axis(struct output *out, const struct chart_pane *p, int n)
     output_print(out, "\nset format %c '%%g'\n", name);
     if (axis->log)
         output_print(out, "set logscale %c\n", name);
-    if (axis->low != axis->high) {
-        output_print(out, "set %crange [", name);
-        write_end(out, axis->low);
-        output_print(out, ":");
-        write_end(out, axis->high);
-        output_print(out, "]\n");
-        low = isnan(axis->low) ? low : axis->low;
-        high = isnan(axis->high) ? high : axis->high;
-    } else if (low > high) { /* nothing to be seen: gnuplot wants a range all the same */
-        output_print(out, "set %crange [1:10]\n", name);
-    } else if (celled) {
-        output_print(out, "set %crange [%.9g:%.9g]\n", name, low, high);
-    } else if (low == high) {
-        const double room = fmax(fabs(low) / 2, 1e-9);
-        output_print(out, "set %crange [%.9g:%.9g]\n", name, low - room, high + room);
+    if (axis->low == axis->high) {
+        write_range(out, name, celled, low, high);
+    } else {
+        char ends[2][32] = {"*", "*"};
+        if (!isnan(axis->low))
+            snprintf(ends[0], sizeof ends[0], "%.9g", low = axis->low);
+        if (!isnan(axis->high))
+            snprintf(ends[1], sizeof ends[1], "%.9g", high = axis->high);
+        output_print(out, "set %crange [%s:%s]\n", name, ends[0], ends[1]);
     }
     if (axis->tic_count)
         write_tics(out, name, axis);
@@ -158,44 +159,42 @@ static void write_axis(struct output *out, const struct chart_pane *p, int n)
 /* Objects lie behind the data. */
 static void write_stripes(struct output *out, const struct chart_pane *p)
 {
-    for (int n = 0; n < p->stripe_count; n++) {
-        const struct chart_stripe *s = &p->stripe[n];
-        if (isnan(s->low) || isnan(s->high) || (p->axis[1].log && s->high <= 0))
+    for (int n = 0; n < p->stripes.count; n++) {
+        const double *side = p->stripes.item[n].at->y_side;
+        const bool log = p->axis[1].log;
+        if (isnan(side[0]) || isnan(side[1]) || (log && side[1] <= 0))
             continue;
-        if (s->low == s->high) {
+        if (side[0] == side[1]) {
             output_print(out,
                          "set arrow from graph 0, first %.9g to graph 1, first %.9g nohead "
                          "lw 1.5 dt (6,4) lc rgb '#808080' back\n",
-                         s->low, s->high);
+                         side[0], side[1]);
             continue;
         }
         output_print(out, "set object rectangle from graph 0, ");
-        if (p->axis[1].log && s->low <= 0)
-            output_print(out, "graph 0");
-        else
-            output_print(out, "first %.9g", s->low);
+        output_print(out, log && side[0] <= 0 ? "graph 0" : "first %.9g", side[0]);
         output_print(out, " to graph 1, first %.9g fc rgb '%s' fs solid noborder behind\n",
-                     s->high, chart_look_band);
+                     side[1], chart_look_band);
     }
 }
 
 static void write_marks(struct output *out, const struct chart_pane *p)
 {
-    for (int n = 0; n < p->note_count; n++) {
-        const struct chart_note *note = &p->note[n];
-        if (!is_drawn(p->axis, &(struct chart_place){.x = note->x, .y = note->y}))
+    for (int n = 0; n < p->marks.count; n++) {
+        const struct chart_item *mark = &p->marks.item[n];
+        if (!is_drawn(p->axis, mark->at))
             continue;
         output_print(out, "set label ");
-        plot_text(out, note->text);
+        plot_text(out, mark->as.label);
         output_print(out,
                      " at first %.9g, first %.9g center offset 0,0.8 font ',9' front\n",
-                     note->x, note->y);
+                     mark->at->x, mark->at->y);
     }
 }
 
 static void write_series(struct output *out, const struct chart_pane *p, int pane, int n)
 {
-    const struct chart_item *item = &p->item[n];
+    const struct chart_item *item = &p->series.item[n];
     const enum chart_style style = item->as.style;
 
     if (!drawn_of(p, item))
@@ -227,7 +226,7 @@ static void write_pane(struct output *out, const struct chart_pane *p, int pane)
     write_stripes(out, p);
     write_marks(out, p);
     output_print(out, "plot \\\n");
-    for (int n = 0; n < p->item_count; n++)
+    for (int n = 0; n < p->series.count; n++)
         write_series(out, p, pane, n);
     output_print(out, "NaN notitle\n");
 }
@@ -269,7 +268,7 @@ static struct layout layout_of(const struct chart *c)
     y.columns = c->columns ? c->columns : panes < 10 ? columns_of[panes] : 4;
     y.rows = (panes + y.columns - 1) / y.columns;
     y.width = y.columns == 1 ? WIDE : NARROW * y.columns;
-    y.legend = chart_legend_of(c, y.width);
+    y.legend = chart_look_legend(c, y.width);
     y.foot = y.legend.rows ? LINE * y.legend.rows + 16 : 0;
     const int lines =
         c->title ? wrap(c->title, y.width / CHART_CHARACTER, y.title, sizeof y.title) : 0;
@@ -292,7 +291,7 @@ static void write_page(struct output *out, const struct chart *c, const struct l
     }
     if (y->legend.count) {
         output_print(out, "set size 1,%.6g\nset origin 0,0\n", (double)y->foot / y->height);
-        chart_legend_write(out, &y->legend);
+        chart_look_write_legend(out, &y->legend);
     }
 }
 
@@ -301,8 +300,8 @@ static void write_script(struct output *out, const struct chart *c, const char *
     const struct layout y = layout_of(c);
 
     for (int p = 0; p < c->pane_count; p++)
-        for (int n = 0; n < c->pane[p].item_count; n++)
-            if (drawn_of(&c->pane[p], &c->pane[p].item[n]))
+        for (int n = 0; n < c->pane[p].series.count; n++)
+            if (drawn_of(&c->pane[p], &c->pane[p].series.item[n]))
                 write_block(out, &c->pane[p], p, n);
     for (int kind = 0; kind < PLOT_KINDS; kind++) {
         plot_page(out, name, (enum plot_kind)kind, y.width, y.height);
@@ -310,24 +309,25 @@ static void write_script(struct output *out, const struct chart *c, const char *
     }
 }
 
-static bool is_class(const struct chart_item *item)
+/* Whether eyes must follow it: not classes, nor those that repeat a label or have none. */
+static bool is_line(const struct chart_list *series, int n)
 {
-    return item->as.style == CHART_SQUARES || item->as.style == CHART_CELLS;
+    const struct chart_series *as = &series->item[n].as;
+
+    if (!as->label || as->rgb || as->style == CHART_SQUARES || as->style == CHART_CELLS)
+        return false;
+    for (int k = 0; k < n; k++)
+        if (series->item[k].as.label && !strcmp(series->item[k].as.label, as->label))
+            return false;
+    return true;
 }
 
-/* Lines of a panel; classes, which eyes need not follow, do not count, nor do those that
- * repeat a label or have none. */
 static int lines_of(const struct chart_pane *p)
 {
     int count = 0;
 
-    for (int n = 0; n < p->item_count; n++) {
-        bool counts = p->item[n].as.label && !is_class(&p->item[n]) && !p->item[n].as.rgb;
-        for (int k = 0; k < n && counts; k++)
-            counts = !p->item[k].as.label ||
-                     strcmp(p->item[k].as.label, p->item[n].as.label) != 0;
-        count += counts;
-    }
+    for (int n = 0; n < p->series.count; n++)
+        count += is_line(&p->series, n);
     return count;
 }
 

@@ -49,7 +49,7 @@ static enum status read_option(struct command_line *line, int argc, char **argv,
         return status_fail(why, STATUS_INPUT, "%s takes no value", option->name);
     if (line->counts[n] && !option->repeats)
         return status_fail(why, STATUS_INPUT, "%s is given twice", option->name);
-    line->values[n][line->counts[n]++] = value;
+    line->values[n * line->room + line->counts[n]++] = value;
     return STATUS_OK;
 }
 
@@ -73,18 +73,15 @@ enum status command_parse(const struct command *command, int argc, char **argv,
                           struct command_line *line, struct message *why)
 {
     enum status st = STATUS_OK;
-    size_t options = (size_t)option_count(command), room = (size_t)argc + 1;
+    const size_t options = (size_t)option_count(command) + 1, room = (size_t)argc + 1;
     bool only_words = false;
 
-    *line = (struct command_line){.command = command};
+    *line = (struct command_line){.command = command, .room = (int)room};
     line->words = calloc(room, sizeof *line->words);
-    line->counts = calloc(options + 1, sizeof *line->counts);
-    line->values = calloc(options + 1, sizeof *line->values);
+    line->counts = calloc(options, sizeof *line->counts);
+    line->values = calloc(options * room, sizeof *line->values);
     if (!line->words || !line->counts || !line->values)
         TRY(STATUS_MEMORY);
-    for (size_t n = 0; n < options; n++)
-        if (!(line->values[n] = calloc(room, sizeof **line->values)))
-            TRY(STATUS_MEMORY);
     for (int at = 0; at < argc; at++) {
         if (!only_words && !strcmp(argv[at], "--"))
             only_words = true;
@@ -102,10 +99,6 @@ out:
 
 void command_line_clear(struct command_line *line)
 {
-    int options = line->command ? option_count(line->command) : 0;
-
-    for (int n = 0; line->values && n < options; n++)
-        free(line->values[n]);
     free(line->values);
     free(line->counts);
     free(line->words);
@@ -119,7 +112,7 @@ const char *const *command_values(const struct command_line *line, const char *o
 
     assert(n >= 0);
     *count = line->counts[n];
-    return (const char *const *)line->values[n];
+    return (const char *const *)&line->values[n * line->room];
 }
 
 bool command_given(const struct command_line *line, const char *option)
@@ -154,13 +147,12 @@ enum status command_integer(const struct command_line *line, const char *option,
     return STATUS_OK;
 }
 
-/* Lines of `text`, each after `indent` blanks; the first is continued where the cursor is.
- */
-static void print_lines(const char *text, int indent, FILE *file)
+/* Lines of `text`, each but the first after `indent` blanks, all after `before`. */
+static void print_lines(const char *text, int indent, const char *before, FILE *file)
 {
     for (const char *line = text; *line;) {
         int size = (int)strcspn(line, "\n");
-        fprintf(file, "%*s%.*s\n", line == text ? 0 : indent, "", size, line);
+        fprintf(file, "%*s%s%.*s\n", line == text ? 0 : indent, "", before, size, line);
         line += size + (line[size] == '\n');
     }
 }
@@ -182,14 +174,10 @@ void command_help(const struct command *command, FILE *file)
             width = 0;
         }
         fprintf(file, "%*s", HELP_COLUMN - width, "");
-        print_lines(o->help, HELP_COLUMN, file);
+        print_lines(o->help, HELP_COLUMN, "", file);
     }
     if (!command->examples)
         return;
     fputs("\nExamples:\n", file);
-    for (const char *line = command->examples; *line;) {
-        int size = (int)strcspn(line, "\n");
-        fprintf(file, "  clothbench %.*s\n", size, line);
-        line += size + (line[size] == '\n');
-    }
+    print_lines(command->examples, 0, "  clothbench ", file);
 }

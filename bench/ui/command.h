@@ -46,9 +46,10 @@ struct command {
 struct command_line {
     const struct command *command; /*                                         borrowed */
     int word_count;
-    const char **words;   /* [word_count]; strings borrowed from argv   owned */
-    int *counts;          /* [options] times given                      owned */
-    const char ***values; /* [options][count]; NULL strings of switches owned */
+    const char **words;  /* [word_count]; strings borrowed from argv   owned */
+    int *counts;         /* [options] times given                      owned */
+    int room;            /* for values of an option                          */
+    const char **values; /* [options][room]; NULL strings of switches  owned */
 };
 
 /* Reads argv[argc], the arguments after the command's name: --name value, --name=value,

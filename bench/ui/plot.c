@@ -42,25 +42,21 @@ out:
 void plot_page(struct output *out, const char *name, enum plot_kind kind, int width,
                int height)
 {
-    static const char *const ending[] = {"png", "svg", "pdf"};
+    static const struct {
+        const char *ending, *terminal, *unit, *font, *scale;
+        double per; /* points a unit */
+    } of[] = {{"png", "pngcairo", "", "'Sans,10'", "1.", 1},
+              {"svg", "svg", "", "'Sans,13'", "0.6", 1},
+              {"pdf", "pdfcairo", "in",
+               "'Sans,10' fontscale 0.75 linewidth 1.4 dashlength 1.4", "1.", 96}};
 
-    output_print(out, "unset multiplot\nunset output\nreset\n");
-    if (kind == PLOT_PNG)
-        output_print(out,
-                     "set terminal pngcairo noenhanced size %d,%d font 'Sans,10'\n"
-                     "scale = 1.\n",
-                     width, height);
-    else if (kind == PLOT_SVG)
-        output_print(out,
-                     "set terminal svg noenhanced size %d,%d font 'Sans,13'\n"
-                     "scale = 0.6\n",
-                     width, height);
-    else
-        output_print(out,
-                     "set terminal pdfcairo noenhanced size %gin,%gin font 'Sans,10' "
-                     "fontscale 0.75 linewidth 1.4 dashlength 1.4\nscale = 1.\n",
-                     width / 96., height / 96.);
-    output_print(out, "set output '%s.%s'\n", name, ending[kind]);
+    output_print(out,
+                 "unset multiplot\nunset output\nreset\n"
+                 "set terminal %s noenhanced size %g%s,%g%s font %s\nscale = %s\n"
+                 "set output '%s.%s'\n",
+                 of[kind].terminal, width / of[kind].per, of[kind].unit,
+                 height / of[kind].per, of[kind].unit, of[kind].font, of[kind].scale, name,
+                 of[kind].ending);
 }
 
 /* Within '' nothing means anything but ' itself, which doubled at the start would end the
@@ -78,7 +74,7 @@ void plot_text(struct output *out, const char *text)
     output_print(out, "'");
 }
 
-enum status plot_run(const char *folder, const char *script, struct message *why)
+static enum status run_script(const char *folder, const char *script, struct message *why)
 {
     int code;
     pid_t child = fork();
@@ -112,7 +108,7 @@ enum status plot_end(const char *folder, const char *name, struct output **out,
     output_print(whole, "unset multiplot\nunset output\n");
     TRY(output_close(whole, why));
     snprintf(script, sizeof script, "%s.gp", name);
-    TRY(plot_run(folder, script, why));
+    TRY(run_script(folder, script, why));
 out:
     return st;
 }

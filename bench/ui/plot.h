@@ -36,7 +36,4 @@ enum status plot_end(const char *folder, const char *name, struct output **out,
 enum status plot_tell(enum status st, const char *folder, const char *name,
                       const char *endings, const struct message *plot, struct message *why);
 
-/* Of scripts written elsewhere; goes with the last of them. */
-enum status plot_run(const char *folder, const char *script, struct message *why);
-
 #endif

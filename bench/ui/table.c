@@ -1,5 +1,6 @@
 /* table.c - what a table holds; table_print.c says how it looks to people, table_machine.c
  * to machines. */
+#define _GNU_SOURCE /* vasprintf */
 #include "bench/ui/table_parts.h"
 
 #include <assert.h>
@@ -29,20 +30,31 @@ bool table_format_is_prose(enum table_format format)
     return format != TABLE_CSV && format != TABLE_JSON;
 }
 
+int table_width(const char *text)
+{
+    int width = 0;
+
+    for (; text && *text; text++)
+        width += (*text & 0xC0) != 0x80;
+    return width;
+}
+
 /* Columns of the table's own, each with a key of its own. */
 static bool copy_columns(struct table *t, const struct table_column *columns)
 {
-    t->columns = malloc((size_t)t->column_count * sizeof *t->columns);
-    if (!t->columns)
+    t->columns = calloc((size_t)t->column_count, sizeof *t->columns);
+    t->width = calloc((size_t)t->column_count, sizeof *t->width);
+    if (!t->columns || !t->width)
         return false;
-    memcpy(t->columns, columns, (size_t)t->column_count * sizeof *columns);
     for (int n = 0; n < t->column_count; n++) {
-        const char *key = columns[n].key;
-        t->columns[n].key = key ? strdup(key) : table_machine_key(t->columns, n);
-        if (!t->columns[n].key) {
-            t->column_count = n; /* what there is to free */
+        const struct table_column *from = &columns[n];
+        const int header = table_width(from->header), unit = table_width(from->unit);
+        t->width[n] = header > unit ? header : unit;
+        t->columns[n] = *from;
+        t->columns[n].key =
+            from->key ? strdup(from->key) : table_machine_key(t->columns, n);
+        if (!t->columns[n].key)
             return false;
-        }
         for (int k = 0; k < n; k++)
             assert(strcmp(t->columns[k].key, t->columns[n].key) != 0);
     }
@@ -59,11 +71,10 @@ struct table *table_create(int column_count, const struct table_column *columns,
         return NULL;
     t->column_count = column_count;
     t->caption = caption ? strdup(caption) : NULL;
-    if (!copy_columns(t, columns) || (caption && !t->caption)) {
-        table_destroy(t);
-        return NULL;
-    }
-    return t;
+    if (copy_columns(t, columns) && (!caption || t->caption))
+        return t;
+    table_destroy(t);
+    return NULL;
 }
 
 void table_destroy(struct table *t)
@@ -80,6 +91,7 @@ void table_destroy(struct table *t)
     free(t->ruled);
     free(t->notes);
     free(t->columns);
+    free(t->width);
     free(t->caption);
     free(t);
 }
@@ -125,39 +137,27 @@ void table_rule(struct table *t)
         t->ruled[t->row_count] = true;
 }
 
-static char *format_text(const char *format, va_list arguments)
+/* What printf writes, on the heap; NULL: no memory. */
+static char *printed(const char *format, va_list arguments)
 {
-    char *text = NULL;
-    va_list again;
+    char *text;
 
-    va_copy(again, arguments);
-    int size = vsnprintf(NULL, 0, format, again);
-    va_end(again);
-    if (size >= 0 && (text = malloc((size_t)size + 1)))
-        vsnprintf(text, (size_t)size + 1, format, arguments);
-    return text;
+    return vasprintf(&text, format, arguments) < 0 ? NULL : text;
 }
 
-static void add_cell(struct table *t, struct table_cell cell)
+static void add_cell(struct table *t, int kind, double value, char *text)
 {
-    if (!t || t->failed || !cell.text) {
-        free(cell.text);
-        if (t && !cell.text)
+    if (!t || t->failed || !text) {
+        free(text);
+        if (t && !text)
             t->failed = true;
         return;
     }
     assert(t->row_count > 0 && t->filled < t->column_count);
-    t->cells[(long)(t->row_count - 1) * t->column_count + t->filled++] = cell;
-}
-
-static char *print_text(const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    char *text = format_text(format, arguments);
-    va_end(arguments);
-    return text;
+    int *width = &t->width[t->filled];
+    *width = table_width(text) > *width ? table_width(text) : *width;
+    t->cells[(long)(t->row_count - 1) * t->column_count + t->filled++] =
+        (struct table_cell){text, kind, value};
 }
 
 void table_text(struct table *t, const char *format, ...)
@@ -165,47 +165,8 @@ void table_text(struct table *t, const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    add_cell(t, (struct table_cell){format_text(format, arguments), TABLE_CELL_TEXT, NAN});
+    add_cell(t, TABLE_CELL_TEXT, NAN, printed(format, arguments));
     va_end(arguments);
-}
-
-/* What people see of a value in the next cell. */
-static double shown(const struct table *t, double value)
-{
-    const bool there = t && !t->failed && t->filled < t->column_count;
-    const double scale = there ? t->columns[t->filled].scale : 0;
-
-    return scale != 0 ? value * scale : value;
-}
-
-void table_number(struct table *t, double value, int digits)
-{
-    char *text;
-
-    assert(digits > 0 && digits <= 17);
-    text = isnan(value) ? print_text("-") : print_text("%#.*g", digits, shown(t, value));
-    if (text && *text && text[strlen(text) - 1] == '.')
-        text[strlen(text) - 1] = '\0'; /* # keeps zeros, and with them a bare point */
-    add_cell(t, (struct table_cell){text, TABLE_CELL_NUMBER, value});
-}
-
-void table_fixed(struct table *t, double value, int decimals)
-{
-    char *text =
-        isnan(value) ? print_text("-") : print_text("%.*f", decimals, shown(t, value));
-
-    add_cell(t, (struct table_cell){text, TABLE_CELL_NUMBER, value});
-}
-
-void table_integer(struct table *t, long value)
-{
-    add_cell(
-        t, (struct table_cell){print_text("%ld", value), TABLE_CELL_NUMBER, (double)value});
-}
-
-void table_dash(struct table *t)
-{
-    table_missing(t, "-");
 }
 
 void table_missing(struct table *t, const char *format, ...)
@@ -213,9 +174,48 @@ void table_missing(struct table *t, const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    add_cell(t,
-             (struct table_cell){format_text(format, arguments), TABLE_CELL_MISSING, NAN});
+    add_cell(t, TABLE_CELL_MISSING, NAN, printed(format, arguments));
     va_end(arguments);
+}
+
+void table_dash(struct table *t)
+{
+    table_missing(t, "-");
+}
+
+/* A number, which the format shows to people with so many digits, and as they see it. */
+static void add_number(struct table *t, const char *format, int digits, double value)
+{
+    const bool there = t && !t->failed && t->filled < t->column_count;
+    const double scale = there ? t->columns[t->filled].scale : 0;
+    char *text = NULL;
+
+    if (asprintf(&text, isnan(value) ? "-" : format, digits,
+                 scale != 0 ? value * scale : value) < 0)
+        text = NULL;
+    if (text && *text && text[strlen(text) - 1] == '.')
+        text[strlen(text) - 1] = '\0'; /* # keeps zeros, and with them a bare point */
+    add_cell(t, TABLE_CELL_NUMBER, value, text);
+}
+
+void table_number(struct table *t, double value, int digits)
+{
+    assert(digits > 0 && digits <= 17);
+    add_number(t, "%#.*g", digits, value);
+}
+
+void table_fixed(struct table *t, double value, int decimals)
+{
+    add_number(t, "%.*f", decimals, value);
+}
+
+void table_integer(struct table *t, long value)
+{
+    char *text;
+
+    if (asprintf(&text, "%ld", value) < 0)
+        text = NULL;
+    add_cell(t, TABLE_CELL_NUMBER, (double)value, text);
 }
 
 void table_note(struct table *t, const char *format, ...)
@@ -225,7 +225,7 @@ void table_note(struct table *t, const char *format, ...)
     if (!t || t->failed)
         return;
     va_start(arguments, format);
-    char *text = format_text(format, arguments);
+    char *text = printed(format, arguments);
     va_end(arguments);
     if (!text || !grow(&t->notes, (size_t)t->note_count, (size_t)t->note_count + 1,
                        sizeof *t->notes)) {
@@ -234,11 +234,6 @@ void table_note(struct table *t, const char *format, ...)
         return;
     }
     t->notes[t->note_count++] = text;
-}
-
-bool table_has(const struct table *t, int column, enum table_readers readers)
-{
-    return t->columns[column].readers == readers || t->columns[column].readers == TABLE_ALL;
 }
 
 int table_rows(const struct table *t)
@@ -261,14 +256,14 @@ const struct table_column *table_column(const struct table *t, int column)
     return &t->columns[column];
 }
 
-static const struct table_cell *cell_at(const struct table *t, int row, int column)
+const struct table_cell *table_cell(const struct table *t, int row, int column)
 {
     return &t->cells[(long)row * t->column_count + column];
 }
 
 double table_value(const struct table *t, int row, int column)
 {
-    const struct table_cell *cell = cell_at(t, row, column);
+    const struct table_cell *cell = table_cell(t, row, column);
 
     return cell->kind == TABLE_CELL_NUMBER ? cell->value : NAN;
 }
@@ -282,7 +277,7 @@ double table_shown(const struct table *t, int row, int column)
 
 const char *table_words(const struct table *t, int row, int column)
 {
-    const struct table_cell *cell = cell_at(t, row, column);
+    const struct table_cell *cell = table_cell(t, row, column);
 
     return cell->kind == TABLE_CELL_TEXT ? cell->text : "";
 }

@@ -118,6 +118,10 @@ double table_value(const struct table *t, int row, int column);
 double table_shown(const struct table *t, int row, int column);
 const char *table_words(const struct table *t, int row, int column);
 
+/* Columns that words take on a screen: bytes that do not continue a character of UTF-8; of
+ * NULL 0. */
+int table_width(const char *text);
+
 /* Words as notes are printed in text: lines of at most its width, then a line end. */
 void table_print_wrapped(const char *text, FILE *file);
 

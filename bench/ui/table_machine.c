@@ -67,34 +67,33 @@ char *table_machine_key(const struct table_column *columns, int n)
 
 /* --- CSV ------------------------------------------------------------------------------ */
 
-static bool is_wanted(const struct table *t, int column)
-{
-    return table_has(t, column, TABLE_MACHINES);
-}
-
 static void print_comment(const char *text, FILE *file)
 {
+    static const char *const escaped[128] = {['\n'] = "\n# "};
+
     fputs("# ", file);
-    for (; *text; text++)
-        fputs(*text == '\n' ? "\n# " : (char[]){*text, '\0'}, file);
+    table_print_escaped(text, escaped, file);
     fputc('\n', file);
 }
 
 static void print_field(const char *text, FILE *file)
 {
-    if (!text[strcspn(text, ",\"\n\r")] && *text != '#') {
-        fputs(text, file);
-        return;
-    }
-    fputc('"', file);
-    for (; *text; text++)
-        fputs(*text == '"' ? "\"\"" : (char[]){*text, '\0'}, file);
-    fputc('"', file);
+    static const char *const escaped[128] = {['"'] = "\"\""};
+    const char *quote = text[strcspn(text, ",\"\n\r")] || *text == '#' ? "\"" : "";
+
+    fputs(quote, file);
+    table_print_escaped(text, escaped, file);
+    fputs(quote, file);
 }
 
-static void print_cell(const struct table_cell *cell, FILE *file)
+static void print_cell(const struct table *t, int row, int column, FILE *file)
 {
-    if (cell->kind == TABLE_CELL_TEXT)
+    const struct table_cell *cell =
+        row == TABLE_HEADERS ? NULL : table_cell(t, row, column);
+
+    if (!cell)
+        print_field(t->columns[column].key, file);
+    else if (cell->kind == TABLE_CELL_TEXT)
         print_field(cell->text, file);
     else if (cell->kind == TABLE_CELL_NUMBER && isnan(cell->value))
         fputs("nan", file); /* whatever its sign */
@@ -102,39 +101,19 @@ static void print_cell(const struct table_cell *cell, FILE *file)
         fprintf(file, "%.17g", cell->value);
 }
 
-static void print_keys(const struct table *t, FILE *file)
+static void print_lines(const struct table *t, bool keys, FILE *file)
 {
-    const char *comma = "";
+    static const struct table_line line = {TABLE_MACHINES, "", ",", "\n", print_cell};
 
-    for (int n = 0; n < t->column_count; n++)
-        if (is_wanted(t, n)) {
-            fputs(comma, file);
-            print_field(t->columns[n].key, file);
-            comma = ",";
-        }
-    fputc('\n', file);
-}
-
-static void print_rows(const struct table *t, FILE *file)
-{
-    for (int row = 0; row < t->row_count; row++) {
-        const char *comma = "";
-        for (int n = 0; n < t->column_count; n++)
-            if (is_wanted(t, n)) {
-                fputs(comma, file);
-                print_cell(&t->cells[(long)row * t->column_count + n], file);
-                comma = ",";
-            }
-        fputc('\n', file);
-    }
+    for (int row = keys ? TABLE_HEADERS : 0; row < t->row_count; row++)
+        table_print_line(t, &line, row, file);
 }
 
 void table_machine_csv(const struct table *t, FILE *file)
 {
     if (t->caption)
         print_comment(t->caption, file);
-    print_keys(t, file);
-    print_rows(t, file);
+    print_lines(t, true, file);
     for (int n = 0; n < t->note_count; n++)
         print_comment(t->notes[n], file);
 }
@@ -143,9 +122,7 @@ enum status table_flush(struct table *t, FILE *file)
 {
     if (!t || t->failed)
         return STATUS_MEMORY;
-    if (!t->flushed)
-        print_keys(t, file);
-    print_rows(t, file);
+    print_lines(t, !t->flushed, file);
     for (long n = 0; n < (long)t->row_count * t->column_count; n++)
         free(t->cells[n].text);
     if (t->cells)
@@ -166,8 +143,7 @@ enum status table_save(const struct table *t, const char *folder, const char *na
         return STATUS_MEMORY;
     snprintf(path, sizeof path, "%s/%s.csv", folder, name);
     TRY(output_create(path, &out, why));
-    print_keys(t, output_stream(out));
-    print_rows(t, output_stream(out));
+    print_lines(t, true, output_stream(out));
     st = output_close(out, why);
 out:
     return st;
@@ -190,8 +166,19 @@ static void print_string(const char *text, FILE *file)
     fputc('"', file);
 }
 
-static void print_value(const struct table_cell *cell, FILE *file)
+static void print_pair(const char *key, const char *text, FILE *file)
 {
+    print_string(key, file);
+    fputs(": ", file);
+    print_string(text, file);
+}
+
+static void print_value(const struct table *t, int row, int column, FILE *file)
+{
+    const struct table_cell *cell = table_cell(t, row, column);
+
+    print_string(t->columns[column].key, file);
+    fputs(": ", file);
     if (cell->kind == TABLE_CELL_TEXT)
         print_string(cell->text, file);
     else if (cell->kind == TABLE_CELL_MISSING || isnan(cell->value))
@@ -209,42 +196,26 @@ static void print_units(const struct table *t, FILE *file)
     for (int n = 0; n < t->column_count; n++) {
         const struct table_column *c = &t->columns[n];
         const char *unit = c->key_unit ? c->key_unit : c->unit;
-        if (!unit || !is_wanted(t, n))
+        if (!unit || !table_print_has(t, n, TABLE_MACHINES))
             continue;
         fputs(comma, file);
-        print_string(c->key, file);
-        fputs(": ", file);
-        print_string(unit, file);
+        print_pair(c->key, unit, file);
         comma = ", ";
     }
 }
 
-static void print_object(const struct table *t, int row, FILE *file)
-{
-    const char *comma = "";
-
-    fputc('{', file);
-    for (int n = 0; n < t->column_count; n++)
-        if (is_wanted(t, n)) {
-            fputs(comma, file);
-            print_string(t->columns[n].key, file);
-            fputs(": ", file);
-            print_value(&t->cells[(long)row * t->column_count + n], file);
-            comma = ", ";
-        }
-    fputc('}', file);
-}
-
 void table_machine_json(const struct table *t, FILE *file)
 {
-    fputs("{\"caption\": ", file);
-    print_string(t->caption ? t->caption : "", file);
+    static const struct table_line object = {TABLE_MACHINES, "{", ", ", "}", print_value};
+
+    fputc('{', file);
+    print_pair("caption", t->caption ? t->caption : "", file);
     fputs(", \"units\": {", file);
     print_units(t, file);
     fputs("}, \"rows\": [", file);
     for (int row = 0; row < t->row_count; row++) {
         fputs(row ? ", " : "", file);
-        print_object(t, row, file);
+        table_print_line(t, &object, row, file);
     }
     fputs("], \"notes\": [", file);
     for (int n = 0; n < t->note_count; n++) {

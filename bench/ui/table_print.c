@@ -1,29 +1,52 @@
 /* table_print.c - how a table looks to people, in each format. */
 #include "bench/ui/table_parts.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum { TEXT_WIDTH = 96 };
 
-static bool is_wanted(const struct table *t, int column)
+bool table_print_has(const struct table *t, int column, enum table_readers readers)
 {
-    return table_has(t, column, TABLE_PEOPLE);
+    return t->columns[column].readers == readers || t->columns[column].readers == TABLE_ALL;
+}
+
+void table_print_line(const struct table *t, const struct table_line *line, int row,
+                      FILE *file)
+{
+    const char *before = line->before;
+
+    for (int n = 0; n < t->column_count; n++)
+        if (table_print_has(t, n, line->readers)) {
+            fputs(before, file);
+            line->print(t, row, n, file);
+            before = line->between;
+        }
+    fputs(line->behind, file);
+}
+
+void table_print_escaped(const char *text, const char *const escaped[128], FILE *file)
+{
+    for (; *text; text++) {
+        const unsigned char c = (unsigned char)*text;
+        if (c < 128 && escaped[c])
+            fputs(escaped[c], file);
+        else
+            fputc(c, file);
+    }
 }
 
 static const char *text_at(const struct table *t, int row, int column)
 {
-    const char *text = t->cells[(long)row * t->column_count + column].text;
+    const struct table_column *c = &t->columns[column];
+    const char *text = row == TABLE_HEADERS ? c->header
+                       : row == TABLE_UNITS ? c->unit
+                                            : table_cell(t, row, column)->text;
     return text ? text : "";
 }
 
-/* Columns on a screen: bytes that do not continue a UTF-8 character. */
-static int screen_width(const char *text)
+static bool is_right(const struct table *t, int column)
 {
-    int width = 0;
-    for (; *text; text++)
-        width += (*text & 0xC0) != 0x80;
-    return width;
+    return t->columns[column].align == TABLE_RIGHT;
 }
 
 /* --- text ---------------------------------------------------------------------------- */
@@ -50,238 +73,170 @@ void table_print_wrapped(const char *text, FILE *file)
 }
 
 /* One line of cells. Blanks are printed only before something, none at the end. */
-static void print_cells(const struct table *t, const int *width,
-                        const char *(*text)(const struct table *t, int row, int column),
-                        int row, FILE *file)
+static void print_cells(const struct table *t, int row, FILE *file)
 {
     int pending = 0;
 
     for (int n = 0; n < t->column_count; n++) {
-        if (!is_wanted(t, n))
+        if (!table_print_has(t, n, TABLE_PEOPLE))
             continue;
-        const char *cell = text(t, row, n);
-        int blanks = width[n] - screen_width(cell);
-        bool right = t->columns[n].align == TABLE_RIGHT;
+        const char *cell = text_at(t, row, n);
+        int blanks = t->width[n] - table_width(cell);
 
-        pending += right ? blanks : 0;
+        pending += is_right(t, n) ? blanks : 0;
         if (*cell) {
             fprintf(file, "%*s%s", pending, "", cell);
             pending = 0;
         }
-        pending += (right ? 0 : blanks) + 2;
+        pending += (is_right(t, n) ? 0 : blanks) + 2;
     }
     fputc('\n', file);
 }
 
-static const char *header_at(const struct table *t, int row, int column)
-{
-    (void)row;
-    return t->columns[column].header;
-}
-
-static const char *unit_at(const struct table *t, int row, int column)
-{
-    (void)row;
-    return t->columns[column].unit ? t->columns[column].unit : "";
-}
-
-static void print_line(const struct table *t, const int *width, FILE *file)
+static void print_rule(const struct table *t, FILE *file)
 {
     int total = -2;
     for (int n = 0; n < t->column_count; n++)
-        total += is_wanted(t, n) ? width[n] + 2 : 0;
+        total += table_print_has(t, n, TABLE_PEOPLE) ? t->width[n] + 2 : 0;
     for (int n = 0; n < total; n++)
         fputc('-', file);
     fputc('\n', file);
 }
 
-static int widest(const struct table *t, int column)
+static void print_text(const struct table *t, FILE *file)
 {
-    const struct table_column *c = &t->columns[column];
-    int width = screen_width(c->header), unit = c->unit ? screen_width(c->unit) : 0;
-
-    if (unit > width)
-        width = unit;
-    for (int row = 0; row < t->row_count; row++) {
-        int cell = screen_width(text_at(t, row, column));
-        if (cell > width)
-            width = cell;
-    }
-    return width;
-}
-
-static enum status print_text(const struct table *t, FILE *file)
-{
-    int count = t->column_count;
     bool units = false;
-    int *width = calloc((size_t)count, sizeof *width);
 
-    if (!width)
-        return STATUS_MEMORY;
-    for (int n = 0; n < count; n++) {
-        width[n] = widest(t, n);
-        units = units || (is_wanted(t, n) && t->columns[n].unit);
-    }
+    for (int n = 0; n < t->column_count; n++)
+        units = units || (table_print_has(t, n, TABLE_PEOPLE) && t->columns[n].unit);
     if (t->caption) {
         table_print_wrapped(t->caption, file);
         fputc('\n', file);
     }
-    print_cells(t, width, header_at, 0, file);
+    print_cells(t, TABLE_HEADERS, file);
     if (units)
-        print_cells(t, width, unit_at, 0, file);
-    print_line(t, width, file);
+        print_cells(t, TABLE_UNITS, file);
+    print_rule(t, file);
     for (int row = 0; row < t->row_count; row++) {
         if (row && t->ruled[row])
-            print_line(t, width, file);
-        print_cells(t, width, text_at, row, file);
+            print_rule(t, file);
+        print_cells(t, row, file);
     }
     for (int n = 0; n < t->note_count; n++) {
         fputc('\n', file);
         table_print_wrapped(t->notes[n], file);
     }
-    free(width);
-    return STATUS_OK;
 }
 
-/* --- Markdown ---------------------------------------------------------------------------
- */
+/* --- Markdown ------------------------------------------------------------------------- */
 
-static void print_markdown_cell(const char *text, FILE *file)
+static void print_markdown_cell(const struct table *t, int row, int column, FILE *file)
 {
-    for (; *text; text++) {
-        if (*text == '|' || *text == '*' || *text == '_')
-            fputc('\\', file);
-        fputc(*text == '\n' ? ' ' : *text, file);
-    }
+    static const char *const escaped[128] = {
+        ['|'] = "\\|", ['*'] = "\\*", ['_'] = "\\_", ['\n'] = " "};
+
+    table_print_escaped(text_at(t, row, column), escaped, file);
+    if (row == TABLE_HEADERS && t->columns[column].unit)
+        fprintf(file, " [%s]", t->columns[column].unit);
+}
+
+static void print_markdown_side(const struct table *t, int row, int column, FILE *file)
+{
+    (void)row;
+    fputs(is_right(t, column) ? "---:" : ":---", file);
 }
 
 static void print_markdown(const struct table *t, FILE *file)
 {
+    static const struct table_line cells = {TABLE_PEOPLE, "| ", " | ", " |\n",
+                                            print_markdown_cell},
+                                   sides = {TABLE_PEOPLE, "|", "|", "|\n",
+                                            print_markdown_side};
+
     if (t->caption)
         fprintf(file, "**%s**\n\n", t->caption);
-    for (int n = 0; n < t->column_count; n++) {
-        if (!is_wanted(t, n))
-            continue;
-        fputs("| ", file);
-        print_markdown_cell(t->columns[n].header, file);
-        if (t->columns[n].unit)
-            fprintf(file, " [%s]", t->columns[n].unit);
-        fputc(' ', file);
-    }
-    fputs("|\n", file);
-    for (int n = 0; n < t->column_count; n++)
-        if (is_wanted(t, n))
-            fputs(t->columns[n].align == TABLE_RIGHT ? "|---:" : "|:---", file);
-    fputs("|\n", file);
-    for (int row = 0; row < t->row_count; row++) {
-        for (int n = 0; n < t->column_count; n++)
-            if (is_wanted(t, n)) {
-                fputs("| ", file);
-                print_markdown_cell(text_at(t, row, n), file);
-                fputc(' ', file);
-            }
-        fputs("|\n", file);
-    }
+    table_print_line(t, &cells, TABLE_HEADERS, file);
+    table_print_line(t, &sides, 0, file);
+    for (int row = 0; row < t->row_count; row++)
+        table_print_line(t, &cells, row, file);
     for (int n = 0; n < t->note_count; n++)
         fprintf(file, "\n%s\n", t->notes[n]);
 }
 
-/* --- LaTeX: plain tabular, no packages ---------------------------------------------------
- */
+/* --- LaTeX: plain tabular, no packages ------------------------------------------------ */
 
-static void print_latex_text(const char *text, FILE *file)
+/* `text` with what TeX takes for its own told apart, between two that TeX reads. */
+static void print_latex_text(const char *before, const char *text, const char *behind,
+                             FILE *file)
 {
-    static const char *const escaped[] = {['&'] = "\\&",   ['%'] = "\\%",
-                                          ['$'] = "\\$",   ['#'] = "\\#",
-                                          ['_'] = "\\_",   ['{'] = "\\{",
-                                          ['}'] = "\\}",   ['~'] = "\\~{}",
-                                          ['^'] = "\\^{}", ['\\'] = "\\textbackslash{}",
-                                          ['<'] = "$<$",   ['>'] = "$>$",
-                                          ['|'] = "$|$"};
+    static const char *const escaped[128] = {['&'] = "\\&",
+                                             ['%'] = "\\%",
+                                             ['$'] = "\\$",
+                                             ['#'] = "\\#",
+                                             ['_'] = "\\_",
+                                             ['{'] = "\\{",
+                                             ['}'] = "\\}",
+                                             ['<'] = "$<$",
+                                             ['~'] = "\\~{}",
+                                             ['>'] = "$>$",
+                                             ['^'] = "\\^{}",
+                                             ['|'] = "$|$",
+                                             ['\\'] = "\\textbackslash{}"};
 
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        if (c < sizeof escaped / sizeof *escaped && escaped[c])
-            fputs(escaped[c], file);
-        else
-            fputc(c, file);
-    }
+    fputs(before, file);
+    table_print_escaped(text, escaped, file);
+    fputs(behind, file);
+}
+
+static void print_latex_cell(const struct table *t, int row, int column, FILE *file)
+{
+    print_latex_text("", text_at(t, row, column), "", file);
+    if (row == TABLE_HEADERS && t->columns[column].unit)
+        print_latex_text(" [", t->columns[column].unit, "]", file);
+}
+
+static void print_latex_side(const struct table *t, int row, int column, FILE *file)
+{
+    (void)row;
+    fputc(is_right(t, column) ? 'r' : 'l', file);
 }
 
 static void print_latex(const struct table *t, FILE *file)
 {
-    const char *between = "";
+    static const struct table_line cells = {TABLE_PEOPLE, "", " & ", " \\\\\n",
+                                            print_latex_cell},
+                                   sides = {TABLE_PEOPLE, "", "", "", print_latex_side};
 
     fputs("\\begin{table}\n\\centering\n", file);
-    if (t->caption) {
-        fputs("\\caption{", file);
-        print_latex_text(t->caption, file);
-        fputs("}\n", file);
-    }
+    if (t->caption)
+        print_latex_text("\\caption{", t->caption, "}\n", file);
     fputs("\\begin{tabular}{", file);
-    for (int n = 0; n < t->column_count; n++)
-        if (is_wanted(t, n))
-            fputc(t->columns[n].align == TABLE_RIGHT ? 'r' : 'l', file);
+    table_print_line(t, &sides, 0, file);
     fputs("}\n\\hline\n", file);
-    for (int n = 0; n < t->column_count; n++) {
-        if (!is_wanted(t, n))
-            continue;
-        fputs(between, file);
-        between = " & ";
-        print_latex_text(t->columns[n].header, file);
-        if (t->columns[n].unit) {
-            fputs(" [", file);
-            print_latex_text(t->columns[n].unit, file);
-            fputc(']', file);
-        }
-    }
-    fputs(" \\\\\n\\hline\n", file);
+    table_print_line(t, &cells, TABLE_HEADERS, file);
+    fputs("\\hline\n", file);
     for (int row = 0; row < t->row_count; row++) {
         fputs(row && t->ruled[row] ? "\\hline\n" : "", file);
-        between = "";
-        for (int n = 0; n < t->column_count; n++)
-            if (is_wanted(t, n)) {
-                fputs(between, file);
-                between = " & ";
-                print_latex_text(text_at(t, row, n), file);
-            }
-        fputs(" \\\\\n", file);
+        table_print_line(t, &cells, row, file);
     }
     fputs("\\hline\n\\end{tabular}\n", file);
-    for (int n = 0; n < t->note_count; n++) {
-        fputs("\n\\smallskip\\footnotesize ", file);
-        print_latex_text(t->notes[n], file);
-        fputc('\n', file);
-    }
+    for (int n = 0; n < t->note_count; n++)
+        print_latex_text("\n\\smallskip\\footnotesize ", t->notes[n], "\n", file);
     fputs("\\end{table}\n", file);
 }
 
 enum status table_print(const struct table *t, enum table_format format, FILE *file)
 {
-    enum status st = STATUS_OK;
+    static void (*const print[])(const struct table *, FILE *) = {
+        [TABLE_TEXT] = print_text,         [TABLE_CSV] = table_machine_csv,
+        [TABLE_MARKDOWN] = print_markdown, [TABLE_LATEX] = print_latex,
+        [TABLE_JSON] = table_machine_json,
+    };
 
     if (!t || t->failed)
         return STATUS_MEMORY;
-    switch (format) {
-    case TABLE_TEXT:
-        st = print_text(t, file);
-        break;
-    case TABLE_CSV:
-        table_machine_csv(t, file);
-        break;
-    case TABLE_JSON:
-        table_machine_json(t, file);
-        break;
-    case TABLE_MARKDOWN:
-        print_markdown(t, file);
-        break;
-    case TABLE_LATEX:
-        print_latex(t, file);
-        break;
-    }
-    if (st == STATUS_OK && ferror(file))
-        st = STATUS_FILE;
-    return st;
+    print[format](t, file);
+    return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 
 enum status table_finish(struct table *t, enum table_format format, FILE *file)

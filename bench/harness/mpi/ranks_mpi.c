@@ -1,5 +1,5 @@
 /* ranks_mpi.c - messages by MPI. A library of its own, loaded by bench/harness/ranks.c. */
-#include "bench/harness/mpi/ranks_mpi.h"
+#include "bench/harness/ranks.h"
 
 #include <mpi.h>
 #include <stdlib.h>

@@ -268,7 +268,7 @@ enum status study_read(const struct plan *plan, const char *folder, struct study
 {
     enum status st = STATUS_OK;
 
-    *r = (struct study_results){.count = plan->study_count};
+    *r = (struct study_results){.plan = plan, .count = plan->study_count};
     r->study = calloc((size_t)r->count + 1, sizeof *r->study);
     TRY(r->study ? STATUS_OK : STATUS_MEMORY);
     file_of(&plan->studies[0], &plan->studies[0].levels[0], folder, r->machine);

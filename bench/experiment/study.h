@@ -44,6 +44,7 @@ struct study {
 };
 
 struct study_results {
+    const struct plan *plan; /*                                               borrowed  */
     int count;
     struct study *study; /* [count]                                              owned  */
     char machine[4096];  /* a file whose provenance holds for all                       */

@@ -91,12 +91,15 @@ static bool has_physics(const char *path, const struct run_plan *plan)
 static bool is_kept(const char *path, const struct run_plan *plan,
                     const struct truth_runs *runs, struct run_result *r)
 {
-    if (run_result_read(path, true, r, NULL) != STATUS_OK)
-        return false;
-    if (has_times(r, runs) && has_physics(path, plan))
-        return true;
-    run_result_clear(r);
-    return false;
+    struct run_result found = {0};
+    const bool good = run_result_read(path, true, &found, NULL) == STATUS_OK &&
+                      has_times(&found, runs) && has_physics(path, plan);
+
+    if (good)
+        *r = found;
+    else
+        run_result_clear(&found);
+    return good;
 }
 
 /* What a run that came to no end says. */

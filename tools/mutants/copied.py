@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 TEST = re.compile(r"^add_test\(\[=\[(.*?)\]=\](.*)\)$", re.M)
 ARGUMENT = re.compile(r'"((?:[^"\\]|\\.)*)"')
+TIMES = re.compile(r"(\d+)m([\d.]+)s")
 # Tests that say nothing of a mutant: of style, of the machine; and the checks of `verify`,
 # which are the numerics' own and slow to say which line it was.
 LEFT_OUT = {"external", "slow", "bench", "style"}
@@ -37,7 +38,7 @@ def apart():
     for user in ([], ["--user", "--map-current-user"]):
         command = ["unshare", *user, "--pid", "--fork", "--kill-child", "--mount-proc"]
         if shutil.which("unshare") and run([*command, "true"]).returncode == 0:
-            return [*command, "sh", "-c", '"$@"; exit $?', "sh"]
+            return [*command, "sh", "-c", '"$@"; code=$?; times; exit $code', "sh"]
     raise SystemExit("no process namespace can be had (unshare): mutants could signal anyone")
 
 
@@ -154,8 +155,11 @@ class Copy:
         return digest.hexdigest()
 
     def test(self, name, seconds, **environment):
-        """How one test ends, 'passed', 'failed' or 'hangs', and the seconds it took."""
+        """How one test ends, 'passed', 'failed' or 'hangs', and its processor time.
+
+        Stopped after so many seconds, more where others keep the machine busy."""
         start = time.monotonic()
+        seconds *= max(1, os.getloadavg()[0] / os.cpu_count())
         child = subprocess.Popen(
             [*self.apart, "ctest", "--test-dir", self.build, "-R",
              f"^{re.escape(name)}$"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -169,4 +173,6 @@ class Copy:
             end = "hangs"
             child.kill()  # and with it all that it started
             child.communicate()
-        return end, time.monotonic() - start
+        if end == "hangs":
+            return end, time.monotonic() - start
+        return end, sum(60 * float(m) + float(s) for m, s in TIMES.findall(said)[-2:])

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Mutants of C files and who notices them; see tools/faults --help."""
 import argparse
+import collections
 import os
 import queue
 import random
@@ -15,7 +16,7 @@ import results
 
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SCRATCH = os.path.join(TOP, "build-faults")
-WAIT = 30  # seconds more than ten times a test's own before it is said to hang
+WAIT = 20  # seconds more than ten times a test's own before it is said to hang
 
 
 def free_copy():
@@ -40,6 +41,7 @@ class Trial:
         self.excuses = results.Excuses(TOP)
         self.lock = threading.Lock()
         self.sound, self.unsound, self.rows = set(), set(), []
+        self.told = collections.Counter()  # (file, test): mutants that it noticed
 
     def seconds(self, name):
         return self.map["tests"].get(name, {"seconds": 0})["seconds"]
@@ -57,14 +59,16 @@ class Trial:
             known = {name for names in functions.values() for name in names}
         wanted = [n for n in tests if (n in unknown or n in known) and n not in self.unsound
                   and re.search(self.o.tests, n)]
-        return sorted(wanted, key=lambda n: (self.seconds(n) > self.o.longest,
-                                             n not in unknown, self.seconds(n)))
+        return sorted(wanted, key=lambda n: (
+            self.seconds(n) > self.o.longest, n not in unknown,
+            (0.1 + self.seconds(n)) / (1 + self.told[mutant.file, n])))
 
     def tell(self, mutant, end, by="", ran=0, covering=0, seconds=0.0):
         row = dict(mutant._asdict(), end=end, by=by, ran=ran, covering=covering,
                    seconds=round(seconds, 1), commit=self.commit)
         with self.lock:
             self.rows.append(row)
+            self.told[mutant.file, by] += end in results.NOTICED
             if self.o.results:
                 results.append(self.o.results, row)
             if end not in ("same", "does not compile"):
@@ -134,7 +138,7 @@ class Worker(threading.Thread):
         if self.copy.make(self.tests[name].programs).returncode:
             return "does not compile", 0
         limit = 10 * self.trial.seconds(name) + WAIT
-        return self.copy.test(name, min(limit, self.tests[name].limit + WAIT))
+        return self.copy.test(name, min(limit, self.tests[name].limit))
 
     def is_sound(self, name, mutant, text):
         """Does it pass without the mutant? Asked once a test."""

@@ -14,10 +14,8 @@ from typing import NamedTuple
 TEST = re.compile(r"^add_test\(\[=\[(.*?)\]=\](.*)\)$", re.M)
 ARGUMENT = re.compile(r'"((?:[^"\\]|\\.)*)"')
 TIMES = re.compile(r"(\d+)m([\d.]+)s")
-# Tests that say nothing of a mutant: of style, of the machine; and the checks of `verify`,
-# which are the numerics' own and slow to say which line it was.
+# Tests that say nothing of a mutant: of style, of the machine.
 LEFT_OUT = {"external", "slow", "bench", "style"}
-VERIFY = "verify."
 MEMORY = 12 << 30  # bytes at most, of each process
 
 
@@ -132,7 +130,7 @@ class Copy:
         for entry in json.loads(shown)["tests"]:
             has = {p["name"]: p["value"] for p in entry["properties"]}
             name = entry["name"]
-            if LEFT_OUT & set(has.get("LABELS", ())) or name.startswith(VERIFY):
+            if LEFT_OUT & set(has.get("LABELS", ())):
                 continue
             programs = self.programs(commands[name])
             found[name] = Test(programs, self.hash_of(commands[name], programs),

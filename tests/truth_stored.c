@@ -25,15 +25,6 @@ static double own_error(const struct truth_level *fine, const struct truth_level
     return difference / (ratio - 1);
 }
 
-/* As the scene's truth moves. */
-static void undamp(struct settings *settings, const struct scene *s)
-{
-    const char *setting = truth_plan_damping(s);
-
-    if (setting)
-        settings_set(settings, setting);
-}
-
 /* Degrees and nets that no truth is made of. */
 static void mid_size(const char *scene, enum truth_model model, int degree)
 {
@@ -47,8 +38,7 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
     char *path = NULL;
 
     REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
-    REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
-    undamp(&settings, &s);
+    REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
     struct truth_runs runs = {path, &settings, TIMES, times, folder};
     if (!CHECK(truth_find(path, &settings, TIMES, times, folder, TRUTH_READ, &truth,
                           &why) == STATUS_OK))
@@ -89,8 +79,7 @@ static void each_has_its_scene(void)
         int found = 0;
 
         REQUIRE(scene_file_find(entries[n].name, &path, NULL) == STATUS_OK);
-        REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
-        undamp(&settings, &s);
+        REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
         CHECK(truth_stored_times(path, &settings, s.end, 1, time, &found, NULL) ==
               STATUS_OK);
         if (!CHECK(found == 1))
@@ -112,8 +101,7 @@ static void made_anew(const char *scene)
     char *path = NULL, *file = NULL, *physics = NULL;
 
     REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
-    REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
-    undamp(&settings, &s);
+    REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
     struct truth_runs runs = {path, &settings, TIMES, times, folder};
     REQUIRE(named_file_find(&truth_file_kind, scene, &file, NULL) == STATUS_OK);
     REQUIRE(truth_file_read(file, &stored, &physics, NULL) == STATUS_OK);

@@ -95,7 +95,7 @@ static enum status print(const struct job *j, const struct truth_made *made)
 static enum status prepare(struct job *j, const struct command_line *line,
                            struct message *why)
 {
-    const char *word = command_value(line, "--format"), *damping;
+    const char *word = command_value(line, "--format");
     int count;
     const char *const *given = command_values(line, "--set", &count);
     enum status st;
@@ -105,10 +105,7 @@ static enum status prepare(struct job *j, const struct command_line *line,
         TRY(table_format_parse(word, &j->format, why));
     settings_set_all(&j->settings, count, given);
     TRY(scene_file_find(line->words[0], &j->path, why));
-    TRY(settings_read_scene(&j->settings, j->path, &j->scene, why));
-    damping = truth_plan_damping(&j->scene);
-    if (damping)
-        settings_set(&j->settings, damping);
+    TRY(truth_plan_scene(j->path, &j->settings, &j->scene, why));
 out:
     return st;
 }
@@ -149,18 +146,13 @@ out:
 
 static enum status print_stored(const struct job *j, struct message *why)
 {
-    struct truth_made made = {0};
-    char *path = NULL, *physics = NULL;
-    enum status st;
+    struct truth_made made;
+    enum status st = truth_file_find(j->scene.name, &j->scene, &made, why);
 
-    TRY(named_file_find(&truth_file_kind, j->scene.name, &path, why));
-    TRY(truth_file_read(path, &made, &physics, why));
-    TRY(print(j, &made));
-out:
+    if (st == STATUS_OK)
+        st = print(j, &made);
     truth_made_clear(&made);
-    free(physics);
-    free(path);
-    return st;
+    return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
 }
 
 static enum status run(const struct command_line *line, struct message *why)

@@ -198,6 +198,29 @@ out:
     return st;
 }
 
+enum status truth_file_find(const char *name, const struct scene *scene,
+                            struct truth_made *made, struct message *why)
+{
+    char *path = NULL, *physics = NULL;
+    struct message other = {""};
+    enum status st;
+
+    memset(made, 0, sizeof *made);
+    st = named_file_find(&truth_file_kind, name, &path, why);
+    if (st != STATUS_OK)
+        return st == STATUS_INPUT ? STATUS_FILE : st;
+    TRY(truth_file_read(path, made, &physics, why));
+    st = truth_physics_check(physics, scene, &other);
+    if (st == STATUS_UNSUPPORTED)
+        status_fail(why, st, "the stored truth of %s is %s", name, other.text);
+out:
+    if (st != STATUS_OK)
+        truth_made_clear(made);
+    free(physics);
+    free(path);
+    return st;
+}
+
 static char *describe(const char *path)
 {
     struct truth_made made;

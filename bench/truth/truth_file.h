@@ -23,6 +23,12 @@ extern const struct named_file_kind truth_file_kind;
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
                              const struct truth_made *made, struct message *why);
 
+/* The stored truth of a name, if it is of this scene's physics. STATUS_FILE: none is
+ * stored; STATUS_UNSUPPORTED: it is of other physics; STATUS_INPUT: it was changed; with a
+ * sentence each. Free with truth_made_clear. */
+enum status truth_file_find(const char *name, const struct scene *scene,
+                            struct truth_made *made, struct message *why);
+
 /* Reads one; the fields past the horizon are NULL, `level` is left zero. *physics is freed
  * by the receiver. STATUS_INPUT with a sentence: no truth, or changed. Free with
  * truth_made_clear. */

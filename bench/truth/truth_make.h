@@ -50,6 +50,8 @@ struct truth_made {
     char note[400];                 /* a sentence: source and error bar                  */
     char horizon[TRUTH_WATCH_TEXT]; /* until when it is predictable: gravity is
  changed a little, and the change watched as long as the scene lasts */
+    char commit[64], changed[16];   /* of one that is stored: the program's that made it,
+   and how many files differed from it; "unknown" */
 };
 
 /* Runs what is not in the folder yet; `quiet`: no progress bar. STATUS_DIVERGED: a run

@@ -83,4 +83,9 @@ struct truth_order truth_order(const double h[3], double first, double second,
 /* Times before one of the bounds is passed. */
 int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length);
 
+/* Whose field is the truth: the model's that can claim more times; of two that can claim
+ * the same, the one's with the smaller bar at the last of them. Fills the error bars that
+ * follow, and `claimed`. */
+enum truth_model truth_made_choose(struct truth_made *made, double length);
+
 #endif

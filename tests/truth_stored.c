@@ -63,6 +63,24 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
     free(path);
 }
 
+/* Made while files differed from the commit that they name, before that was refused. To be
+ * made anew (clothbench truth NAME --out bench/truths/NAME.h5), and then taken off here. */
+static const char *const unclean[] = {"corners_patch", "edge_drop", "sphere"};
+
+/* Whether a commit alone makes it what it is. */
+static void check_origin(const char *name, const struct scene *s)
+{
+    struct truth_made made;
+    bool excused = false;
+
+    for (size_t n = 0; n < sizeof unclean / sizeof *unclean; n++)
+        excused |= !strcmp(unclean[n], name);
+    REQUIRE(truth_file_find(name, s, &made, NULL) == STATUS_OK);
+    if (!CHECK(truth_file_clean(made.commit, made.changed) != excused))
+        printf("%s: commit %s, %s changed files\n", name, made.commit, made.changed);
+    truth_made_clear(&made);
+}
+
 /* Each file holds for the scene whose name it has, as it comes with the program. */
 static void each_has_its_scene(void)
 {
@@ -84,6 +102,7 @@ static void each_has_its_scene(void)
               STATUS_OK);
         if (!CHECK(found == 1))
             printf("%s: %s\n", entries[n].name, entries[n].text);
+        check_origin(entries[n].name, &s);
         settings_clear(&settings);
         scene_clear(&s);
         free(path);

@@ -105,6 +105,14 @@ for name in $names; do
 done
 good list truths
 refused "no truth 'hinge'" truth hinge --stored
+good truth edge_drop --stored
+says out 'All of it is claimed.' 'Made at commit'
+good truth flag --stored
+says out 'Nothing is claimed from 0.4 s on: the error bar there, ' ' %, is above 5 %.'
+good truth sphere --stored
+says out 'Nothing is claimed from 0.3 s on: the growth there, ' ', is above 1000.'
+refused 'of other physics: material 100000 0.3 0.5, not material 1000000 0.3 0.5' \
+    truth edge_drop --stored --set material.young=1e6
 good list studies
 says out mesh
 good list cases
@@ -122,6 +130,14 @@ for format in text csv markdown latex json; do
     good verify elastica --format "$format" --from rows_$format
     [ "$out" = "$printed" ] || fail "verify --from prints another $format"
 done
+
+# --- verify judges nobody by a truth of other physics, and says so ---------------------------
+mkdir scenes
+sed 's/young: *1.0e5/young: 1.0e6/' "$2/models/scenes/edge_drop.yaml" >scenes/edge_drop.yaml
+CLOTHBENCH_SCENES=$PWD/scenes good verify truths --quick --models shell_3 --format csv
+grep -q '^"edge_drop, rms / L".*,not applicable,.*of other physics: material 100000 ' out ||
+    fail "verify truths judges by another physics: $out"
+grep -q '^"flag, rms / L at 0.1 s".*,met,' out || fail "verify truths lacks the flag: $out"
 
 # --- bench: so are times, from every repeat that was kept -----------------------------------
 good bench contestants growth --models iga_linear,shell --quick --out times --format json

@@ -25,15 +25,6 @@ static double own_error(const struct truth_level *fine, const struct truth_level
     return difference / (ratio - 1);
 }
 
-/* As the scene's truth moves. */
-static void undamp(struct settings *settings, const struct scene *s)
-{
-    const char *setting = truth_plan_damping(s);
-
-    if (setting)
-        settings_set(settings, setting);
-}
-
 /* Degrees and nets that no truth is made of. */
 static void mid_size(const char *scene, enum truth_model model, int degree)
 {
@@ -47,8 +38,7 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
     char *path = NULL;
 
     REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
-    REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
-    undamp(&settings, &s);
+    REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
     struct truth_runs runs = {path, &settings, TIMES, times, folder};
     if (!CHECK(truth_find(path, &settings, TIMES, times, folder, TRUTH_READ, &truth,
                           &why) == STATUS_OK))
@@ -73,6 +63,24 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
     free(path);
 }
 
+/* Made while files differed from the commit that they name, before that was refused. To be
+ * made anew (clothbench truth NAME --out bench/truths/NAME.h5), and then taken off here. */
+static const char *const unclean[] = {"corners_patch", "edge_drop", "sphere"};
+
+/* Whether a commit alone makes it what it is. */
+static void check_origin(const char *name, const struct scene *s)
+{
+    struct truth_made made;
+    bool excused = false;
+
+    for (size_t n = 0; n < sizeof unclean / sizeof *unclean; n++)
+        excused |= !strcmp(unclean[n], name);
+    REQUIRE(truth_file_find(name, s, &made, NULL) == STATUS_OK);
+    if (!CHECK(truth_file_clean(made.commit, made.changed) != excused))
+        printf("%s: commit %s, %s changed files\n", name, made.commit, made.changed);
+    truth_made_clear(&made);
+}
+
 /* Each file holds for the scene whose name it has, as it comes with the program. */
 static void each_has_its_scene(void)
 {
@@ -89,12 +97,12 @@ static void each_has_its_scene(void)
         int found = 0;
 
         REQUIRE(scene_file_find(entries[n].name, &path, NULL) == STATUS_OK);
-        REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
-        undamp(&settings, &s);
+        REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
         CHECK(truth_stored_times(path, &settings, s.end, 1, time, &found, NULL) ==
               STATUS_OK);
         if (!CHECK(found == 1))
             printf("%s: %s\n", entries[n].name, entries[n].text);
+        check_origin(entries[n].name, &s);
         settings_clear(&settings);
         scene_clear(&s);
         free(path);
@@ -112,8 +120,7 @@ static void made_anew(const char *scene)
     char *path = NULL, *file = NULL, *physics = NULL;
 
     REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
-    REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
-    undamp(&settings, &s);
+    REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
     struct truth_runs runs = {path, &settings, TIMES, times, folder};
     REQUIRE(named_file_find(&truth_file_kind, scene, &file, NULL) == STATUS_OK);
     REQUIRE(truth_file_read(file, &stored, &physics, NULL) == STATUS_OK);

@@ -180,9 +180,11 @@ static void check_refusals(const char *folder)
     static const char *const text[] = {
         "", "a,b\n",
         "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,remark,"
-        "check,source\n1,2\n",
+        "check,source,claimed_at_first\n1,2\n",
         "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,remark,"
-        "check,source\na,b,1,1,0,0,0,nan,fine,0,,c,d\n"};
+        "check,source,claimed_at_first\na,b,1,1,0,0,0,nan,fine,0,,c,d,\n"};
+    static const char *const sentence[] = {"columns", "columns", "row 1 has not",
+                                           "'fine' is no verdict"};
     struct verify_sheet read;
     struct message why = {""};
     char path[4096];
@@ -195,6 +197,8 @@ static void check_refusals(const char *folder)
         fputs(text[n], file);
         fclose(file);
         CHECK(verify_file_read(&check, folder, &read, &why) == STATUS_INPUT);
+        if (!CHECK(strstr(why.text, sentence[n])))
+            printf("%s\n", why.text);
     }
 }
 

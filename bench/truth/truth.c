@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "bench/truth/truth_file.h"
-#include "bench/truth/truth_physics.h"
 #include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
@@ -136,25 +135,13 @@ static enum status take(const struct scene *scene, const struct truth_made *made
     return STATUS_OK;
 }
 
-/* The stored truth of the scene's name, if its physics are these; else made->times is 0. */
+/* The stored truth of the scene, if its physics are these; else made->times is 0. */
 static enum status read_stored(const struct scene *scene, struct truth_made *made,
                                struct message *why)
 {
-    char *path = NULL, *physics = NULL, *wanted = NULL;
-    enum status st;
+    const enum status st = truth_file_find(scene->name, scene, made, why);
 
-    memset(made, 0, sizeof *made);
-    if (named_file_find(&truth_file_kind, scene->name, &path, NULL) != STATUS_OK)
-        return STATUS_OK;
-    TRY(truth_file_read(path, made, &physics, why));
-    TRY(truth_physics(scene, &wanted));
-    if (strcmp(physics, wanted) != 0)
-        truth_made_clear(made);
-out:
-    free(physics);
-    free(wanted);
-    free(path);
-    return st;
+    return st == STATUS_FILE || st == STATUS_UNSUPPORTED ? STATUS_OK : st;
 }
 
 enum status truth_stored_times(const char *path, const struct settings *settings,

@@ -87,6 +87,9 @@ static enum status print(const struct job *j, const struct truth_made *made)
            "its orders leave, with a factor of safety. Growth: rms change after gravity "
            "was changed by 1e-6 in the direction (1,1,1), over 1e-6 of the length.");
     note_horizon(t, made, length);
+    if (*made->commit)
+        table_note(t, "Made at commit %s with %s changed files.", made->commit,
+                   made->changed);
     const enum status st = table_print(t, j->format, stdout);
     table_destroy(t);
     return st;
@@ -95,7 +98,7 @@ static enum status print(const struct job *j, const struct truth_made *made)
 static enum status prepare(struct job *j, const struct command_line *line,
                            struct message *why)
 {
-    const char *word = command_value(line, "--format"), *damping;
+    const char *word = command_value(line, "--format");
     int count;
     const char *const *given = command_values(line, "--set", &count);
     enum status st;
@@ -105,10 +108,7 @@ static enum status prepare(struct job *j, const struct command_line *line,
         TRY(table_format_parse(word, &j->format, why));
     settings_set_all(&j->settings, count, given);
     TRY(scene_file_find(line->words[0], &j->path, why));
-    TRY(settings_read_scene(&j->settings, j->path, &j->scene, why));
-    damping = truth_plan_damping(&j->scene);
-    if (damping)
-        settings_set(&j->settings, damping);
+    TRY(truth_plan_scene(j->path, &j->settings, &j->scene, why));
 out:
     return st;
 }
@@ -119,20 +119,24 @@ static enum status make_one(struct job *j, const char *out, struct message *why)
     struct truth_made made = {0};
     double *time = NULL;
     const char *all = j->quick ? "results/truths_quick" : "results/truths";
+    struct provenance provenance;
     char folder[PATH], file[PATH];
     enum status st;
 
     snprintf(folder, sizeof folder, "results/truth_%s%s", j->scene.name,
              j->quick ? "_quick" : "");
     snprintf(file, sizeof file, "%s/%s.h5", all, j->scene.name);
-    TRY(folder_make(folder, why));
     if (!out)
         TRY(folder_make(all, why));
     out = out ? out : file;
+    provenance_collect(&provenance);
+    TRY(truth_file_may_store(out, &provenance, why));
+    TRY(folder_make(folder, why));
     struct truth_runs runs = {.path = j->path,
                               .settings = &j->settings,
                               .times = truth_plan_times(&plan, &j->scene, &time),
-                              .folder = folder};
+                              .folder = folder,
+                              .ours = true};
     runs.time = time;
     if (runs.times < 0)
         TRY(STATUS_MEMORY);
@@ -149,18 +153,13 @@ out:
 
 static enum status print_stored(const struct job *j, struct message *why)
 {
-    struct truth_made made = {0};
-    char *path = NULL, *physics = NULL;
-    enum status st;
+    struct truth_made made;
+    enum status st = truth_file_find(j->scene.name, &j->scene, &made, why);
 
-    TRY(named_file_find(&truth_file_kind, j->scene.name, &path, why));
-    TRY(truth_file_read(path, &made, &physics, why));
-    TRY(print(j, &made));
-out:
+    if (st == STATUS_OK)
+        st = print(j, &made);
     truth_made_clear(&made);
-    free(physics);
-    free(path);
-    return st;
+    return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
 }
 
 static enum status run(const struct command_line *line, struct message *why)
@@ -201,7 +200,7 @@ const struct command truth_command = {
         "better model's motion is stored, with the larger of its bar and the difference.\n"
         "Truths of some scenes come with the program; `compare` and others use these and\n"
         "those in $CLOTHBENCH_TRUTHS. A scene damped by velocity_scale, which is no rate,\n"
-        "has an undamped truth. Runs that are there are not made again.\n",
+        "has an undamped truth. Runs that this commit left are not made again.\n",
     .examples = "truth edge_drop --stored\ntruth sphere --quick\n"
                 "truth flag --set material.young=1e5 --out flag.h5\n",
     .least = 1,

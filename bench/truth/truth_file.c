@@ -1,11 +1,13 @@
 #include "bench/truth/truth_file.h"
 
 #include <inttypes.h>
+#include <libgen.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "bench/files/store.h"
 #include "bench/files/store_read.h"
@@ -141,6 +143,19 @@ out:
     return st;
 }
 
+/* What a file does not tell is unknown. */
+static void read_origin(const struct store_read *file, struct truth_made *made)
+{
+    char *commit = NULL, *changed = NULL;
+
+    store_read_text(file, "provenance", "commit", &commit, NULL);
+    store_read_text(file, "provenance", "changed_files", &changed, NULL);
+    snprintf(made->commit, sizeof made->commit, "%s", commit ? commit : "unknown");
+    snprintf(made->changed, sizeof made->changed, "%s", changed ? changed : "unknown");
+    free(commit);
+    free(changed);
+}
+
 static enum status read_made(const struct store_read *file, struct truth_made *made)
 {
     enum status st;
@@ -159,6 +174,7 @@ static enum status read_made(const struct store_read *file, struct truth_made *m
     TRY(store_read_text(file, "/", "horizon", &horizon, NULL));
     snprintf(made->note, sizeof made->note, "%s", note);
     snprintf(made->horizon, sizeof made->horizon, "%s", horizon);
+    read_origin(file, made);
 out:
     free(time);
     free(note);
@@ -195,6 +211,54 @@ out:
     free(text);
     free(kept);
     store_read_close(file);
+    return st;
+}
+
+bool truth_file_clean(const char *commit, const char *changed)
+{
+    return strcmp(commit, "unknown") != 0 && !strcmp(changed, "0");
+}
+
+enum status truth_file_may_store(const char *path, const struct provenance *program,
+                                 struct message *why)
+{
+    const char *commit = provenance_value(program, "commit");
+    const char *changed = provenance_value(program, "changed_files");
+    char *folder = strdup(path);
+    struct stat there, ours;
+    const bool same = folder && stat(dirname(folder), &there) == 0 &&
+                      stat(truth_file_kind.in_source, &ours) == 0 &&
+                      there.st_ino == ours.st_ino && there.st_dev == ours.st_dev;
+
+    free(folder);
+    if (!same || truth_file_clean(commit, changed))
+        return STATUS_OK;
+    return status_fail(why, STATUS_INPUT,
+                       "%s: truths that come with the program are made from a commit with "
+                       "no file changed; this is commit %s with %s changed",
+                       path, commit, changed);
+}
+
+enum status truth_file_find(const char *name, const struct scene *scene,
+                            struct truth_made *made, struct message *why)
+{
+    char *path = NULL, *physics = NULL;
+    struct message other = {""};
+    enum status st;
+
+    memset(made, 0, sizeof *made);
+    st = named_file_find(&truth_file_kind, name, &path, why);
+    if (st != STATUS_OK)
+        return st == STATUS_INPUT ? STATUS_FILE : st;
+    TRY(truth_file_read(path, made, &physics, why));
+    st = truth_physics_check(physics, scene, &other);
+    if (st == STATUS_UNSUPPORTED)
+        status_fail(why, st, "the stored truth of %s is %s", name, other.text);
+out:
+    if (st != STATUS_OK)
+        truth_made_clear(made);
+    free(physics);
+    free(path);
     return st;
 }
 

@@ -13,6 +13,7 @@
 #ifndef TRUTH_FILE_H
 #define TRUTH_FILE_H
 
+#include "bench/files/provenance.h"
 #include "bench/truth/truth_make.h"
 #include "models/reader/named_file.h"
 
@@ -22,6 +23,19 @@ extern const struct named_file_kind truth_file_kind;
 /* Writes what was made. */
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
                              const struct truth_made *made, struct message *why);
+
+/* Whether a program of this commit and so many changed files makes truths that may come
+ * with it; and whether such a one may write FILE: not where those are that do, unless it
+ * does. STATUS_INPUT with a sentence. */
+bool truth_file_clean(const char *commit, const char *changed);
+enum status truth_file_may_store(const char *path, const struct provenance *program,
+                                 struct message *why);
+
+/* The stored truth of a name, if it is of this scene's physics. STATUS_FILE: none is
+ * stored; STATUS_UNSUPPORTED: it is of other physics; STATUS_INPUT: it was changed; with a
+ * sentence each. Free with truth_made_clear. */
+enum status truth_file_find(const char *name, const struct scene *scene,
+                            struct truth_made *made, struct message *why);
 
 /* Reads one; the fields past the horizon are NULL, `level` is left zero. *physics is freed
  * by the receiver. STATUS_INPUT with a sentence: no truth, or changed. Free with

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/provenance.h"
 #include "bench/files/store_scene.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_physics.h"
@@ -67,23 +68,40 @@ static bool has_times(const struct run_result *r, const struct truth_runs *runs)
     return true;
 }
 
-static bool has_physics(const char *path, const struct run_plan *plan)
+/* Made by this commit, and with as many files changed. */
+static bool is_ours(const struct store_read *file)
+{
+    static const char *const keys[] = {"commit", "changed_files"};
+    struct provenance here;
+    bool same = true;
+
+    provenance_collect(&here);
+    for (int n = 0; n < 2; n++) {
+        char *text = NULL;
+        same &= store_read_text(file, "provenance", keys[n], &text, NULL) == STATUS_OK &&
+                !strcmp(text, provenance_value(&here, keys[n]));
+        free(text);
+    }
+    return same;
+}
+
+static bool has_physics(const char *path, const struct run_plan *plan, bool ours)
 {
     struct scene kept = {0};
     struct run wanted = {0};
     struct store_read *file = NULL;
-    char *a = NULL, *b = NULL;
+    char *physics = NULL;
     const bool same = store_read_open(path, &file, NULL) == STATUS_OK &&
                       store_scene(file, path, &kept, NULL) == STATUS_OK &&
                       run_read(&wanted, plan, NULL) == STATUS_OK &&
-                      truth_physics(&kept, &a) == STATUS_OK &&
-                      truth_physics(&wanted.scene, &b) == STATUS_OK && !strcmp(a, b);
+                      truth_physics(&kept, &physics) == STATUS_OK &&
+                      truth_physics_check(physics, &wanted.scene, NULL) == STATUS_OK &&
+                      (!ours || is_ours(file));
 
     store_read_close(file);
     scene_clear(&kept);
     run_close(&wanted);
-    free(a);
-    free(b);
+    free(physics);
     return same;
 }
 
@@ -93,7 +111,7 @@ static bool is_kept(const char *path, const struct run_plan *plan,
 {
     struct run_result found = {0};
     const bool good = run_result_read(path, true, &found, NULL) == STATUS_OK &&
-                      has_times(&found, runs) && has_physics(path, plan);
+                      has_times(&found, runs) && has_physics(path, plan, runs->ours);
 
     if (good)
         *r = found;

@@ -125,40 +125,39 @@ int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length)
     return n;
 }
 
-/* Error bars if this model's field is the truth; returns the times that could be claimed.
- */
-static int bars_of(int model, struct truth_made *made, double length)
+/* Error bars if this model's field is the truth. */
+static void set_bars(enum truth_model model, struct truth_made *made, double length)
 {
-    int bar = model == TRUTH_SOLID ? TRUTH_SOLID_BAR : TRUTH_SHELL_BAR;
+    const int bar = model == TRUTH_SOLID ? TRUTH_SOLID_BAR : TRUTH_SHELL_BAR;
 
     for (int n = 0; n < made->times; n++) {
         double *v = made->value[n];
         v[TRUTH_ERROR] = fmax(v[bar], v[TRUTH_DIFFERENCE]);
     }
-    return truth_made_claimed(made->times, made->value, length);
+    made->claimed = truth_made_claimed(made->times, made->value, length);
 }
 
-/* The model that can claim more; of two that can claim the same, the one with the smaller
- * bar at the last time. */
-static int better(struct truth_made *made, double length)
+enum truth_model truth_made_choose(struct truth_made *made, double length)
 {
-    int shell = bars_of(TRUTH_SHELL, made, length);
-    int solid = bars_of(TRUTH_SOLID, made, length);
+    set_bars(TRUTH_SHELL, made, length);
+    const int shell = made->claimed;
+    set_bars(TRUTH_SOLID, made, length);
+    const int solid = made->claimed;
     const double *last = made->value[solid ? solid - 1 : 0];
 
-    if (solid != shell)
-        return solid > shell ? TRUTH_SOLID : TRUTH_SHELL;
-    return last[TRUTH_SOLID_BAR] <= last[TRUTH_SHELL_BAR] ? TRUTH_SOLID : TRUTH_SHELL;
+    if (solid != shell ? solid > shell : last[TRUTH_SOLID_BAR] <= last[TRUTH_SHELL_BAR])
+        return TRUTH_SOLID;
+    set_bars(TRUTH_SHELL, made, length);
+    return TRUTH_SHELL;
 }
 
 static void choose(const struct family family[TRUTH_MODELS], double length,
                    struct truth_made *made)
 {
-    int best = better(made, length);
+    const enum truth_model best = truth_made_choose(made, length);
     const struct family *f = &family[best], *other = &family[!best];
     const struct truth_level *l = &f->level[FINE], *o = &other->level[FINE];
 
-    made->claimed = bars_of(best, made, length);
     made->level = *l;
     for (int n = 0; n < made->times; n++)
         memcpy(made->xyz[n], f->run[FINE].xyz[n], 3 * GRID_POINTS * sizeof(double));

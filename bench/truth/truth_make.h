@@ -50,6 +50,8 @@ struct truth_made {
     char note[400];                 /* a sentence: source and error bar                  */
     char horizon[TRUTH_WATCH_TEXT]; /* until when it is predictable: gravity is
  changed a little, and the change watched as long as the scene lasts */
+    char commit[64], changed[16];   /* of one that is stored: the program's that made it,
+   and how many files differed from it; "unknown" */
 };
 
 /* Runs what is not in the folder yet; `quiet`: no progress bar. STATUS_DIVERGED: a run
@@ -80,5 +82,10 @@ struct truth_order truth_order(const double h[3], double first, double second,
 
 /* Times before one of the bounds is passed. */
 int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length);
+
+/* Whose field is the truth: the model's that can claim more times; of two that can claim
+ * the same, the one's with the smaller bar at the last of them. Fills the error bars that
+ * follow, and `claimed`. */
+enum truth_model truth_made_choose(struct truth_made *made, double length);
 
 #endif

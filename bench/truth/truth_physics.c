@@ -103,3 +103,54 @@ enum status truth_physics(const struct scene *s, char **text)
     *text = result;
     return STATUS_OK;
 }
+
+/* Past the lines that both begin with. */
+static void skip_common(const char **a, const char **b)
+{
+    size_t line = 0;
+
+    for (size_t n = 0; (*a)[n] && (*a)[n] == (*b)[n]; n++)
+        if ((*a)[n] == '\n')
+            line = n + 1;
+    *a += line;
+    *b += line;
+}
+
+enum { LINE = 256 };
+
+/* The first line of a text, a blank before each word, with the digits that people write. */
+static void tell_line(const char *text, char line[LINE])
+{
+    size_t used = 0;
+
+    line[0] = '\0';
+    for (size_t word; *text && *text != '\n' && used < LINE / 2; text += word) {
+        char *after;
+        const double value = strtod(text, &after);
+        text += *text == ' ';
+        word = strcspn(text, " \n");
+        used +=
+            (size_t)(after == text + word
+                         ? snprintf(line + used, LINE - used, " %.15g", value)
+                         : snprintf(line + used, LINE - used, " %.*s", (int)word, text));
+    }
+}
+
+enum status truth_physics_check(const char *text, const struct scene *scene,
+                                struct message *why)
+{
+    char *wanted = NULL;
+    enum status st = truth_physics(scene, &wanted);
+
+    if (st == STATUS_OK && strcmp(text, wanted) != 0) {
+        const char *other = wanted;
+        char line[2][LINE];
+        skip_common(&text, &other);
+        tell_line(*text ? text : "nothing", line[0]);
+        tell_line(*other ? other : "nothing", line[1]);
+        st = status_fail(why, STATUS_UNSUPPORTED, "of other physics:%s, not%s", line[0],
+                         line[1]);
+    }
+    free(wanted);
+    return st;
+}

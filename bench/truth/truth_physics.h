@@ -9,4 +9,9 @@
  * obstacles. *text is freed by the receiver. STATUS_MEMORY. */
 enum status truth_physics(const struct scene *scene, char **text);
 
+/* Whether a text is this scene's. STATUS_UNSUPPORTED: it is of other physics, and the
+ * sentence says of which; STATUS_MEMORY. */
+enum status truth_physics_check(const char *text, const struct scene *scene,
+                                struct message *why);
+
 #endif

@@ -68,3 +68,20 @@ const char *truth_plan_damping(const struct scene *scene)
 {
     return scene->damping.kind == DAMPING_VELOCITY_SCALE ? "damping={kind: none}" : NULL;
 }
+
+enum status truth_plan_scene(const char *path, struct settings *settings,
+                             struct scene *scene, struct message *why)
+{
+    enum status st;
+    const char *damping;
+
+    TRY(settings_read_scene(settings, path, scene, why));
+    damping = truth_plan_damping(scene);
+    if (!damping)
+        return STATUS_OK;
+    scene_clear(scene);
+    settings_set(settings, damping);
+    TRY(settings_read_scene(settings, path, scene, why));
+out:
+    return st;
+}

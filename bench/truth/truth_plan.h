@@ -35,4 +35,8 @@ int truth_plan_times(const struct truth_plan *plan, const struct scene *scene,
  * setting that says so, or NULL where the damping is a rate. */
 const char *truth_plan_damping(const struct scene *scene);
 
+/* A scene as its truth moves: the settings get that one, too. *scene is overwritten. */
+enum status truth_plan_scene(const char *path, struct settings *settings,
+                             struct scene *scene, struct message *why);
+
 #endif

@@ -1,6 +1,7 @@
 #include "bench/verify/verify.h"
 
 #include <omp.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,8 +37,10 @@ static const struct command_option options[] = {
     {NULL, NULL, false, NULL},
 };
 
-/* What was asked for. */
+/* What was asked for, of which checks (NULL ends them), and where tables go. */
 struct job {
+    const struct verify_check *const *known;
+    FILE *out;
     const char *folder, *models;
     bool quick, read_only;
     enum table_format format;
@@ -46,19 +49,19 @@ struct job {
     struct verify_sheet sheet[MOST_CHECKS];
 };
 
-static enum status find(const char *name, const struct verify_check **check,
-                        struct message *why)
+static enum status find(const struct verify_check *const *all, const char *name,
+                        const struct verify_check **check, struct message *why)
 {
     char known[768] = "";
 
-    for (int n = 0; checks[n]; n++) {
+    for (int n = 0; all[n]; n++) {
         size_t used = strlen(known);
-        if (!strcmp(checks[n]->item.name, name)) {
-            *check = checks[n];
+        if (!strcmp(all[n]->item.name, name)) {
+            *check = all[n];
             return STATUS_OK;
         }
         snprintf(known + used, sizeof known - used, "%s%s", n ? ", " : "",
-                 checks[n]->item.name);
+                 all[n]->item.name);
     }
     return status_fail(why, STATUS_INPUT, "verify: there is no check '%s'; there are %s",
                        name, known);
@@ -73,7 +76,7 @@ static enum status choose(struct job *job, const struct command_line *line,
     for (int n = 0; n < line->word_count; n++) {
         const struct verify_check *check = NULL;
         bool known = false;
-        TRY(find(line->words[n], &check, why));
+        TRY(find(job->known, line->words[n], &check, why));
         for (int i = 0; i < job->count; i++)
             known |= job->check[i] == check;
         if (!known)
@@ -81,9 +84,9 @@ static enum status choose(struct job *job, const struct command_line *line,
     }
     if (line->word_count)
         return STATUS_OK;
-    for (int n = 0; checks[n]; n++)
-        if (!job->quick || !checks[n]->slow)
-            job->check[job->count++] = checks[n];
+    for (int n = 0; job->known[n]; n++)
+        if (!job->quick || !job->known[n]->slow)
+            job->check[job->count++] = job->known[n];
 out:
     return st;
 }
@@ -130,19 +133,23 @@ static enum status run_check(struct job *job, int n, struct message *why)
     return verify_file_write(check, sheet, job->folder, why);
 }
 
-/* Whether an earlier row of the sheet has the same remark: one note does for all. */
-static bool told(const struct verify_sheet *sheet, int row)
+/* Whether an earlier row of the sheet has the same text (at `text` in it) of the same
+ * subject: one note does for all. */
+static bool told(const struct verify_sheet *sheet, int row, size_t text)
 {
+    const struct verify_row *r = sheet->rows;
+
     for (int n = 0; n < row; n++)
-        if (!strcmp(sheet->rows[n].note, sheet->rows[row].note) &&
-            !strcmp(sheet->rows[n].subject, sheet->rows[row].subject))
+        if (!strcmp((const char *)&r[n] + text, (const char *)&r[row] + text) &&
+            !strcmp(r[n].subject, r[row].subject))
             return true;
     return false;
 }
 
-static enum status print_sheet(const struct verify_check *check,
-                               const struct verify_sheet *sheet, enum table_format format)
+static enum status print_sheet(const struct job *job, int which)
 {
+    const struct verify_check *check = job->check[which];
+    const struct verify_sheet *sheet = &job->sheet[which];
     const struct verify_row *row = sheet->rows;
     char caption[512];
 
@@ -156,9 +163,13 @@ static enum status print_sheet(const struct verify_check *check,
     }
     table_note(t, "Truth: %s", check->source);
     for (int n = 0; n < sheet->count; n++)
-        if (*row[n].note && !told(sheet, n))
+        if (*row[n].note && !told(sheet, n, offsetof(struct verify_row, note)))
             table_note(t, "%s: %s.", row[n].subject, row[n].note);
-    return table_finish(t, format, stdout);
+    for (int n = 0; n < sheet->count; n++)
+        if (*row[n].changed && !told(sheet, n, offsetof(struct verify_row, changed)))
+            table_note(t, "%s, claimed before a first result: %s.", row[n].subject,
+                       row[n].changed);
+    return table_finish(t, job->format, job->out);
 }
 
 /* For machines: all rows in one table. */
@@ -169,12 +180,13 @@ static enum status print_flat(const struct job *job)
     for (int s = 0; s < job->count; s++)
         for (int n = 0; n < job->sheet[s].count; n++)
             verify_file_row(t, job->check[s], &job->sheet[s].rows[n]);
-    return table_finish(t, job->format, stdout);
+    return table_finish(t, job->format, job->out);
 }
 
 /* How many rows end how, and their seconds. */
 struct tally {
     long rows[VERIFY_VERDICTS], all;
+    long claims, changed; /* that something came of; of them, after a first result     */
     double seconds;
 };
 
@@ -182,6 +194,8 @@ static void count_rows(const struct verify_sheet *sheet, struct tally *tally)
 {
     for (int n = 0; n < sheet->count; n++, tally->all++) {
         tally->rows[sheet->rows[n].verdict]++;
+        tally->claims += verify_row_claims(&sheet->rows[n]);
+        tally->changed += verify_row_claims(&sheet->rows[n]) && *sheet->rows[n].changed;
         tally->seconds += sheet->rows[n].seconds;
     }
 }
@@ -218,7 +232,9 @@ static enum status print_summary(const struct job *job)
                   "its reason before the first result; where nothing is claimed, the error "
                   "is measured all the same. The command fails if a claim is missed, or "
                   "dies.");
-    enum status st = table_print(t, job->format, stdout);
+    table_note(t, "Changed after a first result: %ld of %ld claims%s.", sum.changed,
+               sum.claims, sum.changed ? "; the notes say what was claimed before" : "");
+    enum status st = table_print(t, job->format, job->out);
     table_destroy(t);
     return st;
 }
@@ -231,7 +247,7 @@ static enum status print(const struct job *job)
     if (!table_format_is_prose(job->format))
         return print_flat(job);
     for (int s = 0; s < job->count; s++)
-        TRY(print_sheet(job->check[s], &job->sheet[s], job->format));
+        TRY(print_sheet(job, s));
     TRY(print_summary(job));
 out:
     return st;
@@ -258,7 +274,8 @@ static enum status tell_failures(const struct job *job, struct message *why)
                        rows == 1 ? "claim is" : "claims are", names);
 }
 
-static enum status run(const struct command_line *line, struct message *why)
+enum status verify_run(const struct verify_check *const *known,
+                       const struct command_line *line, FILE *out, struct message *why)
 {
     enum status st;
     struct job *job = calloc(1, sizeof *job);
@@ -266,6 +283,8 @@ static enum status run(const struct command_line *line, struct message *why)
 
     if (!job)
         return STATUS_MEMORY;
+    job->known = known;
+    job->out = out;
     TRY(prepare(job, line, why));
     omp_set_num_threads(1);
     progress = progress_start("verify", job->count, false);
@@ -282,6 +301,11 @@ out:
         verify_sheet_clear(&job->sheet[n]);
     free(job);
     return st;
+}
+
+static enum status run(const struct command_line *line, struct message *why)
+{
+    return verify_run(checks, line, stdout, why);
 }
 
 const struct command verify_command = {

@@ -23,6 +23,7 @@ enum column {
     REMARK,
     CHECK,
     SOURCE,
+    CHANGED,
     COLUMNS
 };
 
@@ -39,7 +40,8 @@ static const struct table_column columns[COLUMNS] = {
     {"time", "s", .key = "time_s"},
     {"remark", NULL, TABLE_LEFT, "remark", TABLE_MACHINES},
     {"check", NULL, TABLE_LEFT, "check", TABLE_MACHINES},
-    {"source", NULL, TABLE_LEFT, "source", TABLE_MACHINES}};
+    {"source", NULL, TABLE_LEFT, "source", TABLE_MACHINES},
+    {"claimed at first", NULL, TABLE_LEFT, "claimed_at_first", TABLE_MACHINES}};
 
 struct table *verify_file_table(const char *caption)
 {
@@ -63,6 +65,7 @@ void verify_file_row(struct table *t, const struct verify_check *check,
     table_text(t, "%s", row->note);
     table_text(t, "%s", check->item.name);
     table_text(t, "%s", check->source);
+    table_text(t, "%s", row->changed);
 }
 
 enum status verify_file_write(const struct verify_check *check,
@@ -152,6 +155,7 @@ static bool take_row(char cell[COLUMNS][CELL], struct verify_row *row)
     snprintf(row->quantity, VERIFY_TEXT, "%.*s", VERIFY_TEXT - 1, cell[QUANTITY]);
     snprintf(row->subject, VERIFY_TEXT, "%.*s", VERIFY_TEXT - 1, cell[MODEL]);
     snprintf(row->note, VERIFY_NOTE, "%.*s", VERIFY_NOTE - 1, cell[REMARK]);
+    snprintf(row->changed, VERIFY_CHANGED, "%.*s", VERIFY_CHANGED - 1, cell[CHANGED]);
     for (int n = 0; n < VERIFY_VERDICTS; n++)
         if (!strcmp(cell[VERDICT], verify_verdict_name(n))) {
             row->verdict = (enum verify_verdict)n;

@@ -68,8 +68,13 @@ void verify_row_end(struct verify_row *row, enum verify_verdict verdict, const c
     va_end(arguments);
 }
 
+bool verify_row_claims(const struct verify_row *row)
+{
+    return row->verdict == VERIFY_MET || row->verdict == VERIFY_MISSED ||
+           (row->verdict == VERIFY_DIED && !isnan(row->tolerance));
+}
+
 bool verify_row_failed(const struct verify_row *row)
 {
-    return row->verdict == VERIFY_MISSED ||
-           (row->verdict == VERIFY_DIED && !isnan(row->tolerance));
+    return verify_row_claims(row) && row->verdict != VERIFY_MET;
 }

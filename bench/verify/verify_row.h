@@ -21,7 +21,7 @@ enum verify_verdict {
 };
 const char *verify_verdict_name(int verdict); /* "unknown" beyond the last */
 
-enum { VERIFY_TEXT = 96, VERIFY_NOTE = 320 };
+enum { VERIFY_TEXT = 96, VERIFY_NOTE = 320, VERIFY_CHANGED = 160 };
 
 /* NAN where there is no number. */
 struct verify_row {
@@ -35,6 +35,7 @@ struct verify_row {
     double seconds;             /* of the runs behind the row                             */
     enum verify_verdict verdict;
     char note[VERIFY_NOTE];
+    char changed[VERIFY_CHANGED]; /* how the claim was, if that was before a result    */
 };
 
 /* Fills value, truth, error = |value - truth| / |truth| and the verdict; or an error that
@@ -53,6 +54,9 @@ void verify_row_note(struct verify_row *row, const char *note, ...)
  * range), or there is none (not applicable, died). */
 void verify_row_end(struct verify_row *row, enum verify_verdict verdict, const char *note,
                     ...) __attribute__((format(printf, 3, 4)));
+
+/* A claim, and something that came of it: met, missed, died. */
+bool verify_row_claims(const struct verify_row *row);
 
 /* A claim that does not hold, or that died. */
 bool verify_row_failed(const struct verify_row *row);

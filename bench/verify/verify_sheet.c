@@ -121,6 +121,8 @@ struct verify_row *verify_sheet_add(const struct verify_subject *subject,
     verify_subject_title(subject, row->subject);
     if (subject->reason)
         verify_row_note(row, "%s", subject->reason);
+    if (subject->changed)
+        snprintf(row->changed, sizeof row->changed, "%s", subject->changed);
     return row;
 }
 

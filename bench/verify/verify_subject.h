@@ -21,6 +21,10 @@ struct verify_entry {
     int layers, degree;                    /* as a contestant's; 0: its own               */
     bool dear;                             /* --quick leaves it out                       */
     bool mark;                             /* as the check uses it                        */
+
+    /* What was claimed before a first result, if the claim (or whom it is of) was changed
+     * after one; it is told and counted. NULL: the claim is older than its results. */
+    const char *changed;
 };
 
 /* Those that differ in what frees them of locking, which rigid motion does not ask for. */
@@ -47,7 +51,8 @@ struct verify_subject {
     const struct contestant *contestant;
     double tolerance;   /* NAN: nothing is claimed                                        */
     const char *reason; /* or NULL                                                        */
-    int nets;           /* at least 1                                                     */
+    const char *changed; /* as an entry's                                                 */
+    int nets; /* at least 1                                                     */
     int along[VERIFY_NETS], across[VERIFY_NETS];
     int layers; /* through the thickness; 0: a surface                                    */
     int degree; /* along u                                                                */

@@ -38,17 +38,24 @@ static void come_to_rest(struct verify_trial *t, const struct verify_strips_load
     }
 }
 
-static void measure(struct verify_trial *t, const struct verify_strips_load *load,
-                    double *drop, double *error)
+/* A strip of weight gamma. */
+static void add_strip(double width, double gamma, struct settings *all)
 {
     /* E h^3 / 12 = rho g h / Gamma for L = 1: the load is kept, the stiffness follows. */
     const double thickness = 1e-3, weight = 0.05 * 9.81 * thickness;
+
+    settings_number(all, "sheet.width", width);
+    settings_set(all, "material.poisson=0");
+    settings_number(all, "material.young",
+                    12 * weight / gamma / (thickness * thickness * thickness));
+}
+
+static void measure(struct verify_trial *t, const struct verify_strips_load *load,
+                    double *drop, double *error)
+{
     double xyz[3] = {NAN, NAN, NAN};
 
-    settings_number(&t->settings, "sheet.width", VERIFY_STRIPS_WIDTH);
-    settings_set(&t->settings, "material.poisson=0");
-    settings_number(&t->settings, "material.young",
-                    12 * weight / load->load / (thickness * thickness * thickness));
+    add_strip(VERIFY_STRIPS_WIDTH, load->load, &t->settings);
     if (t->subject->contestant->model->equilibrium)
         verify_trial_tip(t, xyz);
     else
@@ -76,6 +83,39 @@ static void add_row(const struct verify_subject *s, int count,
     else if (linear && to > VERIFY_STRIPS_LINEAR_GAMMA)
         verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "small strains reach to Gamma = %g",
                        VERIFY_STRIPS_LINEAR_GAMMA);
+}
+
+/* The drop of a square on the paper's own net, cured, of which 2 % are asked as of the
+ * plate's deflection: at Gamma = 100 the clamp's bend takes one of its eight spans. */
+#define ASKED                                                                              \
+    0.02, "asked of the paper's net", {10}, {10},                                          \
+        .changed = "as now, in a test, where it was 2.1 % for a while after it was missed"
+static const struct verify_entry square[] = {
+    {"iga_reduced", ASKED}, {"iga_selective", ASKED}, {NULL}};
+static const struct verify_field squares = {.entry = square};
+
+static void add_square(const struct verify_subject *s, double gamma, double truth)
+{
+    double xyz[3];
+    struct verify_trial t =
+        verify_trial_of(s, "cantilever", "drop / L of a square, Gamma = %g", gamma);
+
+    add_strip(1, gamma, &t.settings);
+    if (verify_trial_tip(&t, xyz))
+        verify_row_judge(t.row, -xyz[2], truth, BAR);
+}
+
+static void run_squares(struct verify_sheet *sheet)
+{
+    const struct reference *table = sheet->table;
+    struct verify_subject s;
+
+    for (int row = 0; row < reference_rows(table); row++) {
+        const double gamma = reference_number(table, row, "Gamma");
+        if (gamma == 10 || gamma == 100)
+            for (int n = 0; verify_sheet_next(sheet, &squares, &n, &s);)
+                add_square(&s, gamma, reference_number(table, row, "H_over_L"));
+    }
 }
 
 /* Rows of the table from `first` on in the same decade of Gamma; returns their number. */
@@ -109,6 +149,7 @@ static void run(struct verify_sheet *sheet)
         for (int n = 0; verify_sheet_next(sheet, &verify_strips, &n, &s);)
             add_row(&s, count, load, every);
     }
+    run_squares(sheet);
 }
 
 const struct verify_check verify_elastica = {

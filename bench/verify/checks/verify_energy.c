@@ -16,6 +16,8 @@
 #define VISCOUS GAIN, "kept but for the membrane's viscosity, 0.1 dt"
 #define KEPT    GAIN, "energy-momentum scheme"
 #define EULER   "implicit Euler: damps what the step does not resolve"
+#define INSTEAD                                                                            \
+    .changed = "12x12 points alone; these came in their place after they lost too much"
 static const struct verify_entry entries[] = {
     {"iga_linear", AVERAGE, {10}, .settings = {"gravity=[0,0,-0.01]"}, .mark = true},
     {"iga_paper", 0, "the paper's scheme", {10}},
@@ -24,8 +26,17 @@ static const struct verify_entry entries[] = {
     {"iga_selective", KEPT, {10}, .dear = true, .mark = true},
     {"iga_nonlinear_3", KEPT, {16}, .dear = true, .mark = true},
     {"hex_incompatible", KEPT, {16}, .dear = true, .mark = true},
-    {"shell_3", GAIN, "a coarse net's membrane rings, which its viscosity takes", {10}},
-    {"shell_3", VISCOUS, {16}, .dear = true, .mark = true},
+    {"shell_3",
+     GAIN,
+     "a coarse net's membrane rings, which its viscosity takes",
+     {10},
+     INSTEAD},
+    {"shell_3",
+     KEPT,
+     {12},
+     .mark = true,
+     .changed = "as now; taken back for a while after the loss was missed"},
+    {"shell_3", VISCOUS, {16}, .dear = true, .mark = true, INSTEAD},
     {"mass_spring", 0, EULER, {21}},
     {"projective_dynamics", 0, EULER, {21}},
     {NULL}};

@@ -22,21 +22,23 @@ static const double WIDEST = 0.05;
 
 enum { MODES = 3 };
 
-/* Found here, with 1 % claimed and missed from Gamma = 1e4 on: the reduced points of p = 2,
- * one a span, see no membrane strain in a net that zigzags from point to point. Bending
- * holds such modes (reduced rule: near the fourth bending mode of the rest shape), weight
- * does not. */
-#define ZIGZAG                                                                             \
-    "one point a span sees no tension in a net that zigzags, whose modes come down among " \
-    "the lowest as bending fades"
+/* Missed from Gamma = 1e4 on: the reduced points of p = 2, one a span, see no membrane
+ * strain in a net that zigzags from point to point. Bending holds such modes (reduced rule:
+ * near the fourth bending mode of the rest shape), weight does not. */
+static const char ZIGZAG[] =
+    "one point a span sees no tension in a net that zigzags, whose modes come down among "
+    "the lowest as bending fades";
+#define WITHDRAWN                                                                          \
+    .changed = "1 % at every Gamma, as now; withdrawn for a while after it was missed "    \
+               "from 1e4 on"
 
 /* Knots at (k / spans)^2 near the clamp, where a chain bends over L / sqrt(Gamma). */
 #define CHAIN {20, 40}, {3, 3}, 2
 static const struct verify_entry entries[] = {
     {"iga_reduced_linear", 0.01, "the weight's share at Gamma = 0.1", CHAIN},
     {"iga_nonlinear", 0, "the paper's space: locks", CHAIN},
-    {"iga_reduced", 0, ZIGZAG, CHAIN},
-    {"iga_selective", 0, ZIGZAG, CHAIN},
+    {"iga_reduced", SOLID, CHAIN, WITHDRAWN},
+    {"iga_selective", SOLID, CHAIN, WITHDRAWN},
     {"iga_reduced_3", SOLID, CHAIN, .settings = {"discretization.degree=[3,2,1]"}},
     {"hex_incompatible", SOLID, {40, 80}, {2, 2}},
     {"shell_3", 0.005, "half of what is asked of solids", {13, 25}, {4, 4}, 2},
@@ -97,6 +99,8 @@ static void add_row(const struct verify_subject *subject, struct strip *s)
     if (!verify_trial_nets(&t, measure, s, NAN, BAR))
         return;
     verify_row_judge(t.row, s->found, s->omega[s->worst], BAR);
+    if (t.row->verdict == VERIFY_MISSED && subject->degree == 2)
+        verify_row_note(t.row, "%s", ZIGZAG);
     snprintf(t.row->quantity, sizeof t.row->quantity,
              "omega_%d sqrt(L / g), worst of 3, Gamma = %g", s->worst + 1, s->gamma);
     if (verify_subject_is_linear(subject) && s->gamma > LINEAR_GAMMA)

@@ -25,10 +25,12 @@ static const double SOLID_LOCKS = 0.01;
     1e-3, "elasticity itself, on five spans a half wave", {8, 14}, {8, 14}, 0,             \
         "p = 4, r = 5", {"discretization.degree=[4,4,5]"}, SOLID_LAYERS, 4
 
-static const struct verify_entry entries[] = {VERIFY_PLATES(VERIFY_PLATES_CURED),
-                                              {"mass_spring", 0, "isotropic at nu = 1/3"},
-                                              {"iga_linear", SOLID, .mark = true},
-                                              {NULL}};
+static const struct verify_entry entries[] = {
+    VERIFY_PLATES(VERIFY_PLATES_CURED),
+    {"mass_spring", 0, "isotropic at nu = 1/3"},
+    {"iga_linear", SOLID, .mark = true,
+     .changed = "of r = 3 through the thickness, which nearly incompressible plates miss"},
+    {NULL}};
 static const struct verify_field field = {entries, CONTESTANT_SMALL};
 
 struct plate {

@@ -2,6 +2,7 @@
  * bends far out. And one that is then pushed through to the other side at its middle.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "bench/verify/verify_check.h"
@@ -116,12 +117,12 @@ static void add_crossing(struct verify_subject *s)
         verify_trial_of(s, "cantilever", "energy, pushed through / before");
     if (!isnan(t.row->tolerance))
         t.row->tolerance = MIRROR;
-    /* Found here, with the claim made and lost: on this way the hexahedra's increments end
-     * (they follow one whose middle moves in one line). */
-    if (!strcmp(s->contestant->name, "hex_incompatible")) {
-        t.row->tolerance = NAN;
-        verify_row_note(t.row, "not every way across is followed: hexahedra lose this one");
-    }
+    /* On this way the hexahedra's increments end (they follow one whose middle moves in one
+     * line). */
+    if (!strcmp(s->contestant->name, "hex_incompatible"))
+        snprintf(t.row->changed, sizeof t.row->changed,
+                 "%g, as now; withdrawn for a while after its search ended on the way",
+                 MIRROR);
     for (int n = 0; n < 2; n++) {
         settings_set(&t.settings, supports);
         if (!settle(&t, 1 + n, &shape[n]))

@@ -5,6 +5,7 @@
 #include "bench/verify/verify_check.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
+#include "models/reader/scene_file.h"
 
 /* A thirtieth of the length, of nets of a dozen points a side that bend without locking:
  * what a reader of a picture of these motions would not see. */
@@ -29,7 +30,7 @@ static const double LATEST = 0.3, QUICK = 0.1;
 struct stored {
     const char *scene;
     double length;
-    const char *damping; /* setting, or NULL                                           */
+    struct settings settings; /* as its truth moves                                    */
     struct truth_made truth;
     int index; /* of the time at which they are judged, -1: none                       */
     double uvw[3 * GRID_POINTS], xyz[3 * GRID_POINTS];
@@ -41,39 +42,61 @@ static void add_row(struct stored *s, const struct verify_subject *subject)
     struct verify_trial t =
         verify_trial_of(subject, s->scene, "%s, rms / L at %.3g s", s->scene, time);
 
-    if (s->damping)
-        settings_set(&t.settings, s->damping);
+    settings_append(&t.settings, &s->settings);
     if (verify_trial_motion(&t, 1, &time, GRID_POINTS, s->uvw, s->xyz))
         verify_row_judge_error(t.row,
                                metric_rmse(s->xyz, s->truth.xyz[s->index]) / s->length,
                                s->truth.value[s->index][TRUTH_ERROR] / s->length);
 }
 
-static enum status add_scene(struct verify_sheet *sheet, struct stored *s)
+/* The scene as its truth moves, and that truth. STATUS_UNSUPPORTED: it is of other physics.
+ */
+static enum status find_truth(struct stored *s, struct message *why)
 {
-    double latest = sheet->quick ? QUICK : LATEST;
-    char *file = NULL, *physics = NULL;
-    struct message *why = &sheet->why;
-    struct verify_subject subject;
+    char *path = NULL;
     struct scene scene = {0};
     enum status st;
 
-    TRY(verify_trial_scene(s->scene, &scene, why));
+    TRY(scene_file_find(s->scene, &path, why));
+    TRY(truth_plan_scene(path, &s->settings, &scene, why));
     s->length = scene.length;
-    s->damping = truth_plan_damping(&scene);
-    TRY(named_file_find(&truth_file_kind, s->scene, &file, why));
-    TRY(truth_file_read(file, &s->truth, &physics, why));
+    TRY(truth_file_find(s->scene, &scene, &s->truth, why));
+out:
+    scene_clear(&scene);
+    free(path);
+    return st;
+}
+
+/* Nobody is judged by a truth of other physics. */
+static void add_stale(struct verify_sheet *sheet, const struct stored *s,
+                      const struct message *sentence)
+{
+    struct verify_subject subject;
+
+    for (int n = 0; verify_sheet_next(sheet, &field, &n, &subject);)
+        verify_row_end(verify_sheet_add(&subject, "%s, rms / L", s->scene),
+                       VERIFY_NOT_APPLICABLE, "%s", sentence->text);
+}
+
+static enum status add_scene(struct verify_sheet *sheet, struct stored *s)
+{
+    const double latest = sheet->quick ? QUICK : LATEST;
+    struct verify_subject subject;
+    struct message sentence = {""};
+    const enum status st = find_truth(s, &sentence);
+
     s->index = -1;
     for (int n = 0; n < s->truth.claimed && s->truth.time[n] <= latest + 1e-9; n++)
         s->index = n;
     for (int n = 0; s->index >= 0 && verify_sheet_next(sheet, &field, &n, &subject);)
         add_row(s, &subject);
-out:
-    scene_clear(&scene);
     truth_made_clear(&s->truth);
-    free(physics);
-    free(file);
-    return st;
+    settings_clear(&s->settings);
+    if (st == STATUS_UNSUPPORTED)
+        add_stale(sheet, s, &sentence);
+    else if (st != STATUS_OK)
+        return status_fail(&sheet->why, st, "%s", sentence.text);
+    return STATUS_OK;
 }
 
 static void run(struct verify_sheet *sheet)

@@ -1,0 +1,421 @@
+/* A truth made: every number of its table anew from the runs it is made of, whose field it
+ * is, and until when it is claimed; truths that need no making; and the same bits each
+ * time. The nets are far too coarse for a truth. */
+#include "bench/truth/truth.h"
+
+#include "bench/files/folder.h"
+#include "bench/files/store_read.h"
+#include "bench/truth/truth_file.h"
+#include "bench/truth/truth_plate.h"
+#include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
+#include "models/reader/scene_file.h"
+#include "tests/check.h"
+
+static const double SUM = 1e-14, DIGITS = 1e-12;
+static const double LENGTH = 2;
+
+static char folder[2048];
+
+static const char *const long_sheet[] = {"damping={kind: none}", "sheet.length=2"};
+
+static struct settings settings_of(int count, const char *const *text)
+{
+    struct settings s = {0};
+
+    settings_set_all(&s, count, text);
+    return s;
+}
+
+static char *path_of(const char *scene)
+{
+    char *path = NULL;
+
+    REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
+    return path;
+}
+
+static char *file_of(const char *name)
+{
+    static char file[4096];
+
+    snprintf(file, sizeof file, "%s/%s", folder, name);
+    return file;
+}
+
+static void copy(const char *from, const char *to)
+{
+    static char bytes[1 << 16];
+    FILE *in = fopen(file_of(from), "rb"), *out = fopen(file_of(to), "wb");
+    size_t count;
+
+    REQUIRE(in && out);
+    while ((count = fread(bytes, 1, sizeof bytes, in)) > 0)
+        REQUIRE(fwrite(bytes, 1, count, out) == count);
+    REQUIRE(!fclose(in) && !fclose(out));
+}
+
+/* --- The table. */
+
+static const struct truth_plan tiny = {
+    NULL, 0.04, 0.2, {{2, {5, 6, 8}, 5e-3}, {3, {5, 7, 8}, 5e-3}}};
+enum { TIMES = 2 };
+static const double times[TIMES] = {0.02, 0.04};
+
+static struct truth_runs runs_of(const char *path, const struct settings *settings)
+{
+    return (struct truth_runs){path, settings, TIMES, times, folder, true};
+}
+
+/* The runs of one model, as its ladder says: coarse, middle, fine, twice the step, four
+ * times. */
+static void read_family(const struct truth_runs *runs, enum truth_model model,
+                        struct run_result run[5])
+{
+    const struct truth_ladder *l = &tiny.ladder[model];
+    static const int net[5] = {0, 1, 2, 1, 1}, step[5] = {1, 1, 1, 2, 4};
+
+    for (int n = 0; n < 5; n++) {
+        struct truth_level level = {model, l->degree, l->side[net[n]], step[n] * 5e-3,
+                                    false};
+        memset(&run[n], 0, sizeof run[n]);
+        REQUIRE(truth_level_find(runs, &level, true, &run[n], NULL) == STATUS_OK);
+    }
+}
+
+/* Orders and bar of a model at a time: promised is what its splines can do in bending. */
+static void check_model(const struct run_result run[5], const double spans[3],
+                        double promised, int t, const double *value)
+{
+    const double h[3] = {1 / spans[0], 1 / spans[1], 1 / spans[2]}, step[3] = {4, 2, 1};
+    double apart[4];
+    static const int pair[4][2] = {{0, 1}, {1, 2}, {4, 3}, {3, 1}};
+
+    for (int n = 0; n < 4; n++)
+        apart[n] = metric_rmse(run[pair[n][0]].xyz[t], run[pair[n][1]].xyz[t]);
+    struct truth_order space = truth_order(h, apart[0], apart[1], promised);
+    struct truth_order time = truth_order(step, apart[2], apart[3], 2);
+    CHECK(value[0] == space.order || (isnan(value[0]) && isnan(space.order)));
+    CHECK_NEAR(value[1], time.order, 1e-9); /* of halving, in other units */
+    CHECK_RELATIVE(value[2], space.bar + time.bar, 1e-9);
+    CHECK(space.bar > 0 && time.bar > 0);
+}
+
+static void check_table(const struct truth_runs *runs, const struct truth_made *made)
+{
+    struct run_result solid[5], shell[5], pushed = {0};
+    struct truth_level push = {TRUTH_SOLID, 2, 6, 0.01, true};
+
+    read_family(runs, TRUTH_SOLID, solid);
+    read_family(runs, TRUTH_SHELL, shell);
+    REQUIRE(truth_level_find(runs, &push, true, &pushed, NULL) == STATUS_OK);
+    for (int t = 0; t < TIMES; t++) {
+        const double *v = made->value[t];
+        check_model(solid, (double[]){3, 4, 6}, 2, t, v + TRUTH_SOLID_SPACE);
+        check_model(shell, (double[]){2, 4, 5}, 4, t, v + TRUTH_SHELL_SPACE);
+        CHECK_RELATIVE(v[TRUTH_DIFFERENCE], metric_rmse(solid[2].xyz[t], shell[2].xyz[t]),
+                       SUM);
+        CHECK_RELATIVE(v[TRUTH_GROWTH],
+                       metric_rmse(solid[3].xyz[t], pushed.xyz[t]) / (1e-6 * LENGTH), SUM);
+        const double bar =
+            v[made->level.model == TRUTH_SOLID ? TRUTH_SOLID_BAR : TRUTH_SHELL_BAR];
+        CHECK(v[TRUTH_ERROR] == fmax(bar, v[TRUTH_DIFFERENCE]) &&
+              made->time[t] == times[t]);
+        const struct run_result *whose =
+            made->level.model == TRUTH_SOLID ? &solid[2] : &shell[2];
+        CHECK(!memcmp(made->xyz[t], whose->xyz[t], 3 * GRID_POINTS * sizeof(double)));
+    }
+    for (int n = 0; n < 5; n++)
+        run_result_clear(&solid[n]), run_result_clear(&shell[n]);
+    run_result_clear(&pushed);
+}
+
+static void make(const struct truth_runs *runs, struct truth_made *made)
+{
+    struct scene scene = {0};
+    struct message why = {""};
+
+    REQUIRE(settings_read_scene(runs->settings, runs->path, &scene, NULL) == STATUS_OK);
+    if (!CHECK(truth_make(&tiny, runs, &scene, true, made, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    scene_clear(&scene);
+}
+
+/* How far the watched change grew: the coarse solid, twice the step, two tenths. */
+static double watched(const struct truth_runs *runs)
+{
+    struct truth_level level = {TRUTH_SOLID, 2, 5, 0.01, false};
+    struct truth_runs far = *runs;
+    struct run_result run[2] = {{0}};
+    double most = 0;
+
+    far.time = (const double[]){0.1, 0.2};
+    for (int n = 0; n < 2; n++) {
+        level.perturbed = n;
+        REQUIRE(truth_level_find(&far, &level, true, &run[n], NULL) == STATUS_OK);
+    }
+    for (int t = 0; t < 2; t++)
+        most = fmax(most, metric_rmse(run[0].xyz[t], run[1].xyz[t]) / (1e-6 * LENGTH));
+    run_result_clear(&run[0]);
+    run_result_clear(&run[1]);
+    return most;
+}
+
+static void check_made(const struct truth_runs *runs)
+{
+    struct truth_made made;
+    char want[256];
+
+    make(runs, &made);
+    check_table(runs, &made);
+    CHECK(made.times == TIMES && made.claimed == TIMES);
+    const bool solid = made.level.model == TRUTH_SOLID;
+    CHECK(made.level.side == 8 && made.level.degree == (solid ? 2 : 3));
+    CHECK(strstr(made.note, solid ? "p = 2, 8x8, step 5 ms; error bar: its own"
+                                  : "p = 3, 8x8, step 5 ms; error bar: its own"));
+    CHECK(strstr(made.note, solid ? "shell, p = 3, 8x8, 5 ms" : "solid, p = 2, 8x8, 5 ms"));
+    snprintf(
+        want, sizeof want,
+        "a change of gravity by 1e-06 grows at most %.2g-fold up to 0.2 s: so long the "
+        "motion can be predicted (solid, 5x5, step 10 ms)",
+        watched(runs));
+    if (!CHECK(!strcmp(made.horizon, want)))
+        printf("%s\n%s\n", made.horizon, want);
+    truth_made_clear(&made);
+}
+
+/* The changed runs exchanged for those of another net: a change that has grown at once. */
+static void check_lost(const struct truth_runs *runs)
+{
+    struct truth_made made;
+
+    remove(file_of("truth_iga_p2_6_10000us_perturbed.h5"));
+    remove(file_of("truth_iga_p2_5_10000us_perturbed.h5"));
+    struct truth_level level = {TRUTH_SOLID, 2, 4, 0.01, true};
+    struct run_result run = {0};
+    struct truth_runs far = *runs;
+    far.time = (const double[]){0.1, 0.2};
+    REQUIRE(truth_level_find(runs, &level, false, &run, NULL) == STATUS_OK);
+    run_result_clear(&run);
+    copy("truth_iga_p2_4_10000us_perturbed.h5", "truth_iga_p2_6_10000us_perturbed.h5");
+    REQUIRE(truth_level_find(&far, &level, false, &run, NULL) == STATUS_OK);
+    run_result_clear(&run);
+    copy("truth_iga_p2_4_10000us_perturbed.h5", "truth_iga_p2_5_10000us_perturbed.h5");
+    make(runs, &made);
+    CHECK(made.value[1][TRUTH_GROWTH] > 1e3 &&
+          made.claimed == 0 + (made.value[0][TRUTH_GROWTH] <= 1e3));
+    if (!CHECK(strstr(made.horizon, "has grown") &&
+               strstr(made.horizon, "-fold at 0.1 s: from there on the motion cannot be")))
+        printf("%s\n", made.horizon);
+    truth_made_clear(&made);
+}
+
+/* --- Made-up tables: who is chosen, and until when it is claimed. */
+
+static const struct choice {
+    double solid[3], shell[3], difference[3], growth[3];
+    enum truth_model model;
+    int claimed;
+} choices[] = {
+    {{.01, .02, .03}, {.01, .02, .04}, {0}, {0}, TRUTH_SOLID, 3},
+    {{.01, .02, .04}, {.01, .02, .03}, {0}, {0}, TRUTH_SHELL, 3},
+    {{.02, .02, .03}, {.01, .01, .03}, {0}, {0}, TRUTH_SOLID, 3}, /* the last counts */
+    {{.01, .02, .11}, {.09, .09, .09}, {0}, {0}, TRUTH_SHELL, 3}, /* more claimed    */
+    {{.09, .09, .09}, {.01, .02, .11}, {0}, {0}, TRUTH_SOLID, 3},
+    {{.01, .03, .2}, {.01, .02, .3}, {0}, {0}, TRUTH_SHELL, 2}, /* last claimed */
+    {{.01, .01, .01}, {.02, .02, .02}, {0, .11, 0}, {0}, TRUTH_SOLID, 1},
+    {{.01, .01, .01}, {.02, .02, .02}, {0, .09, 0}, {0}, TRUTH_SOLID, 3},
+    {{.01, .01, .01}, {.02, .02, .02}, {0}, {0, 0, 1001}, TRUTH_SOLID, 2},
+    {{.01, .01, .01}, {.02, .02, .02}, {0}, {0, 0, 999}, TRUTH_SOLID, 3},
+    {{.3, .3, .3}, {.2, .2, .2}, {0}, {0}, TRUTH_SHELL, 0},
+};
+
+/* Of a sheet of 2 m: 5 % are 0.1 m. */
+static void check_choices(void)
+{
+    static const double three[3] = {0.1, 0.2, 0.3};
+
+    for (size_t n = 0; n < sizeof choices / sizeof *choices; n++) {
+        const struct choice *c = &choices[n];
+        struct truth_made made;
+        REQUIRE(truth_made_init(&made, 3, 0, three) == STATUS_OK);
+        for (int t = 0; t < 3; t++) {
+            made.value[t][TRUTH_SOLID_BAR] = c->solid[t];
+            made.value[t][TRUTH_SHELL_BAR] = c->shell[t];
+            made.value[t][TRUTH_DIFFERENCE] = c->difference[t];
+            made.value[t][TRUTH_GROWTH] = c->growth[t];
+        }
+        if (!CHECK(truth_made_choose(&made, LENGTH) == c->model &&
+                   made.claimed == c->claimed))
+            printf("choice %zu: %d claimed\n", n, made.claimed);
+        for (int t = 0; t < 3; t++)
+            CHECK(made.value[t][TRUTH_ERROR] ==
+                  fmax(c->model == TRUTH_SOLID ? c->solid[t] : c->shell[t],
+                       c->difference[t]));
+        truth_made_clear(&made);
+    }
+}
+
+/* --- The same bits, made elsewhere at another time. */
+
+static void read_sum(const char *file, const struct truth_runs *runs,
+                     const struct truth_made *made, char sum[17])
+{
+    struct store_read *f = NULL;
+    char *text = NULL;
+
+    REQUIRE(truth_file_write(file, runs, made, NULL) == STATUS_OK);
+    REQUIRE(store_read_open(file, &f, NULL) == STATUS_OK);
+    REQUIRE(store_read_text(f, "/", "checksum", &text, NULL) == STATUS_OK);
+    snprintf(sum, 17, "%s", text);
+    free(text);
+    store_read_close(f);
+}
+
+static void check_bits(const struct truth_runs *runs)
+{
+    struct truth_runs again = *runs;
+    struct truth_made made;
+    char sum[3][17], other[4096];
+
+    make(runs, &made);
+    read_sum(file_of("one.h5"), runs, &made, sum[0]);
+    truth_made_clear(&made);
+    snprintf(other, sizeof other, "%s/again", folder);
+    REQUIRE(folder_make(other, NULL) == STATUS_OK);
+    again.folder = other;
+    make(&again, &made);
+    read_sum(file_of("two.h5"), runs, &made, sum[1]);
+    made.xyz[0][4711] += 1e-6;
+    read_sum(file_of("two.h5"), runs, &made, sum[2]);
+    truth_made_clear(&made);
+    CHECK(strlen(sum[0]) == 16 && !strcmp(sum[0], sum[1]) && strcmp(sum[0], sum[2]));
+}
+
+/* --- Truths that nothing is made for. */
+
+static enum status find(const char *scene, int count, const char *const *text, int n,
+                        const double *time, enum truth_effort effort, struct truth **t)
+{
+    char *path = path_of(scene);
+    struct settings s = settings_of(count, text);
+    const enum status st = truth_find(path, &s, n, time, folder, effort, t, NULL);
+
+    settings_clear(&s);
+    free(path);
+    return st;
+}
+
+/* The plate, where the load is light: what linear theory and Kirchhoff leave is its bar. */
+static void check_plate(void)
+{
+    static const char *const light[] = {"gravity=[0,0,-0.001]", "damping={kind: none}"};
+    static const char *const heavy[] = {"gravity=[0,0,-0.03]", "damping={kind: none}"};
+    struct truth *t = NULL;
+    struct truth_plate plate;
+    struct scene scene;
+    struct settings s = settings_of(2, light);
+    char *path = path_of("cantilever_transient");
+
+    REQUIRE(settings_read_scene(&s, path, &scene, NULL) == STATUS_OK);
+    const double gamma = scene_gamma(&scene), ratio = scene.thickness / scene.length;
+    REQUIRE(truth_plate_init(&plate, &scene, TIMES, times, NULL) == STATUS_OK);
+    CHECK(gamma > 0.001 && gamma < 0.09);
+    REQUIRE(find("cantilever_transient", 2, light, TIMES, times, TRUTH_READ, &t) ==
+            STATUS_OK);
+    for (int n = 0; n < TIMES; n++) {
+        CHECK(metric_rmse(t->xyz[n], plate.xyz[n]) == 0 && t->time[n] == times[n]);
+        CHECK_RELATIVE(t->error[n],
+                       (1e-5 + 0.0125 * gamma * gamma + 2 * ratio * ratio) *
+                           metric_rmse(plate.xyz[n], plate.rest),
+                       DIGITS);
+    }
+    CHECK(strstr(t->source, "Kirchhoff plate"));
+    truth_destroy(t), t = NULL;
+    CHECK(30 * gamma > 0.09); /* of the heavy one: beyond linear theory */
+    CHECK(find("cantilever_transient", 2, heavy, TIMES, times, TRUTH_READ, &t) ==
+          STATUS_FILE);
+    truth_plate_clear(&plate);
+    scene_clear(&scene);
+    settings_clear(&s);
+    free(path);
+}
+
+/* The shell elsewhere: its bar is the difference of two runs; who only reads gets the finer
+ * pair, if an earlier call left it. */
+static void check_shell(void)
+{
+    static const double time[1] = {0.005};
+    struct settings s = settings_of(2, long_sheet);
+    char *path = path_of("edge_drop");
+    struct truth_runs runs = {path, &s, 1, time, folder};
+    struct truth_level level[2] = {{TRUTH_SHELL, 3, 16, 0.00125, false},
+                                   {TRUTH_SHELL, 3, 12, 0.0025, false}};
+    struct run_result run[2] = {{0}};
+    struct truth *t = NULL;
+
+    CHECK(find("edge_drop", 2, long_sheet, 1, time, TRUTH_READ, &t) == STATUS_FILE);
+    REQUIRE(find("edge_drop", 2, long_sheet, 1, time, TRUTH_QUICK, &t) == STATUS_OK);
+    for (int n = 0; n < 2; n++)
+        REQUIRE(truth_level_find(&runs, &level[n], true, &run[n], NULL) == STATUS_OK);
+    CHECK(metric_rmse(t->xyz[0], run[0].xyz[0]) == 0);
+    CHECK(t->error[0] > 0 && t->error[0] == metric_rmse(run[0].xyz[0], run[1].xyz[0]));
+    CHECK(strstr(t->source, "16x16, step 1.25 ms; error bar: its difference from 12x12, "
+                            "2.5 ms"));
+    truth_destroy(t), t = NULL;
+    copy("truth_shell_p3_16_1250us.h5", "truth_shell_p3_36_625us.h5");
+    copy("truth_shell_p3_12_2500us.h5", "truth_shell_p3_24_1250us.h5");
+    REQUIRE(find("edge_drop", 2, long_sheet, 1, time, TRUTH_READ, &t) == STATUS_OK);
+    CHECK(strstr(t->source, "36x36, step 0.625 ms") && strstr(t->source, "24x24, 1.25 ms"));
+    truth_destroy(t), t = NULL;
+    REQUIRE(find("edge_drop", 2, long_sheet, 1, time, TRUTH_FULL, &t) == STATUS_OK);
+    CHECK(strstr(t->source, "36x36"));
+    truth_destroy(t);
+    for (int n = 0; n < 2; n++)
+        run_result_clear(&run[n]);
+    settings_clear(&s);
+    free(path);
+}
+
+/* --- Plans. */
+
+static void check_plans(void)
+{
+    double snapshots[] = {0, 0.05, 0.06, 0.1, 0.14, 0.3, 0.32};
+    const struct scene scene = {.snapshot_count = 7, .snapshots = snapshots};
+    const double want[] = {0.06, 0.1, 0.14, 0.2, 0.3};
+    struct truth_plan plan = {NULL, 0.3, 1, {{2, {5}, 5e-3}, {2, {5}, 2.5e-3}}};
+    double *time = NULL;
+    const int count = truth_plan_times(&plan, &scene, &time);
+
+    CHECK(count == 5);
+    for (int n = 0; n < 5 && n < count; n++)
+        CHECK_NEAR(time[n], want[n], SUM);
+    free(time);
+    CHECK(truth_plan_of("flag", false).until == 0.6 &&
+          truth_plan_of("mine", false).until == 0.5 &&
+          truth_plan_of("flag", true).until == 0.2);
+}
+
+int main(int argc, char **argv)
+{
+    char *path = path_of("edge_drop"), command[4200];
+    struct settings s = settings_of(2, long_sheet);
+
+    REQUIRE(argc == 2);
+    snprintf(folder, sizeof folder, "%s", argv[1]);
+    snprintf(command, sizeof command, "rm -rf '%s'", folder); /* of an earlier run */
+    REQUIRE(system(command) == 0 && folder_make(folder, NULL) == STATUS_OK);
+    REQUIRE(!setenv("CLOTHBENCH_TRUTHS", folder, 1));
+    const struct truth_runs runs = runs_of(path, &s);
+    check_plans();
+    check_choices();
+    check_made(&runs);
+    check_bits(&runs);
+    check_lost(&runs);
+    check_plate();
+    check_shell();
+    settings_clear(&s);
+    free(path);
+    return check_result();
+}

@@ -216,8 +216,8 @@ static enum status run_batch(const struct job *j, struct batch *batch, struct me
     return st;
 }
 
-/* Runs all rows from the first one given on, unless their files are there from an earlier
- * call, and fills them. */
+/* Runs all rows from the first one given on, unless an earlier call has left their files,
+ * and fills them. */
 static enum status measure(struct job *j, int first, struct message *why)
 {
     struct contest *c = &j->contest;
@@ -294,7 +294,8 @@ static enum status run(const struct command_line *line, struct message *why)
     j.folder = from ? from : out ? out : folder;
     j.read_only = from != NULL;
     TRY(add_ladder(&j, command_value(line, "--models"), why));
-    TRY(folder_make(j.folder, why));
+    if (!from)
+        TRY(folder_make(j.folder, why));
     timing_alone();
     if (!strcmp(j.scene.name, "corners_drop"))
         TRY(fig6_compare(j.path, &j.user, j.folder, j.read_only, format, stdout, why));
@@ -331,9 +332,13 @@ const struct command compare_command = {
     .text =
         "Runs each contestant over nets, time steps and iterations from cheap to dear,\n"
         "holds every run against the scene's truth on the material grid, times all in\n"
-        "turn and prints the error beside the seconds, the time each needs for 10, 3, 1\n"
-        "and 0.1 %, and the error that refinement does not remove. Seconds are medians\n"
-        "of the repeats that stand beside them.\n",
+        "turn and prints the error beside the seconds; the least time for 10, 3, 2, 1 and\n"
+        "0.1 %, the least error in real time and the least of all, each with the net, the\n"
+        "step and the iterations that reach it; and what limits the last: from there net,\n"
+        "step and iterations are refined once more, one at a time, and what takes most\n"
+        "off is named, or the truth, where the error is within its bar. Seconds are "
+        "set-up\n"
+        "and stepping, medians of the repeats that stand beside them.\n",
     .examples = "compare edge_drop\ncompare corners_drop --models iga,shell_3\n"
                 "compare edge_drop --from results/compare_edge_drop --format csv\n",
     .least = 1,

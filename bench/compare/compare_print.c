@@ -58,8 +58,8 @@ static struct table *create_runs(const struct contest *c, struct words *w)
     for (size_t n = 0; n < sizeof more / sizeof *more; n++)
         columns[count++] = more[n];
     snprintf(w->caption, sizeof w->caption,
-             "Every run on %s (Gamma = %.4g, %s): RMSE/L at five times", c->scene->name,
-             scene_gamma(c->scene), c->physics);
+             "Every run on %s (Gamma = %.4g, %s): RMSE/L at %d times", c->scene->name,
+             scene_gamma(c->scene), c->physics, c->truth->times);
     return table_create(count, columns, w->caption);
 }
 
@@ -283,8 +283,9 @@ static enum status print_limits(const struct contest *c, const char *folder,
         "In real time: of the runs that took no longer, set-up included, than the "
         "%.3g s that they show. Limited by: from the lowest, a net with half as many "
         "points again, half the step, or twice the iterations, one at a time; less "
-        "than %.0f %% is nothing.",
-        c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN);
+        "than %.0f %% is nothing. The truth: up to its error bar, %.2g %% at most.",
+        c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN,
+        100 * contest_largest_bar(c));
     TRY(table_save(t, folder, "compare_limits", why));
     return table_finish(t, format, file);
 out:
@@ -298,6 +299,8 @@ enum status compare_print(const struct contest *c, const char *folder,
     enum status st;
 
     TRY(print_runs(c, folder, format, file, why));
+    if (!c->truth->xyz)
+        return st;
     TRY(print_targets(c, folder, format, file, why));
     TRY(print_limits(c, folder, format, file, why));
 out:

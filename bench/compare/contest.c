@@ -37,10 +37,10 @@ void contest_fill(const struct contest *c, const struct run_result *r,
         const bool known = truth->xyz && t < r->frames;
         row->error[t] =
             known ? metric_rmse(r->xyz[t], truth->xyz[t]) / c->scene->length : NAN;
-        row->worst = isnan(row->error[t]) ? NAN : fmax(row->worst, row->error[t]);
+        row->worst = isnan(row->error[t]) || isnan(row->worst)
+                         ? NAN /* and stays it */
+                         : fmax(row->worst, row->error[t]);
     }
-    if (r->frames < truth->times)
-        row->worst = NAN;
     row->seconds = row->probe ? NAN : r->create.median + r->step.median * (double)r->steps;
     row->result = *r;
     row->result.xyz = NULL, row->result.time = NULL;

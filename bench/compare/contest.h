@@ -82,18 +82,17 @@ bool contest_on_front(const struct contest *c, const struct contest_row *row);
 bool contest_probe(const struct contest *c, const struct contest_row *best,
                    enum contest_axis axis, struct contest_at *at);
 
-enum contest_kind { /* the first three are axes */
-                    CONTEST_BY_NET,
-                    CONTEST_BY_STEP,
-                    CONTEST_BY_ITERATIONS,
-                    CONTEST_BY_TRUTH,   /* at its worst time it is within the truth's error
-                                           bar        */
-                    CONTEST_BY_MODEL,   /* refined in every way, it comes no nearer   */
-                    CONTEST_BY_UNKNOWN, /* so far as was tried */
-                    CONTEST_DIED,       /* every run       */
-                    CONTEST_REFUSED,
-                    CONTEST_NO_TRUTH,
-                    CONTEST_KINDS
+/* The first three are axes. */
+enum contest_kind {
+    CONTEST_BY_NET,
+    CONTEST_BY_STEP,
+    CONTEST_BY_ITERATIONS,
+    CONTEST_BY_TRUTH,   /* at its worst time it is within the truth's error bar        */
+    CONTEST_BY_MODEL,   /* refined in every way, it comes no nearer                    */
+    CONTEST_BY_UNKNOWN, /* so far as was tried                                         */
+    CONTEST_DIED,       /* no run has an error, and not all were refused               */
+    CONTEST_REFUSED,
+    CONTEST_KINDS
 };
 
 struct contest_limit {

@@ -6,9 +6,8 @@
 
 #include "bench/compare/contest.h"
 
-static const char *const kind_name[CONTEST_KINDS] = {"net",   "step",    "iterations",
-                                                     "truth", "model",   "unknown",
-                                                     "died",  "refused", "no truth"};
+static const char *const kind_name[CONTEST_KINDS] = {
+    "net", "step", "iterations", "truth", "model", "unknown", "died", "refused"};
 
 const char *contest_kind_name(enum contest_kind kind)
 {
@@ -75,7 +74,7 @@ static enum contest_kind why_none(const struct contest *c, const struct contesta
     for (int n = 0; n < c->count; n++)
         if (c->rows[n].at.contestant == who)
             refused &= run_result_refused(&c->rows[n].result);
-    return refused ? CONTEST_REFUSED : c->truth->xyz ? CONTEST_DIED : CONTEST_NO_TRUTH;
+    return refused ? CONTEST_REFUSED : CONTEST_DIED;
 }
 
 struct contest_limit contest_limit(const struct contest *c, const struct contestant *who)
@@ -173,9 +172,6 @@ void contest_tell(const struct contest *c, const struct contest_limit *l, char *
         return;
     case CONTEST_REFUSED:
         append(text, size, "not applicable");
-        return;
-    case CONTEST_NO_TRUTH:
-        append(text, size, "no truth");
         return;
     case CONTEST_BY_MODEL:
         append(text, size, "the model: finer ");

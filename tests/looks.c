@@ -185,6 +185,24 @@ static void test_energy(void)
     scene_clear(&scene);
 }
 
+static void test_energy_drift(void)
+{
+    /* E = 2, 2, 1, 2.5; in play 2, 6, 7, 2.5 */
+    static const struct energy energy[] = {{2, 0, 0}, {3, 1, -2}, {1, 3, -3}, {0.5, 1, 1}};
+    struct energy rest[2] = {{0, 0, 7}, {0, 0, 7}};
+    double drift[4], largest = 7;
+
+    metric_energy_drift(4, energy, drift);
+    CHECK(drift[0] == 0 && drift[1] == 0);
+    CHECK_NEAR(drift[2], -1 / largest, TOL_ROUND);
+    CHECK_NEAR(drift[3], 0.5 / largest, TOL_ROUND);
+    metric_energy_drift(2, rest, drift);
+    CHECK(drift[0] == 0 && drift[1] == 0);
+    rest[1].elastic = NAN;
+    metric_energy_drift(2, rest, drift);
+    CHECK(drift[0] == 0 && isnan(drift[1]));
+}
+
 /* rho g L / E: a strip that hangs at rest is stretched so at its support. */
 static void test_scene(void)
 {
@@ -220,6 +238,7 @@ int main(void)
     test_crossing();
     test_end();
     test_energy();
+    test_energy_drift();
     test_scene();
     test_words();
     return check_result();

@@ -1,10 +1,9 @@
-/* Metrics of fields whose numbers are known by hand; grid points; quartiles. */
+/* Metrics of fields whose numbers are known by hand; grid points. */
 #include "models/metric/metric.h"
 
 #include <float.h>
 #include <stdlib.h>
 
-#include "models/clock.h"
 #include "models/grid.h"
 #include "tests/check.h"
 
@@ -426,42 +425,6 @@ static void test_intersections(void)
     free(xyz);
 }
 
-static void test_energy_drift(void)
-{
-    /* E = 2, 2, 1, 2.5; in play 2, 6, 7, 2.5 */
-    static const struct energy energy[] = {{2, 0, 0}, {3, 1, -2}, {1, 3, -3}, {0.5, 1, 1}};
-    struct energy rest[2] = {{0, 0, 7}, {0, 0, 7}};
-    double drift[4], largest = 7;
-
-    metric_energy_drift(4, energy, drift);
-    CHECK(drift[0] == 0 && drift[1] == 0);
-    CHECK_NEAR(drift[2], -1 / largest, TOL_ROUND);
-    CHECK_NEAR(drift[3], 0.5 / largest, TOL_ROUND);
-    metric_energy_drift(2, rest, drift);
-    CHECK(drift[0] == 0 && drift[1] == 0);
-    rest[1].elastic = NAN;
-    metric_energy_drift(2, rest, drift);
-    CHECK(drift[0] == 0 && isnan(drift[1]));
-}
-
-static void test_clock(void)
-{
-    double seconds[6] = {5, 1, 4, 2, 3, NAN};
-    struct clock_summary s = clock_summarise(seconds, 5);
-    CHECK(s.count == 5 && s.min == 1 && s.lower == 2 && s.median == 3);
-    CHECK(s.upper == 4 && s.max == 5 && seconds[0] == 5);
-    s = clock_summarise(seconds, 4); /* 1 2 4 5, type 7: 1 + 3/4, 3, 4 + 1/4 */
-    CHECK(s.min == 1 && s.lower == 1.75 && s.median == 3 && s.upper == 4.25 && s.max == 5);
-    s = clock_summarise(seconds, 1);
-    CHECK(s.count == 1 && s.min == 5 && s.lower == 5 && s.median == 5 && s.max == 5);
-    s = clock_summarise(seconds, 6);
-    CHECK(s.min == 1 && isnan(s.max));
-
-    double start = clock_now();
-    CHECK(clock_now() >= start);
-    CHECK(clock_peak_memory() > 100000 && clock_peak_memory() < 1L << 40);
-}
-
 int main(void)
 {
     test_grid();
@@ -475,7 +438,5 @@ int main(void)
     test_blowup();
     test_angle();
     test_intersections();
-    test_energy_drift();
-    test_clock();
     return check_result();
 }

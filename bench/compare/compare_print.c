@@ -158,7 +158,7 @@ static void add_cell(struct table *t, const struct contest_row *r, double value,
         return;
     }
     contest_tell_size(r, size, sizeof size);
-    table_text(t, "%.2g %s", value, size);
+    table_text(t, value < 99.5 ? "%.2g %s" : "%.0f %s", value, size);
 }
 
 static void add_size(struct table *t, const struct contest *c, const struct contest_row *r)

@@ -208,6 +208,16 @@ says err 'Gamma           386.6' '10 x 10 x 2' 'degree (2,2,1)' printed 540 'ms 
 [[ $err == *$'\033'* || $err == *$'\r'* ]] && fail 'a progress bar without a terminal'
 good run edge_drop --set discretization.kinematics=linear --set time.end=0.05
 says err 'warning: small-strain' 'more than 10 %' 'kinematics linear'
+# rho = 2.5e-3, 4e-3, 1e-3 kg/m^3: Gamma = 1.9, 3.1, 0.77, on either side of 0.9 and of 2.9
+for light in 2.5e-3:1 4e-3:10 1e-3:; do
+    good run edge_drop --set discretization.kinematics=linear --set time.end=0.005 \
+        --set material.density="${light%:*}"
+    if [ "${light#*:}" ]; then
+        says err "warning: small-strain" "more than ${light#*:} %"
+    elif [[ $err == *warning* ]]; then
+        fail "a warning at Gamma = 0.77"
+    fi
+done
 
 # --- probes -----------------------------------------------------------------------------
 good run edge_drop "${short[@]}" --probe 1,0.5,0.5 --probe=0.3,0.7,1

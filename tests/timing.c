@@ -6,6 +6,7 @@
 
 #include "bench/experiment/measurement.h"
 #include "bench/files/store_read.h"
+#include "models/clock.h"
 #include "tests/run_fixture.h"
 #include "tests/scripted_model.h"
 
@@ -193,6 +194,24 @@ static void test_alone(void)
     CHECK(timing_pin() >= -1);
 }
 
+static void test_clock(void)
+{
+    double seconds[6] = {5, 1, 4, 2, 3, NAN};
+    struct clock_summary s = clock_summarise(seconds, 5);
+    CHECK(s.count == 5 && s.min == 1 && s.lower == 2 && s.median == 3);
+    CHECK(s.upper == 4 && s.max == 5 && seconds[0] == 5);
+    s = clock_summarise(seconds, 4); /* 1 2 4 5, type 7: 1 + 3/4, 3, 4 + 1/4 */
+    CHECK(s.min == 1 && s.lower == 1.75 && s.median == 3 && s.upper == 4.25 && s.max == 5);
+    s = clock_summarise(seconds, 1);
+    CHECK(s.count == 1 && s.min == 5 && s.lower == 5 && s.median == 5 && s.max == 5);
+    s = clock_summarise(seconds, 6);
+    CHECK(s.min == 1 && isnan(s.max));
+
+    double start = clock_now();
+    CHECK(clock_now() >= start);
+    CHECK(clock_peak_memory() > 100000 && clock_peak_memory() < 1L << 40);
+}
+
 int main(void)
 {
     REQUIRE(mkdtemp(folder));
@@ -202,6 +221,7 @@ int main(void)
     test_failure();
     test_measurement();
     test_alone();
+    test_clock();
     CHECK(rmdir(folder) == 0);
     return check_result();
 }

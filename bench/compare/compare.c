@@ -11,23 +11,23 @@
 #include "bench/truth/truth_plan.h"
 #include "bench/ui/progress.h"
 #include "models/damping.h"
-#include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
 
 /* Half a second: an edge drop's first quarter swing, before motions part for good. */
 static const double UNTIL = 0.5;
 
 struct job {
-    struct compare compare;
+    struct contest contest;
     struct scene scene;
     char *path;
     const char *folder;
     int times;
-    double time[COMPARE_TIMES];
+    double time[CONTEST_TIMES];
     struct settings user;  /* the user's                                               */
     struct settings truth; /* these, and how the truth is damped                       */
-    struct batch batch;    /* a case a row                                             */
-    bool quick;
+    struct truth *found;   /* owned                                                    */
+    struct truth none;     /* stands in for a truth that could not be had              */
+    bool quick, read_only;
 };
 
 /* Those given by --until; else those of the stored truth up to UNTIL; else up to UNTIL. */
@@ -42,12 +42,12 @@ static enum status read_times(struct job *j, const struct command_line *line,
         return status_fail(why, STATUS_INPUT, "--until %s: a time in seconds, above 0",
                            word);
     if (!word) {
-        enum status st = truth_stored_times(j->path, &j->truth, until, COMPARE_TIMES,
+        enum status st = truth_stored_times(j->path, &j->truth, until, CONTEST_TIMES,
                                             j->time, &j->times, why);
         if (st != STATUS_OK || j->times)
             return st;
     }
-    j->times = COMPARE_TIMES;
+    j->times = CONTEST_TIMES;
     for (int n = 0; n < j->times; n++)
         j->time[n] =
             fmax(1, round((n + 1) * until / j->times / j->scene.step)) * j->scene.step;
@@ -64,7 +64,7 @@ static void choose_damping(struct job *j)
 {
     const char *truth = truth_plan_damping(&j->scene);
 
-    snprintf(j->compare.physics, sizeof j->compare.physics, "damping %s",
+    snprintf(j->contest.physics, sizeof j->contest.physics, "damping %s",
              damping_name((int)j->scene.damping.kind));
     settings_append(&j->truth, &j->user);
     for (int n = 0; n < j->user.count; n++)
@@ -73,7 +73,7 @@ static void choose_damping(struct job *j)
     if (!truth)
         return;
     settings_set(&j->truth, truth);
-    snprintf(j->compare.physics, sizeof j->compare.physics,
+    snprintf(j->contest.physics, sizeof j->contest.physics,
              "undamped, but for the paper's own scheme with velocity_scale %g",
              j->scene.damping.value);
 }
@@ -91,7 +91,7 @@ static enum status prepare(struct job *j, const struct command_line *line,
     TRY(settings_read_scene(&j->user, j->path, &j->scene, why));
     choose_damping(j);
     TRY(read_times(j, line, why));
-    j->compare.scene = &j->scene;
+    j->contest.scene = &j->scene;
 out:
     return st;
 }
@@ -105,95 +105,95 @@ static int length(const int *list, int most)
     return n;
 }
 
-/* Nets, time steps and iterations of a contestant; `quick` leaves out the dear half. */
-static void add_rows(struct compare *c, const struct contestant *who, bool quick)
+/* Nets, time steps and iterations of a contestant, from cheap to dear; `quick` leaves out
+ * the dear half. */
+static enum status add_rows(struct contest *c, const struct contestant *who, bool quick)
 {
     const int sides = length(who->points, quick ? 2 : CONTESTANT_STEPS);
     const int divisors = length(who->divisors, quick ? 1 : CONTESTANT_STEPS);
     const int iterations = length(who->iterations, CONTESTANT_STEPS);
+    struct contest_row *unused;
+    enum status st = STATUS_OK;
 
     for (int s = 0; s < sides; s++)
         for (int d = 0; d < divisors; d++)
             for (int i = 0; i == 0 || i < iterations; i++)
-                c->rows[c->count++].at =
-                    (struct refinement){who, who->points[s], who->divisors[d],
-                                        iterations ? who->iterations[i] : 0};
+                TRY(contest_add(c,
+                                &(struct contest_at){who,
+                                                     {who->points[s], who->divisors[d],
+                                                      iterations ? who->iterations[i] : 0}},
+                                &unused));
+out:
+    return st;
 }
 
-static void refine(const struct refinement *r, double frame, struct settings *s)
+/* All of a choice (contestant_chosen), model by model. */
+static enum status add_ladder(struct job *j, const char *models, struct message *why)
 {
-    contestant_settings(r->contestant, s); /* again: what the user set may not change it */
-    contestant_points(r->contestant, r->side, r->side, s);
-    settings_number(s, "time.step", frame / r->divisor);
-    if (r->iterations)
-        settings_integer(s, "discretization.iterations", r->iterations);
+    const struct model *model;
+    enum status st;
+
+    TRY(contestant_check(models, why));
+    for (int m = 0; (model = contestant_model(m)); m++)
+        for (const struct contestant *who = contestant_table; who->name; who++)
+            if (who->model == model && contestant_chosen(who, models, CONTESTANT_COMPARE))
+                TRY(add_rows(&j->contest, who, j->quick));
+out:
+    return st;
 }
 
-static void plan_row(struct job *j, const struct refinement *r)
+/* One more of each thing from the nearest of each contestant that may come nearer. */
+static enum status add_probes(struct job *j)
 {
+    struct contest *c = &j->contest;
+    const struct contestant *who;
+    enum status st = STATUS_OK;
+
+    for (int k = 0; (who = contest_entrant(c, k)); k++) {
+        const struct contest_limit limit = contest_limit(c, who);
+        struct contest_at at[CONTEST_AXES];
+        struct contest_row *row;
+        int count = 0;
+        if (!limit.best || limit.kind == CONTEST_BY_TRUTH)
+            continue;
+        for (int axis = 0; axis < CONTEST_AXES; axis++)
+            count += contest_probe(c, limit.best, (enum contest_axis)axis, &at[count]);
+        for (int n = 0; n < count; n++) {
+            TRY(contest_add(c, &at[n], &row));
+            row->probe = true;
+        }
+    }
+out:
+    return st;
+}
+
+static void refine(const struct contest_at *at, double frame, struct settings *s)
+{
+    const int *size = at->size;
+
+    contestant_settings(at->contestant, s); /* again: what the user set may not change it */
+    contestant_points(at->contestant, size[CONTEST_NET], size[CONTEST_NET], s);
+    settings_number(s, "time.step", frame / size[CONTEST_STEP]);
+    if (size[CONTEST_ITERATIONS])
+        settings_integer(s, "discretization.iterations", size[CONTEST_ITERATIONS]);
+}
+
+static void plan_row(struct job *j, const struct contest_row *row, struct batch *batch)
+{
+    const struct contest_at *at = &row->at;
     char name[128];
 
-    snprintf(name, sizeof name, "%s_%d_%d_%d", r->contestant->name, r->side, r->divisor,
-             r->iterations);
-    struct measurement_case *c = batch_add(&j->batch, j->path, r->contestant, name);
+    snprintf(name, sizeof name, "%s_%d_%d_%d", at->contestant->name, at->size[CONTEST_NET],
+             at->size[CONTEST_STEP], at->size[CONTEST_ITERATIONS]);
+    struct measurement_case *c = batch_add(batch, j->path, at->contestant, name);
     c->plan.end = j->time[j->times - 1];
     c->keep.times = j->times;
     c->keep.time = j->time;
     c->keep.fields = RUN_FIELDS_TIMES;
-    c->timed = MEASUREMENT_WHOLE;
-    settings_append(batch_settings(&j->batch),
-                    contestant_is_paper_scheme(r->contestant) ? &j->user : &j->truth);
-    refine(r, j->scene.step, batch_settings(&j->batch));
-}
-
-enum { MOST = CONTESTANT_STEPS * CONTESTANT_STEPS * CONTESTANT_STEPS };
-
-/* All of a choice (contestant_chosen), model by model. */
-static enum status plan_rows(struct job *j, const char *models, struct message *why)
-{
-    struct compare *c = &j->compare;
-    const struct model *model;
-    size_t contestants = 0;
-    enum status st;
-
-    TRY(contestant_check(models, why));
-    while (contestant_table[contestants].name)
-        contestants++;
-    c->rows = calloc(contestants * MOST, sizeof *c->rows);
-    TRY(c->rows ? STATUS_OK : STATUS_MEMORY);
-    for (int m = 0; (model = contestant_model(m)); m++)
-        for (const struct contestant *who = contestant_table; who->name; who++)
-            if (who->model == model && contestant_chosen(who, models, CONTESTANT_COMPARE))
-                add_rows(c, who, j->quick);
-    TRY(batch_init(&j->batch, j->folder, c->count));
-    for (int n = 0; n < c->count; n++)
-        plan_row(j, &c->rows[n].at);
-out:
-    return st;
-}
-
-static enum status read_row(const struct job *j, int n, struct message *why)
-{
-    struct compare_row *row = &j->compare.rows[n];
-    struct run_result r = {0};
-    enum status st;
-
-    TRY(batch_read(&j->batch, n, true, &r, why));
-    row->worst = 0;
-    for (int t = 0; t < j->times; t++) {
-        row->error[t] =
-            t < r.frames ? metric_rmse(r.xyz[t], j->compare.truth->xyz[t]) / j->scene.length
-                         : NAN;
-        row->worst = isnan(row->error[t]) ? NAN : fmax(row->worst, row->error[t]);
-    }
-    if (r.frames < j->times)
-        row->worst = NAN;
-    row->seconds = r.create.median + r.step.median * (double)r.steps;
-    row->result = r;
-    row->result.xyz = NULL, row->result.time = NULL;
-out:
-    run_result_clear(&r);
-    return st;
+    c->timed = row->probe ? MEASUREMENT_UNTIMED : MEASUREMENT_WHOLE;
+    settings_append(batch_settings(batch),
+                    contestant_is_paper_scheme(at->contestant) ? &j->user : &j->truth);
+    refine(at, j->scene.step, batch_settings(batch));
 }
 
 static void show(void *context, const char *what, int done, int total)
@@ -205,22 +205,79 @@ static void show(void *context, const char *what, int done, int total)
     progress_update(bar, done);
 }
 
-static enum status run_all(struct job *j, struct message *why)
+static enum status run_batch(const struct job *j, struct batch *batch, struct message *why)
 {
     struct progress bar = progress_start("compare", 1, false);
     const struct measurement_options options = {
         .what = "compare", .quick = j->quick, .progress = show, .context = &bar};
-    const enum status st = batch_run(&j->batch, &options, why);
+    const enum status st = batch_run(batch, &options, why);
 
     progress_end(&bar);
     return st;
+}
+
+/* Runs all rows from the first one given on, unless an earlier call has left their files,
+ * and fills them. */
+static enum status measure(struct job *j, int first, struct message *why)
+{
+    struct contest *c = &j->contest;
+    struct batch batch;
+    enum status st;
+
+    TRY(batch_init(&batch, j->folder, c->count - first));
+    for (int n = first; n < c->count; n++)
+        plan_row(j, &c->rows[n], &batch);
+    if (!j->read_only)
+        TRY(run_batch(j, &batch, why));
+    for (int n = first; n < c->count; n++) {
+        struct run_result r = {0};
+        TRY(batch_read(&batch, n - first, true, &r, why));
+        contest_fill(c, &r, &c->rows[n]);
+        run_result_clear(&r);
+    }
+out:
+    batch_clear(&batch);
+    return st;
+}
+
+/* The ladder, and then what tells the limits of each. */
+static enum status measure_all(struct job *j, struct message *why)
+{
+    const int ladder = j->contest.count;
+    enum status st;
+
+    TRY(measure(j, 0, why));
+    TRY(add_probes(j));
+    if (j->contest.count > ladder)
+        TRY(measure(j, ladder, why));
+out:
+    return st;
+}
+
+/* Where what was to be the truth refuses the scene or dies, the others run nevertheless. */
+static enum status find_truth(struct job *j, struct message *why)
+{
+    const enum truth_effort effort = j->quick ? TRUTH_QUICK : TRUTH_FULL;
+    struct message said = {""};
+    enum status st = truth_find(j->path, &j->truth, j->times, j->time, j->folder, effort,
+                                &j->found, &said);
+
+    j->contest.truth = j->found;
+    if (st == STATUS_OK)
+        return st;
+    if (st != STATUS_UNSUPPORTED && !status_is_death(st))
+        return status_fail(why, st, "%s", said.text);
+    fprintf(stderr, "compare: no truth, and so no errors: %s\n", said.text);
+    j->none = (struct truth){.times = j->times, .time = j->time};
+    snprintf(j->none.source, sizeof j->none.source, "none; %.500s", said.text);
+    j->contest.truth = &j->none;
+    return STATUS_OK;
 }
 
 static enum status run(const struct command_line *line, struct message *why)
 {
     enum status st;
     struct job j = {0};
-    struct truth *truth = NULL;
     const char *word = command_value(line, "--format");
     const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
     enum table_format format = TABLE_TEXT;
@@ -235,25 +292,21 @@ static enum status run(const struct command_line *line, struct message *why)
     TRY(prepare(&j, line, why));
     snprintf(folder, sizeof folder, "results/compare_%s", j.scene.name);
     j.folder = from ? from : out ? out : folder;
-    TRY(plan_rows(&j, command_value(line, "--models"), why));
-    TRY(folder_make(j.folder, why));
+    j.read_only = from != NULL;
+    TRY(add_ladder(&j, command_value(line, "--models"), why));
+    if (!from)
+        TRY(folder_make(j.folder, why));
     timing_alone();
     if (!strcmp(j.scene.name, "corners_drop"))
-        TRY(fig6_compare(j.path, &j.user, j.folder, from != NULL, format, stdout, why));
-    TRY(truth_find(j.path, &j.truth, j.times, j.time, j.folder,
-                   j.quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why));
-    j.compare.truth = truth;
-    if (!from)
-        TRY(run_all(&j, why));
-    for (int n = 0; n < j.compare.count; n++)
-        TRY(read_row(&j, n, why));
-    TRY(compare_print(&j.compare, j.folder, format, stdout, why));
+        TRY(fig6_compare(j.path, &j.user, j.folder, j.read_only, format, stdout, why));
+    TRY(find_truth(&j, why));
+    TRY(measure_all(&j, why));
+    TRY(compare_print(&j.contest, j.folder, format, stdout, why));
 out:
-    free(j.compare.rows);
-    batch_clear(&j.batch);
+    contest_clear(&j.contest);
     settings_clear(&j.user);
     settings_clear(&j.truth);
-    truth_destroy(truth);
+    truth_destroy(j.found);
     scene_clear(&j.scene);
     free(j.path);
     return st;
@@ -279,9 +332,13 @@ const struct command compare_command = {
     .text =
         "Runs each contestant over nets, time steps and iterations from cheap to dear,\n"
         "holds every run against the scene's truth on the material grid, times all in\n"
-        "turn and prints the error beside the seconds, the time each needs for 10, 3, 1\n"
-        "and 0.1 %, and the error that refinement does not remove. Seconds are medians\n"
-        "of the repeats that stand beside them.\n",
+        "turn and prints the error beside the seconds; the least time for 10, 3, 2, 1 and\n"
+        "0.1 %, the least error in real time and the least of all, each with the net, the\n"
+        "step and the iterations that reach it; and what limits the last: from there net,\n"
+        "step and iterations are refined once more, one at a time, and what takes most\n"
+        "off is named, or the truth, where the error is within its bar. Seconds are "
+        "set-up\n"
+        "and stepping, medians of the repeats that stand beside them.\n",
     .examples = "compare edge_drop\ncompare corners_drop --models iga,shell_3\n"
                 "compare edge_drop --from results/compare_edge_drop --format csv\n",
     .least = 1,

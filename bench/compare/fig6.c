@@ -4,11 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/experiment/batch.h"
 #include "models/metric/metric.h"
 
-enum { TIMES = 8, SETTINGS = 2 };
-static const double times[TIMES] = {0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2};
+enum { SETTINGS = 2 };
+static const double times[FIG6_TIMES] = {0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2};
 
 /* Words to numbers, one set for all. Over-stretched: beyond Provot's limit (1995), 10 %.
  * Rough: more than half again as rough as the IGA plate at its roughest. */
@@ -25,7 +24,7 @@ static const struct figure_case {
     int points; /* a side                                                              */
     int varies; /* which of the three it is a variant of                               */
     const char *settings[SETTINGS];
-} cases[] = {
+} cases[FIG6_CASES] = {
     /* clang-format off */
     {"mass-spring, paper's", "springs", "mass_spring_paper", 10, SPRINGS, {0}},
     {"projective dynamics, paper's", "projective", "projective_dynamics_paper", 10,
@@ -48,30 +47,18 @@ static const struct figure_case {
     {"shell, nonlinear", "shell_nonlinear", "shell_3", 16, -1, {DAMPED}},
     /* clang-format on */
 };
-enum { CASES = sizeof cases / sizeof *cases };
-
-struct figures {
-    bool ran;
-    struct message sentence; /* how it ended, or why not */
-    int frames;
-    double stretch[TIMES], roughness[TIMES], drop[TIMES];
-    double intersections[TIMES]; /* pairs of triangles; NaN if a position is none      */
-    double most_stretch, most_roughness;
-    double most_intersections;
-};
-
-static enum status plan(struct batch *b, const char *path, const struct settings *user,
-                        struct message *why)
+enum status fig6_plan(struct batch *b, const char *path, const struct settings *user,
+                      struct message *why)
 {
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < CASES; n++) {
+    for (int n = 0; n < FIG6_CASES; n++) {
         const struct contestant *who;
         TRY(contestant_find(cases[n].contestant, &who, why));
         struct measurement_case *c = batch_add(b, path, who, cases[n].file);
         struct settings *s = batch_settings(b);
-        c->plan.end = times[TIMES - 1];
-        c->keep.times = TIMES;
+        c->plan.end = times[FIG6_TIMES - 1];
+        c->keep.times = FIG6_TIMES;
         c->keep.time = times;
         c->keep.fields = RUN_FIELDS_TIMES;
         settings_set(s, "material.density=1"); /* Fig. 6; Table 2 has 0.5 for this scene */
@@ -84,8 +71,8 @@ out:
     return st;
 }
 
-static void measure(const struct scene *scene, const struct run_result *r,
-                    struct figures *f)
+void fig6_measure(const struct scene *scene, const struct run_result *r,
+                  struct fig6_figures *f)
 {
     f->ran = !run_result_refused(r);
     f->frames = r->frames;
@@ -102,24 +89,24 @@ static void measure(const struct scene *scene, const struct run_result *r,
 }
 
 static void figure_row(struct table *t, const struct figure_case *c,
-                       const struct figures *f)
+                       const struct fig6_figures *f)
 {
     table_row(t);
     table_text(t, "%s", c->title);
-    if (!f->ran || f->frames < TIMES)
+    if (!f->ran || f->frames < FIG6_TIMES)
         table_note(t, "%s: %s.", c->title, f->sentence.text);
     if (!f->ran)
         return;
     table_number(t, f->most_stretch, 4);
     table_number(t, f->most_roughness, 3);
     table_fixed(t, f->most_intersections, 0);
-    for (int n = 1; n < TIMES; n += 2) {
+    for (int n = 1; n < FIG6_TIMES; n += 2) {
         table_fixed(t, n < f->frames ? f->drop[n] : NAN, 3);
         table_fixed(t, n < f->frames ? f->stretch[n] : NAN, 3);
     }
 }
 
-static enum status print_table(const struct figures *figures, enum table_format format,
+static enum status print_table(const struct fig6_figures *figures, enum table_format format,
                                FILE *file)
 {
     static const struct table_column columns[] = {
@@ -138,7 +125,7 @@ static enum status print_table(const struct figures *figures, enum table_format 
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Fig. 6: two corners held, 10x10 points unless said");
 
-    for (int n = 0; n < CASES; n++) {
+    for (int n = 0; n < FIG6_CASES; n++) {
         if (n == PAPER_CASES)
             table_rule(t);
         figure_row(t, &cases[n], &figures[n]);
@@ -147,33 +134,33 @@ static enum status print_table(const struct figures *figures, enum table_format 
                "Most: over %d times from %g to %g s. Stretch: largest principal stretch of "
                "the mid-surface. Crossings: pairs of intersecting triangles of the sampled "
                "mid-surface.",
-               TIMES, times[0], times[TIMES - 1]);
+               FIG6_TIMES, times[0], times[FIG6_TIMES - 1]);
     return table_finish(t, format, file);
 }
 
-static bool over_stretches(const struct figures *all, int n)
+static bool over_stretches(const struct fig6_figures *all, int n)
 {
-    return all[n].most_stretch > OVER_STRETCHED || all[n].frames < TIMES;
+    return all[n].most_stretch > OVER_STRETCHED || all[n].frames < FIG6_TIMES;
 }
 
-static bool keeps_length(const struct figures *all, int n)
+static bool keeps_length(const struct fig6_figures *all, int n)
 {
     return !over_stretches(all, n);
 }
 
-static bool crosses(const struct figures *all, int n)
+static bool crosses(const struct fig6_figures *all, int n)
 {
     return all[n].most_intersections > 0;
 }
 
-static bool is_rough(const struct figures *all, int n)
+static bool is_rough(const struct fig6_figures *all, int n)
 {
     return all[n].most_roughness > ROUGH * all[PLATE].most_roughness;
 }
 
-static bool is_smooth(const struct figures *all, int n)
+static bool is_smooth(const struct fig6_figures *all, int n)
 {
-    return all[n].frames == TIMES && !is_rough(all, n) &&
+    return all[n].frames == FIG6_TIMES && !is_rough(all, n) &&
            all[n].most_roughness * ROUGH <
                fmax(all[SPRINGS].most_roughness, all[PROJECTIVE].most_roughness);
 }
@@ -181,7 +168,7 @@ static bool is_smooth(const struct figures *all, int n)
 static const struct sentence {
     const char *says;
     int about;
-    bool (*holds)(const struct figures *all, int n);
+    bool (*holds)(const struct fig6_figures *all, int n);
 } sentences[] = {
     {"mass-spring over-stretches", SPRINGS, over_stretches},
     {"mass-spring penetrates itself", SPRINGS, crosses},
@@ -192,7 +179,7 @@ static const struct sentence {
 };
 
 /* holds, does not hold, or holds for the paper's case and not for all of its variants. */
-static void judge(const struct sentence *s, const struct figures *figures, FILE *file)
+static void judge(const struct sentence *s, const struct fig6_figures *figures, FILE *file)
 {
     char others[512] = "";
     bool paper;
@@ -203,7 +190,7 @@ static void judge(const struct sentence *s, const struct figures *figures, FILE 
         return;
     }
     paper = s->holds(figures, s->about);
-    for (int n = PAPER_CASES; n < CASES; n++)
+    for (int n = PAPER_CASES; n < FIG6_CASES; n++)
         if (cases[n].varies == s->about && figures[n].ran &&
             s->holds(figures, n) != paper) {
             size_t used = strlen(others);
@@ -214,12 +201,29 @@ static void judge(const struct sentence *s, const struct figures *figures, FILE 
         fprintf(file, "- \"%s\": %s, here and in all variants.\n", s->says,
                 paper ? "holds" : "does not hold");
     else
-        fprintf(file,
-                "- \"%s\": depends. It %s with the paper's settings, but not so: %s.\n",
-                s->says, paper ? "holds" : "does not hold", others);
+        fprintf(file, "- \"%s\": depends. It %s with the paper's settings, but %s: %s.\n",
+                s->says, paper ? "holds" : "does not hold", paper ? "not so" : "so",
+                others);
 }
 
-static enum status read(const struct batch *b, struct figures figures[CASES],
+enum status fig6_print(const struct fig6_figures figures[FIG6_CASES],
+                       enum table_format format, FILE *file)
+{
+    const enum status st = print_table(figures, format, file);
+
+    if (st != STATUS_OK || !table_format_is_prose(format))
+        return st;
+    fprintf(file,
+            "The paper's sentences (over-stretched: beyond %.2f; rough: more than %.1f "
+            "times the IGA plate)\n\n",
+            OVER_STRETCHED, ROUGH);
+    for (size_t n = 0; n < sizeof sentences / sizeof *sentences; n++)
+        judge(&sentences[n], figures, file);
+    fprintf(file, "\n");
+    return st;
+}
+
+static enum status read(const struct batch *b, struct fig6_figures figures[FIG6_CASES],
                         struct message *why)
 {
     struct scene scene = {0};
@@ -227,10 +231,10 @@ static enum status read(const struct batch *b, struct figures figures[CASES],
 
     TRY(settings_read_scene(b->cases[0].plan.settings, b->cases[0].plan.path, &scene,
                             why)); /* all have this sheet */
-    for (int n = 0; n < CASES; n++) {
+    for (int n = 0; n < FIG6_CASES; n++) {
         struct run_result r = {0};
         TRY(batch_read(b, n, true, &r, why));
-        measure(&scene, &r, &figures[n]);
+        fig6_measure(&scene, &r, &figures[n]);
         run_result_clear(&r);
     }
 out:
@@ -243,24 +247,15 @@ enum status fig6_compare(const char *path, const struct settings *user, const ch
                          struct message *why)
 {
     enum status st;
-    struct figures figures[CASES] = {{0}};
+    struct fig6_figures figures[FIG6_CASES] = {{0}};
     struct batch batch;
 
-    TRY(batch_init(&batch, folder, CASES));
-    TRY(plan(&batch, path, user, why));
+    TRY(batch_init(&batch, folder, FIG6_CASES));
+    TRY(fig6_plan(&batch, path, user, why));
     if (!read_only)
         TRY(batch_run(&batch, &(struct measurement_options){.what = "fig6"}, why));
     TRY(read(&batch, figures, why));
-    TRY(print_table(figures, format, file));
-    if (!table_format_is_prose(format))
-        goto out;
-    fprintf(file,
-            "The paper's sentences (over-stretched: beyond %.2f; rough: more than %.1f "
-            "times the IGA plate)\n\n",
-            OVER_STRETCHED, ROUGH);
-    for (size_t n = 0; n < sizeof sentences / sizeof *sentences; n++)
-        judge(&sentences[n], figures, file);
-    fprintf(file, "\n");
+    TRY(fig6_print(figures, format, file));
 out:
     batch_clear(&batch);
     return st;

@@ -125,7 +125,10 @@ static enum status check(const struct run_result *r, const struct truth_level *l
                          const struct truth_runs *runs, struct message *why)
 {
     if (run_result_refused(r))
-        return status_fail(why, r->outcome, "%s", r->sentence.text);
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "the %s, %dx%d, that was to be the truth would not: %s",
+                           truth_level_contestant(level->model)->title, level->side,
+                           level->side, r->sentence.text);
     if (r->frames >= runs->times)
         return STATUS_OK;
     return status_fail(why, STATUS_DIVERGED, "the %s, %dx%d, that was to be the truth %s",

@@ -40,8 +40,8 @@ enum status truth_level_settings(const struct truth_runs *runs,
 
 /* Reads the level's file, with its fields, if it is of this physics and has these times
  * (r->frames may be more than them), else runs it, unless `read_only`: STATUS_FILE then.
- * STATUS_DIVERGED with a sentence: it died on the way. STATUS_UNSUPPORTED, STATUS_INPUT: it
- * would not begin. */
+ * STATUS_DIVERGED with a sentence: it died on the way. STATUS_UNSUPPORTED: it would not
+ * begin. STATUS_INPUT: scene or settings are impossible. */
 enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,
                              bool read_only, struct run_result *r, struct message *why);
 

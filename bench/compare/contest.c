@@ -1,0 +1,123 @@
+#include "bench/compare/contest.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "models/metric/metric.h"
+
+enum status contest_add(struct contest *c, const struct contest_at *at,
+                        struct contest_row **row)
+{
+    if (c->count == c->room) {
+        const int room = 2 * c->room + 16;
+        struct contest_row *rows = realloc(c->rows, (size_t)room * sizeof *rows);
+        if (!rows)
+            return STATUS_MEMORY;
+        c->rows = rows, c->room = room;
+    }
+    *row = &c->rows[c->count++];
+    **row = (struct contest_row){.at = *at};
+    return STATUS_OK;
+}
+
+void contest_clear(struct contest *c)
+{
+    free(c->rows);
+    c->rows = NULL;
+    c->count = c->room = 0;
+}
+
+void contest_fill(const struct contest *c, const struct run_result *r,
+                  struct contest_row *row)
+{
+    const struct truth *truth = c->truth;
+
+    row->worst = 0;
+    for (int t = 0; t < truth->times; t++) {
+        const bool known = truth->xyz && t < r->frames;
+        row->error[t] =
+            known ? metric_rmse(r->xyz[t], truth->xyz[t]) / c->scene->length : NAN;
+        row->worst = isnan(row->error[t]) || isnan(row->worst)
+                         ? NAN /* and stays it */
+                         : fmax(row->worst, row->error[t]);
+    }
+    row->seconds = row->probe ? NAN : r->create.median + r->step.median * (double)r->steps;
+    row->result = *r;
+    row->result.xyz = NULL, row->result.time = NULL;
+}
+
+const struct contestant *contest_entrant(const struct contest *c, int k)
+{
+    for (int n = 0; n < c->count; n++) {
+        const struct contestant *who = c->rows[n].at.contestant;
+        int before = 0;
+        while (c->rows[before].at.contestant != who)
+            before++;
+        if (before == n && k-- == 0)
+            return who;
+    }
+    return NULL;
+}
+
+double contest_bar(const struct contest *c, int time)
+{
+    return c->truth->xyz ? c->truth->error[time] / c->scene->length : NAN;
+}
+
+double contest_largest_bar(const struct contest *c)
+{
+    double bar = contest_bar(c, 0);
+
+    for (int n = 1; n < c->truth->times; n++)
+        bar = fmax(bar, contest_bar(c, n));
+    return bar;
+}
+
+/* The least of `what` among a contestant's timed rows within a target and a time. */
+enum least { LEAST_ERROR, LEAST_SECONDS };
+
+static const struct contest_row *least(const struct contest *c,
+                                       const struct contestant *who, enum least what,
+                                       double target, double seconds)
+{
+    const struct contest_row *best = NULL;
+
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
+        if (r->at.contestant != who || r->probe || !(r->worst <= target) ||
+            !(r->seconds <= seconds))
+            continue;
+        if (!best ||
+            (what == LEAST_ERROR ? r->worst < best->worst : r->seconds < best->seconds))
+            best = r;
+    }
+    return best;
+}
+
+const struct contest_row *contest_nearest(const struct contest *c,
+                                          const struct contestant *who)
+{
+    return least(c, who, LEAST_ERROR, INFINITY, INFINITY);
+}
+
+const struct contest_row *contest_cheapest(const struct contest *c,
+                                           const struct contestant *who, double target)
+{
+    return least(c, who, LEAST_SECONDS, target, INFINITY);
+}
+
+const struct contest_row *contest_real_time(const struct contest *c,
+                                            const struct contestant *who)
+{
+    return least(c, who, LEAST_ERROR, INFINITY, c->truth->time[c->truth->times - 1]);
+}
+
+bool contest_on_front(const struct contest *c, const struct contest_row *row)
+{
+    if (row->probe || isnan(row->worst))
+        return false;
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++)
+        if (r->at.contestant == row->at.contestant && !r->probe && r->worst <= row->worst &&
+            r->seconds < row->seconds)
+            return false;
+    return true;
+}

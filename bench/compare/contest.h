@@ -1,0 +1,118 @@
+/* contest.h - contestants at several refinements on one scene, held against its truth, and
+ * what is read off that: who is nearest, who is cheapest, and what keeps each from coming
+ * nearer.
+ */
+#ifndef CONTEST_H
+#define CONTEST_H
+
+#include <stddef.h>
+
+#include "bench/harness/contestant.h"
+#include "bench/harness/run_result.h"
+#include "bench/truth/truth.h"
+
+enum { CONTEST_TIMES = 5 };
+
+/* What can be refined. */
+enum contest_axis { CONTEST_NET, CONTEST_STEP, CONTEST_ITERATIONS, CONTEST_AXES };
+
+struct contest_at {
+    const struct contestant *contestant;
+    int size[CONTEST_AXES]; /* points along u and v; steps that the scene's frame is divided
+                               into; local-global iterations, 0: the model has none       */
+};
+
+/* A contestant, refined so far, with what came of it. */
+struct contest_row {
+    struct contest_at at;
+    bool probe; /* run to see what limits, not timed: no more is read off it */
+    struct run_result result; /* without fields                                        */
+    double seconds; /* set-up and stepping, medians over the repeats; NaN: not timed   */
+    double error[CONTEST_TIMES]; /* RMSE / L at each time; NaN after a death           */
+    double worst;                /* the largest; NaN after a death                     */
+};
+
+struct contest {
+    const struct scene *scene; /*                                             borrowed */
+    char physics[128];         /* how damping was read                                 */
+    const struct truth *truth; /* of CONTEST_TIMES times at most; xyz NULL: there is none,
+                                  `source` says why                           borrowed */
+    int count, room;
+    struct contest_row *rows; /* [count], in any order: more may be added         owned */
+};
+
+/* One more row, all else zero; *row is valid until the next. STATUS_MEMORY. */
+enum status contest_add(struct contest *c, const struct contest_at *at,
+                        struct contest_row **row);
+void contest_clear(struct contest *c); /* all-zero is allowed */
+
+/* Errors and seconds of a row from its run, of which it keeps all but the fields. */
+void contest_fill(const struct contest *c, const struct run_result *r,
+                  struct contest_row *row);
+
+/* The k-th contestant in the order of the rows; NULL past the last. */
+const struct contestant *contest_entrant(const struct contest *c, int k);
+
+/* The truth's error bar over L at a time, and the largest; NaN: there is no truth. */
+double contest_bar(const struct contest *c, int time);
+double contest_largest_bar(const struct contest *c);
+
+/* Of a contestant's timed rows, NULL if there is none: nearest to the truth; the cheapest
+ * within an error; the nearest of those that took no longer than the scene lasts. */
+const struct contest_row *contest_nearest(const struct contest *c,
+                                          const struct contestant *who);
+const struct contest_row *contest_cheapest(const struct contest *c,
+                                           const struct contestant *who, double target);
+const struct contest_row *contest_real_time(const struct contest *c,
+                                            const struct contestant *who);
+
+/* No timed row of its contestant is cheaper and as good: the line that a plot draws. */
+bool contest_on_front(const struct contest *c, const struct contest_row *row);
+
+/* --- what limits a contestant ------------------------------------------------------------
+ *
+ * From its nearest row one thing at a time is refined; what takes most off the error limits
+ * it, if that is a tenth of the error or more.
+ */
+#define CONTEST_LEAST_GAIN 0.1
+
+/* The next row to try from `best` along an axis: net half as many points again, half the
+ * step (of the pieces that the model itself divides steps into, if it does), twice the
+ * iterations. False: there is a finer row already, or no such axis. */
+bool contest_probe(const struct contest *c, const struct contest_row *best,
+                   enum contest_axis axis, struct contest_at *at);
+
+/* The first three are axes. */
+enum contest_kind {
+    CONTEST_BY_NET,
+    CONTEST_BY_STEP,
+    CONTEST_BY_ITERATIONS,
+    CONTEST_BY_TRUTH,   /* at its worst time it is within the truth's error bar        */
+    CONTEST_BY_MODEL,   /* refined in every way, it comes no nearer                    */
+    CONTEST_BY_UNKNOWN, /* so far as was tried                                         */
+    CONTEST_DIED,       /* no run has an error, and not all were refused               */
+    CONTEST_REFUSED,
+    CONTEST_KINDS
+};
+
+struct contest_limit {
+    enum contest_kind kind;
+    const struct contest_row *best; /* NULL: none lived                                */
+    const struct contest_row *finer[CONTEST_AXES]; /* than it, in one thing; NULL: none */
+    double gain[CONTEST_AXES]; /* share of the error that it took off, negative if it
+                                  added to it; NaN: not tried, or it died              */
+};
+
+struct contest_limit contest_limit(const struct contest *c, const struct contestant *who);
+
+/* For machines: "net", "step", ... Static storage. */
+const char *contest_kind_name(enum contest_kind kind);
+
+/* For people, short: "the step: 23 % less at 0.156 ms". */
+void contest_tell(const struct contest *c, const struct contest_limit *limit, char *text,
+                  size_t size);
+
+/* "40/16/100": points a side, steps to a frame, iterations if it has them. */
+void contest_tell_size(const struct contest_row *row, char *text, size_t size);
+
+#endif

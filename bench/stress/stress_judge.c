@@ -416,7 +416,8 @@ enum status stress_judge(const struct stress_job *job, struct stress_result *res
     const double start = clock_processor();
     enum status st;
 
-    *result = (struct stress_result){.error = NAN, .time = NAN};
+    *result = (struct stress_result){
+        .error = NAN, .time = NAN, .quick = job->quick && job->c->quick_end};
     r.xyz = malloc(2 * 3 * GRID_POINTS * sizeof *r.xyz);
     TRY(r.xyz ? STATUS_OK : STATUS_MEMORY);
     r.first = r.xyz + 3 * GRID_POINTS;

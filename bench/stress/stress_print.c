@@ -255,8 +255,8 @@ static void note_counts(const struct tables *t, int runs)
                    count[STRESS_UNJUDGED]);
     if (t->damaged)
         table_note(overview,
-                   "damaged: %d files are no longer as they were written; run "
-                   "these cases again.",
+                   "Damaged files, no longer as they were written: %d. Run "
+                   "their cases again.",
                    t->damaged);
 }
 

@@ -279,7 +279,7 @@ static enum status end_energy(struct judged *r, struct message *why)
     }
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
              "%d steps: %.2g won at most, %.2g lost at most, of the energy in play",
-             r->frames - 1, most, -least);
+             r->frames - 1, most, fabs(least));
     free(drift);
     return STATUS_OK;
 }

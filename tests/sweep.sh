@@ -8,6 +8,7 @@ folder=$2
 toy=$3
 # shellcheck source=tests/sweep_fixture.sh
 . "$(dirname "$0")/sweep_fixture.sh"
+count=0
 scenes=$(cd "$(dirname "$0")/../models/scenes" && pwd)
 rm -rf "$folder"
 mkdir -p "$folder"
@@ -36,6 +37,16 @@ cmp one/table.csv three/table.csv || fail 'the table depends on the number of jo
 run plan.yaml --out three --resume
 grep -q 'Nothing was left to run' out || fail "a finished sweep runs again: $(<out)"
 cmp one/table.csv three/table.csv || fail 'the table changes when made again'
+# the first axis changes slowest, the last fastest
+for damping in 0.1 0.9; do
+    for gamma in 10 100 1000 1e4; do
+        for poisson in 0 0.3 0.45; do echo "$((++count)),$damping,$gamma,$poisson"; done
+    done
+done >order
+sed 's/"[^"]*"/quoted/g' one/table.csv |
+    awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
+        NR > 1 { print $1, $column["damping.value"], $column["gamma"],
+                 $column["material.poisson"] }' | cmp - order || fail 'rows are out of order'
 # Gamma of a row is what was asked for
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
          NR > 1 { gsub(/"[^"]*"/, "quoted")

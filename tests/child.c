@@ -1,7 +1,11 @@
+#define _GNU_SOURCE /* waitid */
 /* Work in a process of its own: whatever it does is an end with a sentence. */
 #include "bench/harness/child.h"
 
+#include <signal.h>
+#include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "tests/check.h"
 
@@ -30,11 +34,19 @@ static enum status find_disk_full(void *context, struct message *why)
     return status_fail(why, STATUS_FILE, "no room");
 }
 
-static enum status crash(void *context, struct message *why)
+static enum status run_out_of_memory(void *context, struct message *why)
 {
     (void)context, (void)why;
+    return STATUS_MEMORY;
+}
+
+static enum status crash(void *context, struct message *why)
+{
+    (void)why;
     child_reached(0.25);
-    abort();
+    signal(*(const int *)context, SIG_DFL); /* a sanitizer takes some */
+    raise(*(const int *)context);
+    return STATUS_OK;
 }
 
 static enum status leave(void *context, struct message *why)
@@ -53,57 +65,136 @@ static enum status spin(void *context, struct message *why)
     return STATUS_OK;
 }
 
-static enum status sleep_long(void *context, struct message *why)
+static enum status hang(void *context, struct message *why)
 {
     (void)context, (void)why;
-    nanosleep(&(struct timespec){.tv_sec = 60}, NULL);
+    while (pause() != 0) /* it never returns 0 */
+        ;
     return STATUS_OK;
 }
 
-static const double reached = 2.5, time_limit = 30;
+/* Until somebody wakes it. */
+static enum status stop(void *context, struct message *why)
+{
+    (void)context, (void)why;
+    raise(SIGSTOP);
+    return STATUS_OK;
+}
 
-static struct child_end end_of(enum status (*work)(void *, struct message *), double limit)
+/* So long that no machine is too slow, so short that hanging is soon over [s]. */
+static const double long_limit = 3600, short_limit = 0.1;
+
+static void start(struct child *c, enum status (*work)(void *, struct message *),
+                  void *context)
+{
+    REQUIRE(child_init(c) == STATUS_OK);
+    REQUIRE(child_start(c, work, context, NULL) == STATUS_OK);
+}
+
+static struct child_end end_of(struct child *c, double limit)
+{
+    struct child_end end;
+
+    while (!child_poll(c, limit, &end))
+        nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
+    CHECK(c->pid == 0);
+    child_clear(c);
+    return end;
+}
+
+static double reached = 2.5;
+static int segfault = SIGSEGV, abortion = SIGABRT, division = SIGFPE, killing = SIGKILL,
+           user = SIGUSR1, processor = SIGXCPU, asking = SIGTERM, hanging_up = SIGHUP,
+           interrupt = SIGINT, bus = SIGBUS;
+
+/* Every way to end, and its words. */
+static void check_ends(void)
+{
+    const struct {
+        enum status (*work)(void *, struct message *);
+        void *context;
+        double limit;
+        enum child_outcome outcome;
+        bool overdue;
+        double reached; /* NaN: no word was left                                       */
+        const char *why;
+    } known[] = {
+        {succeed, &reached, long_limit, CHILD_DONE, false, 2.5, ""},
+        {fail, NULL, long_limit, CHILD_FAILED, false, NAN, "it went round in circles"},
+        {fail_without_words, NULL, long_limit, CHILD_FAILED, false, NAN,
+         "a position is no longer a number"},
+        {find_disk_full, NULL, long_limit, CHILD_STUCK, false, NAN, "no room"},
+        {run_out_of_memory, NULL, long_limit, CHILD_CUT, false, NAN, "out of memory"},
+        {leave, NULL, long_limit, CHILD_FAILED, false, NAN, "ended with exit code 3"},
+        {crash, &segfault, long_limit, CHILD_FAILED, false, 0.25,
+         "crashed: signal 11 (Segmentation fault)"},
+        {crash, &abortion, long_limit, CHILD_FAILED, false, 0.25,
+         "crashed: signal 6 (Aborted)"},
+        {crash, &division, long_limit, CHILD_FAILED, false, 0.25,
+         "crashed: signal 8 (Floating point exception)"},
+        {crash, &bus, long_limit, CHILD_FAILED, false, 0.25,
+         "crashed: signal 7 (Bus error)"},
+        {crash, &killing, long_limit, CHILD_CUT, false, 0.25,
+         "killed by signal 9 (Killed), not by itself"},
+        {crash, &user, long_limit, CHILD_CUT, false, 0.25,
+         "killed by signal 10 (User defined signal 1), not by itself"},
+        /* not by child_limit: the user's own */
+        {crash, &processor, long_limit, CHILD_CUT, false, 0.25,
+         "killed by signal 24 (CPU time limit exceeded), not by itself"},
+        {crash, &asking, long_limit, CHILD_ASKED, false, 0.25, ""},
+        {crash, &hanging_up, long_limit, CHILD_ASKED, false, 0.25, ""},
+        {crash, &interrupt, long_limit, CHILD_ASKED, false, 0.25, ""},
+        {spin, NULL, long_limit, CHILD_FAILED, true, 0.5,
+         "not done after 1 s of processor time"},
+        {hang, NULL, short_limit, CHILD_FAILED, true, NAN, "timed out after 0.1 s"},
+    };
+
+    for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
+        struct child c;
+        start(&c, known[n].work, known[n].context);
+        const struct child_end end = end_of(&c, known[n].limit);
+        if (!CHECK(end.outcome == known[n].outcome && end.overdue == known[n].overdue &&
+                   !strcmp(end.why.text, known[n].why) &&
+                   (end.reached == known[n].reached ||
+                    (isnan(end.reached) && isnan(known[n].reached)))))
+            printf("  row %zu: outcome %d, reached %g, '%s'\n", n, end.outcome, end.reached,
+                   end.why.text);
+        if (known[n].work == spin) /* the system's limits are 1 s and 2 s */
+            CHECK(end.seconds > 0.9 && end.seconds < 2.5);
+    }
+}
+
+/* Suspended, it does not use up its time; left so, it is cut; woken, it goes on. */
+static void check_suspended(void)
+{
+    for (int woken = 0; woken < 2; woken++) {
+        struct child c;
+        struct child_end end;
+        siginfo_t info;
+
+        start(&c, stop, NULL);
+        REQUIRE(waitid(P_PID, (id_t)c.pid, &info, WSTOPPED | WNOWAIT) == 0);
+        CHECK(!child_poll(&c, long_limit, &end) && c.suspended && c.worked == 0);
+        if (woken)
+            kill(c.pid, SIGCONT);
+        end = end_of(&c, woken ? long_limit : short_limit);
+        CHECK(end.outcome == (woken ? CHILD_DONE : CHILD_CUT) && !end.overdue);
+        CHECK(!strcmp(end.why.text,
+                      woken ? "" : "suspended for longer than its time limit of 0.1 s"));
+    }
+}
+
+/* What this process sleeps through does not count: at most a second from poll to poll. */
+static void check_asleep(void)
 {
     struct child c;
     struct child_end end;
 
-    REQUIRE(child_init(&c) == STATUS_OK);
-    REQUIRE(child_start(&c, work, (void *)&reached, NULL) == STATUS_OK);
-    while (!child_poll(&c, limit, &end))
-        nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
-    CHECK(c.pid == 0);
-    child_clear(&c);
-    return end;
-}
-
-static void check_ends(void)
-{
-    struct child_end end = end_of(succeed, time_limit);
-
-    CHECK(end.outcome == CHILD_DONE && end.reached == reached && !end.overdue);
-    end = end_of(fail, time_limit);
-    CHECK(end.outcome == CHILD_FAILED && !strcmp(end.why.text, "it went round in circles"));
-    CHECK(isnan(end.reached) && !end.overdue);
-    end = end_of(fail_without_words, time_limit);
-    CHECK(end.outcome == CHILD_FAILED && !strcmp(end.why.text, status_text(STATUS_NAN)));
-    end = end_of(find_disk_full, time_limit);
-    CHECK(end.outcome == CHILD_STUCK && !strcmp(end.why.text, "no room"));
-    end = end_of(crash, time_limit);
-    CHECK(end.outcome == CHILD_FAILED && strstr(end.why.text, "signal 6"));
-    CHECK(end.reached == 0.25 && !end.overdue);
-    end = end_of(leave, time_limit);
-    CHECK(end.outcome == CHILD_FAILED && strstr(end.why.text, "exit code 3"));
-}
-
-static void check_hangs(void)
-{
-    struct child_end end = end_of(spin, time_limit);
-
-    CHECK(end.outcome == CHILD_FAILED && end.overdue && end.reached == 0.5);
-    CHECK(strstr(end.why.text, "processor time"));
-    end = end_of(sleep_long, 0.1);
-    CHECK(end.outcome == CHILD_FAILED && end.overdue && end.seconds < 1);
-    CHECK(strstr(end.why.text, "timed out after 0.1 s"));
+    start(&c, hang, NULL);
+    c.seen -= 1000;
+    CHECK(!child_poll(&c, 500, &end) && !c.overdue && c.worked <= 1 && c.worked > 0.9);
+    end = end_of(&c, short_limit);
+    CHECK(end.overdue);
 }
 
 /* What still runs does not outlive child_clear. */
@@ -111,17 +202,19 @@ static void check_clear(void)
 {
     struct child c;
 
-    REQUIRE(child_init(&c) == STATUS_OK);
-    REQUIRE(child_start(&c, sleep_long, NULL, NULL) == STATUS_OK);
+    start(&c, hang, NULL);
+    const pid_t pid = c.pid;
     child_clear(&c);
     CHECK(c.pid == 0 && !c.note);
+    CHECK(kill(pid, 0) != 0);
     child_clear(&c);
 }
 
 int main(void)
 {
     check_ends();
-    check_hangs();
+    check_suspended();
+    check_asleep();
     check_clear();
     child_reached(1); /* not in a child: nothing */
     return check_result();

@@ -4,12 +4,11 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "tests/check.h"
 
-enum { JOBS = 12, CRASHES = 3, FAILS = 5, HANGS = 7, DONE_BEFORE = 9 };
+enum { JOBS = 12, CRASHES = 3, FAILS = 5, KILLED = 7, DONE_BEFORE = 9 };
 
 struct notes {
     int begun[JOBS], ended[JOBS], running, most;
@@ -24,8 +23,8 @@ static enum status work(void *context, long job, struct message *why)
     REQUIRE(write(notes->fd, "x", 1) == 1);
     if (job == CRASHES)
         abort();
-    if (job == HANGS)
-        nanosleep(&(struct timespec){.tv_sec = 60}, NULL);
+    if (job == KILLED)
+        raise(SIGKILL);
     return job == FAILS ? status_fail(why, STATUS_INPUT, "no such case") : STATUS_OK;
 }
 
@@ -61,7 +60,7 @@ static void check_ends(void)
     struct pool pool = {.count = JOBS,
                         .done = done,
                         .slots = 3,
-                        .time_limit = 2,
+                        .time_limit = 3600,
                         .quiet = true,
                         .context = &notes,
                         .work = work,
@@ -71,17 +70,89 @@ static void check_ends(void)
     REQUIRE(notes.fd >= 0);
     REQUIRE(pool_run(&pool, NULL) == STATUS_OK);
     for (int n = 0; n < JOBS; n++) {
-        const bool well = n != CRASHES && n != FAILS && n != HANGS;
         CHECK(notes.ended[n] == (n != DONE_BEFORE));
-        CHECK(notes.end[n].outcome == (well ? CHILD_DONE : CHILD_FAILED));
+        CHECK(notes.end[n].outcome == (n == CRASHES || n == FAILS ? CHILD_FAILED
+                                       : n == KILLED              ? CHILD_CUT
+                                                                  : CHILD_DONE));
     }
     CHECK(!strcmp(notes.end[FAILS].why.text, "no such case"));
     CHECK(strstr(notes.end[CRASHES].why.text, "signal 6"));
-    CHECK(notes.end[HANGS].overdue);
+    CHECK(
+        !strcmp(notes.end[KILLED].why.text, "killed by signal 9 (Killed), not by itself"));
     CHECK(pool.ran == JOBS - 1 && pool.hands == 3 && notes.most == 3 && !pool.stopped_by);
+    CHECK(pool.seconds > 0 && pool.wall > 0);
     CHECK(lseek(notes.fd, 0, SEEK_END) == JOBS - 1); /* the children ran, each once */
     close(notes.fd);
     unlink(name);
+}
+
+static enum status hang(void *context, long job, struct message *why)
+{
+    (void)context, (void)job, (void)why;
+    while (pause() != 0) /* it never returns 0 */
+        ;
+    return STATUS_OK;
+}
+
+/* The limit is the only end that they come to. */
+static void check_limit(void)
+{
+    struct notes notes = {0};
+    struct pool pool = {.count = 3,
+                        .slots = 3,
+                        .time_limit = 0.1,
+                        .quiet = true,
+                        .context = &notes,
+                        .work = hang,
+                        .begin = begin,
+                        .settle = settle};
+
+    REQUIRE(pool_run(&pool, NULL) == STATUS_OK && pool.ran == 3);
+    for (int n = 0; n < 3; n++)
+        CHECK(notes.end[n].overdue && notes.end[n].outcome == CHILD_FAILED &&
+              !strcmp(notes.end[n].why.text, "timed out after 0.1 s"));
+}
+
+/* Whoever hands out and keeps may fail, too: no job is begun after that. */
+static enum status fail_second(void *context, long job, struct message *why)
+{
+    (void)context;
+    return job == 1 ? status_fail(why, STATUS_FILE, "no room for %ld", job) : STATUS_OK;
+}
+
+static enum status keep_second(void *context, long job, const struct child_end *end,
+                               struct message *why)
+{
+    const enum status st = settle(context, job, end, why);
+
+    return st ? st : fail_second(context, job, why);
+}
+
+static enum status succeed(void *context, long job, struct message *why)
+{
+    (void)context, (void)job, (void)why;
+    return STATUS_OK;
+}
+
+static void check_who_fails(void)
+{
+    for (int n = 0; n < 2; n++) {
+        struct notes notes = {0};
+        struct message why = {""};
+        struct pool pool = {.count = JOBS,
+                            .slots = 1,
+                            .time_limit = 3600,
+                            .quiet = true,
+                            .context = &notes,
+                            .work = succeed,
+                            .begin = n ? fail_second : begin,
+                            .settle = n ? settle : keep_second};
+
+        if (n)
+            notes.begun[0] = 1;
+        CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room for 1"));
+        CHECK(notes.ended[0] == 1 && notes.ended[1] == !n && !notes.ended[2]);
+    }
 }
 
 static enum status find_disk_full(void *context, long job, struct message *why)
@@ -105,7 +176,7 @@ static void check_stops(void)
     struct message why = {""};
     struct pool pool = {.count = JOBS,
                         .slots = 1,
-                        .time_limit = 30,
+                        .time_limit = 3600,
                         .quiet = true,
                         .context = &notes,
                         .work = find_disk_full,
@@ -123,6 +194,8 @@ static void check_stops(void)
 int main(void)
 {
     check_ends();
+    check_limit();
+    check_who_fails();
     check_stops();
     return check_result();
 }

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# What `clothbench sweep` promises: the same bits for any number of jobs; cases that die, hang,
-# crash or are refused are rows; a disk that is full, a signal, another plan in the folder are
-# sentences, and resuming goes on.
-#   sweep.sh PROGRAM FOLDER
+# What `clothbench sweep` promises: the same bits for any number of jobs; cases that die or are
+# refused are rows; a disk that is full, a signal, another plan in the folder are sentences, and
+# resuming goes on. (sweep_ends.sh: how cases end; files that are damaged, or not the sweep's.)
+#   sweep.sh PROGRAM FOLDER TOY        TOY: clothbench_toy, with tests/odd_model.c
 program=$1
 folder=$2
+toy=$3
 # shellcheck source=tests/sweep_fixture.sh
 . "$(dirname "$0")/sweep_fixture.sh"
+count=0
 scenes=$(cd "$(dirname "$0")/../models/scenes" && pwd)
 rm -rf "$folder"
 mkdir -p "$folder"
@@ -35,6 +37,16 @@ cmp one/table.csv three/table.csv || fail 'the table depends on the number of jo
 run plan.yaml --out three --resume
 grep -q 'Nothing was left to run' out || fail "a finished sweep runs again: $(<out)"
 cmp one/table.csv three/table.csv || fail 'the table changes when made again'
+# the first axis changes slowest, the last fastest
+for damping in 0.1 0.9; do
+    for gamma in 10 100 1000 1e4; do
+        for poisson in 0 0.3 0.45; do echo "$((++count)),$damping,$gamma,$poisson"; done
+    done
+done >order
+sed 's/"[^"]*"/quoted/g' one/table.csv |
+    awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
+        NR > 1 { print $1, $column["damping.value"], $column["gamma"],
+                 $column["material.poisson"] }' | cmp - order || fail 'rows are out of order'
 # Gamma of a row is what was asked for
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
          NR > 1 { gsub(/"[^"]*"/, "quoted")
@@ -58,18 +70,9 @@ run here_plan.yaml --out here --quiet
 [ "$code" -eq 0 ] || fail "a scene beside the plan: $(<err)"
 sed -i 's/density: .*}/density: 0.6}/' here.yaml
 run here_plan.yaml --out here --resume --quiet
-ends 2 'begun with another plan or scene'
+ends 2 'begun with another plan, scene or build of the program: line'
 run plan.yaml --out plan.yaml
 ends 1 'plan.yaml'
-
-# --- a file that is not whole -----------------------------------------------------------
-head -c 3000 one/case_000005.h5 >half
-cp half three/case_000005.h5
-: >three/case_000007.h5
-rm three/case_000011.h5
-run plan.yaml --out three --resume
-grep -q '^3 cases run now' out || fail "broken files: $(<out) $(<err)"
-cmp one/table.csv three/table.csv || fail 'the table is another after broken files'
 
 # --- rows that are no runs --------------------------------------------------------------
 cat >rows.yaml <<'PLAN'
@@ -80,14 +83,14 @@ cases:
   - {name: fine, scene: edge_drop, time.end: 0.02}
   - {name: dies, scene: edge_drop, time.end: 0.5, material.young: 5e4,
      material.density: 0.1, damping.value: 0.9}
-  - {name: hangs, scene: edge_drop, time.end: 1000, discretization.points: [40,40,2]}
   - {name: refused, scene: edge_drop, discretization.degree: [5,2,1],
      discretization.points: [5,5,2]}
   - {name: unsupported, scene: edge_drop, model: mass_spring,
      discretization.kinematics: nonlinear, "supports": [{at: {u: 0, w: 0}, fix: xyz}]}
-time_limit: 8
+intersections: true
 verdicts:
   - {label: chaotic, measure: blowup_time, below: 1e9, why: it died}
+  - {label: penetration, measure: intersections_max, above: 0, why: matter}
 PLAN
 run rows.yaml --out rows
 [ "$code" -eq 0 ] || fail "rows: exit $code: $(<err)"
@@ -95,14 +98,25 @@ row() { # NAME TEXT
     grep -q "^[0-9]*,$1,.*$2" rows/table.csv || fail "$1: $(grep ",$1," rows/table.csv)"
 }
 row fine 'feasible,feasible,done$'
-row dies 'infeasible,chaotic,.*died at t = 0.2'
-row hangs 'none,no result,timed out after 8 s$'
+row dies 'infeasible,"chaotic, penetration",.*died at t = 0.2'
 row refused 'none,no result,.*degree'
 row unsupported 'none,unsupported,.*unsupported: no supports on part of the thickness'
 cp rows/table.csv rows.csv
 run rows.yaml --out rows --resume
-grep -q 'Nothing was left' out || fail 'a case that hung is run again'
+grep -q 'Nothing was left' out || fail 'a case that ended is run again'
 cmp rows/table.csv rows.csv || fail 'rows without result change when made again'
+
+# What was not measured is neither: not feasible, not free of crossings.
+sed '/^intersections/d' rows.yaml >blind.yaml
+run blind.yaml --out blind
+[ "$code" -eq 0 ] || fail "blind: exit $code: $(<err)"
+grep -q '^  feasible  *0$' out || fail "unmeasured is feasible: $(<out)"
+grep -q '^  penetration  *not judged: it was not measured$' out || fail "$(<out)"
+grep -q '^  not judged  *1   no label' out || fail "$(<out)"
+grep -q '^1,fine,.*,nan,nan,nan,.*,not judged,not judged: penetration,done$' blind/table.csv ||
+    fail "blind: $(<blind/table.csv)"
+grep -q '^2,dies,.*,infeasible,chaotic; not judged: penetration,' blind/table.csv ||
+    fail "blind: $(<blind/table.csv)"
 
 # --- names are words ----------------------------------------------------------------------
 # whatever a case is called, it is text on the map and one cell of the table
@@ -129,19 +143,21 @@ if command -v gnuplot >/dev/null; then
 fi
 
 # --- signals ----------------------------------------------------------------------------
-# A case that crashes is a row; Ctrl-C stops the sweep with a sentence, and no child is left.
+# Ctrl-C stops the sweep with a sentence, and no child is left.
 cat >long.yaml <<'PLAN'
 name: long
 source: a test
 scene: edge_drop
-settings: {time.end: 60, discretization.points: [30,30,2]}
+model: odd
+settings: {material.density: 4} # hangs
 axes: [{key: damping.value, values: [0.1, 0.2]}]
+time_limit: 1e6
 PLAN
 children() {
     ps -o pid= --ppid "$1"
 }
 begin_long() { # fills $leader and ${cases[@]}
-    "$program" sweep long.yaml --out long --jobs 2 >out 2>err </dev/null &
+    "$toy" sweep long.yaml --out long --jobs 2 >out 2>err </dev/null &
     leader=$!
     for ((i = 0; i < 500; i++)); do
         mapfile -t cases < <(children "$leader")
@@ -163,7 +179,7 @@ for ((i = 0; i < 500; i++)); do
     [ -s long/case_000001.txt ] || [ -s long/case_000002.txt ] && break
     sleep 0.02
 done
-grep -hq 'killed by signal 9' long/case_00000?.txt || fail 'a crash is no row'
+grep -hq 'killed by signal 9' long/case_00000?.txt || fail 'a case that was killed is no row'
 kill -TERM "$leader" # SIGINT is ignored in the background
 wait "$leader" 2>/dev/null
 [ $? -eq $((128 + 15)) ] || fail 'a signal does not end it as a signal does'
@@ -175,7 +191,8 @@ gone "${cases[1]}" || fail 'a child outlives SIGTERM'
 # two sweeps in one folder; the leader alone is killed
 rm -r long
 begin_long
-run long.yaml --out long --resume
+"$toy" sweep long.yaml --out long --resume >out 2>err </dev/null
+code=$?
 ends 1 'another sweep is at work in this folder'
 kill -KILL "$leader"
 wait "$leader" 2>/dev/null

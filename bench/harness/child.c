@@ -105,8 +105,9 @@ enum status child_start(struct child *c, enum status (*work)(void *, struct mess
     memset(c->note, 0, sizeof *c->note);
     c->note->st = STATUS_LIBRARY;
     c->note->reached = NAN;
-    c->start = clock_now();
-    c->overdue = false;
+    c->seen = clock_now();
+    c->worked = c->idle = 0;
+    c->suspended = c->overdue = false;
     sigfillset(&all); /* none may meet the parent's ways in the child */
     sigprocmask(SIG_SETMASK, &all, &mask);
     c->pid = fork();
@@ -120,16 +121,26 @@ enum status child_start(struct child *c, enum status (*work)(void *, struct mess
                        strerror(errno));
 }
 
-/* Ended by a signal of somebody else's. */
+/* Ended by a signal that is not ours. Those of a crash are the work's own doing; the others
+ * say nothing about it. */
 static enum child_outcome read_signal(int number, struct message *why)
 {
+    static const int crashes[] = {SIGSEGV, SIGBUS,  SIGFPE, SIGILL,
+                                  SIGABRT, SIGTRAP, SIGSYS};
+
     if (number == SIGINT || number == SIGTERM || number == SIGHUP)
         return CHILD_ASKED;
+    for (size_t n = 0; n < sizeof crashes / sizeof *crashes; n++)
+        if (number == crashes[n]) {
+            snprintf(why->text, sizeof why->text, "crashed: signal %d (%s)", number,
+                     strsignal(number));
+            return CHILD_FAILED;
+        }
     if (number == SIGKILL) /* whoever kills everything may come to us next */
         pause_milliseconds(200);
-    snprintf(why->text, sizeof why->text, "killed by signal %d (%s)", number,
+    snprintf(why->text, sizeof why->text, "killed by signal %d (%s), not by itself", number,
              strsignal(number));
-    return CHILD_FAILED;
+    return CHILD_CUT;
 }
 
 static enum child_outcome read_note(const struct child_note *note, struct message *why)
@@ -137,39 +148,70 @@ static enum child_outcome read_note(const struct child_note *note, struct messag
     if (note->st == STATUS_OK)
         return CHILD_DONE;
     *why = note->why;
-    return note->st == STATUS_FILE ? CHILD_STUCK : CHILD_FAILED;
+    return note->st == STATUS_FILE     ? CHILD_STUCK
+           : note->st == STATUS_MEMORY ? CHILD_CUT
+                                       : CHILD_FAILED;
+}
+
+static void read_end(const struct child *c, int code, double time_limit,
+                     struct child_end *end)
+{
+    const int number = WIFSIGNALED(code) ? WTERMSIG(code) : 0;
+    char *why = end->why.text;
+    const size_t size = sizeof end->why.text;
+
+    if (number == SIGKILL && c->overdue) {
+        end->overdue = c->worked > time_limit;
+        end->outcome = end->overdue ? CHILD_FAILED : CHILD_CUT;
+        snprintf(why, size,
+                 end->overdue ? "timed out after %g s"
+                              : "suspended for longer than its time limit of %g s",
+                 time_limit);
+    } else if (number == SIGXCPU && c->note->limit) {
+        end->overdue = true;
+        snprintf(why, size, "not done after %d s of processor time", c->note->limit);
+    } else if (number) {
+        end->outcome = read_signal(number, &end->why);
+    } else if (WEXITSTATUS(code)) {
+        snprintf(why, size, "ended with exit code %d", WEXITSTATUS(code));
+    } else {
+        end->outcome = read_note(c->note, &end->why);
+    }
+}
+
+/* A pause between two polls that is longer was ours: this process was suspended, the
+ * machine asleep [s]. */
+static const double NAP = 1;
+
+static void pass_time(struct child *c, double time_limit)
+{
+    const double now = clock_now();
+
+    *(c->suspended ? &c->idle : &c->worked) += fmin(now - c->seen, NAP);
+    c->seen = now;
+    if ((c->worked > time_limit || c->idle > time_limit) && !c->overdue) {
+        c->overdue = true;
+        kill(c->pid, SIGKILL);
+    }
 }
 
 bool child_poll(struct child *c, double time_limit, struct child_end *end)
 {
     int code;
     struct rusage used;
-    const pid_t pid = wait4(c->pid, &code, WNOHANG, &used);
+    pid_t pid;
 
-    if (pid == 0 && clock_now() - c->start > time_limit && !c->overdue) {
-        c->overdue = true;
-        kill(c->pid, SIGKILL);
-    }
-    if (pid != c->pid)
+    while ((pid = wait4(c->pid, &code, WNOHANG | WUNTRACED | WCONTINUED, &used)) > 0 &&
+           (WIFSTOPPED(code) || WIFCONTINUED(code)))
+        c->suspended = WIFSTOPPED(code);
+    if (pid != c->pid) {
+        pass_time(c, time_limit);
         return false;
+    }
     *end = (struct child_end){.outcome = CHILD_FAILED, .reached = c->note->reached};
     end->seconds = (double)used.ru_utime.tv_sec + (double)used.ru_stime.tv_sec +
                    1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
     c->pid = 0;
-    if (WIFSIGNALED(code) && c->overdue && WTERMSIG(code) == SIGKILL) {
-        end->overdue = true;
-        snprintf(end->why.text, sizeof end->why.text, "timed out after %g s", time_limit);
-    } else if (WIFSIGNALED(code) && WTERMSIG(code) == SIGXCPU && c->note->limit) {
-        end->overdue = true;
-        snprintf(end->why.text, sizeof end->why.text,
-                 "not done after %d s of processor time", c->note->limit);
-    } else if (WIFSIGNALED(code)) {
-        end->outcome = read_signal(WTERMSIG(code), &end->why);
-    } else if (WEXITSTATUS(code)) {
-        snprintf(end->why.text, sizeof end->why.text, "ended with exit code %d",
-                 WEXITSTATUS(code));
-    } else {
-        end->outcome = read_note(c->note, &end->why);
-    }
+    read_end(c, code, time_limit, end);
     return true;
 }

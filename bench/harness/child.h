@@ -15,6 +15,8 @@
 enum child_outcome {
     CHILD_DONE,   /* the work came to STATUS_OK                                        */
     CHILD_FAILED, /* it did not, `why` says why                                        */
+    CHILD_CUT,    /* it was cut short, `why` says by what: killed or suspended from
+                     outside, out of memory; another time it may come to its end       */
     CHILD_STUCK,  /* a file could not be written, `why` says why: no use going on      */
     CHILD_ASKED,  /* it was asked to end (SIGINT, SIGTERM, SIGHUP)                     */
 };
@@ -28,9 +30,10 @@ struct child_end {
 };
 
 struct child {
-    pid_t pid;    /* 0: none runs                                                      */
-    double start; /* clock_now()                                                       */
-    bool overdue;
+    pid_t pid;           /* 0: none runs                                               */
+    double seen;         /* clock_now() at the last poll                               */
+    double worked, idle; /* since its start, idle: while it was suspended [s]          */
+    bool suspended, overdue;
     struct child_note *note; /* memory shared with the child                     owned */
 };
 
@@ -50,8 +53,9 @@ void child_reached(double how_far);
  * limit it does not hang on what else the machine does. */
 void child_limit(int seconds);
 
-/* Whether it has ended, and how; kills it when `time_limit` seconds are over. Does not
- * wait. */
+/* Whether it has ended, and how; kills it when `time_limit` seconds of work are over
+ * (CHILD_FAILED, overdue), or as many in which it was suspended (CHILD_CUT). Seconds that
+ * this process slept through are nobody's. Does not wait. */
 bool child_poll(struct child *c, double time_limit, struct child_end *end);
 
 #endif

@@ -20,8 +20,8 @@ struct pool {
     void *context; /* of the calls                                            borrowed */
     /* In the job's own process, where its results go to files. */
     enum status (*work)(void *context, long job, struct message *why);
-    /* Before it is handed out (NULL: nothing), and after its end, CHILD_DONE or
-     * CHILD_FAILED. Anything but STATUS_OK ends the pool. */
+    /* Before it is handed out (NULL: nothing), and after its end, CHILD_DONE, CHILD_FAILED
+     * or CHILD_CUT. Anything but STATUS_OK ends the pool. */
     enum status (*begin)(void *context, long job, struct message *why);
     enum status (*settle)(void *context, long job, const struct child_end *end,
                           struct message *why);

@@ -105,10 +105,12 @@ static enum status settle(void *context, long number, const struct child_end *en
                           struct message *why)
 {
     const struct stress_job *job = (const struct stress_job *)context + number;
-    const struct stress_result dead = {.outcome = STRESS_DEAD,
+    const bool stopped = job->quick && end->overdue;
+    const struct stress_result dead = {.outcome = stopped ? STRESS_STOPPED : STRESS_DEAD,
                                        .error = NAN,
                                        .time = end->reached,
                                        .seconds = end->seconds,
+                                       .quick = job->quick && job->c->quick_end,
                                        .sentence = end->why};
 
     if (end->outcome == CHILD_DONE || !job->contestant)

@@ -7,6 +7,7 @@
  *   refused    it said in a sentence why it will not
  *   died       at a time and for a cause: numerical death, crash, or time limit
  *
+ * What --quick cut short is not judged: it may have been accurate to there, and no more.
  * The error is against a truth that the case names; the bound is one number a case, the
  * same for every contestant. Each run is a process of its own (pool.h) and leaves a text
  * file FOLDER/CASE.CONTESTANT.txt; tables are printed from these files alone.
@@ -59,6 +60,7 @@ struct stress_case {
     const char *why;           /* that bound                                           */
     bool quick;                /* part of --quick                                      */
     const char *quick_end;     /* setting of time.end then; NULL: as ever              */
+    const char *quick_text;    /* what is hard about so much of it                     */
 };
 
 extern const char *const stress_case_scene; /* what all cases start from, by name */
@@ -77,23 +79,37 @@ struct stress_job {
     bool quick;
 };
 
-enum stress_end { STRESS_ACCURATE, STRESS_DEGRADED, STRESS_REFUSED, STRESS_DIED };
+enum stress_end {
+    STRESS_ACCURATE,
+    STRESS_DEGRADED,
+    STRESS_REFUSED,
+    STRESS_DIED,
+    STRESS_UNJUDGED, /* a quick run ended before the case did                          */
+    STRESS_ENDS
+};
 
-extern const char *const stress_end_name[4]; /* "accurate", ... */
+extern const char *const stress_end_name[STRESS_ENDS]; /* "accurate", ... */
 
 /* How a run went. */
 struct stress_result {
-    enum stress_outcome { STRESS_RAN, STRESS_SAID_NO, STRESS_DEAD } outcome;
+    enum stress_outcome {
+        STRESS_RAN,
+        STRESS_SAID_NO,
+        STRESS_DEAD,
+        STRESS_STOPPED, /* by the time limit of a quick run, which is less than others' */
+    } outcome;
     double error;   /* ran; NaN otherwise                                              */
     double time;    /* of death, or until when the error was within the bound; NaN [s] */
     double seconds; /* of processor time                                               */
+    bool quick;     /* of a case that --quick cuts short                               */
     struct message sentence; /* why refused or dead; what else is worth knowing        */
 };
 
-/* The one of four. An error that is no number is a death. */
+/* The one of them. An error that is no number is a death. */
 enum stress_end stress_result_end(const struct stress_result *r, double bound);
 
-/* Its file, FOLDER/CASE.CONTESTANT.txt. STATUS_FILE, STATUS_INPUT: it is none. */
+/* Its file, FOLDER/CASE.CONTESTANT.txt. STATUS_FILE: it cannot be written, there is none;
+ * STATUS_INPUT: it is damaged, or none of ours. */
 enum status stress_result_write(const char *folder, const struct stress_case *c,
                                 const struct contestant *contestant,
                                 const struct stress_result *r, struct message *why);

@@ -279,7 +279,7 @@ static enum status end_energy(struct judged *r, struct message *why)
     }
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
              "%d steps: %.2g won at most, %.2g lost at most, of the energy in play",
-             r->frames - 1, most, -least);
+             r->frames - 1, most, fabs(least));
     free(drift);
     return STATUS_OK;
 }
@@ -416,7 +416,8 @@ enum status stress_judge(const struct stress_job *job, struct stress_result *res
     const double start = clock_processor();
     enum status st;
 
-    *result = (struct stress_result){.error = NAN, .time = NAN};
+    *result = (struct stress_result){
+        .error = NAN, .time = NAN, .quick = job->quick && job->c->quick_end};
     r.xyz = malloc(2 * 3 * GRID_POINTS * sizeof *r.xyz);
     TRY(r.xyz ? STATUS_OK : STATUS_MEMORY);
     r.first = r.xyz + 3 * GRID_POINTS;

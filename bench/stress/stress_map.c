@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "bench/files/folder.h"
@@ -10,6 +11,7 @@
 #include "bench/stress/stress.h"
 #include "bench/sweep/sweep.h"
 #include "bench/sweep/sweep_map.h"
+#include "bench/sweep/sweep_row.h"
 #include "bench/experiment/plan_read.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
@@ -24,7 +26,8 @@ static const char *const steps[] = {"[1e-4, 5e-4, 2e-3, 5e-3, 0.02, 0.05, 0.1]",
                                     "[1e-3, 0.01, 0.1]"};
 static const char *const stiffnesses[] = {"[1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9]",
                                           "[1e4, 1e6, 1e8]"};
-enum { SIDE = 6, TIME_LIMIT = 600, TIMES = 3 };
+#define QUICK " --quick" /* in the source of the map's plan */
+enum { SIDE = 6, TIME_LIMIT = 600, TIMES = 3, ENDS = STRESS_UNJUDGED };
 
 static void find_paths(const char *folder, char map[SWEEP_FOLDER_PATH],
                        char plan[SWEEP_FOLDER_PATH])
@@ -44,11 +47,11 @@ static enum status write_plan(const char *path, const struct stress_choice *choi
     output_print(
         out,
         "name: stability\n"
-        "source: clothbench stress\n"
+        "source: clothbench stress%s\n"
         "scene: %s\n"
         "settings: {sheet.thickness: 0.01, time.end: 0.3, snapshots: [0.1, 0.2, 0.3]}\n"
         "cases:\n",
-        stress_case_scene);
+        choice->quick ? QUICK : "", stress_case_scene);
     while ((at = stress_choice_next(choice, at)))
         output_print(out, "  - {name: %s, model: %s, discretization.points: [%d,%d%s]}\n",
                      at->name, at->name, SIDE, SIDE, at->layers ? ",2" : "");
@@ -93,6 +96,7 @@ struct map {
     double moved[TIMES];         /* by the reference [m] */
     struct sweep_map *picture;
     struct table *models, *spots; /* a row a model, a row a case                       */
+    int unknown;                  /* cases whose file is damaged or missing            */
 };
 
 static const char *value_of(const struct map *m, int axis, int n)
@@ -108,15 +112,16 @@ static void create_tables(struct map *m)
         {"step", "s", .key = "step"},
         {"end"},
         {"error"}};
-    struct table_column columns[1 + 16 + 4] = {{"step [s] by E/rho", NULL, TABLE_LEFT}};
+    struct table_column columns[1 + 16 + ENDS] = {{"step [s] by E/rho", NULL, TABLE_LEFT}};
     int count = 1;
 
     for (int e = 0; e < m->stiffnesses; e++)
         columns[count++] = (struct table_column){value_of(m, 0, e), NULL, TABLE_RIGHT};
-    for (int n = 0; n < 4; n++)
+    for (int n = 0; n < ENDS; n++)
         columns[count++] = (struct table_column){stress_end_name[n], NULL, TABLE_RIGHT};
     m->models = table_create(
-        count, columns, "Stability: the largest step up to which all steps are accurate");
+        count, columns,
+        "Stability: the largest step up to which all steps tried are accurate");
     m->spots = table_create(sizeof spots / sizeof *spots, spots, NULL);
 }
 
@@ -186,25 +191,34 @@ static double worst(const struct map *m, const struct run_result *r)
     return error;
 }
 
+/* *label: how the case ended; *end: the same, STRESS_ENDS: nobody knows. */
 static enum status judge(struct map *m, long number, struct sweep_row *row,
-                         enum stress_end *end, double *error, struct message *why)
+                         enum stress_end *end, const char **label, double *error,
+                         struct message *why)
 {
     const bool finest = number % m->steps == 0;
+    const struct run_result *r = &row->result;
     char path[SWEEP_FOLDER_PATH];
     enum status st = STATUS_OK;
 
     sweep_folder_file(&m->folder, number, "h5", path);
-    row->ran = run_result_read(path, true, &row->result, NULL) == STATUS_OK;
-    *end = row->ran && run_result_refused(&row->result) ? STRESS_REFUSED : STRESS_DIED;
+    sweep_row_read(&m->folder, number, NULL, true, row);
+    *end = run_result_refused(r) ? STRESS_REFUSED : STRESS_DIED;
     *error = NAN;
     if (finest)
         run_result_clear(&m->reference);
-    if (!row->ran || row->result.outcome != STATUS_OK)
+    if (sweep_row_is_open(row)) {
+        *end = STRESS_ENDS;
+        *label = row->state == SWEEP_ROW_DAMAGED ? "damaged" : "not run";
         return STATUS_OK;
-    if (finest)
-        TRY(set_reference(m, &row->result, path, why));
-    *error = worst(m, finest ? &m->reference : &row->result);
-    *end = *error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
+    }
+    if (row->state == SWEEP_ROW_RAN && r->outcome == STATUS_OK) {
+        if (finest)
+            TRY(set_reference(m, &row->result, path, why));
+        *error = worst(m, finest ? &m->reference : r);
+        *end = *error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
+    }
+    *label = finest && m->reference.xyz ? "reference" : stress_end_name[*end];
 out:
     return st;
 }
@@ -216,11 +230,11 @@ static enum status add_case(struct map *m, int model, int stiffness, int step,
     const long number = ((long)model * m->stiffnesses + stiffness) * m->steps + step;
     struct plan_case c = {0};
     struct sweep_row row = {0};
+    const char *label;
     double error;
     enum status st;
 
-    TRY(judge(m, number, &row, end, &error, why));
-    const char *label = step == 0 && m->reference.xyz ? "reference" : stress_end_name[*end];
+    TRY(judge(m, number, &row, end, &label, &error, why));
     TRY(plan_case_given(&m->plan, number, &c));
     TRY(sweep_map_row(m->picture, &c, &row, label));
     table_row(m->spots);
@@ -238,7 +252,7 @@ out:
 /* By stiffness the largest step up to which all are accurate, and how many ended how. */
 static enum status add_model(struct map *m, int model, struct message *why)
 {
-    int count[4] = {0};
+    int count[STRESS_ENDS + 1] = {0};
     enum stress_end end;
     enum status st = STATUS_OK;
 
@@ -253,8 +267,9 @@ static enum status add_model(struct map *m, int model, struct message *why)
         }
         table_text(m->models, "%s", good ? value_of(m, 1, good - 1) : "none");
     }
-    for (int n = 0; n < 4; n++)
+    for (int n = 0; n < ENDS; n++)
         table_integer(m->models, count[n]);
+    m->unknown += count[STRESS_ENDS];
 out:
     return st;
 }
@@ -281,6 +296,15 @@ enum status stress_map_print(const char *folder, enum table_format format, FILE 
         "from the run of the same model with the finest step (%s s), which is counted as "
         "accurate; what lives where that has died is degraded.",
         SIDE, SIDE, bound, value_of(&m, 1, 0));
+    if (strstr(m.plan.source, QUICK))
+        table_note(m.models, "Quick: %d steps by %d stiffnesses; the whole map has 7 by 7.",
+                   m.steps, m.stiffnesses);
+    if (m.unknown)
+        table_note(
+            m.models,
+            "%d of the cases have no result: their files are damaged or gone, or they "
+            "were cut short; run the map again.",
+            m.unknown);
     if (file)
         st = table_print(m.models, format, file);
 out:

@@ -4,23 +4,30 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/output.h"
+#include "bench/files/sealed_text.h"
 #include "bench/stress/stress.h"
 
 enum { PATH = 4096 };
 
-static const char *const outcome_words[] = {
-    [STRESS_RAN] = "ran", [STRESS_SAID_NO] = "refused", [STRESS_DEAD] = "died"};
+static const char *const outcome_words[] = {[STRESS_RAN] = "ran",
+                                            [STRESS_SAID_NO] = "refused",
+                                            [STRESS_DEAD] = "died",
+                                            [STRESS_STOPPED] = "stopped"};
 enum { OUTCOMES = sizeof outcome_words / sizeof *outcome_words };
 
-const char *const stress_end_name[4] = {"accurate", "degraded", "refused", "died"};
+const char *const stress_end_name[STRESS_ENDS] = {"accurate", "degraded", "refused", "died",
+                                                  "not judged: quick"};
 
 enum stress_end stress_result_end(const struct stress_result *r, double bound)
 {
     if (r->outcome == STRESS_SAID_NO)
         return STRESS_REFUSED;
+    if (r->outcome == STRESS_STOPPED)
+        return STRESS_UNJUDGED;
     if (r->outcome == STRESS_DEAD || !isfinite(r->error))
         return STRESS_DIED;
+    if (r->quick)
+        return STRESS_UNJUDGED;
     return r->error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
 }
 
@@ -34,54 +41,49 @@ enum status stress_result_write(const char *folder, const struct stress_case *c,
                                 const struct contestant *contestant,
                                 const struct stress_result *r, struct message *why)
 {
-    struct output *out = NULL;
-    char path[PATH];
-    enum status st;
+    char path[PATH], text[sizeof r->sentence.text + 256];
 
     find_file(folder, c, contestant, path);
-    TRY(output_create(path, &out, why));
-    output_print(out, "outcome %s\nerror %.17g\ntime %.17g\nseconds %.17g\nsentence %s\n",
-                 outcome_words[r->outcome], r->error, r->time, r->seconds,
-                 r->sentence.text);
-    st = output_close(out, why);
-out:
-    return st;
+    snprintf(text, sizeof text,
+             "outcome %s\nerror %.17g\ntime %.17g\nseconds %.17g\nquick %d\nsentence %s\n",
+             outcome_words[r->outcome], r->error, r->time, r->seconds, r->quick,
+             r->sentence.text);
+    return sealed_text_write(path, text, why);
 }
 
-/* As stress_write has it, to the last line's end. */
-static bool read_result(FILE *file, struct stress_result *r)
+/* As stress_result_write has it, to the last line's end. */
+static bool read_result(const char *text, struct stress_result *r)
 {
     char word[16];
-    int outcome = 0;
+    int outcome = 0, quick = 0, used = 0;
 
-    if (fscanf(file, "outcome %15s error %lf time %lf seconds %lf sentence%*1[ ]", word,
-               &r->error, &r->time, &r->seconds) != 4 ||
-        !fgets(r->sentence.text, sizeof r->sentence.text, file))
+    if (sscanf(text, "outcome %15s error %lf time %lf seconds %lf quick %d sentence%n",
+               word, &r->error, &r->time, &r->seconds, &quick, &used) != 5 ||
+        text[used] != ' ')
         return false;
     while (outcome < OUTCOMES && strcmp(outcome_words[outcome], word))
         outcome++;
     r->outcome = (enum stress_outcome)outcome;
-    char *end = strchr(r->sentence.text, '\n');
-    if (end)
-        *end = '\0';
-    return end && outcome < OUTCOMES;
+    r->quick = quick;
+    snprintf(r->sentence.text, sizeof r->sentence.text, "%.*s",
+             (int)strcspn(text + used + 1, "\n"), text + used + 1);
+    return outcome < OUTCOMES;
 }
 
 enum status stress_result_read(const char *folder, const struct stress_case *c,
                                const struct contestant *contestant, struct stress_result *r,
                                struct message *why)
 {
-    char path[PATH];
-    enum status st = STATUS_OK;
+    char path[PATH], *text = NULL;
+    enum status st;
 
     *r = (struct stress_result){.error = NAN, .time = NAN, .seconds = NAN};
     find_file(folder, c, contestant, path);
-    FILE *file = fopen(path, "r");
-    if (!file)
-        return status_fail(why, STATUS_FILE, "%s cannot be read", path);
-    if (!read_result(file, r))
-        st = status_fail(why, STATUS_INPUT, "%s is no result of `stress`", path);
-    fclose(file);
+    TRY(sealed_text_read(path, &text, why));
+    if (!read_result(text, r))
+        st = status_fail(why, STATUS_INPUT, "%s is no result of this `stress`", path);
+out:
+    free(text);
     return st;
 }
 
@@ -89,7 +91,8 @@ enum status stress_result_read(const char *folder, const struct stress_case *c,
 enum { OVERVIEW, TRUTHS, DETAILS, TABLES };
 struct tables {
     struct table *table[TABLES];
-    int count[4]; /* runs by their end                                                 */
+    int count[STRESS_ENDS]; /* runs by their end                                       */
+    int damaged;            /* files that could not be read                            */
 };
 
 /* Nothing, and NULL, where memory is out: table_finish says so. */
@@ -137,11 +140,11 @@ static struct tables create_tables(const struct stress_choice *choice)
         {0}};
 }
 
-static void add_truth(struct table *t, const struct stress_case *c)
+static void add_truth(struct table *t, const struct stress_case *c, bool quick)
 {
     table_row(t);
     table_text(t, "%s", c->item.name);
-    table_text(t, "%s", c->item.text);
+    table_text(t, "%s", quick && c->quick_text ? c->quick_text : c->item.text);
     table_number(t, c->bound, 1);
     table_text(t, "%s", c->why);
     table_text(t, "%s", stress_truth_text[c->truth]);
@@ -158,6 +161,10 @@ static void add_result(struct tables *t, const struct stress_case *c,
         table_text(overview, "%s %.0e", end == STRESS_ACCURATE ? "ok" : "off", r->error);
     else if (end == STRESS_DIED && isfinite(r->time))
         table_text(overview, "died %.2g s", r->time);
+    else if (end == STRESS_UNJUDGED && isfinite(r->error))
+        table_text(overview, "quick %.0e", r->error);
+    else if (end == STRESS_UNJUDGED)
+        table_text(overview, "quick");
     else
         table_text(overview, "%s", stress_end_name[end]);
 
@@ -172,31 +179,85 @@ static void add_result(struct tables *t, const struct stress_case *c,
     table_text(details, "%s", r->sentence.text);
 }
 
-/* A case that was asked for and that some contestant left a result of. */
+static void add_damaged(struct tables *t, const struct stress_case *c,
+                        const struct contestant *contestant, const char *why)
+{
+    struct table *details = t->table[DETAILS];
+
+    t->damaged++;
+    table_text(t->table[OVERVIEW], "damaged");
+    table_row(details);
+    table_text(details, "%s", c->item.name);
+    table_text(details, "%s", contestant->name);
+    table_number(details, c->bound, 1);
+    table_text(details, "damaged");
+    for (int n = 0; n < 3; n++)
+        table_dash(details);
+    table_text(details, "%s", why);
+}
+
+/* How many files a case has, of the contestants that were asked for, and how many of them
+ * are of a quick run. */
+static int count_files(const char *folder, const struct stress_choice *choice,
+                       const struct stress_case *c, int *quick)
+{
+    const struct contestant *at = NULL;
+    struct stress_result r;
+    int count = 0;
+
+    *quick = 0;
+    while ((at = stress_choice_next(choice, at))) {
+        count += stress_result_read(folder, c, at, &r, NULL) != STATUS_FILE;
+        *quick += r.quick;
+    }
+    return count;
+}
+
+/* A case that was asked for and that some contestant left a file of. */
 static void add_case(struct tables *t, const char *folder,
                      const struct stress_choice *choice, const struct stress_case *c)
 {
-    struct table *overview = t->table[OVERVIEW];
     const struct contestant *at = NULL;
     struct stress_result r;
-    int before = 0;
+    struct message why;
+    int quick;
 
-    while ((at = stress_choice_next(choice, at)) &&
-           stress_result_read(folder, c, at, &r, NULL) != STATUS_OK)
-        before++;
-    if (!at)
+    if (!count_files(folder, choice, c, &quick))
         return;
-    add_truth(t->table[TRUTHS], c);
-    table_row(overview);
-    table_text(overview, "%s", c->item.name);
-    while (before--)
-        table_dash(overview);
-    for (; at; at = stress_choice_next(choice, at))
-        if (stress_result_read(folder, c, at, &r, NULL) == STATUS_OK)
+    add_truth(t->table[TRUTHS], c, quick > 0);
+    table_row(t->table[OVERVIEW]);
+    table_text(t->table[OVERVIEW], "%s", c->item.name);
+    while ((at = stress_choice_next(choice, at))) {
+        const enum status st = stress_result_read(folder, c, at, &r, &why);
+        if (st == STATUS_OK)
             add_result(t, c, at, &r);
+        else if (st == STATUS_FILE)
+            table_dash(t->table[OVERVIEW]);
         else
-            table_dash(overview);
+            add_damaged(t, c, at, why.text);
+    }
     table_rule(t->table[DETAILS]);
+}
+
+static void note_counts(const struct tables *t, int runs)
+{
+    struct table *overview = t->table[OVERVIEW];
+    const int *count = t->count;
+
+    table_note(overview,
+               "ok: accurate, the error is within the case's bound; off: degraded, beyond "
+               "it. %d runs: %d accurate, %d degraded, %d refused, %d died.",
+               runs, count[0], count[1], count[2], count[3]);
+    if (count[STRESS_UNJUDGED])
+        table_note(overview,
+                   "quick: %d not judged: quick. The error is that of the part of the case "
+                   "that --quick runs.",
+                   count[STRESS_UNJUDGED]);
+    if (t->damaged)
+        table_note(overview,
+                   "Damaged files, no longer as they were written: %d. Run "
+                   "their cases again.",
+                   t->damaged);
 }
 
 enum status stress_print(const char *folder, const struct stress_choice *choice,
@@ -205,16 +266,16 @@ enum status stress_print(const char *folder, const struct stress_choice *choice,
     const bool prose = table_format_is_prose(format);
     struct tables t = create_tables(choice);
     bool map = false;
+    int runs = 0;
     enum status st = STATUS_OK;
 
     for (int n = 0; stress_case_at(n); n++)
         if (stress_choice_case(choice, stress_case_at(n)))
             add_case(&t, folder, choice, stress_case_at(n));
-    const int *count = t.count, runs = count[0] + count[1] + count[2] + count[3];
-    table_note(t.table[OVERVIEW],
-               "ok: accurate, the error is within the case's bound; off: degraded, beyond "
-               "it. %d runs: %d accurate, %d degraded, %d refused, %d died.",
-               runs, count[0], count[1], count[2], count[3]);
+    for (int n = 0; n < STRESS_ENDS; n++)
+        runs += t.count[n];
+    note_counts(&t, runs);
+    runs += t.damaged;
     table_note(t.table[DETAILS],
                "Until: the time in the scene at which the run died, or at which its error "
                "first went beyond the bound.");

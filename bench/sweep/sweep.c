@@ -1,15 +1,15 @@
 #include "bench/sweep/sweep.h"
 
-#include <math.h>
 #include <omp.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "bench/harness/pool.h"
 #include "bench/harness/run_file.h"
 #include "bench/sweep/sweep_map.h"
+#include "bench/sweep/sweep_print.h"
+#include "bench/sweep/sweep_row.h"
 #include "bench/sweep/sweep_table.h"
 #include "bench/experiment/plan_read.h"
 
@@ -29,15 +29,17 @@ static enum status work(void *context, long number, struct message *why)
     const struct sweep *s = context;
     struct plan_case c = {0};
     struct scene scene = {0};
-    char path[SWEEP_FOLDER_PATH];
+    char path[SWEEP_FOLDER_PATH], made_for[SWEEP_ROW_MADE_FOR];
     enum status st;
 
     TRY(plan_case_open(s->plan, number, &c, why));
     TRY(plan_case_scene(&c, &scene, why));
     const struct run_plan run = plan_case_run(&c);
     sweep_folder_file(&s->folder, number, "h5", path);
+    sweep_row_made_for(&s->folder, s->plan, &c, made_for);
     st = run_file_write(&run,
                         &(struct run_keep){.file = path,
+                                           .made_for = made_for,
                                            .every = s->plan->look,
                                            .times = scene.snapshot_count,
                                            .time = scene.snapshots,
@@ -59,57 +61,91 @@ static enum status begin(void *context, long number, struct message *why)
     return sweep_folder_log(&s->folder, "start", number, why);
 }
 
+/* What the files of a case are made for. */
+static enum status find_made_for(const struct sweep *s, long number,
+                                 char made_for[SWEEP_ROW_MADE_FOR])
+{
+    struct plan_case c = {0};
+    const enum status st = plan_case_given(s->plan, number, &c);
+
+    if (st == STATUS_OK)
+        sweep_row_made_for(&s->folder, s->plan, &c, made_for);
+    plan_case_clear(&c);
+    return st;
+}
+
 /* A case is over: its row is kept, the log has it. */
 static enum status settle(void *context, long number, const struct child_end *end,
                           struct message *why)
 {
     const struct sweep *s = context;
-    const bool failed = end->outcome == CHILD_FAILED;
-    enum status st = STATUS_OK;
+    char made_for[SWEEP_ROW_MADE_FOR];
+    enum status st;
 
-    if (failed)
-        st = sweep_folder_fail(&s->folder, number, end->why.text, why);
-    return st ? st : sweep_folder_log(&s->folder, failed ? "failed" : "end", number, why);
+    if (end->outcome == CHILD_DONE)
+        return sweep_folder_log(&s->folder, "end", number, why);
+    TRY(find_made_for(s, number, made_for));
+    TRY(sweep_row_write(&s->folder, number, made_for,
+                        end->outcome == CHILD_CUT ? SWEEP_ROW_CUT : SWEEP_ROW_FAILED,
+                        end->why.text, why));
+    st = sweep_folder_log(&s->folder, "failed", number, why);
+out:
+    return st;
 }
 
-/* What is done already; true where a case needs no run. */
+/* The row of a case; one that is of another sweep is refused. */
+static enum status read_row(const struct sweep *s, long number, struct sweep_row *row,
+                            struct message *why)
+{
+    char made_for[SWEEP_ROW_MADE_FOR];
+    enum status st;
+
+    *row = (struct sweep_row){0};
+    TRY(find_made_for(s, number, made_for));
+    sweep_row_read(&s->folder, number, made_for, false, row);
+    if (row->state == SWEEP_ROW_FOREIGN)
+        st = status_fail(why, STATUS_INPUT, "%s", row->why.text);
+out:
+    return st;
+}
+
+/* What is done already; of what is not, nothing is left. */
 static enum status scan(const struct sweep *s, bool **done, struct message *why)
 {
     const long count = plan_case_count(s->plan);
     struct sweep_row row;
+    enum status st = STATUS_OK;
 
     *done = calloc((size_t)count, sizeof **done);
-    if (!*done)
-        return status_fail(why, STATUS_MEMORY, "%s", status_text(STATUS_MEMORY));
+    TRY(*done ? STATUS_OK : STATUS_MEMORY);
     for (long n = 0; n < count; n++) {
-        sweep_folder_read(&s->folder, n, true, &row);
-        (*done)[n] = row.there;
+        TRY(read_row(s, n, &row, why));
+        (*done)[n] = !sweep_row_is_open(&row);
+        if (!(*done)[n])
+            sweep_row_remove(&s->folder, n);
         run_result_clear(&row.result);
     }
-    return STATUS_OK;
+out:
+    return st;
 }
 
 /* Table, seconds and map from the files of the cases. */
-static enum status collect(const struct plan *plan, const struct sweep_folder *folder,
-                           struct sweep_table *t, struct message *plot, struct message *why)
+static enum status collect(const struct sweep *s, struct sweep_table *t,
+                           struct message *plot, struct message *why)
 {
+    const struct sweep_folder *folder = &s->folder;
     struct sweep_map *map = NULL;
     struct chart *chart = NULL;
-    struct plan_case c;
+    struct plan_case c = {0};
     struct sweep_row row;
     char labels[1024];
     enum status st;
 
-    TRY(sweep_table_open(t, plan, folder, why));
-    TRY(sweep_map_create(&map, plan, "feasible"));
-    for (long n = 0; n < plan_case_count(plan); n++) {
-        sweep_folder_read(folder, n, false, &row);
-        if (!row.there)
-            TRY(status_fail(why, STATUS_FILE,
-                            "%s: the file of case %ld is gone or broken; "
-                            "--resume runs it again",
-                            folder->path, n + 1));
-        TRY(plan_case_given(plan, n, &c));
+    TRY(sweep_table_open(t, s->plan, folder, why));
+    TRY(sweep_map_create(&map, s->plan, "feasible"));
+    for (long n = 0; n < plan_case_count(s->plan); n++) {
+        TRY(read_row(s, n, &row, why));
+        TRY(plan_case_given(s->plan, n, &c));
         sweep_table_row(t, &c, &row, labels, sizeof labels);
         st = sweep_map_row(map, &c, &row, labels);
         plan_case_clear(&c);
@@ -129,104 +165,6 @@ out:
     sweep_map_destroy(map);
     sweep_table_discard(t);
     return st;
-}
-
-static void print_plan(const struct plan *plan, FILE *file)
-{
-    const struct plan_setting *scene = plan_settings_find(&plan->settings, "scene");
-
-    fprintf(file, "%s: %ld cases", plan->name, plan_case_count(plan));
-    if (scene)
-        fprintf(file, " of %s", scene->value);
-    if (plan->listed_count)
-        fprintf(file, "; %d listed", plan->listed_count);
-    for (int n = 0; n < plan->axis_count; n++)
-        fprintf(file, "%s%d of %s", n || plan->listed_count ? " x " : "; ",
-                plan->axes[n].values.count, plan->axes[n].key);
-    fprintf(file, "\n\n");
-}
-
-/* Whether a rule before n has the same label. */
-static bool said(const struct verdict_rules *rules, int n)
-{
-    for (int m = 0; m < n; m++)
-        if (!strcmp(rules->rule[m].label, rules->rule[n].label))
-            return true;
-    return false;
-}
-
-/* Those of which there are none are not worth a line, but for labels. */
-static void print_verdicts(const struct plan *plan, const struct sweep_table *t, FILE *file)
-{
-    const struct verdict_rules *rules = &plan->verdicts;
-    const struct {
-        const char *end, *why;
-        long count;
-    } ends[] = {
-        {"died", "the numerics ended the run", t->died},
-        {"unsupported", "the model leaves something out", t->unsupported},
-        {"no result", "timed out, killed or refused: see table.csv", t->failed},
-    };
-
-    if (rules->count)
-        fprintf(file, "  %-24s%6ld\n", "feasible", t->feasible);
-    for (int n = 0; n < rules->count; n++)
-        if (!said(rules, n))
-            fprintf(file, "  %-24s%6ld\n", rules->rule[n].label, t->labels[n]);
-    for (int n = 0; n < 3; n++)
-        if (ends[n].count)
-            fprintf(file, "  %-24s%6ld   %s\n", ends[n].end, ends[n].count, ends[n].why);
-    fprintf(file, "\n");
-}
-
-/* Of a result file on average [kB]. */
-static double file_size(const struct sweep_folder *folder, long cases)
-{
-    double sum = 0;
-    long count = 0;
-
-    for (long n = 0; n < cases; n++) {
-        char path[SWEEP_FOLDER_PATH];
-        struct stat info;
-
-        sweep_folder_file(folder, n, "h5", path);
-        if (stat(path, &info) == 0)
-            sum += 1e-3 * (double)info.st_size, count++;
-    }
-    return count ? sum / (double)count : 0;
-}
-
-static void print_cost(const struct pool *p, FILE *file)
-{
-    const double most = p->wall * p->hands;
-
-    if (!p->ran) {
-        fprintf(file, "Nothing was left to run.\n");
-        return;
-    }
-    fprintf(file,
-            "%ld cases run now, %d at a time: %.3g s of processor time each, %.4g s in all "
-            "within %.4g s; efficiency %.1f %%.\n",
-            p->ran, p->hands, p->seconds / (double)p->ran, p->seconds, p->wall,
-            100 * p->seconds / most);
-}
-
-/* What a sweep found, in words for people. `plot`: why there is no picture, or "". */
-static enum status print_summary(const struct sweep *s, const struct sweep_table *table,
-                                 const char *plot)
-{
-    const struct plan *plan = s->plan;
-    FILE *file = stdout;
-
-    print_plan(plan, file);
-    print_verdicts(plan, table, file);
-    print_cost(&s->pool, file);
-    fprintf(file, "%s: table.csv, seconds.csv, %sa file a case, %.3g kB on average.\n",
-            s->folder.path, plan->map.x && !*plot ? "map.png, " : "",
-            file_size(&s->folder, plan_case_count(plan)));
-    if (*plot)
-        fprintf(file, "%s\n", plot);
-    return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 
 /* Into path[], which it returns, if no folder was asked for. */
@@ -249,6 +187,8 @@ static enum status run_all(struct sweep *s, struct message *why)
     pool->done = done;
     pool->time_limit = s->plan->time_limit;
     st = pool_run(pool, &reason);
+    if (!pool->ranks || (st == STATUS_OK && !pool->stopped_by)) /* else others still work */
+        sweep_folder_tidy(&s->folder);
     if (st != STATUS_OK)
         TRY(status_fail(why, st,
                         "%s; what is done is kept, and clothbench sweep %s "
@@ -279,9 +219,9 @@ static enum status lead(struct sweep *s, struct message *why)
     s->pool.slots = s->pool.ranks ? 1 : o->jobs ? o->jobs : omp_get_num_procs();
     s->pool.quiet = o->quiet;
     TRY(run_all(s, why));
-    TRY(collect(s->plan, &s->folder, &table, &plot, why));
+    TRY(collect(s, &table, &plot, why));
     if (!o->quiet)
-        TRY(print_summary(s, &table, plot.text));
+        TRY(sweep_print(s->plan, &s->folder, &s->pool, &table, plot.text, stdout));
 out:
     sweep_folder_close(&s->folder);
     return st;
@@ -316,7 +256,7 @@ static enum status prepare(void *context, struct message *why)
         return st;
     s->pool.time_limit = s->own.time_limit;
     snprintf(s->folder.path, sizeof s->folder.path, "%s", folder_of(s, path));
-    return STATUS_OK;
+    return sweep_folder_identify(&s->folder, s->plan, why);
 }
 
 static enum status run(const struct command_line *line, struct message *why)

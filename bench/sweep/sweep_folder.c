@@ -7,10 +7,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
+#include "bench/files/provenance.h"
+#include "bench/files/sealed_text.h"
 #include "bench/experiment/plan_case.h"
 #include "models/reader/scene_file.h"
 
@@ -54,7 +57,7 @@ out:
     return st;
 }
 
-/* The sweep in the folder is to be of the same plan and scenes, line by line. */
+/* The sweep in the folder is to be of the same plan, scenes and program, line by line. */
 static enum status compare_manifest(const char *path, FILE *file, const char *is,
                                     struct message *why)
 {
@@ -70,8 +73,9 @@ static enum status compare_manifest(const char *path, FILE *file, const char *is
             line = n + 1, number++;
     if (strcmp(was, is) != 0)
         TRY(status_fail(why, STATUS_INPUT,
-                        "%s: the sweep was begun with another plan or scene: line %d was "
-                        "'%.*s' and is now '%.*s'; give another folder with --out",
+                        "%s: the sweep was begun with another plan, scene or build of the "
+                        "program: line %d was '%.*s' and is now '%.*s'; give another "
+                        "folder with --out",
                         path, number, (int)strcspn(was + line, "\n"), was + line,
                         (int)strcspn(is + line, "\n"), is + line));
 out:
@@ -80,37 +84,82 @@ out:
 }
 
 /* A text file of one text. */
-static enum status write_file(const char *path, const char *text, const char *end,
-                              struct message *why)
+static enum status write_file(const char *path, const char *text, struct message *why)
 {
     struct output *out = NULL;
     enum status st = output_create(path, &out, why);
 
     if (st != STATUS_OK)
         return st;
-    output_print(out, "%s%s", text, end);
+    output_print(out, "%s", text);
     return output_close(out, why);
 }
 
-static enum status settle_manifest(const struct sweep_folder *folder,
-                                   const struct plan *plan, bool resume,
-                                   struct message *why)
+/* Of the program's file: two builds of the same commit may differ. */
+static enum status sum_program(unsigned long *sum, struct message *why)
 {
-    enum status st = STATUS_OK;
-    char path[SWEEP_FOLDER_PATH + 16], *text = NULL;
+    static const char path[] = "/proc/self/exe";
+    char part[1 << 14];
+    size_t got;
+    FILE *file = fopen(path, "r");
+
+    if (!file)
+        return status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path,
+                           strerror(errno));
+    *sum = 0;
+    while ((got = fread(part, 1, sizeof part, file)) > 0)
+        *sum = sealed_text_sum(*sum, part, got);
+    fclose(file);
+    return STATUS_OK;
+}
+
+/* The manifest as it should be, freed by the receiver, and the folder's sums. */
+static enum status make_manifest(struct sweep_folder *folder, const struct plan *plan,
+                                 char **text, struct message *why)
+{
     size_t size;
-    FILE *memory = open_memstream(&text, &size), *file = NULL;
+    FILE *memory = open_memstream(text, &size);
+    struct provenance here;
+    enum status st;
 
     if (!memory)
         return STATUS_MEMORY;
-    st = write_manifest(plan, memory, why);
+    TRY(write_manifest(plan, memory, why));
+    TRY(fflush(memory) == 0 ? STATUS_OK : STATUS_MEMORY);
+    folder->plan = sealed_text_sum(0, *text, size);
+    TRY(sum_program(&folder->program, why));
+    provenance_collect(&here);
+    fprintf(memory, "\n--- program %s, commit %s, file with the sum %08lx\n",
+            provenance_value(&here, "program"), provenance_value(&here, "commit"),
+            folder->program);
+out:
     if (fclose(memory) != 0 && st == STATUS_OK)
         st = STATUS_MEMORY;
-    TRY(st);
+    return st;
+}
+
+enum status sweep_folder_identify(struct sweep_folder *folder, const struct plan *plan,
+                                  struct message *why)
+{
+    char *text = NULL;
+    const enum status st = make_manifest(folder, plan, &text, why);
+
+    free(text);
+    return st;
+}
+
+static enum status settle_manifest(struct sweep_folder *folder, const struct plan *plan,
+                                   bool resume, struct message *why)
+{
+    enum status st = STATUS_OK;
+    char path[SWEEP_FOLDER_PATH + 16], *text = NULL;
+    FILE *file = NULL;
+
+    TRY(make_manifest(folder, plan, &text, why));
     snprintf(path, sizeof path, "%s/manifest.txt", folder->path);
     file = fopen(path, "r");
     if (!file)
-        TRY(write_file(path, text, "", why));
+        TRY(write_file(path, text, why));
     else if (!resume)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s has a sweep already; --resume goes on with it, --out DIR "
@@ -132,7 +181,7 @@ static enum status open_file(const struct sweep_folder *folder, const char *name
     char path[SWEEP_FOLDER_PATH + 16];
 
     snprintf(path, sizeof path, "%s/%s", folder->path, name);
-    *file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    *file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
     return *file >= 0 ? STATUS_OK
                       : status_fail(why, STATUS_FILE, "%s: cannot be opened: %s", path,
                                     strerror(errno));
@@ -150,14 +199,65 @@ static enum status lock(const struct sweep_folder *folder, struct message *why)
                        folder->path);
 }
 
-static bool ends_with(const char *name, const char *ending)
+/* What follows the number of digits that a text begins with; NULL: there are fewer. */
+static const char *after_digits(const char *text, size_t least)
 {
-    const size_t length = strlen(name), end = strlen(ending);
+    const size_t count = strspn(text, "0123456789");
 
-    return length >= end && !strcmp(name + length - end, ending);
+    return count >= least ? text + count : NULL;
 }
 
-/* Files that a killed process was writing; or all cases, and what they were of. */
+static const char *after_word(const char *text, const char *word)
+{
+    return text && !strncmp(text, word, strlen(word)) ? text + strlen(word) : NULL;
+}
+
+/* What follows the name of a case's file that this name begins with; NULL: it does not. */
+static const char *after_case(const char *name)
+{
+    const char *digits = after_word(name, "case_");
+    const char *rest = digits ? after_digits(digits, 6) : NULL;
+    const char *const ends[] = {after_word(rest, ".h5"), after_word(rest, ".xdmf"),
+                                after_word(rest, ".txt")};
+
+    return ends[0] ? ends[0] : ends[1] ? ends[1] : ends[2];
+}
+
+/* Likewise of any other file that a sweep writes. */
+static const char *after_own(const char *name)
+{
+    static const char *const own[] = {"manifest.txt", "log.txt", "table.csv", "seconds.csv",
+                                      "map.gp",       "map.png", "map.svg",   "map.pdf"};
+    const char *rest = NULL;
+
+    for (size_t n = 0; !rest && n < sizeof own / sizeof *own; n++)
+        rest = after_word(name, own[n]);
+    return rest;
+}
+
+/* Whether it is `.PID-N.part` (atomic_file.h). */
+static bool is_part(const char *rest)
+{
+    rest = *rest == '.' ? after_digits(rest + 1, 1) : NULL;
+    rest = rest && *rest == '-' ? after_digits(rest + 1, 1) : NULL;
+    return rest && !strcmp(rest, ".part");
+}
+
+/* Whether an entry of the folder goes before a sweep begins: what a killed one was writing;
+ * links where it will write; and, of `all`, the cases and what they were of. */
+static bool is_to_go(const char *name, const char *path, bool all)
+{
+    const char *of_case = after_case(name), *rest = of_case ? of_case : after_own(name);
+    struct stat info;
+
+    if (!rest)
+        return false;
+    if (*rest)
+        return is_part(rest);
+    return (lstat(path, &info) == 0 && S_ISLNK(info.st_mode)) ||
+           (all && (of_case || !strcmp(name, "manifest.txt")));
+}
+
 static void remove_files(const struct sweep_folder *folder, bool all)
 {
     DIR *directory = opendir(folder->path);
@@ -165,16 +265,17 @@ static void remove_files(const struct sweep_folder *folder, bool all)
 
     while (directory && (file = readdir(directory))) {
         char path[SWEEP_FOLDER_PATH + 257];
-        const char *name = file->d_name;
-        const bool ours = !strncmp(name, "case_", 5) || !strcmp(name, "manifest.txt");
-
-        if (!ends_with(name, ".part") && !(all && ours))
-            continue;
-        snprintf(path, sizeof path, "%s/%s", folder->path, name);
-        unlink(path);
+        snprintf(path, sizeof path, "%s/%s", folder->path, file->d_name);
+        if (is_to_go(file->d_name, path, all))
+            unlink(path);
     }
     if (directory)
         closedir(directory);
+}
+
+void sweep_folder_tidy(const struct sweep_folder *folder)
+{
+    remove_files(folder, false);
 }
 
 enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
@@ -213,49 +314,6 @@ void sweep_folder_file(const struct sweep_folder *folder, long number, const cha
 {
     snprintf(path, SWEEP_FOLDER_PATH, "%.*s/case_%06ld.%s", SWEEP_FOLDER_PATH - 40,
              folder->path, number + 1, ending);
-}
-
-/* The sentence of a case without result; false if there is none. */
-static bool read_sentence(const char *path, struct message *sentence)
-{
-    FILE *file = fopen(path, "r");
-    bool there = file && fgets(sentence->text, sizeof sentence->text, file);
-
-    if (there)
-        sentence->text[strcspn(sentence->text, "\n")] = '\0';
-    if (file)
-        fclose(file);
-    return there;
-}
-
-void sweep_folder_read(const struct sweep_folder *folder, long number, bool repair,
-                       struct sweep_row *row)
-{
-    char path[SWEEP_FOLDER_PATH];
-
-    *row = (struct sweep_row){0};
-    sweep_folder_file(folder, number, "h5", path);
-    if (access(path, F_OK) == 0) {
-        row->there = run_result_read(path, false, &row->result, &row->why) == STATUS_OK;
-        row->ran = row->there && row->result.outcome != STATUS_INPUT;
-        if (row->there) {
-            row->why = row->result.sentence;
-            return;
-        }
-        if (repair)
-            unlink(path);
-    }
-    sweep_folder_file(folder, number, "txt", path);
-    row->there = read_sentence(path, &row->why);
-}
-
-enum status sweep_folder_fail(const struct sweep_folder *folder, long number,
-                              const char *sentence, struct message *why)
-{
-    char path[SWEEP_FOLDER_PATH];
-
-    sweep_folder_file(folder, number, "txt", path);
-    return write_file(path, sentence, "\n", why);
 }
 
 enum status sweep_folder_log(const struct sweep_folder *folder, const char *event,

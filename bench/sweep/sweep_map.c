@@ -121,7 +121,7 @@ static double find_place(const struct dimension *d, const struct plan_case *c,
                          const struct sweep_row *row)
 {
     if (d->key < 0)
-        return row->ran ? row->result.value[d->measure] : NAN;
+        return row->state == SWEEP_ROW_RAN ? row->result.value[d->measure] : NAN;
     if (!c->given[d->key])
         return NAN;
     for (int n = 0; d->words && n < d->axis->values.count; n++)
@@ -142,7 +142,7 @@ static void panel_text(const struct dimension *d, const struct plan_case *c,
     snprintf(text, (size_t)size, "%s", words);
     if (d->measure >= 0 && d->key < 0)
         snprintf(text, (size_t)size, "%.4g",
-                 row->ran ? row->result.value[d->measure] : NAN);
+                 row->state == SWEEP_ROW_RAN ? row->result.value[d->measure] : NAN);
 }
 
 enum status sweep_map_create(struct sweep_map **map, const struct plan *plan,
@@ -209,7 +209,7 @@ static const char *colour_of(const char *label, int n)
     } known[] = {
         {"feasible", "#8cd17d"},  {"accurate", "#8cd17d"},    {"reference", "#c9e8c0"},
         {"degraded", "#edc948"},  {"died", "#444444"},        {"refused", "#d9d9d9"},
-        {"no result", "#d9d9d9"}, {"unsupported", "#d9d9d9"},
+        {"no result", "#d9d9d9"}, {"unsupported", "#d9d9d9"}, {"run again", "#d9d9d9"},
     };
     static const char *const palette[] = {
         "#e15759", "#f28e2b", "#edc948", "#4e79a7", "#b07aa1", "#76b7b2", "#9c755f",

@@ -66,30 +66,33 @@ static void count(struct sweep_table *t, const struct sweep_row *row,
 {
     const struct verdict_rules *rules = &t->plan->verdicts;
 
-    t->failed += !row->ran;
+    t->open += sweep_row_is_open(row);
+    t->failed += row->state == SWEEP_ROW_FAILED;
     t->feasible += verdict->kind == VERDICT_FEASIBLE;
-    if (!row->ran)
+    t->unjudged += verdict->kind == VERDICT_UNJUDGED;
+    if (row->state != SWEEP_ROW_RAN)
         return;
     t->died += verdict->died;
+    t->judged += verdict->kind != VERDICT_NONE;
     t->unsupported += row->result.outcome == STATUS_UNSUPPORTED;
-    for (int n = 0; n < rules->count; n++)
+    for (int n = 0; n < rules->count; n++) {
         t->labels[n] += verdict_has(rules, *verdict, rules->rule[n].label);
+        t->lacking[n] += verdict_lacks(rules, *verdict, rules->rule[n].label);
+    }
 }
 
 void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
                      const struct sweep_row *row, char *labels, int size)
 {
-    static const char *const words[] = {[VERDICT_FEASIBLE] = "feasible",
-                                        [VERDICT_INFEASIBLE] = "infeasible",
-                                        [VERDICT_NONE] = "none"};
     const struct verdict_rules *rules = &t->plan->verdicts;
     const struct run_result *r = &row->result;
     struct verdict verdict = {.kind = VERDICT_NONE};
     struct table *table = t->table[0], *seconds = t->table[1];
+    const bool ran = row->state == SWEEP_ROW_RAN;
 
-    snprintf(labels, (size_t)size, "no result");
-    if (row->ran) {
-        verdict = verdict_apply(rules, r->outcome, r->value);
+    snprintf(labels, (size_t)size, sweep_row_is_open(row) ? "run again" : "no result");
+    if (ran) {
+        verdict = verdict_of(rules, r);
         verdict_text(rules, verdict, labels, size);
     }
     count(t, row, &verdict);
@@ -99,12 +102,12 @@ void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
     for (int k = 0; k < t->plan->key_count; k++)
         table_text(table, "%s", c->given[k] ? c->given[k]->value : "");
     for (int n = 0; n < MEASURES; n++)
-        table_number(table, row->ran ? r->value[n] : NAN, 6);
-    table_text(table, "%s", words[verdict.kind]);
+        table_number(table, ran ? r->value[n] : NAN, 6);
+    table_text(table, "%s", verdict_kind_word[verdict.kind]);
     table_text(table, "%s", labels);
-    table_text(table, "%s", row->ran ? r->sentence.text : row->why.text);
+    table_text(table, "%s", row->why.text);
     table_flush(table, output_stream(t->file[0]));
-    if (!row->ran)
+    if (!ran)
         return;
     table_row(seconds);
     table_integer(seconds, c->number + 1);

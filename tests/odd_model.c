@@ -1,0 +1,83 @@
+#define _POSIX_C_SOURCE 200809L
+/* The scripted model in a program of its own, where a sweep can run it: its script is the
+ * scene's density, a number from the list below. What says "wild" comes to a good end where
+ * ODD_TAME is in the environment. */
+#include "tests/odd_model.h"
+
+#include <signal.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "tests/scripted_model.h"
+
+enum odd {
+    ODD_SOUND = 1,
+    ODD_DIES,        /* at its third frame                                             */
+    ODD_ESCAPES,     /* likewise, 1000 m away                                          */
+    ODD_HANGS,       /* for ever                                                       */
+    ODD_CRASHES,     /* by a signal of its own                                         */
+    ODD_LEAVES,      /* the process, with exit code 3                                  */
+    ODD_KILLED,      /* wild: by a signal of somebody else's                           */
+    ODD_MEMORY,      /* wild: runs out of it                                           */
+    ODD_LIBRARY,     /* fails                                                          */
+    ODD_UNSUPPORTED, /* when it is created                                             */
+    ODD_INPUT,       /* likewise: impossible                                           */
+};
+
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
+{
+    const enum odd what = (enum odd)scene->density;
+
+    script_reset();
+    script.dies = what == ODD_DIES ? 3 : 0;
+    script.death = STATUS_NAN;
+    script.escapes = what == ODD_ESCAPES ? 3 : 0;
+    script.create = what == ODD_UNSUPPORTED ? STATUS_UNSUPPORTED
+                    : what == ODD_INPUT     ? STATUS_INPUT
+                                            : STATUS_OK;
+    return scripted_create(scene, d, state, why);
+}
+
+static enum status advance(void *state, struct counters *counters)
+{
+    const struct scripted *s = state;
+    const bool tame = getenv("ODD_TAME");
+
+    switch ((enum odd)s->scene->density) {
+    case ODD_HANGS:
+        while (pause() != 0) /* it never returns 0 */
+            ;
+        break;
+    case ODD_CRASHES:
+        signal(SIGABRT, SIG_DFL);
+        abort();
+    case ODD_LEAVES:
+        _exit(3);
+    case ODD_KILLED:
+        if (!tame)
+            raise(SIGKILL);
+        break;
+    case ODD_MEMORY:
+        return tame ? scripted_advance(state, counters) : STATUS_MEMORY;
+    case ODD_LIBRARY:
+        return STATUS_LIBRARY;
+    default:
+        break;
+    }
+    return scripted_advance(state, counters);
+}
+
+const struct model odd_model = {
+    .name = "odd",
+    .title = "ends as it is told",
+    .source = "a test",
+    .defaults = scripted_defaults,
+    .create = create,
+    .advance = advance,
+    .sample = scripted_sample,
+    .probe = scripted_probe,
+    .size = scripted_size,
+    .energy = scripted_energy,
+    .destroy = free,
+};

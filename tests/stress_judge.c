@@ -1,0 +1,347 @@
+/* The errors of hard cases, exactly: a sheet that rises by a millimetre a frame, ten
+ * frames, seven millimetres at rest, is held against each kind of truth. */
+#include "bench/stress/stress.h"
+#include "fem_ref/elastica.h"
+#include "fem_ref/kirchhoff.h"
+#include "models/reader/scene_file.h"
+#include "tests/scripted_model.h"
+
+#define LENGTH 2.0 /* so that "over L" tells */
+#define SHEET  "sheet={length: 2, width: 1.5, thickness: 0.01}"
+#define TIME   "time={step: 0.005, end: 0.05}"
+enum { FRAMES = 10 };
+static const double rise = 1e-3, step = 0.005, resting = 7e-3;
+static const double tol = 1e-12;       /* of sums and differences of metres              */
+static const double tol_plate = 1e-11; /* E comes from Gamma, and Gamma from E           */
+
+static char *path; /* of the scene */
+static struct model other;
+static struct contestant contestant = {
+    .name = "other", .title = "other", .column = "other", .model = &other, .degree = 1};
+
+static struct stress_result judge(const struct stress_case *c, bool quick)
+{
+    const struct stress_job job = {
+        .c = c, .contestant = &contestant, .path = path, .folder = "none", .quick = quick};
+    struct stress_result r;
+    struct message why = {""};
+
+    if (!CHECK(stress_judge(&job, &r, &why) == STATUS_OK))
+        printf("  %s: %s\n", c->item.name, why.text);
+    return r;
+}
+
+static void begin(void)
+{
+    script_reset();
+    other = scripted_model;
+}
+
+/* The plate of the scene, E from Gamma = 0.05. */
+static struct kirchhoff *make_plate(double *load)
+{
+    struct kirchhoff *k = NULL;
+    const double rho = 0.05, nu = 0.3, h = 0.01, g = 9.81, gamma = 0.05;
+    const double stiffness = rho * g * h * LENGTH * LENGTH * LENGTH / gamma; /* E h^3/... */
+    const struct kirchhoff_plate plate = {
+        LENGTH, 1.5, h, stiffness * 12 * (1 - nu * nu) / (h * h * h), nu, rho};
+
+    REQUIRE(kirchhoff_create(&plate, 24, &k) == STATUS_OK);
+    *load = rho * h * g;
+    return k;
+}
+
+static void check_plate(void)
+{
+    const struct stress_case c = {
+        {"plate", ""}, STRESS_PLATE, .gamma = 0.05, .physics = {SHEET, TIME}, .bound = 1};
+    double load;
+    struct kirchhoff *k = make_plate(&load);
+    const double sag = kirchhoff_static(k, load, LENGTH, 0.75);
+
+    begin();
+    struct stress_result r = judge(&c, false);
+    CHECK_RELATIVE(r.error, resting / sag + 1, tol_plate); /* it rises */
+    CHECK(r.outcome == STRESS_RAN && isnan(r.time) && !strcmp(script_log, "I"));
+    other.equilibrium = NULL; /* then it moves to the end */
+    r = judge(&c, false);
+    CHECK_RELATIVE(r.error, FRAMES * rise / sag + 1, tol_plate);
+    kirchhoff_destroy(k);
+}
+
+static void check_elastica(void)
+{
+    const struct stress_case c = {{"elastica", ""},
+                                  STRESS_ELASTICA,
+                                  .gamma = 8,
+                                  .physics = {SHEET, TIME},
+                                  .bound = 1};
+    struct elastica e;
+
+    begin();
+    REQUIRE(elastica_solve(8, &e) == STATUS_OK);
+    CHECK_NEAR(judge(&c, false).error, hypot(1 - e.reach, resting / LENGTH + e.drop),
+               tol_plate);
+}
+
+static void check_vibration(void)
+{
+    struct stress_case c = {
+        {"vibration", ""}, STRESS_VIBRATION, .gamma = 0.05, .physics = {SHEET, TIME}};
+    double load, error[FRAMES + 1], most = 0;
+    struct kirchhoff *k = make_plate(&load);
+    const double greatest = 2 * kirchhoff_static(k, load, LENGTH, 0.75);
+
+    begin();
+    for (int n = 0; n <= FRAMES; n++) {
+        const double sag = kirchhoff_transient(k, load, 0, n * step, LENGTH, 0.75);
+        error[n] = fabs(-rise * n - sag) / greatest;
+        most = fmax(most, error[n]);
+    }
+    c.bound = error[5] * 1.001; /* it grows: the sixth frame is the first beyond */
+    const struct stress_result r = judge(&c, false);
+    CHECK_RELATIVE(r.error, most, tol_plate);
+    CHECK_NEAR(r.time, 6 * step, tol);
+    kirchhoff_destroy(k);
+}
+
+/* Dies where the sheet is short: in the other units. */
+static enum status die_when_short(void *state, struct counters *counters)
+{
+    struct scripted *s = state;
+    const enum status st = scripted_advance(state, counters);
+
+    return s->scene->length < 1 && s->frame == 4 ? STATUS_NAN : st;
+}
+
+static void check_similar(void)
+{
+    const struct stress_case c = {{"similar", ""}, STRESS_SIMILAR, .physics = {SHEET, TIME},
+                                  .length = 10,    .mass = 3,      .time = 0.5};
+
+    begin(); /* its own millimetres are ten times as long there */
+    CHECK_NEAR(judge(&c, false).error, 9 * FRAMES * rise / LENGTH, tol);
+    begin();
+    other.advance = die_when_short;
+    const struct stress_result r = judge(&c, false);
+    CHECK(r.outcome == STRESS_DEAD && isnan(r.error));
+    CHECK_NEAR(r.time, 4 * step, tol); /* in the case's seconds */
+    begin();
+    script.create = STATUS_UNSUPPORTED, script.refuse_after = 1;
+    CHECK(judge(&c, false).outcome == STRESS_SAID_NO);
+}
+
+static void energy_won(const void *state, struct energy *energy)
+{
+    *energy = (struct energy){.kinetic = ((const struct scripted *)state)->frame};
+}
+
+static void energy_lost(const void *state, struct energy *energy)
+{
+    *energy = (struct energy){.potential = -((const struct scripted *)state)->frame};
+}
+
+static void check_energy(void)
+{
+    const struct stress_case c = {
+        {"energy", ""}, STRESS_ENERGY, .physics = {SHEET, TIME}, .bound = 0.25};
+    static const struct {
+        void (*energy)(const void *state, struct energy *energy);
+        const char *text;
+    } known[] = {
+        {energy_won, "10 steps: 1 won at most, 0 lost at most, of the energy in play"},
+        {energy_lost, "10 steps: 0 won at most, 1 lost at most, of the energy in play"}};
+
+    for (int n = 0; n < 2; n++) {
+        begin();
+        other.energy = known[n].energy;
+        const struct stress_result r = judge(&c, false);
+        CHECK(r.error == 1 && !strcmp(r.sentence.text, known[n].text));
+        CHECK_NEAR(r.time, 3 * step, tol);
+    }
+    begin(); /* of two parts, one is not known; none is */
+    CHECK(judge(&c, false).outcome == STRESS_SAID_NO);
+    other.energy = NULL;
+    const struct stress_result r = judge(&c, false);
+    CHECK(r.outcome == STRESS_SAID_NO && strstr(r.sentence.text, "no elastic energy"));
+}
+
+/* Those that need no truth but the rest shape and a number. */
+static void check_shapes(void)
+{
+#define AT(u, end) "{at: {u: " u "}, fix: xyz" end "}"
+    const struct {
+        struct stress_case c;
+        double error, time;
+    } known[] = {
+        {{{"still", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1},
+         FRAMES * rise / LENGTH,
+         NAN},
+        {{{"still, until", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1.2e-3},
+         FRAMES * rise / LENGTH,
+         3 * step},
+        {{{"still, from rest", ""},
+          STRESS_STILL_REST,
+          .physics = {SHEET, TIME},
+          .bound = 1},
+         FRAMES * rise / LENGTH,
+         NAN},
+        {{{"shifted", ""},
+          STRESS_SHIFTED,
+          .physics = {SHEET, TIME,
+                      "supports=[" AT("0", ", path: [[0,0,0,0],[0.05,0,0,0.5]]") "]"}},
+         (0.5 - FRAMES * rise) / LENGTH,
+         NAN},
+        {{{"buckled", ""},
+          STRESS_BUCKLED,
+          .physics = {SHEET, TIME,
+                      "supports=[" AT("0", "") ", " AT(
+                          "1", ", path: [[0,0,0,0],[0.05,-0.2,0,0]]") "]"}},
+         elastica_buckled(0.1) - FRAMES * rise / LENGTH,
+         NAN},
+        {{{"numerics", ""},
+          STRESS_STILL,
+          .physics = {SHEET, TIME},
+          .numerics = {"time.end=0.015"},
+          .bound = 1},
+         3 * rise / LENGTH,
+         NAN},
+    };
+
+    for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
+        begin();
+        const struct stress_result r = judge(&known[n].c, false);
+        if (!CHECK_NEAR(r.error, known[n].error, tol) ||
+            !CHECK(isnan(known[n].time) ? isnan(r.time)
+                                        : fabs(r.time - known[n].time) < tol))
+            printf("  %s: until %g\n", known[n].c.item.name, r.time);
+    }
+    begin();
+    other.equilibrium = NULL;
+    const struct stress_result r = judge(&known[2].c, false);
+    CHECK(r.outcome == STRESS_SAID_NO && strstr(r.sentence.text, "no static equilibrium"));
+}
+
+/* Deaths, refusals and failures each in their words. */
+static void check_ends(void)
+{
+    const struct stress_case
+        moves = {{"moves", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1},
+        rests = {{"rests", ""},
+                 STRESS_PLATE,
+                 .gamma = 0.05,
+                 .physics = {SHEET, TIME},
+                 .bound = 1},
+        shell = {{"shell", ""}, STRESS_SHELL, .physics = {SHEET, TIME}},
+        wrong = {{"wrong", ""}, STRESS_STILL, .physics = {"sheet.length=-1"}};
+    const struct {
+        const struct stress_case *c;
+        int dies;
+        enum status create, equilibrium;
+        enum stress_outcome outcome;
+        double time;
+        const char *text;
+    } known[] = {
+        {&moves, 4, STATUS_OK, STATUS_OK, STRESS_DEAD, 0.02,
+         "a position is no longer a numb"},
+        {&rests, 0, STATUS_OK, STATUS_DIVERGED, STRESS_DEAD, 0, "scripted: no rest"},
+        {&rests, 0, STATUS_OK, STATUS_UNSUPPORTED, STRESS_SAID_NO, NAN,
+         "scripted: no rest"},
+        {&moves, 0, STATUS_UNSUPPORTED, STATUS_OK, STRESS_SAID_NO, NAN,
+         "scripted: would not"},
+        {&moves, 0, STATUS_INPUT, STATUS_OK, STRESS_SAID_NO, NAN, "scripted: would not"},
+        {&moves, 0, STATUS_MEMORY, STATUS_OK, STRESS_DEAD, NAN, "scripted: would not"},
+        {&wrong, 0, STATUS_OK, STATUS_OK, STRESS_SAID_NO, NAN, "length is '-1'"},
+        {&shell, 0, STATUS_OK, STATUS_OK, STRESS_SAID_NO, NAN,
+         "no truth to hold it against: "},
+    };
+
+    for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
+        begin();
+        script.dies = known[n].dies, script.death = STATUS_NAN;
+        script.create = known[n].create, script.equilibrium = known[n].equilibrium;
+        const struct stress_result r = judge(known[n].c, false);
+        const bool timed =
+            isnan(known[n].time) ? isnan(r.time) : fabs(r.time - known[n].time) < tol;
+        if (!CHECK(r.outcome == known[n].outcome && isnan(r.error) && timed && !r.quick &&
+                   strstr(r.sentence.text, known[n].text)))
+            printf("  row %zu: %d at %g: %s\n", n, r.outcome, r.time, r.sentence.text);
+    }
+    begin(); /* a disk that is full is no result */
+    struct stress_result r;
+    const struct stress_job job = {&moves, &contestant, path, "none", false};
+    struct message why = {""};
+    script.create = STATUS_FILE;
+    CHECK(stress_judge(&job, &r, &why) == STATUS_FILE);
+    CHECK(!strcmp(why.text, "scripted: would not"));
+}
+
+/* A quick run ends sooner, where the case says so, and says so. */
+static void check_quick(void)
+{
+    struct stress_case c = {
+        {"quick", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1};
+
+    for (int n = 0; n < 4; n++) {
+        const bool cut = n == 3;
+        begin();
+        c.quick_end = n & 1 ? "time.end=0.025" : NULL;
+        const struct stress_result r = judge(&c, n & 2);
+        CHECK(r.quick == cut);
+        CHECK_NEAR(r.error, (cut ? 5 : FRAMES) * rise / LENGTH, tol);
+    }
+}
+
+static int weights, rows_right;
+
+static enum status count_weights(const struct scene *scene, const struct discretization *d,
+                                 void **state, struct message *why)
+{
+    weights = d->weight_count;
+    rows_right = 0;
+    for (int n = 0; n < weights; n++)
+        rows_right += d->weights[n] == (n / d->points[1] % 2 ? 10 : 1);
+    return scripted_create(scene, d, state, why);
+}
+
+/* Nets: ten points a side, one element, as many as the case says; and their weights. */
+static void check_nets(void)
+{
+    static const struct {
+        int side, degree;
+        const char *log; /* of create and three steps                                  */
+        int weights;
+    } known[] = {
+        {0, 1, "Iiii", 100}, {1, 1, "Aaaa", 4}, {1, 2, "Bbbb", 9}, {6, 1, "Eeee", 36}};
+    struct stress_case c = {
+        {"net", ""}, STRESS_STILL, .physics = {SHEET, "time={step: 0.005, end: 0.015}"}};
+
+    for (size_t n = 0; n < sizeof known / sizeof *known; n++)
+        for (int weighted = 0; weighted < 2; weighted++) {
+            begin();
+            other.create = count_weights;
+            contestant.degree = known[n].degree;
+            c.side = known[n].side;
+            c.weight_ratio = weighted ? 10 : 0;
+            CHECK(judge(&c, false).outcome == STRESS_RAN);
+            CHECK(!strcmp(script_log, known[n].log));
+            CHECK(weights == (weighted ? known[n].weights : 0) && rows_right == weights);
+        }
+    contestant.degree = 1;
+}
+
+int main(void)
+{
+    REQUIRE(scene_file_find(stress_case_scene, &path, NULL) == STATUS_OK);
+    check_plate();
+    check_elastica();
+    check_vibration();
+    check_similar();
+    check_energy();
+    check_shapes();
+    check_ends();
+    check_quick();
+    check_nets();
+    free(path);
+    return check_result();
+}

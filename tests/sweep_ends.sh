@@ -1,0 +1,180 @@
+#!/usr/bin/env bash
+# Every way a case can end is told in its own words, and resuming a sweep comes to what it would
+# have been without what happened to it from outside: kills, damaged files, other people's files.
+#   sweep_ends.sh PROGRAM FOLDER        PROGRAM: clothbench_toy, with tests/odd_model.c
+program=$1
+folder=$2
+# shellcheck source=tests/sweep_fixture.sh
+. "$(dirname "$0")/sweep_fixture.sh"
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
+
+run() { # ARGUMENT...; fills $code, out and err
+    sweep "$@" >out 2>err
+    code=$?
+}
+
+refused() { # TEXT: the last run ended so and said TEXT
+    [ "$code" -eq 2 ] || fail "exit $code, want 2: $(<err)"
+    [[ $(<err) == *"$1"* ]] || fail "'$1' is not in: $(<err)"
+    [ "$(wc -l <err)" -eq 1 ] || fail "not one line: $(<err)"
+}
+
+row() { # FOLDER NAME END: the row ends so
+    local line
+    line=$(grep "^[0-9]*,$2," "$1/table.csv")
+    [[ $line == *",$3" ]] || fail "$2: want '$3': $line"
+}
+
+# --- ends ---------------------------------------------------------------------------------
+cat >ends.yaml <<'PLAN'
+name: ends
+source: a test
+scene: edge_drop
+model: odd
+settings: {time.end: 0.03}
+cases:
+  - {name: sound, material.density: 1}
+  - {name: dies, material.density: 2}
+  - {name: escapes, material.density: 3}
+  - {name: crashes, material.density: 5}
+  - {name: leaves, material.density: 6}
+  - {name: killed, material.density: 7}
+  - {name: memory, material.density: 8}
+  - {name: library, material.density: 9}
+  - {name: unsupported, material.density: 10}
+  - {name: refused, material.density: 11}
+look: 1
+time_limit: 1e6
+verdicts: [{label: chaotic, measure: blowup_time, below: 1e9, why: it died}]
+PLAN
+ODD_TAME=1 run ends.yaml --out quiet
+[ "$code" -eq 0 ] || fail "exit $code: $(<err)"
+run ends.yaml --out ends
+[ "$code" -eq 0 ] || fail "exit $code: $(<err)"
+row ends sound 'feasible,feasible,done'
+row ends dies 'infeasible,chaotic,died at t = 0.015 s: a position is no longer a number'
+row ends escapes \
+    'infeasible,chaotic,died at t = 0.015 s: a point is farther than 10 lengths from its support'
+row ends crashes 'none,no result,crashed: signal 6 (Aborted)'
+row ends leaves 'none,no result,ended with exit code 3'
+row ends killed \
+    'none,run again,"killed by signal 9 (Killed), not by itself; --resume runs it again"'
+row ends memory 'none,run again,out of memory; --resume runs it again'
+row ends library 'none,no result,a library failed'
+row ends unsupported 'none,unsupported,scripted: would not'
+row ends refused 'none,no result,scripted: would not'
+for line in 'feasible  *1' 'chaotic  *2' 'died  *2   the numerics' 'unsupported  *1   the model' \
+    'no result  *4   timed out, crashed' 'run again  *2   cut short'; do
+    grep -q "^  $line" out || fail "no '$line': $(<out)"
+done
+run ends.yaml --out ends --resume
+grep -q '^2 cases run now' out || fail "cut again: $(<out)"
+ODD_TAME=1 run ends.yaml --out ends --resume
+grep -q '^2 cases run now' out || fail "resumed: $(<out)"
+grep -q 'run again' out && fail "resumed: $(<out)"
+cmp quiet/table.csv ends/table.csv || fail 'resumed, the table is another'
+run ends.yaml --out ends --resume
+grep -q 'Nothing was left to run' out || fail "ended cases run again: $(<out)"
+
+# The limit is the only end of what hangs.
+sed 's/^cases:/time_limit: 0.1\ncases: [{name: a, material.density: 4}, {name: b, material.density: 4}]/
+    /^  - /d; /^time_limit: 1e6/d; s/name: ends/name: hangs/' ends.yaml >hangs.yaml
+run hangs.yaml --out hangs
+[ "$code" -eq 0 ] || fail "hangs: exit $code: $(<err)"
+row hangs a 'none,no result,timed out after 0.1 s'
+row hangs b 'none,no result,timed out after 0.1 s'
+run hangs.yaml --out hangs --resume
+grep -q 'Nothing was left' out || fail 'a case that hung is run again'
+
+# --- files that are damaged, files of another sweep ------------------------------------------
+spoil() { # FILE OFFSET: another byte there
+    local byte
+    byte=$(od -An -tu1 -j "$2" -N 1 "$1")
+    printf "%b" "\\x$(printf %02x $((byte ^ 1)))" |
+        dd of="$1" bs=1 seek="$2" conv=notrunc status=none
+}
+damage() { # of every kind, to files of both kinds
+    spoil ends/case_000001.h5 0
+    spoil ends/case_000002.h5 2000
+    spoil ends/case_000003.h5 $(($(stat -c %s ends/case_000003.h5) - 1))
+    spoil ends/case_000004.txt 5
+    spoil ends/case_000005.txt $(($(stat -c %s ends/case_000005.txt) - 4))
+    head -c 3000 quiet/case_000006.h5 >ends/case_000006.h5
+    : >ends/case_000007.h5
+    head -n 2 quiet/case_000008.txt >ends/case_000008.txt
+    rm ends/case_000009.h5
+    : >ends/case_000010.h5
+}
+damage
+ODD_TAME=1 run ends.yaml --out ends --resume
+{ [ "$code" -eq 0 ] && grep -q '^10 cases run now' out; } || fail "damaged: $(<out) $(<err)"
+cmp quiet/table.csv ends/table.csv || fail 'healed, the table is another'
+[ ! -e ends/case_000004.h5 ] || fail 'a sentence became a result'
+
+cp -r quiet moved
+cp moved/case_000002.h5 moved/case_000001.h5
+ODD_TAME=1 run ends.yaml --out moved --resume
+refused 'moved/case_000001.h5: is of another case; take it away'
+cmp quiet/case_000002.h5 moved/case_000001.h5 || fail 'a foreign file was touched'
+cp quiet/case_000001.h5 moved/case_000001.h5
+cp moved/case_000004.txt moved/case_000005.txt
+ODD_TAME=1 run ends.yaml --out moved --resume
+refused 'moved/case_000005.txt: is of another case; take it away'
+rm -r moved
+sed 's/look: 1/look: 2/' ends.yaml >other.yaml
+ODD_TAME=1 run other.yaml --out other
+for n in 1 4; do
+    cp quiet/case_00000$n.* other/
+    ODD_TAME=1 run other.yaml --out other --resume
+    refused "other/case_00000$n.$([ $n = 1 ] && echo h5 || echo txt): is of another plan or scene"
+    rm other/case_00000$n.*
+done
+# another build of the program: one byte more
+cp "$program" ./clothbench_other
+echo >>./clothbench_other
+cp -r quiet mixed
+./clothbench_other sweep ends.yaml --out mixed --resume >out 2>err </dev/null
+code=$?
+refused "begun with another plan, scene or build of the program: line"
+refused "was '--- program clothbench"
+rm mixed/manifest.txt
+./clothbench_other sweep ends.yaml --out mixed >out 2>err </dev/null
+code=$?
+refused 'mixed/case_000001.h5: is of another build of the program'
+
+# --- files of others --------------------------------------------------------------------------
+mkdir mine outside
+mine=(movie.part case_12.h5 case_000001.h5.bak case_notes.txt table.csv.part map.gpx notes.h5
+    case_000001.h5.12-x.part manifest.txt.old)
+theirs=(case_000001.h5.12-0.part table.csv.999-1.part manifest.txt.7-3.part case_000003.xdmf.1-0.part
+    map.gp.5-0.part seconds.csv.1-1.part log.txt.1-1.part)
+links=(table.csv seconds.csv manifest.txt log.txt case_000001.h5 case_000002.txt map.gp map.png)
+for name in "${mine[@]}" "${theirs[@]}"; do echo "$name" >"mine/$name"; done
+for name in "${links[@]}"; do
+    echo "outside $name" >"outside/$name"
+    ln -s "../outside/$name" "mine/$name"
+done
+sed 's/^look: 1/look: 1\nmap: {x: material.density, y: drop_max}/' ends.yaml >mapped.yaml
+ODD_TAME=1 run mapped.yaml --out mine
+[ "$code" -eq 0 ] || fail "among others: exit $code: $(<err)"
+for name in "${mine[@]}"; do
+    [ "$(cat "mine/$name" 2>&1)" = "$name" ] || fail "mine/$name was touched"
+done
+for name in "${theirs[@]}"; do
+    [ ! -e "mine/$name" ] || fail "mine/$name was left"
+done
+for name in "${links[@]}"; do
+    [ "$(<"outside/$name")" = "outside $name" ] || fail "written through the link $name"
+    [ ! -L "mine/$name" ] || fail "the link $name is still there"
+done
+cut -d, -f 2- mine/table.csv | cmp - <(cut -d, -f 2- quiet/table.csv) || fail 'another table'
+rm mine/lock
+echo outside >outside/lock
+ln -s ../outside/lock mine/lock
+run mapped.yaml --out mine --resume
+[ "$code" -eq 1 ] || fail "a link as lock: exit $code"
+grep -q 'mine/lock: cannot be opened' err || fail "a link as lock: $(<err)"
+[ "$(<outside/lock)" = outside ] || fail 'the lock was written through a link'
+[ "$failures" -eq 0 ]

@@ -37,6 +37,17 @@ static double thickness(const struct cloak *c, int level)
     return c->row[PAPER][level]->run.scene.thickness;
 }
 
+/* Of the scene as it hangs before it moves. */
+static void rest_of(const struct scene *scene, double *rest)
+{
+    double uvw[3];
+
+    for (int n = 0; n < GRID_POINTS; n++) {
+        grid_point(n, uvw);
+        scene_rest_point(scene, uvw, rest + 3 * n);
+    }
+}
+
 /* Rms displacement of the hem [m]; NaN without a field. */
 static double hem_moved(const double *rest, const double *xyz)
 {
@@ -63,15 +74,12 @@ static enum status measure(const struct study_results *r, struct cloak *c)
 {
     const struct study *linear = study_find(r, "linear"),
                        *shell = study_find(r, "nonlinear_shell");
-    double *rest = malloc(3 * GRID_POINTS * sizeof *rest), uvw[3];
+    double *rest = malloc(3 * GRID_POINTS * sizeof *rest);
 
     if (!rest)
         return STATUS_MEMORY;
     c->paper = study_find(r, "printed");
-    for (int n = 0; n < GRID_POINTS; n++) {
-        grid_point(n, uvw);
-        scene_rest_point(&c->paper->row[0].run.scene, uvw, rest + 3 * n);
-    }
+    rest_of(&c->paper->row[0].run.scene, rest);
     c->angle = metric_angle(&c->paper->row[0].run.scene, rest);
     for (int h = 0; h < LEVELS; h++) {
         for (int n = 0; n < SCHEMES; n++) {
@@ -79,6 +87,7 @@ static enum status measure(const struct study_results *r, struct cloak *c)
                                       : &shell->row[2 * h + n - COARSE];
             c->swing[n][h] = swing_of(c, c->row[n][h]);
         }
+        rest_of(&linear->row[h].run.scene, rest);
         c->sunk[h] = hem_moved(rest, linear->row[h].frame[0].xyz);
     }
     free(rest);
@@ -210,7 +219,7 @@ static void explain(const struct cloak *c, FILE *file)
         "sink %.3g times as far when thin, what only stretches just as far; this cloak's "
         "hem sinks %.3g times as far (%.3g m and %.3g m)%s",
         gamma, gamma / (h * h), h * h, sunk, c->sunk[THIN], c->sunk[THICK],
-        judge_words(judge_below(sunk, h), ": its curvature makes it stretch.",
+        judge_words(judge_below(2 * sunk, h * h), ": its curvature makes it stretch.",
                     ": it bends.", "."));
     judge_say(file,
               "The paper's scheme has no elastic memory: at any thickness its cloak flows "

@@ -15,7 +15,7 @@
 static const char *study_folder;
 
 /* Where files go and plans come from; gnuplot is not found. */
-static void study_begin(int count, char **arguments)
+static inline void study_begin(int count, char **arguments)
 {
     REQUIRE(count == 2);
     study_folder = arguments[1];
@@ -27,7 +27,7 @@ static void study_begin(int count, char **arguments)
 }
 
 /* Any blanks and line ends as one blank. */
-static char *study_squeeze(char *text)
+static inline char *study_squeeze(char *text)
 {
     char *to = text;
 
@@ -40,14 +40,43 @@ static char *study_squeeze(char *text)
     return text;
 }
 
-static void study_wants(const char *text, const char *want)
+static inline void study_wants(const char *text, const char *want)
 {
     if (!CHECK(strstr(text, want)))
         printf("  wanted: %s\n  in: %s\n", want, text);
 }
 
+/* What goes to a stream in memory. */
+struct study_printed {
+    char *text;
+    size_t size;
+    FILE *file;
+};
+
+static inline FILE *study_print_to(struct study_printed *p)
+{
+    p->file = open_memstream(&p->text, &p->size);
+    REQUIRE(p->file);
+    return p->file;
+}
+
+/* Freed by the receiver. */
+static inline char *study_printed_text(struct study_printed *p)
+{
+    fclose(p->file);
+    return p->text;
+}
+
+static inline void study_printed_wants(struct study_printed *p, const char *want)
+{
+    char *text = study_squeeze(study_printed_text(p));
+
+    study_wants(text, want);
+    free(text);
+}
+
 /* FOLDER/NAME as text; freed by the receiver. */
-static char *study_file(const char *name)
+static inline char *study_file(const char *name)
 {
     char path[4096], *text = NULL;
     size_t room = 0;
@@ -60,7 +89,7 @@ static char *study_file(const char *name)
     return text;
 }
 
-static void study_wants_file(const char *name, const char *want)
+static inline void study_wants_file(const char *name, const char *want)
 {
     char *text = study_squeeze(study_file(name));
 
@@ -70,8 +99,8 @@ static void study_wants_file(const char *name, const char *want)
 
 /* In `text`, CSV: of the lines below the line of keys `keys`, the one that comes `nth` of
  * those that begin with `label`, and has these numbers behind it; text cells are NaN. */
-static void study_row(const char *text, const char *keys, const char *label, int nth,
-                      int count, const double *want)
+static inline void study_row(const char *text, const char *keys, const char *label, int nth,
+                             int count, const double *want)
 {
     static const double TOL_MADE = 1e-5; /* what is made up is met by angles to this */
     const char *at = strstr(text, keys);
@@ -120,7 +149,7 @@ enum { STUDY_MEMBERS = 8 }; /* numbers of a study_frame                         
 
 /* Of the i-th member: 1.00, 1.10, 1.20 by level; 1.00, 1.01 by time; twice that of the
  * plan's second study. What is to fall from level to level does. */
-static double study_number(int study, int level, int time, int i)
+static inline double study_number(int study, int level, int time, int i)
 {
     static const int sign[STUDY_MEMBERS] = {-1, -1, -1, 1, 1, 1, 1, -1};
 
@@ -128,7 +157,7 @@ static double study_number(int study, int level, int time, int i)
 }
 
 /* The numbers of it, as they are before a test turns one. */
-static void study_fill(struct study_made *m)
+static inline void study_fill(struct study_made *m)
 {
     m->r.quick = false;
     for (int k = 0; k < m->r.count; k++) {
@@ -160,8 +189,8 @@ static void study_fill(struct study_made *m)
 }
 
 /* All levels of a plan with their scenes, 2 m long; a truth where one is asked for. */
-static void study_make(struct study_made *m, const char *name,
-                       void (*base)(struct study_made *m))
+static inline void study_make(struct study_made *m, const char *name,
+                              void (*base)(struct study_made *m))
 {
     struct message why = {""};
     char path[4096];
@@ -195,7 +224,7 @@ static void study_make(struct study_made *m, const char *name,
     study_fill(m);
 }
 
-static void study_unmake(struct study_made *m)
+static inline void study_unmake(struct study_made *m)
 {
     for (int k = 0; k < m->r.count; k++)
         m->r.study[k].truth = NULL; /* not its own */
@@ -203,7 +232,7 @@ static void study_unmake(struct study_made *m)
     plan_clear(&m->plan);
 }
 
-static struct study *study_of(struct study_made *m, const char *name)
+static inline struct study *study_of(struct study_made *m, const char *name)
 {
     for (int k = 0; k < m->r.count; k++)
         if (!strcmp(m->r.study[k].plan->name, name))
@@ -213,18 +242,15 @@ static struct study *study_of(struct study_made *m, const char *name)
 }
 
 /* What an experiment tells of it: sentences squeezed, CSV as it is. */
-static char *study_told(const struct experiment *e, const struct study_made *m,
-                        enum table_format format)
+static inline char *study_told(const struct experiment *e, const struct study_made *m,
+                               enum table_format format)
 {
     struct message why = {""};
-    char *text = NULL;
-    size_t size;
-    FILE *file = open_memstream(&text, &size);
+    struct study_printed p;
 
-    REQUIRE(file);
-    if (!CHECK(e->tell(&m->r, study_folder, format, file, &why) == STATUS_OK))
+    if (!CHECK(e->tell(&m->r, study_folder, format, study_print_to(&p), &why) == STATUS_OK))
         printf("%s\n", why.text);
-    fclose(file);
+    char *text = study_printed_text(&p);
     return format == TABLE_CSV ? text : study_squeeze(text);
 }
 
@@ -239,8 +265,8 @@ struct study_turn {
     void (*change)(struct study_made *m); /* or NULL                                    */
 };
 
-static void study_turns(const struct experiment *e, struct study_made *m, size_t count,
-                        const struct study_turn *turn)
+static inline void study_turns(const struct experiment *e, struct study_made *m,
+                               size_t count, const struct study_turn *turn)
 {
     for (size_t n = 0; n < count; n++) {
         study_fill(m);

@@ -236,6 +236,7 @@ static void first_dies(void)
 static void first_refused(void)
 {
     landed[0].frames = 0;
+    landed[0].result.outcome = STATUS_UNSUPPORTED;
 }
 
 static const struct {

@@ -58,7 +58,7 @@ static struct landing read_landing(const struct study_contact_run *r)
             mean++;
         }
     }
-    l.force /= mean;
+    l.force = mean ? l.force / mean : NAN;
     read_crossings(r, STUDY_CONTACT_CROSSINGS, &l.crossing, &l.crossings);
     read_crossings(r, STUDY_CONTACT_NET_CROSSINGS, &l.net_crossing, &l.net_crossings);
     return l;
@@ -130,7 +130,7 @@ static void tell_printed(const struct study_contact_run *run, const struct landi
                          FILE *file)
 {
     const enum judge rests =
-        judge_both(run->result.outcome ? JUDGE_FAILS : JUDGE_HOLDS, at_rest(l));
+        status_is_death(run->result.outcome) ? JUDGE_FAILS : at_rest(l);
 
     judge_say(file, "%s: %s, %s (%.3g weights): in this reading the paper's Fig. 9 %s",
               study_contact_case[0].label, run->result.sentence.text,

@@ -63,7 +63,7 @@ static void check_print(const char *folder)
     struct message why = {""};
 
     REQUIRE(file);
-    CHECK(study_contact_print(folder, TABLE_TEXT, file, &why) == STATUS_OK);
+    CHECK(study_contact_experiment.print(folder, TABLE_TEXT, file, &why) == STATUS_OK);
     rewind(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     for (int n = 0; n < STUDY_CONTACT_CASES; n++)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
@@ -134,12 +135,15 @@ enum status experiment_measure(const struct experiment *e,
     struct plan plan = {0};
     enum status st = STATUS_OK;
 
+    if (options->quick)
+        judge_mark(options->folder, true);
     if (e->plan) {
         TRY(read_plan(e->plan, &plan, why));
         TRY(study_measure(&plan, options->folder, &how, why));
     }
     if (e->measure)
         TRY(e->measure(options, why));
+    judge_mark(options->folder, options->quick);
 out:
     plan_clear(&plan);
     return st;

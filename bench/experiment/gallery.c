@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/files/store_read.h"
 #include "bench/files/store_scene.h"
 #include "bench/harness/run_file.h"
@@ -86,7 +87,7 @@ enum status gallery_read(const struct gallery *g, const char *folder,
     enum status st = STATUS_OK;
     char path[PATH];
 
-    memset(r, 0, sizeof *r);
+    *r = (struct gallery_result){.quick = judge_marked(folder)};
     for (int n = 0; n < g->count; n++) {
         file_of(g, n, folder, path);
         TRY(read_item(path, g->times, &r->run[n], r->frame[n], why));

@@ -38,6 +38,7 @@ struct gallery_frame {
 struct gallery_result {
     struct run_result run[GALLERY_CASES]; /* with their fields                    owned */
     struct gallery_frame frame[GALLERY_CASES][GALLERY_TIMES];
+    bool quick; /* judge.h: on coarser nets than its settings have otherwise           */
 };
 
 /* *r is overwritten; free with gallery_clear. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/files/folder.h"
 #include "bench/harness/fit.h"
 #include "bench/harness/timing.h"
@@ -268,7 +269,8 @@ enum status study_read(const struct plan *plan, const char *folder, struct study
 {
     enum status st = STATUS_OK;
 
-    *r = (struct study_results){.plan = plan, .count = plan->study_count};
+    *r = (struct study_results){
+        .plan = plan, .count = plan->study_count, .quick = judge_marked(folder)};
     r->study = calloc((size_t)r->count + 1, sizeof *r->study);
     TRY(r->study ? STATUS_OK : STATUS_MEMORY);
     file_of(&plan->studies[0], &plan->studies[0].levels[0], folder, r->machine);

@@ -47,6 +47,7 @@ struct study_results {
     const struct plan *plan; /*                                               borrowed  */
     int count;
     struct study *study; /* [count]                                              owned  */
+    bool quick;          /* judge.h: some of it is of less than the plan says           */
     char machine[4096];  /* a file whose provenance holds for all                       */
 };
 
@@ -86,18 +87,15 @@ enum status study_print_all(const struct study_results *r, const char *folder,
 /* The next cells of a row: a number for each digit, to so many significant ones. */
 void study_print_numbers(struct table *t, const char *digits, const double *value);
 
-/* A number of every level at a time, for a verdict. */
+/* A number of every level at a time, for a sentence. */
 struct study_trend {
-    char text[160]; /* "2.1, 3.9, 5.6"                                                   */
-    int sign;       /* 1: larger from each level to the next; -1: smaller; 0: neither    */
+    char text[160]; /* "2.1, died, 5.6"                                                  */
+    int count;
+    double value[PLAN_STUDY_LEVELS]; /* NaN: there is none                               */
 };
 
 /* Of a member of study_frame: offsetof(struct study_frame, roughness); at the last time. */
 struct study_trend study_print_trend(const struct study *s, int time, size_t member);
 struct study_trend study_print_last(const struct study *s, size_t member);
-
-/* `- "QUOTE": holds. SENTENCE`, or `does not hold`; the sentence has the numbers. */
-void study_print_verdict(FILE *file, const char *quote, bool holds, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
 
 #endif

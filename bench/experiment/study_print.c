@@ -1,7 +1,6 @@
 #include "bench/experiment/study.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -290,43 +289,24 @@ out:
 
 struct study_trend study_print_trend(const struct study *s, int time, size_t member)
 {
-    const int count = s->plan->level_count;
-    struct study_trend trend = {"", 0};
-    int rises = 0, falls = 0;
-    double before = NAN;
+    struct study_trend trend = {"", s->plan->level_count, {0}};
 
-    for (int n = 0; n < count; n++) {
+    for (int n = 0; n < trend.count; n++) {
         const struct study_frame *f = &s->row[n].frame[time];
-        double value = *(const double *)((const char *)f + member);
-        size_t used = strlen(trend.text), room = sizeof trend.text - used;
+        const double value = *(const double *)((const char *)f + member);
+        const size_t used = strlen(trend.text), room = sizeof trend.text - used;
         const char *comma = n ? ", " : "";
         if (isnan(value) && !f->xyz)
             snprintf(trend.text + used, room, "%s%s", comma,
                      run_result_refused(&s->row[n].result) ? "refused" : "died");
         else
             snprintf(trend.text + used, room, "%s%.3g", comma, value);
-        rises += value > before;
-        falls += value < before;
-        before = value;
+        trend.value[n] = value;
     }
-    trend.sign = (rises == count - 1) - (falls == count - 1);
     return trend;
 }
 
 struct study_trend study_print_last(const struct study *s, size_t member)
 {
     return study_print_trend(s, s->frames - 1, member);
-}
-
-void study_print_verdict(FILE *file, const char *quote, bool holds, const char *format, ...)
-{
-    char sentence[1024], text[1400];
-    va_list words;
-
-    va_start(words, format);
-    vsnprintf(sentence, sizeof sentence, format, words);
-    va_end(words);
-    snprintf(text, sizeof text, "- \"%s\": %s. %s\n", quote,
-             holds ? "holds" : "does not hold", sentence);
-    table_print_wrapped(text, file);
 }

@@ -11,6 +11,13 @@ extern const struct command studies_command;
  * and found by the rules of Table 4. */
 extern const struct experiment study_flag_experiment, study_artefacts_experiment;
 
+/* What they print of runs that were read. */
+struct gallery_result; /* gallery.h */
+enum status study_flag_tell(const struct gallery_result *r, const char *folder,
+                            enum table_format format, FILE *file, struct message *why);
+enum status study_artefacts_tell(const struct gallery_result *r, const char *folder,
+                                 enum table_format format, FILE *file, struct message *why);
+
 /* The paper's sentences on Figs. 12 to 14, judged by the plans of these names: denser nets,
  * higher degrees, and both. */
 extern const struct experiment study_nets_mesh, study_nets_degree, study_nets_both;

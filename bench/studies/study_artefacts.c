@@ -57,7 +57,8 @@ static enum status measure(const struct experiment_options *options, struct mess
     return gallery_measure(&gallery, options, why);
 }
 
-/* By its own label, with what else is found. */
+/* By its own label, with what else is found; an undamped run that was quick shows neither.
+ */
 static enum status print_found(const struct gallery_result *r,
                                const struct verdict_rules *rules, enum table_format format,
                                FILE *file)
@@ -80,6 +81,7 @@ static enum status print_found(const struct gallery_result *r,
         const double *value = r->run[n].value;
         const double crosses = value[MEASURE_INTERSECTION_TIME];
         const struct contestant *contestant = NULL;
+        const bool less = r->quick && a->undamped;
         struct verdict v = verdict_apply(rules, r->run[n].outcome, value);
         const bool found =
             a->label ? verdict_has(rules, v, a->label) : v.kind == VERDICT_FEASIBLE;
@@ -89,13 +91,15 @@ static enum status print_found(const struct gallery_result *r,
         table_row(t);
         table_text(t, "%s", a->word);
         table_text(t, "row %d, %s, %s", a->row + 1, contestant->model->name, item->scene);
-        table_text(t, "%s", found ? "yes" : "no");
+        table_text(t, "%s", less ? "" : found ? "yes" : "no");
         table_text(t, "%s", words);
         table_number(t, value[MEASURE_STRETCH_MAX], 4);
         table_number(t, value[MEASURE_ANGLE_MAX], 3);
         table_number(t, isfinite(crosses) ? crosses : NAN, 3);
-        table_text(t, "%s", alone ? "yes" : found ? "no" : "");
-        if (!found)
+        table_text(t, "%s", less ? "" : alone ? "yes" : found ? "no" : "");
+        if (less)
+            table_note(t, "%s: not judged: quick.", item->label);
+        else if (!found)
             table_note(t,
                        "%s: not reproduced: by the rules of Table 4 (plan table4) this run "
                        "is %s.",
@@ -106,21 +110,31 @@ static enum status print_found(const struct gallery_result *r,
     return table_finish(t, format, file);
 }
 
-static enum status print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why)
+enum status study_artefacts_tell(const struct gallery_result *r, const char *folder,
+                                 enum table_format format, FILE *file, struct message *why)
 {
-    struct gallery_result r = {0};
     struct verdict_rules rules = {0};
     enum status st;
 
     TRY(table4_rules(&rules, why));
-    TRY(gallery_read(&gallery, folder, &r, why));
-    TRY(print_found(&r, &rules, format, file));
-    TRY(gallery_print(&gallery, &r, "The same runs at three times", folder, format, file,
+    TRY(print_found(r, &rules, format, file));
+    TRY(gallery_print(&gallery, r, "The same runs at three times", folder, format, file,
                       why));
 out:
-    gallery_clear(&r);
     verdict_clear(&rules);
+    return st;
+}
+
+static enum status print(const char *folder, enum table_format format, FILE *file,
+                         struct message *why)
+{
+    struct gallery_result r;
+    enum status st;
+
+    TRY(gallery_read(&gallery, folder, &r, why));
+    TRY(study_artefacts_tell(&r, folder, format, file, why));
+out:
+    gallery_clear(&r);
     return st;
 }
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/files/store_read.h"
 #include "bench/files/store_scene.h"
 #include "bench/harness/run_file.h"
@@ -193,10 +194,25 @@ void study_contact_clear(struct study_contact_run *run)
     memset(run, 0, sizeof *run);
 }
 
+static enum status print(const char *folder, enum table_format format, FILE *file,
+                         struct message *why)
+{
+    struct study_contact_run run[STUDY_CONTACT_CASES] = {0};
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < STUDY_CONTACT_CASES; n++)
+        TRY(study_contact_read(folder, n, &run[n], why));
+    TRY(study_contact_tell(run, judge_marked(folder), folder, format, file, why));
+out:
+    for (int n = 0; n < STUDY_CONTACT_CASES; n++)
+        study_contact_clear(&run[n]);
+    return st;
+}
+
 const struct experiment study_contact_experiment = {
     .item = {"contact",
              "Ren et al. 2024, Fig. 9: a sheet falls onto the ground; gaps, weight, "
              "self-intersections"},
     .measure = measure,
-    .print = study_contact_print,
+    .print = print,
 };

@@ -44,7 +44,10 @@ enum status study_contact_read(const char *folder, int n, struct study_contact_r
                                struct message *why);
 void study_contact_clear(struct study_contact_run *run);
 
-enum status study_contact_print(const char *folder, enum table_format format, FILE *file,
-                                struct message *why);
+/* Table and sentences of run[STUDY_CONTACT_CASES], which `quick` has on small nets;
+ * contact.csv, chart and pictures into the folder (study_contact_print.c). */
+enum status study_contact_tell(const struct study_contact_run *run, bool quick,
+                               const char *folder, enum table_format format, FILE *file,
+                               struct message *why);
 
 #endif

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "bench/experiment/gallery.h"
+#include "bench/experiment/judge.h"
 #include "bench/studies/study_contact.h"
 #include "bench/ui/chart.h"
 
@@ -57,7 +58,7 @@ static struct landing read_landing(const struct study_contact_run *r)
             mean++;
         }
     }
-    l.force /= mean;
+    l.force = mean ? l.force / mean : NAN;
     read_crossings(r, STUDY_CONTACT_CROSSINGS, &l.crossing, &l.crossings);
     read_crossings(r, STUDY_CONTACT_NET_CROSSINGS, &l.net_crossing, &l.net_crossings);
     return l;
@@ -118,24 +119,34 @@ static enum status print_table(const struct study_contact_run *run,
     return table_finish(t, format, file);
 }
 
+/* Whether the ground carries the sheet's weight at the end. */
+static enum judge at_rest(const struct landing *l)
+{
+    return judge_below(fabs(l->force - 1), UNREST);
+}
+
 /* Whether the paper's scheme comes through its own scene, and through itself. */
 static void tell_printed(const struct study_contact_run *run, const struct landing *l,
                          FILE *file)
 {
-    fprintf(file, "- %s: %s, ", study_contact_case[0].label, run->result.sentence.text);
-    if (!run->result.outcome && fabs(l->force - 1) < UNREST)
-        fprintf(file, "at rest on the ground: the paper's Fig. 9 is reproduced.\n");
-    else
-        fprintf(file,
-                "not at rest on the ground (%.3g weights): in this reading the paper's "
-                "Fig. 9 is not reproduced.\n  Its d acts as a velocity and its v as an "
-                "acceleration, which average acceleration throws back at an impact.\n",
-                l->force);
+    const enum judge rests =
+        status_is_death(run->result.outcome) ? JUDGE_FAILS : at_rest(l);
+
+    judge_say(file, "%s: %s, %s (%.3g weights): in this reading the paper's Fig. 9 %s",
+              study_contact_case[0].label, run->result.sentence.text,
+              judge_words(rests, "at rest on the ground", "not at rest on the ground",
+                          "nothing is known of its rest"),
+              l->force,
+              judge_words(rests, "is reproduced.",
+                          "is not reproduced. Its d acts as a velocity and its v as an "
+                          "acceleration, which average acceleration throws back at an "
+                          "impact.",
+                          "cannot be judged."));
     if (isfinite(l->crossing))
-        fprintf(file,
-                "- It passes through itself: first seen at %.3g s, up to %.3g pairs of "
-                "triangles.\n",
-                l->crossing, l->crossings);
+        judge_say(file,
+                  "It passes through itself: first seen at %.3g s, up to %.3g pairs of "
+                  "triangles.",
+                  l->crossing, l->crossings);
 }
 
 static void tell(const struct study_contact_run *run, const struct landing *l, FILE *file)
@@ -148,22 +159,23 @@ static void tell(const struct study_contact_run *run, const struct landing *l, F
         apart = fmax(apart, l[n].apart / run[n].thickness);
         crossing += isfinite(l[n].crossing) || isfinite(l[n].net_crossing);
     }
-    fprintf(file,
-            "- Contact is detected on the net, as in the paper: no surface reaches deeper "
-            "than %.2g m into the ground,\n  but surfaces float by up to %.3g thicknesses "
-            "while their nets touch.\n",
-            deepest, apart);
+    judge_say(file,
+              "Contact is detected on the net, as in the paper: no surface reaches deeper "
+              "than %.2g m into the ground, but surfaces float by up to %.3g thicknesses "
+              "while their nets touch.",
+              deepest, apart);
     tell_printed(run, l, file);
-    fprintf(file,
-            "- Self-contact is detected, and reported above, but not answered: %d of %d "
-            "sheets pass through themselves.\n",
-            crossing, STUDY_CONTACT_CASES);
+    judge_say(file,
+              "Self-contact is detected, and reported above, but not answered: %d of %d "
+              "sheets pass through themselves.",
+              crossing, STUDY_CONTACT_CASES);
     for (int n = 1; n < STUDY_CONTACT_CASES; n++)
-        if (fabs(l[n].force - 1) > UNREST)
-            fprintf(file,
-                    "- %s: the ground carries %.3g weights over the last %g s: the sheet "
-                    "is still moving.\n",
-                    study_contact_case[n].label, l[n].force, END);
+        if (at_rest(&l[n]) == JUDGE_FAILS)
+            judge_say(
+                file,
+                "%s: the ground carries %.3g weights over the last %g s: the sheet %s.",
+                study_contact_case[n].label, l[n].force, END,
+                run[n].result.outcome ? "died" : "is still moving");
 }
 
 static struct table *fill_series(const struct study_contact_run *run)
@@ -215,33 +227,31 @@ static struct chart *make_chart(const struct table *t)
     return c;
 }
 
-enum status study_contact_print(const char *folder, enum table_format format, FILE *file,
-                                struct message *why)
+enum status study_contact_tell(const struct study_contact_run *run, bool quick,
+                               const char *folder, enum table_format format, FILE *file,
+                               struct message *why)
 {
-    struct study_contact_run run[STUDY_CONTACT_CASES] = {0};
     const struct run_result *result[STUDY_CONTACT_CASES];
     const char *label[STUDY_CONTACT_CASES];
     struct landing landing[STUDY_CONTACT_CASES];
-    struct table *series = NULL;
-    enum status st = STATUS_OK;
+    struct table *series = fill_series(run);
+    enum status st;
 
     for (int n = 0; n < STUDY_CONTACT_CASES; n++) {
-        TRY(study_contact_read(folder, n, &run[n], why));
         landing[n] = read_landing(&run[n]);
         result[n] = &run[n].result;
         label[n] = study_contact_case[n].label;
     }
     TRY(print_table(run, landing, format, file));
-    if (table_format_is_prose(format))
+    if (table_format_is_prose(format) && quick)
+        judge_say(file, "What the ground carries, and Fig. 9: not judged: quick.");
+    else if (table_format_is_prose(format))
         tell(run, landing, file);
-    series = fill_series(run);
     TRY(table_save(series, folder, "contact", why));
     TRY(chart_save(make_chart(series), folder, "contact_gap", why));
     TRY(gallery_picture(folder, "contact_sheets", STUDY_CONTACT_TIMES, STUDY_CONTACT_CASES,
                         label, result, why));
 out:
     table_destroy(series);
-    for (int n = 0; n < STUDY_CONTACT_CASES; n++)
-        study_contact_clear(&run[n]);
     return st;
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/experiment/measurement.h"
 #include "bench/studies/studies.h"
 #include "bench/truth/truth_plate.h"
@@ -356,6 +357,7 @@ enum status study_cures_read(const char *folder, struct study_cures **s,
         TRY(run_result_read(path, false, &new->frame[n], why));
     }
     frame_path(folder, 0, new->machine);
+    new->quick = judge_marked(folder);
     *s = new, new = NULL;
 out:
     study_cures_destroy(new);
@@ -379,10 +381,23 @@ double study_cures_error(const struct study_cures *s, int space, int law, int nu
     return fabs(study_cures_ratio(s, space, law, nu, n) - 1);
 }
 
+static enum status print(const char *folder, enum table_format format, FILE *file,
+                         struct message *why)
+{
+    struct study_cures *s = NULL;
+    enum status st;
+
+    TRY(study_cures_read(folder, &s, why));
+    TRY(study_cures_tell(s, folder, format, file, why));
+out:
+    study_cures_destroy(s);
+    return st;
+}
+
 const struct experiment study_cures_experiment = {
     .item = {"cures",
              "the cures for locking beside each other: accuracy at every thickness "
              "and Poisson's ratio, zero modes, cost"},
     .measure = measure,
-    .print = study_cures_print,
+    .print = print,
 };

@@ -50,6 +50,7 @@ struct study_cures {
                               [STUDY_CURES_THICKNESSES];
     int zero_modes[STUDY_CURES_SPACES];
     struct run_result frame[STUDY_CURES_SPACES];
+    bool quick;         /* not all thicknesses, coarser truths                          */
     char machine[4096]; /* file of a timed run                                          */
 };
 
@@ -72,7 +73,7 @@ void study_cures_destroy(struct study_cures *s); /* NULL is allowed */
 
 /* Tables and sentences; errors.csv and the chart `cures` into the folder
  * (study_cures_print.c). */
-enum status study_cures_print(const char *folder, enum table_format format, FILE *file,
-                              struct message *why);
+enum status study_cures_tell(const struct study_cures *s, const char *folder,
+                             enum table_format format, FILE *file, struct message *why);
 
 #endif

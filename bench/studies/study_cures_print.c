@@ -1,6 +1,7 @@
 /* The tables of study_cures.h, what they say, and the chart. */
 #include <math.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/experiment/measurement.h"
 #include "bench/experiment/study.h"
 #include "bench/studies/study_cures.h"
@@ -27,12 +28,8 @@ static double worst_of(const struct study_cures *s, int space, int law, int nu)
     double worst = 0;
 
     for (int n = 0; n < STUDY_CURES_THICKNESSES; n++)
-        if (solved(s, law, nu, n)) {
-            double error = study_cures_error(s, space, law, nu, n);
-            if (isnan(error))
-                return NAN;
-            worst = fmax(worst, error);
-        }
+        if (solved(s, law, nu, n))
+            worst = judge_most(worst, study_cures_error(s, space, law, nu, n));
     return worst;
 }
 
@@ -42,7 +39,7 @@ static double bar(const struct study_cures *s, int law)
     double worst = 0;
 
     for (int nu = 0; nu < STUDY_CURES_NUS; nu++)
-        worst = fmax(worst, worst_of(s, STUDY_CURES_COARSER, law, nu));
+        worst = judge_most(worst, worst_of(s, STUDY_CURES_COARSER, law, nu));
     return worst;
 }
 
@@ -98,9 +95,13 @@ static int none_of(int space)
     return space / HALF * HALF;
 }
 
+/* Of the fastest repeats; NaN: one of the two was not timed. */
 static double cost(const struct study_cures *s, int space)
 {
-    return s->frame[space].step.min / s->frame[none_of(space)].step.min;
+    const struct clock_summary *own = &s->frame[space].step,
+                               *none = &s->frame[none_of(space)].step;
+
+    return own->count && none->count ? own->min / none->min : NAN;
 }
 
 /* Dearer only if more than the quartiles of the repeats leave open. */
@@ -109,7 +110,8 @@ static const char *cost_word(const struct study_cures *s, int space)
     const struct clock_summary *own = &s->frame[space].step,
                                *none = &s->frame[none_of(space)].step;
 
-    return cost(s, space) <= 1         ? "no dearer"
+    return isnan(cost(s, space))       ? "one of them was not timed"
+           : cost(s, space) <= 1       ? "no dearer"
            : own->lower <= none->upper ? "not told apart by these repeats"
                                        : "dearer";
 }
@@ -166,10 +168,11 @@ static void tell_misses(const struct study_cures *s, int space, FILE *file)
                 cells += solved(s, law, nu, n);
                 if (!solved(s, law, nu, n) || error <= study_cures_target)
                     continue;
-                if (++misses <= NAMED)
-                    fprintf(file, "%s%s nu %g h/L %g (%.2g %%)",
-                            misses > 1 ? "; " : "misses ", law_name(law, name),
-                            study_cures_nu[nu], study_cures_thickness[n], 100 * error);
+                if (++misses > NAMED)
+                    continue;
+                fprintf(file, "%s%s nu %g h/L %g ", misses > 1 ? "; " : "misses ",
+                        law_name(law, name), study_cures_nu[nu], study_cures_thickness[n]);
+                fprintf(file, isnan(error) ? "(died)" : "(%.2g %%)", 100 * error);
             }
     fprintf(file, "%s%d of %d cells within %g %%.\n",
             misses > NAMED ? "; ...; "
@@ -185,49 +188,62 @@ static void tell_clamp(const struct study_cures *s, FILE *file)
     const double slit = study_cures_ratio(s, STUDY_CURES_SLIT, 0, nu, 0) - 1;
     const double plate = study_cures_ratio(s, 5, 0, nu, 0) - 1;
 
-    fprintf(
+    judge_say(
         file,
-        "- At h/L = 0.1, nu = %g a plate of one linear layer with plane stress is %.2g %% "
-        "%s. The clamp keeps the 3-D solid from changing its thickness, which stiffens "
-        "it over a length of some h and no plate knows: a 3-D solid whose clamp leaves "
-        "the thickness free (x and y held on the face, z on its lower edge) falls %.2g %% "
-        "farther than the clamped one.\n",
+        "At h/L = 0.1, nu = %g a plate of one linear layer with plane stress is %.2g "
+        "%% %s. A 3-D solid whose clamp leaves the thickness free (x and y held on the "
+        "face, z on its lower edge) falls %.2g %% %s than the clamped one%s",
         study_cures_nu[nu], 100 * fabs(plate), plate > 0 ? "too soft" : "too stiff",
-        100 * slit);
+        100 * fabs(slit), slit > 0 ? "farther" : "less far",
+        judge_words(judge_both(judge_below(0, plate), judge_below(plate, 2 * slit)),
+                    ": that the clamp keeps the solid from changing its thickness, "
+                    "which stiffens it over a length of some h and no plate knows, is "
+                    "most of it.",
+                    ": the clamp's hold on the thickness is not most of it.", "."));
 }
 
+/* Grows: to more than double from h/L 1e-3 to 1e-5. */
 static void tell_bends(const struct study_cures *s, FILE *file)
 {
     static const int space[] = {2, 5, 0};
     const int law = STUDY_CURES_LAWS - 1;
     const double clamp = pow(study_cures_gamma[law], -1. / 3);
     double thick[3], thin[3];
+    enum judge grows[3];
 
     for (int n = 0; n < 3; n++) {
-        thick[n] = 100 * study_cures_error(s, space[n], law, 0, 2);
-        thin[n] = 100 * study_cures_error(s, space[n], law, 0, 4);
+        const double h3 = study_cures_error(s, space[n], law, 0, 2);
+        const double h5 = study_cures_error(s, space[n], law, 0, 4);
+        thick[n] = 100 * h3, thin[n] = 100 * h5;
+        grows[n] = n < 2 ? judge_below(h5, 2 * h3) : judge_below(2 * h3, h5);
     }
-    fprintf(
+    judge_say(
         file,
-        "- At Gamma = %g the sheet bends within Gamma^(-1/3) = %.2g L of its clamp, on "
-        "%.2g spans of eight. A cured sheet's error there is one of resolution: it does "
-        "not grow as the sheet gets thinner (nu = 0, 1e-3 and 1e-5: selective (2,2,1) "
-        "%.2g %% and %.2g %%, (3,3,1) %.2g %% and %.2g %%). Without a cure it does: %.2g "
-        "%% and %.2g %%.\n",
-        study_cures_gamma[law], clamp, 8 * clamp, thick[0], thin[0], thick[1], thin[1],
-        thick[2], thin[2]);
+        "At Gamma = %g the sheet bends within Gamma^(-1/3) = %.2g L of its clamp, on %.2g "
+        "spans of eight. A cured sheet's error there %s as the sheet gets thinner (nu = 0, "
+        "1e-3 and 1e-5: selective (2,2,1) %.2g %% and %.2g %%, (3,3,1) %.2g %% and %.2g "
+        "%%). Without a cure it %s: %.2g %% and %.2g %%.",
+        study_cures_gamma[law], clamp, 8 * clamp,
+        judge_words(judge_both(grows[0], grows[1]),
+                    "is one of resolution: it does not grow", "grows", "may grow"),
+        thick[0], thin[0], thick[1], thin[1],
+        judge_words(grows[2], "does", "does not", "may"), thick[2], thin[2]);
 }
 
 static void print_text(const struct study_cures *s, FILE *file)
 {
-    for (int n = 0; n < STUDY_CURES_SPACES; n++)
+    for (int n = 0; n < STUDY_CURES_SPACES && !s->quick; n++)
         tell_misses(s, n, file);
-    tell_clamp(s, file);
+    if (s->quick)
+        judge_say(file, "Cells within %g %%, and the clamp: not judged: quick.",
+                  100 * study_cures_target);
+    else
+        tell_clamp(s, file);
     tell_bends(s, file);
     for (int n = 0; n < STUDY_CURES_SPACES; n++)
         if (n != none_of(n))
-            fprintf(file, "- A rebuilt frame of %s costs %.2f of none's: %s.\n",
-                    study_cures_space[n].label, cost(s, n), cost_word(s, n));
+            judge_say(file, "A rebuilt frame of %s costs %.2f of none's: %s.",
+                      study_cures_space[n].label, cost(s, n), cost_word(s, n));
     measurement_machine(s->machine, file);
 }
 
@@ -288,24 +304,20 @@ static struct chart *make_chart(const struct table *t)
     return c;
 }
 
-enum status study_cures_print(const char *folder, enum table_format format, FILE *file,
-                              struct message *why)
+enum status study_cures_tell(const struct study_cures *s, const char *folder,
+                             enum table_format format, FILE *file, struct message *why)
 {
-    struct study_cures *s = NULL;
-    struct table *errors = NULL;
-    enum status st;
+    struct table *errors = fill_errors(s);
+    enum status st = STATUS_OK;
 
-    TRY(study_cures_read(folder, &s, why));
     for (int law = 0; law < STUDY_CURES_LAWS; law++)
         TRY(table_finish(law_table(s, law), format, file));
     TRY(table_finish(cost_table(s), format, file));
     if (table_format_is_prose(format))
         print_text(s, file);
-    errors = fill_errors(s);
     TRY(table_save(errors, folder, "errors", why));
     TRY(chart_save(make_chart(errors), folder, "cures", why));
 out:
     table_destroy(errors);
-    study_cures_destroy(s);
     return st;
 }

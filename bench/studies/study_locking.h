@@ -66,7 +66,7 @@ double study_locking_through(const struct study_locking *s, int space, int thick
 
 /* Tables and sentences; locking.csv and the chart `locking` into the folder
  * (study_locking_print.c). */
-enum status study_locking_print(const char *folder, enum table_format format, FILE *file,
-                                struct message *why);
+enum status study_locking_tell(const struct study_locking *s, const char *folder,
+                               enum table_format format, FILE *file, struct message *why);
 
 #endif

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/experiment/measurement.h"
 #include "bench/experiment/study.h"
 #include "bench/harness/fit.h"
@@ -199,20 +200,32 @@ static double growth(const struct study_locking *s, int space)
 static void tell_shear(const struct study_locking *s, int n, FILE *file)
 {
     const int places[] = {PAPER, FINER, CUBIC, QUARTIC, PAPER_HEX}, thick = s->count - 1;
-    double here[5];
+    double here[5], paper[STUDY_LOCKING_MOST];
 
     for (int k = 0; k < 5; k++)
         here[k] = study_locking_shear(s, places[k], n);
-    fprintf(
+    for (int k = 0; k < s->count; k++)
+        paper[k] = study_locking_shear(s, PAPER, k);
+    judge_say(
         file,
-        "- Shear locking (nu = 0). At h = %g mm the paper's space has %.3f of the tip, "
-        "twice the points %.3f, degree 3 %.3f,\n  degree 4 %.3f; the paper's hexahedra "
-        "%.4f. Thinner is worse: the paper's space goes from %.3f at %g mm to %.3f at %g "
-        "mm.\n  Plain hexahedra are too stiff by a factor 1 + C (L/h)^%.2f (2 in "
-        "theory).\n",
+        "Shear locking (nu = 0). At h = %g mm the paper's space has %.3f of the tip, twice "
+        "the points %.3f, degree 3 %.3f, degree 4 %.3f; the paper's hexahedra %.4f. "
+        "Thinner "
+        "%s: the paper's space goes from %.3f at %g mm to %.3f at %g mm. Plain hexahedra "
+        "are "
+        "too stiff by a factor 1 + C (L/h)^%.2f (2 in theory).",
         1e3 * s->thickness[n], here[0], here[1], here[2], here[3], here[4],
-        study_locking_shear(s, PAPER, thick), 1e3 * s->thickness[thick],
-        study_locking_shear(s, PAPER, 0), 1e3 * s->thickness[0], growth(s, HEX));
+        judge_words(judge_order(s->count, paper, 1, 0), "is worse", "is not always worse",
+                    "may be worse"),
+        paper[thick], 1e3 * s->thickness[thick], paper[0], 1e3 * s->thickness[0],
+        growth(s, HEX));
+}
+
+/* Whether a space has more of the tip than halfway from what r = 1 has to all of it. */
+static const char *helps(const struct study_locking *s, int space, int n)
+{
+    return judge_words(judge_below((1 + s->limit) / 2, study_locking_through(s, space, n)),
+                       "helps", "does not help", "has no equilibrium");
 }
 
 static void tell(const struct study_locking *s, FILE *file)
@@ -224,26 +237,29 @@ static void tell(const struct study_locking *s, FILE *file)
 
     fprintf(file, "What locks, and what does not\n\n");
     tell_shear(s, n, file);
-    fprintf(
+    judge_say(
         file,
-        "- Thickness locking. At h = %g mm the tip at nu = 0.3 over that at nu = 0 is %.3f "
-        "for degree (3,3,1), %.3f for (4,4,1),\n  %.3f for (3,3,2); theory has %.3f for "
-        "r = 1. Finer nets do not help, r = 2 does, and so do incompatible modes (%.3f).\n",
+        "Thickness locking. At h = %g mm the tip at nu = 0.3 over that at nu = 0 is %.3f "
+        "for "
+        "degree (3,3,1), %.3f for (4,4,1), %.3f for (3,3,2); theory has %.3f for r = 1. "
+        "Degree 4 in the plane %s, r = 2 %s, with incompatible modes (%.3f) a hexahedron "
+        "%s.",
         h, study_locking_through(s, CUBIC, n), study_locking_through(s, QUARTIC, n),
-        study_locking_through(s, CUBIC_R2, n), s->limit,
-        study_locking_through(s, CURED, n));
-    fprintf(
+        study_locking_through(s, CUBIC_R2, n), s->limit, helps(s, QUARTIC, n),
+        helps(s, CUBIC_R2, n), study_locking_through(s, CURED, n), helps(s, CURED, n));
+    judge_say(
         file,
-        "- Cost. Hexahedra with incompatible modes, 10x10x2, have %.3f of the tip at h = "
-        "%g mm for %.2g times the paper's set-up\n  and solve; degree (3,3,2) %.3f for "
-        "%.2g times; the paper's own space has %.3f.\n",
+        "Cost. Hexahedra with incompatible modes, 10x10x2, have %.3f of the tip at h = %g "
+        "mm "
+        "for %.2g times the paper's set-up and solve; degree (3,3,2) %.3f for %.2g times; "
+        "the paper's own space has %.3f.",
         tip(s, CURED, n), h, cost(s, CURED), tip(s, CUBIC_R2, n), cost(s, CUBIC_R2),
         tip(s, PAPER, n));
-    study_print_verdict(file, "higher degree through the thickness makes little difference",
-                        fabs(change) < LITTLE,
-                        "From r = 1 to r = 2 the tip at h = %g mm falls %.1f %% farther "
-                        "(degree 3; little: below %.0f %%).",
-                        h, 100 * change, 100 * LITTLE);
+    judge_print(file, "higher degree through the thickness makes little difference",
+                judge_below(fabs(change), LITTLE),
+                "From r = 1 to r = 2 the tip at h = %g mm falls %.1f %% farther (degree 3; "
+                "little: below %.0f %%).",
+                h, 100 * change, 100 * LITTLE);
     measurement_machine(s->machine, file);
 }
 
@@ -308,24 +324,20 @@ static struct chart *make_chart(const struct table *t)
     return c;
 }
 
-enum status study_locking_print(const char *folder, enum table_format format, FILE *file,
-                                struct message *why)
+enum status study_locking_tell(const struct study_locking *s, const char *folder,
+                               enum table_format format, FILE *file, struct message *why)
 {
-    struct study_locking *s = NULL;
-    struct table *all = NULL;
+    struct table *all = fill(s);
     enum status st;
 
-    TRY(study_locking_read(folder, &s, why));
     TRY(print_tips(s, format, file));
     TRY(print_parts(s, format, file));
     TRY(print_prototype(s, format, file));
     if (table_format_is_prose(format))
         tell(s, file);
-    all = fill(s);
     TRY(table_save(all, folder, "locking", why));
     TRY(chart_save(make_chart(all), folder, "locking", why));
 out:
     table_destroy(all);
-    free(s);
     return st;
 }

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/studies/study_orders.h"
 
@@ -30,9 +31,16 @@ static struct look look_at(const struct study *s, int t)
                          study_print_trend(s, t, offsetof(struct study_frame, unevenness))};
 }
 
+/* Up (1) or down (-1) from each level to the next. */
+static enum judge goes(const struct study_trend *trend, int sign)
+{
+    return judge_order(trend->count, trend->value, sign, 0);
+}
+
 static const char *grows(const struct study_trend *trend)
 {
-    return trend->sign > 0 ? "grows, too" : "does not grow each time";
+    return judge_words(goes(trend, 1), "grows, too", "does not grow each time",
+                       "cannot be judged");
 }
 
 static double last_time(const struct study *s)
@@ -46,6 +54,13 @@ static double last_bar(const struct study *s)
     return s->truth ? s->truth->error[s->frames - 1] / s->length : NAN;
 }
 
+/* Errors fall from each to the next by more than the truth's bar leaves open, which may
+ * bring two of them nearer to each other by its double. */
+static enum judge falls(const struct study *s, int count, const double *error, bool quick)
+{
+    return judge_quick(judge_order(count, error, -1, 2 * last_bar(s)), quick);
+}
+
 static void judge_wrinkles(const struct study *s, const struct study *physics, FILE *file)
 {
     const struct look look = look_at(s, s->frames - 1);
@@ -55,15 +70,16 @@ static void judge_wrinkles(const struct study *s, const struct study *physics, F
 
     for (int t = 0; t < physics->frames; t++)
         true_stretch = fmax(true_stretch, physics->true_frame[t].stretch);
-    study_print_verdict(
-        file, "the denser the control net, the more wrinkles", look.rough.sign > 0,
+    judge_print(
+        file, "the denser the control net, the more wrinkles", goes(&look.rough, 1),
         "%s at %g s: roughness %s; away from edges and corners it %s: %s. Largest stretch "
-        "%s; of the undamped truth, up to %g s, %.4g. The motions %s each other: "
-        "neighbouring levels differ by %.2g, %.2g and %.2g L.",
+        "%s; of the undamped truth, up to %g s, %.4g. The motions %s: neighbouring levels "
+        "differ by %.2g, %.2g and %.2g L.",
         s->row[0].run.scene.name, s->time[0], look.rough.text, grows(&look.inner),
         look.inner.text, look.stretch.text, last_time(physics), true_stretch,
-        next[1] < next[0] && next[2] < next[1] ? "approach" : "do not approach", next[0],
-        next[1], next[2]);
+        judge_words(judge_order(3, next, -1, 0), "approach each other",
+                    "do not approach each other", "cannot be compared"),
+        next[0], next[1], next[2]);
 }
 
 static enum status tell_mesh(const struct study_results *r, const char *folder,
@@ -81,12 +97,13 @@ static enum status tell_mesh(const struct study_results *r, const char *folder,
     judge_wrinkles(s.edge, physics, file);
     const struct study_trend error =
         study_print_last(physics, offsetof(struct study_frame, error));
-    study_print_verdict(file, "refinement raises the accuracy", error.sign < 0,
-                        "Undamped, at %g s: error %s L (error bar %.1g); roughness %s, of "
-                        "the truth %.3g.",
-                        last_time(physics), error.text, last_bar(physics),
-                        look_at(physics, physics->frames - 1).rough.text,
-                        physics->true_frame[physics->frames - 1].roughness);
+    judge_print(file, "refinement raises the accuracy",
+                falls(physics, error.count, error.value, r->quick),
+                "Undamped, at %g s: error %s L (error bar %.1g); roughness %s, of "
+                "the truth %.3g.",
+                last_time(physics), error.text, last_bar(physics),
+                look_at(physics, physics->frames - 1).rough.text,
+                physics->true_frame[physics->frames - 1].roughness);
 out:
     return st;
 }
@@ -95,17 +112,16 @@ static void judge_detail(const struct study *s, FILE *file)
 {
     const struct look look = look_at(s, s->frames - 1);
 
-    study_print_verdict(file, "the higher the degree, the more bending detail",
-                        look.rough.sign > 0,
-                        "%s, %g s: roughness %s; away from edges and corners it %s: %s. "
-                        "Largest stretch %s.",
-                        s->plan->name, last_time(s), look.rough.text, grows(&look.inner),
-                        look.inner.text, look.stretch.text);
-    study_print_verdict(
-        file, "the higher the degree, the smoother", look.uneven.sign < 0,
-        "%s, %g s: unevenness %s; the curvature is continuous from p = 3 on "
-        "by construction.",
-        s->plan->name, last_time(s), look.uneven.text);
+    judge_print(file, "the higher the degree, the more bending detail",
+                goes(&look.rough, 1),
+                "%s, %g s: roughness %s; away from edges and corners it %s: %s. "
+                "Largest stretch %s.",
+                s->plan->name, last_time(s), look.rough.text, grows(&look.inner),
+                look.inner.text, look.stretch.text);
+    judge_print(file, "the higher the degree, the smoother", goes(&look.uneven, -1),
+                "%s, %g s: unevenness %s; the curvature is continuous from p = 3 on "
+                "by construction.",
+                s->plan->name, last_time(s), look.uneven.text);
 }
 
 static enum status tell_degree(const struct study_results *r, const char *folder,
@@ -125,13 +141,14 @@ static enum status tell_degree(const struct study_results *r, const char *folder
     judge_detail(s.physics, file);
     const struct study_trend error =
         study_print_last(s.physics, offsetof(struct study_frame, error));
-    study_print_verdict(file, "elevation raises the accuracy", error.sign < 0,
-                        "Undamped, at %g s: error %s L (error bar %.1g) for %.3g, %.3g, "
-                        "%.3g ms a frame; the truth's roughness is %.3g, its unevenness "
-                        "%.3g.",
-                        last_time(s.physics), error.text, last_bar(s.physics),
-                        row[0].milliseconds, row[1].milliseconds, row[2].milliseconds,
-                        true_frame->roughness, true_frame->unevenness);
+    judge_print(file, "elevation raises the accuracy",
+                falls(s.physics, error.count, error.value, r->quick),
+                "Undamped, at %g s: error %s L (error bar %.1g) for %.3g, %.3g, "
+                "%.3g ms a frame; the truth's roughness is %.3g, its unevenness "
+                "%.3g.",
+                last_time(s.physics), error.text, last_bar(s.physics), row[0].milliseconds,
+                row[1].milliseconds, row[2].milliseconds, true_frame->roughness,
+                true_frame->unevenness);
 out:
     return st;
 }
@@ -141,63 +158,38 @@ enum { START, REFINED, ELEVATED, BOTH };
 
 static void judge_at(const struct study *s, int t, FILE *file)
 {
-    const struct study_frame *start = &s->row[START].frame[t];
-    const struct study_frame *refined = &s->row[REFINED].frame[t];
-    const struct study_frame *elevated = &s->row[ELEVATED].frame[t];
-    const struct study_frame *both = &s->row[BOTH].frame[t];
     const struct look look = look_at(s, t);
+    const double *rough = look.rough.value, *uneven = look.uneven.value;
 
-    study_print_verdict(
-        file, "refinement and elevation both add wrinkle detail",
-        refined->roughness > start->roughness && elevated->roughness > start->roughness,
-        "%s, %g s, at first, refined, elevated, both: roughness %s; away "
-        "from edges and corners %s; largest stretch %s.",
-        s->plan->name, s->time[t], look.rough.text, look.inner.text, look.stretch.text);
-    study_print_verdict(file, "elevation makes the cloth smoother",
-                        elevated->unevenness < start->unevenness &&
-                            both->unevenness < refined->unevenness,
-                        "%s, %g s, at first, refined, elevated, both: unevenness %s.",
-                        s->plan->name, s->time[t], look.uneven.text);
+    judge_print(file, "refinement and elevation both add wrinkle detail",
+                judge_both(judge_below(rough[START], rough[REFINED]),
+                           judge_below(rough[START], rough[ELEVATED])),
+                "%s, %g s, at first, refined, elevated, both: roughness %s; away "
+                "from edges and corners %s; largest stretch %s.",
+                s->plan->name, s->time[t], look.rough.text, look.inner.text,
+                look.stretch.text);
+    judge_print(file, "elevation makes the cloth smoother",
+                judge_both(judge_below(uneven[ELEVATED], uneven[START]),
+                           judge_below(uneven[BOTH], uneven[REFINED])),
+                "%s, %g s, at first, refined, elevated, both: unevenness %s.",
+                s->plan->name, s->time[t], look.uneven.text);
 }
 
-static void judge_cost(const struct study *s, FILE *file)
+static void judge_cost(const struct study *s, bool quick, FILE *file)
 {
     const struct study_row *row = s->row;
-    double error[BOTH + 1];
+    const struct study_trend error =
+        study_print_last(s, offsetof(struct study_frame, error));
+    const double refined[] = {error.value[START], error.value[REFINED]};
+    const double elevated[] = {error.value[START], error.value[ELEVATED]};
 
-    for (int n = START; n <= BOTH; n++)
-        error[n] = row[n].frame[s->frames - 1].error;
-    study_print_verdict(file, "refinement and elevation raise the accuracy",
-                        error[REFINED] < error[START] && error[ELEVATED] < error[START],
-                        "Undamped, at %g s: error %.2g L at first, refined %.2g at %.3g ms "
-                        "a frame, elevated %.2g at %.3g ms, both %.2g (error bar %.1g).",
-                        last_time(s), error[START], error[REFINED],
-                        row[REFINED].milliseconds, error[ELEVATED],
-                        row[ELEVATED].milliseconds, error[BOTH], last_bar(s));
-}
-
-/* Equal knots give equal spaces and then motions equal to round-off, which the steps of a
- * thin solid magnify: at most a millionth of what another space makes, at every time. */
-static void judge_orders(const struct study_orders_result *r, FILE *file)
-{
-    const double *same = r->motion[STUDY_ORDERS_ELEVATE_FIRST],
-                 *k = r->motion[STUDY_ORDERS_K];
-    bool equal = true;
-
-    for (int t = 0; t < STUDY_ORDERS_TIMES; t++)
-        equal &= same[t] <= 1e-6 * k[t];
-    study_print_verdict(
-        file,
-        "the mixed operations in either order give the same knots, so the same motion",
-        r->knots == 0 && equal,
-        "When the second order is made to give the first one's knots: they differ by %.2g, "
-        "control points by %.2g m, motions by %.2g, %.2g, %.2g L. Not of itself: degree "
-        "elevation doubles the knots that are there, and a new knot inserted after it is "
-        "single: %d points a side instead of %d, and motions that differ by %.2g, %.2g, "
-        "%.2g L. The paper makes its nets anew at each density and degree, with uniform "
-        "knots, and so has no order of operations.",
-        r->knots, r->net, same[0], same[1], same[2], r->points[STUDY_ORDERS_K],
-        r->points[STUDY_ORDERS_REFINE_FIRST], k[0], k[1], k[2]);
+    judge_print(
+        file, "refinement and elevation raise the accuracy",
+        judge_both(falls(s, 2, refined, quick), falls(s, 2, elevated, quick)),
+        "Undamped, at %g s: error %.2g L at first, refined %.2g at %.3g ms a frame, "
+        "elevated %.2g at %.3g ms, both %.2g (error bar %.1g).",
+        last_time(s), refined[0], refined[1], row[REFINED].milliseconds, elevated[1],
+        row[ELEVATED].milliseconds, error.value[BOTH], last_bar(s));
 }
 
 static enum status tell_both(const struct study_results *r, const char *folder,
@@ -212,15 +204,13 @@ static enum status tell_both(const struct study_results *r, const char *folder,
     TRY(study_orders_print(&orders, format, file));
     if (!table_format_is_prose(format))
         return STATUS_OK;
-    fprintf(file,
-            "\nThe paper's sentences (neither scene nor time of Fig. 14 is told)\n\n");
+    fprintf(file, "The paper's sentences (neither scene nor time of Fig. 14 is told)\n\n");
     for (int t = 0; t < s.corners->frames; t++)
         judge_at(s.corners, t, file);
     for (int t = 0; t < s.edge->frames; t++)
         judge_at(s.edge, t, file);
     judge_at(s.physics, s.physics->frames - 1, file);
-    judge_cost(s.physics, file);
-    judge_orders(&orders, file);
+    judge_cost(s.physics, r->quick, file);
 out:
     return st;
 }

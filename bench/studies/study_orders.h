@@ -47,6 +47,7 @@ struct study_orders_result {
 /* From what study_orders_measure left. */
 enum status study_orders_read(const char *folder, struct study_orders_result *r,
                               struct message *why);
+/* Its table and sentence. */
 enum status study_orders_print(const struct study_orders_result *r,
                                enum table_format format, FILE *file);
 

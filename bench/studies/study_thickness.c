@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/ui/chart.h"
 #include "bench/ui/picture.h"
@@ -36,6 +37,17 @@ static double thickness(const struct cloak *c, int level)
     return c->row[PAPER][level]->run.scene.thickness;
 }
 
+/* Of the scene as it hangs before it moves. */
+static void rest_of(const struct scene *scene, double *rest)
+{
+    double uvw[3];
+
+    for (int n = 0; n < GRID_POINTS; n++) {
+        grid_point(n, uvw);
+        scene_rest_point(scene, uvw, rest + 3 * n);
+    }
+}
+
 /* Rms displacement of the hem [m]; NaN without a field. */
 static double hem_moved(const double *rest, const double *xyz)
 {
@@ -62,15 +74,12 @@ static enum status measure(const struct study_results *r, struct cloak *c)
 {
     const struct study *linear = study_find(r, "linear"),
                        *shell = study_find(r, "nonlinear_shell");
-    double *rest = malloc(3 * GRID_POINTS * sizeof *rest), uvw[3];
+    double *rest = malloc(3 * GRID_POINTS * sizeof *rest);
 
     if (!rest)
         return STATUS_MEMORY;
     c->paper = study_find(r, "printed");
-    for (int n = 0; n < GRID_POINTS; n++) {
-        grid_point(n, uvw);
-        scene_rest_point(&c->paper->row[0].run.scene, uvw, rest + 3 * n);
-    }
+    rest_of(&c->paper->row[0].run.scene, rest);
     c->angle = metric_angle(&c->paper->row[0].run.scene, rest);
     for (int h = 0; h < LEVELS; h++) {
         for (int n = 0; n < SCHEMES; n++) {
@@ -78,6 +87,7 @@ static enum status measure(const struct study_results *r, struct cloak *c)
                                       : &shell->row[2 * h + n - COARSE];
             c->swing[n][h] = swing_of(c, c->row[n][h]);
         }
+        rest_of(&linear->row[h].run.scene, rest);
         c->sunk[h] = hem_moved(rest, linear->row[h].frame[0].xyz);
     }
     free(rest);
@@ -165,51 +175,62 @@ static enum status draw(const struct cloak *c, const char *folder, struct messag
     return picture_save(folder, "thickness_sheets", COLUMNS, PANELS, panel, why);
 }
 
-static void judge_scheme(const struct cloak *c, int n, const char *words, FILE *file)
+static void judge_scheme(const struct cloak *c, int n, bool quick, const char *words,
+                         FILE *file)
 {
     const double *swing = c->swing[n];
 
-    study_print_verdict(file, "the thinner one swings more", swing[THIN] > swing[THICK],
-                        "%s: %.1f degrees at %g mm, %.1f at %g mm.", words, swing[THIN],
-                        1e3 * thickness(c, THIN), swing[THICK], 1e3 * thickness(c, THICK));
+    judge_print(file, "the thinner one swings more",
+                quick ? JUDGE_QUICK : judge_below(swing[THICK], swing[THIN]),
+                "%s: %.1f degrees at %g mm, %.1f at %g mm.", words, swing[THIN],
+                1e3 * thickness(c, THIN), swing[THICK], 1e3 * thickness(c, THICK));
 }
 
-static void judge_shell(const struct cloak *c, FILE *file)
+static void judge_shell(const struct cloak *c, bool quick, FILE *file)
 {
     const double *fine = c->swing[FINE], *coarse = c->swing[COARSE];
-    double apart = fmax(fabs(fine[THIN] - coarse[THIN]), fabs(fine[THICK] - coarse[THICK]));
-    double effect = fabs(fine[THIN] - fine[THICK]);
+    const double apart =
+        judge_most(fabs(fine[THIN] - coarse[THIN]), fabs(fine[THICK] - coarse[THICK]));
+    const double effect = fabs(fine[THIN] - fine[THICK]);
 
-    judge_scheme(c, FINE, "Nonlinear shell", file);
-    fprintf(file,
-            "\nThe shell's nets differ by up to %.1f degrees, its thicknesses by %.1f: "
-            "which of them swings\nmore is %s.\n",
-            apart, effect, 2 * apart < effect ? "resolved" : "not resolved by these nets");
+    judge_scheme(c, FINE, quick, "Nonlinear shell", file);
+    judge_say(
+        file,
+        "The shell's nets differ by up to %.1f degrees, its thicknesses by %.1f: which "
+        "of them swings more %s.",
+        apart, effect,
+        judge_words(quick ? JUDGE_QUICK : judge_below(2 * apart, effect), "is resolved",
+                    "is not resolved by these nets", "cannot be judged"));
 }
 
 /* What thickness does to statics, and to the look of the paper's scheme. */
 static void explain(const struct cloak *c, FILE *file)
 {
     const double gamma = scene_gamma(&c->row[PAPER][THIN]->run.scene);
-    double h = thickness(c, THICK) / thickness(c, THIN);
-    double thin = c->swing[BETTER][THIN] - c->swing[PAPER][THIN];
-    double thick = c->swing[BETTER][THICK] - c->swing[PAPER][THICK];
-    double effect = fabs(c->swing[PAPER][THIN] - c->swing[PAPER][THICK]);
+    const double h = thickness(c, THICK) / thickness(c, THIN);
+    const double *paper = c->swing[PAPER], *better = c->swing[BETTER];
+    const double thin = better[THIN] - paper[THIN], thick = better[THICK] - paper[THICK];
+    const double effect = fabs(paper[THIN] - paper[THICK]);
+    const double sunk = c->sunk[THIN] / c->sunk[THICK];
 
-    fprintf(
+    judge_say(
         file,
-        "Linear theory: Gamma ~ 1/h^2, %.4g and %.4g. At rest, what only bends would sink "
-        "%.3g times\nas far when thin, what only stretches just as far; this cloak's hem "
-        "sinks %.3g times as far\n(%.3g m and %.3g m): its curvature makes it stretch.\n",
-        gamma, gamma / (h * h), h * h, c->sunk[THIN] / c->sunk[THICK], c->sunk[THIN],
-        c->sunk[THICK]);
-    fprintf(
-        file,
-        "The paper's scheme has no elastic memory: at any thickness its cloak flows down "
-        "as a viscous\nsheet, and h enters through bending alone. A better net lets the "
-        "thin one swing %.1f degrees\nfarther and the thick one %.1f: the paper's net "
-        "locks, and that is %s its two thicknesses\ndiffer by (%.1f).\n",
-        thin, thick, thin > effect ? "more than" : "less than", effect);
+        "Linear theory: Gamma ~ 1/h^2, %.4g and %.4g. At rest, what only bends would "
+        "sink %.3g times as far when thin, what only stretches just as far; this cloak's "
+        "hem sinks %.3g times as far (%.3g m and %.3g m)%s",
+        gamma, gamma / (h * h), h * h, sunk, c->sunk[THIN], c->sunk[THICK],
+        judge_words(judge_below(2 * sunk, h * h), ": its curvature makes it stretch.",
+                    ": it bends.", "."));
+    judge_say(file,
+              "The paper's scheme has no elastic memory: at any thickness its cloak flows "
+              "down as a viscous sheet, and h enters through bending alone. A better net "
+              "lets the thin one swing %.1f degrees farther and the thick one %.1f; the "
+              "paper's two thicknesses differ by %.1f: %s.",
+              thin, thick, effect,
+              judge_words(judge_below(effect, thin),
+                          "the paper's net locks by more than that",
+                          "the net makes less of a difference than the thickness",
+                          "what the net does to that cannot be judged"));
 }
 
 static enum status tell(const struct study_results *r, const char *folder,
@@ -228,10 +249,10 @@ static enum status tell(const struct study_results *r, const char *folder,
     fprintf(file,
             "The paper's sentence (its cloak's shape, size and pose are not known; these "
             "are ours)\n\n");
-    judge_scheme(&c, PAPER, "The paper's scheme on its net", file);
-    judge_scheme(&c, BETTER, "The paper's scheme on a better net", file);
-    judge_scheme(&c, UNDAMPED, "Incremental, undamped, the paper's net", file);
-    judge_shell(&c, file);
+    judge_scheme(&c, PAPER, false, "The paper's scheme on its net", file);
+    judge_scheme(&c, BETTER, false, "The paper's scheme on a better net", file);
+    judge_scheme(&c, UNDAMPED, false, "Incremental, undamped, the paper's net", file);
+    judge_shell(&c, r->quick, file);
     explain(&c, file);
 out:
     return st;

@@ -1,5 +1,6 @@
 #include <math.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/studies/studies.h"
 #include "bench/truth/truth_plate.h"
@@ -54,13 +55,13 @@ static enum status print_worth(const struct worth *w, enum table_format format, 
     return table_finish(t, format, file);
 }
 
-/* How far r = 1 and the highest r are apart at most [m]. */
+/* How far r = 1 and the highest r are apart at most [m]; NaN: one of them died. */
 static double farthest(const struct study *s)
 {
     double apart = 0;
 
     for (int t = 0; t < s->frames; t++)
-        apart = fmax(apart, s->row[0].frame[t].finest * s->length);
+        apart = judge_most(apart, s->row[0].frame[t].finest * s->length);
     return apart;
 }
 
@@ -68,39 +69,44 @@ static void judge_look(const struct study *s, const char *net, FILE *file)
 {
     double apart = farthest(s);
 
-    study_print_verdict(file, "little difference to the linear basis", apart < ALIKE,
-                        "%s: r = 1 and %s are up to %.3g m apart (RMSE at %g to %g s); "
-                        "Table 1 takes %g m for the same look.",
-                        net, s->plan->levels[s->plan->level_count - 1].label, apart,
-                        s->time[0], s->time[s->frames - 1], ALIKE);
+    judge_print(file, "little difference to the linear basis", judge_below(apart, ALIKE),
+                "%s: r = 1 and %s are up to %.3g m apart (RMSE at %g to %g s); "
+                "Table 1 takes %g m for the same look.",
+                net, s->plan->levels[s->plan->level_count - 1].label, apart, s->time[0],
+                s->time[s->frames - 1], ALIKE);
 }
 
 static void judge_cost(const struct study *s, FILE *file)
 {
-    const struct study_row *row = s->row;
+    const double ms[] = {s->row[0].milliseconds, s->row[1].milliseconds,
+                         s->row[2].milliseconds};
 
-    study_print_verdict(file, "considering the cost, the linear basis",
-                        row[0].milliseconds < row[1].milliseconds &&
-                            row[1].milliseconds < row[2].milliseconds,
-                        "A frame costs %.3g, %.3g and %.3g ms with r = 1, 2, 3: %.2g and "
-                        "%.2g times as much.",
-                        row[0].milliseconds, row[1].milliseconds, row[2].milliseconds,
-                        row[1].milliseconds / row[0].milliseconds,
-                        row[2].milliseconds / row[0].milliseconds);
+    judge_print(
+        file, "considering the cost, the linear basis", judge_order(DEGREES, ms, 1, 0),
+        "A frame costs %.3g, %.3g and %.3g ms with r = 1, 2, 3: %.2g and %.2g times "
+        "as much.",
+        ms[0], ms[1], ms[2], ms[1] / ms[0], ms[2] / ms[0]);
 }
 
+/* A higher degree helps if it more than halves the error. */
 static void explain(const struct study *cloak, const struct study *better,
                     const struct worth *w, FILE *file)
 {
-    fprintf(
+    const double off[] = {fabs(1 - w->tip[0]), fabs(1 - w->tip[1]), fabs(1 - w->tip[2])};
+
+    judge_say(
         file,
-        "\nLittle difference is not accuracy. On a plate whose answer is known, r = 1 "
-        "bends %.3g %% less\nthan it should, r = 2 %.3g %%, r = 3 %.3g %%: with a strain "
-        "that cannot vary through the thickness\nthe sheet cannot narrow where it is "
-        "stretched and widen where it is pressed. At Gamma = %.4g\nthe cloak moves %.2g m "
-        "(the paper's net) or %.2g m (degree 4) for it.\n",
-        100 * (1 - w->tip[0]), 100 * (1 - w->tip[1]), 100 * (1 - w->tip[2]), cloak->gamma,
-        farthest(cloak), farthest(better));
+        "On a plate whose answer is known, the tip is off by %.3g %% with r = 1 (%s), "
+        "%.3g %% with r = 2 and %.3g %% with r = 3: %s. At Gamma = %.4g the cloak moves "
+        "%.2g m (the paper's net) or %.2g m (degree 4) for it.",
+        100 * off[0], w->tip[0] < 1 ? "too stiff" : "too soft", 100 * off[1], 100 * off[2],
+        judge_words(
+            judge_both(judge_below(2 * off[1], off[0]), judge_below(2 * off[2], off[0])),
+            "little difference is not accuracy, for with a strain that cannot "
+            "vary through the thickness the sheet cannot narrow where it is "
+            "stretched and widen where it is pressed",
+            "a higher degree does not help", "what it is worth is not known"),
+        cloak->gamma, farthest(cloak), farthest(better));
 }
 
 static enum status tell(const struct study_results *r, const char *folder,

@@ -1,6 +1,7 @@
 /* The tables, sentences, CSV file and chart of study_timestep.h. */
 #include <math.h>
 
+#include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/harness/fit.h"
 #include "bench/studies/studies.h"
@@ -15,6 +16,10 @@ enum {
     LAST = TIMES - 1,
     FINEST = LEVELS - 1
 };
+
+/* An exponent of the step above it is nearer to a first-order scheme's 1 than to none; what
+ * theory may be missed by. */
+static const double SETTLES = 0.5, VISCOUS = 0.01;
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
@@ -163,73 +168,101 @@ static double drop_exponent(const struct study_timestep *s, enum study_timestep_
 /* A rate gives the same motion at every step, up to an error that falls with the step. */
 static void tell_scale(const struct study_timestep *s, FILE *file)
 {
-    double e = drop_exponent(s, STUDY_TIMESTEP_SHEET);
+    const double e = drop_exponent(s, STUDY_TIMESTEP_SHEET);
+    const enum judge turn = judge_below(fabs(e), SETTLES);
 
-    study_print_verdict(
-        file, "one damping coefficient mu limits the velocity, v <- mu v", fabs(e) < 0.5,
-        "\n  As a property of the cloth it would not depend on the step. An elastic sheet "
-        "(nonlinear) drops %.3f L\n  by 0.4 s at 10 ms and %.4f L at 0.625 ms, as dt^%.2f; "
-        "the incremental one as dt^%.2f: the shorter the step, the stiffer\n  the air, and "
-        "in the limit nothing moves.",
+    judge_print(
+        file, "one damping coefficient mu limits the velocity, v <- mu v", turn,
+        "As a property of the cloth it would not depend on the step. An elastic sheet "
+        "(nonlinear) drops %.3f L by 0.4 s at 10 ms and %.4f L at 0.625 ms, as "
+        "dt^%.2f; the incremental one as dt^%.2f%s",
         study_timestep_frame(s, STUDY_TIMESTEP_SHEET, 0)->drop,
         study_timestep_frame(s, STUDY_TIMESTEP_SHEET, FINEST)->drop, e,
-        drop_exponent(s, STUDY_TIMESTEP_INCREMENT));
+        drop_exponent(s, STUDY_TIMESTEP_INCREMENT),
+        judge_words(turn, ".",
+                    ": the shorter the step, the stiffer the air, and in the limit "
+                    "nothing moves.",
+                    "."));
 }
 
 static void tell_paper(const struct study_timestep *s, FILE *file)
 {
     const struct study_row *row = s->kind[STUDY_TIMESTEP_PAPER].row;
-    double order = study_timestep_order(s, STUDY_TIMESTEP_PAPER);
+    const double order = study_timestep_order(s, STUDY_TIMESTEP_PAPER);
+    const enum judge turn = judge_below(SETTLES, order);
 
-    study_print_verdict(
+    judge_print(
         file, "implicit integration does not depend on the time step (the printed scheme)",
-        order > 0.5,
-        "\n  Halving the step moves the sheet by %.2g, %.2g, %.2g and %.2g %% of L at 0.4 "
-        "s, as dt^%.2f; its largest stretch is %.3f,\n  %.3f, %.3f, %.3f and %.3f from 10 "
-        "to 0.625 ms. A viscosity E dt changes with the step, and goes to nothing.",
+        turn,
+        "Halving the step moves the sheet by %.2g, %.2g, %.2g and %.2g %% of L at 0.4 s, "
+        "as "
+        "dt^%.2f; its largest stretch is %.3f, %.3f, %.3f, %.3f and %.3f from 10 to 0.625 "
+        "ms.%s",
         100 * row[0].frame[LAST].next, 100 * row[1].frame[LAST].next,
         100 * row[2].frame[LAST].next, 100 * row[3].frame[LAST].next, order,
         row[0].frame[LAST].stretch, row[1].frame[LAST].stretch, row[2].frame[LAST].stretch,
-        row[3].frame[LAST].stretch, row[4].frame[LAST].stretch);
+        row[3].frame[LAST].stretch, row[4].frame[LAST].stretch,
+        judge_words(turn, "",
+                    " A viscosity E dt changes with the step, and goes to nothing.", ""));
 }
 
 static void tell_stability(const struct study_timestep *s, FILE *file)
 {
+    double death[LEVELS];
     int dead = 0;
 
-    for (int n = 0; n < LEVELS; n++)
-        dead += !study_timestep_frame(s, STUDY_TIMESTEP_PAPER_MASS, n)->xyz;
-    study_print_verdict(file, "implicit integration is unconditionally stable", dead == 0,
-                        "\n  With mass damping instead of v <- mu v the printed scheme "
-                        "dies at %d of %d steps, sooner at shorter ones (above): its d,\n  "
-                        "never reset, is added to the sheet again every step, and only the "
-                        "scaling of v keeps it down.",
-                        dead, LEVELS);
+    for (int n = 0; n < LEVELS; n++) {
+        const struct study_row *row = &s->kind[STUDY_TIMESTEP_PAPER_MASS].row[n];
+        dead += !row->frame[LAST].xyz;
+        death[n] = row->result.death_time;
+    }
+    judge_print(
+        file, "implicit integration is unconditionally stable",
+        dead ? JUDGE_FAILS : JUDGE_HOLDS,
+        "With mass damping instead of v <- mu v the printed scheme dies at %d of %d "
+        "steps%s%s",
+        dead, LEVELS,
+        judge_words(judge_order(LEVELS, death, -1, 0), ", sooner at shorter ones (above)",
+                    "", ""),
+        dead ? ": its d, never reset, is added to the sheet again every step, and "
+               "only the scaling of v keeps it down."
+             : ".");
 }
 
+/* What has a limit is led there by a halving as far as all later ones together. */
 static void tell_limits(const struct study_timestep *s, FILE *file)
 {
-    double rate = study_timestep_order(s, STUDY_TIMESTEP_SHEET_RATE);
-    double mass = study_timestep_order(s, STUDY_TIMESTEP_SHEET_MASS);
-    double increment = study_timestep_order(s, STUDY_TIMESTEP_INCREMENT_MASS);
+    const double rate = study_timestep_order(s, STUDY_TIMESTEP_SHEET_RATE);
+    const double mass = study_timestep_order(s, STUDY_TIMESTEP_SHEET_MASS);
+    const double increment = study_timestep_order(s, STUDY_TIMESTEP_INCREMENT_MASS);
     const struct study_frame *a =
         study_timestep_frame(s, STUDY_TIMESTEP_SHEET_RATE, FINEST);
     const struct study_frame *b =
         study_timestep_frame(s, STUDY_TIMESTEP_SHEET_MASS, FINEST);
+    const double apart =
+        a->xyz && b->xyz ? metric_rmse(a->xyz, b->xyz) / s->kind[0].length : NAN;
+    const double left =
+        2 * study_timestep_frame(s, STUDY_TIMESTEP_SHEET_RATE, FINEST - 1)->next;
 
-    if (a->xyz && b->xyz)
-        fprintf(
-            file,
-            "- What has a limit. An elastic sheet with a damping that is a rate: v <- (1 - "
-            "2 dt) v converges with order %.2f, C = 2 M\n  with order %.2f, and to the "
-            "same motion: at 0.625 ms they are %.2g %% of L apart.\n",
-            rate, mass, 100 * metric_rmse(a->xyz, b->xyz) / s->kind[0].length);
-    fprintf(
+    judge_say(
         file,
-        "- What has none. incremental with C = 2 M forgets its strain every step, a "
-        "viscosity E dt again: halving the step changes\n  its motion as dt^%.2f%s, and "
-        "its stretch at 0.4 s goes from %.3f at 10 ms to %.3f at 0.625 ms.\n",
-        increment, increment < 0.5 ? ", no limit in sight" : "",
+        "An elastic sheet with a damping that is a rate %s: v <- (1 - 2 dt) v has order "
+        "%.2f, C = 2 M order %.2f, and their motions %s: at 0.625 ms they are %.2g %% of L "
+        "apart.",
+        judge_words(judge_both(judge_below(SETTLES, rate), judge_below(SETTLES, mass)),
+                    "has a limit", "has no limit in sight", "has a limit or not"),
+        rate, mass,
+        judge_words(judge_below(apart, left), "are the same", "are not the same",
+                    "cannot be compared"),
+        100 * apart);
+    judge_say(
+        file,
+        "incremental with C = 2 M forgets its strain every step, a viscosity E dt again: "
+        "halving the step changes its motion as dt^%.2f, %s, and its stretch at 0.4 s goes "
+        "from %.3f at 10 ms to %.3f at 0.625 ms.",
+        increment,
+        judge_words(judge_below(increment, SETTLES), "no limit in sight",
+                    "so it has a limit", "which tells nothing"),
         study_timestep_frame(s, STUDY_TIMESTEP_INCREMENT_MASS, 0)->stretch,
         study_timestep_frame(s, STUDY_TIMESTEP_INCREMENT_MASS, FINEST)->stretch);
 }
@@ -239,18 +272,20 @@ static void tell_viscous(const struct study_timestep *s, FILE *file)
     double step[STUDY_TIMESTEP_CREEPS], speed[STUDY_TIMESTEP_CREEPS], fall = 0, creep = 0;
 
     for (int n = 0; n < STUDY_TIMESTEP_FALLS; n++)
-        fall = fmax(fall, fabs(s->fall[n].acceleration / s->fall[n].expected - 1));
+        fall = judge_most(fall, fabs(s->fall[n].acceleration / s->fall[n].expected - 1));
     for (int n = 0; n < STUDY_TIMESTEP_CREEPS; n++) {
         const struct study_timestep_creep *c = &s->creep[n];
         step[n] = c->young * c->step;
         speed[n] = c->speed;
-        creep = fmax(creep, fabs(c->speed * c->step / c->sag - 1));
+        creep = judge_most(creep, fabs(c->speed * c->step / c->sag - 1));
     }
-    fprintf(
+    judge_say(
         file,
-        "- The printed sheet is viscous. A free one falls with g (1 + mu) / (2 (1 - mu)) "
-        "to %.1e, whatever the step; a loaded\n  cantilever creeps by its elastic sag "
-        "every step to %.1e, so that its speed goes as (E dt)^%.3f.\n",
+        "The printed sheet %s. A free one falls with g (1 + mu) / (2 (1 - mu)) to %.1e, "
+        "whatever the step; a loaded cantilever creeps by its elastic sag every step to "
+        "%.1e, so that its speed goes as (E dt)^%.3f.",
+        judge_words(judge_both(judge_below(fall, VISCOUS), judge_below(creep, VISCOUS)),
+                    "is viscous", "is not viscous", "may be viscous"),
         fall, creep, fit_exponent(STUDY_TIMESTEP_CREEPS, step, speed));
 }
 

@@ -1,0 +1,101 @@
+#include "bench/experiment/judge.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <unistd.h>
+
+#include "bench/ui/table.h"
+
+double judge_most(double a, double b)
+{
+    return isnan(a) || isnan(b) ? NAN : fmax(a, b);
+}
+
+enum judge judge_order(int count, const double *value, int sign, double bar)
+{
+    enum judge turn = count > 1 ? JUDGE_HOLDS : JUDGE_OPEN;
+    double before = NAN;
+
+    for (int n = 0; n < count; n++) {
+        const double step = sign * (value[n] - before);
+        if (step < -bar || (step <= 0 && bar == 0))
+            return JUDGE_FAILS;
+        if (isnan(value[n]) || (n > 0 && !(step > bar)))
+            turn = JUDGE_OPEN;
+        before = isnan(value[n]) ? before : value[n];
+    }
+    return turn;
+}
+
+enum judge judge_below(double value, double bound)
+{
+    return isnan(value) || isnan(bound) ? JUDGE_OPEN
+           : value < bound              ? JUDGE_HOLDS
+                                        : JUDGE_FAILS;
+}
+
+enum judge judge_both(enum judge a, enum judge b)
+{
+    return a == JUDGE_FAILS || b == JUDGE_FAILS ? JUDGE_FAILS : a == JUDGE_HOLDS ? b : a;
+}
+
+enum judge judge_quick(enum judge turn, bool quick)
+{
+    return quick && turn == JUDGE_OPEN ? JUDGE_QUICK : turn;
+}
+
+const char *judge_words(enum judge turn, const char *holds, const char *fails,
+                        const char *open)
+{
+    return turn == JUDGE_HOLDS ? holds : turn == JUDGE_FAILS ? fails : open;
+}
+
+void judge_print(FILE *file, const char *quote, enum judge turn, const char *format, ...)
+{
+    static const char *const word[] = {"does not hold", "holds", "cannot be judged",
+                                       "not judged: quick"};
+    char sentence[1024], text[1400];
+    va_list words;
+
+    va_start(words, format);
+    vsnprintf(sentence, sizeof sentence, format, words);
+    va_end(words);
+    snprintf(text, sizeof text, "- \"%s\": %s. %s\n", quote, word[turn], sentence);
+    table_print_wrapped(text, file);
+}
+
+void judge_say(FILE *file, const char *format, ...)
+{
+    char text[1400] = "- ";
+    va_list words;
+
+    va_start(words, format);
+    vsnprintf(text + 2, sizeof text - 2, format, words);
+    va_end(words);
+    table_print_wrapped(text, file);
+}
+
+static void path_of(const char *folder, char path[4096])
+{
+    snprintf(path, 4096, "%s/quick.txt", folder);
+}
+
+void judge_mark(const char *folder, bool quick)
+{
+    char path[4096];
+    FILE *file;
+
+    path_of(folder, path);
+    if (!quick)
+        unlink(path);
+    else if ((file = fopen(path, "w")))
+        fputs("these results are of a run with --quick\n", file), fclose(file);
+}
+
+bool judge_marked(const char *folder)
+{
+    char path[4096];
+
+    path_of(folder, path);
+    return access(path, F_OK) == 0;
+}

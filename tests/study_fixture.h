@@ -1,0 +1,288 @@
+/* study_fixture.h - made-up results of studies, every number of them another one, and what
+ * is told of them: sentences, cells of tables, files. Nothing is simulated and, for want of
+ * gnuplot, nothing drawn.
+ */
+#ifndef STUDY_FIXTURE_H
+#define STUDY_FIXTURE_H
+
+#include "bench/experiment/judge.h"
+#include "bench/experiment/plan_read.h"
+#include "bench/experiment/study.h"
+#include "bench/files/folder.h"
+#include "models/grid.h"
+#include "tests/check.h"
+
+static const char *study_folder;
+
+/* Where files go and plans come from; gnuplot is not found. */
+static inline void study_begin(int count, char **arguments)
+{
+    REQUIRE(count == 2);
+    study_folder = arguments[1];
+    REQUIRE(folder_make(study_folder, NULL) == STATUS_OK);
+    REQUIRE(!setenv("CLOTHBENCH_SCENES", SOURCE_DIR "/models/scenes", 1));
+    REQUIRE(!setenv("CLOTHBENCH_PLANS", SOURCE_DIR "/bench/plans", 1));
+    REQUIRE(!setenv("PATH", study_folder, 1));
+    REQUIRE(freopen("/dev/null", "w", stderr)); /* which says so of every chart */
+}
+
+/* Any blanks and line ends as one blank. */
+static inline char *study_squeeze(char *text)
+{
+    char *to = text;
+
+    for (const char *from = text; *from; from++) {
+        const bool blank = *from == ' ' || *from == '\n';
+        if (!blank || (to > text && to[-1] != ' '))
+            *to++ = blank ? ' ' : *from;
+    }
+    *to = '\0';
+    return text;
+}
+
+static inline void study_wants(const char *text, const char *want)
+{
+    if (!CHECK(strstr(text, want)))
+        printf("  wanted: %s\n  in: %s\n", want, text);
+}
+
+/* What goes to a stream in memory. */
+struct study_printed {
+    char *text;
+    size_t size;
+    FILE *file;
+};
+
+static inline FILE *study_print_to(struct study_printed *p)
+{
+    p->file = open_memstream(&p->text, &p->size);
+    REQUIRE(p->file);
+    return p->file;
+}
+
+/* Freed by the receiver. */
+static inline char *study_printed_text(struct study_printed *p)
+{
+    fclose(p->file);
+    return p->text;
+}
+
+static inline void study_printed_wants(struct study_printed *p, const char *want)
+{
+    char *text = study_squeeze(study_printed_text(p));
+
+    study_wants(text, want);
+    free(text);
+}
+
+/* FOLDER/NAME as text; freed by the receiver. */
+static inline char *study_file(const char *name)
+{
+    char path[4096], *text = NULL;
+    size_t room = 0;
+
+    snprintf(path, sizeof path, "%s/%s", study_folder, name);
+    FILE *file = fopen(path, "r");
+    REQUIRE(file);
+    REQUIRE(getdelim(&text, &room, '\0', file) > 0);
+    fclose(file);
+    return text;
+}
+
+static inline void study_wants_file(const char *name, const char *want)
+{
+    char *text = study_squeeze(study_file(name));
+
+    study_wants(text, want);
+    free(text);
+}
+
+/* In `text`, CSV: of the lines below the line of keys `keys`, the one that comes `nth` of
+ * those that begin with `label`, and has these numbers behind it; text cells are NaN. */
+static inline void study_row(const char *text, const char *keys, const char *label, int nth,
+                             int count, const double *want)
+{
+    static const double TOL_MADE = 1e-5; /* what is made up is met by angles to this */
+    const char *at = strstr(text, keys);
+    const size_t size = strlen(label);
+
+    if (!CHECK(at))
+        printf("  no keys %s in: %s\n", keys, text);
+    for (at = at ? strchr(at, '\n') : NULL; at && nth >= 0; at = strchr(at + 1, '\n'))
+        if (!strncmp(at + 1, label, size) && nth-- == 0)
+            break;
+    if (!CHECK(at)) {
+        printf("  no row %s below %s\n", label, keys);
+        return;
+    }
+    at += 1 + size;
+    for (int n = 0; n < count; n++, at += strcspn(at, ",\n")) {
+        if (!CHECK(*at == ',')) {
+            printf("  too few cells behind %s\n", label);
+            return;
+        }
+        char *end;
+        double value = strtod(++at, &end);
+        value = end == at ? NAN : value;
+        if (isnan(want[n]) ? !CHECK(isnan(value))
+                           : !CHECK_RELATIVE(value, want[n], TOL_MADE))
+            printf("  %s, number %d below %s\n", label, n, keys);
+    }
+}
+
+#define STUDY_ROW(text, keys, label, nth, ...)                                             \
+    study_row(text, keys, label, nth,                                                      \
+              (int)(sizeof((double[]){__VA_ARGS__}) / sizeof(double)),                     \
+              (double[]){__VA_ARGS__})
+
+/* --- A plan's. */
+
+struct study_made {
+    struct plan plan;
+    struct study_results r;
+    struct truth truth;
+    double error[PLAN_STUDY_TIMES], *xyz[PLAN_STUDY_TIMES];
+    void (*base)(struct study_made *m); /* what a study has otherwise, or NULL          */
+};
+
+enum { STUDY_MEMBERS = 8 }; /* numbers of a study_frame                                 */
+
+/* Of the i-th member: 1.00, 1.10, 1.20 by level; 1.00, 1.01 by time; twice that of the
+ * plan's second study. What is to fall from level to level does. */
+static inline double study_number(int study, int level, int time, int i)
+{
+    static const int sign[STUDY_MEMBERS] = {-1, -1, -1, 1, 1, 1, 1, -1};
+
+    return (study + 1) * (i + 1 + sign[i] * level / 10. + time / 100.);
+}
+
+/* The numbers of it, as they are before a test turns one. */
+static inline void study_fill(struct study_made *m)
+{
+    m->r.quick = false;
+    for (int k = 0; k < m->r.count; k++) {
+        struct study *s = &m->r.study[k];
+        for (int n = 0; n < s->plan->level_count; n++) {
+            struct study_row *row = &s->row[n];
+            row->result.outcome = STATUS_OK;
+            row->result.death_time = NAN;
+            row->result.unknowns = 1000 * (k + 1) + n;
+            row->result.factor_entries = 2000 * (k + 1) + n;
+            row->milliseconds = 10 * (k + 1) + n;
+            row->seconds = k + 1 + n / 10.;
+            row->paper_ms = 500 * (k + 1) + n;
+            snprintf(row->result.sentence.text, sizeof row->result.sentence.text, "done");
+            for (int t = 0; t < s->frames; t++) {
+                row->frame[t].xyz = NULL;
+                for (int i = 0; i < STUDY_MEMBERS; i++)
+                    (&row->frame[t].next)[i] = study_number(k, n, t, i);
+            }
+        }
+        for (int t = 0; t < s->frames; t++)
+            for (int i = 0; i < STUDY_MEMBERS; i++)
+                (&s->true_frame[t].next)[i] = 50 + 10 * i + t;
+    }
+    for (int t = 0; t < PLAN_STUDY_TIMES; t++)
+        m->error[t] = 0.02 * (t + 1);
+    if (m->base)
+        m->base(m);
+}
+
+/* All levels of a plan with their scenes, 2 m long; a truth where one is asked for. */
+static inline void study_make(struct study_made *m, const char *name,
+                              void (*base)(struct study_made *m))
+{
+    struct message why = {""};
+    char path[4096];
+
+    *m = (struct study_made){.base = base};
+    snprintf(path, sizeof path, SOURCE_DIR "/bench/plans/%s.yaml", name);
+    REQUIRE(plan_read(path, &m->plan, &why) == STATUS_OK);
+    m->r.plan = &m->plan;
+    m->r.count = m->plan.study_count;
+    m->r.study = calloc((size_t)m->r.count, sizeof *m->r.study);
+    REQUIRE(m->r.study);
+    m->truth = (struct truth){.error = m->error, .xyz = m->xyz, .source = "made up"};
+    for (int k = 0; k < m->r.count; k++) {
+        struct study *s = &m->r.study[k];
+        s->plan = &m->plan.studies[k];
+        s->frames = s->plan->time_count ? s->plan->time_count : 1;
+        s->time = s->plan->time_count ? s->plan->times : NULL;
+        s->gamma = 300 + k;
+        s->length = 2;
+        s->truth = s->plan->truth ? &m->truth : NULL;
+        for (int n = 0; n < s->plan->level_count; n++) {
+            struct plan_case c;
+            s->row[n].level = &s->plan->levels[n];
+            REQUIRE(plan_case_level(&m->plan, s->plan, s->row[n].level, false, &c, &why) ==
+                    STATUS_OK);
+            const struct run_plan what = plan_case_run(&c);
+            REQUIRE(run_read(&s->row[n].run, &what, &why) == STATUS_OK);
+            plan_case_clear(&c);
+        }
+    }
+    study_fill(m);
+}
+
+static inline void study_unmake(struct study_made *m)
+{
+    for (int k = 0; k < m->r.count; k++)
+        m->r.study[k].truth = NULL; /* not its own */
+    study_clear(&m->r);
+    plan_clear(&m->plan);
+}
+
+static inline struct study *study_of(struct study_made *m, const char *name)
+{
+    for (int k = 0; k < m->r.count; k++)
+        if (!strcmp(m->r.study[k].plan->name, name))
+            return &m->r.study[k];
+    REQUIRE(!"a study of that name");
+    return NULL;
+}
+
+/* What an experiment tells of it: sentences squeezed, CSV as it is. */
+static inline char *study_told(const struct experiment *e, const struct study_made *m,
+                               enum table_format format)
+{
+    struct message why = {""};
+    struct study_printed p;
+
+    if (!CHECK(e->tell(&m->r, study_folder, format, study_print_to(&p), &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    char *text = study_printed_text(&p);
+    return format == TABLE_CSV ? text : study_squeeze(text);
+}
+
+/* One number of the last time, or of the only one, and what is said of it then. */
+struct study_turn {
+    const char *study; /* NULL: as it is                                                */
+    int level;
+    size_t member; /* of struct study_frame                                             */
+    double value;
+    const char *want;
+    bool quick;
+    void (*change)(struct study_made *m); /* or NULL                                    */
+};
+
+static inline void study_turns(const struct experiment *e, struct study_made *m,
+                               size_t count, const struct study_turn *turn)
+{
+    for (size_t n = 0; n < count; n++) {
+        study_fill(m);
+        m->r.quick = turn[n].quick;
+        if (turn[n].study) {
+            struct study *s = study_of(m, turn[n].study);
+            struct study_frame *f = &s->row[turn[n].level].frame[s->frames - 1];
+            *(double *)((char *)f + turn[n].member) = turn[n].value;
+        }
+        if (turn[n].change)
+            turn[n].change(m);
+        char *text = study_told(e, m, TABLE_TEXT);
+        study_wants(text, turn[n].want);
+        free(text);
+    }
+    study_fill(m);
+}
+
+#endif

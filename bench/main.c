@@ -1,8 +1,11 @@
+#define _GNU_SOURCE /* environ, MAP_ANONYMOUS */
 /* main.c - finds the command, prints what went wrong and exits; nobody else does. */
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "bench/files/atomic_file.h"
 #include "bench/commands.h"
@@ -166,6 +169,30 @@ static bool threads_are_few(struct message *why)
     return true;
 }
 
+/* OpenBLAS starts a thread a core when it is loaded, and waits for ever for those that a
+ * limit on memory lets it not have. So this runs before what libraries do at their start;
+ * most of C's library is not there yet. */
+static void before_libraries(int argc, char **argv, char **variables)
+{
+    enum { LEAST = 64 << 20 }; /* what it works in, and the threads' stacks [bytes] */
+    static const char few[] =
+        "clothbench: the limit on memory (ulimit -v) leaves less than 64 MB for what "
+        "the libraries work in; raise it\n";
+    void *room = mmap(NULL, LEAST, PROT_READ | PROT_WRITE,
+                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+
+    (void)argc;
+    if (room == MAP_FAILED)
+        _exit(write(STDERR_FILENO, few, sizeof few - 1) < 0 ? EXIT_DIED : EXIT_USAGE);
+    munmap(room, LEAST);
+    environ = variables;
+    blas_kernel_choose(argv);
+}
+
+__attribute__((section(".preinit_array"),
+               used)) static void (*const first)(int argc, char **argv,
+                                                 char **variables) = before_libraries;
+
 int main(int argc, char **argv)
 {
     struct message why = {{0}}, lost = {{0}};
@@ -174,7 +201,6 @@ int main(int argc, char **argv)
         fprintf(stderr, "clothbench: %s\n", why.text);
         return EXIT_USAGE;
     }
-    blas_kernel_choose(argv);
     blas_kernel_set_threads(1);
     if (!getenv("OMP_NUM_THREADS"))
         omp_set_num_threads(1); /* seconds are those of one thread unless told otherwise */

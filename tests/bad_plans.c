@@ -46,6 +46,11 @@ static const struct wrong BAD[] = {
     {5, "settings: {material.colour: red}", "has no key 'colour'"},
     {5, "settings: {discretization.degree: [9,9,1]}", "degree holds '9', but must be"},
     {5, "settings: [{time.end: 1}, {time.end: 2}]", "settings has 'time.end' already"},
+    {5, "settings: {\"material.young=5e4 #\": 3}", "is no key that --set could take"},
+    {5, "settings: {\"material.young\\n\": 3}", "is no key that --set could take"},
+    {5, "settings: {\"\": 3}", "'' is no key that --set could take"},
+    {8, "  - {key: damping.value=2, values: [1]}", "'damping.value=2' is no key that"},
+    {8, "  - {key: \"damping\\r\", values: [1]}", "key is 'damping?' in quotes, but must"},
     {5, "settings: {look: 3}", "has no key 'look'"},
     {5, "settings: {sheet.thickness: 0.01}", "also set by gamma in line 7"},
     {7, "  - {from: 10, to: 1000, count: 3}",
@@ -77,6 +82,10 @@ static const struct wrong BAD[] = {
     {9, "cases: []", "cases is an empty list, but must be a list of 1 to 10000"},
     {9, "cases: [5]", "a case is '5', but must be a map {KEY: VALUE}"},
     {9, "cases: [{name: [a]}]", "name is a list of 1, but must be a line of text"},
+    {9, "cases: [{name: ''}]", "name is '' in quotes, but must be a line of text"},
+    {9, "cases: [{name: \"a\\n!touch pwned\"}]", "name is 'a?!touch pwned' in quotes, but"},
+    {9, "cases: [{name: \"a\\e[2J\"}]", "name is 'a?[2J' in quotes, but must be a line"},
+    {9, "cases: [{name: \"a\\x9b2J\"}]", "name is 'a??2J' in quotes, but must be a line"},
     {9, "cases: [{material.poisson: 0.2}, {material.poisson: 0.5}]", "poisson is '0.5'"},
     {10, "look: 0", "look is '0', but must be a whole number from 1"},
     {11, "intersections: maybe",
@@ -246,6 +255,47 @@ static void check_studies(void)
     plan_clear(&plan);
 }
 
+/* A name is the same in both quotes and in none, wherever a plan may have it. */
+static void check_quotes(void)
+{
+    static const struct {
+        const char *const *good;
+        int lines, line;
+        const char *format;
+    } places[] = {
+        {GOOD, LINES, 3, "scene: %sedge_drop%s"},
+        {GOOD, LINES, 4, "model: %siga%s"},
+        {GOOD, LINES, 9, "cases: [{scene: %sedge_drop%s, model: %siga%s}]"},
+        {STUDIES, STUDY_LINES, 3, "scene: %sedge_drop%s"},
+        {STUDIES, STUDY_LINES, 11,
+         "  - {name: edge, scene: %sedge_drop%s, model: %siga%s}"},
+        {STUDIES, STUDY_LINES, 5, "  - {label: 5x5x2, model: %siga%s}"},
+    };
+    static const char *const quotes[] = {"", "\"", "'"};
+
+    for (size_t n = 0; n < sizeof places / sizeof *places * 3; n++) {
+        const char *quote = quotes[n % 3];
+        struct plan plan;
+        struct plan_case c;
+        struct message why = {""};
+        char text[256];
+
+        snprintf(text, sizeof text, places[n / 3].format, quote, quote, quote, quote);
+        if (!CHECK(read_plan(places[n / 3].good, places[n / 3].lines, places[n / 3].line,
+                             text, &plan, &why) == STATUS_OK)) {
+            printf("  %s: %s\n", text, why.text);
+            continue;
+        }
+        const struct plan_study *s = plan.study_count ? &plan.studies[0] : NULL;
+        const enum status st = s ? plan_case_level(&plan, s, s->levels, false, &c, &why)
+                                 : plan_case_open(&plan, 0, &c, &why);
+        REQUIRE(st == STATUS_OK);
+        CHECK(strstr(c.path, "edge_drop.yaml") && !strcmp(c.contestant->name, "iga"));
+        plan_case_clear(&c);
+        plan_clear(&plan);
+    }
+}
+
 /* The combinations in their order, and Gamma through the thickness. */
 static void check_good(void)
 {
@@ -314,6 +364,7 @@ int main(void)
     close(file);
     check_good();
     check_studies();
+    check_quotes();
     check_bad(GOOD, LINES, BAD, sizeof BAD / sizeof *BAD);
     check_bad(STUDIES, STUDY_LINES, BAD_STUDIES, sizeof BAD_STUDIES / sizeof *BAD_STUDIES);
     check_derived_keys();

@@ -24,6 +24,8 @@ static enum status read_axes(const struct schema_key *key, const struct yaml_tre
     return st;
 }
 
+static const struct schema_key CASE_NAME = {"name", .type = SCHEMA_TEXT};
+
 /* A map of settings, one of whose keys may be the name. */
 static enum status read_listed(const struct yaml_tree *node, void *target,
                                struct message *why)
@@ -36,13 +38,9 @@ static enum status read_listed(const struct yaml_tree *node, void *target,
         return yaml_tree_refuse(node, why, "a case is %s, but must be a map {KEY: VALUE}",
                                 yaml_tree_describe(node).text);
     for (const struct yaml_tree *child = node->first; child; child = child->next)
-        if (strcmp(child->key, "name"))
-            TRY(plan_settings_add(&listed->settings, child->key, child, why));
-        else if (child->kind != YAML_TREE_SCALAR)
-            return yaml_tree_refuse(child, why, "name is %s, but must be a line of text",
-                                    yaml_tree_describe(child).text);
-        else if (!(listed->name = strdup(child->text)))
-            return STATUS_MEMORY;
+        TRY(strcmp(child->key, CASE_NAME.key)
+                ? plan_settings_add(&listed->settings, child->key, child, why)
+                : schema_text(&CASE_NAME, child, &listed->name, why));
 out:
     return st;
 }

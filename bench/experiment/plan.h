@@ -74,6 +74,11 @@ enum status plan_settings_add(struct plan_settings *settings, const char *key,
 enum status plan_settings_add_text(struct plan_settings *settings, const char *key,
                                    const char *value, int line);
 
+/* STATUS_INPUT with a sentence at `node`: a key that --set KEY=VALUE would read otherwise.
+ */
+enum status plan_settings_check_key(const char *key, const struct yaml_tree *node,
+                                    struct message *why);
+
 /* Readers of schema.h, into the struct plan_settings at key->offset: the children of a map
  * {KEY: VALUE, ...} or of a list of such maps; the key itself with its value, a word.
  * STATUS_INPUT with one sentence: not such a thing, a key given twice; STATUS_MEMORY. */

@@ -86,6 +86,7 @@ static enum status fill_axis(struct axis_reading *r, const struct yaml_tree *nod
     const bool range = !isnan(r->from) && !isnan(r->to) && r->count;
     const bool some = !isnan(r->from) || !isnan(r->to) || r->count;
 
+    TRY(plan_settings_check_key(r->axis.key, node, why));
     if (r->values ? some : !range)
         return yaml_tree_refuse(node, why,
                                 "the axis %s needs either values or all of from, to, count",

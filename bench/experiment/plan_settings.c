@@ -5,18 +5,23 @@
 #include <stdlib.h>
 #include <string.h>
 
+static void write_scalar(const char *scalar, bool quoted, FILE *text)
+{
+    if (quoted)
+        fputc('\'', text);
+    for (const char *c = scalar; *c; c++)
+        fprintf(text, quoted && *c == '\'' ? "''" : "%c", *c);
+    if (quoted)
+        fputc('\'', text);
+}
+
 /* The node in one line, as it could stand in a plan. */
 static void write_flow(const struct yaml_tree *node, FILE *text)
 {
     const bool list = node->kind == YAML_TREE_LIST;
 
     if (node->kind == YAML_TREE_SCALAR) {
-        if (node->quoted)
-            fputc('\'', text);
-        for (const char *c = node->text; *c; c++)
-            fprintf(text, node->quoted && *c == '\'' ? "''" : "%c", *c);
-        if (node->quoted)
-            fputc('\'', text);
+        write_scalar(node->text, node->quoted, text);
         return;
     }
     fputc(list ? '[' : '{', text);
@@ -50,17 +55,37 @@ enum status plan_settings_add_text(struct plan_settings *settings, const char *k
     return STATUS_OK;
 }
 
+enum status plan_settings_check_key(const char *key, const struct yaml_tree *node,
+                                    struct message *why)
+{
+    return *key && !key[strcspn(key, "=\r\n")]
+               ? STATUS_OK
+               : yaml_tree_refuse(node, why, "%s is no key that --set could take",
+                                  yaml_tree_quote(key).text);
+}
+
+/* Keys whose values are looked up as they are; others are YAML, as --set takes it. */
+static bool is_name(const char *key)
+{
+    return !strcmp(key, "scene") || !strcmp(key, "model");
+}
+
 enum status plan_settings_add(struct plan_settings *settings, const char *key,
                               const struct yaml_tree *node, struct message *why)
 {
     enum status st;
     char *value = NULL;
     size_t size;
-    FILE *text = open_memstream(&value, &size);
+    FILE *text;
 
+    TRY(plan_settings_check_key(key, node, why));
+    text = open_memstream(&value, &size);
     if (!text)
         return STATUS_MEMORY;
-    write_flow(node, text);
+    if (node->kind == YAML_TREE_SCALAR && is_name(key))
+        write_scalar(node->text, false, text);
+    else
+        write_flow(node, text);
     if (fclose(text) != 0)
         TRY(STATUS_MEMORY);
     if (!size || strpbrk(value, "\r\n"))

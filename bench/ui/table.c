@@ -190,8 +190,9 @@ static void add_number(struct table *t, const char *format, int digits, double v
     const double scale = there ? t->columns[t->filled].scale : 0;
     char *text = NULL;
 
-    if (asprintf(&text, isnan(value) ? "-" : format, digits,
-                 scale != 0 ? value * scale : value) < 0)
+    if ((isnan(value)
+             ? asprintf(&text, "-")
+             : asprintf(&text, format, digits, scale != 0 ? value * scale : value)) < 0)
         text = NULL;
     if (text && *text && text[strlen(text) - 1] == '.')
         text[strlen(text) - 1] = '\0'; /* # keeps zeros, and with them a bare point */

@@ -1,6 +1,7 @@
 #include "models/linalg/blas_kernel.h"
 
 #include <cblas.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -18,6 +19,12 @@ static const char *kernel_for_cpu(void)
     return NULL;
 }
 
+#if defined(__has_feature) /* clang */
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+
 void blas_kernel_choose(char **argv)
 {
 #if defined(__SANITIZE_ADDRESS__)
@@ -25,10 +32,11 @@ void blas_kernel_choose(char **argv)
     (void)kernel_for_cpu;
 #else
     const char *kernel = kernel_for_cpu();
-    if (!kernel || getenv("OPENBLAS_CORETYPE"))
+    const bool chosen = !kernel || getenv("OPENBLAS_CORETYPE");
+    if (chosen && getenv("OPENBLAS_NUM_THREADS"))
         return;
-    /* The variable is also what stops the second start from starting a third. */
-    if (setenv("OPENBLAS_CORETYPE", kernel, 1) != 0 ||
+    /* The variables are also what stops the second start from starting a third. */
+    if ((!chosen && setenv("OPENBLAS_CORETYPE", kernel, 1) != 0) ||
         setenv("OPENBLAS_NUM_THREADS", "1", 0) != 0)
         return;
     execv("/proc/self/exe", argv);

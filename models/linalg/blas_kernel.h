@@ -7,11 +7,12 @@
 #ifndef BLAS_KERNEL_H
 #define BLAS_KERNEL_H
 
-/* If OPENBLAS_CORETYPE is unset: set it (with OPENBLAS_NUM_THREADS=1 unless set) from the
- * CPU's features and execv the program again with argv; returns only if nothing was to be
- * done or exec failed (then the run goes on as it is). SKYLAKEX where there is AVX-512,
- * HASWELL for AVX2 and FMA, else nothing; nothing in address-sanitizer builds. Children
- * inherit the variable, which is also what stops a second restart. Call first in main. */
+/* Sets OPENBLAS_CORETYPE from the CPU's features (SKYLAKEX where there is AVX-512, HASWELL
+ * for AVX2 and FMA, else not) and OPENBLAS_NUM_THREADS=1, each unless it is set, and execs
+ * the program again with argv; returns only if nothing was to be done or exec failed (then
+ * the run goes on as it is). Does nothing in address-sanitizer builds. Children inherit the
+ * variables, which are also what stops a second restart. Call it first in main, or earlier:
+ * it needs the environment and nothing else. */
 void blas_kernel_choose(char **argv);
 
 /* The kernel that runs, as the library names it ("SkylakeX", ...). Static storage. */

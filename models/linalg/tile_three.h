@@ -96,21 +96,19 @@ TILE_INLINE void tile_three_subtract(ptrdiff_t count, const double *a, const dou
 /* x -= the sums of eight lines' lanes. */
 TILE_INLINE void tile_subtract_lanes(const tile_line s[TILE], tile_line *x)
 {
-    typedef long long order __attribute__((vector_size(TILE * sizeof(long long))));
-    const order even1 = {0, 8, 2, 10, 4, 12, 6, 14}, odd1 = {1, 9, 3, 11, 5, 13, 7, 15};
-    const order even2 = {0, 1, 8, 9, 4, 5, 12, 13}, odd2 = {2, 3, 10, 11, 6, 7, 14, 15};
-    const order even4 = {0, 1, 2, 3, 8, 9, 10, 11}, odd4 = {4, 5, 6, 7, 12, 13, 14, 15};
     tile_line two[4], four[2];
 #pragma GCC unroll 4
     for (int k = 0; k < 4; k++)
-        two[k] = __builtin_shuffle(s[2 * k], s[2 * k + 1], even1) +
-                 __builtin_shuffle(s[2 * k], s[2 * k + 1], odd1);
+        two[k] =
+            __builtin_shufflevector(s[2 * k], s[2 * k + 1], 0, 8, 2, 10, 4, 12, 6, 14) +
+            __builtin_shufflevector(s[2 * k], s[2 * k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
 #pragma GCC unroll 2
     for (int k = 0; k < 2; k++)
-        four[k] = __builtin_shuffle(two[2 * k], two[2 * k + 1], even2) +
-                  __builtin_shuffle(two[2 * k], two[2 * k + 1], odd2);
-    *x -= __builtin_shuffle(four[0], four[1], even4) +
-          __builtin_shuffle(four[0], four[1], odd4);
+        four[k] =
+            __builtin_shufflevector(two[2 * k], two[2 * k + 1], 0, 1, 8, 9, 4, 5, 12, 13) +
+            __builtin_shufflevector(two[2 * k], two[2 * k + 1], 2, 3, 10, 11, 6, 7, 14, 15);
+    *x -= __builtin_shufflevector(four[0], four[1], 0, 1, 2, 3, 8, 9, 10, 11) +
+          __builtin_shufflevector(four[0], four[1], 4, 5, 6, 7, 12, 13, 14, 15);
 }
 
 /* x -= a^T y for `count` tiles one under the other. */

@@ -219,16 +219,22 @@ static enum status read_word(const struct schema_key *key, const struct yaml_tre
     return schema_refuse(key, node, why);
 }
 
-static enum status read_text(const struct schema_key *key, const struct yaml_tree *node,
-                             char **text, struct message *why)
+/* ASCII's, or U+0080 to U+009F: terminals obey both. */
+static bool has_control(const char *text)
+{
+    for (const unsigned char *c = (const unsigned char *)text; *c; c++)
+        if (*c < ' ' || *c == 127 || (*c == 0xc2 && c[1] < 0xa0))
+            return true;
+    return false;
+}
+
+enum status schema_text(const struct schema_key *key, const struct yaml_tree *node,
+                        char **text, struct message *why)
 {
     char *copy;
 
-    if (node->kind != YAML_TREE_SCALAR || !*node->text)
+    if (node->kind != YAML_TREE_SCALAR || !*node->text || has_control(node->text))
         return schema_refuse(key, node, why);
-    for (const char *c = node->text; *c; c++)
-        if ((unsigned char)*c < ' ' || *c == 127)
-            return schema_refuse(key, node, why);
     copy = strdup(node->text);
     if (!copy)
         return STATUS_MEMORY;
@@ -271,7 +277,7 @@ static enum status read_value(const struct schema_key *key, const struct yaml_tr
     case SCHEMA_WORD:
         return read_word(key, node, place, why);
     case SCHEMA_TEXT:
-        return read_text(key, node, place, why);
+        return schema_text(key, node, place, why);
     case SCHEMA_SECTION:
         return read_section(key, node, target, why);
     case SCHEMA_SPECIAL:

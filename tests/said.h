@@ -34,7 +34,7 @@ static inline bool said_has(const struct said *s, const char *what, const char *
     const bool found = CHECK(strstr(s->text, part) != NULL);
 
     if (!found)
-        printf("%s: '%s' is not in\n%s\n", what, part, s->text);
+        printf("%s: '%s' is not in\n%.600s\n", what, part, s->text);
     return found;
 }
 
@@ -43,7 +43,7 @@ static inline bool said_lacks(const struct said *s, const char *what, const char
     const bool lacks = CHECK(strstr(s->text, part) == NULL);
 
     if (!lacks)
-        printf("%s: '%s' is in\n%s\n", what, part, s->text);
+        printf("%s: '%s' is in\n%.600s\n", what, part, s->text);
     return lacks;
 }
 

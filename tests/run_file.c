@@ -218,6 +218,26 @@ static void test_last_frame(void)
     CHECK(r.value[MEASURE_END_TIME] == 10 * 0.005);
 }
 
+/* What the file says of how and for whom it was made; nothing where nobody said so. */
+static void test_made_for(void)
+{
+    static const char *const made_for[] = {NULL, "case 12 of a test"};
+
+    for (int n = 0; n < 4; n++) {
+        const struct run_keep keep = {
+            .file = file, .every = 5, .quick = n % 2, .made_for = made_for[n / 2]};
+        struct run_result r;
+
+        script_reset();
+        write_run(&(struct run_plan){DROP, &scripted, NULL, 0.05}, &keep, &r);
+        CHECK(r.quick == n % 2);
+        REQUIRE(run_result_read(file, false, &r, NULL) == STATUS_OK);
+        CHECK(r.quick == n % 2);
+        CHECK(!strcmp(r.made_for, made_for[n / 2] ? made_for[n / 2] : ""));
+        run_result_clear(&r);
+    }
+}
+
 /* Times on the way, the last one after the end; a look at each, a field at each. */
 static void test_times(void)
 {
@@ -396,6 +416,7 @@ int main(void)
     test_own_metrics();
     test_energy();
     test_last_frame();
+    test_made_for();
     test_times();
     test_rest();
     test_refusals();

@@ -31,48 +31,172 @@ static struct run_result sound(void)
     r.value[MEASURE_STRETCH_MAX] = 1.1; /* on the bound: not above it */
     r.value[MEASURE_DROP_END] = 1;
     r.value[MEASURE_INTERSECTION_TIME] = r.value[MEASURE_BLOWUP_TIME] = INFINITY;
-    r.value[MEASURE_ENERGY_DRIFT_MAX] = NAN; /* does not exist: matches nothing */
     return r;
 }
 
-static void expect(const struct verdict_rules *rules, const struct run_result *r,
-                   enum verdict_kind kind, const char *want)
-{
-    struct verdict v = verdict_apply(rules, r->outcome, r->value);
-    char text[128];
+/* The sound run with up to three other measures, and how it is then called. */
+static const struct judged {
+    enum status outcome;
+    bool quick;
+    struct {
+        enum measure measure;
+        double value;
+    } with[3];
+    enum verdict_kind kind;
+    const char *text, *has, *lacks; /* labels it has; labels that nobody can say         */
+} judged[] = {
+    {STATUS_OK, false, {{0}}, VERDICT_FEASIBLE, "feasible", "", ""},
+    {STATUS_OK,
+     false,
+     {{MEASURE_STRETCH_MAX, 1.2}},
+     VERDICT_INFEASIBLE,
+     "over-stretched",
+     "over-stretched",
+     ""},
+    /* by two rules, said once */
+    {STATUS_OK,
+     false,
+     {{MEASURE_STRETCH_MAX, 1.2}, {MEASURE_DROP_END, 1.3}},
+     VERDICT_INFEASIBLE,
+     "over-stretched",
+     "over-stretched",
+     ""},
+    {STATUS_OK,
+     false,
+     {{MEASURE_DROP_END, 1.3}, {MEASURE_INTERSECTION_TIME, 0.5}},
+     VERDICT_INFEASIBLE,
+     "penetration, over-stretched",
+     "penetration, over-stretched",
+     ""},
+    {STATUS_OK,
+     false,
+     {{MEASURE_INTERSECTION_TIME, 1000}},
+     VERDICT_FEASIBLE,
+     "feasible",
+     "",
+     ""}, /* on the bound: not below it */
+    /* what was not measured is neither */
+    {STATUS_OK,
+     false,
+     {{MEASURE_INTERSECTION_TIME, NAN}},
+     VERDICT_UNJUDGED,
+     "not judged: penetration",
+     "",
+     "penetration"},
+    {STATUS_OK,
+     false,
+     {{MEASURE_INTERSECTION_TIME, NAN}, {MEASURE_ENERGY_DRIFT_MAX, NAN}},
+     VERDICT_UNJUDGED,
+     "not judged: penetration, won energy",
+     "",
+     "penetration, won energy"},
+    {STATUS_OK,
+     false,
+     {{MEASURE_INTERSECTION_TIME, NAN}, {MEASURE_DROP_END, 2}},
+     VERDICT_INFEASIBLE,
+     "over-stretched; not judged: penetration",
+     "over-stretched",
+     "penetration"},
+    /* one rule of a label lacks its measure, the other gives it, or does not */
+    {STATUS_OK,
+     false,
+     {{MEASURE_STRETCH_MAX, NAN}, {MEASURE_DROP_END, 2}},
+     VERDICT_INFEASIBLE,
+     "over-stretched",
+     "over-stretched",
+     ""},
+    {STATUS_OK,
+     false,
+     {{MEASURE_STRETCH_MAX, NAN}, {MEASURE_DROP_END, 1.2}},
+     VERDICT_UNJUDGED,
+     "not judged: over-stretched",
+     "",
+     "over-stretched"},
+    /* a death is infeasible, whatever the rules say */
+    {STATUS_ESCAPED, false, {{0}}, VERDICT_INFEASIBLE, "died", "", ""},
+    {STATUS_ESCAPED,
+     false,
+     {{MEASURE_INTERSECTION_TIME, NAN}},
+     VERDICT_INFEASIBLE,
+     "died; not judged: penetration",
+     "",
+     "penetration"},
+    {STATUS_NAN,
+     false,
+     {{MEASURE_BLOWUP_TIME, 0.3}},
+     VERDICT_INFEASIBLE,
+     "chaotic",
+     "chaotic",
+     ""},
+    {STATUS_UNSUPPORTED,
+     false,
+     {{MEASURE_STRETCH_MAX, 2}},
+     VERDICT_NONE,
+     "unsupported",
+     "",
+     ""},
+    {STATUS_INPUT,
+     false,
+     {{MEASURE_STRETCH_MAX, NAN}},
+     VERDICT_NONE,
+     "unsupported",
+     "",
+     ""},
+    {STATUS_OK, true, {{0}}, VERDICT_UNJUDGED, "not judged: quick", "", ""},
+    {STATUS_NAN,
+     true,
+     {{MEASURE_STRETCH_MAX, 2}},
+     VERDICT_UNJUDGED,
+     "not judged: quick",
+     "",
+     ""},
+};
 
-    printf("  %s\n", verdict_text(rules, v, text, sizeof text));
-    CHECK(v.kind == kind);
-    CHECK(!strcmp(text, want));
+static void test_verdicts(void)
+{
+    static const char *const labels[] = {"over-stretched", "penetration", "chaotic",
+                                         "won energy"};
+    struct verdict_rules rules;
+
+    REQUIRE(read_rules(good, &rules, NULL) == STATUS_OK && rules.count == 5);
+    for (size_t n = 0; n < sizeof judged / sizeof *judged; n++) {
+        const struct judged *j = &judged[n];
+        struct run_result r = sound();
+        char text[128];
+
+        r.outcome = j->outcome;
+        r.quick = j->quick;
+        for (int i = 0; i < 3; i++)
+            if (j->with[i].value != 0)
+                r.value[j->with[i].measure] = j->with[i].value;
+        const struct verdict v = verdict_of(&rules, &r);
+        bool fine = v.kind == j->kind && v.quick == j->quick;
+        fine = fine && !strcmp(verdict_text(&rules, v, text, sizeof text), j->text);
+        for (int i = 0; i < 4; i++) {
+            fine = fine && verdict_has(&rules, v, labels[i]) == !!strstr(j->has, labels[i]);
+            fine = fine &&
+                   verdict_lacks(&rules, v, labels[i]) == !!strstr(j->lacks, labels[i]);
+        }
+        if (!CHECK(fine))
+            printf("  row %zu: '%s', want '%s'\n", n, text, j->text);
+    }
+    verdict_clear(&rules);
+    CHECK(rules.count == 0);
 }
 
 static void test_rules(void)
 {
     struct verdict_rules rules;
-    struct message why = {""};
-    struct run_result r = sound();
 
-    REQUIRE(read_rules(good, &rules, &why) == STATUS_OK && rules.count == 5);
+    REQUIRE(read_rules(good, &rules, NULL) == STATUS_OK && rules.count == 5);
     CHECK(rules.rule[0].measure == MEASURE_STRETCH_MAX && rules.rule[0].above);
     CHECK(rules.rule[1].bound == 1000 && !rules.rule[1].above);
     CHECK(!strcmp(rules.rule[2].why, "it died"));
-    expect(&rules, &r, VERDICT_FEASIBLE, "feasible");
-    r.value[MEASURE_STRETCH_MAX] = 1.2;
-    r.value[MEASURE_DROP_END] = 1.3;
-    expect(&rules, &r, VERDICT_INFEASIBLE, "over-stretched"); /* by two rules, said once */
-    r.value[MEASURE_INTERSECTION_TIME] = 0.5;
-    expect(&rules, &r, VERDICT_INFEASIBLE, "over-stretched, penetration");
-    CHECK(verdict_has(&rules, verdict_apply(&rules, r.outcome, r.value), "penetration"));
-    CHECK(!verdict_has(&rules, verdict_apply(&rules, r.outcome, r.value), "chaotic"));
-    r = sound();
-    r.outcome = STATUS_ESCAPED;
-    expect(&rules, &r, VERDICT_INFEASIBLE, "died"); /* whatever the rules say */
-    r.value[MEASURE_BLOWUP_TIME] = 0.3;
-    expect(&rules, &r, VERDICT_INFEASIBLE, "chaotic");
-    r.outcome = STATUS_UNSUPPORTED;
-    expect(&rules, &r, VERDICT_NONE, "unsupported");
+    CHECK(!strcmp(verdict_kind_word[VERDICT_FEASIBLE], "feasible"));
+    CHECK(!strcmp(verdict_kind_word[VERDICT_INFEASIBLE], "infeasible"));
+    CHECK(!strcmp(verdict_kind_word[VERDICT_UNJUDGED], "not judged"));
+    CHECK(!strcmp(verdict_kind_word[VERDICT_NONE], "none"));
     verdict_clear(&rules);
-    CHECK(rules.count == 0);
 }
 
 /* Words that do not fit are cut, not written past the end. */
@@ -124,6 +248,7 @@ static void test_refusals(void)
 int main(void)
 {
     test_rules();
+    test_verdicts();
     test_short_text();
     test_refusals();
     return check_result();

@@ -34,7 +34,8 @@ static enum status run(const struct gallery *g, int n,
                                           .every = EVERY,
                                           .times = g->times,
                                           .time = g->time,
-                                          .intersections = true},
+                                          .intersections = true,
+                                          .quick = options->quick},
                        NULL, why));
 out:
     settings_clear(&settings);

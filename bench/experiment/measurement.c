@@ -16,6 +16,7 @@ static const double ENOUGH = 0.95;
 /* A case on its way. */
 struct job {
     const struct measurement_case *asked;
+    struct run_keep keep; /* as asked, and whether it is quick                         */
     struct run run;
     struct motion motion;
     struct run_file *file;
@@ -50,7 +51,7 @@ static enum status follow(struct job *j, const struct measurement_case *c,
     if (built && !run_file_is_refusal(built))
         TRY(status_fail(why, built, "%s", said.text));
     j->built = built == STATUS_OK;
-    TRY(run_file_open(&j->run, &c->keep, &j->file, why));
+    TRY(run_file_open(&j->run, &j->keep, &j->file, why));
     if (!j->built) {
         run_file_refuse(j->file, built, &said);
         return STATUS_OK;
@@ -199,6 +200,8 @@ enum status measurement_run(const struct measurement_options *options, int count
 
     TRY(st);
     for (int n = 0; n < count; n++) {
+        jobs[n].keep = cases[n].keep;
+        jobs[n].keep.quick = options->quick;
         TRY(follow(&jobs[n], &cases[n], why));
         TRY(put_away(&jobs[n], why));
         report(&bar, n + 1, (TIMING_REPEATS + 1) * count);

@@ -81,6 +81,13 @@ void verdict_clear(struct verdict_rules *rules)
     *rules = (struct verdict_rules){0};
 }
 
+const char *const verdict_kind_word[VERDICT_KINDS] = {
+    [VERDICT_FEASIBLE] = "feasible",
+    [VERDICT_INFEASIBLE] = "infeasible",
+    [VERDICT_UNJUDGED] = "not judged",
+    [VERDICT_NONE] = "none",
+};
+
 struct verdict verdict_apply(const struct verdict_rules *rules, enum status outcome,
                              const double *measure)
 {
@@ -91,43 +98,68 @@ struct verdict verdict_apply(const struct verdict_rules *rules, enum status outc
     for (int n = 0; n < rules->count; n++) {
         const struct verdict_rule *rule = &rules->rule[n];
         const double value = measure[rule->measure];
-        if (rule->above ? value > rule->bound : value < rule->bound)
+        if (isnan(value))
+            v.unmeasured |= 1u << n;
+        else if (rule->above ? value > rule->bound : value < rule->bound)
             v.rules |= 1u << n;
     }
-    v.kind = v.rules || v.died ? VERDICT_INFEASIBLE : VERDICT_FEASIBLE;
+    v.kind = v.rules || v.died ? VERDICT_INFEASIBLE
+             : v.unmeasured    ? VERDICT_UNJUDGED
+                               : VERDICT_FEASIBLE;
     return v;
 }
 
-/* Whether a rule before n that matches has the same label. */
-static bool said(const struct verdict_rules *rules, struct verdict v, int n)
+struct verdict verdict_of(const struct verdict_rules *rules, const struct run_result *r)
 {
-    for (int m = 0; m < n; m++)
-        if (v.rules >> m & 1 && !strcmp(rules->rule[m].label, rules->rule[n].label))
+    return r->quick ? (struct verdict){.kind = VERDICT_UNJUDGED, .quick = true}
+                    : verdict_apply(rules, r->outcome, r->value);
+}
+
+/* Whether a rule among these bits has the label. */
+static bool among(const struct verdict_rules *rules, unsigned bits, const char *label)
+{
+    for (int n = 0; n < rules->count; n++)
+        if (bits >> n & 1 && !strcmp(rules->rule[n].label, label))
             return true;
     return false;
+}
+
+bool verdict_has(const struct verdict_rules *rules, struct verdict v, const char *label)
+{
+    return among(rules, v.rules, label);
+}
+
+bool verdict_lacks(const struct verdict_rules *rules, struct verdict v, const char *label)
+{
+    return among(rules, v.unmeasured, label) && !among(rules, v.rules, label);
+}
+
+/* Adds the labels of these rules, each once, the first behind `before`; none of `but`. */
+static void add_labels(const struct verdict_rules *rules, unsigned bits, unsigned but,
+                       const char *before, char *text, int size)
+{
+    for (int n = 0; n < rules->count; n++) {
+        const char *label = rules->rule[n].label;
+        const size_t used = strlen(text);
+        if (!(bits >> n & 1) || among(rules, bits & ((1u << n) - 1), label) ||
+            among(rules, but, label))
+            continue;
+        snprintf(text + used, (size_t)size - used, "%s%s", before, label);
+        before = ", ";
+    }
 }
 
 const char *verdict_text(const struct verdict_rules *rules, struct verdict v, char *text,
                          int size)
 {
-    size_t used = 0;
-
     snprintf(text, (size_t)size, "%s",
              v.kind == VERDICT_FEASIBLE ? "feasible"
              : v.kind == VERDICT_NONE   ? "unsupported"
-             : v.rules                  ? ""
-                                        : "died");
-    for (int n = 0; n < rules->count && used < (size_t)size; n++)
-        if (v.rules >> n & 1 && !said(rules, v, n))
-            used += (size_t)snprintf(text + used, (size_t)size - used, "%s%s",
-                                     used ? ", " : "", rules->rule[n].label);
+             : v.quick                  ? "not judged: quick"
+             : v.died && !v.rules       ? "died"
+                                        : "");
+    add_labels(rules, v.rules, 0, "", text, size);
+    add_labels(rules, v.unmeasured, v.rules,
+               *text ? "; not judged: " : "not judged: ", text, size);
     return text;
-}
-
-bool verdict_has(const struct verdict_rules *rules, struct verdict v, const char *label)
-{
-    for (int n = 0; n < rules->count; n++)
-        if (v.rules >> n & 1 && !strcmp(rules->rule[n].label, label))
-            return true;
-    return false;
 }

@@ -5,14 +5,16 @@
  *     - {label: over-stretched, measure: stretch_max, above: 1.1, why: "Provot 1995: ..."}
  *
  * with one of `above` and `below`, the value in the measure's unit (measures.h), and the
- * reason for it. A case gets every label that matches; it is feasible if none does. A
- * measure that does not exist matches nothing; a time that did not come is above every
- * value and below none.
+ * reason for it. A case gets every label that matches; it is feasible if all its rules
+ * could be judged and none matches. What was not measured (a measure that is NaN: nobody
+ * counted crossings, the scheme has no energy) neither matches nor passes: the case is then
+ * not judged, unless another rule has found something. A time that did not come is above
+ * every value and below none.
  */
 #ifndef VERDICT_H
 #define VERDICT_H
 
-#include "bench/harness/measures.h"
+#include "bench/harness/run_result.h"
 #include "models/reader/yaml_tree.h"
 
 enum { VERDICT_MOST = 32 };
@@ -40,26 +42,41 @@ void verdict_clear(struct verdict_rules *rules); /* all-zero is allowed */
 enum verdict_kind {
     VERDICT_FEASIBLE,
     VERDICT_INFEASIBLE,
+    VERDICT_UNJUDGED, /* no rule matches, but some had nothing to judge by             */
     VERDICT_NONE, /* the model leaves out what the scene needs: nothing is known       */
+    VERDICT_KINDS
 };
+
+/* "feasible", "infeasible", "not judged", "none": for programs. */
+extern const char *const verdict_kind_word[VERDICT_KINDS];
 
 struct verdict {
     enum verdict_kind kind;
-    unsigned rules; /* bit n: rule n matches                                           */
-    bool died;      /* infeasible even if no rule says so                              */
+    unsigned rules;      /* bit n: rule n matches                                      */
+    unsigned unmeasured; /* bit n: rule n had nothing to judge by                      */
+    bool died;           /* infeasible even if no rule says so                         */
+    bool quick;          /* not judged: the run was cut short by --quick               */
 };
 
 /* Of a run that ended so, with these measures [MEASURES]. */
 struct verdict verdict_apply(const struct verdict_rules *rules, enum status outcome,
                              const double *measure);
 
-/* "feasible", "unsupported", or the labels, each once, in the order of the rules; "died"
- * where a run died and no rule has a word for it. Into text[size]; returns text. */
+/* The same of a result; one of a quick run is never judged. */
+struct verdict verdict_of(const struct verdict_rules *rules, const struct run_result *r);
+
+/* "feasible", "unsupported", "not judged: quick", or the labels, each once, in the order of
+ * the rules ("died" where a run died and no rule has a word for it), and behind "not
+ * judged:" those that could not be judged. Into text[size]; returns text. */
 const char *verdict_text(const struct verdict_rules *rules, struct verdict verdict,
                          char *text, int size);
 
 /* Whether the case has this label, by any rule. */
 bool verdict_has(const struct verdict_rules *rules, struct verdict verdict,
                  const char *label);
+
+/* Whether nobody can say: no rule gives it, and one that could had nothing to judge by. */
+bool verdict_lacks(const struct verdict_rules *rules, struct verdict verdict,
+                   const char *label);
 
 #endif

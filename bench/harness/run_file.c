@@ -57,6 +57,7 @@ static enum status open_store(struct run_file *f, struct message *why)
                              .discretization = &run->discretization,
                              .provenance = f->keep->provenance,
                              .single = !f->keep->doubles};
+    enum status st;
 
     if (!f->keep->file)
         return STATUS_OK;
@@ -64,7 +65,13 @@ static enum status open_store(struct run_file *f, struct message *why)
         provenance_collect(&here);
         what.provenance = &here;
     }
-    return store_create(f->keep->file, &what, &f->store, why);
+    TRY(store_create(f->keep->file, &what, &f->store, why));
+    if (f->keep->made_for)
+        TRY(store_text(f->store, "made_for", f->keep->made_for, why));
+    if (f->keep->quick)
+        TRY(store_text(f->store, "quick", "yes", why));
+out:
+    return st;
 }
 
 enum status run_file_open(const struct run *run, const struct run_keep *keep,
@@ -272,6 +279,7 @@ enum status run_file_close(struct run_file *f, const struct motion *m,
     if (f->refused && status_is_death(f->refused))
         r.death_time = 0;
     TRY(run_file_end(f, why));
+    r.quick = f->keep->quick;
     r.create_seconds = f->run->create_seconds;
     r.look_seconds = f->seconds;
     for (int n = 0; m && n < m->steps; n++)

@@ -34,8 +34,10 @@ struct run_keep {
     int times;          /* further looks at                                            */
     const double *time; /* [times], multiples of the step, increasing [s]              */
     enum run_fields fields;
-    bool intersections; /* count self-intersections at every look                      */
-    bool doubles;       /* fields as 64-bit numbers, not 32                            */
+    bool intersections;   /* count self-intersections at every look                      */
+    bool doubles;         /* fields as 64-bit numbers, not 32                            */
+    bool quick;           /* of --quick: told in the file, as no verdict rests on it     */
+    const char *made_for; /* one line, told in the file; NULL: nothing                 */
     const struct provenance *provenance; /* NULL: as things stand                      */
 
     /* Fills value[own_count] from the moment, and its field. */

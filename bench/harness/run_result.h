@@ -16,8 +16,10 @@ struct run_result {
     struct counters work; /* up to the last look                                        */
     double create_seconds, step_seconds, look_seconds; /* of the first repeat           */
     long steps;
+    bool quick; /* a quick run's: smaller than what it is named after (run_file.h)     */
 
     /* Read from the file alone: */
+    char made_for[128]; /* what run_keep has it made for; ""                            */
     double unknowns, factor_entries;
     struct clock_summary create; /* over the repeats [s]; count = 0: not timed          */
     struct clock_summary step;   /* likewise of their mean steps, or of the equilibrium */

@@ -155,6 +155,21 @@ static bool said(const struct verdict_rules *rules, int n)
     return false;
 }
 
+/* How many cases have a label; what was not measured is not counted as passed. */
+static void print_label(const struct verdict_rules *rules, int n,
+                        const struct sweep_table *t, FILE *file)
+{
+    const char *label = rules->rule[n].label;
+
+    if (t->lacking[n] && t->lacking[n] == t->judged)
+        fprintf(file, "  %-24s not judged: it was not measured\n", label);
+    else if (t->lacking[n])
+        fprintf(file, "  %-24s%6ld   not judged in %ld more, where it was not measured\n",
+                label, t->labels[n], t->lacking[n]);
+    else
+        fprintf(file, "  %-24s%6ld\n", label, t->labels[n]);
+}
+
 /* Those of which there are none are not worth a line, but for labels. */
 static void print_verdicts(const struct plan *plan, const struct sweep_table *t, FILE *file)
 {
@@ -163,6 +178,7 @@ static void print_verdicts(const struct plan *plan, const struct sweep_table *t,
         const char *end, *why;
         long count;
     } ends[] = {
+        {"not judged", "no label, but not all could be asked for", t->unjudged},
         {"died", "the numerics ended the run", t->died},
         {"unsupported", "the model leaves something out", t->unsupported},
         {"no result", "timed out, killed or refused: see table.csv", t->failed},
@@ -172,8 +188,8 @@ static void print_verdicts(const struct plan *plan, const struct sweep_table *t,
         fprintf(file, "  %-24s%6ld\n", "feasible", t->feasible);
     for (int n = 0; n < rules->count; n++)
         if (!said(rules, n))
-            fprintf(file, "  %-24s%6ld\n", rules->rule[n].label, t->labels[n]);
-    for (int n = 0; n < 3; n++)
+            print_label(rules, n, t, file);
+    for (size_t n = 0; n < sizeof ends / sizeof *ends; n++)
         if (ends[n].count)
             fprintf(file, "  %-24s%6ld   %s\n", ends[n].end, ends[n].count, ends[n].why);
     fprintf(file, "\n");

@@ -68,20 +68,21 @@ static void count(struct sweep_table *t, const struct sweep_row *row,
 
     t->failed += !row->ran;
     t->feasible += verdict->kind == VERDICT_FEASIBLE;
+    t->unjudged += verdict->kind == VERDICT_UNJUDGED;
     if (!row->ran)
         return;
     t->died += verdict->died;
+    t->judged += verdict->kind != VERDICT_NONE;
     t->unsupported += row->result.outcome == STATUS_UNSUPPORTED;
-    for (int n = 0; n < rules->count; n++)
+    for (int n = 0; n < rules->count; n++) {
         t->labels[n] += verdict_has(rules, *verdict, rules->rule[n].label);
+        t->lacking[n] += verdict_lacks(rules, *verdict, rules->rule[n].label);
+    }
 }
 
 void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
                      const struct sweep_row *row, char *labels, int size)
 {
-    static const char *const words[] = {[VERDICT_FEASIBLE] = "feasible",
-                                        [VERDICT_INFEASIBLE] = "infeasible",
-                                        [VERDICT_NONE] = "none"};
     const struct verdict_rules *rules = &t->plan->verdicts;
     const struct run_result *r = &row->result;
     struct verdict verdict = {.kind = VERDICT_NONE};
@@ -89,7 +90,7 @@ void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
 
     snprintf(labels, (size_t)size, "no result");
     if (row->ran) {
-        verdict = verdict_apply(rules, r->outcome, r->value);
+        verdict = verdict_of(rules, r);
         verdict_text(rules, verdict, labels, size);
     }
     count(t, row, &verdict);
@@ -100,7 +101,7 @@ void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
         table_text(table, "%s", c->given[k] ? c->given[k]->value : "");
     for (int n = 0; n < MEASURES; n++)
         table_number(table, row->ran ? r->value[n] : NAN, 6);
-    table_text(table, "%s", words[verdict.kind]);
+    table_text(table, "%s", verdict_kind_word[verdict.kind]);
     table_text(table, "%s", labels);
     table_text(table, "%s", row->ran ? r->sentence.text : row->why.text);
     table_flush(table, output_stream(t->file[0]));

@@ -18,15 +18,17 @@ struct sweep_table {
     struct output *file[SWEEP_TABLES];
 
     /* counted row by row */
-    long died, unsupported, failed, feasible;
-    long labels[VERDICT_MOST]; /* cases with the label of this rule                    */
+    long died, unsupported, failed, feasible, unjudged;
+    long judged; /* cases that rules were applied to                                   */
+    long labels[VERDICT_MOST];  /* cases with the label of this rule                   */
+    long lacking[VERDICT_MOST]; /* cases of which nobody can say whether they have it  */
 };
 
 /* Begins both files in the folder. STATUS_FILE. */
 enum status sweep_table_open(struct sweep_table *t, const struct plan *plan,
                              const struct sweep_folder *folder, struct message *why);
 
-/* A case. Its labels, "feasible", "unsupported", "no result", also go into labels[size]. */
+/* A case. Its labels (verdict_text), or "no result", also go into labels[size]. */
 void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
                      const struct sweep_row *row, char *labels, int size);
 enum status sweep_table_close(struct sweep_table *t, struct message *why);

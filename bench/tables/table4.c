@@ -124,7 +124,8 @@ static enum status run(const struct job *j, struct message *why)
         &(struct run_plan){c.path, contestant, &s, j->options->quick ? 0.3 : 0},
         &(struct run_keep){.file = j->out,
                            .every = j->plan->look,
-                           .intersections = j->plan->intersections},
+                           .intersections = j->plan->intersections,
+                           .quick = j->options->quick},
         NULL, why));
 out:
     settings_clear(&s);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <unistd.h>
 
-#include "tests/check.h"
+#include "tests/said.h"
 
 static const struct table_column columns[] = {
     {"model", NULL, TABLE_LEFT}, {"time", "ms", TABLE_RIGHT}, {"n", NULL, TABLE_RIGHT}};
@@ -154,6 +154,13 @@ static void check_readers(void)
           "|:---|---:|:---|---:|---:|\n| a \"b\"\\ \x01 | 12.5 | 10x10 | 12.5 | 540 |\n"
           "| # no comment, a name | - | - | not reached | - |\n| short |  |  |  |  |\n"
           "\nA \"note\".\n");
+    print(
+        t, TABLE_LATEX,
+        "\\begin{table}\n\\centering\n\\caption{Both}\n\\begin{tabular}{lrlrr}\n\\hline\n"
+        "case & a frame [ms] & net & to next [\\% L] & unknowns \\\\\n\\hline\n"
+        "a \"b\"\\textbackslash{}\n\x01 & 12.5 & 10x10 & 12.5 & 540 \\\\\n"
+        "\\# no comment, a name & - & - & not reached & - \\\\\nshort &  &  &  &  \\\\\n"
+        "\\hline\n\\end{tabular}\n\n\\smallskip\\footnotesize A \"note\".\n\\end{table}\n");
     CHECK(table_rows(t) == 3 && table_find(t, "p") == 4);
     CHECK(table_value(t, 0, 1) == 0.0125 && table_shown(t, 0, 1) == 12.5);
     CHECK(isnan(table_value(t, 1, 1)) && isnan(table_value(t, 2, 1)));
@@ -244,6 +251,52 @@ static void check_failures_told(void)
     table_destroy(t);
 }
 
+/* What a format takes for its own is told apart, in headers, cells and captions. */
+static void check_escapes(void)
+{
+    static const struct table_column one[] = {{"x_1", "%", TABLE_LEFT}};
+    struct table *t = table_create(1, one, "50 % & #1");
+
+    table_row(t);
+    table_text(t, "*_|$#{}<>~^&");
+    print(t, TABLE_LATEX,
+          "\\begin{table}\n\\centering\n\\caption{50 \\% \\& \\#1}\n\\begin{tabular}{l}\n"
+          "\\hline\nx\\_1 [\\%] \\\\\n\\hline\n"
+          "*\\_$|$\\$\\#\\{\\}$<$$>$\\~{}\\^{}\\& "
+          "\\\\\n\\hline\n\\end{tabular}\n\\end{table}\n");
+    print(t, TABLE_MARKDOWN,
+          "**50 % & #1**\n\n| x\\_1 [%] |\n|:---|\n| \\*\\_\\|$#{}<>~^& |\n");
+    table_destroy(t);
+}
+
+static void check_said(const char *text, const char *want)
+{
+    struct said s;
+
+    said_open(&s);
+    table_say(s.file, "%s", text);
+    said_close(&s, true);
+    CHECK(!strcmp(s.text, want));
+    said_clear(&s);
+}
+
+/* Ninety-six characters are a line, one more are not. */
+static void check_sentences(void)
+{
+    char text[128] = "", want[sizeof text + 2];
+
+    memset(text, 'x', 90);
+    memcpy(text + 90, " abcde", 7);
+    snprintf(want, sizeof want, "%s\n", text);
+    check_said(text, want);
+    memcpy(text + 90, " abcdef", 8);
+    snprintf(want, sizeof want, "%s\n", text);
+    want[90] = '\n';
+    check_said(text, want);
+    check_said("two\n", "two\n\n");
+    check_said("- 5 %\n- 6 %", "- 5 %\n- 6 %\n");
+}
+
 /* A long note is cut at blanks, never inside a word. */
 static void check_wrapping(void)
 {
@@ -271,5 +324,7 @@ int main(void)
     check_files();
     check_failures_told();
     check_wrapping();
+    check_escapes();
+    check_sentences();
     return check_result();
 }

@@ -3,6 +3,7 @@
 #include "bench/experiment/plan_read.h"
 #include "bench/files/folder.h"
 #include "bench/harness/run_file.h"
+#include "bench/experiment/study.h"
 #include "bench/tables/table1.h"
 #include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
@@ -45,17 +46,19 @@ static void test_variants(const struct study_results *r)
     }
 }
 
-static void test_baseline(const struct study_results *r)
+static void test_baseline(const struct study_results *r, const struct table1 *t)
 {
     const struct study *printed = &r->study[TABLE1_PRINTED];
     const struct study *incremental = &r->study[TABLE1_INCREMENTAL];
+    const struct table1_variant *p = t->variant[TABLE1_PRINTED];
+    const struct table1_variant *i = t->variant[TABLE1_INCREMENTAL];
 
-    CHECK_RELATIVE(table1_rmse(printed, TABLE1_HEX32, 1), 0.042, TOL_PROTOTYPE);
-    CHECK_RELATIVE(table1_rmse(printed, TABLE1_HEX32, 2), 0.043, TOL_PROTOTYPE);
-    CHECK_RELATIVE(table1_rmse(incremental, TABLE1_HEX32, 1), 0.027, TOL_PROTOTYPE);
-    CHECK_RELATIVE(table1_rmse(incremental, TABLE1_HEX32, 2), 0.045, TOL_PROTOTYPE);
+    CHECK_RELATIVE(p[TABLE1_HEX32].rmse[1], 0.042, TOL_PROTOTYPE);
+    CHECK_RELATIVE(p[TABLE1_HEX32].rmse[2], 0.043, TOL_PROTOTYPE);
+    CHECK_RELATIVE(i[TABLE1_HEX32].rmse[1], 0.027, TOL_PROTOTYPE);
+    CHECK_RELATIVE(i[TABLE1_HEX32].rmse[2], 0.045, TOL_PROTOTYPE);
     for (int n = 2; n <= TABLE1_DENSITIES; n++) /* plain hexahedra approach the baseline */
-        CHECK(table1_rmse(printed, n, 1) < table1_rmse(printed, n - 1, 1));
+        CHECK(p[n].rmse[1] < p[n - 1].rmse[1]);
     /* the shell has one scheme, undamped */
     CHECK(metric_rmse(printed->row[TABLE1_SHELL].result.xyz[3],
                       incremental->row[TABLE1_SHELL].result.xyz[3]) == 0);
@@ -63,13 +66,36 @@ static void test_baseline(const struct study_results *r)
         const struct run_result *one = &printed->row[n].result;
         CHECK(one->frames == TABLE1_TIMES && one->step.count == 1);
         CHECK_NEAR(one->time[1], 0.2, 1e-15);
-        CHECK(table1_rmse(printed, n, 2) ==
-              metric_rmse(one->xyz[2], printed->row[0].result.xyz[2]));
+        for (int k = 0; k < TABLE1_TIMES; k++) /* none of the baseline to itself */
+            CHECK(n == 0 ? isnan(p[n].rmse[k])
+                         : p[n].rmse[k] ==
+                               metric_rmse(one->xyz[k], printed->row[0].result.xyz[k]));
         CHECK(r->study[TABLE1_STATIC].row[n].result.frames == 1);
     }
 }
 
-static void test_truth(const struct study_results *r)
+/* Numbers are those of the results, variant by variant. */
+static void test_numbers(const struct study_results *r, const struct table1 *t)
+{
+    for (int part = 0; part < TABLE1_PARTS; part++)
+        for (int n = 0; n < TABLE1_VARIANTS; n++) {
+            const struct study_row *row = &r->study[part].row[n];
+            const struct table1_variant *v = &t->variant[part][n];
+            CHECK(v->side == row->run.discretization.points[0]);
+            CHECK(v->layers == (n == TABLE1_SHELL ? 0 : 2));
+            CHECK(v->cured == (TABLE1_CURED <= n && n < TABLE1_SHELL));
+            CHECK(!strcmp(v->model, row->run.model->name) && !v->trouble);
+            CHECK(v->unknowns == row->result.unknowns);
+            CHECK(!memcmp(&v->step, &row->result.step, sizeof v->step));
+            CHECK(!memcmp(&v->create, &row->result.create, sizeof v->create));
+        }
+    for (int k = 0; k < TABLE1_TIMES; k++)
+        CHECK_NEAR(t->time[k], 0.1 * (k + 1), 1e-15);
+    CHECK_RELATIVE(t->gamma, scene_gamma(&r->study[0].row[0].run.scene), 1e-12);
+    CHECK_RELATIVE(t->thickness_ratio, 0.001177, 1e-12);
+}
+
+static void test_truth(const struct study_results *r, const struct table1 *t)
 {
     const struct study *linear = &r->study[TABLE1_LINEAR];
     const struct study_row *rest = r->study[TABLE1_STATIC].row;
@@ -85,6 +111,14 @@ static void test_truth(const struct study_results *r)
     CHECK(truth_plate_tip(&truth, cured) > 0.95);
     CHECK(truth_plate_error(&truth, TABLE1_TIMES, cured) <
           truth_plate_error(&truth, TABLE1_TIMES, iga));
+    for (int n = 0; n < TABLE1_VARIANTS; n++) {
+        CHECK(t->tip[n] == truth_plate_tip(&truth, rest[n].frame[0].xyz));
+        CHECK(t->error[n][TABLE1_REST] ==
+              truth_plate_error(&truth, TABLE1_TIMES, rest[n].frame[0].xyz));
+        for (int k = 0; k < TABLE1_TIMES; k++)
+            CHECK(t->error[n][k] ==
+                  truth_plate_error(&truth, k, linear->row[n].frame[k].xyz));
+    }
     truth_plate_clear(&truth);
 }
 
@@ -135,6 +169,7 @@ int main(int argc, char **argv)
     struct message why = {""};
     struct plan plan = {0};
     struct study_results r = {0};
+    struct table1 t;
     char row[128];
 
     REQUIRE(argc == 2);
@@ -144,16 +179,18 @@ int main(int argc, char **argv)
     REQUIRE(folder_make(folder, &why) == STATUS_OK);
     if (experiment_measure(&table1_exhibit, &options, &why) != STATUS_OK ||
         plan_read(SOURCE_DIR "/bench/plans/table1.yaml", &plan, &why) != STATUS_OK ||
-        study_read(&plan, folder, &r, &why) != STATUS_OK) {
+        study_read(&plan, folder, &r, &why) != STATUS_OK ||
+        table1_read(&r, &t, &why) != STATUS_OK) {
         printf("%s\n", why.text);
         return 1;
     }
     test_variants(&r);
-    test_baseline(&r);
-    test_truth(&r);
-    snprintf(row, sizeof row, "%.17g,%.17g,%.17g,%.17g,no\n",
-             table1_rmse(r.study, TABLE1_HEX32, 0), table1_rmse(r.study, TABLE1_HEX32, 1),
-             table1_rmse(r.study, TABLE1_HEX32, 2), table1_rmse(r.study, TABLE1_HEX32, 3));
+    test_baseline(&r, &t);
+    test_numbers(&r, &t);
+    test_truth(&r, &t);
+    const double *rmse = t.variant[TABLE1_PRINTED][TABLE1_HEX32].rmse;
+    snprintf(row, sizeof row, "%.17g,%.17g,%.17g,%.17g,no\n", rmse[0], rmse[1], rmse[2],
+             rmse[3]);
     study_clear(&r);
     plan_clear(&plan);
     PRINT(TABLE_TEXT, "The claim that hexahedra need many times IGA's cost", "Measured: ");

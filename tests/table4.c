@@ -5,7 +5,7 @@
 #include "bench/files/store_scene.h"
 #include "bench/experiment/plan.h"
 #include "bench/experiment/plan_read.h"
-#include "tests/check.h"
+#include "tests/said.h"
 
 static const char *folder;
 
@@ -51,7 +51,6 @@ static void test_runs(const struct table4_data *d)
         CHECK(row == 6 ||
               d->run[TABLE4_PRINTED][TABLE4_DROP][row].result.outcome == STATUS_OK);
     }
-    CHECK(!d->run[TABLE4_PRINTED][TABLE4_DROP][6].feasible);
     for (int n = 0; n < TABLE4_SCALED; n++)
         CHECK(!memcmp(d->scaled[n].value,
                       d->run[TABLE4_PRINTED][TABLE4_FLAG][table4_scaled[n]].result.value,
@@ -177,56 +176,42 @@ static void test_words(void)
     CHECK(!strcmp(table4_words(3, text, 6), "over-"));
 }
 
-static bool prints(enum table_format format, const char *part)
-{
-    struct message why = {""};
-    char *text = NULL;
-    size_t size = 0;
-    FILE *file = open_memstream(&text, &size);
-
-    REQUIRE(file);
-    CHECK(table4_print(folder, format, file, &why) == STATUS_OK);
-    fclose(file);
-    bool found = strstr(text, part) && size > 5000;
-    free(text);
-    return found;
-}
-
-/* Programs get a number a cell: rows judged alike, met, extra of each answer; of each
- * reading the rows called so on both scenes. */
-static void test_cells(const struct table4_data *d)
-{
-    char agreement[256], whose[256];
-    int used;
-
-    used = snprintf(agreement, sizeof agreement, "\n\"linear, v <- mu v\",flag,0");
-    for (int label = -1; label < PAPER_LABELS; label++) {
-        struct table4_agreement a = table4_agree(d, TABLE4_LINEAR, TABLE4_FLAG, label);
-        used += snprintf(agreement + used, sizeof agreement - (size_t)used, ",%d,%d,%d",
-                         a.agree, a.hit, a.extra);
-    }
-    CHECK(prints(TABLE_CSV, agreement));
-    used = snprintf(whose, sizeof whose, "\nover-stretched,8");
-    for (int r = 0; r < TABLE4_READINGS; r++)
-        for (int s = 0; s < TABLE4_SCENES; s++) {
-            struct table4_agreement a = table4_agree(d, r, s, PAPER_OVER_STRETCHED);
-            used +=
-                snprintf(whose + used, sizeof whose - (size_t)used, ",%d", a.hit + a.extra);
-        }
-    CHECK(prints(TABLE_CSV, whose));
-}
-
+/* What a quick run prints: what it measured, and no verdict. */
 static void test_print(void)
 {
     struct message why = {""};
 
-    CHECK(prints(TABLE_TEXT, "in 18, with two bounds chosen in hindsight"));
-    CHECK(prints(TABLE_TEXT, "in 3 of 3 runs: the motion depends on"));
-    CHECK(prints(TABLE_CSV, "too light"));
-    CHECK(prints(TABLE_MARKDOWN, "over-stretched"));
-    CHECK(prints(TABLE_LATEX, "tabular"));
-    CHECK(table4_print("/nowhere", TABLE_TEXT, stdout, &why) == STATUS_FILE);
+    for (int format = TABLE_TEXT; format <= TABLE_JSON; format++) {
+        struct said s;
+        said_open(&s);
+        CHECK(table4_exhibit.print(folder, format, s.file, &why) == STATUS_OK);
+        said_close(&s, false);
+        said_has(&s, "quick", "not judged: quick");
+        said_has(&s, "quick", "in 3 of 3 runs: the motion depends on");
+        said_lacks(&s, "quick", "Agreement");
+        said_lacks(&s, "quick", "Physics, or");
+        said_lacks(&s, "quick", "Penetration: the printed");
+        said_lacks(&s, "quick", "Yes or no: ");
+        said_clear(&s);
+    }
+    CHECK(table4_exhibit.print("/nowhere", TABLE_TEXT, stdout, &why) == STATUS_FILE);
     CHECK(strstr(why.text, "/nowhere/"));
+}
+
+/* Judged as whole ones: for what their numbers say of the readings. */
+static void take_for_whole(struct table4_data *d)
+{
+    CHECK(d->quick);
+    for (int r = 0; r < TABLE4_READINGS; r++)
+        for (int s = 0; s < TABLE4_SCENES; s++)
+            for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
+                struct table4_run *run = &d->run[r][s][row];
+                CHECK(run->result.quick && !run->judged && !run->feasible && !run->labels);
+                run->result.quick = false;
+            }
+    table4_judge(d);
+    CHECK(!d->quick && d->run[TABLE4_PRINTED][TABLE4_DROP][6].judged);
+    CHECK(!d->run[TABLE4_PRINTED][TABLE4_DROP][6].feasible);
 }
 
 int main(int argc, char **argv)
@@ -247,11 +232,11 @@ int main(int argc, char **argv)
         printf("%s\n", why.text);
         return 1;
     }
+    take_for_whole(d);
     test_runs(d);
     test_readings();
     test_agreement(d);
     test_rules(d);
-    test_cells(d);
     test_print();
     table4_clear(d);
     return check_result();

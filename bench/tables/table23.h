@@ -62,7 +62,20 @@ double table23_exponent(const struct table23 *t, int first, int count,
 /* How far the rebuilt sheet is from its obstacle when it was last looked at [m]; NaN. */
 double table23_gap(const struct table23 *t, int row);
 
-/* What a reader should take away, in sentences from the numbers. */
+/* Whether it was followed over the times of a quick run alone. */
+bool table23_quick(const struct table23 *t, int row);
+
+/* Tables, CSV and chart in the folder, in prose the headline first and what a reader should
+ * take away behind them. */
+enum status table23_print(const struct table23 *t, const char *folder,
+                          enum table_format format, FILE *file, struct message *why);
+
+/* cost.png: a frame over the control points. */
+enum status table23_draw(const struct table23 *t, const char *folder, struct message *why);
+
+/* --- The judging (table23_text.c): the one line to remember; sentences from the numbers.
+ */
+void table23_headline(const struct table23 *t, FILE *file);
 void table23_text(const struct table23 *t, FILE *file);
 
 #endif

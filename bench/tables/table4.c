@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/measurement.h"
 #include "bench/experiment/plan_case.h"
 #include "bench/experiment/plan_read.h"
 #include "bench/harness/run_file.h"
@@ -194,12 +195,25 @@ void table4_clear(struct table4_data *d)
 /* The rules' labels are the paper's words. */
 static void judge(const struct verdict_rules *rules, struct table4_run *run)
 {
-    const struct verdict v = verdict_apply(rules, run->result.outcome, run->result.value);
+    const struct verdict v = verdict_of(rules, &run->result);
 
     run->feasible = v.kind == VERDICT_FEASIBLE;
+    run->judged = run->feasible || v.kind == VERDICT_INFEASIBLE;
+    run->labels = 0;
     for (int n = 0; n < PAPER_LABELS; n++)
         if (verdict_has(rules, v, paper_label[n]))
             run->labels |= 1u << n;
+}
+
+void table4_judge(struct table4_data *d)
+{
+    d->quick = false;
+    for (int r = 0; r < TABLE4_READINGS; r++)
+        for (int s = 0; s < TABLE4_SCENES; s++)
+            for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
+                judge(&d->rules, &d->run[r][s][row]);
+                d->quick = d->quick || d->run[r][s][row].result.quick;
+            }
 }
 
 enum status table4_load(const char *folder, struct table4_data **d, struct message *why)
@@ -215,12 +229,12 @@ enum status table4_load(const char *folder, struct table4_data **d, struct messa
             for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
                 table4_path(folder, r, s, row, path, PATH);
                 TRY(run_result_read(path, false, &new->run[r][s][row].result, why));
-                judge(&new->rules, &new->run[r][s][row]);
             }
     for (int n = 0; n < TABLE4_SCALED; n++) {
         scaled_path(folder, n, path);
         TRY(run_result_read(path, false, &new->scaled[n], why));
     }
+    table4_judge(new);
     *d = new, new = NULL;
 out:
     table4_clear(new);
@@ -249,6 +263,8 @@ struct table4_agreement table4_agree(const struct table4_data *d, int reading, i
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
         const struct table4_run *run = &d->run[reading][scene][row];
         const bool ours = label < 0 ? run->feasible : run->labels >> label & 1;
+        if (!run->judged)
+            continue;
         a.hit += ours && paper[row];
         a.missed += !ours && paper[row];
         a.extra += ours && !paper[row];
@@ -303,8 +319,26 @@ const char *table4_words(unsigned labels, char *text, int size)
     return text;
 }
 
+static enum status print(const char *folder, enum table_format format, FILE *file,
+                         struct message *why)
+{
+    struct table4_data *d = NULL;
+    char path[PATH];
+    enum status st;
+
+    TRY(table4_load(folder, &d, why));
+    TRY(table4_print(d, folder, format, file, why));
+    if (table_format_is_prose(format)) {
+        table4_path(folder, TABLE4_PRINTED, TABLE4_FLAG, 0, path, sizeof path);
+        measurement_machine(path, file);
+    }
+out:
+    table4_clear(d);
+    return st;
+}
+
 const struct experiment table4_exhibit = {
     .item = {"4", "E, rho and mu that give cloth, and why the others do not"},
     .measure = measure,
-    .print = table4_print,
+    .print = print,
 };

@@ -58,18 +58,22 @@ extern const int table4_scaled[TABLE4_SCALED];
 /* The result files, read and judged. */
 struct table4_run {
     struct run_result result;
+    bool judged; /* false: refused, a quick run, or not measured; neither yes nor no */
     bool feasible;
-    unsigned labels; /* as paper.h's; none of an infeasible one: died without a rule, or
-                        refused                                                        */
+    unsigned labels; /* as paper.h's; an infeasible one without died without a rule     */
 };
 struct table4_data {
     struct verdict_rules rules;
+    bool quick; /* a run is: what is said of all rows is not said                       */
     struct table4_run run[TABLE4_READINGS][TABLE4_SCENES][PAPER_TABLE4_ROWS];
     struct run_result scaled[TABLE4_SCALED];
 };
 
 /* The rules of the plan `table4`, as it is now; free with verdict_clear. */
 enum status table4_rules(struct verdict_rules *rules, struct message *why);
+
+/* Fills in what the rules make of the results, all of *d but which is there. */
+void table4_judge(struct table4_data *d);
 
 /* Reads all of FOLDER's files and the rules; *d is freed with table4_clear. */
 enum status table4_load(const char *folder, struct table4_data **d, struct message *why);
@@ -79,12 +83,12 @@ void table4_clear(struct table4_data *d); /* NULL is allowed */
  */
 int table4_paper(int label, bool yes[PAPER_TABLE4_ROWS]);
 
-/* Of the 18 rows under a reading and a scene, on a label or on feasible (-1). */
+/* Of the rows judged under a reading and a scene, on a label or on feasible (-1). */
 struct table4_agreement {
     int hit;    /* the paper has it, and so have we                                    */
     int missed; /* the paper has it, we do not                                         */
     int extra;  /* we have it, the paper does not                                      */
-    int agree;  /* rows judged as the paper does                                       */
+    int agree;  /* judged as the paper does                                            */
 };
 struct table4_agreement table4_agree(const struct table4_data *d, int reading, int scene,
                                      int label);
@@ -111,12 +115,14 @@ struct table4_interval table4_best(int count, const double *value, const bool *y
 /* Labels in words, "-" for none, into text[size]; returns text. */
 const char *table4_words(unsigned labels, char *text, int size);
 
-/* Tables; table4.csv and the chart in the folder (table4_print.c). */
-enum status table4_print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why);
+/* The headline in prose, tables; table4.csv and the chart in the folder (table4_print.c).
+ */
+enum status table4_print(const struct table4_data *d, const char *folder,
+                         enum table_format format, FILE *file, struct message *why);
 
-/* Notes below a table: what a reader should take away, in sentences from the numbers
- * (table4_text.c). */
+/* --- The judging (table4_text.c): the one line to remember; notes below a table, what a
+ * reader should take away, in sentences from the numbers. */
+void table4_headline(const struct table4_data *d, FILE *file);
 void table4_text(const struct table4_data *d, struct table *t);
 
 #endif

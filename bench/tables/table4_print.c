@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "bench/experiment/measurement.h"
 #include "bench/tables/table4.h"
 #include "bench/ui/chart.h"
 
@@ -52,6 +51,8 @@ static void row_cells(struct table *t, const struct table4_run *run, int row)
         table_number(t, arrived(run->result.value[cell[n].measure]), cell[n].digits);
     if (run_result_refused(&run->result))
         table_missing(t, "refused");
+    else if (!run->judged)
+        table_text(t, "not judged%s", run->result.quick ? ": quick" : "");
     else
         labels_cell(t, run->feasible, run->labels);
     labels_cell(t, p->labels == 0, p->labels);
@@ -105,6 +106,8 @@ static enum status print_rows(const struct table4_data *d, int scene,
         row_cells(t, &run[row], row);
     if (scene == TABLE4_FLAG)
         note_rules(t, &d->rules);
+    if (d->quick && scene == TABLE4_DROP)
+        table4_text(d, t);
     return table_finish(t, format, file);
 }
 
@@ -290,7 +293,7 @@ static enum status save(const struct table4_data *d, const char *folder,
                 for (int n = 0; n < MEASURES; n++)
                     table_number(t, run->result.value[n], 9);
                 table_text(t, "%s", run->result.sentence.text);
-                table_text(t, "%s", run->feasible ? "yes" : "no");
+                table_text(t, "%s", !run->judged ? "" : run->feasible ? "yes" : "no");
                 table_text(t, "%s", table4_words(run->labels, words, sizeof words));
                 table_text(t, "%s", p->labels ? "no" : "yes");
                 table_text(t, "%s", table4_words(p->labels, words, sizeof words));
@@ -353,27 +356,23 @@ static enum status draw(const struct table4_data *d, const char *folder,
     return chart_save(c, folder, "table4", why);
 }
 
-enum status table4_print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why)
+enum status table4_print(const struct table4_data *d, const char *folder,
+                         enum table_format format, FILE *file, struct message *why)
 {
-    struct table4_data *d = NULL;
-    char path[4096];
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(table4_load(folder, &d, why));
+    if (table_format_is_prose(format))
+        table4_headline(d, file);
     for (int s = 0; s < TABLE4_SCENES; s++)
         TRY(print_rows(d, s, format, file));
+    TRY(save(d, folder, why));
+    fprintf(stderr, "every number in %s/table4.csv\n", folder);
+    if (d->quick) /* what follows counts verdicts */
+        return st;
     TRY(print_agreement(d, format, file));
     TRY(print_hindsight(d, format, file));
     TRY(print_whose(d, format, file));
-    if (table_format_is_prose(format)) {
-        table4_path(folder, TABLE4_PRINTED, TABLE4_FLAG, 0, path, sizeof path);
-        measurement_machine(path, file);
-    }
-    TRY(save(d, folder, why));
-    fprintf(stderr, "every number in %s/table4.csv\n", folder);
     TRY(draw(d, folder, why));
 out:
-    table4_clear(d);
     return st;
 }

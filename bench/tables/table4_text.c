@@ -54,6 +54,41 @@ static struct table4_interval best(const struct table4_data *d, int measure, int
     return table4_best(ROWS, value, yes, TABLE4_ANY);
 }
 
+/* Of a reading's rows on a scene, those that are called so. */
+static int called(const struct table4_data *d, int reading, int scene, int label)
+{
+    const struct table4_agreement a = table4_agree(d, reading, scene, label);
+
+    return a.hit + a.extra;
+}
+
+/* How long the runs are, those that lived [s]. */
+static double length(const struct table4_data *d)
+{
+    return span_of(d, PRINTED, FLAG, MEASURE_END_TIME).high;
+}
+
+void table4_headline(const struct table4_data *d, FILE *file)
+{
+    bool yes[ROWS];
+    const int no = ROWS - table4_paper(-1, yes);
+    const int flag = table4_agree(d, PRINTED, FLAG, -1).agree;
+    const int drop = table4_agree(d, PRINTED, DROP, -1).agree;
+
+    if (d->quick)
+        table_say(file, "Table 4: not judged: quick, runs of %.2g s.\n", length(d));
+    else
+        table_say(file,
+                  "Table 4: yes or no as in the paper in %d of 18 rows on flag and %d on "
+                  "edge_drop%s `no` to all, %d; over-stretched are %d and %d, the paper's "
+                  "%d.\n",
+                  flag, drop,
+                  flag > no && drop > no ? ", more than by" : ", no more than by", no,
+                  called(d, PRINTED, FLAG, PAPER_OVER_STRETCHED),
+                  called(d, PRINTED, DROP, PAPER_OVER_STRETCHED),
+                  table4_paper(PAPER_OVER_STRETCHED, yes));
+}
+
 static void tell_yes_or_no(const struct table4_data *d, struct table *t)
 {
     const struct table4_interval ratio = best(d, MEASURE_YOUNG_OVER_DENSITY, -1);
@@ -78,14 +113,28 @@ static void tell_one_number(const struct table4_data *d, struct table *t)
     int same = 0;
 
     for (int n = 0; n < TABLE4_SCALED; n++)
-        same += !memcmp(d->scaled[n].value, d->run[PRINTED][FLAG][row[n]].result.value,
+        same += !run_result_refused(&d->scaled[n]) &&
+                !memcmp(d->scaled[n].value, d->run[PRINTED][FLAG][row[n]].result.value,
                         sizeof d->scaled[n].value);
     table_note(t,
                "E and rho are one parameter: gravity is the only load, and so rho divides "
                "out of the printed scheme. Rows %d, %d and %d with four times the E and "
-               "four times the rho gave the same numbers, bit for bit, in %d of %d runs%s.",
-               row[0] + 1, row[1] + 1, row[2] + 1, same, TABLE4_SCALED,
+               "four times the rho gave the same numbers to %.2g s, bit for bit, in %d of "
+               "%d runs%s.",
+               row[0] + 1, row[1] + 1, row[2] + 1, length(d), same, TABLE4_SCALED,
                same == TABLE4_SCALED ? ": the motion depends on E/rho and mu alone" : "");
+}
+
+/* Whether anybody looked for crossings: a time that did not come is infinite, not NaN. */
+static bool looked(const struct table4_data *d)
+{
+    bool all = true;
+
+    for (int s = 0; s < TABLE4_SCENES; s++)
+        for (int row = 0; row < ROWS; row++)
+            all = all &&
+                  !isnan(d->run[PRINTED][s][row].result.value[MEASURE_INTERSECTION_TIME]);
+    return all;
 }
 
 static void tell_crossings(const struct table4_data *d, struct table *t)
@@ -94,6 +143,10 @@ static void tell_crossings(const struct table4_data *d, struct table *t)
     bool blind = true, met = false, yes[ROWS];
     const int no = ROWS - table4_paper(PAPER_PENETRATION, yes);
 
+    if (!looked(d)) {
+        table_note(t, "Penetration: not judged: the runs were not searched for crossings.");
+        return;
+    }
     for (int s = 0; s < TABLE4_SCENES; s++) {
         const struct span at = span_of(d, PRINTED, s, MEASURE_INTERSECTION_TIME);
         const int agree = table4_agree(d, PRINTED, s, PAPER_PENETRATION).agree;
@@ -142,29 +195,42 @@ static void tell_deaths(const struct table4_data *d, struct table *t)
         words, fast);
 }
 
+/* The row with the largest Gamma: of the softest, heaviest sheet. */
+enum { SOFT = 3 };
+
 /* 5e4: the least Gamma of the fabrics that the plan's thresholds are from. */
 static void tell_stiffness(const struct table4_data *d, struct table *t)
 {
     const double fabric = 5e4;
     const struct span gamma = span_of(d, PRINTED, FLAG, MEASURE_GAMMA);
 
-    table_note(t,
-               "Boards, not cloth: Gamma, weight against bending, is %.3g to %.3g in these "
-               "rows and %.0e or more in measured fabrics of 1 m. An elastic sheet with "
-               "these numbers stands out of its support, as the undamped shell does: its "
-               "middle line sinks by %.2g degrees at most on flag in row %d, the printed "
-               "one's by %.3g: the printed scheme has no elastic memory, and flows.",
-               gamma.low, gamma.high, fabric,
-               d->run[TABLE4_SHELL][FLAG][3].result.value[MEASURE_ANGLE_MAX], 4,
-               d->run[PRINTED][FLAG][3].result.value[MEASURE_ANGLE_MAX]);
+    const double shell = d->run[TABLE4_SHELL][FLAG][SOFT].result.value[MEASURE_ANGLE_MAX];
+    const double printed = d->run[PRINTED][FLAG][SOFT].result.value[MEASURE_ANGLE_MAX];
+
+    if (!gamma.count || isnan(shell + printed)) {
+        table_note(t, "Boards or cloth: not judged: row %d was not run.", SOFT + 1);
+        return;
+    }
+    table_note(
+        t,
+        "%s: Gamma, weight against bending, is %.3g to %.3g in these rows and %.0e or "
+        "more in measured fabrics of 1 m. The undamped shell, an elastic sheet with "
+        "these numbers, sinks with its middle line by %.2g degrees at most on flag in "
+        "row %d, the printed one's by %.3g%s.",
+        gamma.high < fabric ? "Boards, not cloth" : "Boards and cloth", gamma.low,
+        gamma.high, fabric, shell, SOFT + 1, printed,
+        shell < printed ? ": the printed scheme has no elastic memory, and flows" : "");
 }
 
 /* Whose failure a label is, from the rows that have it; `lawful`: at most, in a reading and
- * scene with a law that holds. */
-static const char *whose(int paper, int printed, int lawful, int lawful_hits)
+ * scene with a law that holds; `others`: of further schemes. */
+static const char *whose(int paper, int printed, int others, int lawful, int lawful_hits)
 {
     if (printed == 0 && lawful == 0)
-        return "nobody shows it by this threshold: not reproduced";
+        return others
+                   ? "other schemes than the printed one show it, the nonlinear models do "
+                     "not: not reproduced"
+                   : "nobody shows it by this threshold: not reproduced";
     if (lawful == 0)
         return "the scheme's: neither the nonlinear solid nor the shell shows it in any "
                "row, with the same E, nu, rho and thickness";
@@ -179,15 +245,18 @@ static const char *whose(int paper, int printed, int lawful, int lawful_hits)
 static void tell_label(const struct table4_data *d, int label, struct table *t)
 {
     bool yes[ROWS];
-    int printed = 0, lawful = 0, hits = 0;
+    int printed = 0, others = 0, lawful = 0, hits = 0;
     char words[WORDS] = "";
 
     for (int r = 0; r < TABLE4_READINGS; r++)
         for (int s = 0; s < TABLE4_SCENES; s++) {
             const struct table4_agreement a = table4_agree(d, r, s, label);
             const int ours = a.hit + a.extra;
-            printed += r == PRINTED ? ours : 0;
-            if (table4_reading[r].lawful) {
+            if (r == PRINTED)
+                printed += ours;
+            else if (!table4_reading[r].lawful)
+                others += ours;
+            else {
                 lawful = ours > lawful ? ours : lawful;
                 hits = a.hit > hits ? a.hit : hits;
             }
@@ -200,11 +269,20 @@ static void tell_label(const struct table4_data *d, int label, struct table *t)
             fmax(span_of(d, TABLE4_SHELL, FLAG, MEASURE_STRETCH_MAX).high,
                  span_of(d, TABLE4_SHELL, DROP, MEASURE_STRETCH_MAX).high));
     table_note(t, "%s: %s.%s", paper_label[label],
-               whose(table4_paper(label, yes), printed, lawful, hits), words);
+               whose(table4_paper(label, yes), printed, others, lawful, hits), words);
 }
 
 void table4_text(const struct table4_data *d, struct table *t)
 {
+    if (d->quick) {
+        table_note(
+            t,
+            "Not judged: quick: these runs are of %.2g s, most on coarser nets. What is "
+            "said of rows, their labels and the paper's words takes whole ones.",
+            length(d));
+        tell_one_number(d, t);
+        return;
+    }
     for (int label = 0; label < PAPER_LABELS; label++)
         tell_label(d, label, t);
     tell_yes_or_no(d, t);

@@ -125,4 +125,7 @@ int table_width(const char *text);
 /* Words as notes are printed in text: lines of at most its width, then a line end. */
 void table_print_wrapped(const char *text, FILE *file);
 
+/* The same with printf's words: a sentence beside the tables, in a line of its own. */
+void table_say(FILE *file, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 #endif

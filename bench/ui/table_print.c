@@ -1,6 +1,9 @@
 /* table_print.c - how a table looks to people, in each format. */
+#define _GNU_SOURCE /* vasprintf */
 #include "bench/ui/table_parts.h"
 
+#include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { TEXT_WIDTH = 96 };
@@ -70,6 +73,20 @@ void table_print_wrapped(const char *text, FILE *file)
         text += *text != '\0';
     }
     fputc('\n', file);
+}
+
+void table_say(FILE *file, const char *format, ...)
+{
+    char *text = NULL;
+    va_list words;
+
+    va_start(words, format);
+    if (vasprintf(&text, format, words) >= 0)
+        table_print_wrapped(text, file);
+    else
+        fputs("out of memory\n", file);
+    va_end(words);
+    free(text);
 }
 
 /* One line of cells. Blanks are printed only before something, none at the end. */

@@ -1,0 +1,290 @@
+/* The paper's numbers as the program has them - bench/truth/paper.c and the plans table1 to
+ * table4 - against a second transcription, cell by cell and both ways round. */
+#include "bench/truth/paper.h"
+
+#include "bench/experiment/plan_case.h"
+#include "bench/experiment/plan_read.h"
+#include "fem_ref/reference.h"
+#include "tests/check.h"
+
+enum { MOST = 400, WORD = 64 };
+
+struct cell {
+    char table[8], row[WORD], column[WORD], value[WORD];
+};
+struct cells {
+    int count;
+    struct cell cell[MOST];
+};
+
+/* The next cell; the value as printf has it. */
+#define ADD(cells, t, r, c, ...)                                                           \
+    do {                                                                                   \
+        REQUIRE((cells)->count < MOST);                                                    \
+        struct cell *added = &(cells)->cell[(cells)->count++];                             \
+        snprintf(added->table, sizeof added->table, "%d", t);                              \
+        snprintf(added->row, WORD, "%s", r);                                               \
+        snprintf(added->column, WORD, "%s", c);                                            \
+        snprintf(added->value, WORD, __VA_ARGS__);                                         \
+    } while (0)
+
+static bool same_value(const char *a, const char *b)
+{
+    char *end_a, *end_b;
+    const double x = strtod(a, &end_a), y = strtod(b, &end_b);
+
+    return *a && *b && !*end_a && !*end_b ? x == y : !strcmp(a, b);
+}
+
+static const struct cell *find(const struct cells *in, const struct cell *like)
+{
+    for (int n = 0; n < in->count; n++)
+        if (!strcmp(in->cell[n].table, like->table) &&
+            !strcmp(in->cell[n].row, like->row) &&
+            !strcmp(in->cell[n].column, like->column))
+            return &in->cell[n];
+    return NULL;
+}
+
+/* Cells of `a` that are not in `b`, or are another there. */
+static int differ(const struct cells *a, const struct cells *b, bool tell)
+{
+    int count = 0;
+
+    for (int n = 0; n < a->count; n++) {
+        const struct cell *one = &a->cell[n], *other = find(b, one);
+        if (other && same_value(one->value, other->value))
+            continue;
+        count++;
+        if (tell)
+            printf("Table %s, %s, %s: '%s' and '%s'\n", one->table, one->row, one->column,
+                   one->value, other ? other->value : "no such cell");
+    }
+    return count;
+}
+
+static void read_second(struct cells *c)
+{
+    struct reference *r = NULL;
+    struct message why = {""};
+
+    if (!CHECK(reference_open(REFERENCE_DIR "/paper_tables.csv", &r, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    REQUIRE(r);
+    for (int n = 0; n < reference_rows(r); n++)
+        ADD(c, atoi(reference_text(r, n, "table")), reference_text(r, n, "row"),
+            reference_text(r, n, "column"), "%s", reference_text(r, n, "value"));
+    reference_close(r);
+}
+
+/* --- what the program has ---------------------------------------------------------------
+ */
+
+static void open_plan(const char *path, struct plan *plan)
+{
+    struct message why = {""};
+
+    if (plan_read(path, plan, &why) != STATUS_OK)
+        printf("%s\n", why.text);
+    REQUIRE(plan->name);
+}
+
+static void scene_of(const struct plan *plan, const struct plan_study *s,
+                     struct scene *scene)
+{
+    struct plan_case c = {0};
+
+    REQUIRE(plan_case_level(plan, s, &s->levels[0], false, &c, NULL) == STATUS_OK);
+    REQUIRE(plan_case_scene(&c, scene, NULL) == STATUS_OK);
+    plan_case_clear(&c);
+}
+
+static void add_first(struct cells *c)
+{
+    struct plan plan;
+    struct scene scene;
+
+    for (int n = 0; n < PAPER_TABLE1_ROWS; n++) {
+        const struct paper_table1_row *p = &paper_table1[n];
+        if (p->points[2])
+            ADD(c, 1, p->method, "net", "%dx%dx%d", p->points[0], p->points[1],
+                p->points[2]);
+        else
+            ADD(c, 1, p->method, "net", "%dx%d", p->points[0], p->points[1]);
+        ADD(c, 1, p->method, "seconds", "%.17g", p->seconds);
+    }
+    open_plan(SOURCE_DIR "/bench/plans/table1.yaml", &plan);
+    scene_of(&plan, &plan.studies[0], &scene);
+    ADD(c, 1, "shell IGA", "thickness", "%.17g", scene.thickness);
+    ADD(c, 1, "FEM", "RMSE at most", "%.17g", PAPER_TABLE1_RMSE);
+    scene_clear(&scene);
+    plan_clear(&plan);
+}
+
+/* Degree "2 2 1" and net "10x10x2" as the paper has them. */
+static void net_of(const struct plan_study *s, char degree[WORD], char net[WORD],
+                   int *points)
+{
+    const struct plan_setting *p =
+        plan_settings_find(&s->settings, "discretization.points");
+    const struct plan_setting *q =
+        plan_settings_find(&s->settings, "discretization.degree");
+    int at[3], of[3];
+
+    REQUIRE(p && sscanf(p->value, "[%d,%d,%d]", &at[0], &at[1], &at[2]) == 3);
+    REQUIRE(q && sscanf(q->value, "[%d,%d,%d]", &of[0], &of[1], &of[2]) == 3);
+    *points = at[0] * at[1] * at[2];
+    if (s->paper_net) { /* the thickness first; ours is the same, last */
+        int to[3], by[3];
+        REQUIRE(sscanf(s->paper_net, "(%d,%d,%d) %dx%dx%d", &by[0], &by[1], &by[2], &to[0],
+                       &to[1], &to[2]) == 6);
+        for (int i = 0; i < 3; i++)
+            CHECK(to[i] == at[(i + 2) % 3] && by[i] == of[(i + 2) % 3]);
+        memcpy(at, to, sizeof at);
+        memcpy(of, by, sizeof of);
+    }
+    snprintf(degree, WORD, "%d %d %d", of[0], of[1], of[2]);
+    snprintf(net, WORD, "%dx%dx%d", at[0], at[1], at[2]);
+}
+
+/* "Fig. 12b, 13a" is of 12b+13a; "Fig. 7, edge fixed" of 7, and a scene with a name. */
+static void figure_of(const struct plan_study *s, const char *scene, char figure[WORD],
+                      char what[WORD])
+{
+    static const char *const words[][2] = {{"edge_drop", "edge fixed"},
+                                           {"corners_drop", "two corners fixed"},
+                                           {"ground", "ground contact"},
+                                           {"flag", "falling flag"}};
+    char rest[WORD] = "";
+
+    *what = '\0';
+    REQUIRE(sscanf(s->caption, "Fig. %63[^,], %63[^\n]", figure, rest) >= 1);
+    if (*rest >= '0' && *rest <= '9')
+        snprintf(figure + strlen(figure), WORD - strlen(figure), "+%s", rest);
+    else if (*rest)
+        for (int n = 0; n < 4; n++)
+            if (!strcmp(words[n][0], scene)) {
+                CHECK(!strncmp(words[n][1], rest, strlen(rest)));
+                snprintf(what, WORD, "%s", words[n][1]);
+            }
+}
+
+static void add_second(struct cells *c)
+{
+    struct plan plan;
+
+    open_plan(SOURCE_DIR "/bench/plans/table2.yaml", &plan);
+    REQUIRE(plan.study_count == PAPER_TABLE2_ROWS);
+    for (int n = 0; n < PAPER_TABLE2_ROWS; n++) {
+        const struct plan_study *s = &plan.studies[n];
+        char row[WORD], degree[WORD], net[WORD], figure[WORD], what[WORD];
+        struct scene scene;
+        int points;
+        scene_of(&plan, s, &scene);
+        net_of(s, degree, net, &points);
+        figure_of(s, scene.name, figure, what);
+        snprintf(row, WORD, "%d", n + 1);
+        ADD(c, 2, row, "figure", "%s", figure);
+        ADD(c, 2, row, "scene", "%s", what);
+        ADD(c, 2, row, "degree", "%s", degree);
+        ADD(c, 2, row, "net", "%s", net);
+        ADD(c, 2, row, "E", "%.17g", scene.young);
+        ADD(c, 2, row, "nu", "%.17g", scene.poisson);
+        ADD(c, 2, row, "rho", "%.17g", scene.density);
+        ADD(c, 2, row, "mu", "%.17g", scene.damping.value);
+        ADD(c, 2, row, "control points", "%d", points);
+        ADD(c, 2, row, "ms", "%.17g", paper_table2_ms[n]);
+        CHECK(s->paper_ms == paper_table2_ms[n]);
+        scene_clear(&scene);
+    }
+    plan_clear(&plan);
+}
+
+static void add_third(struct cells *c)
+{
+    struct plan plan;
+
+    open_plan(SOURCE_DIR "/bench/plans/table3.yaml", &plan);
+    for (int n = 0; n < plan.study_count; n++) {
+        char degree[WORD], net[WORD];
+        int points;
+        net_of(&plan.studies[n], degree, net, &points);
+        ADD(c, 3, degree, net, "%.17g", plan.studies[n].paper_ms);
+    }
+    plan_clear(&plan);
+}
+
+/* "penetration+over-stretched", in the paper's order: the stretching last. */
+static void words_of(unsigned labels, char text[WORD])
+{
+    snprintf(text, WORD, "%s", labels ? "" : "-");
+    for (int n = 1; n <= PAPER_LABELS; n++)
+        if (labels >> n % PAPER_LABELS & 1)
+            snprintf(text + strlen(text), WORD - strlen(text), "%s%s", *text ? "+" : "",
+                     paper_label[n % PAPER_LABELS]);
+}
+
+/* E, rho and mu of the plan are those of paper.c: tests/table4.c. */
+static void add_fourth(struct cells *c)
+{
+    struct plan plan;
+
+    open_plan(SOURCE_DIR "/bench/plans/table4.yaml", &plan);
+    REQUIRE(plan_case_count(&plan) == 2 * PAPER_TABLE4_ROWS);
+    for (int n = 0; n < PAPER_TABLE4_ROWS; n++) {
+        const struct paper_table4_row *p = &paper_table4[n];
+        struct plan_case one = {0};
+        struct scene scene;
+        char row[WORD], words[WORD];
+        REQUIRE(plan_case_open(&plan, 2 * n, &one, NULL) == STATUS_OK);
+        REQUIRE(plan_case_scene(&one, &scene, NULL) == STATUS_OK);
+        snprintf(row, WORD, "%d", n + 1);
+        words_of(p->labels, words);
+        ADD(c, 4, row, "E", "%.17g", p->young);
+        ADD(c, 4, row, "nu", "%.17g", scene.poisson);
+        ADD(c, 4, row, "rho", "%.17g", p->density);
+        ADD(c, 4, row, "mu", "%.17g", p->damping);
+        ADD(c, 4, row, "feasible", "%s", p->labels ? "no" : "yes");
+        ADD(c, 4, row, "described as", "%s", words);
+        scene_clear(&scene);
+        plan_case_clear(&one);
+    }
+    plan_clear(&plan);
+}
+
+/* Two cells of a column exchanged, or one left out, is noticed, whichever they are. */
+static void test_comparison(const struct cells *good)
+{
+    static struct cells bad;
+
+    for (int n = 0; n < good->count; n++)
+        for (int m = n + 1; m < good->count; m++) {
+            const struct cell *a = &good->cell[n], *b = &good->cell[m];
+            if (strcmp(a->table, b->table) || strcmp(a->column, b->column) ||
+                same_value(a->value, b->value))
+                continue;
+            bad = *good;
+            memcpy(bad.cell[n].value, b->value, WORD);
+            memcpy(bad.cell[m].value, a->value, WORD);
+            CHECK(differ(&bad, good, false) == 2 && differ(good, &bad, false) == 2);
+        }
+    bad = *good;
+    bad.count--;
+    CHECK(differ(good, &bad, false) == 1);
+}
+
+int main(void)
+{
+    static struct cells ours, second;
+
+    read_second(&second);
+    add_first(&ours);
+    add_second(&ours);
+    add_third(&ours);
+    add_fourth(&ours);
+    CHECK(differ(&ours, &second, true) == 0);
+    CHECK(differ(&second, &ours, true) == 0);
+    CHECK(ours.count == second.count);
+    test_comparison(&second);
+    return check_result();
+}

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_force.h"
-
 enum { LANCZOS_STEPS = 200 };
 
 static double norm(size_t count, const double *x)
@@ -19,15 +17,15 @@ static double norm(size_t count, const double *x)
 }
 
 /* y = m^-1/2 K m^-1/2 x among the free unknowns. */
-static void multiply(const struct spring_net *net, const struct supports *supports,
-                     const double *mass, double (*K)[9], const double *x, double *work,
-                     double *y)
+static void multiply(const struct blocks *graph, const struct supports *supports,
+                     const double *mass, const double (*K)[9], const double *x,
+                     double *work, double *y)
 {
-    size_t count = 3 * (size_t)net->nodes;
+    size_t count = 3 * (size_t)graph->nodes;
 
     for (size_t t = 0; t < count; t++)
         work[t] = x[t] / sqrt(mass[t / 3]);
-    blocks_multiply(&net->graph, (const double(*)[9])K, work, y);
+    blocks_multiply(graph, K, work, y);
     for (size_t t = 0; t < count; t++)
         y[t] = supports->free_index[t] < 0 ? 0 : y[t] / sqrt(mass[t / 3]);
 }
@@ -43,11 +41,11 @@ static void start_vector(const struct supports *supports, size_t count, double *
         q[t] /= length;
 }
 
-enum status spring_frequency_largest(const struct spring_net *net,
+enum status spring_frequency_largest(const struct blocks *graph,
                                      const struct supports *supports, const double *mass,
-                                     double (*K)[9], double *omega)
+                                     const double (*K)[9], double *omega)
 {
-    size_t count = 3 * (size_t)net->nodes;
+    size_t count = 3 * (size_t)graph->nodes;
     double *room = calloc(4 * count, sizeof *room), alpha[LANCZOS_STEPS],
            beta[LANCZOS_STEPS];
     double *q = room, *before = room + count, *y = room + 2 * count,
@@ -59,10 +57,9 @@ enum status spring_frequency_largest(const struct spring_net *net,
         return STATUS_MEMORY;
     if (!supports->free_count)
         goto out;
-    spring_force_jacobian(net, net->rest, K);
     start_vector(supports, count, q);
     for (double last = 0; n < LANCZOS_STEPS && n < supports->free_count;) {
-        multiply(net, supports, mass, K, q, work, y);
+        multiply(graph, supports, mass, K, q, work, y);
         alpha[n] = 0;
         for (size_t t = 0; t < count; t++)
             alpha[n] += q[t] * y[t];

@@ -5,7 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LANCZOS_STEPS = 200 };
+enum { LANCZOS_STEPS = 200, LANCZOS_LOOK = 8 };
+
+/* Of omega^2: it has converged when it gains less in LANCZOS_LOOK steps. */
+static const double LANCZOS_GAIN = 1e-3;
 
 static double norm(size_t count, const double *x)
 {
@@ -41,6 +44,16 @@ static void start_vector(const struct supports *supports, size_t count, double *
         q[t] /= length;
 }
 
+/* The largest eigenvalue of the tridiagonal matrix of n steps. */
+static double ritz(int n, const double *alpha, const double *beta)
+{
+    double a[LANCZOS_STEPS], b[LANCZOS_STEPS];
+
+    memcpy(a, alpha, (size_t)n * sizeof *a);
+    memcpy(b, beta, (size_t)n * sizeof *b);
+    return LAPACKE_dsterf(n, a, b) == 0 ? a[n - 1] : 0;
+}
+
 enum status spring_frequency_largest(const struct blocks *graph,
                                      const struct supports *supports, const double *mass,
                                      const double (*K)[9], double *omega)
@@ -50,6 +63,7 @@ enum status spring_frequency_largest(const struct blocks *graph,
            beta[LANCZOS_STEPS];
     double *q = room, *before = room + count, *y = room + 2 * count,
            *work = room + 3 * count;
+    double square = 0;
     int n = 0;
 
     *omega = 0;
@@ -67,15 +81,18 @@ enum status spring_frequency_largest(const struct blocks *graph,
             y[t] -= alpha[n] * q[t] + last * before[t];
         last = beta[n] = norm(count, y);
         double scale = fabs(alpha[n++]);
-        if (last <= 1e-12 * scale)
+        double known = square;
+        if (n % LANCZOS_LOOK == 0)
+            square = ritz(n, alpha, beta);
+        if (last <= 1e-12 * scale ||
+            (square > known && square < (1 + LANCZOS_GAIN) * known))
             break;
         double *old = before;
         before = q, q = y, y = old;
         for (size_t t = 0; t < count; t++)
             q[t] /= last;
     }
-    if (LAPACKE_dsterf(n, alpha, beta) == 0 && alpha[n - 1] > 0)
-        *omega = sqrt(alpha[n - 1]);
+    *omega = sqrt(fmax(0, ritz(n, alpha, beta)));
 out:
     free(room);
     return STATUS_OK;

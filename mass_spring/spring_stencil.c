@@ -227,12 +227,21 @@ double spring_stencil_energy(const struct spring_stencil *s, const double *x)
 
 double spring_stencil_stretch2(const struct spring_stencil *s, const double *x)
 {
-    double most = 1, edge[3];
+    int n = s->net->points[0], m = s->net->points[1];
+    double most = 1;
 
-    for (int n = 0; n < s->net->spring_count; n++) {
-        const struct spring *spring = &s->net->springs[n];
-        double r2 = spring->length * spring->length;
-        most = fmax(most, square_of_edge(x, spring->a, spring->b, edge) / r2);
+    for (int k = SPRING_STENCIL_NEAR / 2; k < SPRING_STENCIL_NEAR; k++) {
+        const int *step = spring_stencil_step[k];
+        double scale = s->square[k] > 0 ? 1 / s->square[k] : 0;
+        int first = step[1] < 0, last = m - (step[1] > 0),
+            off = 3 * (step[0] * m + step[1]);
+        for (int i = 0; i < n - step[0]; i++)
+            for (int j = first; j < last; j++) {
+                const double *p = x + 3 * (i * m + j);
+                double e[3] = {p[off] - p[0], p[off + 1] - p[1], p[off + 2] - p[2]};
+                double q = scale * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+                most = q > most ? q : most;
+            }
     }
     return most;
 }

@@ -5,9 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_force.h"
+enum { LANCZOS_STEPS = 200, LANCZOS_LOOK = 8 };
 
-enum { LANCZOS_STEPS = 200 };
+/* Of omega^2: it has converged when it gains less in LANCZOS_LOOK steps. */
+static const double LANCZOS_GAIN = 1e-3;
 
 static double norm(size_t count, const double *x)
 {
@@ -19,15 +20,15 @@ static double norm(size_t count, const double *x)
 }
 
 /* y = m^-1/2 K m^-1/2 x among the free unknowns. */
-static void multiply(const struct spring_net *net, const struct supports *supports,
-                     const double *mass, double (*K)[9], const double *x, double *work,
-                     double *y)
+static void multiply(const struct blocks *graph, const struct supports *supports,
+                     const double *mass, const double (*K)[9], const double *x,
+                     double *work, double *y)
 {
-    size_t count = 3 * (size_t)net->nodes;
+    size_t count = 3 * (size_t)graph->nodes;
 
     for (size_t t = 0; t < count; t++)
         work[t] = x[t] / sqrt(mass[t / 3]);
-    blocks_multiply(&net->graph, (const double(*)[9])K, work, y);
+    blocks_multiply(graph, K, work, y);
     for (size_t t = 0; t < count; t++)
         y[t] = supports->free_index[t] < 0 ? 0 : y[t] / sqrt(mass[t / 3]);
 }
@@ -43,15 +44,26 @@ static void start_vector(const struct supports *supports, size_t count, double *
         q[t] /= length;
 }
 
-enum status spring_frequency_largest(const struct spring_net *net,
-                                     const struct supports *supports, const double *mass,
-                                     double (*K)[9], double *omega)
+/* The largest eigenvalue of the tridiagonal matrix of n steps. */
+static double ritz(int n, const double *alpha, const double *beta)
 {
-    size_t count = 3 * (size_t)net->nodes;
+    double a[LANCZOS_STEPS], b[LANCZOS_STEPS];
+
+    memcpy(a, alpha, (size_t)n * sizeof *a);
+    memcpy(b, beta, (size_t)n * sizeof *b);
+    return LAPACKE_dsterf(n, a, b) == 0 ? a[n - 1] : 0;
+}
+
+enum status spring_frequency_largest(const struct blocks *graph,
+                                     const struct supports *supports, const double *mass,
+                                     const double (*K)[9], double *omega)
+{
+    size_t count = 3 * (size_t)graph->nodes;
     double *room = calloc(4 * count, sizeof *room), alpha[LANCZOS_STEPS],
            beta[LANCZOS_STEPS];
     double *q = room, *before = room + count, *y = room + 2 * count,
            *work = room + 3 * count;
+    double square = 0;
     int n = 0;
 
     *omega = 0;
@@ -59,10 +71,9 @@ enum status spring_frequency_largest(const struct spring_net *net,
         return STATUS_MEMORY;
     if (!supports->free_count)
         goto out;
-    spring_force_jacobian(net, net->rest, K);
     start_vector(supports, count, q);
     for (double last = 0; n < LANCZOS_STEPS && n < supports->free_count;) {
-        multiply(net, supports, mass, K, q, work, y);
+        multiply(graph, supports, mass, K, q, work, y);
         alpha[n] = 0;
         for (size_t t = 0; t < count; t++)
             alpha[n] += q[t] * y[t];
@@ -70,15 +81,18 @@ enum status spring_frequency_largest(const struct spring_net *net,
             y[t] -= alpha[n] * q[t] + last * before[t];
         last = beta[n] = norm(count, y);
         double scale = fabs(alpha[n++]);
-        if (last <= 1e-12 * scale)
+        double known = square;
+        if (n % LANCZOS_LOOK == 0)
+            square = ritz(n, alpha, beta);
+        if (last <= 1e-12 * scale ||
+            (square > known && square < (1 + LANCZOS_GAIN) * known))
             break;
         double *old = before;
         before = q, q = y, y = old;
         for (size_t t = 0; t < count; t++)
             q[t] /= last;
     }
-    if (LAPACKE_dsterf(n, alpha, beta) == 0 && alpha[n - 1] > 0)
-        *omega = sqrt(alpha[n - 1]);
+    *omega = sqrt(fmax(0, ritz(n, alpha, beta)));
 out:
     free(room);
     return STATUS_OK;

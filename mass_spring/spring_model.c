@@ -24,7 +24,7 @@ static void defaults(struct discretization *d)
 enum {
     USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_INTEGRATOR | DISCRETIZATION_SUBSTEPS |
            DISCRETIZATION_ITERATIONS | DISCRETIZATION_TOLERANCE |
-           DISCRETIZATION_STRAIN_LIMIT
+           DISCRETIZATION_STRAIN_LIMIT | DISCRETIZATION_PRECISION
 };
 
 static void destroy(void *state)
@@ -41,6 +41,9 @@ static enum status create(const struct scene *scene, const struct discretization
 
     TRY(model_refuse_net(scene, SERVES, why));
     TRY(discretization_refuse_net(d, USED, "mass_spring", why));
+    if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "precision=single: with integrator=leapfrog only");
     m = calloc(1, sizeof *m);
     if (!m)
         TRY(STATUS_MEMORY);
@@ -93,10 +96,11 @@ static void describe(const void *state, struct message *line)
     struct spring_law_stiffness sheet = spring_law_plane_stress(m->scene);
     char limit[128] = "";
 
-    if (m->integrator == INTEGRATOR_EXPLICIT)
+    if (m->integrator != INTEGRATOR_IMPLICIT)
         snprintf(limit, sizeof limit,
-                 "; explicit steps of %.3g s, stable below %.3g s about rest", m->dt,
-                 m->limit);
+                 "; explicit steps of %.3g s, stable below %.3g s about rest",
+                 m->leapfrog ? spring_leapfrog_step(m->leapfrog) : m->dt,
+                 spring_motion_limit(m));
     snprintf(
         line->text, sizeof line->text,
         "the net has C11 %.4g, C22 %.4g, C33 %.4g of plane stress's, and C12 = %.4g C11 "
@@ -122,6 +126,11 @@ static void contact(const void *state, struct model_contact *contact)
 
 static enum status equilibrium(void *state, struct counters *counters, struct message *why)
 {
+    const struct spring_motion *m = state;
+
+    if (m->leapfrog)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "static equilibrium: with integrator=implicit or explicit");
     return spring_rest_equilibrium(state, counters, why);
 }
 

@@ -60,7 +60,7 @@ static enum status allocate(struct spring_motion *m)
 
 double spring_motion_limit(const struct spring_motion *m)
 {
-    return m->limit;
+    return m->leapfrog ? spring_leapfrog_limit(m->leapfrog) : m->limit;
 }
 
 static double limit_of(double omega, double beta)
@@ -77,8 +77,9 @@ static enum status set_steps(struct spring_motion *m, const struct discretizatio
 
     m->substeps = d->substeps > 0 ? d->substeps : 1;
     if (m->integrator == INTEGRATOR_EXPLICIT) {
-        TRY(spring_frequency_largest(&m->net, &m->newton.supports, m->mass, m->newton.K,
-                                     &omega));
+        spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
+        TRY(spring_frequency_largest(&m->net.graph, &m->newton.supports, m->mass,
+                                     (const double(*)[9])m->newton.K, &omega));
         m->limit = limit_of(omega, m->beta);
         double needed = ceil(step / (LIMIT_SHARE * m->limit));
         if (!d->substeps && !(needed <= MOST_SUBSTEPS))
@@ -101,10 +102,24 @@ static double shortest_spring(const struct spring_net *net)
     return fmin(net->cell[0], net->cell[1]);
 }
 
+static enum status make_leapfrog(struct spring_motion *m, const struct discretization *d,
+                                 struct message *why)
+{
+    const struct spring_body body = {
+        m->scene, &m->net, &m->newton.supports, m->mass, m->drag, m->load, m->beta};
+
+    if (m->strain_limit > 0)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "strain_limit: with integrator=implicit or explicit only");
+    return spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, m->newton.K,
+                                &m->leapfrog, why);
+}
+
 void spring_motion_clear(struct spring_motion *m)
 {
     if (!m)
         return;
+    spring_leapfrog_free(m->leapfrog);
     spring_newton_clear(&m->newton);
     spring_net_clear(&m->net);
     free(m->room);
@@ -124,7 +139,8 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     if (uses_scene_damping(m))
         m->beta = damping_stiffness(scene);
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters));
-    TRY(spring_newton_init(&m->newton, scene, &m->net, d->solver, why));
+    TRY(spring_newton_init(&m->newton, scene, &m->net, d->solver,
+                           d->integrator != INTEGRATOR_LEAPFROG, why));
     TRY(allocate(m));
     memcpy(m->x, m->net.rest, 3 * (size_t)m->net.nodes * sizeof *m->x);
     m->rest_energy = spring_force_energy(&m->net, m->x);
@@ -134,7 +150,10 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     m->limits.iterations = d->iterations;
     m->limits.tolerance =
         (d->tolerance > 0 ? d->tolerance : DEFAULT_TOLERANCE) * shortest_spring(&m->net);
-    TRY(set_steps(m, d, why));
+    if (m->integrator == INTEGRATOR_LEAPFROG)
+        TRY(make_leapfrog(m, d, why));
+    else
+        TRY(set_steps(m, d, why));
 out:
     if (st != STATUS_OK)
         spring_motion_clear(m);
@@ -270,6 +289,11 @@ enum status spring_motion_step(struct spring_motion *m, struct counters *counter
     enum status st = STATUS_OK;
 
     memset(m->push, 0, sizeof m->push);
+    if (m->leapfrog) {
+        counters->steps++;
+        return spring_leapfrog_frame(m->leapfrog, velocity_factor(m), m->x, m->push,
+                                     &m->pushed, counters);
+    }
     for (int n = 0; n < m->substeps; n++)
         TRY(substep(m, counters));
     scale_velocity(m, velocity_factor(m));
@@ -290,6 +314,8 @@ void spring_motion_energy(const struct spring_motion *m, struct energy *energy)
 {
     double kinetic = 0, potential = 0;
 
+    if (m->leapfrog)
+        spring_leapfrog_velocity(m->leapfrog, m->v);
     for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++) {
         double mass = m->mass[n / 3];
         kinetic += mass * m->v[n] * m->v[n] / 2;
@@ -297,6 +323,7 @@ void spring_motion_energy(const struct spring_motion *m, struct energy *energy)
         potential -= weight * (m->x[n] - m->net.rest[n]);
     }
     energy->kinetic = kinetic;
-    energy->elastic = spring_force_energy(&m->net, m->x) - m->rest_energy;
+    energy->elastic = m->leapfrog ? spring_leapfrog_elastic(m->leapfrog, m->x)
+                                  : spring_force_energy(&m->net, m->x) - m->rest_energy;
     energy->potential = potential;
 }

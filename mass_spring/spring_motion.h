@@ -5,6 +5,8 @@
  * explicit   symplectic Euler: v from the forces at x0 (c implicit, for free), x from v.
  *            Stable up to a greatest step: spring_motion_limit. Without a number of sub-
  *            steps it takes as many as keep LIMIT_SHARE of it; with one, it may blow up.
+ * leapfrog   second order, fast, springs in squares of lengths and a quadratic bending
+ *            (spring_leapfrog.h).
  *
  * Obstacles: the implicit step is the minimum among the positions that they leave
  * (spring_newton.h); after an explicit one, and after limiting strains, points are set back
@@ -19,6 +21,7 @@
 #ifndef SPRING_MOTION_H
 #define SPRING_MOTION_H
 
+#include "mass_spring/spring_leapfrog.h"
 #include "mass_spring/spring_newton.h"
 
 struct spring_motion {
@@ -42,9 +45,10 @@ struct spring_motion {
     double *start, *target; /* [nodes][3] work                                         */
     double *shift;          /* [held_count] work                                       */
     double (*V)[9];         /* [pairs] with beta, else NULL                            */
-    long substep;           /* taken so far                                              */
-    double push[3];         /* of obstacles, mean over the last frame              [N]   */
-    int pushed;             /* points that they bore in its last substep                 */
+    struct spring_leapfrog *leapfrog; /* of that integrator, else NULL         owned   */
+    long substep;   /* taken so far                                              */
+    double push[3]; /* of obstacles, mean over the last frame              [N]   */
+    int pushed;     /* points that they bore in its last substep                 */
 };
 
 /* *m must stay where it is: it holds pointers into itself. */

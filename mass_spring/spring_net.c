@@ -75,19 +75,18 @@ static void add_springs(struct spring_net *net, int i, int j)
     }
 }
 
-static void add_clamp(struct spring_net *net, const bool *clamped, int a, int b,
-                      double strut)
+static void add_clamp(struct spring_net *net, int a, int b, double strut)
 {
     struct clamp clamp = {.a = a, .b = b, .strut = 2 * strut};
 
-    if (b < 0 || clamped[b] || strut == 0)
+    if (b < 0 || net->clamped[b] || strut == 0)
         return;
     for (int i = 0; i < 3; i++)
         clamp.edge[i] = net->rest[3 * b + i] - net->rest[3 * a + i];
     net->clamps[net->clamp_count++] = clamp;
 }
 
-static void add_hinges(struct spring_net *net, const bool *clamped, int i, int j)
+static void add_hinges(struct spring_net *net, int i, int j)
 {
     int b = i * net->points[1] + j;
 
@@ -97,9 +96,9 @@ static void add_hinges(struct spring_net *net, const bool *clamped, int i, int j
         bool rim = on_rim(net, i, j, line);
         double whole = net->law.strut[line->direction];
         double strut = rim ? net->law.rim_strut[line->direction] : whole;
-        if (clamped[b]) {
-            add_clamp(net, clamped, b, a, rim ? net->law.rim * whole : whole);
-            add_clamp(net, clamped, b, c, rim ? net->law.rim * whole : whole);
+        if (net->clamped[b]) {
+            add_clamp(net, b, a, rim ? net->law.rim * whole : whole);
+            add_clamp(net, b, c, rim ? net->law.rim * whole : whole);
         } else if (a >= 0 && c >= 0 && strut > 0) {
             net->hinges[net->hinge_count++] =
                 (struct hinge){.a = a, .b = b, .c = c, .strut = strut};
@@ -111,8 +110,7 @@ static void add_hinges(struct spring_net *net, const bool *clamped, int i, int j
 static const double ROUNDING = 1e-12;
 
 /* Nodes of columns that are held whole and in all components. */
-static void find_clamped(const struct spring_net *net, const struct scene *scene,
-                         bool *clamped)
+static void find_clamped(struct spring_net *net, const struct scene *scene)
 {
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
@@ -120,8 +118,9 @@ static void find_clamped(const struct spring_net *net, const struct scene *scene
             continue;
         for (int a = 0; a < net->nodes; a++) {
             const double *at = net->uvw[a];
-            clamped[a] |= at[0] >= s->lo[0] - ROUNDING && at[0] <= s->hi[0] + ROUNDING &&
-                          at[1] >= s->lo[1] - ROUNDING && at[1] <= s->hi[1] + ROUNDING;
+            net->clamped[a] |= at[0] >= s->lo[0] - ROUNDING &&
+                               at[0] <= s->hi[0] + ROUNDING &&
+                               at[1] >= s->lo[1] - ROUNDING && at[1] <= s->hi[1] + ROUNDING;
         }
     }
 }
@@ -173,7 +172,8 @@ static enum status allocate(struct spring_net *net)
     size_t nodes = (size_t)net->nodes;
 
     return room_cut(&net->room, ROOM(net->uvw, nodes), ROOM(net->rest, 3 * nodes),
-                    ROOM(net->area, nodes), ROOM(net->springs, LINE_COUNT * nodes),
+                    ROOM(net->area, nodes), ROOM(net->clamped, nodes),
+                    ROOM(net->springs, LINE_COUNT * nodes),
                     ROOM(net->hinges, LINE_COUNT * nodes),
                     ROOM(net->clamps, 2 * LINE_COUNT * nodes));
 }
@@ -193,26 +193,21 @@ enum status spring_net_init(struct spring_net *net, const struct scene *scene,
         .points = {points[0], points[1]},
         .nodes = points[0] * points[1],
         .cell = {scene->length / (points[0] - 1), scene->width / (points[1] - 1)}};
-    bool *clamped = NULL;
 
     assert(points[0] >= 2 && points[1] >= 2);
     TRY(allocate(&new));
-    clamped = calloc((size_t) new.nodes, sizeof *clamped);
-    if (!clamped)
-        TRY(STATUS_MEMORY);
     spring_law_make(scene, parameters, new.cell, &new.law);
     set_nodes(&new, scene);
-    find_clamped(&new, scene, clamped);
+    find_clamped(&new, scene);
     for (int a = 0; a < new.nodes; a++) {
         add_springs(&new, a / points[1], a % points[1]);
-        add_hinges(&new, clamped, a / points[1], a % points[1]);
+        add_hinges(&new, a / points[1], a % points[1]);
     }
     TRY(make_graph(&new));
     find_pairs(&new);
     HAND_OVER(net, new);
 out:
     spring_net_clear(&new);
-    free(clamped);
     return st;
 }
 

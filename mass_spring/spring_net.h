@@ -43,6 +43,7 @@ struct spring_net {
     double (*uvw)[3]; /* [nodes] material parameters, w = 1/2              */
     double *rest;     /* [nodes][3]                          [m]           */
     double *area;     /* [nodes] of the sheet that is theirs [m^2]         */
+    bool *clamped;    /* [nodes] of held columns that cannot turn          */
     int spring_count, hinge_count, clamp_count;
     struct spring *springs;
     struct hinge *hinges;

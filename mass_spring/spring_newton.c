@@ -46,7 +46,7 @@ void spring_newton_clear(struct spring_newton *s)
 
 enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
                                const struct spring_net *net, enum solver solver,
-                               struct message *why)
+                               bool solves, struct message *why)
 {
     enum status st;
     size_t pairs = (size_t)net->graph.start[net->nodes];
@@ -56,7 +56,7 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
     TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->hinges, pairs),
                  ROOM(s->work, 18 * (size_t)net->nodes)));
     spring_force_hinges(net, s->hinges);
-    if (s->supports.free_count)
+    if (s->supports.free_count && solves)
         TRY(make_system(s, solver));
     TRY(contact_set_init(&s->contact, scene, &s->supports, net->rest, scene->thickness / 2,
                          why));

@@ -49,10 +49,11 @@ struct spring_limits {
     double tolerance; /* converged when no coordinate moves farther             [m]    */
 };
 
-/* After spring_net_init; `net` must stay where it is, and so must *s. */
+/* After spring_net_init; `net` must stay where it is, and so must *s. solves: false leaves
+ * the system out, for steps that only want the supports. */
 enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
                                const struct spring_net *net, enum solver solver,
-                               struct message *why);
+                               bool solves, struct message *why);
 void spring_newton_clear(struct spring_newton *s);
 
 /* From x[nodes][3], whose held unknowns are where they should be, to the minimum.

@@ -131,6 +131,8 @@ WORDS(unknowns, [UNKNOWNS_AUTO] = "auto", [UNKNOWNS_POINTS] = "points",
 WORDS(solver, [SOLVER_AUTO] = "auto", [SOLVER_BANDED] = "banded",
       [SOLVER_SUPERNODAL] = "supernodal", [SOLVER_CHOLMOD] = "cholmod")
 WORDS(parameters, [PARAMETERS_MATCHED] = "matched", [PARAMETERS_PAPER] = "paper")
-WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit")
+WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit",
+      [INTEGRATOR_LEAPFROG] = "leapfrog")
+WORDS(precision, [PRECISION_DOUBLE] = "double", [PRECISION_SINGLE] = "single")
 WORDS(constraint, [CONSTRAINT_TRIANGLES] = "triangles", [CONSTRAINT_EDGES] = "edges")
 WORDS(acceleration, [ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev")

@@ -43,7 +43,14 @@ enum parameters {
     PARAMETERS_PAPER,   /* Ren et al. 2024, Fig. 6                                     */
 };
 
-enum integrator { INTEGRATOR_IMPLICIT, INTEGRATOR_EXPLICIT }; /* Euler                */
+enum integrator {
+    INTEGRATOR_IMPLICIT, /* Euler                                                      */
+    INTEGRATOR_EXPLICIT, /* symplectic Euler                                           */
+    INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
+};
+
+/* Of positions in leapfrog steps. */
+enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
 
 /* What resists stretching in projective_dynamics. */
 enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
@@ -66,6 +73,7 @@ struct discretization {
     /* Of the models that are no solids; zero: the model's own. */
     enum parameters parameters;
     enum integrator integrator;
+    enum precision precision;
     int substeps;        /* of one frame; 0: as many as the model needs, mostly one    */
     int iterations;      /* at most, in a step; 0: until the tolerance is met          */
     double tolerance;    /* ends the iteration; each model says of what [1]; 0: its own */
@@ -78,6 +86,7 @@ struct discretization {
 #define DISCRETIZATION_LIST(X)                                                             \
     X(PARAMETERS, parameters)                                                              \
     X(INTEGRATOR, integrator)                                                              \
+    X(PRECISION, precision)                                                                \
     X(SUBSTEPS, substeps)                                                                  \
     X(ITERATIONS, iterations)                                                              \
     X(TOLERANCE, tolerance)                                                                \
@@ -122,6 +131,7 @@ const char *unknowns_name(int unknowns);
 const char *solver_name(int solver);
 const char *parameters_name(int parameters);
 const char *integrator_name(int integrator);
+const char *precision_name(int precision);
 const char *constraint_name(int constraint);
 const char *acceleration_name(int acceleration);
 

@@ -159,6 +159,7 @@ static void check_printed(void)
         "discretization.solver=cholmod",
         "discretization.parameters=paper",
         "discretization.integrator=explicit",
+        "discretization.precision=single",
         "discretization.substeps=7",
         "discretization.iterations=8",
         "discretization.tolerance=1.0000000000000001e-09",

@@ -1,0 +1,294 @@
+#include "mass_spring/spring_leapfrog.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "mass_spring/spring_contact.h"
+#include "mass_spring/spring_frequency.h"
+#include "models/room.h"
+
+/* Of the greatest stable step: what is chosen, and what is borne. */
+static const double CHOSEN = 0.95, BORNE = 0.98;
+
+/* Steps of a frame become fewer only by more than a tenth. */
+static const double FEWER = 0.9;
+
+static const double MOST_SUBSTEPS = 1e6;
+
+struct spring_leapfrog {
+    struct spring_body body;
+    struct spring_stencil stencil;
+    struct spring_sweep *sweep;
+    int asked, substeps;
+    double limit, dt; /* [s] */
+    double rest_energy;
+    long frame;
+    void *room;
+    double (*c)[SWEEP_COUNT];     /* [nodes]                                            */
+    double *weight;               /* [nodes] force that moves a point in a step [N/m]   */
+    double *x, *v;                /* [nodes][3] of the sweep                            */
+    double *before;               /* [nodes][3] positions before a step                 */
+    double *now, *kicked, *ahead; /* [nodes][3] work                                   */
+    double *shift;                /* [held_count]                                       */
+};
+
+void spring_leapfrog_free(struct spring_leapfrog *l)
+{
+    if (!l)
+        return;
+    spring_sweep_free(l->sweep);
+    spring_stencil_clear(&l->stencil);
+    free(l->room);
+    free(l);
+}
+
+static size_t count(const struct spring_leapfrog *l)
+{
+    return 3 * (size_t)l->body.net->nodes;
+}
+
+/* Velocity that is left of one after a step without forces. */
+static double kept(const struct spring_leapfrog *l, int node)
+{
+    double half = l->body.drag[node] / l->body.mass[node] * l->dt / 2;
+
+    return (1 - half) / (1 + half);
+}
+
+static void set_point(struct spring_leapfrog *l, int a)
+{
+    const struct spring_body *b = &l->body;
+    double push = l->dt / (b->mass[a] + b->drag[a] * l->dt / 2), *c = l->c[a];
+
+    for (int n = 0; n < SPRING_STENCIL_NEAR; n++) {
+        double k = l->stencil.spring[a][n];
+        c[SWEEP_A + n] = push * (l->stencil.bend[a][n] - k * l->stencil.square[n]);
+        c[SWEEP_B + n] = push * k;
+    }
+    for (int n = SPRING_STENCIL_NEAR; n < SPRING_STENCIL_ALL; n++)
+        c[SWEEP_FAR + n - SPRING_STENCIL_NEAR] = push * l->stencil.bend[a][n];
+    c[SWEEP_KEEP] = kept(l, a);
+    for (int i = 0; i < 3; i++) {
+        bool free = b->supports->free_index[3 * a + i] >= 0;
+        c[SWEEP_FREE + i] = free;
+        c[SWEEP_KICK + i] = free ? push * (b->load[3 * a + i] + l->stencil.clamp[a][i]) : 0;
+    }
+    l->weight[a] = 1 / (push * l->dt);
+}
+
+static void set_step(struct spring_leapfrog *l, int substeps)
+{
+    l->substeps = substeps;
+    l->dt = l->body.scene->step / substeps;
+    for (int a = 0; a < l->body.net->nodes; a++)
+        set_point(l, a);
+    spring_sweep_set(l->sweep, (const double(*)[SWEEP_COUNT])l->c);
+}
+
+/* The sweep keeps x + beta v in place of x. */
+static void put(struct spring_leapfrog *l, const double *x, const double *moves,
+                const double *v)
+{
+    for (size_t n = 0; n < count(l); n++)
+        l->ahead[n] = x[n] + l->body.beta * moves[n];
+    spring_sweep_put(l->sweep, l->ahead, v);
+}
+
+static void get(const struct spring_leapfrog *l, double *x, double *v)
+{
+    spring_sweep_get(l->sweep, x, v);
+    for (size_t n = 0; l->body.beta > 0 && n < count(l); n++)
+        x[n] -= l->body.beta * v[n];
+}
+
+/* From x and v of now: v half a step ago. */
+static void start(struct spring_leapfrog *l, const double *x, const double *now)
+{
+    memset(l->kicked, 0, count(l) * sizeof *l->kicked);
+    put(l, x, now, l->kicked);
+    spring_sweep_run(l->sweep, 0, 1);
+    spring_sweep_get(l->sweep, NULL, l->kicked);
+    for (size_t n = 0; n < count(l); n++) {
+        bool held = l->body.supports->free_index[n] < 0;
+        l->v[n] = held ? 0 : (2 * now[n] - l->kicked[n]) / (1 + kept(l, (int)(n / 3)));
+    }
+    put(l, x, l->v, l->v);
+}
+
+/* v of now: the mean of half a step ago and half a step on. Leaves the sweep as it is. */
+void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
+{
+    double *x = l->x, *old = l->v;
+
+    spring_sweep_get(l->sweep, x, old);
+    spring_sweep_run(l->sweep, 0, 1);
+    spring_sweep_get(l->sweep, NULL, v);
+    spring_sweep_put(l->sweep, x, old);
+    for (size_t n = 0; n < count(l); n++)
+        v[n] = (old[n] + v[n]) / 2;
+}
+
+double spring_leapfrog_elastic(const struct spring_leapfrog *l, const double *x)
+{
+    return spring_stencil_energy(&l->stencil, x) - l->rest_energy;
+}
+
+const struct spring_stencil *spring_leapfrog_stencil(const struct spring_leapfrog *l)
+{
+    return &l->stencil;
+}
+
+double spring_leapfrog_step(const struct spring_leapfrog *l)
+{
+    return l->dt;
+}
+
+double spring_leapfrog_limit(const struct spring_leapfrog *l)
+{
+    return l->limit;
+}
+
+/* Substeps that stay within a share of the limit where springs are sqrt(stretch2) times as
+ * long as at rest. */
+static double needed(const struct spring_leapfrog *l, double share, double stretch2)
+{
+    return fmax(
+        1, ceil(l->body.scene->step * sqrt((3 * stretch2 - 1) / 2) / (share * l->limit)));
+}
+
+static enum status choose_step(struct spring_leapfrog *l, double (*K)[9],
+                               struct message *why)
+{
+    enum status st;
+    double omega = 0, beta = l->body.beta;
+
+    spring_stencil_jacobian(&l->stencil, K);
+    TRY(spring_frequency_largest(&l->body.net->graph, l->body.supports, l->body.mass,
+                                 (const double(*)[9])K, &omega));
+    l->limit = omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
+    double n = l->asked ? l->asked : needed(l, CHOSEN, 1);
+    if (!(n <= MOST_SUBSTEPS))
+        return status_fail(why, STATUS_INPUT,
+                           "explicit steps: %g substeps a frame are needed here (greatest "
+                           "stable step %g s); use integrator=implicit",
+                           n, l->limit);
+    set_step(l, (int)n);
+out:
+    return st;
+}
+
+enum status spring_leapfrog_make(const struct spring_body *body, enum precision precision,
+                                 int substeps, const double *x, const double *v,
+                                 double (*K)[9], struct spring_leapfrog **leapfrog,
+                                 struct message *why)
+{
+    enum status st;
+    size_t nodes = (size_t)body->net->nodes;
+    const int *points = body->net->points;
+    struct spring_leapfrog *l = calloc(1, sizeof *l);
+
+    if (!l)
+        return STATUS_MEMORY;
+    l->body = *body, l->asked = substeps;
+    TRY(room_cut(&l->room, ROOM(l->c, nodes), ROOM(l->weight, nodes), ROOM(l->x, 3 * nodes),
+                 ROOM(l->v, 3 * nodes), ROOM(l->before, 3 * nodes), ROOM(l->now, 3 * nodes),
+                 ROOM(l->kicked, 3 * nodes), ROOM(l->ahead, 3 * nodes),
+                 ROOM(l->shift, body->supports->held_count)));
+    TRY(spring_stencil_init(&l->stencil, body->scene, body->net));
+    TRY(spring_sweep_make(points[0], points[1], precision, body->beta, &l->sweep));
+    TRY(choose_step(l, K, why));
+    l->rest_energy = spring_stencil_energy(&l->stencil, body->net->rest);
+    start(l, x, v);
+    *leapfrog = l, l = NULL;
+out:
+    spring_leapfrog_free(l);
+    return st;
+}
+
+static void hold(struct spring_leapfrog *l, double t)
+{
+    const struct supports *s = l->body.supports;
+
+    supports_shift(s, l->body.scene, t, l->shift);
+    for (int h = 0; h < s->held_count; h++)
+        spring_sweep_hold(l->sweep, s->held[h] / 3, s->held[h] % 3,
+                          l->body.net->rest[s->held[h]] + l->shift[h]);
+}
+
+/* Points out of obstacles; those that were pushed come as they went. */
+static int leave_obstacles(struct spring_leapfrog *l, double push[3])
+{
+    double force[3] = {0, 0, 0};
+
+    get(l, l->x, l->v);
+    int pushed = spring_contact_push(l->body.scene, l->body.supports, l->weight, l->before,
+                                     l->x, force);
+    for (size_t n = 0; pushed && n < count(l); n++)
+        if (l->body.supports->free_index[n] >= 0)
+            l->v[n] = (l->x[n] - l->before[n]) / l->dt;
+    if (pushed)
+        put(l, l->x, l->v, l->v);
+    for (int i = 0; i < 3; i++)
+        push[i] += force[i] / l->substeps;
+    return pushed;
+}
+
+/* Steps with something to do after each. */
+static void careful(struct spring_leapfrog *l, double push[3], int *pushed)
+{
+    for (int n = 1; n <= l->substeps; n++) {
+        double t = ((double)l->frame + (double)n / l->substeps) * l->body.scene->step;
+        if (l->body.scene->obstacle_count)
+            get(l, l->before, l->v);
+        spring_sweep_run(l->sweep, l->dt, 1);
+        if (l->body.supports->moving)
+            hold(l, t);
+        if (l->body.scene->obstacle_count)
+            *pushed = leave_obstacles(l, push);
+    }
+}
+
+/* More steps for the next frame where the net has become stiffer, fewer where it is no
+ * longer. */
+static void watch(struct spring_leapfrog *l, const double *x)
+{
+    double stretch2 = spring_stencil_stretch2(&l->stencil, x);
+    double borne = needed(l, BORNE, stretch2), chosen = needed(l, CHOSEN, stretch2);
+
+    if (l->asked || !isfinite(stretch2) || chosen > MOST_SUBSTEPS)
+        return;
+    if (borne <= l->substeps && chosen >= FEWER * l->substeps)
+        return;
+    spring_leapfrog_velocity(l, l->now);
+    set_step(l, (int)chosen);
+    start(l, x, l->now);
+}
+
+static void scale(struct spring_leapfrog *l, double factor, const double *x)
+{
+    spring_leapfrog_velocity(l, l->now);
+    for (size_t n = 0; n < count(l); n++)
+        l->now[n] *= factor;
+    start(l, x, l->now);
+}
+
+enum status spring_leapfrog_frame(struct spring_leapfrog *l, double factor, double *x,
+                                  double push[3], int *pushed, struct counters *counters)
+{
+    if (l->body.scene->obstacle_count || l->body.supports->moving)
+        careful(l, push, pushed);
+    else
+        spring_sweep_run(l->sweep, l->dt, l->substeps);
+    l->frame++;
+    counters->substeps += l->substeps;
+    counters->assemblies += l->substeps;
+    get(l, x, l->v);
+    for (size_t n = 0; n < count(l); n++)
+        if (!isfinite(x[n]))
+            return STATUS_NAN;
+    if (factor != 1)
+        scale(l, factor, x);
+    watch(l, x);
+    return STATUS_OK;
+}

@@ -1,0 +1,56 @@
+/* spring_leapfrog.h - a net in time by explicit leapfrog steps, second order:
+ *     v(n+1/2) = ((1 - c dt/2) v(n-1/2) + dt a(x(n))) / (1 + c dt/2),
+ *     x(n+1) = x(n) + dt v(n+1/2),  v(n) = (v(n-1/2) + v(n+1/2)) / 2,
+ * c the mass damping and drag of a point over its mass; the first kick is half a one.
+ *
+ * The steps of a frame are as many as keep 0.95 of the greatest stable step about rest,
+ * sqrt(beta^2 + 4 / omega^2) - beta with stiffness damping beta. After every frame the
+ * longest spring says how much stiffer the net has become, and the next frame takes more
+ * steps if they would come within 2 % of the limit. A number of steps that was asked for is
+ * kept: then it may blow up.
+ */
+#ifndef SPRING_LEAPFROG_H
+#define SPRING_LEAPFROG_H
+
+#include "mass_spring/spring_stencil.h"
+#include "mass_spring/spring_sweep.h"
+#include "models/mechanics/supports.h"
+#include "models/model.h"
+
+/* What it moves; all borrowed, and must outlive it. */
+struct spring_body {
+    const struct scene *scene;
+    const struct spring_net *net;
+    const struct supports *supports;
+    const double *mass, *drag, *load; /* [nodes] kg, N s/m; [nodes][3] N                */
+    double beta;                      /* stiffness damping                      [s]   */
+};
+
+struct spring_leapfrog; /* opaque */
+
+/* From x and v [nodes][3] at time 0. substeps: of a frame, 0: as many as are needed.
+ * K[pairs][9] is work. STATUS_INPUT with a sentence if they are more than a million. */
+enum status spring_leapfrog_make(const struct spring_body *body, enum precision precision,
+                                 int substeps, const double *x, const double *v,
+                                 double (*K)[9], struct spring_leapfrog **leapfrog,
+                                 struct message *why);
+void spring_leapfrog_free(struct spring_leapfrog *l);
+
+/* One frame, scene->step; then the velocity times `factor`. Positions to x[nodes][3].
+ * *push += mean force of obstacles [N]; *pushed: points that they bore at its end.
+ * STATUS_NAN. */
+enum status spring_leapfrog_frame(struct spring_leapfrog *l, double factor, double *x,
+                                  double push[3], int *pushed, struct counters *counters);
+
+/* Velocities v[nodes][3] of now, and the elastic energy [J]. */
+void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v);
+double spring_leapfrog_elastic(const struct spring_leapfrog *l, const double *x);
+
+/* Borrowed. */
+const struct spring_stencil *spring_leapfrog_stencil(const struct spring_leapfrog *l);
+
+/* Step [s], and the greatest stable one about rest. */
+double spring_leapfrog_step(const struct spring_leapfrog *l);
+double spring_leapfrog_limit(const struct spring_leapfrog *l);
+
+#endif

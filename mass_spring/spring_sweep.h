@@ -1,0 +1,50 @@
+/* spring_sweep.h - one explicit step of a whole net, on flat arrays: for every point
+ *     v <- keep v + kick + sum over neighbours of (A + B |e|^2) e,    x <- x + dt v,
+ * e the edge to the neighbour; all coefficients are per step and per mass. Stiffness
+ * damping beta takes edges between the points x + beta v, which are then what is kept in
+ * place of x: springs resist where they will be, so that they resist how fast they change.
+ *
+ * Each point gathers from its neighbours, nothing is scattered: one pass, the compiler's
+ * vectors along v, and the same bits in whatever order rows are done. Rows are padded to
+ * whole vectors and have room around them, so that no neighbour needs to be asked for;
+ * coefficients are zero where there is none. Rows with equal coefficients share them: a
+ * plain net has five kinds, which stay in the first cache.
+ */
+#ifndef SPRING_SWEEP_H
+#define SPRING_SWEEP_H
+
+#include "models/discretization.h"
+#include "models/status.h"
+
+/* The coefficients of a point, in the order of spring_stencil_step. */
+enum spring_sweep_place {
+    SWEEP_A = 0,    /* [8] constant part, neighbours that share a cell   [1/s]          */
+    SWEEP_B = 8,    /* [8] part in squares of lengths                    [1/(s m^2)]     */
+    SWEEP_FAR = 16, /* [4] constant part, neighbours two points away     [1/s]           */
+    SWEEP_KEEP = 20,
+    SWEEP_FREE = 21, /* [3] 1, or 0 for held components                                 */
+    SWEEP_KICK = 24, /* [3] of constant forces, zero where held          [m/s]           */
+    SWEEP_COUNT = 27
+};
+
+struct spring_sweep; /* opaque; positions, velocities and coefficients                  */
+
+/* n x m points, at rest at the origin; lag is beta [s]. *sweep is owned by the caller. */
+enum status spring_sweep_make(int n, int m, enum precision precision, double lag,
+                              struct spring_sweep **sweep);
+void spring_sweep_free(struct spring_sweep *sweep);
+
+/* Coefficients c[n m][SWEEP_COUNT] of the steps that follow. */
+void spring_sweep_set(struct spring_sweep *sweep, const double (*c)[SWEEP_COUNT]);
+
+/* x + lag v and v, [n m][3]; rounded to the precision. NULL: leaves them. */
+void spring_sweep_put(struct spring_sweep *sweep, const double *x, const double *v);
+void spring_sweep_get(const struct spring_sweep *sweep, double *x, double *v);
+
+/* One component of x + lag v of one point [m]. */
+void spring_sweep_hold(struct spring_sweep *sweep, int node, int component, double x);
+
+/* `count` steps of dt [s]. dt = 0 is a kick without a drift. */
+void spring_sweep_run(struct spring_sweep *sweep, double dt, int count);
+
+#endif

@@ -1,0 +1,131 @@
+/* spring_sweep_row.h - one row of the sweep for one kind of REAL: included once for each,
+ * with NAME(x) giving its names. Arithmetic is contracted (a b + c in one rounding): see
+ * CMakeLists.txt. */
+
+/* x, v, y: positions, velocities, new positions of the row, by component; c: coefficients
+ * [SWEEP_COUNT][count]; count a multiple of the padding; pitch from row to row. */
+static inline __attribute__((always_inline)) void
+NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lags,
+             const REAL *restrict c, const REAL *restrict x0, const REAL *restrict x1,
+             const REAL *restrict x2, REAL *restrict v0, REAL *restrict v1,
+             REAL *restrict v2, REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
+{
+    const REAL *restrict far = c + SWEEP_FAR * count;
+
+    count -= count % SWEEP_PAD; /* tells the compiler that no rest is left */
+    for (ptrdiff_t j = 0; j < count; j++) {
+        REAL f0 = 0, f1 = 0, f2 = 0;
+#define NEAR(n, offset)                                                                    \
+    {                                                                                      \
+        REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],                 \
+             e2 = x2[j + (offset)] - x2[j];                                                \
+        REAL pull = c[(SWEEP_A + (n)) * count + j] +                                       \
+                    c[(SWEEP_B + (n)) * count + j] * (e0 * e0 + e1 * e1 + e2 * e2);        \
+        f0 += pull * e0, f1 += pull * e1, f2 += pull * e2;                                 \
+    }
+#define FAR(n, offset)                                                                     \
+    {                                                                                      \
+        REAL pull = far[(n)*count + j];                                                    \
+        f0 += pull * (x0[j + (offset)] - x0[j]);                                           \
+        f1 += pull * (x1[j + (offset)] - x1[j]);                                           \
+        f2 += pull * (x2[j + (offset)] - x2[j]);                                           \
+    }
+        NEAR(0, -pitch - 1)
+        NEAR(1, -pitch)
+        NEAR(2, -pitch + 1)
+        NEAR(3, -1)
+        NEAR(4, 1)
+        NEAR(5, pitch - 1)
+        NEAR(6, pitch)
+        NEAR(7, pitch + 1)
+        FAR(0, -2 * pitch)
+        FAR(1, -2)
+        FAR(2, 2)
+        FAR(3, 2 * pitch)
+#undef NEAR
+#undef FAR
+        REAL keep = c[SWEEP_KEEP * count + j];
+        const REAL *free = c + SWEEP_FREE * count + j, *kick = c + SWEEP_KICK * count + j;
+        REAL new0 = keep * v0[j] + (free[0] * f0 + kick[0]);
+        REAL new1 = keep * v1[j] + (free[count] * f1 + kick[count]);
+        REAL new2 = keep * v2[j] + (free[2 * count] * f2 + kick[2 * count]);
+        y0[j] = x0[j] + dt * new0 + (lags ? lag * (new0 - v0[j]) : 0);
+        y1[j] = x1[j] + dt * new1 + (lags ? lag * (new1 - v1[j]) : 0);
+        y2[j] = x2[j] + dt * new2 + (lags ? lag * (new2 - v2[j]) : 0);
+        v0[j] = new0, v1[j] = new1, v2[j] = new2;
+    }
+}
+
+SWEEP_CLONES static void NAME(row)(ptrdiff_t count, ptrdiff_t pitch, REAL dt,
+                                   const REAL *restrict c, const REAL *restrict x0,
+                                   const REAL *restrict x1, const REAL *restrict x2,
+                                   REAL *restrict v0, REAL *restrict v1, REAL *restrict v2,
+                                   REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
+{
+    NAME(gather)(count, pitch, dt, 0, false, c, x0, x1, x2, v0, v1, v2, y0, y1, y2);
+}
+
+SWEEP_CLONES static void NAME(lagging_row)(ptrdiff_t count, ptrdiff_t pitch, REAL dt,
+                                           REAL lag, const REAL *restrict c,
+                                           const REAL *restrict x0, const REAL *restrict x1,
+                                           const REAL *restrict x2, REAL *restrict v0,
+                                           REAL *restrict v1, REAL *restrict v2,
+                                           REAL *restrict y0, REAL *restrict y1,
+                                           REAL *restrict y2)
+{
+    NAME(gather)(count, pitch, dt, lag, true, c, x0, x1, x2, v0, v1, v2, y0, y1, y2);
+}
+
+/* One step of all rows. */
+static void NAME(step)(struct spring_sweep *s, double dt)
+{
+    for (int i = 0; i < s->n; i++) {
+        ptrdiff_t at = s->first + i * s->pitch;
+        const REAL *x[3];
+        REAL *v[3], *y[3];
+        for (int k = 0; k < 3; k++) {
+            x[k] = (const REAL *)s->field[s->now][k] + at;
+            y[k] = (REAL *)s->field[!s->now][k] + at;
+            v[k] = (REAL *)s->field[SWEEP_V][k] + at;
+        }
+        if (s->lag > 0)
+            NAME(lagging_row)
+        (s->pitch, s->pitch, (REAL)dt, (REAL)s->lag, s->row[i], x[0], x[1], x[2], v[0],
+         v[1], v[2], y[0], y[1], y[2]);
+        else NAME(row)(s->pitch, s->pitch, (REAL)dt, s->row[i], x[0], x[1], x[2], v[0],
+                       v[1], v[2], y[0], y[1], y[2]);
+    }
+    s->now = !s->now;
+}
+
+static void NAME(put)(struct spring_sweep *s, int set, const double *values)
+{
+    for (int k = 0; k < 3; k++) {
+        REAL *to = (REAL *)s->field[set][k] + s->first;
+        for (int i = 0; i < s->n; i++)
+            for (int j = 0; j < s->m; j++)
+                to[i * s->pitch + j] = (REAL)values[3 * (i * s->m + j) + k];
+    }
+}
+
+static void NAME(get)(const struct spring_sweep *s, int set, double *values)
+{
+    for (int k = 0; k < 3; k++) {
+        const REAL *from = (const REAL *)s->field[set][k] + s->first;
+        for (int i = 0; i < s->n; i++)
+            for (int j = 0; j < s->m; j++)
+                values[3 * (i * s->m + j) + k] = from[i * s->pitch + j];
+    }
+}
+
+/* The coefficients of row i, transposed and padded. */
+static void NAME(coefficients)(const struct spring_sweep *s, const double (*c)[SWEEP_COUNT],
+                               void *row)
+{
+    REAL *to = row;
+
+    memset(row, 0, s->row_bytes);
+    for (int n = 0; n < SWEEP_COUNT; n++)
+        for (int j = 0; j < s->m; j++)
+            to[n * s->pitch + j] = (REAL)c[j][n];
+}

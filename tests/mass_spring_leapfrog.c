@@ -1,0 +1,335 @@
+/* Springs by leapfrog: fall, energy, stability limit, watched steps, bending, precision. */
+#include <float.h>
+
+#include "mass_spring/spring_stencil.h"
+#include "tests/mass_spring.h"
+
+static struct discretization leapfrog(int n, int m)
+{
+    struct discretization d = net_of(n, m);
+
+    d.integrator = INTEGRATOR_LEAPFROG;
+    return d;
+}
+
+static void steps(struct spring_motion *m, int count)
+{
+    struct counters counters = {0};
+
+    for (int n = 0; n < count; n++)
+        CHECK(spring_motion_step(m, &counters) == STATUS_OK);
+}
+
+static double total(struct spring_motion *m)
+{
+    struct energy e;
+
+    spring_motion_energy(m, &e);
+    return e.kinetic + e.elastic + e.potential;
+}
+
+/* Half the first kick makes a fall exact, g t^2 / 2; with mass damping and drag the exact
+ * v_inf (t - (1 - e^(-ct)) / c) is missed by a part of c^2 dt^2 / 12 or less. */
+static void check_fall(double alpha, double drag, double beta, double tolerance)
+{
+    enum { STEPS = 40 };
+    struct scene scene;
+    struct spring_motion m;
+    struct discretization d = leapfrog(5, 4);
+
+    fill_scene(&scene, false);
+    scene.gravity[0] = 0;
+    scene.drag = drag;
+    scene.damping =
+        (struct scene_damping){.kind = DAMPING_RAYLEIGH, .alpha = alpha, .beta = beta};
+    start(&m, &scene, &d);
+    steps(&m, STEPS);
+    double c = alpha + drag / scene.density, t = STEPS * scene.step, g = scene.gravity[2];
+    double want = c > 0 ? g / c * (t + expm1(-c * t) / c) : g * t * t / 2;
+    for (int a = 0; a < m.net.nodes; a++)
+        CHECK_RELATIVE(m.x[3 * a + 2], want, tolerance);
+    spring_motion_clear(&m);
+    scene_clear(&scene);
+}
+
+/* Largest |E - E0| over a swing, to the energy that turns. */
+static double energy_error(int substeps)
+{
+    struct scene scene;
+    struct spring_motion m;
+    struct discretization d = leapfrog(8, 7);
+    struct energy e;
+    double off = 0, most = 0;
+
+    fill_scene(&scene, true);
+    scene.thickness = 0.003;
+    d.substeps = substeps;
+    start(&m, &scene, &d);
+    for (int n = 0; n < 100; n++) {
+        steps(&m, 1);
+        off = fmax(off, fabs(total(&m)));
+        spring_motion_energy(&m, &e);
+        most = fmax(most, e.kinetic);
+    }
+    spring_motion_clear(&m);
+    scene_clear(&scene);
+    return off / most;
+}
+
+/* Forces are those of the energy: its error has the order of the method, 2. */
+static void check_energy(void)
+{
+    double coarse = energy_error(60), fine = energy_error(120);
+
+    printf("energy of a swing: off by %.2e, with half the step %.2e\n", coarse, fine);
+    CHECK(fine < 1e-4);
+    CHECK(coarse / fine > 3.5 && coarse / fine < 4.5);
+}
+
+/* Energy after 4000 steps at a part of the limit, over that at the start. */
+static double growth(double part, double beta, enum precision precision)
+{
+    struct scene scene;
+    struct spring_motion m;
+    struct discretization d = leapfrog(7, 6);
+    double first = 0, last = 0;
+
+    fill_scene(&scene, true);
+    memset(scene.gravity, 0, sizeof scene.gravity);
+    scene.damping = (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = beta};
+    scene.velocity[2] = 0.1;
+    d.substeps = 1, d.precision = precision;
+    start(&m, &scene, &d);
+    scene.step = part * spring_motion_limit(&m);
+    spring_motion_clear(&m);
+    start(&m, &scene, &d);
+    for (int n = 0; n < 4000 && last < 1; n++) {
+        struct counters counters = {0};
+        if (spring_motion_step(&m, &counters) != STATUS_OK)
+            last = INFINITY;
+        else
+            last = total(&m);
+        if (!n)
+            first = last;
+    }
+    spring_motion_clear(&m);
+    scene_clear(&scene);
+    return last / first;
+}
+
+static void check_limit(void)
+{
+    CHECK(growth(0.95, 0, PRECISION_DOUBLE) < 2);
+    CHECK(growth(0.95, 0, PRECISION_SINGLE) < 2);
+    CHECK(growth(1.05, 0, PRECISION_DOUBLE) > 1e3);
+    CHECK(growth(0.95, 1e-3, PRECISION_DOUBLE) < 1);
+    CHECK(growth(1.1, 1e-3, PRECISION_DOUBLE) > 1e3);
+}
+
+/* A weak net that its weight stretches by half and more becomes stiffer: the step follows,
+ * and with the number of steps fixed at what rest asks for it dies. */
+static void check_watched(void)
+{
+    struct scene scene;
+    struct spring_motion m;
+    struct discretization d = leapfrog(6, 5);
+    struct counters counters = {0};
+    enum status st = STATUS_OK;
+
+    fill_scene(&scene, true);
+    scene.young = 6;
+    scene.gravity[0] = 30, scene.gravity[2] = 0;
+    scene.step = 0.02;
+    start(&m, &scene, &d);
+    double dt = spring_leapfrog_step(m.leapfrog);
+    steps(&m, 200);
+    CHECK(spring_stencil_stretch2(spring_leapfrog_stencil(m.leapfrog), m.x) > 1.5);
+    CHECK(spring_leapfrog_step(m.leapfrog) < 0.9 * dt);
+    spring_motion_clear(&m);
+    d.substeps = (int)round(scene.step / dt);
+    start(&m, &scene, &d);
+    for (int n = 0; n < 200 && st == STATUS_OK; n++)
+        st = spring_motion_step(&m, &counters);
+    CHECK(st == STATUS_NAN);
+    spring_motion_clear(&m);
+    scene_clear(&scene);
+}
+
+/* A net and the same with u and v exchanged move alike, whatever their sizes. */
+static void check_exchanged(int n, int m)
+{
+    struct scene scene[2];
+    struct spring_motion motion[2];
+    double off = 0;
+
+    for (int k = 0; k < 2; k++) {
+        struct scene_support edge = {.hi = {k ? 1 : 0, k ? 0 : 1, 1}, .fix = FIX_XYZ};
+        struct discretization d = leapfrog(k ? m : n, k ? n : m);
+        fill_scene(&scene[k], false);
+        scene[k].gravity[0] = 0;
+        if (k) {
+            double length = scene[k].length;
+            scene[k].length = scene[k].width, scene[k].width = length;
+        }
+        REQUIRE(scene_add_support(&scene[k], &edge) == STATUS_OK);
+        start(&motion[k], &scene[k], &d);
+        steps(&motion[k], 20);
+    }
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < m; j++) {
+            const double *a = motion[0].x + 3 * (i * m + j),
+                         *b = motion[1].x + 3 * (j * n + i);
+            off = fmax(off, fabs(a[0] - b[1]) + fabs(a[1] - b[0]) + fabs(a[2] - b[2]));
+        }
+    const double rounding = 1e-10; /* of some thousand steps */
+    if (!CHECK(off < rounding))
+        printf("%d x %d: %g\n", n, m, off);
+    CHECK(fabs(motion[0].x[3 * (n * m - 1) + 2]) > 0.01);
+    for (int k = 0; k < 2; k++) {
+        spring_motion_clear(&motion[k]);
+        scene_clear(&scene[k]);
+    }
+}
+
+/* Energy of bending by curvatures x_uu, x_vv, x_uv too small to stretch, over Kirchhoff's.
+ * Rims bear no moment: a strip there bends as a beam, which is missed by a part of the
+ * cell's size. */
+static double bending(int cells, const double c[3], double nu)
+{
+    struct scene scene;
+    struct spring_net net;
+    struct spring_stencil stencil;
+    const double small = 1e-5;
+    double x[3 * 33 * 33];
+    const int points[2] = {cells + 1, cells + 1};
+
+    fill_scene(&scene, false);
+    scene.poisson = nu;
+    REQUIRE(spring_net_init(&net, &scene, points, PARAMETERS_MATCHED) == STATUS_OK);
+    REQUIRE(spring_stencil_init(&stencil, &scene, &net) == STATUS_OK);
+    memcpy(x, net.rest, 3 * (size_t)net.nodes * sizeof *x);
+    for (int a = 0; a < net.nodes; a++) {
+        double u = x[3 * a], v = x[3 * a + 1];
+        x[3 * a + 2] = small * (c[0] * u * u / 2 + c[1] * v * v / 2 + c[2] * u * v);
+    }
+    double energy =
+        spring_stencil_energy(&stencil, x) - spring_stencil_energy(&stencil, net.rest);
+    double want =
+        scene_bending_stiffness(&scene) / 2 * scene.length * scene.width *
+        (c[0] * c[0] + c[1] * c[1] + 2 * nu * c[0] * c[1] + 2 * (1 - nu) * c[2] * c[2]);
+    spring_stencil_clear(&stencil);
+    spring_net_clear(&net);
+    scene_clear(&scene);
+    return energy / (small * small) / want;
+}
+
+static void check_bending(void)
+{
+    static const double curvature[][3] = {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, -1, 0}};
+
+    for (int k = 0; k < 4; k++) {
+        double coarse = fabs(bending(16, curvature[k], 0.3) - 1);
+        double fine = fabs(bending(32, curvature[k], 0.3) - 1);
+        if (!CHECK(fine < 0.1 && coarse / fine > 1.7 && coarse / fine < 2.3))
+            printf("curvature %d: %g, %g\n", k, coarse, fine);
+    }
+    CHECK_RELATIVE(bending(8, (double[]){0, 0, 1}, 0.3), 1, 1e-6); /* cells have it all */
+    CHECK_RELATIVE(bending(8, (double[]){1, 0, 0}, 0), 7. / 8, 1e-6); /* no end rows */
+}
+
+/* The clamp bends as the cubic through its three points: exact for x_uu linear in u. */
+static void check_clamp(void)
+{
+    struct scene scene;
+    struct spring_net net;
+    struct spring_stencil stencil;
+    const int points[2] = {9, 2};
+    double x[3 * 18], small = 1e-5, want = 0;
+
+    fill_scene(&scene, true);
+    scene.poisson = 0;
+    REQUIRE(spring_net_init(&net, &scene, points, PARAMETERS_MATCHED) == STATUS_OK);
+    REQUIRE(spring_stencil_init(&stencil, &scene, &net) == STATUS_OK);
+    memcpy(x, net.rest, sizeof x);
+    double L = scene.length, a = L / 8;
+    for (int n = 0; n < net.nodes; n++) /* curvature L - u, as of a load at the tip */
+        x[3 * n + 2] = small * (L * x[3 * n] * x[3 * n] / 2 - pow(x[3 * n], 3) / 6);
+    for (int i = 0; i < 8; i++)
+        want += (i ? a : a / 2) * pow(L - i * a, 2);
+    want *= scene_bending_stiffness(&scene) / 2 * scene.width;
+    double energy =
+        spring_stencil_energy(&stencil, x) - spring_stencil_energy(&stencil, net.rest);
+    CHECK_RELATIVE(energy / (small * small), want, 1e-6);
+    spring_stencil_clear(&stencil);
+    spring_net_clear(&net);
+    scene_clear(&scene);
+}
+
+/* Halved velocities only take energy; single precision goes where double does. */
+static void check_scaled(void)
+{
+    struct scene scene;
+    struct spring_motion m[2];
+    double off = 0;
+
+    fill_scene(&scene, true);
+    scene.thickness = 0.001;
+    scene.damping = (struct scene_damping){.kind = DAMPING_VELOCITY_SCALE, .value = 0.5};
+    for (int k = 0; k < 2; k++) {
+        struct discretization d = leapfrog(8, 7);
+        struct energy e;
+        d.precision = k ? PRECISION_SINGLE : PRECISION_DOUBLE;
+        start(&m[k], &scene, &d);
+        steps(&m[k], 400);
+        spring_motion_energy(&m[k], &e);
+        CHECK(e.kinetic < 0.01 * -e.potential);
+    }
+    for (int t = 0; t < 3 * m[0].net.nodes; t++)
+        off = fmax(off, fabs(m[0].x[t] - m[1].x[t]));
+    printf("single precision: off by %.2e m\n", off);
+    CHECK(off > 0 && off < 1e-4);
+    spring_motion_clear(&m[0]);
+    spring_motion_clear(&m[1]);
+    scene_clear(&scene);
+}
+
+static void check_refusals(void)
+{
+    static const struct {
+        int substeps;
+        double strain_limit, young;
+        const char *says;
+    } cases[] = {{0, 0.1, 1e5, "strain_limit"}, {0, 0, 1e20, "integrator=implicit"}};
+
+    for (int k = 0; k < 2; k++) {
+        struct scene scene;
+        struct spring_motion m;
+        struct discretization d = leapfrog(5, 5);
+        struct message why = {{0}};
+        fill_scene(&scene, true);
+        scene.young = cases[k].young;
+        d.substeps = cases[k].substeps, d.strain_limit = cases[k].strain_limit;
+        CHECK(spring_motion_init(&m, &scene, &d, &why) != STATUS_OK);
+        CHECK(strstr(why.text, cases[k].says));
+        scene_clear(&scene);
+    }
+}
+
+int main(void)
+{
+    check_fall(0, 0, 0, 1e-12);
+    check_fall(0, 0, 1e-3, 1e-12); /* rigid: stiffness damping says nothing */
+    check_fall(3, 0, 0, 1e-5);
+    check_fall(1, 2, 0, 1e-5);
+    check_energy();
+    check_limit();
+    check_watched();
+    check_exchanged(2, 3);
+    check_exchanged(5, 9);
+    check_exchanged(8, 17);
+    check_bending();
+    check_clamp();
+    check_scaled();
+    check_refusals();
+    return check_result();
+}

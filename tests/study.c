@@ -1,5 +1,7 @@
 /* The engine of studies: plans with levels, differences, errors, orders and metrics from
  * result files, levels that die or are refused, truth found again. */
+#include "bench/experiment/experiment.h"
+#include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/experiment/plan_read.h"
 
@@ -244,6 +246,31 @@ static void trends(void)
     plan_clear(&plan);
 }
 
+static enum status fails(const struct experiment_options *options, struct message *why)
+{
+    (void)options;
+    return status_fail(why, STATUS_FILE, "a full disk");
+}
+
+/* Results are of a quick run from before its first to after the last of a full one. */
+static void marked_quick(const struct plan *plan)
+{
+    struct experiment_options options = {.folder = folder, .quick = true, .repeats = 1};
+    struct experiment e = {.plan = plan->path};
+    struct study_results all;
+
+    for (int n = 0; n < 3; n++) {
+        options.quick = n == 0;
+        e.measure = n == 1 ? fails : NULL;
+        CHECK(experiment_measure(&e, &options, NULL) == (n == 1 ? STATUS_FILE : STATUS_OK));
+        REQUIRE(study_read(plan, folder, &all, NULL) == STATUS_OK);
+        CHECK(all.quick == (n < 2) && judge_marked(folder) == all.quick);
+        study_clear(&all);
+    }
+    options.quick = true;
+    CHECK(experiment_measure(&e, &options, NULL) == STATUS_OK);
+}
+
 /* At rest: a flat plate only bends, as 1/h^2 under its own weight. A quick run of a plan
  * with times for it is read as such. */
 static void rest_and_quick(void)
@@ -261,7 +288,7 @@ static void rest_and_quick(void)
                 "  - {name: motion, times: [0.01, 0.02], quick_times: [0.005]}\n");
     struct study_results all;
 
-    measure(&plan);
+    marked_quick(&plan);
     REQUIRE(study_read(&plan, folder, &all, NULL) == STATUS_OK);
     const struct study *rest = study_find(&all, "rest"),
                        *moved = study_find(&all, "motion");

@@ -111,7 +111,7 @@ static enum status take_table(const struct reference *table, const char *path,
             return status_fail(why, STATUS_INPUT, "%s: row %d: %s", path, row + 1, fault);
     }
     read_error(table, f);
-    return STATUS_OK;
+    return reference_fault(table, why);
 }
 
 enum status freefem_read(const char *path, struct freefem_field *field, struct message *why)

@@ -1,20 +1,24 @@
 #include "fem_ref/reference.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* The file is kept whole; cells and comments point into it. */
 struct reference {
-    char *text;
+    char *path, *text;
     char **comment; /* [comments] without the #          */
     char **name;    /* [columns]                         */
     char **cell;    /* [rows][columns]                   */
-    int comments, columns, rows;
+    int *line;      /* [rows] in the file                */
+    int comments, columns, rows, head;
+    struct message *fault; /* of the first wrong question; "" */
 };
+
+static const char NO_MEMORY[] = "out of memory";
 
 enum { REFERENCE_BYTES = 64 << 20 }; /* far beyond any table: a wrong file, not a table */
 
@@ -30,20 +34,17 @@ static enum status slurp(const char *path, char **text, size_t *size, struct mes
     while (got) {
         if (used + 1 >= room) {
             room = room ? 2 * room : 1 << 14;
-            char *more = room <= REFERENCE_BYTES ? realloc(buffer, room) : NULL;
-            if (!more) {
-                st = status_fail(why, STATUS_INPUT, "%s: too large for a table", path);
-                goto out;
-            }
+            if (room > REFERENCE_BYTES)
+                TRY(status_fail(why, STATUS_INPUT, "%s: too large for a table", path));
+            char *more = realloc(buffer, room);
+            TRY(more ? STATUS_OK : STATUS_MEMORY);
             buffer = more;
         }
         got = fread(buffer + used, 1, room - used - 1, file);
         used += got;
     }
-    if (ferror(file)) {
-        st = status_fail(why, STATUS_FILE, "%s: cannot be read", path);
-        goto out;
-    }
+    if (ferror(file))
+        TRY(status_fail(why, STATUS_FILE, "%s: cannot be read", path));
     buffer[used] = 0;
     *text = buffer, buffer = NULL;
     *size = used;
@@ -90,8 +91,24 @@ static const char *names_fault(char **name, int columns)
     return NULL;
 }
 
+/* Room for one more row, which stands in this line of the file. NULL without memory. */
+static char **add_row(struct reference *t, int line)
+{
+    const size_t rows = (size_t)t->rows + 1;
+    int *lines = realloc(t->line, rows * sizeof *lines);
+
+    if (!lines)
+        return NULL;
+    t->line = lines, lines[t->rows] = line;
+    char **cells = realloc(t->cell, rows * (size_t)t->columns * sizeof *cells);
+    if (!cells)
+        return NULL;
+    t->cell = cells;
+    return cells + (size_t)t->rows++ * (size_t)t->columns;
+}
+
 /* NULL, or what is wrong with this line. */
-static const char *take_line(struct reference *t, char *line)
+static const char *take_line(struct reference *t, char *line, int number)
 {
     char **cell = NULL;
     const char *fault = NULL;
@@ -104,17 +121,15 @@ static const char *take_line(struct reference *t, char *line)
         return NULL;
     }
     if (!t->columns) {
-        t->columns = 1;
+        t->columns = 1, t->head = number;
         for (const char *at = line; (at = strchr(at, ',')); at++)
             t->columns++;
         t->name = cell = calloc(t->columns, sizeof *cell);
     } else {
-        char **more = realloc(t->cell, sizeof *more * (t->rows + 1) * t->columns);
-        if (more)
-            t->cell = more, cell = more + (size_t)t->rows++ * t->columns;
+        cell = add_row(t, number);
     }
     if (!cell)
-        return "out of memory";
+        return NO_MEMORY;
     count = split(line, cell, t->columns);
     if (count != t->columns)
         return count < t->columns ? "too few cells" : "too many cells";
@@ -144,10 +159,11 @@ static enum status parse(struct reference *t, size_t size, const char *path,
             *end = 0;
             if (end > next && end[-1] == '\r')
                 end[-1] = 0;
-            fault = take_line(t, next);
+            fault = take_line(t, next, line);
         }
         if (fault)
-            return status_fail(why, STATUS_INPUT, "%s:%d: %s", path, line, fault);
+            return status_fail(why, fault == NO_MEMORY ? STATUS_MEMORY : STATUS_INPUT,
+                               "%s:%d: %s", path, line, fault);
         next = end + 1;
     }
     if (!t->rows)
@@ -159,6 +175,9 @@ void reference_close(struct reference *t)
 {
     if (!t)
         return;
+    free(t->path);
+    free(t->fault);
+    free(t->line);
     free(t->text);
     free(t->comment);
     free(t->name);
@@ -174,6 +193,9 @@ enum status reference_open(const char *path, struct reference **table, struct me
 
     if (!t)
         return STATUS_MEMORY;
+    t->path = strdup(path);
+    t->fault = calloc(1, sizeof *t->fault);
+    TRY(t->path && t->fault ? STATUS_OK : STATUS_MEMORY);
     TRY(slurp(path, &t->text, &size, why));
     TRY(parse(t, size, path, why));
     *table = t, t = NULL;
@@ -200,23 +222,54 @@ int reference_column(const struct reference *t, const char *name)
     return -1;
 }
 
+/* The first wrong question is kept: the others mostly follow from it. */
+__attribute__((format(printf, 3, 4))) static void blame(const struct reference *t, int line,
+                                                        const char *format, ...)
+{
+    struct message what;
+    va_list words;
+
+    va_start(words, format);
+    vsnprintf(what.text, sizeof what.text, format, words);
+    va_end(words);
+    if (!*t->fault->text)
+        status_fail(t->fault, STATUS_INPUT, "%s:%d: %.200s", t->path, line, what.text);
+}
+
+enum status reference_fault(const struct reference *t, struct message *why)
+{
+    return *t->fault->text ? status_fail(why, STATUS_INPUT, "%s", t->fault->text)
+                           : STATUS_OK;
+}
+
 const char *reference_text(const struct reference *t, int row, const char *column)
 {
-    int c = reference_column(t, column);
-    assert(c >= 0 && row >= 0 && row < t->rows);
-    return t->cell[(size_t)row * t->columns + c];
+    const int c = reference_column(t, column);
+
+    if (c < 0)
+        blame(t, t->head, "there is no column '%s'", column);
+    else if (row < 0 || row >= t->rows)
+        blame(t, t->line[t->rows - 1], "the last of %d rows, but there should be a row %d",
+              t->rows, row + 1);
+    else
+        return t->cell[(size_t)row * (size_t)t->columns + (size_t)c];
+    return "";
 }
 
 double reference_number(const struct reference *t, int row, const char *column)
 {
     const char *text = reference_text(t, row, column);
-    char *end;
-    double number;
+    char *end = NULL;
+    double number = NAN;
 
-    if (!*text || text[strspn(text, "+-.0123456789eE")])
+    if (!*text)
         return NAN;
-    number = strtod(text, &end);
-    return *end || !isfinite(number) ? NAN : number;
+    if (!text[strspn(text, "+-.0123456789eE")])
+        number = strtod(text, &end);
+    if (end && !*end && isfinite(number))
+        return number;
+    blame(t, t->line[row], "%s is '%.40s', but must be a number", column, text);
+    return NAN;
 }
 
 int reference_find(const struct reference *t, int from, const char *column,

@@ -25,11 +25,15 @@ int reference_columns(const struct reference *table);
 /* Index of a column, -1 if there is none of that name. */
 int reference_column(const struct reference *table, const char *name);
 
-/* The cell of an existing column, borrowed; "" if empty. */
+/* A cell, borrowed; "" if empty, and if there is no such row or column. */
 const char *reference_text(const struct reference *table, int row, const char *column);
 
 /* The cell as a number; NaN unless the whole cell is one finite decimal number. */
 double reference_number(const struct reference *table, int row, const char *column);
+
+/* STATUS_INPUT with `file:line: what` if one of the two was asked for what is not there, or
+ * for a number where a text stands: for who read all that it wanted. */
+enum status reference_fault(const struct reference *table, struct message *why);
 
 /* First row >= from whose cell in `column` reads exactly `text`; -1 if none. */
 int reference_find(const struct reference *table, int from, const char *column,

@@ -49,8 +49,7 @@ struct clock_summary clock_summarise(const double *seconds, int count)
 
     double *sorted = malloc((size_t)count * sizeof *sorted);
     if (!sorted) {
-        s.min = s.lower = s.median = s.upper = s.max = NAN;
-        return s;
+        return (struct clock_summary){0, NAN, NAN, NAN, NAN, NAN};
     }
     memcpy(sorted, seconds, (size_t)count * sizeof *sorted);
     qsort(sorted, (size_t)count, sizeof *sorted, ascending);

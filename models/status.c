@@ -1,5 +1,6 @@
 #include "models/status.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -25,6 +26,8 @@ enum status status_fail(struct message *why, enum status st, const char *format,
         va_start(args, format);
         vsnprintf(why->text, sizeof why->text, format, args);
         va_end(args);
+        for (char *c = why->text; *c; c++) /* names from files must not rule a terminal */
+            *c = iscntrl((unsigned char)*c) ? '?' : *c;
     }
     return st;
 }

@@ -52,7 +52,7 @@ const char *status_text(enum status st);
 /* True for the codes that end a simulation as a result. */
 bool status_is_death(enum status st);
 
-/* Writes the sentence into *why (if not NULL) and returns st, so that
+/* Writes the sentence into *why (if not NULL), '?' for control characters; returns st:
  * `return status_fail(why, STATUS_INPUT, "...", ...)` reads in one line. */
 enum status status_fail(struct message *why, enum status st, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

@@ -96,9 +96,9 @@ out:
 }
 
 /* Linear kinematics of a flat sheet whose normal is a coordinate axis: bending and
- * stretching do not couple; 1 for components along the normal. NULL elsewhere, or without
- * memory. */
-static unsigned char *find_parity(const struct shell_motion *m)
+ * stretching do not couple; m->parity is 1 for components along the normal, NULL
+ * elsewhere. */
+static enum status find_parity(struct shell_motion *m)
 {
     const double *rest = m->space->rest, *u = m->scene->axis_u, *v = m->scene->axis_v;
     int nodes = m->space->nodes, normal = -1;
@@ -110,10 +110,12 @@ static unsigned char *find_parity(const struct shell_motion *m)
         if (flat)
             normal = i;
     }
-    unsigned char *parity = normal < 0 ? NULL : malloc(3 * (size_t)nodes);
-    for (int t = 0; parity && t < 3 * nodes; t++)
-        parity[t] = t % 3 == normal;
-    return parity;
+    if (normal < 0)
+        return STATUS_OK;
+    m->parity = malloc(3 * (size_t)nodes);
+    for (int t = 0; m->parity && t < 3 * nodes; t++)
+        m->parity[t] = t % 3 == normal;
+    return m->parity ? STATUS_OK : STATUS_MEMORY;
 }
 
 static enum status make_room(struct shell_motion *m)
@@ -172,8 +174,8 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(make_large(m));
     else if (!scene->obstacle_count)
-        m->parity = find_parity(m);
-    order = order_wide(m->space->basis[0].n, m->space->basis[1].n, 1);
+        TRY(find_parity(m));
+    TRY(order_wide(m->space->basis[0].n, m->space->basis[1].n, 1, &order));
     TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order,
                     d->solver));
     TRY(contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,

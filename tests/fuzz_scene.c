@@ -1,32 +1,12 @@
-/* libFuzzer target for the scene reader. Leading lines `--set KEY=VALUE` of the input are
- * settings, the rest is the scene file.
- *
- *   cmake --preset fuzz && cmake --build --preset fuzz
- *   mkdir -p corpus && cp -r models/scenes tests/bad_scenes corpus
- *   build-fuzz/tests/fuzz_scene -dict=tests/fuzz_scene.dict -max_len=4096 \
- *       -max_total_time=600 corpus
+/* Scenes from any bytes, for libFuzzer or from files (fuzz.h). Leading lines `--set
+ * KEY=VALUE` of the input are settings, the rest is the scene file.
  *
  * Beyond crashes, leaks and undefined behaviour it stops at: a refusal without a printable
  * sentence or with something left in the scene; a scene whose text does not read again. */
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "models/reader/scene_file.h"
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+#include "tests/fuzz.h"
 
 enum { MAX_SETTINGS = 8 };
-
-/* What was read must hold: stop with the failed condition's text. */
-#define MUST(condition)                                                                    \
-    do {                                                                                   \
-        if (!(condition)) {                                                                \
-            fprintf(stderr, "does not hold: %s\n", #condition);                            \
-            abort();                                                                       \
-        }                                                                                  \
-    } while (0)
 
 /* Cuts leading setting lines off *text; line breaks become ends of strings. */
 static int take_settings(char **text, const char *end, const char *settings[MAX_SETTINGS])
@@ -50,10 +30,7 @@ static void check_refusal(const struct scene *scene, const struct message *why)
     static const struct scene zero;
 
     MUST(!memcmp(scene, &zero, sizeof zero));
-    MUST(strlen(why->text) > 8 && strlen(why->text) < sizeof why->text - 1);
-    for (const char *c = why->text; *c; c++)
-        MUST((unsigned char)*c >= ' ' && *c != 127);
-    MUST(!strncmp(why->text, "fuzz:", 5) || !strncmp(why->text, "--set ", 6));
+    fuzz_check_sentence(why, strncmp(why->text, "--set ", 6) ? "fuzz:" : "--set ");
 }
 
 static void check_scene(const struct scene *scene)

@@ -14,6 +14,8 @@ int main(void)
 
     CHECK(status_fail(&why, STATUS_INPUT, "%s:%d", "file", 7) == STATUS_INPUT);
     CHECK(!strcmp(why.text, "file:7"));
+    status_fail(&why, STATUS_INPUT, "a\n\033[2J\x7f");
+    CHECK(!strcmp(why.text, "a??[2J?")); /* one line, which a terminal does not obey */
     CHECK(status_fail(NULL, STATUS_FILE, "unread") == STATUS_FILE);
     return check_result();
 }

@@ -112,8 +112,9 @@ static enum status read_verdicts(const struct schema_key *key, const struct yaml
 
     if (node->kind != YAML_TREE_SCALAR)
         return verdict_read(node, &plan->verdicts, why);
-    if (read_others(node->text, &plan->verdicts, &reason) == STATUS_OK)
-        return STATUS_OK;
+    const enum status st = read_others(node->text, &plan->verdicts, &reason);
+    if (st == STATUS_OK || st == STATUS_MEMORY)
+        return st;
     return yaml_tree_refuse(node, why, "%s: %s", key->key, reason.text);
 }
 

@@ -22,6 +22,14 @@ enum status plan_case_refuse(const struct plan *plan, int line, struct message *
     return yaml_tree_refuse(&node, why, "%s", text.text);
 }
 
+enum status plan_case_pass(const struct plan *plan, int line, enum status st,
+                           const struct message *said, struct message *why)
+{
+    return st == STATUS_OK || st == STATUS_MEMORY
+               ? st
+               : plan_case_refuse(plan, line, why, "%s", said->text);
+}
+
 const char *plan_case_set_by(const struct plan *plan, const char *key)
 {
     for (int n = 0; n < plan->axis_count; n++)
@@ -171,10 +179,11 @@ static enum status build(const struct plan *plan, struct plan_case *c, struct me
     if (!scene)
         return plan_case_refuse(plan, 1, why,
                                 "the plan lacks the key 'scene', a name or a path");
-    if (contestant_find(model->value, &c->contestant, &text) != STATUS_OK)
-        return plan_case_refuse(plan, model->line, why, "%s", text.text);
-    if (plan_case_find_scene(plan, scene->value, &c->path, &text) != STATUS_OK)
-        return plan_case_refuse(plan, scene->line, why, "%s", text.text);
+    TRY(plan_case_pass(plan, model->line,
+                       contestant_find(model->value, &c->contestant, &text), &text, why));
+    TRY(plan_case_pass(plan, scene->line,
+                       plan_case_find_scene(plan, scene->value, &c->path, &text), &text,
+                       why));
     for (int k = 0; k < plan->key_count; k++)
         if (c->given[k] && derived_key_is(c->given[k]->key))
             TRY(resolve(plan, c->given[k], c, why));

@@ -56,6 +56,11 @@ enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
 enum status plan_case_refuse(const struct plan *plan, int line, struct message *why,
                              const char *format, ...) __attribute__((format(printf, 4, 5)));
 
+/* The failure st of somebody who knows no plan, with what they said, at a line of this one:
+ * STATUS_INPUT. STATUS_OK and STATUS_MEMORY as they are. */
+enum status plan_case_pass(const struct plan *plan, int line, enum status st,
+                           const struct message *said, struct message *why);
+
 /* The file of a scene's name or path, a path seen from the plan's folder; *path is freed by
  * the receiver. STATUS_INPUT: no such name. */
 enum status plan_case_find_scene(const struct plan *plan, const char *argument, char **path,

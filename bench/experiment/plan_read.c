@@ -130,10 +130,9 @@ static enum status check_mark(const struct plan *plan, const struct plan_mark *m
             return plan_case_refuse(plan, mark->line, why,
                                     "the mark %s lacks the key %s, which the map shows",
                                     yaml_tree_quote(mark->text).text, names[n]);
-    if (plan_case_mark(plan, &mark->settings, &scene, &text) != STATUS_OK)
-        return plan_case_refuse(plan, mark->line, why, "%s", text.text);
+    const enum status st = plan_case_mark(plan, &mark->settings, &scene, &text);
     scene_clear(&scene);
-    return STATUS_OK;
+    return plan_case_pass(plan, mark->line, st, &text, why);
 }
 
 /* A frame can be had at every time. */

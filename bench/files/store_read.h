@@ -25,7 +25,7 @@ enum status store_read_frame(const struct store_read *file, int n, double *xyz,
 bool store_read_has(const struct store_read *file, const char *name);
 
 /* Array of doubles by its name in the file ("time", "metrics/drop", "seconds/advance"):
- * *values [rows][columns], freed by the receiver; columns = 1 for one number a row. */
+ * *values [rows][columns], freed by the receiver; columns >= 1, 1 for one number a row. */
 enum status store_read_array(const struct store_read *file, const char *name,
                              double **values, int *rows, int *columns, struct message *why);
 

@@ -98,8 +98,10 @@ static enum status read_seconds(const struct store_read *file, const char *name,
         if (count)
             seconds[repeats++] = total;
     }
-    if (repeats && summary)
+    if (repeats && summary) {
         *summary = clock_summarise(seconds, repeats);
+        TRY(summary->count ? STATUS_OK : STATUS_MEMORY);
+    }
 out:
     free(seconds);
     return st;
@@ -140,7 +142,8 @@ static enum status read_work(const struct store_read *file, struct counters *wor
         double *value = NULL;
         int rows, columns;
         TRY(store_read_array(file, counters[n].name, &value, &rows, &columns, why));
-        *counters[n].count = rows ? lround(value[rows - 1]) : 0;
+        *counters[n].count =
+            rows && isfinite(value[rows - 1]) ? lround(value[rows - 1]) : 0;
         free(value);
     }
 out:

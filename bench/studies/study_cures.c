@@ -1,5 +1,6 @@
 #include "bench/studies/study_cures.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -318,6 +319,7 @@ static enum status read_tips(const char *path, struct study_cures *s, struct mes
         s->tip[what][law][nu][h] = (struct study_cures_tip){
             reference_number(table, row, "x"), reference_number(table, row, "z")};
     }
+    TRY(reference_fault(table, why));
 out:
     reference_close(table);
     return st;
@@ -331,7 +333,8 @@ static enum status read_zero_modes(const char *path, struct study_cures *s,
 
     TRY(reference_open(path, &table, why));
     for (int n = 0; n < STUDY_CURES_SPACES && n < reference_rows(table); n++)
-        s->zero_modes[n] = (int)reference_number(table, n, "zero_modes");
+        s->zero_modes[n] = index_of(table, n, "zero_modes", INT_MAX);
+    TRY(reference_fault(table, why));
 out:
     reference_close(table);
     return st;

@@ -188,6 +188,7 @@ static enum status read_thicknesses(const char *folder, struct study_locking *s,
         s->thickness[s->count] = reference_number(table, s->count, "thickness_m");
         s->count++;
     }
+    TRY(reference_fault(table, why));
     if (!s->count)
         st = status_fail(why, STATUS_INPUT, "%s: no thickness", path);
 out:

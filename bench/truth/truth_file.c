@@ -196,6 +196,8 @@ enum status truth_file_read(const char *path, struct truth_made *made, char **ph
         st = store_read_text(file, "/", "checksum", &kept, NULL);
     if (st == STATUS_OK)
         st = read_made(file, made);
+    if (st == STATUS_MEMORY)
+        goto out;
     if (st != STATUS_OK)
         TRY(status_fail(why, STATUS_INPUT, "%s: is not a stored truth", path));
     checksum(text, made, sum);

@@ -183,7 +183,7 @@ enum status truth_made_init(struct truth_made *made, int times, int claimed,
     made->time = (double *)(made->xyz + count);
     made->value = (double(*)[TRUTH_COLUMNS])(made->time + count);
     for (int n = 0; n < claimed; n++)
-        made->xyz[n] = made->value[count] + (size_t)n * field;
+        made->xyz[n] = (double *)(made->value + count) + (size_t)n * field;
     memcpy(made->time, time, count * sizeof *time);
     return STATUS_OK;
 }

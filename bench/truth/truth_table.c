@@ -42,6 +42,8 @@ out:
 double truth_table_note(const struct reference *table, const char *key)
 {
     const char *text = reference_note(table, key);
+    char *end = NULL;
+    const double number = text ? strtod(text, &end) : NAN;
 
-    return text ? strtod(text, NULL) : NAN;
+    return end == text ? NAN : number;
 }

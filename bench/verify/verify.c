@@ -128,6 +128,7 @@ static enum status run_check(struct job *job, int n, struct message *why)
     *sheet = (struct verify_sheet){.models = job->models, .quick = job->quick};
     if (!check->table || verify_sheet_table(sheet, check->table))
         check->run(sheet);
+    verify_sheet_sound(sheet);
     if (sheet->status != STATUS_OK)
         return status_fail(why, sheet->status, "%s", sheet->why.text);
     return verify_file_write(check, sheet, job->folder, why);

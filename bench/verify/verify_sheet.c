@@ -18,8 +18,19 @@ bool verify_sheet_holds(struct verify_sheet *sheet, enum status st)
     return sheet->status == STATUS_OK;
 }
 
+bool verify_sheet_sound(struct verify_sheet *sheet)
+{
+    struct message what;
+
+    if (sheet->status == STATUS_OK && sheet->table &&
+        !verify_sheet_holds(sheet, reference_fault(sheet->table, &what)))
+        sheet->why = what;
+    return sheet->status == STATUS_OK;
+}
+
 bool verify_sheet_table(struct verify_sheet *sheet, const char *name)
 {
+    verify_sheet_sound(sheet);
     reference_close(sheet->table);
     sheet->table = NULL;
     return sheet->status == STATUS_OK &&

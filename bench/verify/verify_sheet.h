@@ -25,6 +25,9 @@ bool verify_sheet_holds(struct verify_sheet *sheet, enum status st);
 /* Opens a truth's table (truth_table.h) in place of the last one; whether it is there. */
 bool verify_sheet_table(struct verify_sheet *sheet, const char *name);
 
+/* False: the table lacks something that was read from it; it is told as any failure is. */
+bool verify_sheet_sound(struct verify_sheet *sheet);
+
 /* Walks a field as --models asks for it: its entries, then the others that enter. *n
  * begins at 0.
  *     for (int n = 0; verify_sheet_next(sheet, &field, &n, &subject);)

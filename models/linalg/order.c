@@ -51,14 +51,19 @@ void order_nested(int n, int m, int size, int reach, int *order)
     dissect(&net, 0, n, 0, m);
 }
 
-int *order_wide(int n, int m, int l)
+enum status order_wide(int n, int m, int l, int **order)
 {
-    int *order = m > n ? malloc((size_t)n * (size_t)m * (size_t)l * sizeof *order) : NULL;
     int count = 0;
 
-    for (int j = 0; order && j < m; j++)
+    *order = NULL;
+    if (m <= n)
+        return STATUS_OK;
+    *order = malloc((size_t)n * (size_t)m * (size_t)l * sizeof **order);
+    if (!*order)
+        return STATUS_MEMORY;
+    for (int j = 0; j < m; j++)
         for (int i = 0; i < n; i++)
             for (int k = 0; k < l; k++)
-                order[count++] = (i * m + j) * l + k;
-    return order;
+                (*order)[count++] = (i * m + j) * l + k;
+    return STATUS_OK;
 }

@@ -2,6 +2,8 @@
 #ifndef ORDER_H
 #define ORDER_H
 
+#include "models/status.h"
+
 /* Nested dissection (George, SIAM J. Numer. Anal. 10, 1973) of a net of n x m columns,
  * numbered i m + j, with `size` unknowns each, numbered column size + s; every column is
  * coupled to all within +-reach in i and j. A separator is `reach` lines of columns across
@@ -9,7 +11,7 @@
 void order_nested(int n, int m, int size, int reach, int *order);
 
 /* Node order with v slowest, for nets n x m x l wider than long (a narrower band); NULL
- * otherwise or without memory. Owned by the caller. */
-int *order_wide(int n, int m, int l);
+ * otherwise. Owned by the caller. STATUS_MEMORY. */
+enum status order_wide(int n, int m, int l, int **order);
 
 #endif

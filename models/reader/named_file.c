@@ -198,17 +198,16 @@ static enum status refuse_name(const struct named_file_kind *kind, const char *a
 {
     enum status st = STATUS_OK;
     struct named_file_entry *entries = NULL;
+    struct message names = {""};
     int count = 0;
-    size_t used;
+    size_t used = 0;
 
     TRY(named_file_list(kind, &entries, &count, why));
-    st = status_fail(why, STATUS_INPUT, "no %s %s; give the path of a file, or one of",
-                     kind->what, yaml_tree_quote(argument).text);
-    for (int i = 0; why && i < count; i++) {
-        used = strlen(why->text);
-        snprintf(why->text + used, sizeof why->text - used, "%s %s", i ? "," : "",
-                 entries[i].name);
-    }
+    for (int i = 0; i < count && used < sizeof names.text; i++)
+        used += (size_t)snprintf(names.text + used, sizeof names.text - used, "%s %s",
+                                 i ? "," : "", entries[i].name);
+    st = status_fail(why, STATUS_INPUT, "no %s %s; give the path of a file, or one of%s",
+                     kind->what, yaml_tree_quote(argument).text, names.text);
 out:
     named_file_list_free(entries, count);
     return st;

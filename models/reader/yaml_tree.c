@@ -60,16 +60,11 @@ static int write_origin(char *text, size_t size, const char *origin, int line)
 static enum status refuse(const char *origin, int line, struct message *why,
                           const char *format, va_list arguments)
 {
-    int used;
+    struct message text;
+    const int used = write_origin(text.text, sizeof text.text, origin, line);
 
-    if (!why)
-        return STATUS_INPUT;
-    used = write_origin(why->text, sizeof why->text, origin, line);
-    vsnprintf(why->text + used, sizeof why->text - (size_t)used, format, arguments);
-    for (char *c = why->text; *c; c++)
-        if (iscntrl((unsigned char)*c))
-            *c = '?';
-    return STATUS_INPUT;
+    vsnprintf(text.text + used, sizeof text.text - (size_t)used, format, arguments);
+    return status_fail(why, STATUS_INPUT, "%s", text.text);
 }
 
 enum status yaml_tree_refuse(const struct yaml_tree *node, struct message *why,

@@ -60,6 +60,8 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
     if (space->layer)
         TRY(solid_layer_create(space, &e->layer));
 out:
+    if (st != STATUS_OK)
+        solid_element_clear(e);
     return st;
 }
 

@@ -73,8 +73,9 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
 }
 
 /* 0/1 per component of a flat sheet in Legendre functions through the thickness
- * (solid_space.h); NULL unless the normal is a coordinate axis. */
-static unsigned char *parity_of(const struct scene *scene, int nodes, int layers)
+ * (solid_space.h); NULL unless the normal is a coordinate axis. STATUS_MEMORY. */
+static enum status find_parity(const struct scene *scene, int nodes, int layers,
+                               unsigned char **found)
 {
     const double *u = scene->axis_u, *v = scene->axis_v;
     double w[3];
@@ -85,23 +86,28 @@ static unsigned char *parity_of(const struct scene *scene, int nodes, int layers
         if (fabs(w[i]) == 1 && u[i] == 0 && v[i] == 0)
             normal = i;
     if (normal < 0)
-        return NULL;
-    unsigned char *parity = malloc(3 * (size_t)nodes);
-    for (int a = 0; parity && a < nodes; a++)
+        return STATUS_OK;
+    unsigned char *parity = *found = malloc(3 * (size_t)nodes);
+    if (!parity)
+        return STATUS_MEMORY;
+    for (int a = 0; a < nodes; a++)
         for (int i = 0; i < 3; i++)
             parity[3 * a + i] = (unsigned char)((a % layers + (i == normal)) % 2);
-    return parity;
+    return STATUS_OK;
 }
 
 enum status solid_model_init(struct solid_sheet *s, const struct scene *scene,
                              const struct discretization *d, const int points[3],
                              struct message *why)
 {
-    int *order = order_wide(points[0], points[1], points[2]);
+    int *order = NULL;
+    enum status st;
 
+    TRY(order_wide(points[0], points[1], points[2], &order));
     if (s->space.thickness_basis)
-        s->space.parity = parity_of(scene, s->space.nodes, points[2]);
-    enum status st = solid_motion_init(&s->motion, scene, &s->space, d, order, why);
+        TRY(find_parity(scene, s->space.nodes, points[2], &s->space.parity));
+    TRY(solid_motion_init(&s->motion, scene, &s->space, d, order, why));
+out:
     free(order);
     return st;
 }

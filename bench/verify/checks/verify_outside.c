@@ -36,7 +36,7 @@ static double matrix_error(const struct matrix *m, const struct reference *table
         double j = reference_number(table, n, "column");
         double value = reference_number(table, n, column);
         most = fmax(most, fabs(value));
-        if (i < (double)rows && j < (double)rows)
+        if (i >= 0 && j >= 0 && i < (double)rows && j < (double)rows)
             rest[rows * (size_t)i + (size_t)j] -= value;
         else
             apart = INFINITY;

@@ -99,6 +99,7 @@ int main(void)
     struct provenance p;
 
     omp_set_num_threads(THREADS);
+    blas_kernel_set_threads(1);
     provenance_collect(&p);
     check_all(&p);
     provenance_collect(&p); /* anew, not in addition */

@@ -3,6 +3,7 @@
 #include "bench/harness/child.h"
 
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -91,13 +92,28 @@ static void start(struct child *c, enum status (*work)(void *, struct message *)
     REQUIRE(child_start(c, work, context, NULL) == STATUS_OK);
 }
 
+/* The system counts microseconds, four numbers of them. */
+static const double TOL_MICROSECONDS = 1e-5;
+
+/* What all children have used that were waited for [s]. */
+static double used_by_children(void)
+{
+    struct rusage used;
+
+    REQUIRE(getrusage(RUSAGE_CHILDREN, &used) == 0);
+    return (double)(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+           1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+}
+
 static struct child_end end_of(struct child *c, double limit)
 {
+    const double before = used_by_children();
     struct child_end end;
 
     while (!child_poll(c, limit, &end))
         nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
     CHECK(c->pid == 0);
+    CHECK_NEAR(end.seconds, used_by_children() - before, TOL_MICROSECONDS);
     child_clear(c);
     return end;
 }

@@ -92,6 +92,58 @@ static void physics(void)
     }
 }
 
+/* All of a text, of a scene that has two of each thing. */
+static void physics_whole(void)
+{
+    static const char *const all[] = {
+        "damping={kind: rayleigh, alpha: 1, beta: 2}",
+        "drag={coefficient: 3, wind: [4,5,6]}",
+        "motion={velocity: [7,8,9], spin: [10,11,12]}",
+        "supports=[{at: {u: 0, v: [0,0.5]}, fix: xyz, path: [[0,0,0,0],[1,2,3,4]]}, "
+        "{at: {u: 1, w: [0.5,1]}, fix: xz}]",
+        "loads=[{at: {u: [0.5,1]}, force: [1,2,3]}, {at: {v: 1}, force: [4,5,6]}]",
+        "obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1], friction: 0.5}}, "
+        "{sphere: {center: [0,0,-2], radius: 0.25, friction: 0.75}}]"};
+    static const char want[] = "sheet 1 1 0.0011770000000000001\n"
+                               "shape flat\n"
+                               "origin 0 0 0\n"
+                               "u 1 0 0\n"
+                               "v 0 1 0\n"
+                               "material 100000 0.29999999999999999 0.5\n"
+                               "gravity 0 0 -9.8100000000000005\n"
+                               "drag 3\n"
+                               "wind 4 5 6\n"
+                               "velocity 7 8 9\n"
+                               "spin 10 11 12\n"
+                               "damping rayleigh\n"
+                               "rayleigh 1 2\n"
+                               "support fix 7\n"
+                               "support from 0 0 0\n"
+                               "support to 0 0.5 1\n"
+                               "support path 0 0 0 0\n"
+                               "support path 1 2 3 4\n"
+                               "support fix 5\n"
+                               "support from 1 0 0.5\n"
+                               "support to 1 1 1\n"
+                               "load from 0.5 0 0\n"
+                               "load to 1 1 1\n"
+                               "load force 1 2 3\n"
+                               "load from 0 1 0\n"
+                               "load to 1 1 1\n"
+                               "load force 4 5 6\n"
+                               "plane 0 0 -1\n"
+                               "normal 0 0 1\n"
+                               "friction 0.5\n"
+                               "sphere 0 0 -2\n"
+                               "radius 0.25\n"
+                               "friction 0.75\n";
+    char *text = physics_of("edge_drop", sizeof all / sizeof *all, all);
+
+    if (!CHECK(!strcmp(text, want)))
+        printf("%s", text);
+    free(text);
+}
+
 /* Another scene than a text is of is told by what differs first. */
 static void physics_told(void)
 {
@@ -127,6 +179,7 @@ static void physics_told(void)
 int main(void)
 {
     physics();
+    physics_whole();
     physics_told();
     return check_result();
 }

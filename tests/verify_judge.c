@@ -315,9 +315,10 @@ static void check_misses(void)
                   misses) == 0); /* ... in a hurry */
 }
 
-#define TIP     "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | MISSED\n"
-#define MET     "first | tip | " SHELL " | 1 | 0 | 0.01 | 0 | nan | met\n"
-#define NOTHING "first | tip | " SPRING " | 1 | 0 | nan | 0.02 | nan | no claim\n"
+#define TIP "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | MISSED | asked\n"
+#define MET "first | tip | " SHELL " | 1 | 0 | 0.01 | 0 | nan | met | asked\n"
+#define NOTHING                                                                            \
+    "first | tip | " SPRING " | 1 | 0 | nan | 0.02 | nan | no claim | nobody asks\n"
 static void check_rows(void)
 {
     CHECK(against(TIP MET NOTHING, false, rows) == 0);
@@ -326,14 +327,15 @@ static void check_rows(void)
     CHECK(against(TIP MET, false, rows) == 1);
     CHECK(against(TIP MET NOTHING TIP, false, rows) == 1);
     static const char *const other[] = {
-        "first | top | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | MISSED\n",
-        "first | tip | " IGA " | 1.1 | 0 | 0.01 | 0.02 | nan | MISSED\n",
-        "first | tip | " IGA " | 1 | 1e-3 | 0.01 | 0.02 | nan | MISSED\n",
-        "first | tip | " IGA " | 1 | 0 | 0.011 | 0.02 | nan | MISSED\n",
-        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.021 | nan | MISSED\n",
-        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | 2.0 | MISSED\n",
-        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | died\n",
-        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | MISSED\n"};
+        "first | top | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | MISSED | asked\n",
+        "first | tip | " IGA " | 1.1 | 0 | 0.01 | 0.02 | nan | MISSED | asked\n",
+        "first | tip | " IGA " | 1 | 1e-3 | 0.01 | 0.02 | nan | MISSED | asked\n",
+        "first | tip | " IGA " | 1 | 0 | 0.011 | 0.02 | nan | MISSED | asked\n",
+        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.021 | nan | MISSED | asked\n",
+        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | 2.0 | MISSED | asked\n",
+        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | died | asked\n",
+        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | MISSED | taken\n",
+        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | MISSED | asked\n"};
     char text[1024];
     for (size_t n = 0; n < sizeof other / sizeof *other; n++) {
         snprintf(text, sizeof text, "%s%s%s", other[n], MET, NOTHING);

@@ -159,6 +159,37 @@ static void who_gets_it(const struct truth_made *made)
     free(path);
 }
 
+/* By somebody who knows of the seal. */
+static void change(const char *file, const char *key, const char *text)
+{
+    hid_t h = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
+
+    REQUIRE(h >= 0 && H5Adelete(h, key) >= 0);
+    if (text)
+        REQUIRE(hdf5_file_put_text(h, key, text) >= 0);
+    REQUIRE(H5Fclose(h) >= 0);
+    REQUIRE(seal_write(file, NULL) == STATUS_OK);
+}
+
+/* A line on each for lists; of one that is none, what is wrong with it. */
+static void are_listed(const char *file)
+{
+    static const char *const want[] = {"to 0.2 s; made up", "checksum"};
+
+    for (int changed = 0; changed < 2; changed++) {
+        struct named_file_entry *entries = NULL;
+        int count = 0, found = 0;
+        if (changed)
+            change(file, "checksum", "0000000000000000");
+        REQUIRE(named_file_list(&truth_file_kind, &entries, &count, NULL) == STATUS_OK);
+        for (int n = 0; n < count; n++)
+            if (!strcmp(entries[n].name, "edge_drop"))
+                found += strstr(entries[n].text, want[changed]) != NULL;
+        CHECK(found == 1 && count >= 4);
+        named_file_list_free(entries, count);
+    }
+}
+
 /* What is stored under a name, for whom; and what it says of its making. */
 static void find_stored(const struct truth_made *made)
 {
@@ -214,18 +245,6 @@ static void who_may_store(void)
                    cases[n].changed);
         CHECK(cases[n].may || strstr(why.text, "no file changed"));
     }
-}
-
-/* By somebody who knows of the seal. */
-static void change(const char *file, const char *key, const char *text)
-{
-    hid_t h = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
-
-    REQUIRE(h >= 0 && H5Adelete(h, key) >= 0);
-    if (text)
-        REQUIRE(hdf5_file_put_text(h, key, text) >= 0);
-    REQUIRE(H5Fclose(h) >= 0);
-    REQUIRE(seal_write(file, NULL) == STATUS_OK);
 }
 
 /* Other physics, another checksum, none at all: a sentence each, and no truth. */
@@ -318,6 +337,7 @@ int main(int argc, char **argv)
     who_gets_it(&made);
     find_stored(&made);
     who_may_store();
+    are_listed(file);
     changed_files_are_refused(&made);
     remove(file);
     truth_made_clear(&made);

@@ -11,15 +11,16 @@
  */
 static const double STORED_ROWS_NOISE = 1e-5;
 
-enum { STORED_ROWS_LINE = 512 };
+enum { STORED_ROWS_LINE = 1024 };
 
-/* KEY | quantity | model | truth | bar | tolerance | error | order | verdict */
+/* KEY | quantity | model | truth | bar | tolerance | error | order | verdict | note */
 static inline void stored_rows_line(const char *key, const struct verify_row *row,
                                     char line[STORED_ROWS_LINE])
 {
-    snprintf(line, STORED_ROWS_LINE, "%s | %s | %s | %.6g | %.2g | %.6g | %.3g | %.2f | %s",
-             key, row->quantity, row->subject, row->truth, row->bar, row->tolerance,
-             row->error, row->order, verify_verdict_name((int)row->verdict));
+    snprintf(line, STORED_ROWS_LINE,
+             "%s | %s | %s | %.6g | %.2g | %.6g | %.3g | %.2f | %s | %s", key,
+             row->quantity, row->subject, row->truth, row->bar, row->tolerance, row->error,
+             row->order, verify_verdict_name((int)row->verdict), row->note);
 }
 
 static inline bool stored_rows_near(double a, double b, double relative, double absolute)
@@ -28,22 +29,37 @@ static inline bool stored_rows_near(double a, double b, double relative, double 
            fabs(a - b) <= fmax(relative * fmax(fabs(a), fabs(b)), absolute);
 }
 
+/* The same words, whatever the numbers in them. */
+static inline bool stored_rows_words(const char *a, const char *b)
+{
+    static const char numbers[] = "0123456789.+-";
+
+    for (;; a++, b++) {
+        a += strspn(a, numbers);
+        b += strspn(b, numbers);
+        if (*a != *b || !*a)
+            return *a == *b;
+    }
+}
+
 /* Numbers of a line from `text` on, after the model's cell. */
 static inline bool stored_rows_same(const char *text, const struct verify_row *row)
 {
     double truth, bar, tolerance, error, order;
+    char end[STORED_ROWS_LINE];
     int used = 0;
 
     if (sscanf(text, "%lf | %lf | %lf | %lf | %lf | %n", &truth, &bar, &tolerance, &error,
                &order, &used) != 5)
         return false;
+    snprintf(end, sizeof end, "%s | %s", verify_verdict_name((int)row->verdict), row->note);
     return stored_rows_near(truth, row->truth, 1e-5, 0) &&
            stored_rows_near(bar, row->bar, 0.06, 1e-12) &&
            stored_rows_near(tolerance, row->tolerance, 1e-5, 0) &&
            stored_rows_near(error, row->error, 0.01, STORED_ROWS_NOISE) &&
            (row->error < 10 * STORED_ROWS_NOISE ||
             stored_rows_near(order, row->order, 0, 0.1)) &&
-           !strcmp(text + used, verify_verdict_name((int)row->verdict));
+           stored_rows_words(text + used, end);
 }
 
 /* Rows that differ, or are not there; each is printed as it would be stored. */

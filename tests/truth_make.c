@@ -9,8 +9,7 @@
 #include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
-#include "models/reader/scene_file.h"
-#include "tests/check.h"
+#include "tests/truth_fixture.h"
 
 static const double SUM = 1e-14, DIGITS = 1e-12;
 static const double LENGTH = 2;
@@ -18,14 +17,6 @@ static const double LENGTH = 2;
 static char folder[2048];
 
 static const char *const long_sheet[] = {"damping={kind: none}", "sheet.length=2"};
-
-static struct settings settings_of(int count, const char *const *text)
-{
-    struct settings s = {0};
-
-    settings_set_all(&s, count, text);
-    return s;
-}
 
 static char *path_of(const char *scene)
 {

@@ -53,6 +53,13 @@ static void check_verdicts(void)
     verify_sheet_clear(&sheet);
 }
 
+static void check_worse(void)
+{
+    CHECK(verify_row_worse(1, 2) == 2 && verify_row_worse(2, 1) == 2);
+    CHECK(verify_row_worse(-1, -2) == -1 && verify_row_worse(0, 0) == 0);
+    CHECK(isnan(verify_row_worse(NAN, 1)) && isnan(verify_row_worse(1, NAN)));
+}
+
 /* Names of the walk, "a b c", into text. */
 static void walk(struct verify_sheet *sheet, const struct verify_field *f, char text[512])
 {
@@ -142,6 +149,55 @@ static void check_nets(void)
     CHECK(isnan(verify_subject_order(&s, (double[]){1e-2}, 0)));
 }
 
+/* What an entry says is the subject's, and what it leaves out the contestant's or the
+ * field's. */
+static void check_subject(void)
+{
+    static const struct verify_entry full = {"shell_3", 0.25, "why",  {5, 9, 17},
+                                             {4, 0, 6}, 2,    "more", {"a=b"},
+                                             3,         4,    true,   true,
+                                             "before"},
+                                     bare = {"shell_3"};
+    static const struct verify_field three = {.along = {5, 7, 9}, .across = {0, 6, 8}};
+    const struct contestant *c = NULL;
+
+    CHECK(contestant_find("shell_3", &c, NULL) == STATUS_OK);
+    struct verify_subject s = verify_subject_of(&three, &full, c);
+    CHECK(s.tolerance == 0.25 && !strcmp(s.reason, "why") && !strcmp(s.more, "more"));
+    CHECK(s.nets == 3 && s.along[2] == 17 && s.across[0] == 4 && s.across[1] == 9 &&
+          s.across[2] == 6);
+    CHECK(s.grade == 2 && s.layers == 3 && s.degree == 4 && s.dear && s.mark);
+    CHECK(!strcmp(s.settings[0], "a=b") && !strcmp(s.changed, "before"));
+    verify_subject_claim(&s, 0.5, NULL);
+    CHECK(s.tolerance == 0.5 && !s.reason);
+    verify_subject_last(&s, 2);
+    CHECK(s.nets == 2 && s.along[0] == 9 && s.across[0] == 9 && s.along[1] == 17 &&
+          s.across[1] == 6);
+    verify_subject_square(&s, 3, 8);
+    CHECK(s.nets == 2 && s.along[0] == 3 && s.across[1] == 8);
+    s = verify_subject_of(&three, &bare, c);
+    CHECK(isnan(s.tolerance) && !s.reason && !s.changed && !s.more && !s.dear && !s.mark);
+    CHECK(s.nets == 3 && s.across[0] == contestant_least(c) && s.across[2] == 8);
+    CHECK(s.layers == c->layers && s.degree == c->degree && s.grade == 0);
+    verify_subject_claim(&s, 0.5, "one");
+    CHECK(isnan(s.tolerance) && !s.reason); /* where nothing is claimed */
+}
+
+/* Orders are of spans, points less the degree, on the last two nets. */
+static void check_orders(void)
+{
+    struct verify_subject s = {.nets = 3, .along = {4, 5, 11}, .degree = 2};
+    const double error[3] = {7, 0.27, 0.01};
+
+    CHECK_NEAR(verify_subject_order(&s, error, 0), 3, 1e-14); /* 3 spans to 9 */
+    CHECK_NEAR(verify_subject_order(&s, error, 0.0033), 3, 1e-14);
+    CHECK(isnan(verify_subject_order(&s, error, 0.0034)));
+    CHECK(isnan(verify_subject_order(&s, (double[]){7, 0, 0.01}, 0)));
+    CHECK(isnan(verify_subject_order(&s, (double[]){7, 0.27, 0}, 0)));
+    CHECK(isnan(verify_subject_order(&s, (double[]){7, 0.27, NAN}, 0)));
+    CHECK(verify_subject_order(&s, (double[]){7, 0.01, 0.27}, 0) < -2.9);
+}
+
 /* Fifty rows: more than fit without growing; with what a file could trip over. */
 static void check_file(const char *folder)
 {
@@ -154,6 +210,9 @@ static void check_file(const char *folder)
         struct verify_row *row = verify_sheet_add(&s, "tip, Gamma = %d", n);
         verify_row_judge(row, 1 + n / 3000.0, 1, 1e-10);
         row->seconds = n / 7.0;
+        row->order = n % 3 ? NAN : n / 5.0;
+        if (n % 5 == 0)
+            strcpy(row->changed, "2 %, \"asked\"");
         if (n % 2)
             verify_row_note(row, "a, 5 %%2C b\n\"c\", ");
     }
@@ -165,7 +224,9 @@ static void check_file(const char *folder)
     for (int n = 0; n < read.count && n < made.count; n++) {
         const struct verify_row *a = &made.rows[n], *b = &read.rows[n];
         CHECK(a->value == b->value && a->truth == b->truth && a->bar == b->bar);
-        CHECK(a->error == b->error && a->seconds == b->seconds && isnan(b->order));
+        CHECK(a->error == b->error && a->seconds == b->seconds);
+        CHECK(a->order == b->order || (isnan(a->order) && isnan(b->order)));
+        CHECK(a->tolerance == b->tolerance && !strcmp(a->changed, b->changed));
         CHECK(a->verdict == b->verdict && !strcmp(a->subject, b->subject));
         CHECK(!strcmp(a->quantity, b->quantity) && !strcmp(a->note, b->note));
     }
@@ -205,9 +266,12 @@ static void check_refusals(const char *folder)
 int main(int argc, char **argv)
 {
     check_verdicts();
+    check_worse();
     check_walk();
     check_failure();
     check_nets();
+    check_subject();
+    check_orders();
     check_file(argc > 1 ? argv[1] : ".");
     check_refusals(argc > 1 ? argv[1] : ".");
     return check_result();

@@ -51,7 +51,24 @@ static const struct verify_check first = {
     .item = {"first", "as told"}, .source = "made up", .run = run_first};
 static const struct verify_check second = {
     .item = {"second", "always met"}, .source = "made up", .slow = true, .run = run_second};
-static const struct verify_check *const checks[] = {&first, &second, NULL};
+
+/* Two quantities of all three, each remark twice, one of them of two. */
+static void run_third(struct verify_sheet *sheet)
+{
+    struct verify_subject s;
+
+    for (int q = 0; q < 2; q++)
+        for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);) {
+            struct verify_row *row = verify_sheet_add(&s, "quantity %d", q);
+            verify_row_judge(row, 0.125, 0.125, 0.25);
+            row->order = 1.5;
+            row->seconds = 0.25;
+        }
+}
+static const struct verify_check third = {
+    .item = {"third", "in two parts"}, .source = "made up", .slow = true, .run = run_third};
+
+static const struct verify_check *const checks[] = {&first, &second, &third, NULL};
 
 /* --- The command. */
 
@@ -169,7 +186,7 @@ static void check_several(void)
     CHECK(!strcmp(o.why.text, "2 claims are not met, in: first"));
     CHECK(strstr(o.text, "2 of 4 claims;"));
     o = COMMAND("--out", folder);
-    CHECK(counts(&o, "all", "2 2 2 0 0 0 6"));
+    CHECK(counts(&o, "all", "6 2 4 0 0 0 12") && counts(&o, "third", "4 0 2 0 0 0 6"));
     o = COMMAND("--out", folder, "--quick"); /* not the slow one */
     CHECK(counts(&o, "all", "0 2 1 0 0 0 3"));
     o = COMMAND("second", "--out", folder, "--quick"); /* but if it is named */
@@ -177,10 +194,11 @@ static void check_several(void)
     o = COMMAND("first", "--models", "shell", "--out", folder);
     CHECK(!strcmp(o.why.text, "1 claim is not met, in: first"));
     CHECK(counts(&o, "all", "0 1 0 0 0 0 1"));
-    o = COMMAND("third", "--out", folder);
+    o = COMMAND("fourth", "--out", folder);
     CHECK(o.status == STATUS_INPUT);
-    CHECK(
-        !strcmp(o.why.text, "verify: there is no check 'third'; there are first, second"));
+    CHECK(!strcmp(o.why.text,
+                  "verify: there is no check 'fourth'; there are first, second, "
+                  "third"));
 }
 
 /* What is printed: each remark once, the truth, what was claimed before; and again, the
@@ -206,6 +224,34 @@ static void check_printed(void)
     CHECK(head == o.text && !strstr(head + 1, "\nquantity") && !strstr(o.text, "How many"));
     CHECK(strstr(o.text, "\ntip,") && strstr(o.text, "\nfield,"));
     CHECK(strstr(o.text, "2 % before"));
+}
+
+static int count_of(const char *text, const char *word)
+{
+    int count = 0;
+
+    for (; (text = strstr(text, word)); text += strlen(word))
+        count++;
+    return count;
+}
+
+/* A rule between quantities, each remark of a subject once, numbers in their columns. */
+static void check_layout(void)
+{
+    struct outcome o = COMMAND("third", "--out", folder);
+    char *end = strstr(o.text, "How many rows");
+
+    CHECK(count_of(o.text, "Truth: made up") == 1 && end);
+    if (end)
+        *end = '\0'; /* not the last table, which has rules, too */
+    CHECK(count_of(o.text, "\n---") == 2);
+    CHECK(count_of(o.text, ": asked.") == 2 && count_of(o.text, ": nobody asks.") == 1);
+    CHECK(count_of(o.text, "first result: 2 % before.") == 1);
+    CHECK(count_of(o.text, "0.125000") == 12 && count_of(o.text, "0.2 ") == 6);
+    CHECK(count_of(o.text, "1.50") == 6 && count_of(o.text, "0.25\n") == 6);
+    CHECK(count_of(o.text, "0.010") == 4);
+    o = COMMAND("first", "third", "--out", folder, "--format", "markdown");
+    CHECK(count_of(o.text, "Truth: made up") == 2 && count_of(o.text, "in two parts") == 1);
 }
 
 /* What is no judgement is no verdict: the sentence of what failed. */
@@ -269,9 +315,10 @@ static void check_misses(void)
                   misses) == 0); /* ... in a hurry */
 }
 
-#define TIP     "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | MISSED\n"
-#define MET     "first | tip | " SHELL " | 1 | 0 | 0.01 | 0 | nan | met\n"
-#define NOTHING "first | tip | " SPRING " | 1 | 0 | nan | 0.02 | nan | no claim\n"
+#define TIP "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | MISSED | asked\n"
+#define MET "first | tip | " SHELL " | 1 | 0 | 0.01 | 0 | nan | met | asked\n"
+#define NOTHING                                                                            \
+    "first | tip | " SPRING " | 1 | 0 | nan | 0.02 | nan | no claim | nobody asks\n"
 static void check_rows(void)
 {
     CHECK(against(TIP MET NOTHING, false, rows) == 0);
@@ -280,14 +327,15 @@ static void check_rows(void)
     CHECK(against(TIP MET, false, rows) == 1);
     CHECK(against(TIP MET NOTHING TIP, false, rows) == 1);
     static const char *const other[] = {
-        "first | top | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | MISSED\n",
-        "first | tip | " IGA " | 1.1 | 0 | 0.01 | 0.02 | nan | MISSED\n",
-        "first | tip | " IGA " | 1 | 1e-3 | 0.01 | 0.02 | nan | MISSED\n",
-        "first | tip | " IGA " | 1 | 0 | 0.011 | 0.02 | nan | MISSED\n",
-        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.021 | nan | MISSED\n",
-        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | 2.0 | MISSED\n",
-        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | died\n",
-        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | MISSED\n"};
+        "first | top | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | MISSED | asked\n",
+        "first | tip | " IGA " | 1.1 | 0 | 0.01 | 0.02 | nan | MISSED | asked\n",
+        "first | tip | " IGA " | 1 | 1e-3 | 0.01 | 0.02 | nan | MISSED | asked\n",
+        "first | tip | " IGA " | 1 | 0 | 0.011 | 0.02 | nan | MISSED | asked\n",
+        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.021 | nan | MISSED | asked\n",
+        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | 2.0 | MISSED | asked\n",
+        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | died | asked\n",
+        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | nan | MISSED | taken\n",
+        "first | tip | " IGA " | 1 | 0 | 0.01 | 0.02 | MISSED | asked\n"};
     char text[1024];
     for (size_t n = 0; n < sizeof other / sizeof *other; n++) {
         snprintf(text, sizeof text, "%s%s%s", other[n], MET, NOTHING);
@@ -305,6 +353,7 @@ int main(int argc, char **argv)
     check_ended();
     check_several();
     check_printed();
+    check_layout();
     check_torn();
     check_misses();
     check_rows();

@@ -10,6 +10,17 @@ static const double middle[3] = {1, 0.5, 0.5};
 
 static const char *const none[VERIFY_SETTINGS] = {NULL};
 
+/* The scripted model, its states counted. */
+static struct model counted;
+static struct contestant who;
+static int destroyed;
+
+static void destroy(void *state)
+{
+    destroyed += state != NULL;
+    free(state);
+}
+
 static struct verify_sheet sheet;
 
 /* Two nets; something is claimed. */
@@ -17,7 +28,7 @@ static struct verify_subject subject_of(double tolerance)
 {
     return (struct verify_subject){.sheet = &sheet,
                                    .settings = none,
-                                   .contestant = &scripted,
+                                   .contestant = &who,
                                    .tolerance = tolerance,
                                    .nets = 2,
                                    .along = {4, 7},
@@ -25,8 +36,11 @@ static struct verify_subject subject_of(double tolerance)
                                    .degree = 1};
 }
 
+/* What was created is destroyed by then. */
 static void reset(void)
 {
+    CHECK(destroyed == script_creates);
+    destroyed = 0;
     script_reset();
     verify_sheet_clear(&sheet);
 }
@@ -259,6 +273,10 @@ static void check_refine_ends(void)
 
 int main(void)
 {
+    counted = scripted_model;
+    counted.destroy = destroy;
+    who = scripted;
+    who.model = &counted;
     check_endings();
     check_spent();
     check_motion();

@@ -3,6 +3,7 @@
 
 #include <time.h>
 
+#include "models/clock.h"
 #include "tests/check.h"
 
 static enum status succeed(void *context, struct message *why)
@@ -97,8 +98,11 @@ static void check_ends(void)
 
 static void check_hangs(void)
 {
+    const double begun = clock_now();
     struct child_end end = end_of(spin, time_limit);
 
+    /* a second of it was allowed, and no more passed than that of the clock */
+    CHECK(end.seconds > 0.9 && end.seconds < 2 && end.seconds < clock_now() - begun);
     CHECK(end.outcome == CHILD_FAILED && end.overdue && end.reached == 0.5);
     CHECK(strstr(end.why.text, "processor time"));
     end = end_of(sleep_long, 0.1);

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "bench/files/atomic_file.h"
+#include "bench/files/folder.h"
 #include "tests/check.h"
 
 static char folder[] = "/tmp/clothbench-output-XXXXXX";
@@ -125,16 +126,21 @@ static void test_signal(int number)
         struct output *out = NULL;
         signal(number, SIG_DFL); /* ignored in some background shells */
         atomic_file_catch_signals();
-        if (output_create(in_folder("child.txt"), &out, &why) != STATUS_OK ||
-            files_in(folder) != before + 2)
+        /* one that is whole by then stays, and its name aside is forgotten */
+        if (output_create(in_folder("whole.txt"), &out, &why) != STATUS_OK ||
+            output_close(out, &why) != STATUS_OK)
             _exit(1);
+        for (int n = 0; n < 3; n++)
+            if (output_create(in_folder("child.txt"), &out, &why) != STATUS_OK ||
+                files_in(folder) != before + 3 + n)
+                _exit(1);
         output_print(out, "half");
         raise(number);
         _exit(2);
     }
     REQUIRE(waitpid(child, &outcome, 0) == child);
     CHECK(WIFSIGNALED(outcome) && WTERMSIG(outcome) == number);
-    CHECK(files_in(folder) == before + 1);
+    CHECK(files_in(folder) == before + 2 && unlink(in_folder("whole.txt")) == 0);
     atomic_file_discard(&mine);
     CHECK(files_in(folder) == before);
 }
@@ -158,9 +164,69 @@ static void test_link(void)
     unlink(in_folder("real.txt"));
 }
 
+/* What no file can be, in a sentence of its own. */
+static void test_refusals(void)
+{
+    static const struct {
+        const char *path, *sentence;
+    } want[] = {{".", ".: is a folder, not a file"},
+                {"", "the name of an output file is empty"},
+                {"none/a", "none/a: cannot be created: No such file or directory"},
+                {"/dev/null/a", "/dev/null/a: cannot be created: Not a directory"}};
+    struct output *out = NULL;
+
+    for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
+        struct message why = {""};
+        CHECK(output_create(want[n].path, &out, &why) == STATUS_FILE && !out);
+        if (!CHECK(!strcmp(why.text, want[n].sentence)))
+            printf("  %s\n", why.text);
+    }
+}
+
+/* Folders on the way are made, by whoever may; those there are stay as they are. */
+static void test_folders(void)
+{
+    static const struct {
+        const char *path, *sentence;
+    } want[] = {{"x/y/z", NULL},
+                {"x/y/z", NULL},
+                {"x/yy//w/", NULL},
+                {"file/a", "file/a: cannot be made: Not a directory"},
+                {"x/y/file/a", "x/y/file/a: cannot be made: Not a directory"},
+                {"/proc/a/b", "/proc/a: cannot be made: No such file or directory"}};
+    static const char *const made[] = {"x/yy/w", "x/yy", "x/y/z", "x/y", "x"};
+    struct message why = {""};
+    struct stat info;
+    char path[5000];
+
+    umask(022);
+    REQUIRE(chdir(folder) == 0 && fclose(fopen("file", "w")) == 0);
+    for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
+        const enum status st = folder_make(want[n].path, &why);
+        CHECK(st == (want[n].sentence ? STATUS_FILE : STATUS_OK));
+        if (n == 1)
+            REQUIRE(rename("file", "x/y/file") == 0 && symlink("x/y/file", "file") == 0);
+        if (want[n].sentence && !CHECK(!strcmp(why.text, want[n].sentence)))
+            printf("  %s\n", why.text);
+    }
+    memset(path, 'a', sizeof path - 1), path[sizeof path - 1] = '\0';
+    CHECK(folder_make(path, &why) == STATUS_FILE && strstr(why.text, "too long"));
+    path[4096] = '\0';
+    CHECK(folder_make(path, &why) == STATUS_FILE && strstr(why.text, "too long"));
+    path[4095] = '\0'; /* too long for the system alone */
+    CHECK(folder_make(path, &why) == STATUS_FILE && !strstr(why.text, "...:"));
+    CHECK(unlink("file") == 0 && unlink("x/y/file") == 0);
+    for (size_t n = 0; n < sizeof made / sizeof *made; n++) {
+        CHECK(stat(made[n], &info) == 0 && (info.st_mode & 07777) == 0755);
+        CHECK(rmdir(made[n]) == 0);
+    }
+}
+
 int main(void)
 {
     REQUIRE(mkdtemp(folder));
+    test_folders();
+    test_refusals();
     test_signal(SIGINT);
     test_signal(SIGTERM);
     test_signal(SIGHUP);

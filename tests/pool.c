@@ -7,9 +7,14 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "bench/harness/ranks.h"
+#include "models/clock.h"
 #include "tests/check.h"
 
 enum { JOBS = 12, CRASHES = 3, FAILS = 5, HANGS = 7, DONE_BEFORE = 9 };
+
+/* Of a few seconds, in any order. */
+static const double TOL_SUM = 1e-12;
 
 struct notes {
     int begun[JOBS], ended[JOBS], running, most;
@@ -68,13 +73,19 @@ static void check_ends(void)
                         .begin = begin,
                         .settle = settle};
 
+    double begun = clock_now(), seconds = 0;
+
     REQUIRE(notes.fd >= 0);
     REQUIRE(pool_run(&pool, NULL) == STATUS_OK);
+    CHECK(pool.wall >= 2 && pool.wall <= clock_now() - begun); /* one hangs as long */
     for (int n = 0; n < JOBS; n++) {
         const bool well = n != CRASHES && n != FAILS && n != HANGS;
         CHECK(notes.ended[n] == (n != DONE_BEFORE));
         CHECK(notes.end[n].outcome == (well ? CHILD_DONE : CHILD_FAILED));
     }
+    for (int n = 0; n < JOBS; n++)
+        seconds += notes.end[n].seconds;
+    CHECK_NEAR(pool.seconds, seconds, TOL_SUM);
     CHECK(!strcmp(notes.end[FAILS].why.text, "no such case"));
     CHECK(strstr(notes.end[CRASHES].why.text, "signal 6"));
     CHECK(notes.end[HANGS].overdue);
@@ -120,8 +131,27 @@ static void check_stops(void)
     CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.ended[JOBS - 1]);
 }
 
+/* Each of the words by which mpirun is known is enough; the library is not here. */
+static void check_ranks(void)
+{
+    static const char *const words[] = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"};
+    const struct ranks *ranks = NULL;
+
+    for (int n = 0; n < 3; n++)
+        unsetenv(words[n]);
+    CHECK(ranks_start(&ranks, NULL) == STATUS_OK && !ranks);
+    for (int n = 0; n < 3; n++) {
+        struct message why = {""};
+        setenv(words[n], "1", 1);
+        CHECK(ranks_start(&ranks, &why) == STATUS_UNSUPPORTED && !ranks);
+        CHECK(strstr(why.text, "built without MPI"));
+        unsetenv(words[n]);
+    }
+}
+
 int main(void)
 {
+    check_ranks();
     check_ends();
     check_stops();
     return check_result();

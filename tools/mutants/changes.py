@@ -12,7 +12,9 @@ CHANGES = [  # kind, pattern, what takes its place
     ("condition", r"(?<![\w)])(!)(?=[\w(*])", {"!": ""}),
     ("condition", r"\bif \(([\w>.-]+(?:\([^()&|=<>!]*\))?)\)", lambda c: "!" + c),
     ("sign", r"(?<=[\w)\]] )([+-])(?= [\w(])", {"+": "-", "-": "+"}),
-    ("constant", r"(?<![\w.])(\d+)(?![\w.])", lambda n: str(int(n) + 1)),
+    # not -1, a mark of failure or of none, of which the sign counts
+    ("constant", r"(?<![\w.])(?<![=?:,] -)(?<!\(-)(?<!return -)(\d+)(?![\w.])",
+     lambda n: str(int(n) + 1)),
     ("constant", r"(?<![\w.])(\d+\.\d*|\d+e-?\d+|\d*\.\d+e-?\d+)(?![\w.])",
      lambda x: "(%s * 1.5)" % x),
     ("index", r"\[([A-Za-z_]\w*)\](?! *=[^=])", lambda i: "%s + 1" % i),

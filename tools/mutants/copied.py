@@ -31,13 +31,37 @@ def run(command, **more):
                           stderr=subprocess.STDOUT, text=True, errors="replace", **more)
 
 
-def apart():
-    """A mutant may send signals anywhere and leave processes behind: its tests see no others."""
-    for user in ([], ["--user", "--map-current-user"]):
-        command = ["unshare", *user, "--pid", "--fork", "--kill-child", "--mount-proc"]
-        if shutil.which("unshare") and run([*command, "true"]).returncode == 0:
-            return [*command, "sh", "-c", '"$@"; code=$?; times; exit $code', "sh"]
-    raise SystemExit("no process namespace can be had (unshare): mutants could signal anyone")
+# A mutant may signal anyone, leave processes behind, replace /dev/full: its tests see no
+# others, write to nothing but the copy ($1) and a /tmp in it, and end with us.
+APART = """set -e
+copy=$1
+shift
+cd "$copy"
+mount --make-rprivate /
+inside=$copy
+case $copy in /tmp/*) inside=$copy/tmp/${copy#/tmp/} ;; esac
+mkdir -p "$inside"
+mount --bind "$copy" "$inside"
+mount --rbind "$copy/tmp" /tmp
+mount -o remount,bind,ro /
+mount -o remount,bind,ro /dev
+cd "$copy"
+set +e
+"$@"
+code=$?
+times
+exit $code
+"""
+
+
+def apart(folder):
+    """The beginning of a command that is to run so."""
+    for user in ([], ["--user", "--map-root-user"]):
+        command = ["setpriv", "--pdeathsig", "KILL", "unshare", *user, "--mount", "--pid",
+                   "--fork", "--kill-child", "--mount-proc", "sh", "-c", APART, "sh", folder]
+        if run([*command, "true"]).returncode == 0:
+            return command
+    raise SystemExit("no namespaces of its own can be had (unshare): a mutant could do harm")
 
 
 def limit_memory():
@@ -54,18 +78,24 @@ class Copy:
         os.makedirs(folder, exist_ok=True)
         self.lock = open(os.path.join(folder, "lock"), "w")
         fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        self.environment = dict(os.environ, TMPDIR=self.tmp)
-        self.apart = apart()
+        self.environment = dict(os.environ, TMPDIR="/tmp")
+        os.makedirs(self.tmp, exist_ok=True)
+        self.apart = apart(folder)
 
     def close(self):
         shutil.rmtree(self.tmp, ignore_errors=True)
         self.lock.close()
 
+    def clear_tmp(self):
+        shutil.rmtree(self.tmp, ignore_errors=True)
+        os.makedirs(self.tmp, exist_ok=True)
+
     def bring(self):
         """Files that differ get a new time stamp; those that are no more go."""
-        shutil.rmtree(self.tmp, ignore_errors=True)
-        os.makedirs(self.tmp)
-        names = run(["git", "ls-files", "-z"], cwd=self.top, check=True).stdout.split("\0")
+        self.clear_tmp()
+        listed = run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+                     cwd=self.top, check=True).stdout
+        names = listed.split("\0")
         wanted = {n for n in names if n and os.path.isfile(os.path.join(self.top, n))}
         for folder, _, files in os.walk(self.source):
             for name in files:
@@ -171,6 +201,7 @@ class Copy:
             end = "hangs"
             child.kill()  # and with it all that it started
             child.communicate()
+        self.clear_tmp()
         if end == "hangs":
             return end, time.monotonic() - start
         return end, sum(60 * float(m) + float(s) for m, s in TIMES.findall(said)[-2:])

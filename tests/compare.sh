@@ -53,7 +53,7 @@ grep -q velocity_scale "$folder/slowed.yaml" || echo "damping: {kind: velocity_s
 errors() { # of a contestant in a folder
     awk -F, "$rows"' $at["contestant"] == "'"$1"'" { print $at["worst_rmse_over_length"] }' "$2/compare.csv"
 }
-slowed=(compare "$folder/slowed.yaml" "${light[@]:2}" --models iga_paper,iga_linear)
+slowed=(compare "$folder/slowed.yaml" "${light[@]:2}" --models "iga_paper,iga_linear")
 "$program" "${slowed[@]}" --out "$folder/slowed" >"$folder.txt" 2>"$folder.log" || { cat "$folder.log"; fail "slowed"; }
 tr '\n' ' ' <"$folder.txt" | grep -q "undamped, but for the paper's own scheme with velocity_scale 0.5)" || fail "damping is not told"
 grep -q "Kirchhoff plate" "$folder.txt" || fail "the truth is damped"

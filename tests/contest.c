@@ -264,6 +264,9 @@ static void probes(void)
     c.rows[0].result.work.steps = 10, c.rows[0].result.work.substeps = 293;
     REQUIRE(contest_probe(&c, &c.rows[0], CONTEST_STEP, &at));
     CHECK(at.size[CONTEST_STEP] == 4 * 2 * 29);
+    c.rows[0].result.work.substeps = 20; /* or each by two */
+    REQUIRE(contest_probe(&c, &c.rows[0], CONTEST_STEP, &at));
+    CHECK(at.size[CONTEST_STEP] == 4 * 2 * 2);
     add(&c, "projective_dynamics", &finer); /* no need: it was run */
     CHECK(!contest_probe(&c, &c.rows[0], CONTEST_STEP, &at));
     CHECK(contest_probe(&c, &c.rows[0], CONTEST_NET, &at));
@@ -398,6 +401,7 @@ static void tables(const char *folder)
     static const char *const csv[] = {"compare.csv", "compare_targets.csv",
                                       "compare_limits.csv"};
     struct contest c = race();
+    struct message why;
     char *text = print(&c, folder);
 
     is_as_kept("printed.txt", text);
@@ -408,6 +412,8 @@ static void tables(const char *folder)
     }
     charts(folder);
     free(text);
+    CHECK(compare_print(&c, "no/such/folder", TABLE_TEXT, stdout, &why) == STATUS_FILE);
+    CHECK(strstr(why.text, "no/such/folder"));
     unmake(&c);
 }
 

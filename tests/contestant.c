@@ -139,6 +139,7 @@ static void test_choice(void)
     CHECK(chosen("hex", CONTESTANT_COMPARE | CONTESTANT_STRESS) > 1);
     CHECK(chosen("mass_spring_paper", CONTESTANT_COMPARE) == 1); /* enters nowhere else */
     CHECK(chosen("mass_spring_paper,iga", CONTESTANT_COMPARE) == iga + 1);
+    CHECK(find("mass_spring_explicit")->enters & CONTESTANT_COMPARE); /* springs' best */
     CHECK(chosen("iga_pap", 0) == 0 && chosen("", 0) == 0);
 }
 

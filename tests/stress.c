@@ -192,6 +192,8 @@ static struct stress_result check_run(const char *path, const char *folder, cons
     struct stress_result r;
 
     REQUIRE(stress_judge(&job, &r, NULL) == STATUS_OK);
+    CHECK(r.quick == (job.c->quick_end != NULL));
+    r.quick = false; /* of the part that was run */
     const enum stress_end end = stress_result_end(&r, job.c->bound);
     if (!CHECK(end == want))
         printf("%s, %s: %s with error %g (%s)\n", c, contestant, stress_end_name[end],

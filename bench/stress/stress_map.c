@@ -94,6 +94,7 @@ struct map {
     int stiffnesses, steps;
     struct run_result reference; /* with fields: that of the finest step               */
     double moved[TIMES];         /* by the reference [m] */
+    bool lost;                   /* nobody knows the reference any more                */
     struct sweep_map *picture;
     struct table *models, *spots; /* a row a model, a row a case                       */
     int unknown;                  /* cases whose file is damaged or missing            */
@@ -191,34 +192,48 @@ static double worst(const struct map *m, const struct run_result *r)
     return error;
 }
 
+/* Of a run that came to its end: its error, and what that makes of it. */
+static enum status compare(struct map *m, bool finest, struct sweep_row *row,
+                           const char *path, double *error, enum stress_end *end,
+                           struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (finest)
+        TRY(set_reference(m, &row->result, path, why));
+    *error = worst(m, finest ? &m->reference : &row->result);
+    *end = *error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
+out:
+    return st;
+}
+
 /* *label: how the case ended; *end: the same, STRESS_ENDS: nobody knows. */
 static enum status judge(struct map *m, long number, struct sweep_row *row,
                          enum stress_end *end, const char **label, double *error,
                          struct message *why)
 {
     const bool finest = number % m->steps == 0;
-    const struct run_result *r = &row->result;
     char path[SWEEP_FOLDER_PATH];
     enum status st = STATUS_OK;
 
     sweep_folder_file(&m->folder, number, "h5", path);
     sweep_row_read(&m->folder, number, NULL, true, row);
-    *end = run_result_refused(r) ? STRESS_REFUSED : STRESS_DIED;
-    *error = NAN;
-    if (finest)
+    if (finest) {
         run_result_clear(&m->reference);
-    if (sweep_row_is_open(row)) {
+        m->lost = sweep_row_is_open(row);
+    }
+    const bool ran = row->state == SWEEP_ROW_RAN && row->result.outcome == STATUS_OK;
+    *error = NAN;
+    *end = run_result_refused(&row->result) ? STRESS_REFUSED : STRESS_DIED;
+    if (sweep_row_is_open(row) || (ran && m->lost))
         *end = STRESS_ENDS;
-        *label = row->state == SWEEP_ROW_DAMAGED ? "damaged" : "not run";
-        return STATUS_OK;
-    }
-    if (row->state == SWEEP_ROW_RAN && r->outcome == STATUS_OK) {
-        if (finest)
-            TRY(set_reference(m, &row->result, path, why));
-        *error = worst(m, finest ? &m->reference : r);
-        *end = *error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
-    }
-    *label = finest && m->reference.xyz ? "reference" : stress_end_name[*end];
+    else if (ran)
+        TRY(compare(m, finest, row, path, error, end, why));
+    *label = finest && m->reference.xyz        ? "reference"
+             : *end != STRESS_ENDS             ? stress_end_name[*end]
+             : row->state == SWEEP_ROW_DAMAGED ? "damaged"
+             : ran                             ? "not judged"
+                                               : "not run";
 out:
     return st;
 }
@@ -302,8 +317,8 @@ enum status stress_map_print(const char *folder, enum table_format format, FILE 
     if (m.unknown)
         table_note(
             m.models,
-            "%d of the cases have no result: their files are damaged or gone, or they "
-            "were cut short; run the map again.",
+            "No result of %d cases: their files, or those of their finest steps, are "
+            "damaged or gone, or they were cut short. Run the map again.",
             m.unknown);
     if (file)
         st = table_print(m.models, format, file);

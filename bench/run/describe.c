@@ -82,6 +82,8 @@ void describe_setup(const struct run *run, FILE *file)
         "unknowns        %ld of %ld nodes, as %s; solver %s, %ld numbers in its factor\n",
         size.unknowns, size.nodes, size.unknown_basis ? size.unknown_basis : "-",
         size.solver ? size.solver : "none", size.factor_entries);
+    if (*run->adapted.text)
+        fprintf(file, "note            %s\n", run->adapted.text);
     if (*note.text)
         fprintf(file, "note            %s\n", note.text);
     fprintf(file, "set-up          %.3f ms\n", 1e3 * run->create_seconds);

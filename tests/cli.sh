@@ -189,7 +189,10 @@ good run edge_drop --set time.end=0.05
 [ -z "$out" ] || fail "run prints data nobody asked for: $out"
 says err 'Gamma           386.6' '10 x 10 x 2' 'degree (3,3,1)' nonlinear selective 540 \
     'ms a frame' median quartiles '10 steps' 'peak memory' drop stretch roughness
-[[ $err == *warning* ]] && fail 'a warning for the defaults'
+[ "$(grep -c '^warning:' err)" -eq 1 ] || fail "warnings: $err"
+says err 'warning: damping velocity_scale is no rate'
+good run edge_drop --set time.end=0.05 --set 'damping={kind: none}'
+[[ $err == *warning* ]] && fail "a warning for the defaults: $err"
 [[ $err == *$'\033'* || $err == *$'\r'* ]] && fail 'a progress bar without a terminal'
 good run edge_drop --set discretization.kinematics=linear --set time.end=0.05
 says err 'warning: small-strain' 'more than 10 %' 'kinematics linear'

@@ -8,6 +8,7 @@
  *                     model_title, model_source, discretization (lines `key=value` as
  *                     --set takes them), outcome ("done" or the sentence of a death),
  *                     death_time [s] (only then), note (a sentence, if there is one),
+ *                     warnings (a line each, if there are any: harness/warnings.h),
  *                     length, width, thickness [m], nodes, unknowns, factor_entries,
  *                     solver, unknown_basis
  *   provenance        a group whose attributes are provenance.h's keys

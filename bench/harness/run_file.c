@@ -6,6 +6,7 @@
 
 #include "bench/files/store.h"
 #include "bench/harness/looks.h"
+#include "bench/harness/warnings.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -48,6 +49,25 @@ void run_file_discard(struct run_file *f)
     free(f);
 }
 
+/* What else should be known of the run, as it is told on standard error. */
+static enum status store_warnings(const struct run_file *f, struct message *why)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = open_memstream(&text, &size);
+    enum status st = STATUS_MEMORY;
+
+    if (!file)
+        return st;
+    if (*f->run->adapted.text)
+        fprintf(file, "%s\n", f->run->adapted.text);
+    warnings_print(f->run, "", file);
+    if (fclose(file) == 0)
+        st = *text ? store_text(f->store, "warnings", text, why) : STATUS_OK;
+    free(text);
+    return st;
+}
+
 static enum status open_store(struct run_file *f, struct message *why)
 {
     const struct run *run = f->run;
@@ -64,7 +84,8 @@ static enum status open_store(struct run_file *f, struct message *why)
         provenance_collect(&here);
         what.provenance = &here;
     }
-    return store_create(f->keep->file, &what, &f->store, why);
+    const enum status st = store_create(f->keep->file, &what, &f->store, why);
+    return st == STATUS_OK ? store_warnings(f, why) : st;
 }
 
 enum status run_file_open(const struct run *run, const struct run_keep *keep,

@@ -15,8 +15,19 @@ struct hex {
 
 static void defaults(struct discretization *d)
 {
-    *d = (struct discretization){
-        .points = {32, 32, 2}, .degree = {1, 1, 1}, .kinematics = KINEMATICS_PRINTED};
+    *d = (struct discretization){.points = {20, 20, 2},
+                                 .degree = {1, 1, 1},
+                                 .kinematics = KINEMATICS_NONLINEAR,
+                                 .remedy = REMEDY_INCOMPATIBLE};
+}
+
+static void adapt(struct discretization *d, struct message *reason)
+{
+    if (d->remedy != REMEDY_AUTO || !kinematics_rebuilds(d->kinematics))
+        return;
+    d->remedy = REMEDY_NONE;
+    status_fail(reason, STATUS_OK, "cured sheets die of kinematics=%s",
+                kinematics_name(d->kinematics));
 }
 
 static enum status refuse(const struct discretization *d, struct message *why)
@@ -157,6 +168,7 @@ const struct model hex_model = {
               "Beresford, Wilson 1976",
     .serves = SOLID_MODEL_SERVES,
     .defaults = defaults,
+    .adapt = adapt,
     .create = create,
     .advance = solid_model_advance,
     .sample = sample,

@@ -24,10 +24,14 @@ struct plate {
     double (*uvw)[3]; /* with weights given: parameters of the grid's points    owned  */
 };
 
+/* Degree 3: at any cost below 3 % of error it is the cheaper one, and of degree 2 a sheet
+ * with Gamma above 1e4 folds between its points (README, Speed against error). */
 static void defaults(struct discretization *d)
 {
-    *d = (struct discretization){
-        .points = {10, 10, 2}, .degree = {2, 2, 1}, .kinematics = KINEMATICS_PRINTED};
+    *d = (struct discretization){.points = {10, 10, 2},
+                                 .degree = {3, 3, 1},
+                                 .kinematics = KINEMATICS_NONLINEAR,
+                                 .remedy = REMEDY_SELECTIVE};
 }
 
 static void make_box(const struct scene *scene, struct patch *patch)
@@ -303,6 +307,32 @@ static enum status check_remedy(const struct discretization *d, struct message *
     return STATUS_OK;
 }
 
+/* Knots tell their degree, and few points allow no more. */
+static int open_degree(const struct discretization *d, int i, int usual)
+{
+    const int most = d->points[i] - 1,
+              told = d->knot_count[i] ? d->knot_count[i] - most - 2 : usual;
+
+    return most < 1 || told < 1 ? 1 : told > most ? most : told;
+}
+
+static void adapt(struct discretization *d, struct message *reason)
+{
+    const bool paper = kinematics_rebuilds(d->kinematics);
+
+    for (int i = 0; i < 3; i++)
+        if (!d->degree[i])
+            d->degree[i] = open_degree(d, i, i < 2 ? 3 - paper : 2 - paper);
+    if (paper)
+        status_fail(reason, STATUS_OK, "cured sheets die of kinematics=%s",
+                    kinematics_name(d->kinematics));
+    if (d->remedy != REMEDY_AUTO)
+        return;
+    d->remedy = REMEDY_SELECTIVE;
+    if (paper || check_remedy(d, reason) != STATUS_OK)
+        d->remedy = REMEDY_NONE;
+}
+
 static enum status create(const struct scene *scene, const struct discretization *d,
                           void **state, struct message *why)
 {
@@ -354,6 +384,7 @@ const struct model plate_model = {
     .source = "Ren, Dai, Lin 2024, Journal of Image and Graphics 29(1), eq. 1-22",
     .serves = SOLID_MODEL_SERVES,
     .defaults = defaults,
+    .adapt = adapt,
     .create = create,
     .advance = solid_model_advance,
     .sample = sample,

@@ -113,6 +113,11 @@ enum status discretization_refuse_net(const struct discretization *d, unsigned u
     return discretization_refuse(d, used, why);
 }
 
+bool kinematics_rebuilds(int kinematics)
+{
+    return kinematics == KINEMATICS_PRINTED || kinematics == KINEMATICS_INCREMENTAL;
+}
+
 /* NAME_name(value): the word of a value, or "unknown" for one that no enum has. */
 #define WORDS(name, ...)                                                                   \
     const char *name##_name(int value)                                                     \
@@ -124,8 +129,9 @@ enum status discretization_refuse_net(const struct discretization *d, unsigned u
 
 WORDS(kinematics, [KINEMATICS_LINEAR] = "linear", [KINEMATICS_PRINTED] = "printed",
       [KINEMATICS_INCREMENTAL] = "incremental", [KINEMATICS_NONLINEAR] = "nonlinear")
-WORDS(remedy, [REMEDY_NONE] = "none", [REMEDY_INCOMPATIBLE] = "incompatible",
-      [REMEDY_REDUCED] = "reduced", [REMEDY_SELECTIVE] = "selective")
+WORDS(
+    remedy, [REMEDY_NONE] = "none", [REMEDY_INCOMPATIBLE] = "incompatible",
+    [REMEDY_REDUCED] = "reduced", [REMEDY_SELECTIVE] = "selective", [REMEDY_AUTO] = "auto")
 WORDS(unknowns, [UNKNOWNS_AUTO] = "auto", [UNKNOWNS_POINTS] = "points",
       [UNKNOWNS_THICKNESS] = "thickness")
 WORDS(solver, [SOLVER_AUTO] = "auto", [SOLVER_BANDED] = "banded",

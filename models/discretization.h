@@ -20,6 +20,7 @@ enum remedy {
     REMEDY_INCOMPATIBLE, /* hex: Wilson-Taylor incompatible modes                      */
     REMEDY_REDUCED,      /* iga: patch-wise reduced rule, plane stress (plate_space.h) */
     REMEDY_SELECTIVE,    /* iga: the same, bending by its own rule (solid_layer.h)     */
+    REMEDY_AUTO,         /* left open: the model's usual one (model_complete)          */
 };
 
 /* Which coefficients through the thickness are unknowns. */
@@ -58,8 +59,8 @@ enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 enum acceleration { ACCELERATION_NONE, ACCELERATION_CHEBYSHEV };
 
 struct discretization {
-    int points[3]; /* control points or nodes along u, v, w                            */
-    int degree[3]; /* p, q, r                                                 1..5     */
+    int points[3]; /* control points or nodes along u, v, w; 0: left open, as AUTO     */
+    int degree[3]; /* p, q, r                            1..5; 0: left open, as AUTO   */
     int gauss[3];  /* Gauss points per span; 0: degree + 1                             */
     int knot_count[3];
     double *knots[3]; /* open knot vectors over [0,1]; NULL: uniform        owned    */
@@ -122,6 +123,10 @@ void discretization_clear(struct discretization *d);
 /* Deep copy; *to is overwritten, not freed. */
 enum status discretization_copy(const struct discretization *from,
                                 struct discretization *to);
+
+/* The paper's schemes, which assemble on the present shape in every step. Cured sheets die
+ * of them (edge_drop, undamped incremental: 0.5 s; printed: 0.55 s). */
+bool kinematics_rebuilds(int kinematics);
 
 /* Words for the enums, as written on the command line; "unknown" for other values. Static
  * storage. */

@@ -56,6 +56,16 @@ enum status model_refuse(const struct scene *scene, unsigned serves, struct mess
 enum status model_refuse_net(const struct scene *scene, unsigned serves,
                              struct message *why);
 
+struct model;
+
+/* Points, degrees and the remedy hang on each other and on the scene: *d as the model has
+ * it by default, these left open; and, once settings were read into it, what they still
+ * leave open: the defaults, or what serves the rest, with a sentence (else empty) in *told.
+ */
+void model_open(const struct model *model, struct discretization *d);
+void model_complete(const struct model *model, const struct scene *scene,
+                    struct discretization *d, struct message *told);
+
 struct model {
     const char *name;   /* key: command line, result file, test name                   */
     const char *title;  /* as printed in tables                                        */
@@ -64,6 +74,10 @@ struct model {
 
     /* Fills *d with the model's defaults (owns nothing afterwards). */
     void (*defaults)(struct discretization *d);
+
+    /* optional: fills in degrees and the remedy where they were left open and the rest of
+     * *d excludes the defaults; with a reason, unless points and knots are it. */
+    void (*adapt)(struct discretization *d, struct message *reason);
 
     /* Builds everything that does not depend on time. STATUS_UNSUPPORTED with a sentence
      * ("no contact") if the scene has physics the model leaves out; STATUS_INPUT if the

@@ -167,7 +167,8 @@ refused 'no option -x' run edge_drop -x
 refused '--model needs a value' run edge_drop --model
 refused '--model is given twice' run edge_drop --model iga --model iga
 refused '--static takes no value' run edge_drop --static=yes
-refused 'kinematics=nonlinear' run edge_drop --static --modes 3
+refused 'kinematics=nonlinear' run edge_drop --static --modes 3 \
+    --set discretization.kinematics=linear
 refused 'whole number from 1' run edge_drop --modes 0
 refused 'whole number from 1' run edge_drop --modes many
 refused 'modes: 1 to 540' run edge_drop --modes 541 --quiet
@@ -202,9 +203,12 @@ refused 'unsupported: no damping by stiffness' run cantilever --model projective
 # --- what a run says --------------------------------------------------------------------
 good run edge_drop --set time.end=0.05
 [ -z "$out" ] || fail "run prints data nobody asked for: $out"
-says err 'Gamma           386.6' '10 x 10 x 2' 'degree (2,2,1)' printed 540 'ms a frame' \
-    median quartiles '10 factorisations' 'peak memory' drop stretch roughness
-[[ $err == *warning* ]] && fail 'a warning for printed kinematics'
+says err 'Gamma           386.6' '10 x 10 x 2' 'degree (3,3,1)' nonlinear selective 540 \
+    'ms a frame' median quartiles '10 steps' 'peak memory' drop stretch roughness
+[ "$(grep -c '^warning:' err)" -eq 1 ] || fail "warnings: $err"
+says err 'warning: damping velocity_scale is no rate'
+good run edge_drop --set time.end=0.05 --set 'damping={kind: none}'
+[[ $err == *warning* ]] && fail "a warning for the defaults: $err"
 [[ $err == *$'\033'* || $err == *$'\r'* ]] && fail 'a progress bar without a terminal'
 good run edge_drop --set discretization.kinematics=linear --set time.end=0.05
 says err 'warning: small-strain' 'more than 10 %' 'kinematics linear'
@@ -298,7 +302,8 @@ refuse_file 'kept.h5' --matrices kept.h5
 
 # --- death ------------------------------------------------------------------------------
 # Ren et al. 2024, Table 4 row 7: E = 5e4, rho = 0.1, mu = 0.9
-row7=(--set material.young=5e4 --set material.density=0.1 --set damping.value=0.9 --quiet)
+row7=(--model iga_paper --set material.young=5e4 --set material.density=0.1 --set damping.value=0.9
+    --quiet)
 run run edge_drop "${row7[@]}" --probe 1,0.5,0.5 --out dead.h5
 [ "$code" -eq 1 ] || fail "a dead run: exit $code, want 1"
 [[ $err =~ 'died at t = 0.2'[5-9] ]] || fail "a dead run says: $err"

@@ -54,6 +54,7 @@ static inline struct discretization net(const struct model *model, int n, int m,
     model->defaults(&d);
     d.points[0] = n, d.points[1] = m;
     d.degree[0] = p, d.degree[1] = q;
+    d.remedy = REMEDY_NONE;
     return d;
 }
 

@@ -170,7 +170,7 @@ static void check_flight(const char *model, const char *more, double more_by)
 int main(void)
 {
     check_places();
-    check_pull("iga", "discretization.degree=[2,2,1]", true);
+    check_pull("iga_nonlinear", "discretization.degree=[2,2,1]", true);
     check_pull("iga",
                "discretization={kinematics: linear, degree: [3,2,2], points: [6,5,3]}",
                true);

@@ -26,13 +26,13 @@ static void add_settings(int n, bool quick, struct settings *s)
     settings_number(s, "damping.value", n ? 0.9 : 0.3);
 }
 
-static const struct gallery pair = {
-    .name = "pair",
-    .times = 2,
-    .time = {0.15, 0.4},
-    .count = 2,
-    .item = {{"calm", "calm", "edge_drop", "iga"}, {"wild", "wild", "edge_drop", "iga"}},
-    .settings = add_settings};
+static const struct gallery pair = {.name = "pair",
+                                    .times = 2,
+                                    .time = {0.15, 0.4},
+                                    .count = 2,
+                                    .item = {{"calm", "calm", "edge_drop", "iga_paper"},
+                                             {"wild", "wild", "edge_drop", "iga_paper"}},
+                                    .settings = add_settings};
 
 static void test_frames(void)
 {
@@ -50,7 +50,7 @@ static void test_frames(void)
     REQUIRE(xyz && gallery_measure(&pair, &options, &why) == STATUS_OK);
     REQUIRE(gallery_read(&pair, folder, &r, &why) == STATUS_OK);
     add_settings(0, false, &settings);
-    REQUIRE(contestant_find("iga", &plan.contestant, &why) == STATUS_OK);
+    REQUIRE(contestant_find("iga_paper", &plan.contestant, &why) == STATUS_OK);
     REQUIRE(run_open(&run, &plan, &why) == STATUS_OK);
     REQUIRE(motion_init(&m, run.model, &run.scene, run.state) == STATUS_OK);
     REQUIRE(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK);

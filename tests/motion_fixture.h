@@ -25,7 +25,8 @@ struct run {
 /* Settings are a list that ends with NULL: RUN_SETTINGS("time.step=0.01", ...). */
 #define RUN_SETTINGS(...) ((const char *const[]){__VA_ARGS__, NULL})
 
-/* Reads the scene; run_start creates the model, so that a test may change things between.
+/* Reads the scene; the paper's scheme and space unless settings say otherwise. run_start
+ * creates the model, so that a test may change things between.
  */
 static inline void run_read(struct run *run, const char *model, const char *scene,
                             const char *const *settings)
@@ -37,6 +38,10 @@ static inline void run_read(struct run *run, const char *model, const char *scen
     memset(run, 0, sizeof *run);
     run->model = !strcmp(model, "hex") ? &hex_model : &plate_model;
     run->model->defaults(&run->d);
+    run->d.kinematics = KINEMATICS_PRINTED;
+    run->d.remedy = REMEDY_NONE;
+    if (run->model == &plate_model)
+        run->d.degree[0] = run->d.degree[1] = 2;
     while (settings && settings[count])
         count++;
     snprintf(path, sizeof path, SOURCE_DIR "/models/scenes/%s.yaml", scene);

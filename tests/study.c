@@ -115,7 +115,7 @@ static void against_truth(void)
  * the flag. */
 static const char *const rough =
     "name: rough\nsource: levels that end badly\nscene: edge_drop\n"
-    "levels:\n"
+    "model: iga_paper\nlevels:\n"
     "  - {label: calm, settings: {discretization.points: [5,5,2]}}\n"
     "  - {label: wild, settings: {material.density: 0.1, material.young: 5e4,\n"
     "                             damping.value: 0.9}}\n"

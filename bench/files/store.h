@@ -9,6 +9,7 @@
  *                     --set takes them), outcome ("done" or the sentence of a death),
  *                     death_time [s] (only then), note (a sentence, if there is one),
  *                     quick ("yes", of a quick run only), made_for (run_file.h),
+ *                     warnings (a line each, if there are any: harness/warnings.h),
  *                     length, width, thickness [m], nodes, unknowns, factor_entries,
  *                     solver, unknown_basis
  *   provenance        a group whose attributes are provenance.h's keys

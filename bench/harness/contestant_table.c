@@ -19,9 +19,13 @@
 #define INCREMENTAL  "discretization.kinematics=incremental"
 #define LINEAR       "discretization.kinematics=linear"
 #define NONLINEAR    "discretization.kinematics=nonlinear"
+#define UNCURED      "discretization.remedy=none"
 #define REDUCED      "discretization.remedy=reduced"
 #define SELECTIVE    "discretization.remedy=selective"
 #define INCOMPATIBLE "discretization.remedy=incompatible"
+#define PAPER_NET    "discretization.points=[32,32,2]"
+#define QUADRATIC    "discretization.degree=[2,2,1]"
+#define PLAIN        UNCURED, QUADRATIC
 #define CUBIC        "discretization.degree=[3,3,1]"
 #define CUBIC_THICK  "discretization.degree=[3,3,2]"
 #define QUADRATIC_2  "discretization.degree=[2,2]"
@@ -32,58 +36,59 @@
 /* clang-format off */
 const struct contestant contestant_table[] = {
     /* Of each model first the one with its own defaults. The isogeometric plate. */
-    {"iga", "IGA", "IGA def.", &plate_model, 0, {0}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+    {"iga", "IGA", "IGA def.", &plate_model, 0, {0}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
     {"iga_paper", "IGA, printed (paper)", "IGA paper", &plate_model,
-     COMPARE | STRESS | SPEED, {PRINTED}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+     COMPARE | STRESS | SPEED, {PRINTED, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
     {"iga_incremental", "IGA, incremental", "IGA incr.", &plate_model, COMPARE | SPEED,
-     {INCREMENTAL}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+     {INCREMENTAL, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
     {"iga_linear", "IGA, linear", "IGA lin.", &plate_model, COMPARE | SMALL | SPEED,
-     {LINEAR}, 2, 2, {5, 10, 20, 40}, {1, 4}, {0}},
+     {LINEAR, PLAIN}, 2, 2, {5, 10, 20, 40}, {1, 4}, {0}},
     {"iga_linear_3", "IGA, linear, p = 3", "IGA lin. 3", &plate_model, SMALL,
-     {LINEAR, CUBIC}, 2, 3, {7, 10, 20}, {1, 4}, {0}},
+     {LINEAR, UNCURED, CUBIC}, 2, 3, {7, 10, 20}, {1, 4}, {0}},
     {"iga_linear_32", "IGA, linear, p = 3, r = 2", "IGA lin. 32", &plate_model, SMALL,
-     {LINEAR, CUBIC_THICK}, 3, 3, {7, 10, 20}, {1, 4}, {0}},
+     {LINEAR, UNCURED, CUBIC_THICK}, 3, 3, {7, 10, 20}, {1, 4}, {0}},
     {"iga_reduced_linear", "IGA, reduced, linear", "IGA red. lin.", &plate_model, SMALL,
-     {LINEAR, REDUCED}, 2, 2, {6, 10, 20}, {1, 4}, {0}},
+     {LINEAR, REDUCED, QUADRATIC}, 2, 2, {6, 10, 20}, {1, 4}, {0}},
     {"iga_reduced_linear_3", "IGA, reduced, linear, p = 3", "IGA red. lin. 3", &plate_model,
      SMALL, {LINEAR, REDUCED, CUBIC}, 2, 3, {7, 10, 20}, {1, 4}, {0}},
     {"iga_selective_linear", "IGA, selective, linear", "IGA sel. lin.", &plate_model, SMALL,
-     {LINEAR, SELECTIVE}, 2, 2, {6, 10, 20}, {1, 4}, {0}},
+     {LINEAR, SELECTIVE, QUADRATIC}, 2, 2, {6, 10, 20}, {1, 4}, {0}},
     {"iga_selective_linear_3", "IGA, selective, linear, p = 3", "IGA sel. lin. 3",
      &plate_model, SMALL, {LINEAR, SELECTIVE, CUBIC}, 2, 3, {7, 10, 20}, {1, 4}, {0}},
     {"iga_reduced_incremental", "IGA, reduced, incremental", "IGA red. incr.", &plate_model,
-     COMPARE, {INCREMENTAL, REDUCED}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+     COMPARE, {INCREMENTAL, REDUCED, QUADRATIC}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
     {"iga_nonlinear", "IGA, nonlinear", "IGA", &plate_model, STRESS | LARGE | SPEED,
-     {NONLINEAR}, 2, 2, {6, 10, 16}, {1, 4}, {0}},
+     {NONLINEAR, PLAIN}, 2, 2, {6, 10, 16}, {1, 4}, {0}},
     {"iga_nonlinear_3", "IGA, nonlinear, p = 3", "IGA 3", &plate_model, LARGE,
-     {NONLINEAR, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
+     {NONLINEAR, UNCURED, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
     {"iga_reduced", "IGA, reduced, nonlinear", "IGA red.", &plate_model,
-     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, REDUCED}, 2, 2, {6, 10, 16}, {1, 4}, {0}},
+     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, REDUCED, QUADRATIC}, 2, 2, {6, 10, 16},
+     {1, 4}, {0}},
     {"iga_reduced_3", "IGA, reduced, nonlinear, p = 3", "IGA red. 3", &plate_model, LARGE,
      {NONLINEAR, REDUCED, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
     {"iga_selective", "IGA, selective, nonlinear", "IGA sel.", &plate_model,
-     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, SELECTIVE}, 2, 2, {6, 10, 16}, {1, 4},
-     {0}},
+     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, SELECTIVE, QUADRATIC}, 2, 2,
+     {6, 10, 16}, {1, 4}, {0}},
     {"iga_selective_3", "IGA, selective, nonlinear, p = 3", "IGA sel. 3", &plate_model,
      COMPARE | SPEED, {NONLINEAR, SELECTIVE, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
 
     /* Trilinear hexahedra. */
-    {"hex", "hexahedra", "hex def.", &hex_model, 0, {0}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
-    {"hex_paper", "hexahedra, printed (paper)", "hex paper", &hex_model, SPEED, {PRINTED},
-     2, 1, {10, 20, 32}, {1, 4}, {0}},
-    {"hex_linear", "hexahedra, linear", "hex lin.", &hex_model, SMALL, {LINEAR}, 2, 1,
-     {16, 32}, {1, 4}, {0}},
+    {"hex", "hexahedra", "hex def.", &hex_model, 0, {0}, 2, 1, {10, 20}, {1, 4}, {0}},
+    {"hex_paper", "hexahedra, printed (paper)", "hex paper", &hex_model, SPEED,
+     {PRINTED, UNCURED, PAPER_NET}, 2, 1, {10, 20, 32}, {1, 4}, {0}},
+    {"hex_linear", "hexahedra, linear", "hex lin.", &hex_model, SMALL, {LINEAR, UNCURED},
+     2, 1, {16, 32}, {1, 4}, {0}},
     {"hex_incompatible_paper", "hexahedra, incompatible, printed", "hex inc. paper",
-     &hex_model, 0, {PRINTED, INCOMPATIBLE}, 2, 1, {10, 20, 32}, {1, 4}, {0}},
+     &hex_model, 0, {PRINTED, INCOMPATIBLE, PAPER_NET}, 2, 1, {10, 20, 32}, {1, 4}, {0}},
     {"hex_incompatible_linear", "hexahedra, incompatible, linear", "hex inc. lin.",
      &hex_model, COMPARE | SMALL, {LINEAR, INCOMPATIBLE}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
     {"hex_incremental", "hexahedra, incremental", "hex incr.", &hex_model, COMPARE,
-     {INCREMENTAL}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
+     {INCREMENTAL, UNCURED}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
     {"hex_incompatible_incremental", "hexahedra, incompatible, incremental",
      "hex inc. incr.", &hex_model, COMPARE, {INCREMENTAL, INCOMPATIBLE}, 2, 1, {10, 20, 40},
      {1, 4}, {0}},
-    {"hex_nonlinear", "hexahedra, nonlinear", "hex", &hex_model, STRESS | LARGE, {NONLINEAR},
-     2, 1, {10, 20}, {1, 4}, {0}},
+    {"hex_nonlinear", "hexahedra, nonlinear", "hex", &hex_model, STRESS | LARGE,
+     {NONLINEAR, UNCURED}, 2, 1, {10, 20}, {1, 4}, {0}},
     {"hex_incompatible", "hexahedra, incompatible, nonlinear", "hex inc.", &hex_model,
      COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, INCOMPATIBLE}, 2, 1, {10, 20}, {1, 4},
      {0}},

@@ -15,12 +15,13 @@ enum status run_read(struct run *r, const struct run_plan *plan, struct message 
     memset(r, 0, sizeof *r);
     r->contestant = plan->contestant;
     r->model = plan->contestant->model;
-    r->model->defaults(&r->discretization);
+    model_open(r->model, &r->discretization);
     contestant_settings(plan->contestant, &all);
     if (plan->settings)
         settings_append(&all, plan->settings);
     TRY(scene_file_find(plan->path, &path, why));
     TRY(settings_read(&all, path, &r->scene, &r->discretization, why));
+    model_complete(r->model, &r->scene, &r->discretization, &r->adapted);
     if (plan->end > 0)
         r->scene.end = plan->end;
 out:

@@ -20,6 +20,7 @@ struct run {
     struct discretization discretization;
     void *state; /* of the model; NULL: it could not be built                */
     double create_seconds;
+    struct message adapted; /* where defaults gave way to settings; empty: nowhere      */
 };
 
 /* *run is overwritten. In case of failure it keeps what was read so far: the scene if only

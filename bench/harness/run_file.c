@@ -6,6 +6,7 @@
 
 #include "bench/files/store.h"
 #include "bench/harness/looks.h"
+#include "bench/harness/warnings.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -48,6 +49,25 @@ void run_file_discard(struct run_file *f)
     free(f);
 }
 
+/* What else should be known of the run, as it is told on standard error. */
+static enum status store_warnings(const struct run_file *f, struct message *why)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = open_memstream(&text, &size);
+    enum status st = STATUS_MEMORY;
+
+    if (!file)
+        return st;
+    if (*f->run->adapted.text)
+        fprintf(file, "%s\n", f->run->adapted.text);
+    warnings_print(f->run, "", file);
+    if (fclose(file) == 0)
+        st = *text ? store_text(f->store, "warnings", text, why) : STATUS_OK;
+    free(text);
+    return st;
+}
+
 static enum status open_store(struct run_file *f, struct message *why)
 {
     const struct run *run = f->run;
@@ -70,6 +90,7 @@ static enum status open_store(struct run_file *f, struct message *why)
         TRY(store_text(f->store, "made_for", f->keep->made_for, why));
     if (f->keep->quick)
         TRY(store_text(f->store, "quick", "yes", why));
+    TRY(store_warnings(f, why));
 out:
     return st;
 }

@@ -5,29 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/harness/warnings.h"
 #include "bench/ui/table.h"
 #include "models/damping.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/metric/metric.h"
-
-/* DESIGN.md section 2: where a cantilever's tip by linear theory is 1 % and 10 % wrong. */
-static const double gamma_one_percent = 0.9, gamma_ten_percent = 2.9;
-
-static void describe_gamma(const struct scene *scene, const struct discretization *d,
-                           FILE *file)
-{
-    double gamma = scene_gamma(scene);
-
-    fprintf(file, "Gamma           %.4g (weight against bending)\n", gamma);
-    if (d->kinematics != KINEMATICS_LINEAR || gamma <= gamma_one_percent)
-        return;
-    fprintf(file,
-            "warning: small-strain theory misses a cantilever's tip by more than %s at "
-            "this Gamma\n",
-            gamma > gamma_ten_percent ? "10 %" : "1 %");
-}
 
 static void describe_discretization(const struct discretization *d, FILE *file)
 {
@@ -74,7 +58,8 @@ void describe_setup(const struct run *run, FILE *file)
     if (model->describe)
         model->describe(run->state, &note);
     describe_scene(&run->scene, file);
-    describe_gamma(&run->scene, &run->discretization, file);
+    fprintf(file, "Gamma           %.4g (weight against bending)\n",
+            scene_gamma(&run->scene));
     fprintf(file, "model           %s: %s\n", model->name, model->title);
     describe_discretization(&run->discretization, file);
     fprintf(
@@ -82,9 +67,12 @@ void describe_setup(const struct run *run, FILE *file)
         "unknowns        %ld of %ld nodes, as %s; solver %s, %ld numbers in its factor\n",
         size.unknowns, size.nodes, size.unknown_basis ? size.unknown_basis : "-",
         size.solver ? size.solver : "none", size.factor_entries);
+    if (*run->adapted.text)
+        fprintf(file, "note            %s\n", run->adapted.text);
     if (*note.text)
         fprintf(file, "note            %s\n", note.text);
     fprintf(file, "set-up          %.3f ms\n", 1e3 * run->create_seconds);
+    warnings_print(run, "warning: ", file);
 }
 
 void describe_motion(const struct motion *m, FILE *file)

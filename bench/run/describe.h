@@ -7,8 +7,7 @@
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
 
-/* Scene, Gamma (with a warning where small strain is not what the scene is about),
- * discretization spelled out, what was built, seconds of set-up. */
+/* Scene, Gamma, discretization spelled out, what was built, seconds of set-up, warnings. */
 void describe_setup(const struct run *run, FILE *file);
 
 /* Frames, seconds a frame, work done, peak memory. */

@@ -162,18 +162,6 @@ out:
     return st;
 }
 
-/* Statics and modes of a solid by itself are linear unless the user says otherwise; a
- * contestant that has kinematics of its own keeps them. */
-static void choose_kinematics(struct job *j)
-{
-    struct discretization d;
-
-    j->contestant->model->defaults(&d);
-    if (j->task != TASK_MOTION && d.kinematics != KINEMATICS_NONLINEAR &&
-        !contestant_setting(j->contestant, "discretization.kinematics"))
-        settings_word(&j->settings, "discretization.kinematics", "linear");
-}
-
 static enum status read_scene(struct job *j, const struct command_line *line,
                               struct message *why)
 {
@@ -181,7 +169,6 @@ static enum status read_scene(struct job *j, const struct command_line *line,
     int given;
     const char *const *set = command_values(line, "--set", &given);
 
-    choose_kinematics(j);
     settings_set_all(&j->settings, given, set);
     TRY(scene_file_find(line->words[0], &j->path, why));
     j->plan = (struct run_plan){j->path, j->contestant, &j->settings, 0};
@@ -305,8 +292,8 @@ static const struct command_option options[] = {
      ".degree=[3,3,1], .kinematics=linear|printed|incremental|nonlinear);\n"
      "all keys: clothbench help scene"},
     {"--static", NULL, false,
-     "static equilibrium instead of motion; of solids linear\n"
-     "unless discretization.kinematics=nonlinear is set"},
+     "static equilibrium instead of motion, at large\n"
+     "displacements unless discretization.kinematics=linear"},
     {"--modes", "N", false,
      "the N lowest natural frequencies instead of motion:\n"
      "about the rest shape, or with --static about nonlinear\n"

@@ -1,0 +1,159 @@
+/* What is warned of, and what is not: each rule on either side of its bound. */
+#include "bench/harness/warnings.h"
+#include "tests/run_fixture.h"
+
+enum { MOST = 4 };
+#define SHEET "sheet={length: 1, width: 1, thickness: 0.01}"
+#define LIGHT "material={young: 1e5, poisson: 0, density: 0.5}"
+
+static const struct row {
+    const char *rule, *contestant;
+    const char *settings[MOST];
+    bool warned;
+} rows[] = {
+    {"thickness", "iga_nonlinear", {"material.poisson=0.01"}, true},
+    {"thickness", "iga_nonlinear", {"material.poisson=0"}, false},
+    {"thickness", "iga_selective", {0}, false},
+    {"thickness", "iga_linear_32", {0}, false},
+    {"thickness", "shell", {0}, false},
+    {"degree_1",
+     "iga",
+     {"discretization.remedy=none", "discretization.degree=[1,3,1]"},
+     true},
+    {"degree_1",
+     "iga",
+     {"discretization.remedy=none", "discretization.degree=[3,1,1]"},
+     true},
+    {"degree_1",
+     "iga",
+     {"discretization.remedy=none", "discretization.degree=[2,2,1]"},
+     false},
+    {"degree_1", "hex_linear", {0}, true},
+    {"degree_1", "hex", {0}, false},
+    {"degree_1", "mass_spring", {0}, false},
+    /* 10 points: a span is 12.5 thicknesses of 1 cm; along v as along u. */
+    {"degree_2", "iga_linear", {SHEET, "sheet.length=1.61"}, true},
+    {"degree_2", "iga_linear", {SHEET, "sheet.length=1.59"}, false},
+    {"degree_2", "iga_linear", {SHEET, "sheet.width=1.61"}, true},
+    {"degree_2", "iga_linear", {SHEET, "sheet.width=1.59"}, false},
+    {"degree_2", "iga_linear_3", {SHEET, "sheet.length=1.61"}, false},
+    {"degree_2", "iga_selective", {SHEET, "sheet.length=1.61"}, false},
+    {"degree_2", "shell_2", {SHEET, "sheet.length=1.61"}, false},
+    /* Gamma = 12 rho g L^3 / E h^2 = 0.6 g. */
+    {"linear", "iga_linear", {SHEET, LIGHT, "gravity=[0,0,-1.51]"}, true},
+    {"linear", "iga_linear", {SHEET, LIGHT, "gravity=[0,0,-1.49]"}, false},
+    {"linear", "iga", {SHEET, LIGHT, "gravity=[0,0,-1.51]"}, false},
+    {"linear", "shell_linear", {SHEET, LIGHT, "gravity=[0,0,-1.51]"}, true},
+    {"printed", "iga_paper", {0}, true},
+    {"printed", "iga_incremental", {0}, false},
+    {"zigzag", "iga_selective", {SHEET, LIGHT, "gravity=[0,0,-16700]"}, true},
+    {"zigzag", "iga_selective", {SHEET, LIGHT, "gravity=[0,0,-16600]"}, false},
+    {"zigzag", "iga_reduced", {SHEET, LIGHT, "gravity=[0,0,-16700]"}, true},
+    {"zigzag", "iga", {SHEET, LIGHT, "gravity=[0,0,-16700]"}, false},
+    {"zigzag", "iga_nonlinear", {SHEET, LIGHT, "gravity=[0,0,-16700]"}, false},
+    {"zigzag", "shell_2", {SHEET, LIGHT, "gravity=[0,0,-16700]"}, false},
+    {"spurious", "iga_reduced", {"sheet.width=1.01"}, true},
+    {"spurious", "iga_reduced", {0}, false},
+    {"spurious", "iga_reduced_3", {"sheet.width=1.01"}, false},
+    {"spurious", "iga_selective", {"sheet.width=1.01"}, false},
+    {"surface", "shell", {"sheet.thickness=0.1"}, true},
+    {"surface", "shell", {"sheet.thickness=0.099"}, false},
+    {"surface", "mass_spring", {"sheet.thickness=0.05", "sheet.width=0.5"}, true},
+    {"surface", "iga", {"sheet.thickness=0.1"}, false},
+    /* 3/4 g dt / L: 1 % a second at 1.359 ms. */
+    {"euler", "mass_spring", {"time.step=0.00137", "time.end=0.0137"}, true},
+    {"euler", "mass_spring", {"time.step=0.00135", "time.end=0.0135"}, false},
+    {"euler", "projective_dynamics", {0}, true},
+    {"euler", "projective_dynamics", {"discretization.substeps=3"}, true},
+    {"euler", "projective_dynamics", {"discretization.substeps=4"}, false},
+    {"euler", "mass_spring_explicit", {0}, false},
+    {"euler", "shell", {0}, false},
+    {"scale", "iga", {0}, true},
+    {"scale", "iga_paper", {0}, false},
+    {"scale", "iga", {"damping={kind: velocity_scale, value: 1}"}, false},
+    {"scale", "iga", {"damping={kind: velocity_rate, value: 1}"}, false},
+    {"scale", "iga", {"damping={kind: mass, value: 1}"}, false},
+    {"gravity", "iga", {"gravity=[0,0,0]"}, true},
+    {"gravity", "iga", {"gravity=[0,0,1e-9]"}, false},
+    {"gravity", "shell", {"gravity=[1,0,0]"}, false},
+    {"gravity", "shell", {"gravity=[0,1,0]"}, false},
+};
+
+static void read_row(const struct row *row, struct run *run)
+{
+    struct settings set = {0};
+    struct run_plan plan = {"edge_drop", named(row->contestant), &set, 0};
+    struct message why = {""};
+
+    settings_set(&set, "snapshots=[]");
+    settings_list(&set, MOST, row->settings);
+    if (!CHECK(run_read(run, &plan, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    settings_clear(&set);
+}
+
+static void check_row(const struct row *row)
+{
+    const struct warnings_rule *rule = warnings_rules;
+    struct message sentence = {""};
+    struct run run;
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+
+    while (rule->name && strcmp(rule->name, row->rule))
+        rule++;
+    REQUIRE(file && rule->name);
+    read_row(row, &run);
+    bool good = CHECK(rule->holds(&run, &sentence) == row->warned);
+    good &= CHECK(!*sentence.text == !row->warned);
+    warnings_print(&run, "say: ", file);
+    REQUIRE(fclose(file) == 0);
+    if (row->warned)
+        good &= CHECK(strstr(text, sentence.text) && !strncmp(text, "say: ", 5) &&
+                      strstr(text, rule->source));
+    if (!good)
+        printf("%s of %s, %s: %s\n", row->rule, row->contestant,
+               row->settings[0] ? row->settings[0] : "", text);
+    free(text);
+    run_close(&run);
+}
+
+/* Numbers in sentences. */
+static void check_numbers(void)
+{
+    static const struct {
+        struct row row;
+        const char *text;
+    } said[] = {
+        {{"", "iga_nonlinear", {0}, 1}, "nu = 0.3: up to 22 % too stiff"}, /* 0.49 / 0.4 */
+        {{"", "iga_nonlinear", {"discretization.points=[10,10,3]"}, 1}, "up to 5.6 % too"},
+        {{"", "iga_linear", {SHEET, LIGHT, "gravity=[0,0,-4.8]"}, 1}, "by more than 1 %"},
+        {{"", "iga_linear", {SHEET, LIGHT, "gravity=[0,0,-4.9]"}, 1}, "by more than 10 %"},
+        {{"", "iga_paper", {0}, 1}, "viscosity is E dt = 500 Pa s"},
+        {{"", "mass_spring", {0}, 1}, "takes 3.7 % of a swing in every second"},
+        {{"", "iga_linear", {"discretization.points=[18,12,2]"}, 1}, "here 85:"},
+    };
+
+    for (int n = 0; n < LENGTH(said); n++) {
+        struct run run;
+        char *text = NULL;
+        size_t size;
+        FILE *file = open_memstream(&text, &size);
+        read_row(&said[n].row, &run);
+        warnings_print(&run, "", file);
+        fclose(file);
+        if (!CHECK(strstr(text, said[n].text)))
+            printf("'%s' is not in %s\n", said[n].text, text);
+        free(text);
+        run_close(&run);
+    }
+}
+
+int main(void)
+{
+    for (int n = 0; n < LENGTH(rows); n++)
+        check_row(&rows[n]);
+    check_numbers();
+    return check_result();
+}

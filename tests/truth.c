@@ -152,6 +152,10 @@ static void who_gets_it(const struct truth_made *made)
     struct settings s = settings_of(2, undamped), o = settings_of(2, other);
     CHECK(truth_stored_times(path, &s, 0.5, 1, stored, &count, &why) == STATUS_OK);
     CHECK(count == 1 && stored[0] == 0.2);
+    CHECK(truth_stored_times(path, &s, 0.2, 2, stored, &count, &why) == STATUS_OK);
+    CHECK(count == 2 && stored[0] == 0.1 && stored[1] == 0.2);
+    CHECK(truth_stored_times(path, &s, 0.19, 2, stored, &count, &why) == STATUS_OK);
+    CHECK(count == 1 && stored[0] == 0.1);
     CHECK(truth_stored_times(path, &o, 0.5, 1, stored, &count, &why) == STATUS_OK);
     CHECK(count == 0);
     settings_clear(&s);

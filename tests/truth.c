@@ -152,6 +152,10 @@ static void who_gets_it(const struct truth_made *made)
     struct settings s = settings_of(2, undamped), o = settings_of(2, other);
     CHECK(truth_stored_times(path, &s, 0.5, 1, stored, &count, &why) == STATUS_OK);
     CHECK(count == 1 && stored[0] == 0.2);
+    CHECK(truth_stored_times(path, &s, 0.2, 2, stored, &count, &why) == STATUS_OK);
+    CHECK(count == 2 && stored[0] == 0.1 && stored[1] == 0.2);
+    CHECK(truth_stored_times(path, &s, 0.19, 2, stored, &count, &why) == STATUS_OK);
+    CHECK(count == 1 && stored[0] == 0.1);
     CHECK(truth_stored_times(path, &o, 0.5, 1, stored, &count, &why) == STATUS_OK);
     CHECK(count == 0);
     settings_clear(&s);
@@ -160,14 +164,15 @@ static void who_gets_it(const struct truth_made *made)
 }
 
 /* By somebody who knows of the seal. */
-static void change(const char *file, const char *key, const char *text)
+static void change(const char *file, const char *group, const char *key, const char *text)
 {
     hid_t h = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
+    hid_t in = h < 0 ? h : H5Gopen2(h, group, H5P_DEFAULT);
 
-    REQUIRE(h >= 0 && H5Adelete(h, key) >= 0);
+    REQUIRE(in >= 0 && H5Adelete(in, key) >= 0);
     if (text)
-        REQUIRE(hdf5_file_put_text(h, key, text) >= 0);
-    REQUIRE(H5Fclose(h) >= 0);
+        REQUIRE(hdf5_file_put_text(in, key, text) >= 0);
+    REQUIRE(H5Gclose(in) >= 0 && H5Fclose(h) >= 0);
     REQUIRE(seal_write(file, NULL) == STATUS_OK);
 }
 
@@ -180,7 +185,7 @@ static void are_listed(const char *file)
         struct named_file_entry *entries = NULL;
         int count = 0, found = 0;
         if (changed)
-            change(file, "checksum", "0000000000000000");
+            change(file, "/", "checksum", "0000000000000000");
         REQUIRE(named_file_list(&truth_file_kind, &entries, &count, NULL) == STATUS_OK);
         for (int n = 0; n < count; n++)
             if (!strcmp(entries[n].name, "edge_drop"))
@@ -257,14 +262,14 @@ static void changed_files_are_refused(struct truth_made *made)
     char *text = physics_of("edge_drop", 2, stiffer), *physics = NULL;
     const char *file = write_made_up(made);
 
-    change(file, "physics", text);
+    change(file, "/", "physics", text);
     CHECK(find("edge_drop", 2, stiffer, 2, times, &t, &why) == STATUS_INPUT);
     CHECK(strstr(why.text, "edge_drop.h5") && strstr(why.text, "changed after"));
     file = write_made_up(made);
-    change(file, "checksum", "0000000000000000");
+    change(file, "/", "checksum", "0000000000000000");
     CHECK(truth_file_read(file, &read, &physics, &why) == STATUS_INPUT);
     CHECK(strstr(why.text, "checksum"));
-    change(file, "checksum", NULL);
+    change(file, "/", "checksum", NULL);
     CHECK(truth_file_read(file, &read, &physics, &why) == STATUS_INPUT);
     CHECK(strstr(why.text, "not a stored truth"));
     CHECK(!read.xyz && !physics && !t);
@@ -305,6 +310,62 @@ static void kept_runs(void)
     free(path);
 }
 
+/* Who asks for runs of its own gets none of another commit, or of other changed files. */
+static void kept_by_whom(void)
+{
+    static const char *const keys[] = {"commit", "changed_files"};
+    static const double early[] = {0.01};
+    struct truth_level level = {TRUTH_SHELL, 2, 6, 0.005, false};
+    struct settings s = settings_of(1, undamped);
+    struct run_result run = {0};
+    char *path = NULL, file[4096];
+
+    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
+    snprintf(file, sizeof file, "%s/truth_shell_p2_6_5000us.h5", folder);
+    struct truth_runs runs = {path, &s, 1, early, folder, true};
+    for (int n = 0; n < 2; n++) {
+        remove(file);
+        REQUIRE(truth_level_find(&runs, &level, false, &run, NULL) == STATUS_OK);
+        run_result_clear(&run);
+        CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_OK);
+        run_result_clear(&run);
+        change(file, "provenance", keys[n], "another");
+        CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
+        runs.ours = false;
+        CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_OK);
+        run_result_clear(&run);
+        runs.ours = true;
+    }
+    settings_clear(&s);
+    free(path);
+}
+
+/* A level is its contestant's, whatever is set, and pushed along (1,1,1) by 1e-6 g. */
+static void levels(void)
+{
+    static const char *const set[] = {"gravity=[1,-2,-2]", "discretization.remedy=none",
+                                      "discretization.kinematics=linear", "time.step=1"};
+    const struct truth_level level = {TRUTH_SOLID, 3, 7, 0.0025, true};
+    struct settings given = settings_of(4, set), s = {0};
+    char *path = NULL;
+    double g[3];
+
+    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
+    const struct truth_runs runs = {path, &given, 0, NULL, folder, false};
+    REQUIRE(truth_level_settings(&runs, &level, &s, NULL) == STATUS_OK);
+    CHECK(!strcmp(settings_value(&s, "discretization.remedy"), "reduced"));
+    CHECK(!strcmp(settings_value(&s, "discretization.kinematics"), "nonlinear"));
+    CHECK(!strcmp(settings_value(&s, "discretization.points"), "[7,7,2]"));
+    CHECK(!strcmp(settings_value(&s, "discretization.degree"), "[3,3,1]"));
+    CHECK_RELATIVE(strtod(settings_value(&s, "time.step"), NULL), 0.0025, 1e-15);
+    CHECK(sscanf(settings_value(&s, "gravity"), "[%lf,%lf,%lf]", &g[0], &g[1], &g[2]) == 3);
+    for (int i = 0; i < 3; i++)
+        CHECK_NEAR(g[i], (i ? -2 : 1) + 1e-6 * sqrt(3), 1e-15);
+    settings_clear(&given);
+    settings_clear(&s);
+    free(path);
+}
+
 /* Claims end at the first time that passes a bound, and do not begin again. */
 static void horizon(void)
 {
@@ -331,6 +392,8 @@ int main(int argc, char **argv)
     orders();
     horizon();
     kept_runs();
+    kept_by_whom();
+    levels();
     make_up(&made);
     const char *file = write_made_up(&made);
     file_comes_back(&made, file);

@@ -314,8 +314,8 @@ static void files(const char *folder)
         REQUIRE(run_file_write(&run, &(struct run_keep){.file = path}, NULL, &why) ==
                 STATUS_OK);
     }
-    CHECK(fig6_compare("corners_drop", &none, folder, true, TABLE_CSV, file, &why) ==
-          STATUS_OK);
+    CHECK(fig6_compare(SCENES "corners_drop.yaml", &none, folder, true, TABLE_CSV, file,
+                       &why) == STATUS_OK);
     fflush(file);
     for (int n = 0; n < 3; n++) {
         char said[64];
@@ -329,8 +329,8 @@ static void files(const char *folder)
     CHECK(strstr(text, "# projective dynamics, paper's: shell has"));
     CHECK(strstr(text, "# shell, nonlinear: hex has"));
     REQUIRE(remove(path) == 0); /* one is not enough */
-    CHECK(fig6_compare("corners_drop", &none, folder, true, TABLE_CSV, file, &why) ==
-          STATUS_FILE);
+    CHECK(fig6_compare(SCENES "corners_drop.yaml", &none, folder, true, TABLE_CSV, file,
+                       &why) == STATUS_FILE);
     fclose(file);
     free(text);
     settings_clear(&unserved);

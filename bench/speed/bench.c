@@ -109,10 +109,10 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
     TRY(b->result ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < b->batch.count && !part->sample; n++)
         TRY(batch_read(&b->batch, n, false, &b->result[n], why));
-    TRY(part->print(b));
+    TRY(part->print(b, why));
     if (!part->sample && table_format_is_prose(b->format)) {
-        measurement_machine(b->batch.files[0], stdout);
-        printf("\n");
+        measurement_machine(b->batch.files[0], b->file);
+        fprintf(b->file, "\n");
     }
 out:
     for (int n = 0; b->result && n < b->batch.count; n++)
@@ -155,6 +155,7 @@ static enum status run(const struct command_line *line, struct message *why)
                                 : out ? out
                                       : "results/bench",
                       .models = command_value(line, "--models"),
+                      .file = stdout,
                       .quick = command_given(line, "--quick")};
     char *path = NULL;
     enum status st = STATUS_OK;

@@ -11,14 +11,13 @@
 
 extern const struct command bench_command;
 
-/* A run on edge_drop, with what to reach [ms] (0: no aim) and what others took for the same
- * work, on another two-core machine: named, never in a ratio. */
+/* A run on edge_drop, with what to reach [ms] (0: no aim). What others take for the work of
+ * its title stands in peers.h. */
 struct bench_row {
     const char *title, *contestant;
     const char *settings[4]; /* KEY=VALUE; NULL ends                                    */
     double end; /* all frames up to it are timed [s]; 0: twenty, and the phases, apart  */
     double frame, phase[3];
-    const char *elsewhere; /* NULL: nothing                                             */
 };
 
 struct bench {
@@ -26,6 +25,7 @@ struct bench {
     const char *folder, *path;     /* of its results; of edge_drop's scene file         */
     const char *models;            /* as --models has them                              */
     enum table_format format;
+    FILE *file; /* to print to                                                          */
     bool quick;
     struct batch batch; /* the part's runs                                          */
     struct run_result *result; /* [batch.count] of them, when it prints          owned */
@@ -37,11 +37,12 @@ enum { BENCH_PART_RUNS = 64 };
 struct bench_part {
     struct command_item item;
     const char *caption, *note; /* of its table                                         */
+    const char *peers; /* others did the work of this name, too; NULL: nobody           */
     int count;
     const struct bench_row *rows; /* [count] its runs; or else:                          */
     enum status (*plan)(struct bench *b, struct message *why);
     enum status (*sample)(struct bench *b, struct message *why); /* NULL: nothing       */
-    enum status (*print)(const struct bench *b);
+    enum status (*print)(const struct bench *b, struct message *why);
 };
 extern const struct bench_part bench_part_solids, bench_part_baselines, bench_part_levers,
     bench_part_growth, bench_part_intersection, bench_part_projective, bench_part_nonlinear,

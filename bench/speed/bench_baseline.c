@@ -200,8 +200,9 @@ static void ratio_cells(struct table *t, const struct bench *b, const char *net,
     table_number(t, a / o, 3);
 }
 
-static enum status print(const struct bench *b)
+static enum status print(const struct bench *b, struct message *why)
 {
+    (void)why;
     static const struct table_column columns[] = {{"case", NULL, TABLE_LEFT},
                                                   {"baseline", NULL, TABLE_LEFT},
                                                   {"factor", "ms"},
@@ -230,7 +231,7 @@ static enum status print(const struct bench *b)
         }
     table_note(t, "CHOLMOD with its defaults, analysis not counted; LAPACK dpbtrf and "
                   "dpbtrs in natural order. Our factor includes filling in the numbers.");
-    return table_finish(t, b->format, stdout);
+    return table_finish(t, b->format, b->file);
 }
 
 const struct bench_part bench_part_baselines = {

@@ -155,8 +155,9 @@ out:
     return st;
 }
 
-static enum status print(const struct bench *b)
+static enum status print(const struct bench *b, struct message *why)
 {
+    (void)why;
     static const struct table_column columns[] = {
         {"surface", NULL, TABLE_LEFT}, {"pairs"}, {"tests"}, BENCH_PART_TIMES,
         {"every pair", "ms"},          {"gain"}};
@@ -179,7 +180,7 @@ static enum status print(const struct bench *b)
         t,
         "Made surfaces. Every pair: %.0f tests, boxes of triangles first; the same counts.",
         samples_number(&b->samples, shapes[SHAPES - 1].name, "all tests"));
-    return table_finish(t, b->format, stdout);
+    return table_finish(t, b->format, b->file);
 }
 
 const struct bench_part bench_part_intersection = {

@@ -5,23 +5,17 @@
 
 #include "bench/harness/timing.h"
 #include "bench/speed/bench.h"
+#include "bench/speed/peers.h"
 #include "models/reader/scene_file.h"
 #include "projective_dynamics/pd_motion.h"
 
 enum { ITERATIONS = 10 };
 
-/* Aims [ms a frame], and what others took for the same number of constraints. */
+/* Aims [ms a frame]. */
 static const struct net {
     int points;
     double aim;
-    const char *elsewhere;
-} nets[] = {
-    {10, 0.03,
-     "ShapeOp 0.10, Q-Minh 0.095, XPBD 0.065, CHOLMOD loop 0.039 ms (502 constraints)"},
-    {32, 0.6,
-     "ShapeOp 2.0, Q-Minh 1.6, XPBD 0.75, CHOLMOD loop 0.96 ms (5826 constraints)"},
-    {100, 7, "ShapeOp 29, Q-Minh 49, XPBD 7.9, CHOLMOD loop 11.7 ms (59002 constraints)"},
-};
+} nets[] = {{10, 0.03}, {32, 0.6}, {100, 7}};
 enum { NETS = sizeof nets / sizeof *nets };
 
 static enum status read_scene(struct scene *scene, struct message *why)
@@ -138,7 +132,7 @@ static void frame_row(struct table *t, const struct bench *b, int net,
     bench_part_aim(t, &s, nets[net].aim);
 }
 
-static enum status print_frames(const struct bench *b)
+static enum status print_frames(const struct bench *b, struct message *why)
 {
     static const struct table_column columns[] = {
         {"net", NULL, TABLE_LEFT}, {"stretch by", NULL, TABLE_LEFT},
@@ -148,16 +142,22 @@ static enum status print_frames(const struct bench *b)
     struct table *t =
         table_create(sizeof columns / sizeof *columns, columns,
                      "Projective dynamics, frames of 10 iterations, one thread");
+    char name[SAMPLES_NAME];
+    enum status st;
 
     for (int n = 0; n < NETS; n++) {
         for (enum constraint c = CONSTRAINT_TRIANGLES; c <= CONSTRAINT_EDGES; c++)
             frame_row(t, b, n, c);
-        table_note(t, "%d points a side elsewhere, on another machine: %s.", nets[n].points,
-                   nets[n].elsewhere);
+        snprintf(name, sizeof name, "projective %dx%d edges", nets[n].points,
+                 nets[n].points);
+        TRY(peers_note(t, name, why));
     }
     table_note(t, "Constraints are edges or triangles, and rows of bending; bending about "
                   "a flat rest shape lies in the constant matrix and has no local step.");
-    return table_finish(t, b->format, stdout);
+    return table_finish(t, b->format, b->file);
+out:
+    table_destroy(t);
+    return st;
 }
 
 /* --- acceleration ------------------------------------------------------------------------
@@ -326,7 +326,7 @@ static enum status print_acceleration(const struct bench *b)
                "corners_drop undamped, matched triangles, dt = %g ms; largest distance of "
                "a node over the length.",
                1e3 * samples_number(&b->samples, "scene", "step"));
-    return table_finish(t, b->format, stdout);
+    return table_finish(t, b->format, b->file);
 }
 
 static enum status sample(struct bench *b, struct message *why)
@@ -344,9 +344,9 @@ out:
     return st;
 }
 
-static enum status print(const struct bench *b)
+static enum status print(const struct bench *b, struct message *why)
 {
-    const enum status st = print_frames(b);
+    const enum status st = print_frames(b, why);
 
     return st == STATUS_OK ? print_acceleration(b) : st;
 }

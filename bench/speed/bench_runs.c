@@ -5,6 +5,7 @@
 #include "bench/experiment/bench_solid.h"
 #include "bench/harness/fit.h"
 #include "bench/speed/bench.h"
+#include "bench/speed/peers.h"
 #include "bench/truth/paper.h"
 
 #define LEN(array) (sizeof array / sizeof *array)
@@ -19,55 +20,49 @@
 
 /* clang-format off */
 static const struct bench_row solids[] = {
-    {"iga 10x10x2 rebuilt", "iga_paper", {0}, 0, 0.7, {0},
-     "G+Smo 34.5 ms, MFEM 59 ms a frame; PetIGA K 3.1, M 1.8, factor 6.6 ms"},
-    {"iga 10x10x2 prefactored", "iga_linear", {UNDAMPED}, 0, 0.025, {0},
-     "PetIGA 0.044 ms a step"},
-    {"hex 32x32x2 rebuilt", "hex_paper", {NET(32)}, 0, 12, {0},
-     "PetIGA 50, MFEM 94, G+Smo 107, CalculiX 114 ms a step"},
-    {"iga 100x100x2 prefactored", "iga_linear", {UNDAMPED, NET(100)}, 0, 20, {80, 800, 0},
-     "PetIGA K 517 ms, factor 2200 ms, step 39 ms; CHOLMOD solve 29.5 ms"},
+    {"iga 10x10x2 rebuilt", "iga_paper", {0}, 0, 0.7, {0}},
+    {"iga 10x10x2 prefactored", "iga_linear", {UNDAMPED}, 0, 0.025, {0}},
+    {"hex 32x32x2 rebuilt", "hex_paper", {NET(32)}, 0, 12, {0}},
+    {"iga 100x100x2 prefactored", "iga_linear", {UNDAMPED, NET(100)}, 0, 20, {80, 800, 0}},
 };
 
 static const struct bench_row motions[] = {
-    {"shell 10x10, p = 2", "shell_2", {UNDAMPED}, 0.4, 1, {0}, NULL},
-    {"shell 10x10, p = 3", "shell_3", {UNDAMPED}, 0.4, 2, {0}, NULL},
+    {"shell 10x10, p = 2", "shell_2", {UNDAMPED}, 0.4, 1, {0}},
+    {"shell 10x10, p = 3", "shell_3", {UNDAMPED}, 0.4, 2, {0}},
     {"mass-spring 32x32, to its tolerance", "mass_spring_paper",
-     {UNDAMPED, MATCHED, SPRINGS_32}, 0.4, 2, {0}, NULL},
+     {UNDAMPED, MATCHED, SPRINGS_32}, 0.4, 2, {0}},
     {"mass-spring 32x32, one iteration", "mass_spring_paper",
-     {UNDAMPED, MATCHED, SPRINGS_32, "discretization.iterations=1"}, 0.4, 2, {0}, NULL},
-    {"iga 10x10x2, none (the paper's)", "iga_nonlinear", {UNDAMPED}, 0.4, 5, {0}, NULL},
-    {"iga 10x10x2, reduced", "iga_reduced", {UNDAMPED}, 0.4, 5, {0}, NULL},
-    {"iga 10x10x2, selective", "iga_selective", {UNDAMPED}, 0.4, 5, {0}, NULL},
+     {UNDAMPED, MATCHED, SPRINGS_32, "discretization.iterations=1"}, 0.4, 2, {0}},
+    {"iga 10x10x2, none (the paper's)", "iga_nonlinear", {UNDAMPED}, 0.4, 5, {0}},
+    {"iga 10x10x2, reduced", "iga_reduced", {UNDAMPED}, 0.4, 5, {0}},
+    {"iga 10x10x2, selective", "iga_selective", {UNDAMPED}, 0.4, 5, {0}},
 };
 
 static const struct bench_row swings[] = {
-    {"iga 20x20x2, p = 3, none", "iga_nonlinear_3", {UNDAMPED, NET(20)}, 1, 300, {0}, NULL},
-    {"iga 20x20x2, p = 3, selective", "iga_selective_3", {UNDAMPED, NET(20)}, 1, 300, {0},
-     NULL},
+    {"iga 20x20x2, p = 3, none", "iga_nonlinear_3", {UNDAMPED, NET(20)}, 1, 300, {0}},
+    {"iga 20x20x2, p = 3, selective", "iga_selective_3", {UNDAMPED, NET(20)}, 1, 300, {0}},
 };
 
 /* In pairs: without the choice, and with it. */
 static const struct bench_row levers[] = {
-    {"band instead of supernodes", "iga_paper", {SUPERNODES}, 0, 0, {0}, NULL},
-    {"iga 10x10x2 rebuilt", "iga_paper", {BAND}, 0, 0, {0}, NULL},
-    {"band instead of supernodes", "hex_paper", {SUPERNODES, NET(32)}, 0, 0, {0}, NULL},
-    {"hex 32x32x2 rebuilt", "hex_paper", {BAND, NET(32)}, 0, 0, {0}, NULL},
-    {"membrane and bending apart", "iga_linear", {UNDAMPED, TOGETHER}, 0, 0, {0}, NULL},
-    {"iga 10x10x2 prefactored", "iga_linear", {UNDAMPED}, 0, 0, {0}, NULL},
-    {"membrane and bending apart", "iga_linear", {UNDAMPED, TOGETHER, NET(40)}, 0, 0, {0},
-     NULL},
-    {"iga 40x40x2 prefactored", "iga_linear", {UNDAMPED, NET(40)}, 0, 0, {0}, NULL},
-    {"one factorisation for all steps", "iga_paper", {0}, 0, 0, {0}, NULL},
-    {"iga 10x10x2", "iga_linear", {UNDAMPED}, 0, 0, {0}, NULL},
+    {"band instead of supernodes", "iga_paper", {SUPERNODES}, 0, 0, {0}},
+    {"iga 10x10x2 rebuilt", "iga_paper", {BAND}, 0, 0, {0}},
+    {"band instead of supernodes", "hex_paper", {SUPERNODES, NET(32)}, 0, 0, {0}},
+    {"hex 32x32x2 rebuilt", "hex_paper", {BAND, NET(32)}, 0, 0, {0}},
+    {"membrane and bending apart", "iga_linear", {UNDAMPED, TOGETHER}, 0, 0, {0}},
+    {"iga 10x10x2 prefactored", "iga_linear", {UNDAMPED}, 0, 0, {0}},
+    {"membrane and bending apart", "iga_linear", {UNDAMPED, TOGETHER, NET(40)}, 0, 0, {0}},
+    {"iga 40x40x2 prefactored", "iga_linear", {UNDAMPED, NET(40)}, 0, 0, {0}},
+    {"one factorisation for all steps", "iga_paper", {0}, 0, 0, {0}},
+    {"iga 10x10x2", "iga_linear", {UNDAMPED}, 0, 0, {0}},
 };
 
 /* Those of the paper's Table 2. */
 static const struct bench_row growing[PAPER_GROWTH_ROWS] = {
-    {"5x5x2", "iga_paper", {NET(5)}, 0, 0, {0}, NULL},
-    {"10x10x2", "iga_paper", {NET(10)}, 0, 0, {0}, NULL},
-    {"15x15x2", "iga_paper", {NET(15)}, 0, 0, {0}, NULL},
-    {"20x20x2", "iga_paper", {NET(20)}, 0, 0, {0}, NULL},
+    {"5x5x2", "iga_paper", {NET(5)}, 0, 0, {0}},
+    {"10x10x2", "iga_paper", {NET(10)}, 0, 0, {0}},
+    {"15x15x2", "iga_paper", {NET(15)}, 0, 0, {0}},
+    {"20x20x2", "iga_paper", {NET(20)}, 0, 0, {0}},
 };
 /* clang-format on */
 
@@ -81,8 +76,8 @@ static void phase_row(struct table *t, const struct bench_row *row, const char *
     bench_part_aim(t, s, aim);
 }
 
-static void add_run(struct table *t, const struct bench_row *row,
-                    const struct run_result *r)
+static enum status add_run(struct table *t, const struct bench_row *row,
+                           const struct run_result *r, struct message *why)
 {
     static const char *const phase[] = {"K and M", "factor", "solve"};
 
@@ -91,27 +86,30 @@ static void add_run(struct table *t, const struct bench_row *row,
         phase_row(t, row, phase[p], &r->phase[p], row->phase[p]);
     if (r->outcome)
         table_note(t, "%s: %s.", row->title, r->sentence.text);
-    if (row->elsewhere)
-        table_note(t,
-                   "%s: %.0f unknowns, %.0f numbers in L, set-up %.3g ms. Elsewhere, on "
-                   "another machine: %s.",
-                   row->title, r->unknowns, r->factor_entries, 1e3 * r->create.median,
-                   row->elsewhere);
+    table_note(t, "%s: %.0f unknowns, %.0f numbers in L, set-up %.3g ms.", row->title,
+               r->unknowns, r->factor_entries, 1e3 * r->create.median);
+    return peers_note(t, row->title, why);
 }
 
-static enum status print_runs(const struct bench *b)
+static enum status print_runs(const struct bench *b, struct message *why)
 {
     static const struct table_column columns[] = {{"case", NULL, TABLE_LEFT},
                                                   {"phase", NULL, TABLE_LEFT},
                                                   BENCH_PART_TIMES,
                                                   BENCH_PART_AIM};
     struct table *t = table_create(LEN(columns), columns, b->part->caption);
+    enum status st;
 
     for (int n = 0; n < b->batch.count; n++)
-        add_run(t, &b->part->rows[n], &b->result[n]);
+        TRY(add_run(t, &b->part->rows[n], &b->result[n], why));
     if (b->part->note)
         table_note(t, "%s", b->part->note);
-    return table_finish(t, b->format, stdout);
+    if (b->part->peers)
+        TRY(peers_note(t, b->part->peers, why));
+    return table_finish(t, b->format, b->file);
+out:
+    table_destroy(t);
+    return st;
 }
 
 const struct bench_part bench_part_solids = {
@@ -127,8 +125,8 @@ const struct bench_part bench_part_nonlinear = {
     .caption = "Frames of the models that iterate, edge_drop to 0.4 s, undamped",
     .note =
         "A repeat counts with its mean frame: frames differ, as iterations grow where the "
-        "sheet buckles. Elsewhere, on another machine: gsKLShell 10x10 118 ms (p = 2) and "
-        "484 ms (p = 3) for one Newton iteration; the paper's shell 130 ms a frame.",
+        "sheet buckles.",
+    .peers = "shell 10x10",
     .count = LEN(motions),
     .rows = motions,
     .print = print_runs};
@@ -144,8 +142,9 @@ const struct bench_part bench_part_swings = {
 /* --- levers ------------------------------------------------------------------------------
  */
 
-static enum status print_levers(const struct bench *b)
+static enum status print_levers(const struct bench *b, struct message *why)
 {
+    (void)why;
     static const struct table_column columns[] = {{"lever", NULL, TABLE_LEFT},
                                                   {"case", NULL, TABLE_LEFT},
                                                   {"without", "ms"},
@@ -165,7 +164,7 @@ static enum status print_levers(const struct bench *b)
         table_number(t, without->median / with->median, 3);
         table_integer(t, with->count);
     }
-    return table_finish(t, b->format, stdout);
+    return table_finish(t, b->format, b->file);
 }
 
 const struct bench_part bench_part_levers = {
@@ -224,8 +223,9 @@ static void add_net(struct table *t, int n, const struct run_result *r, struct g
     table_integer(t, r->step.count);
 }
 
-static enum status print_growth(const struct bench *b)
+static enum status print_growth(const struct bench *b, struct message *why)
 {
+    (void)why;
     static const struct table_column columns[] = {
         {"net", NULL, TABLE_LEFT}, {"unknowns"},    {"frame", "ms"}, {"K and M", "ms"},
         {"factor", "ms"},          {"paper", "ms"}, {"ratio"},       {"repeats"}};
@@ -235,7 +235,7 @@ static enum status print_growth(const struct bench *b)
     for (int n = 0; n < NETS; n++)
         add_net(t, n, &b->result[n], &g);
     note_growth(t, &g);
-    return table_finish(t, b->format, stdout);
+    return table_finish(t, b->format, b->file);
 }
 
 const struct bench_part bench_part_growth = {
@@ -267,7 +267,7 @@ static enum status plan_contestants(struct bench *b, struct message *why)
             continue;
         const char *damping = contestant_is_paper_scheme(c) ? NULL : UNDAMPED;
         st = bench_part_add(
-            b, &(struct bench_row){c->title, c->name, {damping}, *end, 0, {0}, NULL}, why);
+            b, &(struct bench_row){c->title, c->name, {damping}, *end, 0, {0}}, why);
         if (st != STATUS_OK)
             break;
         contestant_points(c, usual_side(c), usual_side(c), batch_settings(&b->batch));
@@ -301,8 +301,9 @@ static void add_contestant(struct table *t, const struct contestant *c,
         table_note(t, "%s: %s.", c->title, r->sentence.text);
 }
 
-static enum status print_contestants(const struct bench *b)
+static enum status print_contestants(const struct bench *b, struct message *why)
 {
+    (void)why;
     static const struct table_column columns[] = {
         {"model", NULL, TABLE_LEFT, .key = "title"},
         {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
@@ -323,7 +324,7 @@ static enum status print_contestants(const struct bench *b)
     table_note(t,
                "Medians of the repeats; undamped, but for the paper's own scheme. "
                "Iterations: Newton's, or local and global steps; none: one solve a frame.");
-    return table_finish(t, b->format, stdout);
+    return table_finish(t, b->format, b->file);
 }
 
 const struct bench_part bench_part_contestants = {

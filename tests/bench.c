@@ -1,0 +1,296 @@
+/* What `bench` prints, from made-up seconds: every cell of its parts, and that others'
+ * milliseconds are those of tests/reference/peers.csv. */
+#include "bench/speed/bench.h"
+
+#include "bench/files/folder.h"
+#include "bench/speed/peers.h"
+#include "fem_ref/reference.h"
+#include "tests/run_fixture.h"
+#include "tests/said.h"
+
+/* Seconds of a repeat, each summary number another. */
+static struct clock_summary seconds(double median)
+{
+    return (struct clock_summary){9, median / 2, median / 1.25, median, median * 1.25, 1};
+}
+
+/* Of the n-th run a frame takes n + 1 ms; its phases 2, 3 and 4 times that. */
+static struct run_result result(int n)
+{
+    struct run_result r = {.unknowns = 100 + n, .factor_entries = 200 + n};
+
+    r.step = seconds(1e-3 * (n + 1));
+    r.create = seconds(1e-2 * (n + 1));
+    for (int p = 0; p < 3; p++)
+        r.phase[p] = seconds(1e-3 * (n + 1) * (p + 2));
+    r.work.iterations = 30;
+    r.work.steps = 8;
+    return r;
+}
+
+/* The n-th row's title has another: seconds of nine repeats that end in `median`. */
+static void add(struct samples *s, const char *name, const char *what, double median)
+{
+    for (int k = -4; k <= 4; k++)
+        samples_add(s, name, what, median * (1 + k / 8.0));
+}
+
+static void add_samples(struct samples *s)
+{
+    static const char *const nets[] = {"10x10", "32x32", "100x100"};
+    char name[SAMPLES_NAME];
+
+    for (int n = 0; n < 2; n++) {
+        const char *title = bench_part_solids.rows[n].title;
+        add(s, title, "factor ours", 1e-3);
+        add(s, title, "solve ours", 2e-3);
+        add(s, title, "factor CHOLMOD", 8e-3);
+        add(s, title, "solve CHOLMOD", 4e-3);
+        if (n == 0) {
+            add(s, title, "factor LAPACK", 5e-4);
+            add(s, title, "solve LAPACK", 1e-3);
+        }
+    }
+    add(s, "folded", "tree", 1e-3);
+    add(s, "folded", "every pair", 7e-3);
+    samples_add(s, "folded", "pairs", 12);
+    samples_add(s, "folded", "tests", 345);
+    samples_add(s, "doubled", "all tests", 678);
+    for (int n = 0; n < 3; n++) {
+        snprintf(name, sizeof name, "%s edges", nets[n]);
+        samples_add(s, name, "constraints", 500 + n);
+        samples_add(s, name, "entries", 700 + n);
+        add(s, name, "local", 1e-6 * (n + 1));
+        add(s, name, "solve", 2e-6 * (n + 1));
+        add(s, name, "frame", n == 1 ? 1e-3 : 1e-5 * (n + 1));
+    }
+    samples_add(s, "10x10 Chebyshev", "after 30", 0.25);
+    add(s, "10x10 Chebyshev", "iteration", 5e-6);
+    samples_add(s, "10x10 Chebyshev", "needed", 321);
+    samples_add(s, "20x20 Chebyshev", "needed", 400000);
+    samples_add(s, "10x10 Chebyshev", "radius", 0.9375);
+    samples_add(s, "scene", "step", 0.005);
+}
+
+static void print_part(const struct bench_part *part, enum table_format format,
+                       struct said *s)
+{
+    struct bench b = {.part = part, .folder = "nowhere", .path = DROP, .format = format};
+    struct message why = {""};
+
+    REQUIRE(batch_init(&b.batch, b.folder, BENCH_PART_RUNS) == STATUS_OK);
+    for (int n = 0; n < part->count; n++)
+        REQUIRE(bench_part_add(&b, &part->rows[n], &why) == STATUS_OK);
+    if (part->plan)
+        REQUIRE(part->plan(&b, &why) == STATUS_OK);
+    b.result = calloc((size_t)b.batch.count + 1, sizeof *b.result);
+    REQUIRE(b.result);
+    for (int n = 0; n < b.batch.count; n++)
+        b.result[n] = result(n);
+    if (part == &bench_part_nonlinear) {
+        b.result[2].outcome = STATUS_ESCAPED;
+        b.result[2].sentence = (struct message){"died of it"};
+    }
+    if (part == &bench_part_contestants) {
+        b.result[1].outcome = STATUS_UNSUPPORTED;
+        b.result[1].sentence = (struct message){"will not"};
+    }
+    add_samples(&b.samples);
+    b.file = s->file;
+    if (!CHECK(part->print(&b, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    free(b.result);
+    batch_clear(&b.batch);
+    samples_clear(&b.samples);
+}
+
+static const struct cells {
+    const struct bench_part *part;
+    const char *has[5], *lacks;
+} cells[] = {
+    {&bench_part_solids,
+     {"\niga 10x10x2 "
+      "rebuilt,frame,1,0.5,0.80000000000000004,1.25,9,0.69999999999999996,no\n",
+      "\niga 10x10x2 rebuilt,K and M,2,1,1.6000000000000001,2.5,9,,\n",
+      "\nhex 32x32x2 rebuilt,frame,3,1.5,2.4000000000000004,3.75,9,12,yes\n",
+      "\niga 100x100x2 prefactored,factor,12,6,9.6",
+      "# iga 10x10x2 prefactored: 101 unknowns, 201 numbers in L, set-up 20 ms.\n"},
+     "died"},
+    {&bench_part_nonlinear,
+     {"\n\"shell 10x10, p = 2\",frame,1,0.5,", ",1,yes\n",
+      "# mass-spring 32x32, to its tolerance: died of it.\n",
+      "# shell 10x10 elsewhere, measured side by side on one pinned core, best of four",
+      "gsKLShell 7ddfe49 78.5 ms, BS-Cloth (without contact) 4.7 ms."},
+     "130 ms"},
+    {&bench_part_swings,
+     {"\n\"iga 20x20x2, p = 3, none\",frame,1,", "# The aim is 60 s for the swing."},
+     "elsewhere"},
+    {&bench_part_levers,
+     {"\nband instead of supernodes,iga 10x10x2 rebuilt,1,2,0.5,9\n",
+      "\none factorisation for all steps,iga "
+      "10x10x2,9.0000000000000018,10,0.90000000000000013,9\n"}},
+    {&bench_part_growth,
+     {"\n5x5x2,100,1,2,3,10,10,9\n", "\n20x20x2,103,4,8,12,1281,320.25,9\n",
+      "# K and M alone grow as unknowns^", "# Cost grows as unknowns^",
+      "the paper's as control points^1.75 over all four nets, ^1.98 over the last three."}},
+    {&bench_part_contestants,
+     {"\n\"IGA, printed (paper)\",iga_paper,iga,10x10,100,10,1,9,3.75,\n",
+      ",iga,10x10,nan,nan,nan,nan,nan,will not\n", ",shell,10x10,", ": will not.\n"}},
+    {&bench_part_baselines,
+     {"\niga 10x10x2 rebuilt,CHOLMOD,8,1,8,4,2,2,9\n",
+      "\niga 10x10x2 rebuilt,LAPACK band,0.5,1,0.5,1,2,0.5,9\n",
+      "\niga 10x10x2 prefactored,CHOLMOD,8,1,8,4,2,2,9\n"},
+     "prefactored,LAPACK"},
+    {&bench_part_intersection,
+     {"\nfolded,12,345,1,0.5,0.75,1.25,9,7,7\n", "Every pair: 678 tests"}},
+    {&bench_part_projective,
+     {"\n10x10,edges,500,700,0.001,0.002,0.01,", ",0.029999999999999999,yes\n",
+      ",0.59999999999999998,no\n",
+      "10 points a side: radius 0.937500; the end itself took 321 plain iterations.\n",
+      "the end itself took 400000 plain iterations, and is not quite it.\n"}},
+};
+
+static void test_cells(void)
+{
+    for (size_t n = 0; n < sizeof cells / sizeof *cells; n++) {
+        const struct cells *c = &cells[n];
+        struct said s;
+        said_open(&s);
+        print_part(c->part, TABLE_CSV, &s);
+        said_close(&s, true);
+        for (int k = 0; k < 5 && c->has[k]; k++)
+            said_has(&s, c->part->item.name, c->has[k]);
+        if (c->lacks)
+            said_lacks(&s, c->part->item.name, c->lacks);
+        said_clear(&s);
+    }
+}
+
+/* Every row of the file is printed, with peer, version, solver and milliseconds, by the
+ * part whose work it is. */
+static void test_peers(void)
+{
+    struct reference *r = NULL;
+    struct said s;
+    char words[256];
+
+    REQUIRE(reference_open(REFERENCE_DIR "/peers.csv", &r, NULL) == STATUS_OK);
+    said_open(&s);
+    print_part(&bench_part_solids, TABLE_CSV, &s);
+    print_part(&bench_part_nonlinear, TABLE_CSV, &s);
+    print_part(&bench_part_projective, TABLE_CSV, &s);
+    said_close(&s, true);
+    for (int row = 0; row < reference_rows(r); row++) {
+        const char *version = reference_text(r, row, "version");
+        const char *solver = reference_text(r, row, "solver");
+        snprintf(words, sizeof words, "# %s elsewhere, ", reference_text(r, row, "case"));
+        said_has(&s, "peers", words);
+        const char *note = strstr(s.text, words);
+        REQUIRE(note);
+        struct said line = {.text = strndup(note, strcspn(note, "\n"))};
+        said_has(&line, "peers", reference_note(r, "source"));
+        said_has(&line, "peers", reference_note(r, "date"));
+        said_has(&line, "peers", reference_note(r, "ours"));
+        snprintf(words, sizeof words, "%s%s%s%s%s%s %s ms", reference_text(r, row, "peer"),
+                 *version ? " " : "", version, *solver ? " (" : "", solver,
+                 *solver ? ")" : "", reference_text(r, row, "ms"));
+        said_has(&line, "peers", words);
+        snprintf(words, sizeof words, "%s, ours %s ms: ", reference_text(r, row, "what"),
+                 reference_text(r, row, "ours_ms"));
+        said_has(&line, "peers", words);
+        CHECK(reference_number(r, row, "ms") > reference_number(r, row, "ours_ms"));
+        said_clear(&line);
+    }
+    said_clear(&s);
+    reference_close(r);
+}
+
+/* A row by hand, and who did not do a work. */
+static void test_note(void)
+{
+    static const struct table_column one[] = {{"x"}};
+    struct table *t = table_create(1, one, NULL);
+    struct said s;
+
+    CHECK(peers_note(t, "hex 32x32x2 rebuilt", NULL) == STATUS_OK);
+    CHECK(peers_note(t, "hex", NULL) == STATUS_OK);
+    said_open(&s);
+    table_finish(t, TABLE_CSV, s.file);
+    said_close(&s, true);
+    CHECK(!strcmp(
+        s.text,
+        "x\n# hex 32x32x2 rebuilt elsewhere, measured side by side on one pinned core, "
+        "best of four interleaved rounds; each peer's tip agrees to 5 digits, "
+        "2026-11-22, beside clothbench 0fc1e58. frame, ours 3.00 ms: PetIGA cc362e1 "
+        "with PETSc 3.18.5 (p = 1 SBAIJ + MUMPS) 14.2 ms, MFEM 4.9.1-dev (UMFPACK) "
+        "47.9 ms, MFEM 4.9.1-dev (CHOLMOD) 34.6 ms.\n\n"));
+    said_clear(&s);
+}
+
+/* Kept and read again; what is no file of samples is told. */
+static void test_samples(const char *folder)
+{
+    struct samples s = {0}, again = {0};
+    struct message why = {""};
+
+    add_samples(&s);
+    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    CHECK(samples_save(&s, folder, &why) == STATUS_OK);
+    CHECK(samples_read(&again, folder, &why) == STATUS_OK && again.count == s.count);
+    for (int n = 0; n < s.count; n++)
+        CHECK(!memcmp(&again.all[n].value, &s.all[n].value, sizeof(double)) &&
+              !strcmp(again.all[n].name, s.all[n].name) &&
+              !strcmp(again.all[n].what, s.all[n].what));
+    const struct clock_summary frame = samples_of(&s, "32x32 edges", "frame");
+    CHECK(frame.count == 9 && frame.median == 1e-3 && frame.min == 0.5e-3);
+    CHECK(samples_of(&s, "32x32 edges", "nothing").count == 0);
+    CHECK(isnan(samples_number(&s, "nobody", "frame")));
+    samples_clear(&again);
+    CHECK(samples_read(&again, "/nowhere", &why) == STATUS_FILE);
+    samples_clear(&s);
+    CHECK(samples_save(&s, folder, &why) == STATUS_OK);
+    CHECK(samples_read(&again, folder, &why) == STATUS_INPUT &&
+          strstr(why.text, "no samp"));
+    samples_clear(&again);
+}
+
+static enum status called(void *context)
+{
+    ++*(int *)context;
+    return STATUS_OK;
+}
+
+static enum status fails(void *context)
+{
+    (void)context;
+    return STATUS_MEMORY;
+}
+
+/* Short calls: three repeats after a warm-up if quick, each of as many as fill its time. */
+static void test_time(void)
+{
+    struct samples s = {0};
+    int calls[2] = {0};
+    struct samples_task tasks[] = {{"a", "call", called, NULL, &calls[0]},
+                                   {"b", "call", called, NULL, &calls[1]}};
+
+    CHECK(samples_time(&s, true, 2, tasks) == STATUS_OK);
+    CHECK(samples_of(&s, "a", "call").count == 3 && samples_of(&s, "b", "call").count == 3);
+    CHECK(calls[0] > 4 && calls[1] > 4 && s.count == 6);
+    tasks[1].call = fails;
+    CHECK(samples_time(&s, true, 2, tasks) == STATUS_OK); /* there are enough already */
+    tasks[1].name = "c";
+    CHECK(samples_time(&s, true, 2, tasks) == STATUS_MEMORY);
+    samples_clear(&s);
+}
+
+int main(int argc, char **argv)
+{
+    REQUIRE(argc == 2);
+    test_cells();
+    test_peers();
+    test_note();
+    test_samples(argv[1]);
+    test_time();
+    return check_result();
+}

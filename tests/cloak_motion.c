@@ -101,11 +101,11 @@ static void test_metrics(void)
         xyz[n] = 1.5 * rest[n];
     CHECK_NEAR(metric_stretch(&s, xyz), 1.5, tol_stretch);
     CHECK_NEAR(metric_roughness(&s, xyz), 1.5 * rough, 1.5 * tol_roughness * rough);
-    CHECK(metric_blowup(&s, rest) == STATUS_OK);
+    CHECK(metric_blowup(&s, 0, rest) == STATUS_OK);
     rest[7] += 10.9 * s.length;
-    CHECK(metric_blowup(&s, rest) == STATUS_ESCAPED);
+    CHECK(metric_blowup(&s, 0, rest) == STATUS_ESCAPED);
     s.support_count = 0;
-    CHECK(metric_blowup(&s, rest) == STATUS_ESCAPED);
+    CHECK(metric_blowup(&s, 0, rest) == STATUS_ESCAPED);
     s.support_count = 1;
     rest[7] -= 10.9 * s.length;
 

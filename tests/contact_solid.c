@@ -90,7 +90,7 @@ static int check_gaps(const struct model *model, const struct scene *scene,
         most = c.nodes > most ? c.nodes : most;
     }
     model->sample(state, field[0]);
-    CHECK(metric_blowup(scene, field[0]) == STATUS_OK);
+    CHECK(metric_blowup(scene, 0, field[0]) == STATUS_OK);
     model->destroy(state);
     return most;
 }

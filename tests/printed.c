@@ -156,7 +156,7 @@ static double blowup(const char *mu, const char *step, double end)
         enum status st = run.model->advance(run.state, &run.counters);
         if (st == STATUS_OK) {
             run_sample(&run, field);
-            st = metric_blowup(&run.scene, field[0]);
+            st = metric_blowup(&run.scene, 0, field[0]);
         }
         if (st != STATUS_OK) {
             CHECK(status_is_death(st));

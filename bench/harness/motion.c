@@ -31,7 +31,7 @@ void motion_clear(struct motion *m)
 
 static bool looks_well(const struct motion *m)
 {
-    double uvw[NET_POINTS][3], xyz[NET_POINTS][3];
+    double uvw[NET_POINTS][3], xyz[NET_POINTS][3], carried[3];
 
     for (int n = 0; n < NET_POINTS; n++) {
         uvw[n][0] = (double)(n % NET) / (NET - 1);
@@ -39,11 +39,13 @@ static bool looks_well(const struct motion *m)
         uvw[n][2] = 0.5;
     }
     m->model->probe(m->state, NET_POINTS, uvw[0], xyz[0]);
+    metric_carried(m->scene, m->steps * m->scene->step, NET_POINTS, uvw[0], xyz[0],
+                   carried);
     for (int n = 0; n < NET_POINTS; n++) {
         double rest[3], far = 0;
         scene_rest_point(m->scene, uvw[n], rest);
         for (int i = 0; i < 3; i++)
-            far += (xyz[n][i] - rest[i]) * (xyz[n][i] - rest[i]);
+            far += pow(xyz[n][i] - rest[i] - carried[i], 2);
         if (!(sqrt(far) < suspicious * m->scene->length)) /* NaN too */
             return false;
     }
@@ -59,7 +61,7 @@ static enum status look(const struct motion *m)
     if (!xyz)
         return STATUS_MEMORY;
     m->model->sample(m->state, xyz);
-    enum status st = metric_blowup(m->scene, xyz);
+    enum status st = metric_blowup(m->scene, m->steps * m->scene->step, xyz);
     free(xyz);
     return st;
 }

@@ -217,27 +217,90 @@ double metric_penetration(const struct scene *scene, const double *xyz)
     return isnan(gap) ? NAN : fmax(0, -gap);
 }
 
-static bool escaped(const struct scene *scene, int n, const double x[3])
+static bool escaped(const struct scene *scene, double t, int n, const double carried[3],
+                    const double xyz[3])
 {
-    double limit = 10 * scene->length, nearest = INFINITY;
+    const double limit = 10 * fmax(scene->length, scene->width);
+    double nearest = INFINITY, x[3], shift[3];
+
     if (scene->support_count == 0) {
         double uvw[3];
         grid_point(n, uvw);
+        for (int c = 0; c < 3; c++)
+            x[c] = xyz[c] - carried[c];
         nearest = metric_rest_distance(scene, uvw, uvw, limit, x);
     }
-    for (int s = 0; s < scene->support_count; s++)
+    for (int s = 0; s < scene->support_count; s++) {
+        scene_support_shift(&scene->supports[s], t, shift);
+        for (int c = 0; c < 3; c++)
+            x[c] = xyz[c] - carried[c] - shift[c];
         nearest = fmin(nearest, metric_rest_distance(scene, scene->supports[s].lo,
                                                      scene->supports[s].hi, limit, x));
-    return nearest > limit * limit;
+    }
+    return !(nearest <= limit * limit);
 }
 
-enum status metric_blowup(const struct scene *scene, const double *xyz)
+static double norm(const double x[3])
 {
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
+/* As far as a rigid sheet can come by time t: with its initial speed (and the wind's) and
+ * what gravity and loads add; and against these no higher than that speed lifts it. */
+static void clip_to_flight(const struct scene *scene, double t, double shift[3])
+{
+    const double mass = scene->density * scene->length * scene->width * scene->thickness;
+    double centre[3], v[3], a[3], along = 0;
+
+    scene_rest_point(scene, (const double[3]){0.5, 0.5, 0.5}, centre);
+    scene_initial_velocity(scene, centre, v);
+    memcpy(a, scene->gravity, sizeof a);
+    for (int n = 0; n < scene->load_count; n++)
+        for (int c = 0; c < 3; c++)
+            a[c] += scene->loads[n].force[c] / mass;
+    const double pull = norm(a), speed = norm(v) + (scene->drag > 0) * norm(scene->wind);
+    for (int c = 0; c < 3 && pull > 0; c++)
+        along += shift[c] * a[c] / pull;
+    const double high = pull > 0 ? -along - speed * speed / (2 * pull) : 0;
+    for (int c = 0; c < 3 && high > 0; c++)
+        shift[c] += high * a[c] / pull;
+    const double far = norm(shift), reach = speed * t + pull * t * t / 2;
+    for (int c = 0; c < 3 && far > reach; c++)
+        shift[c] *= reach / far;
+}
+
+void metric_carried(const struct scene *scene, double t, int count, const double *uvw,
+                    const double *xyz, double shift[3])
+{
+    unsigned held = 0;
+
+    memset(shift, 0, 3 * sizeof *shift);
+    for (int s = 0; s < scene->support_count; s++)
+        held |= scene->supports[s].fix;
+    if (held == FIX_XYZ)
+        return;
+    for (int n = 0; n < count; n++) {
+        double at[3], rest[3];
+        if (!uvw)
+            grid_point(n, at);
+        scene_rest_point(scene, uvw ? uvw + 3 * n : at, rest);
+        for (int c = 0; c < 3; c++)
+            if (!(held & (FIX_X << c)))
+                shift[c] += (xyz[3 * n + c] - rest[c]) / count;
+    }
+    clip_to_flight(scene, t, shift);
+}
+
+enum status metric_blowup(const struct scene *scene, double t, const double *xyz)
+{
+    double carried[3];
+
     for (int n = 0; n < 3 * GRID_POINTS; n++)
         if (!isfinite(xyz[n]))
             return STATUS_NAN;
+    metric_carried(scene, t, GRID_POINTS, NULL, xyz, carried);
     for (int n = 0; n < GRID_POINTS; n++)
-        if (escaped(scene, n, xyz + 3 * n))
+        if (escaped(scene, t, n, carried, xyz + 3 * n))
             return STATUS_ESCAPED;
     return STATUS_OK;
 }

@@ -48,10 +48,17 @@ double metric_unevenness(const struct scene *scene, const double *xyz);
 /* Greatest depth of a grid point below any obstacle's surface [m]; 0 without obstacles. */
 double metric_penetration(const struct scene *scene, const double *xyz);
 
-/* STATUS_NAN (a coordinate is not finite), STATUS_ESCAPED (a point farther than 10 L from
- * the nearest rest point of a support; from its own rest point without supports) or
- * STATUS_OK. */
-enum status metric_blowup(const struct scene *scene, const double *xyz);
+/* How far the sheet as a whole has been carried at time t: the mean displacement of points
+ * uvw[count][3] (NULL: of the grid) that are at xyz[count][3], in the components that no
+ * support holds, 0 in the others; but no farther than a rigid sheet could fly [m]. */
+void metric_carried(const struct scene *scene, double t, int count, const double *uvw,
+                    const double *xyz, double shift[3]);
+
+/* STATUS_NAN (a coordinate is not finite), STATUS_ESCAPED (a point farther than 10 L, or W
+ * if that is more, from the nearest point of a support where the support is at time t; from
+ * its own rest point without supports; either carried along with the sheet as a whole where
+ * nothing holds it) or STATUS_OK. */
+enum status metric_blowup(const struct scene *scene, double t, const double *xyz);
 
 /* Angle below the horizontal of the line from (0, 1/2) to (1, 1/2) on the mid-surface, in
  * degrees, -180 to 180: past 90 the line points back over the rest direction of u. */

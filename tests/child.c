@@ -3,6 +3,7 @@
 #include "bench/harness/child.h"
 
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -63,6 +64,13 @@ static enum status spin(void *context, struct message *why)
     for (volatile double n = 0; n >= 0; n++)
         ;
     return STATUS_OK;
+}
+
+/* The limit is not to blame. */
+static enum status crash_limited(void *context, struct message *why)
+{
+    child_limit(3600);
+    return crash(context, why);
 }
 
 static enum status hang(void *context, struct message *why)
@@ -146,6 +154,8 @@ static void check_ends(void)
         {crash, &interrupt, long_limit, CHILD_ASKED, false, 0.25, ""},
         {spin, NULL, long_limit, CHILD_FAILED, true, 0.5,
          "not done after 1 s of processor time"},
+        {crash_limited, &segfault, long_limit, CHILD_FAILED, false, 0.25,
+         "crashed: signal 11 (Segmentation fault)"},
         {hang, NULL, short_limit, CHILD_FAILED, true, NAN, "timed out after 0.1 s"},
     };
 
@@ -204,7 +214,9 @@ static void check_clear(void)
 
     start(&c, hang, NULL);
     const pid_t pid = c.pid;
+    void *note = c.note;
     child_clear(&c);
+    CHECK(msync(note, 1, MS_ASYNC) != 0); /* it is no memory of ours any more */
     CHECK(c.pid == 0 && !c.note);
     CHECK(kill(pid, 0) != 0);
     child_clear(&c);

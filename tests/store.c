@@ -16,7 +16,6 @@
 
 enum { FRAMES = 3, COUNT = 3 * GRID_POINTS };
 
-static char folder[] = "/tmp/clothbench-store-XXXXXX";
 static const struct model nothing = {
     .name = "none", .title = "No <model> & co", .source = "-"};
 

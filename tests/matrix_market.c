@@ -2,10 +2,9 @@
 #include "bench/files/matrix_market.h"
 
 #include <cholmod.h>
-#include <dirent.h>
 #include <unistd.h>
 
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 static char path[] = "/tmp/clothbench-matrix-XXXXXX";
 
@@ -83,26 +82,14 @@ static void test_long_comment(void)
     CHECK(lines == 1 + 3 + 1 + 1 && letters == LONG);
 }
 
-static int open_files(void)
-{
-    int count = 0;
-    DIR *dir = opendir("/proc/self/fd");
-
-    REQUIRE(dir);
-    while (readdir(dir))
-        count++;
-    closedir(dir);
-    return count;
-}
-
 int main(void)
 {
     int file = mkstemp(path);
     REQUIRE(file >= 0 && close(file) == 0);
-    const int before = open_files();
+    const int before = scratch_files("/proc/self/fd");
     test_round_trip();
     test_long_comment();
-    CHECK(open_files() == before);
+    CHECK(scratch_files("/proc/self/fd") == before);
     unlink(path);
     return check_result();
 }

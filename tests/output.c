@@ -141,6 +141,18 @@ static void test_link(void)
     unlink(scratch_path("real.txt"));
 }
 
+/* Nothing is left of a file that is given up. */
+static void test_given_up(void)
+{
+    struct output *out = NULL;
+
+    REQUIRE(output_create(scratch_path("none.txt"), &out, NULL) == STATUS_OK);
+    output_print(out, "half");
+    output_discard(out);
+    output_discard(NULL);
+    CHECK(scratch_files(scratch) == 0);
+}
+
 /* What no file can be, in a sentence of its own. */
 static void test_refusals(void)
 {
@@ -204,10 +216,13 @@ int main(void)
     REQUIRE(mkdtemp(scratch));
     test_folders();
     test_refusals();
+    const int open = scratch_files("/proc/self/fd");
     test_signal(SIGINT);
     test_signal(SIGTERM);
     test_signal(SIGHUP);
     test_link();
+    test_given_up();
+    CHECK(scratch_files("/proc/self/fd") == open);
     CHECK(rmdir(scratch) == 0);
     test_full_device();
     test_closed_pipe();

@@ -2,8 +2,10 @@
  * are slots. (sweep.sh, sweep_mpi.sh: signals, ranks.) */
 #include "bench/harness/pool.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -101,6 +103,13 @@ static enum status find_disk_full(void *context, long job, struct message *why)
     return job == 1 ? status_fail(why, STATUS_FILE, "no room") : STATUS_OK;
 }
 
+static enum status fail_beside_sleeper(void *context, long job, struct message *why)
+{
+    if (job == 0)
+        nanosleep(&(struct timespec){.tv_sec = 60}, NULL);
+    return find_disk_full(context, job, why);
+}
+
 static enum status ask_to_stop(void *context, long job, struct message *why)
 {
     (void)context, (void)why;
@@ -126,7 +135,11 @@ static void check_stops(void)
     CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
     CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.begun[2]);
     notes = (struct notes){0};
-    pool.work = ask_to_stop;
+    pool.work = fail_beside_sleeper, pool.slots = 2;
+    CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
+    CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD); /* it ended the other */
+    notes = (struct notes){0};
+    pool.work = ask_to_stop, pool.slots = 1;
     CHECK(pool_run(&pool, &why) == STATUS_OK && pool.stopped_by == SIGTERM);
     CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.ended[JOBS - 1]);
 }
@@ -149,9 +162,44 @@ static void check_ranks(void)
     }
 }
 
+static void mind(int number)
+{
+    (void)number;
+}
+
+/* The pool's way with signals ends with it. */
+static void check_signals(void)
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    void (*const ways[])(int) = {mind, SIG_DFL, SIG_IGN};
+    struct notes notes = {0};
+    struct pool pool = {.count = 2,
+                        .slots = 1,
+                        .time_limit = 30,
+                        .quiet = true,
+                        .context = &notes,
+                        .work = find_disk_full,
+                        .begin = begin,
+                        .settle = settle};
+    struct sigaction now;
+
+    for (int turn = 0; turn < 3; turn++) {
+        for (int n = 0; n < 3; n++)
+            signal(numbers[n], ways[(n + turn) % 3]);
+        notes = (struct notes){0};
+        CHECK(pool_run(&pool, NULL) == STATUS_FILE);
+        for (int n = 0; n < 3; n++)
+            CHECK(sigaction(numbers[n], NULL, &now) == 0 &&
+                  now.sa_handler == ways[(n + turn) % 3]);
+    }
+    for (int n = 0; n < 3; n++)
+        signal(numbers[n], SIG_DFL);
+}
+
 int main(void)
 {
     check_ranks();
+    check_signals();
     check_ends();
     check_stops();
     return check_result();

@@ -19,7 +19,7 @@ static inline const char *scratch_path(const char *name)
     return text;
 }
 
-/* How many files a folder has, this one or another. */
+/* How many files a folder has, this one or another; of "/proc/self/fd" how many are open. */
 static inline int scratch_files(const char *folder)
 {
     int count = 0;

@@ -418,12 +418,13 @@ int main(int count, char **arguments)
     }
     REQUIRE(mkdtemp(scratch));
     test_round_trip(&f);
+    const int open = scratch_files("/proc/self/fd");
     test_single(&f);
     test_without_fields(&f);
     test_reading_what_is_none();
     test_bad_targets(&f);
     test_full_disk(&f);
-    CHECK(scratch_files(scratch) == 2);
+    CHECK(scratch_files(scratch) == 2 && scratch_files("/proc/self/fd") == open);
     unlink(scratch_path("run.h5"));
     unlink(scratch_path("run.xdmf"));
     CHECK(rmdir(scratch) == 0);

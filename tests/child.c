@@ -4,11 +4,13 @@
 
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
-#include "tests/check.h"
+#include "bench/files/atomic_file.h"
+#include "tests/scratch.h"
 
 static enum status succeed(void *context, struct message *why)
 {
@@ -81,6 +83,26 @@ static enum status hang(void *context, struct message *why)
     return STATUS_OK;
 }
 
+static enum status ignore_requests(void *context, struct message *why)
+{
+    signal(SIGTERM, SIG_IGN);
+    return hang(context, why);
+}
+
+/* Of two names: opens a file of the first, then makes one of the second. */
+static enum status hold_file(void *context, struct message *why)
+{
+    const char(*path)[64] = context;
+    struct atomic_file file;
+    enum status st = STATUS_OK;
+
+    TRY(atomic_file_open(path[0], &file, why));
+    fclose(fopen(path[1], "w"));
+    st = hang(context, why);
+out:
+    return st;
+}
+
 /* Until somebody wakes it. */
 static enum status stop(void *context, struct message *why)
 {
@@ -99,13 +121,28 @@ static void start(struct child *c, enum status (*work)(void *, struct message *)
     REQUIRE(child_start(c, work, context, NULL) == STATUS_OK);
 }
 
+/* The system counts microseconds, four numbers of them. */
+static const double TOL_MICROSECONDS = 1e-5;
+
+/* What all children have used that were waited for [s]. */
+static double used_by_children(void)
+{
+    struct rusage used;
+
+    REQUIRE(getrusage(RUSAGE_CHILDREN, &used) == 0);
+    return (double)(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+           1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+}
+
 static struct child_end end_of(struct child *c, double limit)
 {
+    const double before = used_by_children();
     struct child_end end;
 
     while (!child_poll(c, limit, &end))
         nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
     CHECK(c->pid == 0);
+    CHECK_NEAR(end.seconds, used_by_children() - before, TOL_MICROSECONDS);
     child_clear(c);
     return end;
 }
@@ -220,6 +257,25 @@ static void check_clear(void)
     CHECK(c.pid == 0 && !c.note);
     CHECK(kill(pid, 0) != 0);
     child_clear(&c);
+    start(&c, ignore_requests, NULL);
+    child_clear(&c);
+}
+
+/* It is given the time to take its temporary file with it. */
+static void check_leaves_nothing(void)
+{
+    struct child c;
+    char path[2][64];
+
+    REQUIRE(mkdtemp(scratch));
+    snprintf(path[0], sizeof path[0], "%s/held.txt", scratch);
+    snprintf(path[1], sizeof path[1], "%s/ready.txt", scratch);
+    start(&c, hold_file, path);
+    while (access(path[1], F_OK) != 0)
+        nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
+    CHECK(scratch_files(scratch) == 2);
+    child_clear(&c);
+    CHECK(scratch_files(scratch) == 1 && unlink(path[1]) == 0 && rmdir(scratch) == 0);
 }
 
 int main(void)
@@ -228,6 +284,7 @@ int main(void)
     check_suspended();
     check_asleep();
     check_clear();
+    check_leaves_nothing();
     child_reached(1); /* not in a child: nothing */
     return check_result();
 }

@@ -2,11 +2,18 @@
  * are slots. (sweep.sh, sweep_mpi.sh: signals, ranks.) */
 #include "bench/harness/pool.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include "bench/harness/ranks.h"
+#include "models/clock.h"
 #include "tests/check.h"
+
+/* Of a few seconds, in any order. */
+static const double TOL_SUM = 1e-12;
 
 enum { JOBS = 12, CRASHES = 3, FAILS = 5, KILLED = 7, DONE_BEFORE = 9 };
 
@@ -80,7 +87,10 @@ static void check_ends(void)
     CHECK(
         !strcmp(notes.end[KILLED].why.text, "killed by signal 9 (Killed), not by itself"));
     CHECK(pool.ran == JOBS - 1 && pool.hands == 3 && notes.most == 3 && !pool.stopped_by);
-    CHECK(pool.seconds > 0 && pool.wall > 0);
+    double seconds = 0;
+    for (int n = 0; n < JOBS; n++)
+        seconds += notes.end[n].seconds;
+    CHECK_NEAR(pool.seconds, seconds, TOL_SUM);
     CHECK(lseek(notes.fd, 0, SEEK_END) == JOBS - 1); /* the children ran, each once */
     close(notes.fd);
     unlink(name);
@@ -107,7 +117,9 @@ static void check_limit(void)
                         .begin = begin,
                         .settle = settle};
 
+    const double begun = clock_now();
     REQUIRE(pool_run(&pool, NULL) == STATUS_OK && pool.ran == 3);
+    CHECK(pool.wall >= pool.time_limit && pool.wall <= clock_now() - begun);
     for (int n = 0; n < 3; n++)
         CHECK(notes.end[n].overdue && notes.end[n].outcome == CHILD_FAILED &&
               !strcmp(notes.end[n].why.text, "timed out after 0.1 s"));
@@ -161,6 +173,11 @@ static enum status find_disk_full(void *context, long job, struct message *why)
     return job == 1 ? status_fail(why, STATUS_FILE, "no room") : STATUS_OK;
 }
 
+static enum status fail_beside_hanger(void *context, long job, struct message *why)
+{
+    return job == 0 ? hang(context, job, why) : find_disk_full(context, job, why);
+}
+
 static enum status ask_to_stop(void *context, long job, struct message *why)
 {
     (void)context, (void)why;
@@ -186,9 +203,65 @@ static void check_stops(void)
     CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
     CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.begun[2]);
     notes = (struct notes){0};
-    pool.work = ask_to_stop;
+    pool.work = fail_beside_hanger, pool.slots = 2;
+    CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
+    CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD); /* it ended the other */
+    notes = (struct notes){0};
+    pool.work = ask_to_stop, pool.slots = 1;
     CHECK(pool_run(&pool, &why) == STATUS_OK && pool.stopped_by == SIGTERM);
     CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.ended[JOBS - 1]);
+}
+
+/* Each of the words by which mpirun is known is enough; the library is not here. */
+static void check_ranks(void)
+{
+    static const char *const words[] = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"};
+    const struct ranks *ranks = NULL;
+
+    for (int n = 0; n < 3; n++)
+        unsetenv(words[n]);
+    CHECK(ranks_start(&ranks, NULL) == STATUS_OK && !ranks);
+    for (int n = 0; n < 3; n++) {
+        struct message why = {""};
+        setenv(words[n], "1", 1);
+        CHECK(ranks_start(&ranks, &why) == STATUS_UNSUPPORTED && !ranks);
+        CHECK(strstr(why.text, "built without MPI"));
+        unsetenv(words[n]);
+    }
+}
+
+static void mind(int number)
+{
+    (void)number;
+}
+
+/* The pool's way with signals ends with it. */
+static void check_signals(void)
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    void (*const ways[])(int) = {mind, SIG_DFL, SIG_IGN};
+    struct notes notes = {0};
+    struct pool pool = {.count = 2,
+                        .slots = 1,
+                        .time_limit = 3600,
+                        .quiet = true,
+                        .context = &notes,
+                        .work = find_disk_full,
+                        .begin = begin,
+                        .settle = settle};
+    struct sigaction now;
+
+    for (int turn = 0; turn < 3; turn++) {
+        for (int n = 0; n < 3; n++)
+            signal(numbers[n], ways[(n + turn) % 3]);
+        notes = (struct notes){0};
+        CHECK(pool_run(&pool, NULL) == STATUS_FILE);
+        for (int n = 0; n < 3; n++)
+            CHECK(sigaction(numbers[n], NULL, &now) == 0 &&
+                  now.sa_handler == ways[(n + turn) % 3]);
+    }
+    for (int n = 0; n < 3; n++)
+        signal(numbers[n], SIG_DFL);
 }
 
 int main(void)
@@ -197,5 +270,7 @@ int main(void)
     check_limit();
     check_who_fails();
     check_stops();
+    check_ranks();
+    check_signals();
     return check_result();
 }

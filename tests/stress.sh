@@ -33,6 +33,10 @@ grep -q '^folded_knots,mass_spring,0.02,refused,nan,nan' out || fail "refused: $
 cp out first
 run 0 still swing_10000 folded_knots --models odd,mass_spring --from few --format csv
 cmp first out || fail 'printed again, it is another'
+# a truth that is made first, once for all
+run 0 two_corners --models odd,mass_spring --quick --out few --format csv
+grep -q "^two_corners,mass_spring,0.02,accurate,.*,the truth's error bar is 0.00" out || fail "$(<out)"
+grep -q "^two_corners,odd,0.02,degraded,.*,the truth's error bar is 0.00" out || fail "$(<out)"
 # a file that is damaged, one that is gone
 echo >>few/still.odd.txt
 rm few/still.mass_spring.txt

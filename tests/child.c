@@ -3,12 +3,14 @@
 #include "bench/harness/child.h"
 
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
-#include "tests/check.h"
+#include "bench/files/atomic_file.h"
+#include "tests/scratch.h"
 
 static enum status succeed(void *context, struct message *why)
 {
@@ -66,12 +68,39 @@ static enum status spin(void *context, struct message *why)
     return STATUS_OK;
 }
 
+/* The limit is not to blame. */
+static enum status crash_limited(void *context, struct message *why)
+{
+    child_limit(3600);
+    return crash(context, why);
+}
+
 static enum status hang(void *context, struct message *why)
 {
     (void)context, (void)why;
     while (pause() != 0) /* it never returns 0 */
         ;
     return STATUS_OK;
+}
+
+static enum status ignore_requests(void *context, struct message *why)
+{
+    signal(SIGTERM, SIG_IGN);
+    return hang(context, why);
+}
+
+/* Of two names: opens a file of the first, then makes one of the second. */
+static enum status hold_file(void *context, struct message *why)
+{
+    const char(*path)[64] = context;
+    struct atomic_file file;
+    enum status st = STATUS_OK;
+
+    TRY(atomic_file_open(path[0], &file, why));
+    fclose(fopen(path[1], "w"));
+    st = hang(context, why);
+out:
+    return st;
 }
 
 /* Until somebody wakes it. */
@@ -162,6 +191,8 @@ static void check_ends(void)
         {crash, &interrupt, long_limit, CHILD_ASKED, false, 0.25, ""},
         {spin, NULL, long_limit, CHILD_FAILED, true, 0.5,
          "not done after 1 s of processor time"},
+        {crash_limited, &segfault, long_limit, CHILD_FAILED, false, 0.25,
+         "crashed: signal 11 (Segmentation fault)"},
         {hang, NULL, short_limit, CHILD_FAILED, true, NAN, "timed out after 0.1 s"},
     };
 
@@ -220,10 +251,31 @@ static void check_clear(void)
 
     start(&c, hang, NULL);
     const pid_t pid = c.pid;
+    void *note = c.note;
     child_clear(&c);
+    CHECK(msync(note, 1, MS_ASYNC) != 0); /* it is no memory of ours any more */
     CHECK(c.pid == 0 && !c.note);
     CHECK(kill(pid, 0) != 0);
     child_clear(&c);
+    start(&c, ignore_requests, NULL);
+    child_clear(&c);
+}
+
+/* It is given the time to take its temporary file with it. */
+static void check_leaves_nothing(void)
+{
+    struct child c;
+    char path[2][64];
+
+    REQUIRE(mkdtemp(scratch));
+    snprintf(path[0], sizeof path[0], "%s/held.txt", scratch);
+    snprintf(path[1], sizeof path[1], "%s/ready.txt", scratch);
+    start(&c, hold_file, path);
+    while (access(path[1], F_OK) != 0)
+        nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
+    CHECK(scratch_files(scratch) == 2);
+    child_clear(&c);
+    CHECK(scratch_files(scratch) == 1 && unlink(path[1]) == 0 && rmdir(scratch) == 0);
 }
 
 int main(void)
@@ -232,6 +284,7 @@ int main(void)
     check_suspended();
     check_asleep();
     check_clear();
+    check_leaves_nothing();
     child_reached(1); /* not in a child: nothing */
     return check_result();
 }

@@ -64,8 +64,10 @@ static void test_rows(void)
         CHECK(run.model == c->model && run.contestant == c);
         run_close(&run);
         settings_clear(&s);
+        const int *const ladders[] = {c->points, c->divisors, c->iterations};
         for (int n = 1; n < CONTESTANT_STEPS; n++)
-            CHECK(!c->points[n] || c->points[n] > c->points[n - 1]);
+            for (int i = 0; i < 3; i++)
+                CHECK(!ladders[i][n] || ladders[i][n] > ladders[i][n - 1]);
         CHECK(c->points[0] && c->divisors[0] == 1);
     }
 }

@@ -3,7 +3,6 @@
  * buffer was printed) or only with the last flush. */
 #include "bench/files/output.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -12,29 +11,7 @@
 
 #include "bench/files/atomic_file.h"
 #include "bench/files/folder.h"
-#include "tests/check.h"
-
-static char folder[] = "/tmp/clothbench-output-XXXXXX";
-
-static const char *in_folder(const char *name)
-{
-    static char path[4][256];
-    static int turn;
-    char *text = path[turn++ % 4];
-    snprintf(text, sizeof path[0], "%s/%s", folder, name);
-    return text;
-}
-
-static int files_in(const char *path)
-{
-    int count = 0;
-    DIR *dir = opendir(path);
-    REQUIRE(dir);
-    for (struct dirent *e; (e = readdir(dir));)
-        count += e->d_name[0] != '.';
-    closedir(dir);
-    return count;
-}
+#include "tests/scratch.h"
 
 /* What main does, in a child whose standard output is `target` (-1: closed): prints `lines`
  * and ends with 0 or 1; the sentence goes to sentence[size]. Returns the exit code, or -1
@@ -116,9 +93,9 @@ static void test_signal(int number)
 {
     struct atomic_file mine = {0};
     struct message why;
-    int before = files_in(folder), outcome = 0;
+    int before = scratch_files(scratch), outcome = 0;
 
-    REQUIRE(atomic_file_open(in_folder("parent.txt"), &mine, &why) == STATUS_OK);
+    REQUIRE(atomic_file_open(scratch_path("parent.txt"), &mine, &why) == STATUS_OK);
     fflush(stdout);
     pid_t child = fork();
     REQUIRE(child >= 0);
@@ -127,12 +104,12 @@ static void test_signal(int number)
         signal(number, SIG_DFL); /* ignored in some background shells */
         atomic_file_catch_signals();
         /* one that is whole by then stays, and its name aside is forgotten */
-        if (output_create(in_folder("whole.txt"), &out, &why) != STATUS_OK ||
+        if (output_create(scratch_path("whole.txt"), &out, &why) != STATUS_OK ||
             output_close(out, &why) != STATUS_OK)
             _exit(1);
         for (int n = 0; n < 3; n++)
-            if (output_create(in_folder("child.txt"), &out, &why) != STATUS_OK ||
-                files_in(folder) != before + 3 + n)
+            if (output_create(scratch_path("child.txt"), &out, &why) != STATUS_OK ||
+                scratch_files(scratch) != before + 3 + n)
                 _exit(1);
         output_print(out, "half");
         raise(number);
@@ -140,9 +117,9 @@ static void test_signal(int number)
     }
     REQUIRE(waitpid(child, &outcome, 0) == child);
     CHECK(WIFSIGNALED(outcome) && WTERMSIG(outcome) == number);
-    CHECK(files_in(folder) == before + 2 && unlink(in_folder("whole.txt")) == 0);
+    CHECK(scratch_files(scratch) == before + 2 && unlink(scratch_path("whole.txt")) == 0);
     atomic_file_discard(&mine);
-    CHECK(files_in(folder) == before);
+    CHECK(scratch_files(scratch) == before);
 }
 
 /* A symbolic link stays one, and what it points to is replaced. */
@@ -152,16 +129,28 @@ static void test_link(void)
     struct message why;
     struct stat info;
 
-    FILE *file = fopen(in_folder("real.txt"), "w");
+    FILE *file = fopen(scratch_path("real.txt"), "w");
     REQUIRE(file && fclose(file) == 0);
-    REQUIRE(symlink("real.txt", in_folder("link.txt")) == 0);
-    REQUIRE(output_create(in_folder("link.txt"), &out, &why) == STATUS_OK);
+    REQUIRE(symlink("real.txt", scratch_path("link.txt")) == 0);
+    REQUIRE(output_create(scratch_path("link.txt"), &out, &why) == STATUS_OK);
     output_print(out, "%d\n", 12345);
     CHECK(output_close(out, &why) == STATUS_OK);
-    CHECK(lstat(in_folder("link.txt"), &info) == 0 && S_ISLNK(info.st_mode));
-    CHECK(stat(in_folder("real.txt"), &info) == 0 && info.st_size == 6);
-    unlink(in_folder("link.txt"));
-    unlink(in_folder("real.txt"));
+    CHECK(lstat(scratch_path("link.txt"), &info) == 0 && S_ISLNK(info.st_mode));
+    CHECK(stat(scratch_path("real.txt"), &info) == 0 && info.st_size == 6);
+    unlink(scratch_path("link.txt"));
+    unlink(scratch_path("real.txt"));
+}
+
+/* Nothing is left of a file that is given up. */
+static void test_given_up(void)
+{
+    struct output *out = NULL;
+
+    REQUIRE(output_create(scratch_path("none.txt"), &out, NULL) == STATUS_OK);
+    output_print(out, "half");
+    output_discard(out);
+    output_discard(NULL);
+    CHECK(scratch_files(scratch) == 0);
 }
 
 /* What no file can be, in a sentence of its own. */
@@ -200,7 +189,7 @@ static void test_folders(void)
     char path[5000];
 
     umask(022);
-    REQUIRE(chdir(folder) == 0 && fclose(fopen("file", "w")) == 0);
+    REQUIRE(chdir(scratch) == 0 && fclose(fopen("file", "w")) == 0);
     for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
         const enum status st = folder_make(want[n].path, &why);
         CHECK(st == (want[n].sentence ? STATUS_FILE : STATUS_OK));
@@ -224,14 +213,17 @@ static void test_folders(void)
 
 int main(void)
 {
-    REQUIRE(mkdtemp(folder));
+    REQUIRE(mkdtemp(scratch));
     test_folders();
     test_refusals();
+    const int open = scratch_files("/proc/self/fd");
     test_signal(SIGINT);
     test_signal(SIGTERM);
     test_signal(SIGHUP);
     test_link();
-    CHECK(rmdir(folder) == 0);
+    test_given_up();
+    CHECK(scratch_files("/proc/self/fd") == open);
+    CHECK(rmdir(scratch) == 0);
     test_full_device();
     test_closed_pipe();
     test_others();

@@ -2,18 +2,20 @@
  * are slots. (sweep.sh, sweep_mpi.sh: signals, ranks.) */
 #include "bench/harness/pool.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "bench/harness/ranks.h"
 #include "models/clock.h"
 #include "tests/check.h"
 
-enum { JOBS = 12, CRASHES = 3, FAILS = 5, KILLED = 7, DONE_BEFORE = 9 };
-
 /* Of a few seconds, in any order. */
 static const double TOL_SUM = 1e-12;
+
+enum { JOBS = 12, CRASHES = 3, FAILS = 5, KILLED = 7, DONE_BEFORE = 9 };
 
 struct notes {
     int begun[JOBS], ended[JOBS], running, most;
@@ -72,26 +74,23 @@ static void check_ends(void)
                         .begin = begin,
                         .settle = settle};
 
-    double begun = clock_now(), seconds = 0;
-
     REQUIRE(notes.fd >= 0);
     REQUIRE(pool_run(&pool, NULL) == STATUS_OK);
-    CHECK(pool.wall >= 2 && pool.wall <= clock_now() - begun); /* one hangs as long */
     for (int n = 0; n < JOBS; n++) {
         CHECK(notes.ended[n] == (n != DONE_BEFORE));
         CHECK(notes.end[n].outcome == (n == CRASHES || n == FAILS ? CHILD_FAILED
                                        : n == KILLED              ? CHILD_CUT
                                                                   : CHILD_DONE));
     }
-    for (int n = 0; n < JOBS; n++)
-        seconds += notes.end[n].seconds;
-    CHECK_NEAR(pool.seconds, seconds, TOL_SUM);
     CHECK(!strcmp(notes.end[FAILS].why.text, "no such case"));
     CHECK(strstr(notes.end[CRASHES].why.text, "signal 6"));
     CHECK(
         !strcmp(notes.end[KILLED].why.text, "killed by signal 9 (Killed), not by itself"));
     CHECK(pool.ran == JOBS - 1 && pool.hands == 3 && notes.most == 3 && !pool.stopped_by);
-    CHECK(pool.seconds > 0 && pool.wall > 0);
+    double seconds = 0;
+    for (int n = 0; n < JOBS; n++)
+        seconds += notes.end[n].seconds;
+    CHECK_NEAR(pool.seconds, seconds, TOL_SUM);
     CHECK(lseek(notes.fd, 0, SEEK_END) == JOBS - 1); /* the children ran, each once */
     close(notes.fd);
     unlink(name);
@@ -118,7 +117,9 @@ static void check_limit(void)
                         .begin = begin,
                         .settle = settle};
 
+    const double begun = clock_now();
     REQUIRE(pool_run(&pool, NULL) == STATUS_OK && pool.ran == 3);
+    CHECK(pool.wall >= pool.time_limit && pool.wall <= clock_now() - begun);
     for (int n = 0; n < 3; n++)
         CHECK(notes.end[n].overdue && notes.end[n].outcome == CHILD_FAILED &&
               !strcmp(notes.end[n].why.text, "timed out after 0.1 s"));
@@ -172,6 +173,11 @@ static enum status find_disk_full(void *context, long job, struct message *why)
     return job == 1 ? status_fail(why, STATUS_FILE, "no room") : STATUS_OK;
 }
 
+static enum status fail_beside_hanger(void *context, long job, struct message *why)
+{
+    return job == 0 ? hang(context, job, why) : find_disk_full(context, job, why);
+}
+
 static enum status ask_to_stop(void *context, long job, struct message *why)
 {
     (void)context, (void)why;
@@ -197,7 +203,11 @@ static void check_stops(void)
     CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
     CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.begun[2]);
     notes = (struct notes){0};
-    pool.work = ask_to_stop;
+    pool.work = fail_beside_hanger, pool.slots = 2;
+    CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
+    CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD); /* it ended the other */
+    notes = (struct notes){0};
+    pool.work = ask_to_stop, pool.slots = 1;
     CHECK(pool_run(&pool, &why) == STATUS_OK && pool.stopped_by == SIGTERM);
     CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.ended[JOBS - 1]);
 }
@@ -220,12 +230,47 @@ static void check_ranks(void)
     }
 }
 
+static void mind(int number)
+{
+    (void)number;
+}
+
+/* The pool's way with signals ends with it. */
+static void check_signals(void)
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    void (*const ways[])(int) = {mind, SIG_DFL, SIG_IGN};
+    struct notes notes = {0};
+    struct pool pool = {.count = 2,
+                        .slots = 1,
+                        .time_limit = 3600,
+                        .quiet = true,
+                        .context = &notes,
+                        .work = find_disk_full,
+                        .begin = begin,
+                        .settle = settle};
+    struct sigaction now;
+
+    for (int turn = 0; turn < 3; turn++) {
+        for (int n = 0; n < 3; n++)
+            signal(numbers[n], ways[(n + turn) % 3]);
+        notes = (struct notes){0};
+        CHECK(pool_run(&pool, NULL) == STATUS_FILE);
+        for (int n = 0; n < 3; n++)
+            CHECK(sigaction(numbers[n], NULL, &now) == 0 &&
+                  now.sa_handler == ways[(n + turn) % 3]);
+    }
+    for (int n = 0; n < 3; n++)
+        signal(numbers[n], SIG_DFL);
+}
+
 int main(void)
 {
-    check_ranks();
     check_ends();
     check_limit();
     check_who_fails();
     check_stops();
+    check_ranks();
+    check_signals();
     return check_result();
 }

@@ -11,7 +11,7 @@
 
 #include "bench/files/hdf5_file.h"
 #include "models/linalg/blas_kernel.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 enum { THREADS = 3 };
 
@@ -102,7 +102,8 @@ int main(void)
     blas_kernel_set_threads(1);
     provenance_collect(&p);
     check_all(&p);
+    const int open = scratch_files("/proc/self/fd");
     provenance_collect(&p); /* anew, not in addition */
-    CHECK(p.count == 13 + 5);
+    CHECK(p.count == 13 + 5 && scratch_files("/proc/self/fd") == open);
     return check_result();
 }

@@ -2,43 +2,22 @@
  * any file of ours gives one sentence and leaves nothing behind. */
 #include "bench/files/store.h"
 
-#include <dirent.h>
 #include <float.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "bench/files/hdf5_file.h"
 #include "bench/files/matrix_market.h"
 #include "bench/files/output.h"
 #include "bench/files/store_read.h"
 #include "models/grid.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 enum { FRAMES = 3, COUNT = 3 * GRID_POINTS };
 
-static char folder[] = "/tmp/clothbench-store-XXXXXX";
 static const struct model nothing = {
     .name = "none", .title = "No <model> & co", .source = "-"};
-
-static const char *in_folder(const char *name)
-{
-    static char path[4][256];
-    static int turn;
-    char *text = path[turn++ % 4];
-    snprintf(text, sizeof path[0], "%s/%s", folder, name);
-    return text;
-}
-
-static int files_in(const char *path)
-{
-    int count = 0;
-    DIR *dir = opendir(path);
-    REQUIRE(dir);
-    for (struct dirent *e; (e = readdir(dir));)
-        count += e->d_name[0] != '.';
-    closedir(dir);
-    return count;
-}
 
 /* One sentence: not empty, no line break, names the file. */
 static bool is_sentence(const struct message *why, const char *path)
@@ -75,7 +54,7 @@ static void fixture_init(struct fixture *f)
     REQUIRE(scene_init(&f->scene) == STATUS_OK);
     free(f->scene.name);
     free(f->scene.source);
-    f->scene.name = strdup("a_scene"), f->scene.source = strdup("a source");
+    f->scene.name = strdup("a_scene"), f->scene.source = NULL; /* it need not have one */
     f->scene.length = 1.5, f->scene.width = 0.75;
     /* longer than the 64 kB that fixed attributes hold */
     free(f->scene.text);
@@ -182,7 +161,7 @@ static void check_texts(const struct store_read *file, const struct fixture *f)
     } want[] = {{"/", "format", "clothbench run 2"},
                 {"/", "scene", f->scene.text},
                 {"/", "scene_name", f->scene.name},
-                {"/", "scene_source", f->scene.source},
+                {"/", "scene_source", ""},
                 {"/", "model", nothing.name},
                 {"/", "model_title", nothing.title},
                 {"/", "model_source", nothing.source},
@@ -212,15 +191,36 @@ static void check_texts(const struct store_read *file, const struct fixture *f)
     }
 }
 
+/* As other readers meet it: UTF-8 of fixed length, not ended by a zero. */
+static void check_types(const char *path)
+{
+    static const struct {
+        const char *key;
+        size_t size;
+    } want[] = {{"solver", 6}, {"scene_source", 1}};
+    hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+
+    REQUIRE(file >= 0);
+    for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
+        hid_t attribute = H5Aopen(file, want[n].key, H5P_DEFAULT);
+        hid_t type = H5Aget_type(attribute);
+        CHECK(H5Tget_class(type) == H5T_STRING && H5Tget_size(type) == want[n].size);
+        CHECK(H5Tget_strpad(type) == H5T_STR_NULLPAD && H5Tget_cset(type) == H5T_CSET_UTF8);
+        H5Tclose(type);
+        H5Aclose(attribute);
+    }
+    H5Fclose(file);
+}
+
 static void test_round_trip(const struct fixture *f)
 {
     struct message why = {""};
     struct store_read *file = NULL;
-    const char *path = in_folder("run.h5");
+    const char *path = scratch_path("run.h5");
     double *xyz = malloc(COUNT * sizeof *xyz), number = 0;
 
     REQUIRE(xyz && write_run(f, path, &why) == STATUS_OK);
-    CHECK(files_in(folder) == 2); /* run.h5, run.xdmf */
+    CHECK(scratch_files(scratch) == 2); /* run.h5, run.xdmf */
     REQUIRE(store_read_open(path, &file, &why) == STATUS_OK);
     REQUIRE(store_read_frames(file) == FRAMES);
     for (int n = 0; n < FRAMES; n++) {
@@ -229,6 +229,7 @@ static void test_round_trip(const struct fixture *f)
     }
     check_arrays(file);
     check_texts(file, f);
+    check_types(path);
     char *settings = NULL;
     CHECK(store_read_text(file, "/", "discretization", &settings, &why) == STATUS_OK);
     CHECK(settings && strstr(settings, "discretization.points=[10,11,2]\n"));
@@ -255,10 +256,10 @@ static void test_single(struct fixture *f)
     double *xyz = malloc(COUNT * sizeof *xyz), largest = 0;
 
     f->run.single = f->run.packed = true;
-    REQUIRE(xyz && write_run(f, in_folder("run.h5"), &why) == STATUS_OK); /* replaces */
+    REQUIRE(xyz && write_run(f, scratch_path("run.h5"), &why) == STATUS_OK); /* replaces */
     f->run.single = f->run.packed = false;
-    CHECK(files_in(folder) == 2);
-    REQUIRE(store_read_open(in_folder("run.h5"), &file, &why) == STATUS_OK);
+    CHECK(scratch_files(scratch) == 2);
+    REQUIRE(store_read_open(scratch_path("run.h5"), &file, &why) == STATUS_OK);
     CHECK(store_read_frame(file, 2, xyz, &why) == STATUS_OK);
     for (int n = 0; n < COUNT; n++)
         largest = fmax(largest, fabs(xyz[n] - f->xyz[2 * COUNT + n]));
@@ -272,7 +273,7 @@ static void test_single(struct fixture *f)
 static void test_without_fields(const struct fixture *f)
 {
     struct message why = {""};
-    const char *path = in_folder("few.h5");
+    const char *path = scratch_path("few.h5");
     double *xyz = malloc(COUNT * sizeof *xyz);
 
     REQUIRE(xyz);
@@ -285,7 +286,8 @@ static void test_without_fields(const struct fixture *f)
                               NULL, NULL, &why) == STATUS_OK);
         CHECK(store_note(store, "a note", &why) == STATUS_OK);
         CHECK(store_close(store, &why) == STATUS_OK);
-        CHECK(files_in(folder) == 3 + kept); /* XDMF only where there is something to see */
+        CHECK(scratch_files(scratch) ==
+              3 + kept); /* XDMF only where there is something to see */
         REQUIRE(store_read_open(path, &file, &why) == STATUS_OK);
         CHECK(store_read_frames(file) == kept);
         check_array(file, "time", FRAMES, 1, (double[]){0.0, 0.1, 0.2});
@@ -298,7 +300,7 @@ static void test_without_fields(const struct fixture *f)
         store_read_close(file);
     }
     unlink(path);
-    unlink(in_folder("few.xdmf"));
+    unlink(scratch_path("few.xdmf"));
     free(xyz);
 }
 
@@ -306,26 +308,29 @@ static void test_reading_what_is_none(void)
 {
     struct store_read *file = NULL;
     struct message why = {""};
-    FILE *text = fopen(in_folder("text.h5"), "w");
+    FILE *text = fopen(scratch_path("text.h5"), "w");
     REQUIRE(text && fputs("not HDF5", text) >= 0 && fclose(text) == 0);
-    CHECK(store_read_open(in_folder("text.h5"), &file, &why) == STATUS_INPUT);
+    CHECK(store_read_open(scratch_path("text.h5"), &file, &why) == STATUS_INPUT);
     CHECK(is_sentence(&why, "text.h5"));
-    CHECK(store_read_open(in_folder("absent.h5"), &file, &why) == STATUS_FILE);
+    CHECK(store_read_open(scratch_path("absent.h5"), &file, &why) == STATUS_FILE);
     CHECK(is_sentence(&why, "absent.h5"));
-    CHECK(store_read_open(folder, &file, &why) == STATUS_INPUT);
+    CHECK(store_read_open(scratch, &file, &why) == STATUS_INPUT);
     CHECK(!file);
-    unlink(in_folder("text.h5"));
+    unlink(scratch_path("text.h5"));
 }
 
 /* The same bad targets for the three writers. */
 static void refused(const struct fixture *f, const char *path, const char *part)
 {
-    static int row[1] = {0};
-    static double value[1] = {1};
-    struct matrix m = {1, 1, row, row, value};
+    enum { MANY = 2000 }; /* more text than a buffer holds */
+    static int row[MANY];
+    static double value[MANY];
+    struct matrix m = {MANY, MANY, row, row, value};
     struct output *out = NULL;
     struct message why = {""};
 
+    for (int n = 0; n < MANY; n++)
+        row[n] = n, value[n] = 1;
     CHECK(write_run(f, path, &why) == STATUS_FILE);
     CHECK(is_sentence(&why, part));
     why.text[0] = '\0';
@@ -342,31 +347,31 @@ static void refused(const struct fixture *f, const char *path, const char *part)
 
 static void test_bad_targets(const struct fixture *f)
 {
-    int before = files_in(folder);
+    int before = scratch_files(scratch);
 
-    refused(f, in_folder("missing/run.h5"), "missing/run.h5");
-    refused(f, folder, folder);
+    refused(f, scratch_path("missing/run.h5"), "missing/run.h5");
+    refused(f, scratch, scratch);
     refused(f, "", "name");
-    refused(f, in_folder("run.h5/below.h5"), "run.h5/below.h5"); /* a file as folder */
+    refused(f, scratch_path("run.h5/below.h5"), "run.h5/below.h5"); /* a file as folder */
     refused(f, "/dev/full", "/dev/full");
     struct stat info;
     CHECK(stat("/dev/full", &info) == 0 && S_ISCHR(info.st_mode)); /* still a device */
-    CHECK(files_in(folder) == before);
+    CHECK(scratch_files(scratch) == before);
 
-    REQUIRE(mkdir(in_folder("locked"), 0555) == 0);
+    REQUIRE(mkdir(scratch_path("locked"), 0555) == 0);
     if (geteuid() != 0)
-        refused(f, in_folder("locked/run.h5"), "locked/run.h5");
+        refused(f, scratch_path("locked/run.h5"), "locked/run.h5");
     else if (access("/proc/version", F_OK) == 0) /* root writes anywhere but here */
         refused(f, "/proc/run.h5", "/proc/run.h5");
-    CHECK(files_in(in_folder("locked")) == 0);
-    rmdir(in_folder("locked"));
+    CHECK(scratch_files(scratch_path("locked")) == 0);
+    rmdir(scratch_path("locked"));
 }
 
 /* At every size from nothing to nearly enough the disk is full at another call. */
 static void test_full_disk(struct fixture *f)
 {
     struct message why = {""};
-    const char *disk = in_folder("disk");
+    const char *disk = scratch_path("disk");
 
     REQUIRE(mkdir(disk, 0755) == 0);
     int full = 0, fits = 0;
@@ -384,13 +389,14 @@ static void test_full_disk(struct fixture *f)
         enum status st = write_run(f, path, &why);
         if (st == STATUS_OK) {
             fits++;
-            CHECK(files_in(disk) == 2);
+            CHECK(scratch_files(disk) == 2);
         } else {
             full++;
             CHECK(st == STATUS_FILE && is_sentence(&why, "run."));
             CHECK(strstr(why.text, "No space left on device"));
             /* the result may fit and the XDMF not; never a part of one */
-            CHECK(files_in(disk) == 0 || (files_in(disk) == 1 && access(path, F_OK) == 0));
+            CHECK(scratch_files(disk) == 0 ||
+                  (scratch_files(disk) == 1 && access(path, F_OK) == 0));
         }
         CHECK(umount(disk) == 0); /* no descriptor of a discarded file is left open */
     }
@@ -410,17 +416,18 @@ int main(int count, char **arguments)
         fixture_clear(&f);
         return check_result();
     }
-    REQUIRE(mkdtemp(folder));
+    REQUIRE(mkdtemp(scratch));
     test_round_trip(&f);
+    const int open = scratch_files("/proc/self/fd");
     test_single(&f);
     test_without_fields(&f);
     test_reading_what_is_none();
     test_bad_targets(&f);
     test_full_disk(&f);
-    CHECK(files_in(folder) == 2);
-    unlink(in_folder("run.h5"));
-    unlink(in_folder("run.xdmf"));
-    CHECK(rmdir(folder) == 0);
+    CHECK(scratch_files(scratch) == 2 && scratch_files("/proc/self/fd") == open);
+    unlink(scratch_path("run.h5"));
+    unlink(scratch_path("run.xdmf"));
+    CHECK(rmdir(scratch) == 0);
     fixture_clear(&f);
     return check_result();
 }

@@ -169,6 +169,7 @@ for name in "${links[@]}"; do
     [ "$(<"outside/$name")" = "outside $name" ] || fail "written through the link $name"
     [ ! -L "mine/$name" ] || fail "the link $name is still there"
 done
+grep -q "title 'feasible: 3'" mine/map.gp || fail 'no map'
 cut -d, -f 2- mine/table.csv | cmp - <(cut -d, -f 2- quiet/table.csv) || fail 'another table'
 rm mine/lock
 echo outside >outside/lock

@@ -327,7 +327,9 @@ const struct command sweep_command = {
         "refused is a row.\n"
         "\n"
         "Whatever ends a sweep - Ctrl-C, SIGKILL, a full disk -, the cases in flight are\n"
-        "lost, no more; --resume goes on. Under mpirun the ranks share the cases; on\n"
+        "lost, no more; --resume goes on. It runs again what was killed or suspended, ran\n"
+        "out of memory, or has a damaged file, and refuses files of another plan or of\n"
+        "another build of the program. Under mpirun the ranks share the cases; on\n"
         "several machines they must see the same folder.\n",
     .examples = "sweep feasibility\nsweep plan.yaml --jobs 4 --out results/mine\n"
                 "sweep feasibility --resume\n",

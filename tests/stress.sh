@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# The command `stress` from its words to its files: cases and contestants that are chosen, quick
+# runs, damaged files, what is refused. (tests/stress*.c: errors and sentences.)
+#   stress.sh PROGRAM FOLDER        PROGRAM: clothbench_toy, with tests/odd_model.c
+program=$1
+folder=$2
+# shellcheck source=tests/sweep_fixture.sh
+. "$(dirname "$0")/sweep_fixture.sh"
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
+
+run() { # CODE ARGUMENT...; fills out and err
+    local want=$1 code
+    shift
+    "$program" stress "$@" >out 2>err </dev/null
+    code=$?
+    [ "$code" -eq "$want" ] || fail "stress $*: exit $code, want $want: $(<err)"
+}
+is() { # FILE LINE: it has the line
+    grep -qxF "$2" "$1" || fail "no '$2' in $1: $(<"$1")"
+}
+
+run 0 still swing_10000 folded_knots --models odd,mass_spring --quick --jobs 1 --out few \
+    --format csv
+sed -E 's/,[^,]*(,[^,]*)$/,TOOK\1/' out >rows
+is rows 'still,odd,9.9999999999999998e-13,degraded,0.10000000000000001,0.0050000000000000001,TOOK,'
+grep -q '^still,mass_spring,9.9999999999999998e-13,accurate,' rows || fail "still: $(<out)"
+is rows 'swing_10000,odd,0.01,refused,nan,nan,TOOK,unsupported: no elastic energy that could be kept'
+grep -q '^swing_10000,mass_spring,0.01,not judged: quick,0.05' out || fail "quick: $(<out)"
+grep -q '^folded_knots,mass_spring,0.02,refused,nan,nan' out || fail "refused: $(<out)"
+[ "$(grep -c '^[a-z]' out)" -eq 7 ] || fail "not six rows: $(<out)"
+cp out first
+run 0 still swing_10000 folded_knots --models odd,mass_spring --from few --format csv
+cmp first out || fail 'printed again, it is another'
+# a truth that is made first, once for all
+run 0 two_corners --models odd,mass_spring --quick --out few --format csv
+grep -q "^two_corners,mass_spring,0.02,accurate,.*,the truth's error bar is 0.00" out || fail "$(<out)"
+grep -q "^two_corners,odd,0.02,degraded,.*,the truth's error bar is 0.00" out || fail "$(<out)"
+# a file that is damaged, one that is gone
+echo >>few/still.odd.txt
+rm few/still.mass_spring.txt
+run 0 still --models odd,mass_spring --from few
+grep -qE '^still +- +damaged$|^still +damaged +-$' out || fail "damaged: $(<out)"
+run 2 thrown --models odd --from few
+grep -q 'few holds no such results of' err || fail "nothing: $(<err)"
+
+# the map, of its own sweep
+run 0 map --models odd --quick --out few
+[ "$(wc -l <few/map/stability.csv)" -eq 10 ] || fail "the map: $(<few/map/stability.csv)"
+is few/map/stability.csv 'odd,1e4,1e-3,reference,0'
+grep -q '^odd,1e8,0.1,degraded,' few/map/stability.csv || fail "$(<few/map/stability.csv)"
+grep -q '^Quick: 3 steps by 3 stiffnesses' out || fail "the map: $(<out)"
+[ ! -e few/thin_5.odd.txt ] || fail 'a case ran with the map'
+
+run 2 nowhere
+grep -q "there is no case 'nowhere'" err || fail "$(<err)"
+run 2 still --models nobody
+grep -q "'nobody'" err || fail "$(<err)"
+run 2 still --jobs 0
+run 2 still --format scroll
+run 2 still --from few --out other
+grep -q 'give one of the two' err || fail "$(<err)"
+[ ! -e other ] || fail 'a refused run wrote'
+[ "$failures" -eq 0 ]

@@ -1,0 +1,196 @@
+/* What is printed of a study, from made-up numbers: each in its cell, with truth, without,
+ * at rest; levels that died or were refused; below it only what holds. */
+#include "bench/experiment/study.h"
+
+#include <unistd.h>
+
+#include "bench/experiment/plan_read.h"
+#include "bench/files/folder.h"
+#include "tests/check.h"
+
+static const char *folder;
+
+static struct plan plan_of(const char *text)
+{
+    struct plan plan;
+    char path[4096];
+
+    snprintf(path, sizeof path, "%s/told.yaml", folder);
+    FILE *file = fopen(path, "w");
+    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
+    REQUIRE(plan_read(path, &plan, NULL) == STATUS_OK);
+    return plan;
+}
+
+#define PLAN                                                                               \
+    "name: told\nsource: numbers made up\nscene: edge_drop\n"                              \
+    "levels:\n"                                                                            \
+    "  - {label: 5x5x2, size: 0.5, paper_ms: 12.5, settings: "                             \
+    "{discretization.points: [5,5,2]}}\n"                                                  \
+    "  - {label: 7x7x2, size: 0.25, settings: {discretization.points: [7,7,2]}}\n"         \
+    "  - {label: 9x9x2, size: 0.125, settings: {discretization.points: [9,9,2]}}\n"
+
+/* Numbers of row n at time t: each is told from all others. Errors go with size^2, the
+ * differences from the finest with size^3. */
+static struct study study_of(const struct plan *plan, const double *time, int frames)
+{
+    struct study s = {.plan = &plan->studies[0],
+                      .frames = frames,
+                      .time = time,
+                      .gamma = 123.4,
+                      .length = 2};
+
+    for (int n = 0; n < 3; n++) {
+        struct study_row *row = &s.row[n];
+        const double h = pow(0.5, n + 1);
+        row->level = &plan->studies[0].levels[n];
+        row->result = (struct run_result){.sentence = {"done"},
+                                          .unknowns = 100 * (n + 1),
+                                          .factor_entries = 1000 * (n + 1)};
+        row->milliseconds = 1.25 * (n + 1);
+        row->paper_ms = row->level->paper_ms;
+        row->seconds = 0.5 * (n + 1);
+        for (int t = 0; t < frames; t++)
+            row->frame[t] = (struct study_frame){.next = n < 2 ? 0.25 * (n + 1) : NAN,
+                                                 .finest = n < 2 ? pow(h, 3) : NAN,
+                                                 .error = 0.5 * h * h * (t + 1),
+                                                 .roughness = 10 + n,
+                                                 .inner = 20 + n,
+                                                 .stretch = 1.5 + n,
+                                                 .drop = 0.5 + n,
+                                                 .unevenness = 40 + n};
+    }
+    return s;
+}
+
+static char *print(const struct study *s, enum table_format format)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+
+    REQUIRE(file);
+    CHECK(study_print(s, folder, format, file, NULL) == STATUS_OK);
+    REQUIRE(fclose(file) == 0);
+    return text;
+}
+
+static void holds(const char *text, const char *part, bool wanted)
+{
+    if (!CHECK((strstr(text, part) != NULL) == wanted))
+        printf("  %s '%s' in:\n%s\n", wanted ? "no" : "there is", part, text);
+}
+
+static const char with_truth[] =
+    "# numbers made up: cost\n"
+    "level,unknowns,factor_entries,a_frame_ms,paper_ms,stepping_s,outcome\n"
+    "5x5x2,100,1000,1.25,nan,0.5,done\n"
+    "7x7x2,200,2000,2.5,nan,1,done\n"
+    "9x9x2,300,3000,3.75,nan,1.5,done\n"
+    "# A frame: median over repeats, one thread; factor: numbers stored in it; stepping: "
+    "all "
+    "frames to 0.25 s at that price.\n"
+    "\n"
+    "# numbers made up\n"
+    "level,size,time_s,unknowns,factor_entries,frame_ms,paper_ms,stepping_s,"
+    "to_next_over_length,to_finest_over_length,error_over_length,error_bar_over_length,"
+    "roughness,inner_roughness,stretch,drop_over_length,unevenness\n"
+    "5x5x2,0.5,0.125,100,1000,1.25,nan,0.5,0.25,0.125,0.125,0.0625,10,20,1.5,0.5,40\n"
+    "7x7x2,0.25,0.125,200,2000,2.5,nan,1,0.5,0.015625,0.03125,0.0625,11,21,2.5,1.5,41\n"
+    "9x9x2,0.125,0.125,300,3000,3.75,nan,1.5,nan,nan,0.0078125,0.0625,12,22,3.5,2.5,42\n"
+    "truth,nan,0.125,nan,nan,nan,nan,nan,,,0,0.0625,1,2,3,4,5\n"
+    "5x5x2,0.5,0.25,100,1000,1.25,nan,0.5,0.25,0.125,0.25,0.1875,10,20,1.5,0.5,40\n"
+    "7x7x2,0.25,0.25,200,2000,2.5,nan,1,0.5,0.015625,0.0625,0.1875,11,21,2.5,1.5,41\n"
+    "9x9x2,0.125,0.25,300,3000,3.75,nan,1.5,nan,nan,0.015625,0.1875,12,22,3.5,2.5,42\n"
+    "truth,nan,0.25,nan,nan,nan,nan,nan,,,0,0.1875,6,7,8,9,10\n"
+    "# Observed order at 0.125 s: 2, of the error.\n"
+    "# Observed order at 0.25 s: 2, of the error.\n"
+    "# To next, to finest: RMSE on the material grid to the next level and to the last. "
+    "Roughness: L times the rms curvature; unevenness: its rms change over it, per length "
+    "(metric.h). Gamma = 123.4.\n"
+    "# Truth: somebody else's.\n\n";
+
+static void check_truth(void)
+{
+    struct plan plan = plan_of(PLAN "times: [0.125, 0.25]\ntruth: true\ntimed: 3\n");
+    struct study s = study_of(&plan, plan.studies[0].times, 2);
+    double bars[] = {0.125, 0.375}, *none[] = {NULL, NULL};
+    struct truth truth = {2, plan.studies[0].times, none, bars, "somebody else's"};
+
+    s.truth = &truth;
+    s.true_frame[0] = (struct study_frame){
+        .roughness = 1, .inner = 2, .stretch = 3, .drop = 4, .unevenness = 5};
+    s.true_frame[1] = (struct study_frame){
+        .roughness = 6, .inner = 7, .stretch = 8, .drop = 9, .unevenness = 10};
+    char *text = print(&s, TABLE_CSV);
+    if (!CHECK(!strcmp(text, with_truth)))
+        printf("is:\n%swant:\n%s", text, with_truth);
+    free(text);
+    text = print(&s, TABLE_TEXT);
+    holds(text, "\n0.125  7x7x2    0.500     0.0156   0.0312", true);
+    holds(text, "error bar", true);
+    free(text);
+    s.truth = NULL; /* asked for, but there is none */
+    snprintf(s.no_truth.text, sizeof s.no_truth.text, "nobody knows");
+    text = print(&s, TABLE_TEXT);
+    holds(text, "Truth: none; nobody knows.\n", true);
+    holds(text, "Observed order at 0.25 s: 3, of the difference from the finest.\n", true);
+    holds(text, "error bar", false);
+    holds(text, "truth  ", false);
+    free(text);
+    plan_clear(&plan);
+}
+
+/* Other people's milliseconds stand where no truth is asked for; a refusal has no numbers,
+ * and a note; a level that died has those it lived to. */
+static void check_without(void)
+{
+    struct plan plan = plan_of(PLAN "times: [0.125, 0.25]\ntimed: 3\n");
+    struct study s = study_of(&plan, plan.studies[0].times, 2);
+
+    s.row[1].result.outcome = STATUS_UNSUPPORTED;
+    snprintf(s.row[1].result.sentence.text, 64, "no such net");
+    s.row[1].milliseconds = NAN;
+    s.row[2].result.outcome = STATUS_NAN;
+    snprintf(s.row[2].result.sentence.text, 64, "died at t = 0.2 s");
+    char *text = print(&s, TABLE_CSV);
+    holds(text, "\n5x5x2,100,1000,1.25,12.5,0.5,done\n", true);
+    holds(text, "\n7x7x2,nan,nan,nan,nan,nan,refused\n", true);
+    holds(text, "\n# 7x7x2: no such net.\n", true);
+    holds(text, "\n9x9x2,300,3000,3.75,nan,1.5,died at t = 0.2 s\n", true);
+    holds(text, "\n7x7x2,0.25,0.125,nan,nan,nan,nan,1,", true);
+    holds(text, "\n9x9x2,0.125,0.25,300,3000,3.75,nan,1.5,", true);
+    holds(text, "\n5x5x2,0.5,0.25,100,1000,1.25,12.5,0.5,", true);
+    holds(text, "Truth", false);
+    free(text);
+    plan_clear(&plan);
+}
+
+static void check_rest(void)
+{
+    struct plan plan = plan_of(PLAN);
+    struct study s = study_of(&plan, NULL, 1);
+    char *text = print(&s, TABLE_TEXT);
+
+    holds(text, "A frame: the static equilibrium, median over repeats, one thread;", true);
+    holds(text, "Observed order: 3, of the difference from the finest.\n", true);
+    holds(text,
+          "\n5x5x2    0.250      0.125       10.0   20.0    1.500  0.5000        40.0\n",
+          true);
+    holds(text, "stepping: all", false);
+    holds(text, " s:", false);
+    free(text);
+    plan_clear(&plan);
+}
+
+int main(int argc, char **argv)
+{
+    REQUIRE(argc == 2);
+    folder = argv[1];
+    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
+    setenv("PATH", "/nowhere", 1); /* no pictures */
+    check_truth();
+    check_without();
+    check_rest();
+    return check_result();
+}

@@ -190,6 +190,14 @@ static void many_frames(hid_t file)
             NULL); /* 2.9 GB */
 }
 
+static hsize_t file_size;
+
+/* Neither side is too large, the whole is. */
+static void thick_array(hid_t file)
+{
+    replace(file, "time", H5T_NATIVE_DOUBLE, 2, (hsize_t[]){file_size - 2000, 3}, NULL);
+}
+
 static double zeros[100000]; /* one frame has 60,000 */
 
 static void letters(hid_t file)
@@ -237,6 +245,7 @@ static void made_on_purpose(const char *good, const char *bad)
     } made[] = {{many_texts, ": has no text outcome"},
                 {many_numbers, ": has no number unknowns"},
                 {large_array, ": time is larger than the file"},
+                {thick_array, ": time is larger than the file"},
                 {many_frames, ": is not a result file"},
                 {letters, ": cannot read time: "},
                 {box, ": cannot read time: "}};
@@ -244,6 +253,7 @@ static void made_on_purpose(const char *good, const char *bad)
     long size;
     unsigned char *bytes = read_all(good, &size);
 
+    file_size = (hsize_t)size;
     for (size_t n = 0; n < sizeof made / sizeof *made; n++)
         check_made(bytes, size, bad, made[n].make, made[n].part);
     for (int axis = 1; axis <= 5; axis++) { /* the last: of rank 4 */

@@ -98,10 +98,11 @@ static void test_crossing(void)
 {
     static const struct {
         double crossings[LOOKS], time;
-    } want[] = {{{0, 0, 5, 2}, 0.2},        {{1, 0, 0, 0}, 0},     {{0, 0, 0, 1}, 0.1 * 3},
-                {{0, 0, 0, 0}, INFINITY},   {{NAN, 0, 1, 0}, NAN}, /* not from the start on:
-                                                                      not known */
-                {{NAN, NAN, NAN, NAN}, NAN}};
+    } want[] = {{{0, 0, 5, 2}, 0.2},         {{1, 0, 0, 0}, 0},
+                {{0, 0, 0, 1}, 0.1 * 3},     {{0, 0, 0, 0}, INFINITY},
+                {{NAN, 0, 1, 0}, NAN}, /* not from the start on:
+                                          not known */
+                {{NAN, NAN, NAN, NAN}, NAN}, {{0, NAN, 0, 1}, 0.1 * 3}};
     struct scene scene;
     struct looks l;
     double value[MEASURES];

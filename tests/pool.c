@@ -173,6 +173,12 @@ static enum status find_disk_full(void *context, long job, struct message *why)
     return job == 1 ? status_fail(why, STATUS_FILE, "no room") : STATUS_OK;
 }
 
+static enum status pass(void *context, long job, struct message *why)
+{
+    (void)context;
+    return job == FAILS ? status_fail(why, STATUS_INPUT, "no such case") : STATUS_OK;
+}
+
 static enum status fail_beside_hanger(void *context, long job, struct message *why)
 {
     return job == 0 ? hang(context, job, why) : find_disk_full(context, job, why);
@@ -230,6 +236,142 @@ static void check_ranks(void)
     }
 }
 
+/* --- Ranks that are none: they answer at some later look, and mind being asked twice. */
+
+enum { RANKS = 3, KIND_JOB = 0, KIND_END = 1, KIND_OVER = 2 };
+
+static struct {
+    struct ranks_message answer[RANKS];
+    bool busy[RANKS];
+    int jobs[RANKS], looks;
+} others;
+
+static void send_to_other(int to, const struct ranks_message *message)
+{
+    REQUIRE(to > 0 && to < RANKS && message->kind == KIND_JOB);
+    CHECK(!others.busy[to]);
+    others.busy[to] = true;
+    others.jobs[to]++;
+    others.answer[to] = (struct ranks_message){.kind = KIND_END,
+                                               .code = CHILD_FAILED,
+                                               .number = message->number,
+                                               .seconds = to,
+                                               .text = {"so it said"}};
+}
+
+static bool receive_from_other(int *from, struct ranks_message *message)
+{
+    const int rank = others.looks++ / 5 % RANKS;
+
+    if (rank == 0 || !others.busy[rank] || others.looks % 5)
+        return false;
+    *from = rank;
+    *message = others.answer[rank];
+    others.busy[rank] = false;
+    return true;
+}
+
+static void check_other_ranks(void)
+{
+    const struct ranks ranks = {
+        .size = RANKS, .send = send_to_other, .receive = receive_from_other};
+    struct notes notes = {0};
+    struct pool pool = {.count = JOBS,
+                        .slots = 1,
+                        .ranks = &ranks,
+                        .time_limit = 30,
+                        .quiet = true,
+                        .context = &notes,
+                        .work = pass,
+                        .begin = begin,
+                        .settle = settle};
+    int theirs = 0;
+    double seconds = 0;
+
+    REQUIRE(pool_run(&pool, NULL) == STATUS_OK);
+    for (int n = 0; n < JOBS; n++) {
+        CHECK(notes.ended[n] == 1);
+        theirs += notes.end[n].outcome == CHILD_FAILED &&
+                  !strcmp(notes.end[n].why.text, "so it said");
+        seconds += notes.end[n].seconds;
+    }
+    CHECK(pool.hands == RANKS && pool.ran == JOBS && notes.most == RANKS);
+    CHECK(others.jobs[1] > 0 && others.jobs[2] > 0);
+    CHECK(theirs == others.jobs[1] + others.jobs[2] && theirs < JOBS);
+    CHECK_NEAR(pool.seconds, seconds, TOL_SUM);
+    CHECK(seconds >= others.jobs[1] + 2 * others.jobs[2]);
+}
+
+/* --- And as one of them: jobs 2, 5 and 0 come, each when the last was answered. */
+
+enum { ASKED = 3, PATIENCE = 20000 }; /* looks of a millisecond */
+
+static const long chief_jobs[ASKED] = {2, FAILS, 0};
+static struct {
+    struct ranks_message answer[ASKED];
+    int asked, answered, looks, prepared;
+    enum status prepare;
+} chief;
+
+static void send_to_chief(int to, const struct ranks_message *message)
+{
+    REQUIRE(to == 0 && message->kind == KIND_END && chief.answered < chief.asked);
+    chief.answer[chief.answered++] = *message;
+}
+
+static bool receive_from_chief(int *from, struct ranks_message *message)
+{
+    if (chief.looks++ < PATIENCE && chief.asked > chief.answered)
+        return false;
+    *from = 0;
+    *message = (struct ranks_message){.kind = KIND_OVER};
+    if (chief.looks < PATIENCE && chief.asked < ASKED)
+        *message =
+            (struct ranks_message){.kind = KIND_JOB, .number = chief_jobs[chief.asked++]};
+    return true;
+}
+
+static enum status prepare(void *context, struct message *why)
+{
+    (void)context;
+    chief.prepared++;
+    return chief.prepare ? status_fail(why, chief.prepare, "not prepared") : STATUS_OK;
+}
+
+static void check_serving(void)
+{
+    const struct ranks ranks = {
+        .rank = 1, .size = 2, .send = send_to_chief, .receive = receive_from_chief};
+    struct pool pool = {.ranks = &ranks, .time_limit = 30, .quiet = true, .work = pass};
+    static const char *const words[] = {"", "no such case", ""};
+
+    memset(&chief, 0, sizeof chief);
+    REQUIRE(pool_serve(&pool, prepare, NULL) == STATUS_OK);
+    CHECK(chief.answered == ASKED && chief.prepared == 1 && chief.looks < PATIENCE);
+    for (int n = 0; n < ASKED; n++) {
+        const struct ranks_message *answer = &chief.answer[n];
+        CHECK(answer->code == (n == 1 ? CHILD_FAILED : CHILD_DONE));
+        CHECK(answer->number == chief_jobs[n] && answer->seconds >= 0);
+        CHECK(!strcmp(answer->text.text, words[n]));
+    }
+    memset(&chief, 0, sizeof chief);
+    chief.prepare = STATUS_FILE;
+    REQUIRE(pool_serve(&pool, prepare, NULL) == STATUS_OK);
+    CHECK(chief.answered == ASKED && chief.prepared == ASKED);
+    for (int n = 0; n < ASKED; n++)
+        CHECK(chief.answer[n].code == CHILD_STUCK &&
+              !strcmp(chief.answer[n].text.text, "not prepared"));
+}
+
+/* Dismissed are all but the one that dismisses. */
+static bool dismissed[RANKS];
+
+static void note_dismissal(int to, const struct ranks_message *message)
+{
+    REQUIRE(to > 0 && to < RANKS && message->kind == KIND_OVER && !dismissed[to]);
+    dismissed[to] = true;
+}
+
 static void mind(int number)
 {
     (void)number;
@@ -264,6 +406,23 @@ static void check_signals(void)
         signal(numbers[n], SIG_DFL);
 }
 
+/* Who was stopped ends by that signal, whatever was to be done about it. */
+static void check_raise(void)
+{
+    int outcome = 0;
+
+    fflush(stdout);
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        signal(SIGTERM, mind);
+        pool_raise(&(struct pool){.stopped_by = SIGTERM});
+        _exit(0);
+    }
+    REQUIRE(waitpid(child, &outcome, 0) == child);
+    CHECK(WIFSIGNALED(outcome) && WTERMSIG(outcome) == SIGTERM);
+}
+
 int main(void)
 {
     check_ends();
@@ -271,6 +430,11 @@ int main(void)
     check_who_fails();
     check_stops();
     check_ranks();
+    check_raise();
+    check_other_ranks();
+    check_serving();
+    pool_dismiss(&(struct ranks){.size = RANKS, .send = note_dismissal});
+    CHECK(!dismissed[0] && dismissed[1] && dismissed[2]);
     check_signals();
     return check_result();
 }

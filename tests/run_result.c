@@ -6,6 +6,7 @@
 
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
+#include "bench/files/store_scene.h"
 #include "bench/harness/run_file.h"
 #include "models/metric/metric.h"
 #include "tests/run_fixture.h"
@@ -111,6 +112,28 @@ static void test_energy(void)
     run_result_clear(&r);
 }
 
+/* A file without its scene: nothing to give back, whatever was there before. */
+static void test_no_scene(void)
+{
+    struct run_result r;
+    struct store_read *file = NULL;
+    struct scene scene;
+    struct message why;
+
+    REQUIRE(read_with(0, NULL, NULL, &r, &why) == STATUS_OK);
+    run_result_clear(&r);
+    hid_t id = H5Fopen(path, H5F_ACC_RDWR, H5P_DEFAULT);
+    REQUIRE(id >= 0 && H5Adelete(id, "scene") >= 0 && H5Fclose(id) >= 0);
+    REQUIRE(seal_write(path, NULL) == STATUS_OK);
+    CHECK(run_result_read(path, true, &r, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "has no text scene"));
+    REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
+    memset(&scene, 0x55, sizeof scene);
+    CHECK(store_scene(file, path, &scene, &why) == STATUS_INPUT);
+    scene_clear(&scene);
+    store_read_close(file);
+}
+
 static void test_misfits(void)
 {
     static const struct {
@@ -163,6 +186,7 @@ int main(void)
     test_seconds();
     test_work();
     test_energy();
+    test_no_scene();
     test_misfits();
     test_sentences();
     unlink(path);

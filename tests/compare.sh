@@ -15,10 +15,14 @@ fail() {
 rm -rf "$folder" "$folder.none"
 light=(compare cantilever_transient --quick --until 0.005
     --set material.density=1e-4 --set time.step=5e-4)
-"$program" "${light[@]}" --models iga,hex --out "$folder" >"$folder.txt" 2>"$folder.log" ||
+"$program" "${light[@]}" --models iga_linear,iga_selective_3,hex_incompatible --out "$folder" >"$folder.txt" 2>"$folder.log" ||
     { cat "$folder.log"; fail "exit $?"; }
 grep -q "truth's bar" "$folder.txt" || fail "no error bar of the truth"
 grep -q "Kirchhoff plate" "$folder.txt" || fail "the truth is not named"
+
+# From here on nothing is drawn: it takes longer than the runs.
+mkdir -p "$folder/bin" && printf '#!/bin/sh\nexit 1\n' >"$folder/bin/gnuplot" && chmod +x "$folder/bin/gnuplot"
+PATH=$folder/bin:$PATH
 
 # Cells of compare.csv, by the names of their columns; a title has a comma, nothing else.
 # shellcheck disable=SC2016 # awk's own words
@@ -32,13 +36,13 @@ awk -F, "$rows"' { worst = $at["worst_rmse_over_length"]
              if ($at["repeats"] == "nan") { more++; if ($at["seconds"] != "nan") bad++; next }
              n++; if ($at["repeats"] != 3) bad++
              if (best == "" || worst + 0 < best) { best = worst + 0; name = $at["contestant"] } }
-         END { if (n != 22 || bad || more != 20) { print n, "runs,", more, "more,", bad + 0, "bad"; exit 1 }
+         END { if (n != 6 || bad || more != 6) { print n, "runs,", more, "more,", bad + 0, "bad"; exit 1 }
                if (name != "iga_selective_3") { print "best:", name; exit 1 } }' \
     "$folder/compare.csv" || fail "compare.csv is not as it should be"
 
 # The same from its files, in words and numbers, and nothing is run or made for it.
 mkdir "$folder/first" && mv "$folder"/*.csv "$folder/first"
-"$program" "${light[@]}" --models iga,hex --from "$folder" >"$folder.again" 2>>"$folder.log" || fail "--from"
+"$program" "${light[@]}" --models iga_linear,iga_selective_3,hex_incompatible --from "$folder" >"$folder.again" 2>>"$folder.log" || fail "--from"
 cmp -s "$folder.txt" "$folder.again" || fail "--from prints something else"
 for table in compare compare_targets compare_limits; do
     cmp -s "$folder/first/$table.csv" "$folder/$table.csv" || fail "--from: another $table.csv"

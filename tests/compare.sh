@@ -47,6 +47,8 @@ cmp -s "$folder.txt" "$folder.again" || fail "--from prints something else"
 for table in compare compare_targets compare_limits; do
     cmp -s "$folder/first/$table.csv" "$folder/$table.csv" || fail "--from: another $table.csv"
 done
+"$program" "${light[@]}" --models iga_linear,iga_selective_3,hex_incompatible --from "$folder" --format csv 2>/dev/null |
+    grep -q '^title,contestant,.*,rmse_over_length_0.001_s,.*_0.002_s,.*_0.003_s,.*_0.004_s,.*_0.005_s,worst' || fail "--format csv, or other times"
 "$program" "${light[@]}" --from "$folder.none" >/dev/null 2>&1 && fail "--from of nothing"
 [ ! -e "$folder.none" ] || fail "--from makes a folder"
 
@@ -90,11 +92,22 @@ awk -F, "$rows"' { seen[$at["unknowns"] == "nan"]++; if ($at["worst_rmse_over_le
 "$program" compare edge_drop --models projective_dynamics --quick --out "$folder/stored" \
     >"$folder.txt" 2>"$folder.log" || { cat "$folder.log"; fail "edge_drop"; }
 grep -q "Truth: stored" "$folder.txt" || fail "edge_drop has no stored truth"
+head -1 "$folder/stored/compare.csv" | grep -q ',rmse_over_length_0.1_s,.*_0.2_s,.*_0.3_s,.*_0.4_s,.*_0.5_s,worst' || fail "other times than the stored ones"
 [ -z "$(find "$folder/stored" -name 'truth_*')" ] || fail "edge_drop ran for its truth"
 
 "$program" compare edge_drop --models nothing --out "$folder.none" >/dev/null 2>"$folder.log"
 [ $? = 2 ] || fail "an unknown model does not end with exit 2"
 [ ! -e "$folder.none" ] || fail "an unknown model leaves a folder"
-"$program" compare edge_drop --until -1 >/dev/null 2>"$folder.log"
-[ $? = 2 ] || fail "--until -1 does not end with exit 2"
+refuses() { # WHAT IT SAYS, ARGUMENTS
+    "$program" compare edge_drop --models mass_spring --quick "${@:2}" >/dev/null 2>"$folder.log"
+    [ $? = 2 ] || fail "${*:2} does not end with exit 2"
+    grep -q -- "$1" "$folder.log" || fail "${*:2}: $(cat "$folder.log")"
+    [ ! -e "$folder.none" ] || fail "${*:2} leaves a folder"
+}
+refuses "a time in seconds" --until -1 --out "$folder.none"
+refuses "a time in seconds" --until 0.1s --out "$folder.none"
+refuses "at least 5 frames" --until 0.02 --out "$folder.none"
+refuses "give one of the two" --out "$folder.none" --from "$folder"
+refuses "format" --format words --out "$folder.none"
+refuses "material.yung" --set material.yung=1 --out "$folder.none"
 exit $failed

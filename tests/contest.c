@@ -24,7 +24,8 @@ static struct {
 static struct contest make(void)
 {
     REQUIRE(scene_init(&world.scene) == STATUS_OK);
-    world.scene.name = "made_up";
+    free(world.scene.name);
+    world.scene.name = strdup("made_up");
     world.scene.length = 2, world.scene.step = 4e-3;
     for (int t = 0; t < TIMES; t++) {
         world.time[t] = 0.1 * (t + 1), world.error[t] = 0.02 * (t + 1);
@@ -41,7 +42,6 @@ static void unmake(struct contest *c)
     contest_clear(c);
     for (int t = 0; t < TIMES; t++)
         free(world.xyz[t]);
-    world.scene.name = NULL;
     scene_clear(&world.scene);
 }
 

@@ -278,6 +278,14 @@ static void test_note(void)
         "with PETSc 3.18.5 (p = 1 SBAIJ + MUMPS) 14.2 ms, MFEM 4.9.1-dev (UMFPACK) "
         "47.9 ms, MFEM 4.9.1-dev (CHOLMOD) 34.6 ms.\n\n"));
     said_clear(&s);
+    t = table_create(1, one, NULL);
+    CHECK(peers_note(t, "iga 10x10x2 rebuilt", NULL) == STATUS_OK);
+    said_open(&s);
+    table_finish(t, TABLE_CSV, s.file);
+    said_close(&s, true);
+    CHECK(said_count(&s, "frame, ours 0.402 ms:") == 1);
+    CHECK(said_count(&s, "; factor, ours 0.130 ms:") == 1);
+    said_clear(&s);
 }
 
 /* Kept and read again; what is no file of samples is told. */

@@ -345,6 +345,28 @@ static void test_time(void)
     samples_clear(&s);
 }
 
+/* Round-off of a solution with these matrices: 1e-16 times some thousands. */
+static const double TOL_SOLVED = 1e-12;
+
+/* The libraries factor and solve what we do, on a net whose band is no square. */
+static void test_baselines(void)
+{
+    static const char *const contestant[] = {"iga_paper", "hex_paper"};
+
+    for (int n = 0; n < 2; n++) {
+        struct settings s = LIST("discretization.points=[6,9,2]");
+        const struct run_plan plan = {DROP, named(contestant[n]), &s, 0};
+        struct message why = {""};
+        double off[2] = {NAN, NAN};
+        if (!CHECK(bench_baseline_check(&plan, off, &why) == STATUS_OK))
+            printf("%s\n", why.text);
+        CHECK_NEAR(off[0], 0, TOL_SOLVED);
+        CHECK_NEAR(off[1], 0, TOL_SOLVED);
+        CHECK(off[0] > 0 && off[1] > 0);
+        settings_clear(&s);
+    }
+}
+
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
@@ -355,5 +377,6 @@ int main(int argc, char **argv)
     test_note();
     test_samples(argv[1]);
     test_time();
+    test_baselines();
     return check_result();
 }

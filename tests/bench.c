@@ -176,6 +176,8 @@ static void test_people(void)
           "\n| 20x20 | Chebyshev | - | - | - | - | - |",
           "\n| 10x10 | Chebyshev | - | 0.25 | - | - | - | 5.00 | 9 |", "dt = 5 ms;"}},
         {&bench_part_levers, {"| 1.00 | 2.00 | 0.500 | 9 |"}},
+        {&bench_part_baselines,
+         {"| CHOLMOD | 8.00 | 1.00 | 8.00 | 4.00 | 2.00 | 2.00 | 9 |"}},
         {&bench_part_contestants, {"| 10x10 | 100 | 10.0 | 1.00 | 9 | 3.75 |"}},
     };
 

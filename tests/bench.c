@@ -166,6 +166,60 @@ static void test_cells(void)
     }
 }
 
+/* What people see: as many digits as are meant, and no row too few. */
+static void test_people(void)
+{
+    static const struct cells some[] = {
+        {&bench_part_growth, {"\n| 5x5x2 | 100 | 1.00 | 2.00 | 3.00 | 10.00 | 10.0 | 9 |"}},
+        {&bench_part_projective,
+         {"\n| 10x10 | edges | 500 | 700 | 0.00100 | 0.00200 | 0.0100 | 0.00500 |",
+          "\n| 20x20 | Chebyshev | - | - | - | - | - |",
+          "\n| 10x10 | Chebyshev | - | 0.25 | - | - | - | 5.00 | 9 |", "dt = 5 ms;"}},
+        {&bench_part_levers, {"| 1.00 | 2.00 | 0.500 | 9 |"}},
+        {&bench_part_baselines,
+         {"| CHOLMOD | 8.00 | 1.00 | 8.00 | 4.00 | 2.00 | 2.00 | 9 |"}},
+        {&bench_part_contestants, {"| 10x10 | 100 | 10.0 | 1.00 | 9 | 3.75 |"}},
+    };
+
+    for (size_t n = 0; n < sizeof some / sizeof *some; n++) {
+        struct said s;
+        said_open(&s);
+        print_part(some[n].part, TABLE_MARKDOWN, &s);
+        said_close(&s, true);
+        for (int k = 0; k < 5 && some[n].has[k]; k++)
+            said_has(&s, some[n].part->item.name, some[n].has[k]);
+        said_clear(&s);
+    }
+}
+
+/* Short ones are timed over twenty frames and their phases apart, whole motions whole. */
+static void test_plans(void)
+{
+    static const struct {
+        const struct bench_part *part;
+        double end;
+        bool whole;
+    } want[] = {{&bench_part_solids, 0.11, false}, {&bench_part_levers, 0.11, false},
+                {&bench_part_growth, 0.11, false}, {&bench_part_nonlinear, 0.4, true},
+                {&bench_part_swings, 1, true},     {&bench_part_contestants, 0.2, true}};
+
+    for (size_t k = 0; k < sizeof want / sizeof *want; k++) {
+        struct bench b = {.part = want[k].part, .folder = "nowhere", .path = DROP};
+        REQUIRE(batch_init(&b.batch, b.folder, BENCH_PART_RUNS) == STATUS_OK);
+        for (int n = 0; n < b.part->count; n++)
+            REQUIRE(bench_part_add(&b, &b.part->rows[n], NULL) == STATUS_OK);
+        if (b.part->plan)
+            REQUIRE(b.part->plan(&b, NULL) == STATUS_OK);
+        CHECK(b.batch.count >= 2);
+        for (int n = 0; n < b.batch.count; n++) {
+            const struct measurement_case *c = &b.batch.cases[n];
+            CHECK(c->plan.end == want[k].end && c->phases == !want[k].whole);
+            CHECK(c->timed == (want[k].whole ? MEASUREMENT_WHOLE : MEASUREMENT_SOME));
+        }
+        batch_clear(&b.batch);
+    }
+}
+
 /* Every row of the file is printed, with peer, version, solver and milliseconds, by the
  * part whose work it is. */
 static void test_peers(void)
@@ -205,7 +259,8 @@ static void test_peers(void)
     reference_close(r);
 }
 
-/* A row by hand, and who did not do a work. */
+/* A work's own words stand once, before all who did it. A row by hand, and who did not do a
+ * work. */
 static void test_note(void)
 {
     static const struct table_column one[] = {{"x"}};
@@ -224,6 +279,14 @@ static void test_note(void)
         "2026-11-22, beside clothbench 0fc1e58. frame, ours 3.00 ms: PetIGA cc362e1 "
         "with PETSc 3.18.5 (p = 1 SBAIJ + MUMPS) 14.2 ms, MFEM 4.9.1-dev (UMFPACK) "
         "47.9 ms, MFEM 4.9.1-dev (CHOLMOD) 34.6 ms.\n\n"));
+    said_clear(&s);
+    t = table_create(1, one, NULL);
+    CHECK(peers_note(t, "iga 10x10x2 rebuilt", NULL) == STATUS_OK);
+    said_open(&s);
+    table_finish(t, TABLE_CSV, s.file);
+    said_close(&s, true);
+    CHECK(said_count(&s, "frame, ours 0.402 ms:") == 1);
+    CHECK(said_count(&s, "; factor, ours 0.130 ms:") == 1);
     said_clear(&s);
 }
 
@@ -284,13 +347,38 @@ static void test_time(void)
     samples_clear(&s);
 }
 
+/* Round-off of a solution with these matrices: 1e-16 times some thousands. */
+static const double TOL_SOLVED = 1e-12;
+
+/* The libraries factor and solve what we do, on a net whose band is no square. */
+static void test_baselines(void)
+{
+    static const char *const contestant[] = {"iga_paper", "hex_paper"};
+
+    for (int n = 0; n < 2; n++) {
+        struct settings s = LIST("discretization.points=[6,9,2]");
+        const struct run_plan plan = {DROP, named(contestant[n]), &s, 0};
+        struct message why = {""};
+        double off[2] = {NAN, NAN};
+        if (!CHECK(bench_baseline_check(&plan, off, &why) == STATUS_OK))
+            printf("%s\n", why.text);
+        CHECK_NEAR(off[0], 0, TOL_SOLVED);
+        CHECK_NEAR(off[1], 0, TOL_SOLVED);
+        CHECK(off[0] > 0 && off[1] > 0);
+        settings_clear(&s);
+    }
+}
+
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     test_cells();
+    test_people();
+    test_plans();
     test_peers();
     test_note();
     test_samples(argv[1]);
     test_time();
+    test_baselines();
     return check_result();
 }

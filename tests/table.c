@@ -162,6 +162,7 @@ static void check_readers(void)
         "\\# no comment, a name & - & - & not reached & - \\\\\nshort &  &  &  &  \\\\\n"
         "\\hline\n\\end{tabular}\n\n\\smallskip\\footnotesize A \"note\".\n\\end{table}\n");
     CHECK(table_rows(t) == 3 && table_find(t, "p") == 4);
+    CHECK(table_find(t, "case") == 0 && table_find(t, "unknowns") == 5);
     CHECK(table_value(t, 0, 1) == 0.0125 && table_shown(t, 0, 1) == 12.5);
     CHECK(isnan(table_value(t, 1, 1)) && isnan(table_value(t, 2, 1)));
     CHECK(!strcmp(table_words(t, 2, 0), "short") && !*table_words(t, 1, 3));

@@ -9,7 +9,7 @@
 #include "bench/tables/table23.h"
 #include "bench/truth/paper.h"
 #include "bench/experiment/plan_read.h"
-#include "tests/check.h"
+#include "tests/said.h"
 
 /* What the paper's text and tables give to two decimals. */
 static const double TOL_PRINTED = 0.005;
@@ -185,6 +185,25 @@ static void prints(const struct measured *m)
     CHECK(experiment_print(e, "/nowhere", TABLE_TEXT, stdout, NULL) != STATUS_OK);
 }
 
+/* The chart: of each line a point for each of its rows. */
+static void chart(const struct measured *m)
+{
+    const bool second = m->table.second;
+    struct said s;
+    int lines = 0;
+
+    said_read(&s, m->folder, "cost.gp");
+    for (const char *at = s.text; (at = strstr(at, " << EOD\n"));)
+        for (at = strchr(at, '\n') + 1; strncmp(at, "EOD", 3) != 0; lines++)
+            at = strchr(at, '\n') + 1;
+    CHECK(lines == (second ? 5 * 4 + 2 * 6 : 6 * 2));
+    said_has(&s, "chart", second ? "set xrange [40:1000]" : "set xrange [150:600]");
+    said_has(&s, "chart",
+             second ? "\n50 10\n200 82\n450 408\n800 1281\n" : "\n200 83\n450 408\nEOD\n");
+    said_has(&s, "chart", second ? "\n200 89\n200 102\n450 403\n" : "\n200 173\n450 680\n");
+    said_clear(&s);
+}
+
 static void clear(struct measured *m)
 {
     study_clear(&m->r);
@@ -206,6 +225,8 @@ int main(int argc, char **argv)
     raw_seconds(&third.table);
     prints(&second);
     prints(&third);
+    chart(&second);
+    chart(&third);
     clear(&second);
     clear(&third);
     return check_result();

@@ -440,6 +440,8 @@ int main(int argc, char **argv)
              "| Table 3 | (3,3,1) | 15x15x2 | 2.00 | 1.6-2.5 | 4.00 | 8.00 | 680 | 340 |",
              "| 10x10x2 | 2.08 | 1.00 | 1.00 | 1.00 | 1.00 | 4.30 | 1.00 |",
              "| 15x15x2 | 1.67 | 0.210 | 965 | 0.804 | 1.36 | 4.79 | 5.97e-08 |"));
+    test_cells(true, TABLE_LATEX,
+               ROWS("\\\\\n\\hline\nFig. 8, two corners & (2,2,1) & 10x10x2 & printed"));
     test_cells(false, TABLE_CSV,
                ROWS("# Table 3: milliseconds a frame\n", "# Table 3: what was run\n",
                     "# The paper gives Table 3 neither scene nor material"));

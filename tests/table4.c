@@ -198,6 +198,54 @@ static void test_print(void)
     CHECK(strstr(why.text, "/nowhere/"));
 }
 
+/* Points of a panel: of each row the paper's words and ours, one for no word at all. */
+static int points(const struct table4_run *run)
+{
+    int count = 0;
+
+    for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
+        const unsigned labels[] = {paper_table4[row].labels, run[row].labels};
+        for (int who = 0; who < 2; who++)
+            for (int n = labels[who] ? 0 : PAPER_LABELS - 1; n < PAPER_LABELS; n++)
+                count += labels[who] ? labels[who] >> n & 1 : 1;
+    }
+    return count;
+}
+
+/* The chart: all labels of both panels of a reading, at their places. */
+static void test_chart(const struct table4_data *d)
+{
+    static const int shown[] = {TABLE4_PRINTED, TABLE4_SHELL};
+    char begin[32];
+    struct said s;
+
+    said_open(&s);
+    CHECK(table4_print(d, folder, TABLE_TEXT, s.file, NULL) == STATUS_OK);
+    said_close(&s, true);
+    said_clear(&s);
+    said_read(&s, folder, "table4.gp");
+    CHECK(said_count(&s, "set xrange [25000:1600000]") == 12);
+    CHECK(said_count(&s, "set yrange [-0.02:1.02]") == 12);
+    for (int panel = 0; panel < 4; panel++) {
+        int lines = 0;
+        for (int series = 0; series <= PAPER_LABELS + 1; series++) {
+            snprintf(begin, sizeof begin, "$p%d_%d << EOD\n", panel, series);
+            const char *at = strstr(s.text, begin);
+            for (at = at ? at + strlen(begin) : "EOD"; strncmp(at, "EOD", 3) != 0; lines++)
+                at = strchr(at, '\n') + 1;
+        }
+        CHECK(lines == points(d->run[shown[panel / 2]][panel % 2]));
+    }
+    /* the paper's row 14, feasible, and its row 10: stretched and, beside it, wrinkles */
+    said_has(&s, "chart", "$p0_0 << EOD\n");
+    said_has(&s, "chart", "\n333333.333 0.215\n");
+    said_has(&s, "chart", "\n166666.667 0.315\n");
+    said_has(&s, "chart", "\n183333.333 0.315\n");
+    said_has(&s, "chart", "wrinkles too fine");
+    said_has(&s, "chart", "not named");
+    said_clear(&s);
+}
+
 /* Judged as whole ones: for what their numbers say of the readings. */
 static void take_for_whole(struct table4_data *d)
 {
@@ -238,6 +286,7 @@ int main(int argc, char **argv)
     test_agreement(d);
     test_rules(d);
     test_print();
+    test_chart(d);
     table4_clear(d);
     return check_result();
 }

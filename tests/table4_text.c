@@ -152,7 +152,6 @@ static void cross_as_paper(struct table4_data *d)
     cross(d, DROP, papers(PAPER_PENETRATION));
 }
 
-/* One of the paper's seven and none besides: better than `no` to all. */
 static void cross_in_part(struct table4_data *d)
 {
     cross(d, FLAG, papers(PAPER_PENETRATION) & ~(1u << 1));
@@ -166,8 +165,8 @@ static void cross_level(struct table4_data *d)
 
 static void unsearched(struct table4_data *d)
 {
-    set(d, TABLE4_PRINTED, DROP, 1 << 17, MEASURE_INTERSECTION_TIME, NAN);
-    set(d, TABLE4_PRINTED, DROP, 1 << 17, MEASURE_INTERSECTIONS_MAX, NAN);
+    set(d, TABLE4_PRINTED, FLAG, 1, MEASURE_INTERSECTION_TIME, NAN);
+    set(d, TABLE4_PRINTED, FLAG, 1, MEASURE_INTERSECTIONS_MAX, NAN);
 }
 
 static void deaths(struct table4_data *d)
@@ -443,7 +442,8 @@ int main(int argc, char **argv)
               "2.00 | 1.12 | 2.50 | no: over-stretched, penetration, chaotic |",
               "| flag | 1 | 3 (2/2 +15) | 11 (1/8 +0) | 12 (1/7 +0) | 15 (0/3 +0) | 16 "
               "(0/1 +1) | 17 (0/1 +0) |",
-              "| over-stretched | 8 | 1, 0 |", "| 0, 2 |", "| refused | no: penetration"));
+              "| over-stretched | 8 | 1, 0 |", "| feasible | 2 | 17, 16 |", "| 0, 2 |",
+              "| refused | no: penetration"));
     test_file(&d);
     verdict_clear(&d.rules);
     return check_result();

@@ -48,6 +48,11 @@ extern const struct bench_part bench_part_solids, bench_part_baselines, bench_pa
     bench_part_growth, bench_part_intersection, bench_part_projective, bench_part_nonlinear,
     bench_part_swings, bench_part_contestants;
 
+/* How far CHOLMOD and LAPACK are from solving the matrix of a run, relative: that they are
+ * baselines for the same work. LAPACK is left out (0) where its band is too large. */
+enum status bench_baseline_check(const struct run_plan *plan, double off[2],
+                                 struct message *why);
+
 /* Plans one more run. */
 enum status bench_part_add(struct bench *b, const struct bench_row *row,
                            struct message *why);

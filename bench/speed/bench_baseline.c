@@ -164,6 +164,81 @@ out:
     return st;
 }
 
+/* Largest |A x - 1| over the largest sum of |A| |x|; NaN without memory. */
+static double residual(const struct baseline *m, const double *x)
+{
+    double *sum = calloc(2 * (size_t)m->n, sizeof *sum), *size = sum + m->n;
+    double most = sum ? 0 : NAN, scale = 0;
+
+    for (int j = 0; sum && j < m->n; j++)
+        for (long t = m->start[j]; t < m->start[j + 1]; t++) {
+            const int i = m->row[t];
+            sum[i] += m->value[t] * x[j];
+            size[i] += fabs(m->value[t] * x[j]);
+            if (i == j)
+                continue;
+            sum[j] += m->value[t] * x[i];
+            size[j] += fabs(m->value[t] * x[i]);
+        }
+    for (int i = 0; sum && i < m->n; i++) {
+        most = fmax(most, fabs(sum[i] - 1));
+        scale = fmax(scale, size[i]);
+    }
+    free(sum);
+    return most / scale;
+}
+
+/* What the libraries make of the right-hand side of ones; no band: 0. */
+static enum status solve_once(struct baseline *m, double off[2])
+{
+    cholmod_dense *x = NULL;
+    enum status st;
+
+    off[1] = 0;
+    TRY(their_factor(m));
+    x = cholmod_solve(CHOLMOD_A, m->L, m->one, &m->common);
+    TRY(x ? STATUS_OK : STATUS_MEMORY);
+    off[0] = residual(m, x->x);
+    if (m->band) {
+        fill_band(m);
+        fill_ones(m);
+        TRY(band_factor(m));
+        TRY(band_solve(m));
+        off[1] = residual(m, m->x);
+    }
+out:
+    cholmod_free_dense(&x, &m->common);
+    return st;
+}
+
+enum status bench_baseline_check(const struct run_plan *plan, double off[2],
+                                 struct message *why)
+{
+    struct baseline m = {{0}};
+    enum status st;
+
+    TRY(make(plan, &m, why));
+    TRY(solve_once(&m, off));
+out:
+    clear(&m);
+    return st;
+}
+
+/* Round-off of a solution leaves less; a baseline of another matrix is none. */
+static const double SOLVED = 1e-10;
+
+static enum status check(struct baseline *m, const char *name, struct message *why)
+{
+    double off[2];
+    const enum status st = solve_once(m, off);
+
+    if (st == STATUS_OK && !(off[0] < SOLVED && off[1] < SOLVED))
+        return status_fail(why, STATUS_LIBRARY,
+                           "%s: CHOLMOD is %.1e off the solution, LAPACK %.1e", name,
+                           off[0], off[1]);
+    return st;
+}
+
 static enum status sample(struct bench *b, struct message *why)
 {
     struct baseline made[NETS] = {{{0}}};
@@ -175,6 +250,7 @@ static enum status sample(struct bench *b, struct message *why)
         const struct bench_row *row = &bench_part_solids.rows[n];
         TRY(bench_part_add(b, row, why));
         TRY(make(&b->batch.cases[n].plan, &made[n], why));
+        TRY(check(&made[n], row->title, why));
         for (int p = 0; p < (made[n].band ? PHASES : LAPACK); p++)
             tasks[count++] = (struct samples_task){
                 row->title, phases[p].what, phases[p].call, phases[p].prepare, &made[n]};

@@ -156,7 +156,7 @@ static void tell_crossings(const struct table4_data *d, struct table *t)
         else if (at.count)
             add(words, " (at %.3g s)", at.low);
         /* no better than `no` to all */
-        blind = blind && (at.count == 0 || at.count == ROWS || agree <= no);
+        blind = blind && agree <= no;
         met = met || agree == ROWS;
     }
     table_note(t, "Penetration: the printed sheet passes through itself in %s. %s.", words,

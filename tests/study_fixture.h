@@ -283,10 +283,23 @@ struct study_turn {
     void (*change)(struct study_made *m); /* or NULL                                    */
 };
 
+static inline bool study_same(const struct study_turn *a, const struct study_turn *b)
+{
+    return a->study == b->study && a->level == b->level && a->member == b->member &&
+           (!a->study || a->value == b->value) && a->quick == b->quick &&
+           a->change == b->change;
+}
+
 static inline void study_turns(const struct experiment *e, struct study_made *m,
                                size_t count, const struct study_turn *turn)
 {
+    char *text = NULL;
+
     for (size_t n = 0; n < count; n++) {
+        if (n && study_same(&turn[n], &turn[n - 1])) {
+            study_wants(text, turn[n].want);
+            continue;
+        }
         study_fill(m);
         m->r.quick = turn[n].quick;
         if (turn[n].study) {
@@ -296,10 +309,11 @@ static inline void study_turns(const struct experiment *e, struct study_made *m,
         }
         if (turn[n].change)
             turn[n].change(m);
-        char *text = study_told(e, m, TABLE_TEXT);
-        study_wants(text, turn[n].want);
         free(text);
+        text = study_told(e, m, TABLE_TEXT);
+        study_wants(text, turn[n].want);
     }
+    free(text);
     study_fill(m);
 }
 

@@ -1,8 +1,10 @@
 /* Work in a process of its own: whatever it does is an end with a sentence. */
 #include "bench/harness/child.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -189,6 +191,7 @@ static void check_clear(void)
     REQUIRE(child_init(&c) == STATUS_OK);
     REQUIRE(child_start(&c, ignore_requests, NULL, NULL) == STATUS_OK);
     child_clear(&c);
+    CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD); /* waited for */
 }
 
 /* It is given the time to take its temporary file with it. */

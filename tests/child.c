@@ -2,6 +2,7 @@
 /* Work in a process of its own: whatever it does is an end with a sentence. */
 #include "bench/harness/child.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -259,6 +260,7 @@ static void check_clear(void)
     child_clear(&c);
     start(&c, ignore_requests, NULL);
     child_clear(&c);
+    CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD); /* waited for */
 }
 
 /* It is given the time to take its temporary file with it. */

@@ -92,11 +92,23 @@ static void words(void)
     free(text);
 }
 
+static void says(const char *folder, const char *want)
+{
+    char path[4096], text[128] = "";
+
+    snprintf(path, sizeof path, "%s/quick.txt", folder);
+    FILE *file = fopen(path, "r");
+    REQUIRE(file && fgets(text, sizeof text, file));
+    CHECK(!strcmp(text, want));
+    fclose(file);
+}
+
 static void marks(const char *folder)
 {
     REQUIRE(folder_make(folder, NULL) == STATUS_OK);
     judge_mark(folder, true);
     CHECK(judge_marked(folder));
+    says(folder, "these results are of a run with --quick\n");
     judge_mark(folder, false);
     CHECK(!judge_marked(folder));
     judge_mark(folder, false); /* which was not there */

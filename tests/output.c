@@ -151,6 +151,14 @@ static void test_given_up(void)
     output_discard(out);
     output_discard(NULL);
     CHECK(scratch_files(scratch) == 0);
+    /* what is written in place stays: it was there before */
+    const char *pipe = scratch_path("pipe");
+    REQUIRE(mkfifo(pipe, 0600) == 0);
+    const int reader = open(pipe, O_RDONLY | O_NONBLOCK);
+    REQUIRE(reader >= 0 && output_create(pipe, &out, NULL) == STATUS_OK);
+    output_discard(out);
+    CHECK(scratch_files(scratch) == 1 && unlink(pipe) == 0);
+    close(reader);
 }
 
 /* What no file can be, in a sentence of its own. */

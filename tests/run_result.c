@@ -1,5 +1,5 @@
 /* What is read from the file of a run whose arrays were put there by hand: seconds of
- * repeats, work, and what does not fit together. */
+ * repeats, work, and what does not fit together; and what a caller puts there itself. */
 #include "bench/harness/run_result.h"
 
 #include <unistd.h>
@@ -178,6 +178,106 @@ static void test_sentences(void)
     CHECK(!strcmp(r.sentence.text, "done") && !run_result_refused(&r));
 }
 
+static void check_array(const struct store_read *file, const char *name, int count,
+                        const double *want)
+{
+    double *value = NULL;
+    int rows = 0, columns = 0;
+
+    CHECK(store_read_array(file, name, &value, &rows, &columns, NULL) == STATUS_OK);
+    if (CHECK(rows * columns == count))
+        for (int n = 0; n < count; n++)
+            CHECK(value[n] == want[n]);
+    free(value);
+}
+
+static enum status look(void *context, const struct motion *m, const double *xyz,
+                        double *value)
+{
+    value[0] = m->frames;
+    value[1] = -10 * m->frames;
+    value[2] = xyz == NULL ? NAN : *(const double *)context;
+    return STATUS_OK;
+}
+
+/* Numbers of the caller's own, each under its name with its unit. */
+static void test_own(void)
+{
+    static const struct run_own own[] = {{"ups", "m"}, {"downs", "s"}, {"same", "kg"}};
+    static const double want[3][3] = {{0, 10, 20}, {0, -100, -200}, {7, 7, 7}};
+    double context = 7;
+    const struct run_keep keep = {.file = path,
+                                  .every = 10,
+                                  .fields = RUN_FIELDS_NONE,
+                                  .own_count = LENGTH(own),
+                                  .own = own,
+                                  .own_look = look,
+                                  .context = &context};
+    struct store_read *file = NULL;
+
+    script_reset();
+    REQUIRE(run_file_write(&(struct run_plan){DROP, &scripted, NULL, 0.1}, &keep, NULL,
+                           NULL) == STATUS_OK);
+    REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
+    for (int n = 0; n < LENGTH(own); n++) {
+        char name[64], *unit = NULL;
+        snprintf(name, sizeof name, "metrics/%s", own[n].name);
+        check_array(file, name, 3, want[n]);
+        CHECK(store_read_text(file, name, "unit", &unit, NULL) == STATUS_OK);
+        CHECK(unit && !strcmp(unit, own[n].unit));
+        free(unit);
+    }
+    store_read_close(file);
+}
+
+/* Seconds that are handed in stand for the run's own of that phase, and of no other. */
+static void test_handed_in(void)
+{
+    static const struct {
+        const char *phase;
+        int creates, steps;
+    } want[] = {
+        {"assemble", 1, 20}, {"create", 3, 20}, {"advance", 1, 3}, {"equilibrium", 1, 0}};
+    static const double seconds[3] = {1, 2, 3};
+    const struct run_keep keep = {.file = path, .every = 5, .fields = RUN_FIELDS_NONE};
+    const struct run_plan plan = {DROP, &scripted, NULL, 0.1};
+
+    for (int n = 0; n < LENGTH(want); n++) {
+        struct run run;
+        struct motion m;
+        struct run_file *f = NULL;
+        struct store_read *file = NULL;
+        char name[64];
+        double *value = NULL;
+        int rows = 0, columns = 0;
+
+        script_reset();
+        REQUIRE(run_open(&run, &plan, NULL) == STATUS_OK);
+        REQUIRE(run_file_open(&run, &keep, &f, NULL) == STATUS_OK);
+        REQUIRE(motion_init(&m, run.model, &run.scene, run.state) == STATUS_OK);
+        REQUIRE(motion_run(&m, run_file_watch, f, true, NULL) == STATUS_OK);
+        REQUIRE(run_file_seconds(f, want[n].phase, seconds, 3, n < 2 ? 0 : 1, NULL) ==
+                STATUS_OK);
+        REQUIRE(run_file_close(f, &m, NULL, NULL) == STATUS_OK);
+        motion_clear(&m);
+        run_close(&run);
+        REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
+        snprintf(name, sizeof name, "seconds/%s", want[n].phase);
+        check_array(file, name, 3, seconds);
+        CHECK(store_read_array(file, "seconds/create", &value, &rows, &columns, NULL) ==
+                  STATUS_OK &&
+              rows == want[n].creates);
+        free(value), value = NULL;
+        CHECK(store_read_has(file, "seconds/advance") == (want[n].steps > 0));
+        if (want[n].steps)
+            CHECK(store_read_array(file, "seconds/advance", &value, &rows, &columns,
+                                   NULL) == STATUS_OK &&
+                  rows * columns == want[n].steps);
+        free(value);
+        store_read_close(file);
+    }
+}
+
 int main(void)
 {
     const int file = mkstemp(path);
@@ -189,6 +289,8 @@ int main(void)
     test_no_scene();
     test_misfits();
     test_sentences();
+    test_own();
+    test_handed_in();
     unlink(path);
     return check_result();
 }

@@ -19,7 +19,8 @@ static inline const char *scratch_path(const char *name)
     return text;
 }
 
-/* How many files a folder has, this one or another; of "/proc/self/fd" how many are open. */
+/* How many files a folder has, this one or another; of "/proc/self/fd" how many are open.
+ */
 static inline int scratch_files(const char *folder)
 {
     int count = 0;

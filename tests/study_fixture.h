@@ -5,6 +5,8 @@
 #ifndef STUDY_FIXTURE_H
 #define STUDY_FIXTURE_H
 
+#include <dirent.h>
+
 #include "bench/experiment/judge.h"
 #include "bench/experiment/plan_read.h"
 #include "bench/experiment/study.h"
@@ -14,12 +16,28 @@
 
 static const char *study_folder;
 
+/* What an earlier run left, but for results, which take time. */
+static inline void study_empty(const char *folder)
+{
+    DIR *directory = opendir(folder);
+    char path[4096];
+
+    REQUIRE(directory);
+    for (struct dirent *entry; (entry = readdir(directory));)
+        if (entry->d_name[0] != '.' && !strstr(entry->d_name, ".h5")) {
+            snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+            remove(path);
+        }
+    closedir(directory);
+}
+
 /* Where files go and plans come from; gnuplot is not found. */
 static inline void study_begin(int count, char **arguments)
 {
     REQUIRE(count == 2);
     study_folder = arguments[1];
     REQUIRE(folder_make(study_folder, NULL) == STATUS_OK);
+    study_empty(study_folder);
     REQUIRE(!setenv("CLOTHBENCH_SCENES", SOURCE_DIR "/models/scenes", 1));
     REQUIRE(!setenv("CLOTHBENCH_PLANS", SOURCE_DIR "/bench/plans", 1));
     REQUIRE(!setenv("PATH", study_folder, 1));
@@ -265,10 +283,23 @@ struct study_turn {
     void (*change)(struct study_made *m); /* or NULL                                    */
 };
 
+static inline bool study_same(const struct study_turn *a, const struct study_turn *b)
+{
+    return a->study == b->study && a->level == b->level && a->member == b->member &&
+           (!a->study || a->value == b->value) && a->quick == b->quick &&
+           a->change == b->change;
+}
+
 static inline void study_turns(const struct experiment *e, struct study_made *m,
                                size_t count, const struct study_turn *turn)
 {
+    char *text = NULL;
+
     for (size_t n = 0; n < count; n++) {
+        if (n && study_same(&turn[n], &turn[n - 1])) {
+            study_wants(text, turn[n].want);
+            continue;
+        }
         study_fill(m);
         m->r.quick = turn[n].quick;
         if (turn[n].study) {
@@ -278,10 +309,11 @@ static inline void study_turns(const struct experiment *e, struct study_made *m,
         }
         if (turn[n].change)
             turn[n].change(m);
-        char *text = study_told(e, m, TABLE_TEXT);
-        study_wants(text, turn[n].want);
         free(text);
+        text = study_told(e, m, TABLE_TEXT);
+        study_wants(text, turn[n].want);
     }
+    free(text);
     study_fill(m);
 }
 

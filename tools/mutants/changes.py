@@ -29,7 +29,8 @@ DECLARATION = re.compile(
 ARRAY = re.compile(r"^\s+(?:static |const |unsigned )*(?:\w+ )+\*?\w+(\[[^]]*\])+(?= =|,|;)")
 ALLOCATION = re.compile(r"\b(?:[mc]alloc|realloc)\(")
 BUFFER = re.compile(r"\bv?snprintf\([^,]*,[^,]*,")
-GIVES_BACK = re.compile(r"^\s+((\w+_)?free|H5[PST]close|va_end)\(.*\);$")
+GIVES_BACK = re.compile(
+    r"^\s+((\w+_)?free(_\w+)?|munmap|cholmod_finish|H5[PST]close|va_end)\(.*\);$")
 BEGINS = re.compile(r"\b(\w+)\(")
 
 

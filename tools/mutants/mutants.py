@@ -217,7 +217,9 @@ def try_all(o):
             worker.copy.close()
     rows = [dict(row) for row in trial.rows]
     if o.results and os.path.exists(o.results):
-        known = results.load(o.results).values()
+        there_are = {m.key() for file in o.files for m in changes.mutants_of(TOP, file)}
+        known = [row for key, row in results.load(o.results).items()
+                 if row["file"] not in o.files or key in there_are]  # not of lines that went
         results.rewrite(o.results, known)
         rows = [row for row in known if row["file"] in o.files]
     results.mark_excused(rows, trial.excuses)

@@ -31,9 +31,10 @@ while read -r models check table column; do
         CLOTHBENCH_REFERENCE=$folder timeout 60 "$program" verify "$check" --quick \
             --models "$models" --out rows >out 2>err </dev/null
         code=$?
-        [ "$code" -eq 2 ] && [ ! -s out ] &&
-            grep -q "^clothbench: [^ ]*$table.csv:[0-9]*: " err ||
+        if [ "$code" -ne 2 ] || [ -s out ] ||
+            ! grep -q "^clothbench: [^ ]*$table.csv:[0-9]*: " err; then
             fail "$check, $table, $damage of $column: exit $code: $(<out) $(<err)"
+        fi
     done
     rm "$table.csv"
 done <<'TABLE'

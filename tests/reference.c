@@ -45,6 +45,7 @@ static void check_reads(void)
     CHECK(!strcmp(reference_text(t, 0, "name"), "first"));
     CHECK(reference_number(t, 0, "x") == 1.5 && reference_number(t, 1, "x") == -2e-3);
     CHECK(isnan(reference_number(t, 0, "y")));    /* empty                */
+    CHECK(reference_fault(t, NULL) == STATUS_OK); /* ... which may be     */
     CHECK(isnan(reference_number(t, 0, "name"))); /* text                 */
     CHECK(isnan(reference_number(t, 1, "y")));    /* nan is not a value   */
     CHECK(isnan(reference_number(t, 2, "x")));    /* hexadecimal          */
@@ -82,6 +83,38 @@ static void check_refusals(void)
     CHECK(t == NULL);
 }
 
+/* What is asked for and is not there: an answer all the same, and the first one is told. */
+static void check_faults(void)
+{
+    static const char text[] = "# a note\nname,x\nfirst,1.5\nsecond,nan\n";
+    static const struct {
+        int row;
+        const char *column, *said;
+    } cases[] = {
+        {0, "z", ":2: there is no column 'z'"},
+        {1, "x", ":4: x is 'nan', but must be a number"},
+        {0, "name", ":3: name is 'first', but must be a number"},
+        {2, "x", ":4: the last of 2 rows, but there should be a row 3"},
+    };
+
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        struct reference *t = NULL;
+        struct message why;
+        char want[256];
+
+        REQUIRE(open_text(text, sizeof text - 1, &t, &why) == STATUS_OK);
+        CHECK(reference_number(t, 0, "x") == 1.5);
+        CHECK(reference_fault(t, &why) == STATUS_OK);
+        CHECK(isnan(reference_number(t, cases[n].row, cases[n].column)));
+        CHECK(!*reference_text(t, 7, "no such column either"));
+        CHECK(reference_fault(t, &why) == STATUS_INPUT);
+        snprintf(want, sizeof want, "%s%s", path, cases[n].said);
+        if (!CHECK(!strcmp(why.text, want)))
+            printf("  got  %s\n  want %s\n", why.text, want);
+        reference_close(t);
+    }
+}
+
 /* The stored tables: every one opens and holds the value its users look up. */
 static void check_ours(void)
 {
@@ -109,6 +142,7 @@ int main(void)
     REQUIRE(file >= 0);
     close(file);
     check_reads();
+    check_faults();
     check_refusals();
     check_ours();
     return check_result();

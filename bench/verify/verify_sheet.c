@@ -22,9 +22,9 @@ bool verify_sheet_sound(struct verify_sheet *sheet)
 {
     struct message what;
 
-    if (sheet->status == STATUS_OK && sheet->table &&
-        !verify_sheet_holds(sheet, reference_fault(sheet->table, &what)))
-        sheet->why = what;
+    /* what failed besides mostly follows from it */
+    if (sheet->table && reference_fault(sheet->table, &what) != STATUS_OK)
+        sheet->status = STATUS_INPUT, sheet->why = what;
     return sheet->status == STATUS_OK;
 }
 

@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# What is no file, cannot be read or is too much; limits of the machine; names with control
+# characters: a sentence and an exit code each, never a signal, never a wait.
+#   limits.sh PROGRAM SOURCE-FOLDER
+set -uo pipefail
+
+program=$1
+scene=$2/models/scenes/edge_drop.yaml
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+fail() {
+    echo "$*"
+    ((++failures))
+}
+
+# CODE TEXT COMMAND...: ends at once with the code; the last line it says has TEXT.
+ends() {
+    local want=$1 text=$2 code said
+    shift 2
+    timeout 60 "$@" >out 2>err </dev/null
+    code=$?
+    said=$(tail -n 1 err)
+    [ "$code" -eq "$want" ] || fail "$*: exit $code, want $want: $said"
+    [[ $said == *"$text"* ]] || fail "$*: '$text' is not in: $said"
+    LC_ALL=C grep -q '[[:cntrl:]]' err && fail "$*: control characters in: $said"
+    [ -z "$(find . -name '*.part')" ] || fail "$*: leaves $(find . -name '*.part')"
+}
+
+# --- what is given as a file --------------------------------------------------------------
+mkfifo pipe.yaml
+mkdir folder.yaml
+cp "$scene" secret.yaml
+chmod 000 secret.yaml
+truncate -s 1G large.yaml # a hole: it takes no room
+ln -s loop.yaml loop.yaml
+printf 'name: a\0b\n' >nul.yaml
+: >empty.yaml
+while IFS='|' read -r file text; do
+    [ "$file" = secret.yaml ] && [ -r secret.yaml ] && continue # root may read all
+    ends 2 "$text" "$program" run "$file"
+    ends 2 "$text" "$program" sweep "$file" --out sweep
+    [ ! -e sweep ] || fail "sweep $file: makes a folder"
+done <<'FILES'
+pipe.yaml|it is a pipe
+folder.yaml|it is a directory
+secret.yaml|Permission denied
+large.yaml|longer than 1048576 bytes
+loop.yaml|Too many levels of symbolic links
+none.yaml|No such file
+nul.yaml|byte 0x00
+empty.yaml|empty
+FILES
+
+# line ends and marks of other systems are read as ours are
+sed 's/$/\r/' "$scene" >crlf.yaml
+{ printf '\xef\xbb\xbf' && cat "$scene"; } >bom.yaml
+for file in crlf bom; do
+    ends 0 '' "$program" run $file.yaml --quiet --set time.end=0.01
+done
+
+# names that a terminal obeys are refused; keys of a scene and of a plan
+for name in 'a\nb' 'a\e[2J' 'a\x9b2J' 'a\u0007'; do
+    { printf '%s\n' "name: \"$name\"" && grep -v '^name:' "$scene"; } >name.yaml
+    ends 2 'name is' "$program" run name.yaml
+    printf 'name: p\nsource: s\nscene: edge_drop\ncases: [{name: "%s"}]\n' "$name" >plan.yaml
+    ends 2 'plan.yaml:4: name is' "$program" sweep plan.yaml --out sweep
+done
+
+# --- what is written ----------------------------------------------------------------------
+short=(run edge_drop --quiet --set time.end=0.02)
+ends 1 'cannot be a device' "$program" "${short[@]}" --out /dev/full
+ends 1 'File too large' bash -c 'ulimit -f 8 && exec "$@"' - "$program" "${short[@]}" \
+    --out big.h5
+[ ! -e big.h5 ] || fail 'a file that is too large is left behind'
+for out in none/a.h5 '' "$(printf '%0300d' 0).h5"; do
+    ends 1 '' "$program" "${short[@]}" --out "$out"
+    [ -s err ] || fail "--out '$out' says nothing"
+done
+
+# --- the machine --------------------------------------------------------------------------
+for variable in OMP_NUM_THREADS OPENBLAS_NUM_THREADS; do
+    ends 2 "$variable=99999: at most 1024" env $variable=99999 "$program" help
+done
+# memory that is short from the start: whatever is left, the program says so or does it
+nm -D "$program" | grep -q __asan_init || for limit in $(seq 70000 8000 180000); do
+    env -u OPENBLAS_NUM_THREADS -u OPENBLAS_CORETYPE \
+        timeout 20 bash -c "ulimit -v $limit && exec \"\$@\"" - "$program" help >out 2>err
+    code=$?
+    case $code in
+    0) [ -s out ] || fail "ulimit -v $limit: prints nothing" ;;
+    2) grep -q 'limit on memory' err || fail "ulimit -v $limit: $(<err)" ;;
+    127) grep -q 'failed to map' err || fail "ulimit -v $limit: $(<err)" ;; # the loader
+    *) fail "ulimit -v $limit: exit $code: $(<err)" ;;
+    esac
+done
+[ "$failures" -eq 0 ]

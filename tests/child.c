@@ -84,13 +84,17 @@ static enum status hang(void *context, struct message *why)
     return STATUS_OK;
 }
 
+/* Of two names: makes a file of the second when it is so far. */
 static enum status ignore_requests(void *context, struct message *why)
 {
+    const char(*path)[64] = context;
+
     signal(SIGTERM, SIG_IGN);
+    fclose(fopen(path[1], "w"));
     return hang(context, why);
 }
 
-/* Of two names: opens a file of the first, then makes one of the second. */
+/* Likewise, with a file of the first name open. */
 static enum status hold_file(void *context, struct message *why)
 {
     const char(*path)[64] = context;
@@ -258,26 +262,36 @@ static void check_clear(void)
     CHECK(c.pid == 0 && !c.note);
     CHECK(kill(pid, 0) != 0);
     child_clear(&c);
-    start(&c, ignore_requests, NULL);
-    child_clear(&c);
-    CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD); /* waited for */
 }
 
-/* It is given the time to take its temporary file with it. */
-static void check_leaves_nothing(void)
+/* Started, so far that it has made its second file, and ended; how many files went with it.
+ */
+static int files_gone(enum status (*work)(void *, struct message *))
 {
     struct child c;
     char path[2][64];
 
-    REQUIRE(mkdtemp(scratch));
     snprintf(path[0], sizeof path[0], "%s/held.txt", scratch);
     snprintf(path[1], sizeof path[1], "%s/ready.txt", scratch);
-    start(&c, hold_file, path);
+    start(&c, work, path);
     while (access(path[1], F_OK) != 0)
         nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
-    CHECK(scratch_files(scratch) == 2);
+    const int before = scratch_files(scratch);
     child_clear(&c);
-    CHECK(scratch_files(scratch) == 1 && unlink(path[1]) == 0 && rmdir(scratch) == 0);
+    CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD); /* waited for */
+    const int gone = before - scratch_files(scratch);
+    unlink(path[1]);
+    return gone;
+}
+
+/* It is given the time to take its temporary file with it, and killed if it ignores that.
+ */
+static void check_leaves_nothing(void)
+{
+    REQUIRE(mkdtemp(scratch));
+    CHECK(files_gone(hold_file) == 1);
+    CHECK(files_gone(ignore_requests) == 0);
+    CHECK(rmdir(scratch) == 0);
 }
 
 int main(void)

@@ -103,6 +103,9 @@ struct model {
      * limit), as sentences in one line; empty if there is nothing. */
     void (*describe)(const void *state, struct message *line);
 
+    /* optional: the same of the motion so far (an iteration that ends too early). */
+    void (*doubt)(const void *state, struct message *line);
+
     /* optional */ void (*energy)(const void *state, struct energy *energy);
 
     /* optional: where SCENE_NEED_CONTACT is served. */

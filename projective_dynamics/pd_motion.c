@@ -8,6 +8,8 @@
 #include "models/mechanics/dead_load.h"
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
+static const double LEFT_LEAST = 1e-6; /* of the length: less than that is not counted  */
+static const double ROUND_OFF = 1e-12; /* likewise, of a change                         */
 
 /* --- life --------------------------------------------------------------------------------
  */
@@ -268,24 +270,44 @@ static void add_push(struct pd_motion *m)
         m->push[c] += m->contact.force[c] / (m->dt * m->dt * m->options.substeps);
 }
 
+/* From the last changes, `moved` and the one `before` it (INFINITY: not known), as of a
+ * geometric series: a lower bound, for what is slowest shows last. */
+static void keep_left(struct pd_motion *m, double before, double moved)
+{
+    const double ratio = before < INFINITY ? moved / before : 0.5,
+                 left = ratio < 1 ? moved * ratio / (1 - ratio) : INFINITY,
+                 share = left / farthest(m, m->x, m->start);
+
+    if (moved < ROUND_OFF * m->scene->length || left < LEFT_LEAST * m->scene->length ||
+        !(share > m->left))
+        return;
+    m->left = fmin(share, 1);
+    m->left_time = m->time + m->dt;
+}
+
 static enum status step(struct pd_motion *m, struct counters *counters)
 {
     enum status st;
     const struct pd_net *net = &m->energy.net;
     const struct pd_options *o = &m->options;
     double near = o->tolerance * m->scene->length, moved = INFINITY, value = INFINITY;
+    double before = INFINITY;
     int number = 0;
     long pushes = m->contact.dual.solves;
 
     pd_motion_begin(m);
     for (int n = 0; n < o->iterations && !(o->tolerance > 0 && moved <= near); n++) {
-        TRY(pd_motion_iterate(m, number++, o->tolerance > 0 ? &moved : NULL));
+        const bool asked = o->tolerance > 0 || n >= o->iterations - 2;
+        before = moved;
+        TRY(pd_motion_iterate(m, number++, asked ? &moved : NULL));
         if (o->chebyshev && pd_motion_is_due(number, n + 1 == o->iterations) &&
             pd_motion_take_back(m, &number, &value))
             moved = INFINITY;
         counters->iterations++;
         counters->solves++;
     }
+    if (moved < INFINITY)
+        keep_left(m, before, moved);
     counters->solves += m->contact.dual.solves - pushes;
     if (m->scene->obstacle_count)
         add_push(m);

@@ -41,6 +41,8 @@ struct pd_motion {
     double dt, alpha; /* [s], [1/s]                                                    */
     double radius;    /* Chebyshev: of the iteration about the rest shape              */
     double weight;    /* of the last iteration                                         */
+    double left; /* of a step's movement when its iteration ended, at most so far [1]  */
+    double left_time; /* that step's [s]                                               */
     double *x, *v;    /* three fields each                                   owned    */
     double *base, *start, *next, *before; /* work, the same                  owned    */
     double *saved; /* Chebyshev: what it may fall back to, as x              owned    */

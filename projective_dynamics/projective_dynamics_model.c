@@ -8,6 +8,7 @@
 
 enum { DEFAULT_ITERATIONS = 10, MOST_ITERATIONS = 1000000 };
 static const double DEFAULT_TOLERANCE = 1e-6; /* of the length; if iterations = 0        */
+static const double LEFT_TOLD = 0.01;         /* of a step's movement                    */
 
 #define SERVES                                                                             \
     (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |         \
@@ -116,6 +117,19 @@ static void contact(const void *state, struct model_contact *contact)
     pd_motion_contact(state, contact);
 }
 
+static void doubt(const void *state, struct message *line)
+{
+    const struct pd_motion *m = state;
+
+    if (m->left > LEFT_TOLD)
+        status_fail(
+            line, STATUS_OK,
+            "iterations end far from their fixed point: at t = %.4g s at least %.2g "
+            "%% of a step's movement is left; take more of them or less tolerance, "
+            "or acceleration=chebyshev",
+            m->left_time, 100 * m->left);
+}
+
 const struct model projective_dynamics_model = {
     .name = "projective_dynamics",
     .title = "projective dynamics",
@@ -128,6 +142,7 @@ const struct model projective_dynamics_model = {
     .sample = sample,
     .probe = probe,
     .size = size,
+    .doubt = doubt,
     .energy = energy,
     .contact = contact,
     .destroy = destroy,

@@ -98,7 +98,8 @@ static void test_settings(void)
         const char *name, *key, *value;
     } want[] = {{"iga_reduced", "discretization.kinematics", "nonlinear"},
                 {"iga_reduced", "discretization.remedy", "reduced"},
-                {"iga_reduced", "discretization.degree", NULL},
+                {"iga_reduced", "discretization.degree", "[2,2,1]"},
+                {"iga_reduced", "discretization.points", NULL},
                 {"iga", "discretization.kinematics", NULL},
                 {"shell_3", "discretization.degree", "[3,3]"}};
 

@@ -1,4 +1,7 @@
 /* What is warned of, and what is not: each rule on either side of its bound. */
+#include <math.h>
+
+#include "bench/harness/motion.h"
 #include "bench/harness/warnings.h"
 #include "tests/run_fixture.h"
 
@@ -150,10 +153,56 @@ static void check_numbers(void)
     }
 }
 
+/* An iteration that is left early, by E and iterations; and one with nothing to do. */
+static void check_doubts(void)
+{
+    static const struct {
+        const char *settings[MOST];
+        double least, most; /* shares of a step told [%] */
+    } runs[] = {
+        {{"material.young=1e15"}, 1, 100},
+        {{"material.young=1e5"}, 1, 100},
+        {{"material.young=1e3", "discretization.iterations=60"}, 0, 0},
+        {{"material.young=1e5", "discretization.iterations=0"}, 1, 10},
+        {{"material.young=1e5", "discretization.iterations=0",
+          "discretization.tolerance=1e-10"},
+         0,
+         0},
+        {{"material.young=1e15", "gravity=[0,0,0]"}, 0, 0},
+        {{"material.young=1e5", "supports=[]"}, 0, 0},
+    };
+
+    for (int n = 0; n < LENGTH(runs); n++) {
+        struct settings set = LIST("damping={kind: none}", "snapshots=[]", "time.end=0.1");
+        struct run_plan plan = {"edge_drop", named("projective_dynamics"), &set, 0};
+        struct message line = {""};
+        struct run run;
+        struct motion m;
+        double time = NAN, share = 0;
+
+        settings_list(&set, MOST, runs[n].settings);
+        REQUIRE(run_open(&run, &plan, NULL) == STATUS_OK);
+        REQUIRE(motion_init(&m, run.model, &run.scene, run.state) == STATUS_OK);
+        REQUIRE(motion_run(&m, NULL, NULL, true, NULL) == STATUS_OK);
+        run.model->doubt(run.state, &line);
+        const char *at = strstr(line.text, "at t = ");
+        CHECK(!at == !runs[n].most);
+        if (at)
+            CHECK(sscanf(at, "at t = %lg s at least %lg %%", &time, &share) == 2 &&
+                  time > 0 && time <= 0.1);
+        if (!CHECK(runs[n].least <= share && share <= runs[n].most))
+            printf("row %d: '%s'\n", n, line.text);
+        motion_clear(&m);
+        run_close(&run);
+        settings_clear(&set);
+    }
+}
+
 int main(void)
 {
     for (int n = 0; n < LENGTH(rows); n++)
         check_row(&rows[n]);
     check_numbers();
+    check_doubts();
     return check_result();
 }

@@ -34,7 +34,7 @@ struct run_file {
     struct model_size size; /* zeros: not built                                        */
     bool created, advanced; /* those seconds were handed in                            */
     enum status refused;
-    struct message sentence;
+    struct message sentence, doubt;
 };
 
 void run_file_discard(struct run_file *f)
@@ -47,25 +47,6 @@ void run_file_discard(struct run_file *f)
     free(f->before);
     free(f->own);
     free(f);
-}
-
-/* What else should be known of the run, as it is told on standard error. */
-static enum status store_warnings(const struct run_file *f, struct message *why)
-{
-    char *text = NULL;
-    size_t size = 0;
-    FILE *file = open_memstream(&text, &size);
-    enum status st = STATUS_MEMORY;
-
-    if (!file)
-        return st;
-    if (*f->run->adapted.text)
-        fprintf(file, "%s\n", f->run->adapted.text);
-    warnings_print(f->run, "", file);
-    if (fclose(file) == 0)
-        st = *text ? store_text(f->store, "warnings", text, why) : STATUS_OK;
-    free(text);
-    return st;
 }
 
 static enum status open_store(struct run_file *f, struct message *why)
@@ -90,7 +71,6 @@ static enum status open_store(struct run_file *f, struct message *why)
         TRY(store_text(f->store, "made_for", f->keep->made_for, why));
     if (f->keep->quick)
         TRY(store_text(f->store, "quick", "yes", why));
-    TRY(store_warnings(f, why));
 out:
     return st;
 }
@@ -257,10 +237,33 @@ enum status run_file_end(struct run_file *f, struct message *why)
         st = take(f, true, why);
     if (f->run->state)
         f->run->model->size(f->run->state, &f->size);
+    if (f->run->state && f->run->model->doubt)
+        f->run->model->doubt(f->run->state, &f->doubt);
     free(f->xyz);
     free(f->before);
     f->xyz = f->before = NULL;
     f->ended = true;
+    return st;
+}
+
+/* What else should be known of the run, as it is told on standard error. */
+static enum status store_warnings(const struct run_file *f, struct message *why)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = open_memstream(&text, &size);
+    enum status st = STATUS_MEMORY;
+
+    if (!file)
+        return st;
+    if (*f->run->adapted.text)
+        fprintf(file, "%s\n", f->run->adapted.text);
+    warnings_print(f->run, "", file);
+    if (*f->doubt.text)
+        fprintf(file, "%s\n", f->doubt.text);
+    if (fclose(file) == 0)
+        st = *text ? store_text(f->store, "warnings", text, why) : STATUS_OK;
+    free(text);
     return st;
 }
 
@@ -272,6 +275,7 @@ static enum status complete(struct run_file *f, const struct motion *m,
     enum status st;
 
     TRY(store_size(store, &f->size, why));
+    TRY(store_warnings(f, why));
     TRY(store_series(f, why));
     if (!f->created)
         TRY(store_seconds(store, "create", &run->create_seconds, 1, 0, why));

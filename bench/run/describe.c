@@ -78,6 +78,7 @@ void describe_setup(const struct run *run, FILE *file)
 void describe_motion(const struct motion *m, FILE *file)
 {
     const struct counters *c = &m->counters;
+    struct message doubt = {""};
 
     fprintf(file, "frames          %d of %d, to t = %g s\n", m->frames, m->frame_count,
             m->time);
@@ -94,6 +95,10 @@ void describe_motion(const struct motion *m, FILE *file)
             "%ld solves, %ld iterations\n",
             c->steps, c->substeps > c->steps ? c->substeps : c->steps, c->assemblies,
             c->factorisations, c->solves, c->iterations);
+    if (m->model->doubt)
+        m->model->doubt(m->state, &doubt);
+    if (*doubt.text)
+        fprintf(file, "warning: %s\n", doubt.text);
     fprintf(file, "threads         %d OpenMP, %d BLAS (%s kernel)\n", omp_get_max_threads(),
             blas_kernel_threads(), blas_kernel_name());
     fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());

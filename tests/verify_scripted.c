@@ -13,17 +13,12 @@
 
 /* Those that some of are left out of by --quick; the others run as they are. */
 #define CHECKS(X)                                                                          \
-    X(elastica)                                                                            \
-    X(sze)                                                                                 \
-    X(fabrics)                                                                             \
-    X(navier)                                                                              \
-    X(frequencies)                                                                         \
-    X(cantilever) X(lateral) X(postbuckling) X(hanging) X(pendulum) X(transient) X(energy) \
-        X(contact)
-#define DECLARE(name) extern const struct verify_check verify_##name;
-CHECKS(DECLARE)
-#define ADDRESS(name) &verify_##name,
-static const struct verify_check *const checks[] = {CHECKS(ADDRESS)};
+    X(elastica), X(sze), X(fabrics), X(navier), X(frequencies), X(cantilever), X(lateral), \
+        X(postbuckling), X(hanging), X(pendulum), X(transient), X(energy), X(contact)
+#define CHECK_NAME(name) verify_##name
+extern const struct verify_check CHECKS(CHECK_NAME);
+#define CHECK_ADDRESS(name) &verify_##name
+static const struct verify_check *const checks[] = {CHECKS(CHECK_ADDRESS)};
 
 /* --- The model. */
 

@@ -17,10 +17,10 @@ enum { STORED_ROWS_LINE = 1024 };
 static inline void stored_rows_line(const char *key, const struct verify_row *row,
                                     char line[STORED_ROWS_LINE])
 {
-    snprintf(line, STORED_ROWS_LINE,
-             "%s | %s | %s | %.6g | %.2g | %.6g | %.3g | %.2f | %s | %s", key,
-             row->quantity, row->subject, row->truth, row->bar, row->tolerance, row->error,
-             row->order, verify_verdict_name((int)row->verdict), row->note);
+    snprintf(
+        line, STORED_ROWS_LINE, "%s | %s | %s | %.6g | %.2g | %.6g | %.3g | %.2f | %s | %s",
+        key, row->quantity, row->subject, row->truth, row->bar, row->tolerance, row->error,
+        row->order, verify_verdict_name((int)row->verdict), *row->note ? row->note : "-");
 }
 
 static inline bool stored_rows_near(double a, double b, double relative, double absolute)

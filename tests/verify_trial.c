@@ -135,6 +135,38 @@ static void check_motion(void)
     CHECK(sheet.status == STATUS_OK);
 }
 
+static enum status modes(void *state, int count, double *omega, struct message *why)
+{
+    for (int n = 0; n < count; n++)
+        omega[n] = ((struct scripted *)state)->frame + n; /* 7: it is settled */
+    return script.death ? status_fail(why, script.death, "scripted: no modes") : STATUS_OK;
+}
+
+/* About the rest shape and about equilibrium; of who has none. */
+static void check_modes(void)
+{
+    const struct verify_subject s = subject_of(0.1);
+    double omega[2];
+
+    for (int settled = 0; settled < 2; settled++) {
+        reset();
+        counted.modes = NULL;
+        struct verify_trial t = verify_trial_of(&s, SCENE, "omega");
+        CHECK(!verify_trial_modes(&t, settled, 2, omega) && !t.lived);
+        CHECK(t.row->verdict == VERIFY_NOT_APPLICABLE &&
+              strstr(t.row->note, "scripted has no natural frequencies"));
+        reset();
+        counted.modes = modes;
+        t = verify_trial_of(&s, SCENE, "omega");
+        CHECK(verify_trial_modes(&t, settled, 2, omega) && t.lived);
+        CHECK(omega[0] == 7 * settled && omega[1] == 7 * settled + 1);
+        reset();
+        script.death = STATUS_INDEFINITE;
+        t = verify_trial_of(&s, SCENE, "omega");
+        CHECK(!verify_trial_modes(&t, settled, 2, omega) && t.row->verdict == VERIFY_DIED);
+    }
+}
+
 /* --- Nets. */
 
 /* Values of the nets; the third call is of a net that dies. */
@@ -280,6 +312,7 @@ int main(void)
     check_endings();
     check_spent();
     check_motion();
+    check_modes();
     check_nets();
     check_refine();
     check_refine_ends();

@@ -278,6 +278,61 @@ static void check_good(void)
     plan_clear(&plan);
 }
 
+/* From ... to, in the fewest digits that are the number. */
+static void check_ranges(void)
+{
+    static const struct {
+        const char *axis;
+        int count;
+        const char *values[5];
+    } ranges[] = {
+        {"{key: damping.value, from: 0.1, to: 0.9, count: 3}", 3, {"0.1", "0.5", "0.9"}},
+        {"{key: damping.value, from: 1, to: 0, count: 4}",
+         4,
+         {"1", "0.6666666666666667", "0.33333333333333337", "0"}},
+        {"{key: damping.value, from: 0.01, to: 1, count: 5, scale: log}",
+         5,
+         {"0.01", "0.0316227766016838", "0.1", "0.31622776601683794", "1"}},
+        {"{key: damping.value, from: 0.1, to: 0.3, count: 2, scale: linear}",
+         2,
+         {"0.1", "0.3"}},
+    };
+
+    for (size_t n = 0; n < sizeof ranges / sizeof *ranges; n++) {
+        struct plan plan;
+        char line[128];
+        snprintf(line, sizeof line, "  - %s", ranges[n].axis);
+        REQUIRE(read_plan(GOOD, LINES, 8, line, &plan, NULL) == STATUS_OK);
+        const struct plan_axis *axis = &plan.axes[1];
+        REQUIRE(axis->values.count == ranges[n].count && axis->line == 8);
+        for (int i = 0; i < axis->values.count; i++)
+            if (!CHECK(!strcmp(axis->values.list[i].value, ranges[n].values[i])))
+                printf("  %s: %s\n", ranges[n].axis, axis->values.list[i].value);
+        plan_clear(&plan);
+    }
+}
+
+/* A stand-in wherever it stands among the keys: first, here. */
+static void check_first(void)
+{
+    static const char *const text[] = {
+        "name: first", "source: a test", "settings: {gamma: 100}",
+        "axes: [{key: scene, values: [edge_drop]}, {key: damping.value, values: [0.5]}]"};
+    struct plan plan;
+    struct plan_case c;
+    struct scene scene;
+    const double tol_gamma = 1e-13;
+
+    REQUIRE(read_plan(text, 4, 0, "", &plan, NULL) == STATUS_OK);
+    CHECK(!strcmp(plan.keys[0], "gamma"));
+    REQUIRE(plan_case_open(&plan, 0, &c, NULL) == STATUS_OK);
+    REQUIRE(plan_case_scene(&c, &scene, NULL) == STATUS_OK);
+    CHECK_RELATIVE(scene_gamma(&scene), 100.0, tol_gamma);
+    scene_clear(&scene);
+    plan_case_clear(&c);
+    plan_clear(&plan);
+}
+
 /* Each stand-in through each key it may be set by. */
 static void check_derived_keys(void)
 {
@@ -313,6 +368,8 @@ int main(void)
     REQUIRE(file >= 0);
     close(file);
     check_good();
+    check_ranges();
+    check_first();
     check_studies();
     check_bad(GOOD, LINES, BAD, sizeof BAD / sizeof *BAD);
     check_bad(STUDIES, STUDY_LINES, BAD_STUDIES, sizeof BAD_STUDIES / sizeof *BAD_STUDIES);

@@ -87,6 +87,7 @@ static const struct wrong BAD[] = {
     {14, "verdicts: nowhere", "verdicts: no plan 'nowhere'; give the path"},
     {14, "verdicts: [{label: big, measure: size, above: 1, why: x}]", "measure is 'size'"},
     {15, "map: {x: gamma}", "map lacks the key 'y', a line of text"},
+    {15, "map: {x: weather, y: gamma}", "the map shows 'weather', which is neither a key"},
     {15, "map: {x: gamma, y: weather}", "the map shows 'weather', which is neither a key"},
     {15, "map: {x: gamma, y: drop_max, marks: [5]}",
      "a mark is '5', but must be a section"},
@@ -312,6 +313,34 @@ static void check_ranges(void)
     }
 }
 
+/* Values of many parts, in one line as --set takes them. */
+static void check_values(void)
+{
+    static const struct {
+        const char *key, *value;
+    } want[] = {{"a", "[{at: {u: 0, w: 1}, fix: xyz}]"},
+                {"b", "{kind: mass, value: [1,2,[3]]}"},
+                {"c", "'it''s: so'"},
+                {"d", "plain"}};
+    struct plan plan;
+    struct message why = {""};
+    FILE *file = fopen(path, "w");
+
+    REQUIRE(file);
+    fputs("name: values\nsource: a test\nsettings:\n  a: [{at: {u: 0, w: 1}, fix: xyz}]\n"
+          "  b:\n    kind: mass\n    value: [1, 2, [3]]\n  c: \"it's: so\"\n  d: plain\n",
+          file);
+    REQUIRE(fclose(file) == 0);
+    if (!CHECK(plan_parse(path, &plan, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    REQUIRE(plan.settings.count == 4);
+    for (int n = 0; n < 4; n++)
+        if (!CHECK(!strcmp(plan.settings.list[n].key, want[n].key) &&
+                   !strcmp(plan.settings.list[n].value, want[n].value)))
+            printf("  %s is %s\n", plan.settings.list[n].key, plan.settings.list[n].value);
+    plan_clear(&plan);
+}
+
 /* A stand-in wherever it stands among the keys: first, here. */
 static void check_first(void)
 {
@@ -369,6 +398,7 @@ int main(void)
     close(file);
     check_good();
     check_ranges();
+    check_values();
     check_first();
     check_studies();
     check_bad(GOOD, LINES, BAD, sizeof BAD / sizeof *BAD);

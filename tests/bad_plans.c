@@ -250,6 +250,23 @@ static void check_studies(void)
     plan_clear(&plan);
 }
 
+/* What nobody gives: at rest, no truth, not timed, nobody else's milliseconds. */
+static void check_bare_study(void)
+{
+    static const char *const text[] = {"name: bare", "source: a test", "scene: edge_drop",
+                                       "levels: [{label: \"Some Net, p = 2\"}]"};
+    struct plan plan;
+
+    REQUIRE(read_plan(text, 4, 0, "", &plan, NULL) == STATUS_OK);
+    const struct plan_study *s = &plan.studies[0];
+    CHECK(plan.study_count == 1 && !strcmp(s->name, "bare") &&
+          !strcmp(s->caption, "a test"));
+    CHECK(s->time_count == 0 && s->truth == 0 && s->timed == 0 && s->quick_count == 0);
+    CHECK(isnan(s->paper_ms) && isnan(s->levels[0].paper_ms) && s->levels[0].size == 0);
+    CHECK(!strcmp(s->levels[0].name, "some_net_p_2") && s->levels[0].phases == 0);
+    plan_clear(&plan);
+}
+
 /* The combinations in their order, and Gamma through the thickness. */
 static void check_good(void)
 {
@@ -404,6 +421,7 @@ int main(void)
     check_values();
     check_first();
     check_studies();
+    check_bare_study();
     check_bad(GOOD, LINES, BAD, sizeof BAD / sizeof *BAD);
     check_bad(STUDIES, STUDY_LINES, BAD_STUDIES, sizeof BAD_STUDIES / sizeof *BAD_STUDIES);
     check_derived_keys();

@@ -51,6 +51,9 @@ static const struct wrong BAD[] = {
     {5, "settings: {\"\": 3}", "'' is no key that --set could take"},
     {8, "  - {key: damping.value=2, values: [1]}", "'damping.value=2' is no key that"},
     {8, "  - {key: \"damping\\r\", values: [1]}", "key is 'damping?' in quotes, but must"},
+    {5, "settings: {time.end: \"1\\n2\"}",
+     "time.end' is '1?2' in quotes, but must be a value in one"},
+    {5, "settings: {time.end: }", "but must be a value in one line"},
     {5, "settings: {look: 3}", "has no key 'look'"},
     {5, "settings: {sheet.thickness: 0.01}", "also set by gamma in line 7"},
     {7, "  - {from: 10, to: 1000, count: 3}",
@@ -96,6 +99,7 @@ static const struct wrong BAD[] = {
     {14, "verdicts: nowhere", "verdicts: no plan 'nowhere'; give the path"},
     {14, "verdicts: [{label: big, measure: size, above: 1, why: x}]", "measure is 'size'"},
     {15, "map: {x: gamma}", "map lacks the key 'y', a line of text"},
+    {15, "map: {x: weather, y: gamma}", "the map shows 'weather', which is neither a key"},
     {15, "map: {x: gamma, y: weather}", "the map shows 'weather', which is neither a key"},
     {15, "map: {x: gamma, y: drop_max, marks: [5]}",
      "a mark is '5', but must be a section"},
@@ -294,6 +298,21 @@ static void check_quotes(void)
         plan_case_clear(&c);
         plan_clear(&plan);
     }
+/* What nobody gives: at rest, no truth, not timed, nobody else's milliseconds. */
+static void check_bare_study(void)
+{
+    static const char *const text[] = {"name: bare", "source: a test", "scene: edge_drop",
+                                       "levels: [{label: \"Some Net, p = 2\"}]"};
+    struct plan plan;
+
+    REQUIRE(read_plan(text, 4, 0, "", &plan, NULL) == STATUS_OK);
+    const struct plan_study *s = &plan.studies[0];
+    CHECK(plan.study_count == 1 && !strcmp(s->name, "bare") &&
+          !strcmp(s->caption, "a test"));
+    CHECK(s->time_count == 0 && s->truth == 0 && s->timed == 0 && s->quick_count == 0);
+    CHECK(isnan(s->paper_ms) && isnan(s->levels[0].paper_ms) && s->levels[0].size == 0);
+    CHECK(!strcmp(s->levels[0].name, "some_net_p_2") && s->levels[0].phases == 0);
+    plan_clear(&plan);
 }
 
 /* The combinations in their order, and Gamma through the thickness. */
@@ -325,6 +344,89 @@ static void check_good(void)
         scene_clear(&scene);
         plan_case_clear(&c);
     }
+    plan_clear(&plan);
+}
+
+/* From ... to, in the fewest digits that are the number. */
+static void check_ranges(void)
+{
+    static const struct {
+        const char *axis;
+        int count;
+        const char *values[5];
+    } ranges[] = {
+        {"{key: damping.value, from: 0.1, to: 0.9, count: 3}", 3, {"0.1", "0.5", "0.9"}},
+        {"{key: damping.value, from: 1, to: 0, count: 4}",
+         4,
+         {"1", "0.6666666666666667", "0.33333333333333337", "0"}},
+        {"{key: damping.value, from: 0.01, to: 1, count: 5, scale: log}",
+         5,
+         {"0.01", "0.0316227766016838", "0.1", "0.31622776601683794", "1"}},
+        {"{key: damping.value, from: 0.1, to: 0.3, count: 2, scale: linear}",
+         2,
+         {"0.1", "0.3"}},
+    };
+
+    for (size_t n = 0; n < sizeof ranges / sizeof *ranges; n++) {
+        struct plan plan;
+        char line[128];
+        snprintf(line, sizeof line, "  - %s", ranges[n].axis);
+        REQUIRE(read_plan(GOOD, LINES, 8, line, &plan, NULL) == STATUS_OK);
+        const struct plan_axis *axis = &plan.axes[1];
+        REQUIRE(axis->values.count == ranges[n].count && axis->line == 8);
+        for (int i = 0; i < axis->values.count; i++)
+            if (!CHECK(!strcmp(axis->values.list[i].value, ranges[n].values[i])))
+                printf("  %s: %s\n", ranges[n].axis, axis->values.list[i].value);
+        plan_clear(&plan);
+    }
+}
+
+/* Values of many parts, in one line as --set takes them. */
+static void check_values(void)
+{
+    static const struct {
+        const char *key, *value;
+    } want[] = {{"a", "[{at: {u: 0, w: 1}, fix: xyz}]"},
+                {"b", "{kind: mass, value: [1,2,[3]]}"},
+                {"c", "'it''s: so'"},
+                {"d", "plain"}};
+    struct plan plan;
+    struct message why = {""};
+    FILE *file = fopen(path, "w");
+
+    REQUIRE(file);
+    fputs("name: values\nsource: a test\nsettings:\n  a: [{at: {u: 0, w: 1}, fix: xyz}]\n"
+          "  b:\n    kind: mass\n    value: [1, 2, [3]]\n  c: \"it's: so\"\n  d: plain\n",
+          file);
+    REQUIRE(fclose(file) == 0);
+    if (!CHECK(plan_parse(path, &plan, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    REQUIRE(plan.settings.count == 4);
+    for (int n = 0; n < 4; n++)
+        if (!CHECK(!strcmp(plan.settings.list[n].key, want[n].key) &&
+                   !strcmp(plan.settings.list[n].value, want[n].value)))
+            printf("  %s is %s\n", plan.settings.list[n].key, plan.settings.list[n].value);
+    plan_clear(&plan);
+}
+
+/* A stand-in wherever it stands among the keys: first, here. */
+static void check_first(void)
+{
+    static const char *const text[] = {
+        "name: first", "source: a test", "settings: {gamma: 100}",
+        "axes: [{key: scene, values: [edge_drop]}, {key: damping.value, values: [0.5]}]"};
+    struct plan plan;
+    struct plan_case c;
+    struct scene scene;
+    const double tol_gamma = 1e-13;
+
+    REQUIRE(read_plan(text, 4, 0, "", &plan, NULL) == STATUS_OK);
+    CHECK(!strcmp(plan.keys[0], "gamma"));
+    REQUIRE(plan_case_open(&plan, 0, &c, NULL) == STATUS_OK);
+    REQUIRE(plan_case_scene(&c, &scene, NULL) == STATUS_OK);
+    CHECK_RELATIVE(scene_gamma(&scene), 100.0, tol_gamma);
+    scene_clear(&scene);
+    plan_case_clear(&c);
     plan_clear(&plan);
 }
 
@@ -363,8 +465,12 @@ int main(void)
     REQUIRE(file >= 0);
     close(file);
     check_good();
+    check_ranges();
+    check_values();
+    check_first();
     check_studies();
     check_quotes();
+    check_bare_study();
     check_bad(GOOD, LINES, BAD, sizeof BAD / sizeof *BAD);
     check_bad(STUDIES, STUDY_LINES, BAD_STUDIES, sizeof BAD_STUDIES / sizeof *BAD_STUDIES);
     check_derived_keys();

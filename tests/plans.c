@@ -151,8 +151,32 @@ static void check_feasibility(void)
     plan_clear(&plan);
 }
 
+/* A line for lists: what a plan is about; of studies alone; of a file that is none, why. */
+static void check_lines(void)
+{
+    static const struct {
+        const struct named_file_kind *kind;
+        const char *path, *text;
+    } lines[] = {
+        {&plan_kind, SOURCE_DIR "/bench/plans/table4.yaml",
+         "Ren et al. 2024, Table 4 (E read as 1e4, 5e4, 1e5 Pa)"},
+        {&plan_study_kind, SOURCE_DIR "/bench/plans/table4.yaml", ""},
+        {&plan_study_kind, SOURCE_DIR "/bench/plans/mesh.yaml", NULL},
+        {&plan_kind, SOURCE_DIR "/README.md", NULL},
+    };
+
+    for (int n = 0; n < 4; n++) {
+        char *text = lines[n].kind->describe(lines[n].path);
+        if (!CHECK(text && (lines[n].text ? !strcmp(text, lines[n].text) : *text)))
+            printf("  %s: '%s'\n", lines[n].path, text);
+        CHECK(n < 3 || strstr(text, "README.md:"));
+        free(text);
+    }
+}
+
 int main(void)
 {
+    check_lines();
     check_table4();
     check_feasibility();
     return check_result();

@@ -164,6 +164,9 @@ static void check_choice(void)
         CHECK(stress_choice_case(&quick, c) == c->quick);
         CHECK(stress_choice_case(&some, c) == !strcmp(c->item.name, "thin_5"));
     }
+    CHECK(!strcmp(stress_case_items[0]->name, "map")); /* the cases are behind it */
+    for (int n = 0; stress_case_at(n); n++)
+        CHECK(&stress_case_at(n)->item == stress_case_items[n + 1]);
     CHECK(stress_choice_map(&all) && stress_choice_map(&quick) && stress_choice_map(&some));
     CHECK(!stress_choice_map(&(struct stress_choice){.word_count = 1, .words = words}));
     CHECK(chosen(&pair) == 3); /* two of projective dynamics, one of hex */

@@ -3,6 +3,7 @@
 #include "bench/stress/stress.h"
 #include "fem_ref/elastica.h"
 #include "fem_ref/kirchhoff.h"
+#include "models/clock.h"
 #include "models/reader/scene_file.h"
 #include "tests/scripted_model.h"
 
@@ -25,9 +26,11 @@ static struct stress_result judge(const struct stress_case *c, bool quick)
         .c = c, .contestant = &contestant, .path = path, .folder = "none", .quick = quick};
     struct stress_result r;
     struct message why = {""};
+    const double before = clock_processor();
 
     if (!CHECK(stress_judge(&job, &r, &why) == STATUS_OK))
         printf("  %s: %s\n", c->item.name, why.text);
+    CHECK(r.seconds >= 0 && r.seconds <= clock_processor() - before);
     return r;
 }
 

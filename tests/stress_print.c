@@ -101,10 +101,16 @@ static void check_print(const char *folder)
         holds(text, "Damaged", false);
         holds(text, c->item.text, !told[n].r.quick);
         holds(text, "200 steps of undamped swing", told[n].r.quick);
+        snprintf(line, sizeof line, "\n%-11s  %s", told[n].c,
+                 told[n].r.quick ? c->quick_text : c->item.text);
+        holds(text, strcmp(told[n].c, "still") ? line : "\nstill  nothing acts  1.e-12",
+              true);
         holds(text, c->why, true);
         for (char *blank = text; (blank = strchr(blank, '\n'));)
             *blank = ' ';
         holds(text, ends[end], true);
+        CHECK(strstr(text, "ok: accurate") <
+              strstr(text, "What each case is held against"));
         free(text);
         free(csv);
         snprintf(file, sizeof file, "%s/%s.shell.txt", folder, told[n].c);

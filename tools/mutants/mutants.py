@@ -190,7 +190,6 @@ def arguments():
     parser.add_argument("--limit", type=float, default=120)
     parser.add_argument("--verify", action="store_true")
     parser.add_argument("--list", action="store_true")
-    parser.add_argument("--verify", action="store_true")
     return parser.parse_intermixed_args()
 
 
@@ -230,8 +229,6 @@ def try_all(o):
 
 def main():
     o = arguments()
-    if o.verify:
-        copied.VERIFY = "-"
     if o.mode == "coverage":
         os.makedirs(SCRATCH, exist_ok=True)
         wanted = re.compile(o.tests) if o.tests else None

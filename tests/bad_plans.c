@@ -298,6 +298,8 @@ static void check_quotes(void)
         plan_case_clear(&c);
         plan_clear(&plan);
     }
+}
+
 /* What nobody gives: at rest, no truth, not timed, nobody else's milliseconds. */
 static void check_bare_study(void)
 {

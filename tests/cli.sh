@@ -109,6 +109,10 @@ good truth edge_drop --stored
 says out 'All of it is claimed.' 'Made at commit'
 good truth flag --stored
 says out 'Nothing is claimed from 0.4 s on: the error bar there, ' ' %, is above 5 %.'
+for row in '0.300 1.9 - 4.4 - 1.8 17 0.45 0.25 4.4' \
+    '0.400 1.5 - 13 - 2.4 53 1.4 0.50 no claim'; do
+    grep '^0' out | tr -s ' ' | grep -qFx "$row" || fail "truth flag lacks '$row': $out"
+done
 good truth sphere --stored
 says out 'Nothing is claimed from 0.3 s on: the growth there, ' ', is above 1000.'
 refused 'of other physics: material 100000 0.3 0.5, not material 1000000 0.3 0.5' \
@@ -134,10 +138,15 @@ done
 # --- verify judges nobody by a truth of other physics, and says so ---------------------------
 mkdir scenes
 sed 's/young: *1.0e5/young: 1.0e6/' "$2/models/scenes/edge_drop.yaml" >scenes/edge_drop.yaml
-CLOTHBENCH_SCENES=$PWD/scenes good verify truths --quick --models shell_3 --format csv
+CLOTHBENCH_SCENES=$PWD/scenes good verify truths --quick --models iga_incremental,shell_3 \
+    --format csv
+[ "$(grep -c '^"edge_drop, rms / L",' out)" = 2 ] || fail "verify truths leaves one out: $out"
 grep -q '^"edge_drop, rms / L".*,not applicable,.*of other physics: material 100000 ' out ||
     fail "verify truths judges by another physics: $out"
 grep -q '^"flag, rms / L at 0.1 s".*,met,' out || fail "verify truths lacks the flag: $out"
+mkdir truths
+echo no truth >truths/flag.h5
+CLOTHBENCH_TRUTHS=$PWD/truths refused truths/flag.h5 verify truths --quick --models shell_3
 
 # --- bench: so are times, from every repeat that was kept -----------------------------------
 good bench contestants growth --models iga_linear,shell --quick --out times --format json

@@ -40,6 +40,10 @@ awk -F, "$rows"' { worst = $at["worst_rmse_over_length"]
                if (name != "iga_selective_3") { print "best:", name; exit 1 } }' \
     "$folder/compare.csv" || fail "compare.csv is not as it should be"
 
+# What is refined for that is refined indeed: net and step, each changes the error.
+awk -F, 'NR > 1 { n++; if ($(NF - 2) == "nan" || $(NF - 2) == 0 || $(NF - 1) == "nan" || $(NF - 1) == 0) bad++ }
+         END { exit !(n == 3 && !bad) }' "$folder/compare_limits.csv" || fail "a refinement that changes nothing"
+
 # The same from its files, in words and numbers, and nothing is run or made for it.
 mkdir "$folder/first" && mv "$folder"/*.csv "$folder/first"
 "$program" "${light[@]}" --models iga_linear,iga_selective_3,hex_incompatible --from "$folder" >"$folder.again" 2>>"$folder.log" || fail "--from"

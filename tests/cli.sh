@@ -200,7 +200,15 @@ first=$out
 [ "$(wc -l <out)" -eq $((1 + 2 * 11)) ] || fail "probe lines: $(wc -l <out)"
 [ "$(head -n 1 out)" = t,u,v,w,x,y,z ] || fail "probe header: $(head -n 1 out)"
 tail -n +2 out | grep -Evq '^([-+.e0-9]+,){6}[-+.e0-9]+$' && fail 'probe lines do not parse'
-says out '0,1,0.5,0.5,1' # t = 0 is there
+# each number in its column: at rest where the scene has it, its own point in each row, a
+# frame for both; the free edge falls
+awk -F, 'function wrong() { print "line " NR ": " $0; bad = 1 }
+    NR == 1 { next }
+    { u = NR % 2 ? 0.3 : 1; v = NR % 2 ? 0.7 : 0.5; w = NR % 2 ? 1 : 0.5 }
+    ($1 - 0.005 * int((NR - 2) / 2))^2 > 1e-24 || $2 != u || $3 != v || $4 != w { wrong() }
+    NR < 4 && ($5 - u)^2 + ($6 - v)^2 + ($7 - 0.001177 * (w - 0.5))^2 > 1e-24 { wrong() }
+    NR == 22 && !($7 < -0.01 && $7 > -0.02 && $6 > 0.49 && $6 < 0.51) { wrong() }
+    END { exit bad }' out || fail 'probe columns'
 # 17 digits: every number comes back as it is when printed again from its double
 tail -n +2 out | tr , '\n' | while read -r number; do
     [ "$(LC_ALL=C awk -v x="$number" 'BEGIN { printf "%.17g", x }')" = "$number" ] || exit 1

@@ -64,8 +64,10 @@ static void test_rows(void)
         CHECK(run.model == c->model && run.contestant == c);
         run_close(&run);
         settings_clear(&s);
+        const int *const ladders[] = {c->points, c->divisors, c->iterations};
         for (int n = 1; n < CONTESTANT_STEPS; n++)
-            CHECK(!c->points[n] || c->points[n] > c->points[n - 1]);
+            for (int i = 0; i < 3; i++)
+                CHECK(!ladders[i][n] || ladders[i][n] > ladders[i][n - 1]);
         CHECK(c->points[0] && c->divisors[0] == 1);
     }
 }
@@ -79,6 +81,41 @@ static int chosen(const char *choice, unsigned where)
     return count;
 }
 
+/* How many of a model do. */
+static int enter(const struct model *model, unsigned where)
+{
+    int count = 0;
+
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        count += c->model == model && c->enters & where;
+    return count;
+}
+
+/* What a row sets, by its key; nothing for what another row sets, or none. */
+static void test_settings(void)
+{
+    static const struct {
+        const char *name, *key, *value;
+    } want[] = {{"iga_reduced", "discretization.kinematics", "nonlinear"},
+                {"iga_reduced", "discretization.remedy", "reduced"},
+                {"iga_reduced", "discretization.degree", NULL},
+                {"iga", "discretization.kinematics", NULL},
+                {"shell_3", "discretization.degree", "[3,3]"}};
+
+    for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
+        const char *value = contestant_setting(find(want[n].name), want[n].key);
+        CHECK(want[n].value ? value && !strcmp(value, want[n].value) : !value);
+    }
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        CHECK(contestant_is_paper_scheme(c) == !!strstr(c->title, "printed"));
+    /* a row may be full of settings */
+    static const struct contestant full = {.settings = {"a=1", "b=2", "c=3", "d=4"}};
+    struct settings s = {0};
+    contestant_settings(&full, &s);
+    CHECK(s.count == 4 && !strcmp(contestant_setting(&full, "d"), "4"));
+    settings_clear(&s);
+}
+
 static void test_choice(void)
 {
     int all = 0, compare = 0, iga = 0;
@@ -89,8 +126,12 @@ static void test_choice(void)
         compare += enters;
         iga += enters && !strcmp(c->model->name, "iga");
         CHECK(chosen(c->name, 0) >= 1);
-        CHECK(contestant_chosen(c, c->name, CONTESTANT_STRESS) ||
-              c == find(c->model->name)); /* by name it enters anywhere */
+        /* by name it enters anywhere; where that is its model's name, too, those of the
+         * model that do, if there are any */
+        for (unsigned where = 1; where < CONTESTANT_EVERYWHERE; where *= 2)
+            CHECK(contestant_chosen(c, c->name, where) ==
+                  (strcmp(c->name, c->model->name) || c->enters & where ||
+                   !enter(c->model, where)));
     }
     CHECK(chosen(NULL, 0) == all && chosen("all", 0) == all);
     CHECK(chosen(NULL, CONTESTANT_COMPARE) == compare && compare > 5);
@@ -125,6 +166,7 @@ int main(void)
     test_names();
     test_models();
     test_rows();
+    test_settings();
     test_choice();
     test_check();
     return check_result();

@@ -159,19 +159,20 @@ static void many_numbers(hid_t file)
     H5Sclose(space);
 }
 
-/* An extent that nothing was written for. */
-static void grow(hid_t file, const char *name, int rank, const hsize_t *size)
+/* In place of an array one of another type, rank or size: zeros, or nothing written. */
+static void replace(hid_t file, const char *name, hid_t type, int rank, const hsize_t *size,
+                    const void *zeros)
 {
     hsize_t chunk[5] = {1, 1, 1, 1, 1};
     hid_t space = H5Screate_simple(rank, size, NULL),
           create = H5Pcreate(H5P_DATASET_CREATE);
 
     chunk[rank - 1] = 3;
-    H5Pset_chunk(create, rank, chunk);
+    H5Pset_chunk(create, rank, zeros ? size : chunk);
     H5Ldelete(file, name, H5P_DEFAULT);
-    hid_t set =
-        H5Dcreate2(file, name, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, create, H5P_DEFAULT);
+    hid_t set = H5Dcreate2(file, name, type, space, H5P_DEFAULT, create, H5P_DEFAULT);
     REQUIRE(set >= 0);
+    REQUIRE(!zeros || H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros) >= 0);
     H5Dclose(set);
     H5Pclose(create);
     H5Sclose(space);
@@ -179,32 +180,88 @@ static void grow(hid_t file, const char *name, int rank, const hsize_t *size)
 
 static void large_array(hid_t file)
 {
-    grow(file, "time", 2, (hsize_t[]){1ul << 32, 1ul << 32}); /* the product is 0 */
+    replace(file, "time", H5T_NATIVE_DOUBLE, 2, (hsize_t[]){1ul << 32, 1ul << 32},
+            NULL); /* the product is 0 */
 }
 
 static void many_frames(hid_t file)
 {
-    grow(file, "xyz", 5, (hsize_t[]){6000, 2, 100, 100, 3}); /* 2.9 GB */
+    replace(file, "xyz", H5T_NATIVE_DOUBLE, 5, (hsize_t[]){6000, 2, 100, 100, 3},
+            NULL); /* 2.9 GB */
+}
+
+static hsize_t file_size;
+
+/* Neither side is too large, the whole is. */
+static void thick_array(hid_t file)
+{
+    replace(file, "time", H5T_NATIVE_DOUBLE, 2, (hsize_t[]){file_size - 2000, 3}, NULL);
+}
+
+static double zeros[100000]; /* one frame has 60,000 */
+
+static void letters(hid_t file)
+{
+    replace(file, "time", H5T_C_S1, 1, (hsize_t[]){5}, zeros);
+}
+
+static void box(hid_t file)
+{
+    replace(file, "time", H5T_NATIVE_DOUBLE, 3, (hsize_t[]){5, 1, 1}, zeros);
+}
+
+/* Fields of any shape but ours, in each direction. */
+static hsize_t shape[5];
+static int shape_rank;
+
+static void other_shape(hid_t file)
+{
+    replace(file, "xyz", H5T_NATIVE_DOUBLE, shape_rank, shape, zeros);
+}
+
+/* The run changed by `make`: the sentence begins with the file's name and has a part. */
+static void check_made(const unsigned char *bytes, long size, const char *bad,
+                       void (*make)(hid_t file), const char *part)
+{
+    struct message why = {""};
+
+    write_all(bad, bytes, size);
+    hid_t file = H5Fopen(bad, H5F_ACC_RDWR, H5P_DEFAULT);
+    REQUIRE(file >= 0);
+    make(file);
+    REQUIRE(H5Fclose(file) >= 0);
+    REQUIRE(seal_write(bad, NULL) == STATUS_OK);
+    CHECK(read_run(bad, &why) != STATUS_OK);
+    printf("  said: %s\n", why.text);
+    CHECK(!strncmp(why.text, bad, strlen(bad)) && !strchr(why.text, '\n'));
+    CHECK(strstr(why.text, part));
 }
 
 static void made_on_purpose(const char *good, const char *bad)
 {
-    static void (*const make[])(hid_t file) = {many_texts, many_numbers, large_array,
-                                               many_frames};
+    static const struct {
+        void (*make)(hid_t file);
+        const char *part;
+    } made[] = {{many_texts, ": has no text outcome"},
+                {many_numbers, ": has no number unknowns"},
+                {large_array, ": time is larger than the file"},
+                {thick_array, ": time is larger than the file"},
+                {many_frames, ": is not a result file"},
+                {letters, ": cannot read time: "},
+                {box, ": cannot read time: "}};
+    static const hsize_t ours[5] = {1, 2, 100, 100, 3};
     long size;
     unsigned char *bytes = read_all(good, &size);
 
-    for (size_t n = 0; n < sizeof make / sizeof *make; n++) {
-        struct message why = {""};
-        write_all(bad, bytes, size);
-        hid_t file = H5Fopen(bad, H5F_ACC_RDWR, H5P_DEFAULT);
-        REQUIRE(file >= 0);
-        make[n](file);
-        REQUIRE(H5Fclose(file) >= 0);
-        REQUIRE(seal_write(bad, NULL) == STATUS_OK);
-        CHECK(read_run(bad, &why) != STATUS_OK);
-        printf("  said: %s\n", why.text);
-        CHECK(strstr(why.text, bad) && !strchr(why.text, '\n'));
+    file_size = (hsize_t)size;
+    for (size_t n = 0; n < sizeof made / sizeof *made; n++)
+        check_made(bytes, size, bad, made[n].make, made[n].part);
+    for (int axis = 1; axis <= 5; axis++) { /* the last: of rank 4 */
+        memcpy(shape, ours, sizeof shape);
+        shape_rank = axis < 5 ? 5 : 4;
+        if (axis < 5)
+            shape[axis]++;
+        check_made(bytes, size, bad, other_shape, ": is not a result file");
     }
     free(bytes);
 }

@@ -4,7 +4,7 @@
 #include <cholmod.h>
 #include <unistd.h>
 
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 static char path[] = "/tmp/clothbench-matrix-XXXXXX";
 
@@ -86,8 +86,10 @@ int main(void)
 {
     int file = mkstemp(path);
     REQUIRE(file >= 0 && close(file) == 0);
+    const int before = scratch_files("/proc/self/fd");
     test_round_trip();
     test_long_comment();
+    CHECK(scratch_files("/proc/self/fd") == before);
     unlink(path);
     return check_result();
 }

@@ -3,7 +3,6 @@
  * buffer was printed) or only with the last flush. */
 #include "bench/files/output.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -11,29 +10,8 @@
 #include <unistd.h>
 
 #include "bench/files/atomic_file.h"
-#include "tests/check.h"
-
-static char folder[] = "/tmp/clothbench-output-XXXXXX";
-
-static const char *in_folder(const char *name)
-{
-    static char path[4][256];
-    static int turn;
-    char *text = path[turn++ % 4];
-    snprintf(text, sizeof path[0], "%s/%s", folder, name);
-    return text;
-}
-
-static int files_in(const char *path)
-{
-    int count = 0;
-    DIR *dir = opendir(path);
-    REQUIRE(dir);
-    for (struct dirent *e; (e = readdir(dir));)
-        count += e->d_name[0] != '.';
-    closedir(dir);
-    return count;
-}
+#include "bench/files/folder.h"
+#include "tests/scratch.h"
 
 /* What main does, in a child whose standard output is `target` (-1: closed): prints `lines`
  * and ends with 0 or 1; the sentence goes to sentence[size]. Returns the exit code, or -1
@@ -115,9 +93,9 @@ static void test_signal(int number)
 {
     struct atomic_file mine = {0};
     struct message why;
-    int before = files_in(folder), outcome = 0;
+    int before = scratch_files(scratch), outcome = 0;
 
-    REQUIRE(atomic_file_open(in_folder("parent.txt"), &mine, &why) == STATUS_OK);
+    REQUIRE(atomic_file_open(scratch_path("parent.txt"), &mine, &why) == STATUS_OK);
     fflush(stdout);
     pid_t child = fork();
     REQUIRE(child >= 0);
@@ -125,18 +103,23 @@ static void test_signal(int number)
         struct output *out = NULL;
         signal(number, SIG_DFL); /* ignored in some background shells */
         atomic_file_catch_signals();
-        if (output_create(in_folder("child.txt"), &out, &why) != STATUS_OK ||
-            files_in(folder) != before + 2)
+        /* one that is whole by then stays, and its name aside is forgotten */
+        if (output_create(scratch_path("whole.txt"), &out, &why) != STATUS_OK ||
+            output_close(out, &why) != STATUS_OK)
             _exit(1);
+        for (int n = 0; n < 3; n++)
+            if (output_create(scratch_path("child.txt"), &out, &why) != STATUS_OK ||
+                scratch_files(scratch) != before + 3 + n)
+                _exit(1);
         output_print(out, "half");
         raise(number);
         _exit(2);
     }
     REQUIRE(waitpid(child, &outcome, 0) == child);
     CHECK(WIFSIGNALED(outcome) && WTERMSIG(outcome) == number);
-    CHECK(files_in(folder) == before + 1);
+    CHECK(scratch_files(scratch) == before + 2 && unlink(scratch_path("whole.txt")) == 0);
     atomic_file_discard(&mine);
-    CHECK(files_in(folder) == before);
+    CHECK(scratch_files(scratch) == before);
 }
 
 /* A symbolic link stays one, and what it points to is replaced. */
@@ -146,26 +129,109 @@ static void test_link(void)
     struct message why;
     struct stat info;
 
-    FILE *file = fopen(in_folder("real.txt"), "w");
+    FILE *file = fopen(scratch_path("real.txt"), "w");
     REQUIRE(file && fclose(file) == 0);
-    REQUIRE(symlink("real.txt", in_folder("link.txt")) == 0);
-    REQUIRE(output_create(in_folder("link.txt"), &out, &why) == STATUS_OK);
+    REQUIRE(symlink("real.txt", scratch_path("link.txt")) == 0);
+    REQUIRE(output_create(scratch_path("link.txt"), &out, &why) == STATUS_OK);
     output_print(out, "%d\n", 12345);
     CHECK(output_close(out, &why) == STATUS_OK);
-    CHECK(lstat(in_folder("link.txt"), &info) == 0 && S_ISLNK(info.st_mode));
-    CHECK(stat(in_folder("real.txt"), &info) == 0 && info.st_size == 6);
-    unlink(in_folder("link.txt"));
-    unlink(in_folder("real.txt"));
+    CHECK(lstat(scratch_path("link.txt"), &info) == 0 && S_ISLNK(info.st_mode));
+    CHECK(stat(scratch_path("real.txt"), &info) == 0 && info.st_size == 6);
+    unlink(scratch_path("link.txt"));
+    unlink(scratch_path("real.txt"));
+}
+
+/* Nothing is left of a file that is given up. */
+static void test_given_up(void)
+{
+    struct output *out = NULL;
+
+    REQUIRE(output_create(scratch_path("none.txt"), &out, NULL) == STATUS_OK);
+    output_print(out, "half");
+    output_discard(out);
+    output_discard(NULL);
+    CHECK(scratch_files(scratch) == 0);
+    /* what is written in place stays: it was there before */
+    const char *pipe = scratch_path("pipe");
+    REQUIRE(mkfifo(pipe, 0600) == 0);
+    const int reader = open(pipe, O_RDONLY | O_NONBLOCK);
+    REQUIRE(reader >= 0 && output_create(pipe, &out, NULL) == STATUS_OK);
+    output_discard(out);
+    CHECK(scratch_files(scratch) == 1 && unlink(pipe) == 0);
+    close(reader);
+}
+
+/* What no file can be, in a sentence of its own. */
+static void test_refusals(void)
+{
+    static const struct {
+        const char *path, *sentence;
+    } want[] = {{".", ".: is a folder, not a file"},
+                {"", "the name of an output file is empty"},
+                {"none/a", "none/a: cannot be created: No such file or directory"},
+                {"/dev/null/a", "/dev/null/a: cannot be created: Not a directory"}};
+    struct output *out = NULL;
+
+    for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
+        struct message why = {""};
+        CHECK(output_create(want[n].path, &out, &why) == STATUS_FILE && !out);
+        if (!CHECK(!strcmp(why.text, want[n].sentence)))
+            printf("  %s\n", why.text);
+    }
+}
+
+/* Folders on the way are made, by whoever may; those there are stay as they are. */
+static void test_folders(void)
+{
+    static const struct {
+        const char *path, *sentence;
+    } want[] = {{"x/y/z", NULL},
+                {"x/y/z", NULL},
+                {"x/yy//w/", NULL},
+                {"file/a", "file/a: cannot be made: Not a directory"},
+                {"x/y/file/a", "x/y/file/a: cannot be made: Not a directory"},
+                {"/proc/a/b", "/proc/a: cannot be made: No such file or directory"}};
+    static const char *const made[] = {"x/yy/w", "x/yy", "x/y/z", "x/y", "x"};
+    struct message why = {""};
+    struct stat info;
+    char path[5000];
+
+    umask(022);
+    REQUIRE(chdir(scratch) == 0 && fclose(fopen("file", "w")) == 0);
+    for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
+        const enum status st = folder_make(want[n].path, &why);
+        CHECK(st == (want[n].sentence ? STATUS_FILE : STATUS_OK));
+        if (n == 1)
+            REQUIRE(rename("file", "x/y/file") == 0 && symlink("x/y/file", "file") == 0);
+        if (want[n].sentence && !CHECK(!strcmp(why.text, want[n].sentence)))
+            printf("  %s\n", why.text);
+    }
+    memset(path, 'a', sizeof path - 1), path[sizeof path - 1] = '\0';
+    CHECK(folder_make(path, &why) == STATUS_FILE && strstr(why.text, "too long"));
+    path[4096] = '\0';
+    CHECK(folder_make(path, &why) == STATUS_FILE && strstr(why.text, "too long"));
+    path[4095] = '\0'; /* too long for the system alone */
+    CHECK(folder_make(path, &why) == STATUS_FILE && !strstr(why.text, "...:"));
+    CHECK(unlink("file") == 0 && unlink("x/y/file") == 0);
+    for (size_t n = 0; n < sizeof made / sizeof *made; n++) {
+        CHECK(stat(made[n], &info) == 0 && (info.st_mode & 07777) == 0755);
+        CHECK(rmdir(made[n]) == 0);
+    }
 }
 
 int main(void)
 {
-    REQUIRE(mkdtemp(folder));
+    REQUIRE(mkdtemp(scratch));
+    test_folders();
+    test_refusals();
+    const int open = scratch_files("/proc/self/fd");
     test_signal(SIGINT);
     test_signal(SIGTERM);
     test_signal(SIGHUP);
     test_link();
-    CHECK(rmdir(folder) == 0);
+    test_given_up();
+    CHECK(scratch_files("/proc/self/fd") == open);
+    CHECK(rmdir(scratch) == 0);
     test_full_device();
     test_closed_pipe();
     test_others();

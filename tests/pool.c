@@ -2,14 +2,21 @@
  * are slots. (sweep.sh, sweep_mpi.sh: signals, ranks.) */
 #include "bench/harness/pool.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "bench/harness/ranks.h"
+#include "models/clock.h"
 #include "tests/check.h"
 
 enum { JOBS = 12, CRASHES = 3, FAILS = 5, HANGS = 7, DONE_BEFORE = 9 };
+
+/* Of a few seconds, in any order. */
+static const double TOL_SUM = 1e-12;
 
 struct notes {
     int begun[JOBS], ended[JOBS], running, most;
@@ -68,13 +75,19 @@ static void check_ends(void)
                         .begin = begin,
                         .settle = settle};
 
+    double begun = clock_now(), seconds = 0;
+
     REQUIRE(notes.fd >= 0);
     REQUIRE(pool_run(&pool, NULL) == STATUS_OK);
+    CHECK(pool.wall >= 2 && pool.wall <= clock_now() - begun); /* one hangs as long */
     for (int n = 0; n < JOBS; n++) {
         const bool well = n != CRASHES && n != FAILS && n != HANGS;
         CHECK(notes.ended[n] == (n != DONE_BEFORE));
         CHECK(notes.end[n].outcome == (well ? CHILD_DONE : CHILD_FAILED));
     }
+    for (int n = 0; n < JOBS; n++)
+        seconds += notes.end[n].seconds;
+    CHECK_NEAR(pool.seconds, seconds, TOL_SUM);
     CHECK(!strcmp(notes.end[FAILS].why.text, "no such case"));
     CHECK(strstr(notes.end[CRASHES].why.text, "signal 6"));
     CHECK(notes.end[HANGS].overdue);
@@ -88,6 +101,19 @@ static enum status find_disk_full(void *context, long job, struct message *why)
 {
     (void)context;
     return job == 1 ? status_fail(why, STATUS_FILE, "no room") : STATUS_OK;
+}
+
+static enum status pass(void *context, long job, struct message *why)
+{
+    (void)context;
+    return job == FAILS ? status_fail(why, STATUS_INPUT, "no such case") : STATUS_OK;
+}
+
+static enum status fail_beside_sleeper(void *context, long job, struct message *why)
+{
+    if (job == 0)
+        nanosleep(&(struct timespec){.tv_sec = 60}, NULL);
+    return find_disk_full(context, job, why);
 }
 
 static enum status ask_to_stop(void *context, long job, struct message *why)
@@ -115,13 +141,229 @@ static void check_stops(void)
     CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
     CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.begun[2]);
     notes = (struct notes){0};
-    pool.work = ask_to_stop;
+    pool.work = fail_beside_sleeper, pool.slots = 2;
+    CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
+    CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD); /* it ended the other */
+    notes = (struct notes){0};
+    pool.work = ask_to_stop, pool.slots = 1;
     CHECK(pool_run(&pool, &why) == STATUS_OK && pool.stopped_by == SIGTERM);
     CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.ended[JOBS - 1]);
 }
 
+/* Each of the words by which mpirun is known is enough; the library is not here. */
+static void check_ranks(void)
+{
+    static const char *const words[] = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"};
+    const struct ranks *ranks = NULL;
+
+    for (int n = 0; n < 3; n++)
+        unsetenv(words[n]);
+    CHECK(ranks_start(&ranks, NULL) == STATUS_OK && !ranks);
+    for (int n = 0; n < 3; n++) {
+        struct message why = {""};
+        setenv(words[n], "1", 1);
+        CHECK(ranks_start(&ranks, &why) == STATUS_UNSUPPORTED && !ranks);
+        CHECK(strstr(why.text, "built without MPI"));
+        unsetenv(words[n]);
+    }
+}
+
+/* --- Ranks that are none: they answer at some later look, and mind being asked twice. */
+
+enum { RANKS = 3, KIND_JOB = 0, KIND_END = 1, KIND_OVER = 2 };
+
+static struct {
+    struct ranks_message answer[RANKS];
+    bool busy[RANKS];
+    int jobs[RANKS], looks;
+} others;
+
+static void send_to_other(int to, const struct ranks_message *message)
+{
+    REQUIRE(to > 0 && to < RANKS && message->kind == KIND_JOB);
+    CHECK(!others.busy[to]);
+    others.busy[to] = true;
+    others.jobs[to]++;
+    others.answer[to] = (struct ranks_message){.kind = KIND_END,
+                                               .code = CHILD_FAILED,
+                                               .number = message->number,
+                                               .seconds = to,
+                                               .text = {"so it said"}};
+}
+
+static bool receive_from_other(int *from, struct ranks_message *message)
+{
+    const int rank = others.looks++ / 5 % RANKS;
+
+    if (rank == 0 || !others.busy[rank] || others.looks % 5)
+        return false;
+    *from = rank;
+    *message = others.answer[rank];
+    others.busy[rank] = false;
+    return true;
+}
+
+static void check_other_ranks(void)
+{
+    const struct ranks ranks = {
+        .size = RANKS, .send = send_to_other, .receive = receive_from_other};
+    struct notes notes = {0};
+    struct pool pool = {.count = JOBS,
+                        .slots = 1,
+                        .ranks = &ranks,
+                        .time_limit = 30,
+                        .quiet = true,
+                        .context = &notes,
+                        .work = pass,
+                        .begin = begin,
+                        .settle = settle};
+    int theirs = 0;
+    double seconds = 0;
+
+    REQUIRE(pool_run(&pool, NULL) == STATUS_OK);
+    for (int n = 0; n < JOBS; n++) {
+        CHECK(notes.ended[n] == 1);
+        theirs += notes.end[n].outcome == CHILD_FAILED &&
+                  !strcmp(notes.end[n].why.text, "so it said");
+        seconds += notes.end[n].seconds;
+    }
+    CHECK(pool.hands == RANKS && pool.ran == JOBS && notes.most == RANKS);
+    CHECK(others.jobs[1] > 0 && others.jobs[2] > 0);
+    CHECK(theirs == others.jobs[1] + others.jobs[2] && theirs < JOBS);
+    CHECK_NEAR(pool.seconds, seconds, TOL_SUM);
+    CHECK(seconds >= others.jobs[1] + 2 * others.jobs[2]);
+}
+
+/* --- And as one of them: jobs 2, 5 and 0 come, each when the last was answered. */
+
+enum { ASKED = 3, PATIENCE = 20000 }; /* looks of a millisecond */
+
+static const long chief_jobs[ASKED] = {2, FAILS, 0};
+static struct {
+    struct ranks_message answer[ASKED];
+    int asked, answered, looks, prepared;
+    enum status prepare;
+} chief;
+
+static void send_to_chief(int to, const struct ranks_message *message)
+{
+    REQUIRE(to == 0 && message->kind == KIND_END && chief.answered < chief.asked);
+    chief.answer[chief.answered++] = *message;
+}
+
+static bool receive_from_chief(int *from, struct ranks_message *message)
+{
+    if (chief.looks++ < PATIENCE && chief.asked > chief.answered)
+        return false;
+    *from = 0;
+    *message = (struct ranks_message){.kind = KIND_OVER};
+    if (chief.looks < PATIENCE && chief.asked < ASKED)
+        *message =
+            (struct ranks_message){.kind = KIND_JOB, .number = chief_jobs[chief.asked++]};
+    return true;
+}
+
+static enum status prepare(void *context, struct message *why)
+{
+    (void)context;
+    chief.prepared++;
+    return chief.prepare ? status_fail(why, chief.prepare, "not prepared") : STATUS_OK;
+}
+
+static void check_serving(void)
+{
+    const struct ranks ranks = {
+        .rank = 1, .size = 2, .send = send_to_chief, .receive = receive_from_chief};
+    struct pool pool = {.ranks = &ranks, .time_limit = 30, .quiet = true, .work = pass};
+    static const char *const words[] = {"", "no such case", ""};
+
+    memset(&chief, 0, sizeof chief);
+    REQUIRE(pool_serve(&pool, prepare, NULL) == STATUS_OK);
+    CHECK(chief.answered == ASKED && chief.prepared == 1 && chief.looks < PATIENCE);
+    for (int n = 0; n < ASKED; n++) {
+        const struct ranks_message *answer = &chief.answer[n];
+        CHECK(answer->code == (n == 1 ? CHILD_FAILED : CHILD_DONE));
+        CHECK(answer->number == chief_jobs[n] && answer->seconds >= 0);
+        CHECK(!strcmp(answer->text.text, words[n]));
+    }
+    memset(&chief, 0, sizeof chief);
+    chief.prepare = STATUS_FILE;
+    REQUIRE(pool_serve(&pool, prepare, NULL) == STATUS_OK);
+    CHECK(chief.answered == ASKED && chief.prepared == ASKED);
+    for (int n = 0; n < ASKED; n++)
+        CHECK(chief.answer[n].code == CHILD_STUCK &&
+              !strcmp(chief.answer[n].text.text, "not prepared"));
+}
+
+/* Dismissed are all but the one that dismisses. */
+static bool dismissed[RANKS];
+
+static void note_dismissal(int to, const struct ranks_message *message)
+{
+    REQUIRE(to > 0 && to < RANKS && message->kind == KIND_OVER && !dismissed[to]);
+    dismissed[to] = true;
+}
+
+static void mind(int number)
+{
+    (void)number;
+}
+
+/* The pool's way with signals ends with it. */
+static void check_signals(void)
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    void (*const ways[])(int) = {mind, SIG_DFL, SIG_IGN};
+    struct notes notes = {0};
+    struct pool pool = {.count = 2,
+                        .slots = 1,
+                        .time_limit = 30,
+                        .quiet = true,
+                        .context = &notes,
+                        .work = find_disk_full,
+                        .begin = begin,
+                        .settle = settle};
+    struct sigaction now;
+
+    for (int turn = 0; turn < 3; turn++) {
+        for (int n = 0; n < 3; n++)
+            signal(numbers[n], ways[(n + turn) % 3]);
+        notes = (struct notes){0};
+        CHECK(pool_run(&pool, NULL) == STATUS_FILE);
+        for (int n = 0; n < 3; n++)
+            CHECK(sigaction(numbers[n], NULL, &now) == 0 &&
+                  now.sa_handler == ways[(n + turn) % 3]);
+    }
+    for (int n = 0; n < 3; n++)
+        signal(numbers[n], SIG_DFL);
+}
+
+/* Who was stopped ends by that signal, whatever was to be done about it. */
+static void check_raise(void)
+{
+    int outcome = 0;
+
+    fflush(stdout);
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        signal(SIGTERM, mind);
+        pool_raise(&(struct pool){.stopped_by = SIGTERM});
+        _exit(0);
+    }
+    REQUIRE(waitpid(child, &outcome, 0) == child);
+    CHECK(WIFSIGNALED(outcome) && WTERMSIG(outcome) == SIGTERM);
+}
+
 int main(void)
 {
+    check_ranks();
+    check_raise();
+    check_other_ranks();
+    check_serving();
+    pool_dismiss(&(struct ranks){.size = RANKS, .send = note_dismissal});
+    CHECK(!dismissed[0] && dismissed[1] && dismissed[2]);
+    check_signals();
     check_ends();
     check_stops();
     return check_result();

@@ -402,7 +402,10 @@ static void test_words(void)
 {
     for (int n = 0; n < MEASURES; n++)
         CHECK(strcmp(measure_name(n), "unknown") && *measure_sentence(n));
-    CHECK(!strcmp(measure_name(MEASURES), "unknown"));
+    static const int none[] = {-1, MEASURES, MEASURES + 1, -2000000000, 2000000000};
+    for (int n = 0; n < LENGTH(none); n++)
+        CHECK(!strcmp(measure_name(none[n]), "unknown") && !*measure_unit(none[n]) &&
+              !*measure_sentence(none[n]));
     CHECK(!strcmp(measure_name(MEASURE_GAMMA), "gamma"));
     CHECK(!strcmp(measure_unit(MEASURE_SPEED_END), "m/s"));
 }

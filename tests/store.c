@@ -2,43 +2,22 @@
  * any file of ours gives one sentence and leaves nothing behind. */
 #include "bench/files/store.h"
 
-#include <dirent.h>
 #include <float.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "bench/files/hdf5_file.h"
 #include "bench/files/matrix_market.h"
 #include "bench/files/output.h"
 #include "bench/files/store_read.h"
 #include "models/grid.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 enum { FRAMES = 3, COUNT = 3 * GRID_POINTS };
 
-static char folder[] = "/tmp/clothbench-store-XXXXXX";
 static const struct model nothing = {
     .name = "none", .title = "No <model> & co", .source = "-"};
-
-static const char *in_folder(const char *name)
-{
-    static char path[4][256];
-    static int turn;
-    char *text = path[turn++ % 4];
-    snprintf(text, sizeof path[0], "%s/%s", folder, name);
-    return text;
-}
-
-static int files_in(const char *path)
-{
-    int count = 0;
-    DIR *dir = opendir(path);
-    REQUIRE(dir);
-    for (struct dirent *e; (e = readdir(dir));)
-        count += e->d_name[0] != '.';
-    closedir(dir);
-    return count;
-}
 
 /* One sentence: not empty, no line break, names the file. */
 static bool is_sentence(const struct message *why, const char *path)
@@ -73,6 +52,10 @@ static void fixture_init(struct fixture *f)
 {
     memset(f, 0, sizeof *f);
     REQUIRE(scene_init(&f->scene) == STATUS_OK);
+    free(f->scene.name);
+    free(f->scene.source);
+    f->scene.name = strdup("a_scene"), f->scene.source = NULL; /* it need not have one */
+    f->scene.length = 1.5, f->scene.width = 0.75;
     /* longer than the 64 kB that fixed attributes hold */
     free(f->scene.text);
     f->scene.text = malloc(100001);
@@ -106,7 +89,7 @@ static enum status write_run(const struct fixture *f, const char *path, struct m
     TRY(store_create(path, &f->run, &store, why));
     for (int n = 0; n < FRAMES; n++) {
         struct energy energy = {n, 2 * n, -3 * n};
-        struct counters counters = {.steps = n, .iterations = 100 * n};
+        struct counters counters = {n, 10 * n, 20 * n, 30 * n, 100 * n, 50 * n};
         TRY(store_frame(store, 0.1 * n, f->xyz + n * COUNT, n == 1 ? NULL : &energy,
                         &counters, why));
     }
@@ -146,37 +129,107 @@ static void check_text(const struct store_read *file, const char *group, const c
     free(text);
 }
 
+static void check_arrays(const struct store_read *file)
+{
+    static const struct {
+        const char *name;
+        int rows, columns;
+        double value[6];
+    } want[] = {{"time", FRAMES, 1, {0.0, 0.1, 0.2}},
+                {"xyz_time", FRAMES, 1, {0.0, 0.1, 0.2}},
+                {"energy/kinetic", FRAMES, 1, {0, NAN, 2}},
+                {"energy/elastic", FRAMES, 1, {0, NAN, 4}},
+                {"energy/potential", FRAMES, 1, {0, NAN, -6}},
+                {"counters/steps", FRAMES, 1, {0, 1, 2}},
+                {"counters/assemblies", FRAMES, 1, {0, 10, 20}},
+                {"counters/factorisations", FRAMES, 1, {0, 20, 40}},
+                {"counters/solves", FRAMES, 1, {0, 30, 60}},
+                {"counters/iterations", FRAMES, 1, {0, 100, 200}},
+                {"counters/substeps", FRAMES, 1, {0, 50, 100}},
+                {"seconds/create", 2, 1, {0.25, 0.5}},
+                {"seconds/advance", 2, 3, {1, 2, 3, 4, 5, 6}},
+                {"metrics/drop", FRAMES, 1, {0, 0.5, NAN}}};
+
+    for (size_t n = 0; n < sizeof want / sizeof *want; n++)
+        check_array(file, want[n].name, want[n].rows, want[n].columns, want[n].value);
+}
+
+static void check_texts(const struct store_read *file, const struct fixture *f)
+{
+    const struct {
+        const char *group, *key, *text;
+    } want[] = {{"/", "format", "clothbench run 2"},
+                {"/", "scene", f->scene.text},
+                {"/", "scene_name", f->scene.name},
+                {"/", "scene_source", ""},
+                {"/", "model", nothing.name},
+                {"/", "model_title", nothing.title},
+                {"/", "model_source", nothing.source},
+                {"/", "solver", "banded"},
+                {"/", "unknown_basis", "thickness"},
+                {"/", "outcome", status_text(STATUS_INVERTED)},
+                {"metrics/drop", "unit", "1"},
+                {"provenance", "commit", provenance_value(&f->provenance, "commit")},
+                {"provenance", "flags", provenance_value(&f->provenance, "flags")}};
+    const struct {
+        const char *key;
+        double value;
+    } numbers[] = {{"length", f->scene.length},
+                   {"width", f->scene.width},
+                   {"thickness", f->scene.thickness},
+                   {"nodes", 220},
+                   {"unknowns", 600},
+                   {"factor_entries", 7000},
+                   {"death_time", 0.3}};
+
+    for (size_t n = 0; n < sizeof want / sizeof *want; n++)
+        check_text(file, want[n].group, want[n].key, want[n].text);
+    for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++) {
+        double number = NAN;
+        CHECK(store_read_number(file, numbers[n].key, &number, NULL) == STATUS_OK);
+        CHECK(number == numbers[n].value);
+    }
+}
+
+/* As other readers meet it: UTF-8 of fixed length, not ended by a zero. */
+static void check_types(const char *path)
+{
+    static const struct {
+        const char *key;
+        size_t size;
+    } want[] = {{"solver", 6}, {"scene_source", 1}};
+    hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+
+    REQUIRE(file >= 0);
+    for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
+        hid_t attribute = H5Aopen(file, want[n].key, H5P_DEFAULT);
+        hid_t type = H5Aget_type(attribute);
+        CHECK(H5Tget_class(type) == H5T_STRING && H5Tget_size(type) == want[n].size);
+        CHECK(H5Tget_strpad(type) == H5T_STR_NULLPAD && H5Tget_cset(type) == H5T_CSET_UTF8);
+        H5Tclose(type);
+        H5Aclose(attribute);
+    }
+    H5Fclose(file);
+}
+
 static void test_round_trip(const struct fixture *f)
 {
     struct message why = {""};
     struct store_read *file = NULL;
-    const char *path = in_folder("run.h5");
+    const char *path = scratch_path("run.h5");
     double *xyz = malloc(COUNT * sizeof *xyz), number = 0;
 
     REQUIRE(xyz && write_run(f, path, &why) == STATUS_OK);
-    CHECK(files_in(folder) == 2); /* run.h5, run.xdmf */
+    CHECK(scratch_files(scratch) == 2); /* run.h5, run.xdmf */
     REQUIRE(store_read_open(path, &file, &why) == STATUS_OK);
     REQUIRE(store_read_frames(file) == FRAMES);
     for (int n = 0; n < FRAMES; n++) {
         CHECK(store_read_frame(file, n, xyz, &why) == STATUS_OK);
         CHECK(!memcmp(xyz, f->xyz + n * COUNT, COUNT * sizeof *xyz));
     }
-    check_array(file, "time", FRAMES, 1, (double[]){0.0, 0.1, 0.2});
-    check_array(file, "energy/elastic", FRAMES, 1, (double[]){0, NAN, 4});
-    check_array(file, "counters/iterations", FRAMES, 1, (double[]){0, 100, 200});
-    check_array(file, "seconds/create", 2, 1, (double[]){0.25, 0.5});
-    check_array(file, "seconds/advance", 2, 3, (double[]){1, 2, 3, 4, 5, 6});
-    check_array(file, "metrics/drop", FRAMES, 1, (double[]){0, 0.5, NAN});
-    check_text(file, "/", "scene", f->scene.text);
-    check_text(file, "/", "model_title", nothing.title);
-    check_text(file, "/", "solver", "banded");
-    check_text(file, "/", "outcome", status_text(STATUS_INVERTED));
-    check_text(file, "metrics/drop", "unit", "1");
-    check_text(file, "provenance", "commit", provenance_value(&f->provenance, "commit"));
-    CHECK(store_read_number(file, "death_time", &number, &why) == STATUS_OK &&
-          number == 0.3);
-    CHECK(store_read_number(file, "unknowns", &number, &why) == STATUS_OK && number == 600);
-
+    check_arrays(file);
+    check_texts(file, f);
+    check_types(path);
     char *settings = NULL;
     CHECK(store_read_text(file, "/", "discretization", &settings, &why) == STATUS_OK);
     CHECK(settings && strstr(settings, "discretization.points=[10,11,2]\n"));
@@ -203,10 +256,10 @@ static void test_single(struct fixture *f)
     double *xyz = malloc(COUNT * sizeof *xyz), largest = 0;
 
     f->run.single = f->run.packed = true;
-    REQUIRE(xyz && write_run(f, in_folder("run.h5"), &why) == STATUS_OK); /* replaces */
+    REQUIRE(xyz && write_run(f, scratch_path("run.h5"), &why) == STATUS_OK); /* replaces */
     f->run.single = f->run.packed = false;
-    CHECK(files_in(folder) == 2);
-    REQUIRE(store_read_open(in_folder("run.h5"), &file, &why) == STATUS_OK);
+    CHECK(scratch_files(scratch) == 2);
+    REQUIRE(store_read_open(scratch_path("run.h5"), &file, &why) == STATUS_OK);
     CHECK(store_read_frame(file, 2, xyz, &why) == STATUS_OK);
     for (int n = 0; n < COUNT; n++)
         largest = fmax(largest, fabs(xyz[n] - f->xyz[2 * COUNT + n]));
@@ -220,7 +273,7 @@ static void test_single(struct fixture *f)
 static void test_without_fields(const struct fixture *f)
 {
     struct message why = {""};
-    const char *path = in_folder("few.h5");
+    const char *path = scratch_path("few.h5");
     double *xyz = malloc(COUNT * sizeof *xyz);
 
     REQUIRE(xyz);
@@ -233,7 +286,8 @@ static void test_without_fields(const struct fixture *f)
                               NULL, NULL, &why) == STATUS_OK);
         CHECK(store_note(store, "a note", &why) == STATUS_OK);
         CHECK(store_close(store, &why) == STATUS_OK);
-        CHECK(files_in(folder) == 3 + kept); /* XDMF only where there is something to see */
+        CHECK(scratch_files(scratch) ==
+              3 + kept); /* XDMF only where there is something to see */
         REQUIRE(store_read_open(path, &file, &why) == STATUS_OK);
         CHECK(store_read_frames(file) == kept);
         check_array(file, "time", FRAMES, 1, (double[]){0.0, 0.1, 0.2});
@@ -246,44 +300,37 @@ static void test_without_fields(const struct fixture *f)
         store_read_close(file);
     }
     unlink(path);
-    unlink(in_folder("few.xdmf"));
+    unlink(scratch_path("few.xdmf"));
     free(xyz);
-}
-
-static void test_xdmf(void)
-{
-    char text[4096] = "";
-    FILE *file = fopen(in_folder("run.xdmf"), "r");
-    REQUIRE(file);
-    REQUIRE(fread(text, 1, sizeof text - 1, file) > 1000);
-    fclose(file);
-    CHECK(strstr(text, "<Time Value=\"0\"/>") && strstr(text, ">run.h5:/frame/2<"));
 }
 
 static void test_reading_what_is_none(void)
 {
     struct store_read *file = NULL;
     struct message why = {""};
-    FILE *text = fopen(in_folder("text.h5"), "w");
+    FILE *text = fopen(scratch_path("text.h5"), "w");
     REQUIRE(text && fputs("not HDF5", text) >= 0 && fclose(text) == 0);
-    CHECK(store_read_open(in_folder("text.h5"), &file, &why) == STATUS_INPUT);
+    CHECK(store_read_open(scratch_path("text.h5"), &file, &why) == STATUS_INPUT);
     CHECK(is_sentence(&why, "text.h5"));
-    CHECK(store_read_open(in_folder("absent.h5"), &file, &why) == STATUS_FILE);
+    CHECK(store_read_open(scratch_path("absent.h5"), &file, &why) == STATUS_FILE);
     CHECK(is_sentence(&why, "absent.h5"));
-    CHECK(store_read_open(folder, &file, &why) == STATUS_INPUT);
+    CHECK(store_read_open(scratch, &file, &why) == STATUS_INPUT);
     CHECK(!file);
-    unlink(in_folder("text.h5"));
+    unlink(scratch_path("text.h5"));
 }
 
 /* The same bad targets for the three writers. */
 static void refused(const struct fixture *f, const char *path, const char *part)
 {
-    static int row[1] = {0};
-    static double value[1] = {1};
-    struct matrix m = {1, 1, row, row, value};
+    enum { MANY = 2000 }; /* more text than a buffer holds */
+    static int row[MANY];
+    static double value[MANY];
+    struct matrix m = {MANY, MANY, row, row, value};
     struct output *out = NULL;
     struct message why = {""};
 
+    for (int n = 0; n < MANY; n++)
+        row[n] = n, value[n] = 1;
     CHECK(write_run(f, path, &why) == STATUS_FILE);
     CHECK(is_sentence(&why, part));
     why.text[0] = '\0';
@@ -300,31 +347,31 @@ static void refused(const struct fixture *f, const char *path, const char *part)
 
 static void test_bad_targets(const struct fixture *f)
 {
-    int before = files_in(folder);
+    int before = scratch_files(scratch);
 
-    refused(f, in_folder("missing/run.h5"), "missing/run.h5");
-    refused(f, folder, folder);
+    refused(f, scratch_path("missing/run.h5"), "missing/run.h5");
+    refused(f, scratch, scratch);
     refused(f, "", "name");
-    refused(f, in_folder("run.h5/below.h5"), "run.h5/below.h5"); /* a file as folder */
+    refused(f, scratch_path("run.h5/below.h5"), "run.h5/below.h5"); /* a file as folder */
     refused(f, "/dev/full", "/dev/full");
     struct stat info;
     CHECK(stat("/dev/full", &info) == 0 && S_ISCHR(info.st_mode)); /* still a device */
-    CHECK(files_in(folder) == before);
+    CHECK(scratch_files(scratch) == before);
 
-    REQUIRE(mkdir(in_folder("locked"), 0555) == 0);
+    REQUIRE(mkdir(scratch_path("locked"), 0555) == 0);
     if (geteuid() != 0)
-        refused(f, in_folder("locked/run.h5"), "locked/run.h5");
+        refused(f, scratch_path("locked/run.h5"), "locked/run.h5");
     else if (access("/proc/version", F_OK) == 0) /* root writes anywhere but here */
         refused(f, "/proc/run.h5", "/proc/run.h5");
-    CHECK(files_in(in_folder("locked")) == 0);
-    rmdir(in_folder("locked"));
+    CHECK(scratch_files(scratch_path("locked")) == 0);
+    rmdir(scratch_path("locked"));
 }
 
 /* At every size from nothing to nearly enough the disk is full at another call. */
 static void test_full_disk(struct fixture *f)
 {
     struct message why = {""};
-    const char *disk = in_folder("disk");
+    const char *disk = scratch_path("disk");
 
     REQUIRE(mkdir(disk, 0755) == 0);
     int full = 0, fits = 0;
@@ -342,40 +389,20 @@ static void test_full_disk(struct fixture *f)
         enum status st = write_run(f, path, &why);
         if (st == STATUS_OK) {
             fits++;
-            CHECK(files_in(disk) == 2);
+            CHECK(scratch_files(disk) == 2);
         } else {
             full++;
             CHECK(st == STATUS_FILE && is_sentence(&why, "run."));
             CHECK(strstr(why.text, "No space left on device"));
             /* the result may fit and the XDMF not; never a part of one */
-            CHECK(files_in(disk) == 0 || (files_in(disk) == 1 && access(path, F_OK) == 0));
+            CHECK(scratch_files(disk) == 0 ||
+                  (scratch_files(disk) == 1 && access(path, F_OK) == 0));
         }
         CHECK(umount(disk) == 0); /* no descriptor of a discarded file is left open */
     }
     printf("full disk: %d sizes too small, %d large enough\n", full, fits);
     CHECK(full >= 4 && fits >= 1);
     rmdir(disk);
-}
-
-static void test_provenance(const struct provenance *p)
-{
-    static const char *const keys[] = {
-        "program", "commit", "changed_files", "compiler",     "flags",
-        "cholmod", "hdf5",   "blas",          "cpu",          "blas_kernel",
-        "cores",   "system", "omp_threads",   "blas_threads", "date"};
-    int year = 0, month = 0, day = 0;
-
-    for (int i = 0; i < p->count; i++)
-        printf("  %s: %s\n", p->entry[i].key, p->entry[i].value);
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-        const char *value = provenance_value(p, keys[i]);
-        CHECK(value && *value && !strchr(value, '\n'));
-    }
-    CHECK(sscanf(provenance_value(p, "date"), "%4d-%2d-%2dT", &year, &month, &day) == 3);
-    CHECK(year >= 2024 && month >= 1 && month <= 12 && day >= 1 && day <= 31);
-    CHECK(!provenance_value(p, "none"));
-    const char *commit = provenance_value(p, "commit");
-    CHECK(!strcmp(commit, "unknown") || strspn(commit, "0123456789abcdef") >= 40);
 }
 
 /* With a path: only writes a run there, for external_paraview.py. */
@@ -389,19 +416,18 @@ int main(int count, char **arguments)
         fixture_clear(&f);
         return check_result();
     }
-    REQUIRE(mkdtemp(folder));
-    test_provenance(&f.provenance);
+    REQUIRE(mkdtemp(scratch));
     test_round_trip(&f);
+    const int open = scratch_files("/proc/self/fd");
     test_single(&f);
     test_without_fields(&f);
-    test_xdmf();
     test_reading_what_is_none();
     test_bad_targets(&f);
     test_full_disk(&f);
-    CHECK(files_in(folder) == 2);
-    unlink(in_folder("run.h5"));
-    unlink(in_folder("run.xdmf"));
-    CHECK(rmdir(folder) == 0);
+    CHECK(scratch_files(scratch) == 2 && scratch_files("/proc/self/fd") == open);
+    unlink(scratch_path("run.h5"));
+    unlink(scratch_path("run.xdmf"));
+    CHECK(rmdir(scratch) == 0);
     fixture_clear(&f);
     return check_result();
 }

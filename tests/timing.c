@@ -1,11 +1,14 @@
 /* Timing: how often, in which order, and that no frame beyond a death is asked for. */
+#define _GNU_SOURCE /* sched_getaffinity */
 #include "bench/harness/timing.h"
 
 #include <omp.h>
+#include <sched.h>
 #include <unistd.h>
 
 #include "bench/experiment/measurement.h"
 #include "bench/files/store_read.h"
+#include "models/clock.h"
 #include "tests/run_fixture.h"
 #include "tests/scripted_model.h"
 
@@ -60,7 +63,10 @@ static void test_rule(void)
     script_reset();
     script.create_seconds = 0.201;
     c[0].repeats = 5, c[1].repeats = 0;
+    const double begun = clock_now();
     REQUIRE(timing_run(&(struct timing_plan){0}, 2, c, NULL) == STATUS_OK);
+    for (int n = 0; n < 3; n++) /* it waits as long, and no longer than we */
+        CHECK(c[1].create[n] >= 0.2 && c[1].create[n] <= clock_now() - begun);
     CHECK(c[0].repeats == 5 && c[1].repeats == TIMING_REPEATS_LONG);
     CHECK(!strcmp(script_log, "AaaBbbAaaBbbAaaBbbAaaAaa"));
     timing_clear(&c[0]);
@@ -187,10 +193,13 @@ static void test_measurement(void)
 
 static void test_alone(void)
 {
+    cpu_set_t set;
+
     omp_set_num_threads(3);
     timing_alone();
     CHECK(omp_get_max_threads() == 1);
-    CHECK(timing_pin() >= -1);
+    REQUIRE(sched_getaffinity(0, sizeof set, &set) == 0);
+    CHECK(CPU_COUNT(&set) == 1 && CPU_ISSET(timing_pin(), &set));
 }
 
 int main(void)

@@ -12,21 +12,25 @@ CHANGES = [  # kind, pattern, what takes its place
     ("condition", r"(?<![\w)])(!)(?=[\w(*])", {"!": ""}),
     ("condition", r"\bif \(([\w>.-]+(?:\([^()&|=<>!]*\))?)\)", lambda c: "!" + c),
     ("sign", r"(?<=[\w)\]] )([+-])(?= [\w(])", {"+": "-", "-": "+"}),
-    ("constant", r"(?<![\w.])(\d+)(?![\w.])", lambda n: str(int(n) + 1)),
+    # not -1, a mark of failure or of none, of which the sign counts
+    ("constant", r"(?<![\w.])(?<![=?:,] -)(?<!\(-)(?<!return -)(\d+)(?![\w.])",
+     lambda n: str(int(n) + 1)),
     ("constant", r"(?<![\w.])(\d+\.\d*|\d+e-?\d+|\d*\.\d+e-?\d+)(?![\w.])",
      lambda x: "(%s * 1.5)" % x),
-    ("index", r"\[(\w+)\](?! *=[^=])", lambda i: "%s + 1" % i),
+    ("index", r"\[([A-Za-z_]\w*)\](?! *=[^=])", lambda i: "%s + 1" % i),
     ("call", r"^\s+((?:TRY\()?\w+\(.*\);)$", lambda call: ";"),
 ]
 
 # Room alone, more of it changes nothing: declarations without a value, sizes of allocations
-# and of text buffers. What only gives memory back is for the sanitizers to notice.
+# and of arrays. What only gives memory back is for the sanitizers to notice.
 DECLARATION = re.compile(
-    r"^\s+(static |const |enum )*(double|float|int|long|char|bool|size_t|hsize_t"
+    r"^\s+(static |const |unsigned |enum )*(double|float|int|long|char|bool|size_t|hsize_t"
     r"|struct \w+|\{)[^=()]*;$")
+ARRAY = re.compile(r"^\s+(?:static |const |unsigned )*(?:\w+ )+\*?\w+(\[[^]]*\])+(?= =|,|;)")
 ALLOCATION = re.compile(r"\b(?:[mc]alloc|realloc)\(")
 BUFFER = re.compile(r"\bv?snprintf\([^,]*,[^,]*,")
-GIVES_BACK = re.compile(r"^\s+(\w+_)?free\(.*\);$")
+GIVES_BACK = re.compile(
+    r"^\s+((\w+_)?free(_\w+)?|munmap|cholmod_finish|H5[PST]close|va_end)\(.*\);$")
 BEGINS = re.compile(r"\b(\w+)\(")
 
 
@@ -63,6 +67,7 @@ def hidden(line):
     line = STRING.sub(lambda m: '"' + "\1" * (len(m.group()) - 2) + '"', line)
     line = COMMENT.sub(blank, line)
     line = BUFFER.sub(blank, line)
+    line = ARRAY.sub(blank, line)
     for m in ALLOCATION.finditer(line):
         end = parenthesis_end(line, m.end())
         line = line[: m.end()] + " " * (end - m.end()) + line[end:]

@@ -14,10 +14,8 @@ from typing import NamedTuple
 TEST = re.compile(r"^add_test\(\[=\[(.*?)\]=\](.*)\)$", re.M)
 ARGUMENT = re.compile(r'"((?:[^"\\]|\\.)*)"')
 TIMES = re.compile(r"(\d+)m([\d.]+)s")
-# Tests that say nothing of a mutant: of style, of the machine; and the checks of `verify`,
-# which are the numerics' own and slow to say which line it was.
+# Tests that say nothing of a mutant: of style, of the machine.
 LEFT_OUT = {"external", "slow", "bench", "style"}
-VERIFY = "verify."
 MEMORY = 12 << 30  # bytes at most, of each process
 
 
@@ -33,13 +31,38 @@ def run(command, **more):
                           stderr=subprocess.STDOUT, text=True, errors="replace", **more)
 
 
-def apart():
-    """A mutant may send signals anywhere and leave processes behind: its tests see no others."""
-    for user in ([], ["--user", "--map-current-user"]):
-        command = ["unshare", *user, "--pid", "--fork", "--kill-child", "--mount-proc"]
-        if shutil.which("unshare") and run([*command, "true"]).returncode == 0:
-            return [*command, "sh", "-c", '"$@"; code=$?; times; exit $code', "sh"]
-    raise SystemExit("no process namespace can be had (unshare): mutants could signal anyone")
+# A mutant may signal anyone, leave processes behind, replace /dev/full: its tests see no
+# others, write to nothing but the copy ($1) and a /tmp in it ($2), and end with us.
+APART = """set -e
+copy=$1
+tmp=$2
+shift 2
+cd "$copy"
+mount --make-rprivate /
+inside=$copy
+case $copy in /tmp/*) inside=$tmp/${copy#/tmp/} ;; esac
+mkdir -p "$inside"
+mount --bind "$copy" "$inside"
+mount --rbind "$tmp" /tmp
+mount -o remount,bind,ro /
+mount -o remount,bind,ro /dev
+cd "$copy"
+set +e
+"$@"
+code=$?
+times
+exit $code
+"""
+
+
+def apart(folder, tmp):
+    """The beginning of a command that is to run so; tmp: a folder in it."""
+    for user in ([], ["--user", "--map-root-user"]):
+        command = ["setpriv", "--pdeathsig", "KILL", "unshare", *user, "--mount", "--pid",
+                   "--fork", "--kill-child", "--mount-proc", "sh", "-c", APART, "sh", folder, tmp]
+        if run([*command, "true"]).returncode == 0:
+            return command
+    raise SystemExit("no namespaces of its own can be had (unshare): a mutant could do harm")
 
 
 def limit_memory():
@@ -56,8 +79,9 @@ class Copy:
         os.makedirs(folder, exist_ok=True)
         self.lock = open(os.path.join(folder, "lock"), "w")
         fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        self.environment = dict(os.environ, TMPDIR=self.tmp)
-        self.apart = apart()
+        self.environment = dict(os.environ, TMPDIR="/tmp")
+        os.makedirs(self.tmp, exist_ok=True)
+        self.apart = apart(folder, self.tmp)
 
     def close(self):
         shutil.rmtree(self.tmp, ignore_errors=True)
@@ -66,8 +90,9 @@ class Copy:
     def bring(self):
         """Files that differ get a new time stamp; those that are no more go."""
         shutil.rmtree(self.tmp, ignore_errors=True)
-        os.makedirs(self.tmp)
-        names = run(["git", "ls-files", "-z"], cwd=self.top, check=True).stdout.split("\0")
+        listed = run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+                     cwd=self.top, check=True).stdout
+        names = listed.split("\0")
         wanted = {n for n in names if n and os.path.isfile(os.path.join(self.top, n))}
         for folder, _, files in os.walk(self.source):
             for name in files:
@@ -132,7 +157,7 @@ class Copy:
         for entry in json.loads(shown)["tests"]:
             has = {p["name"]: p["value"] for p in entry["properties"]}
             name = entry["name"]
-            if LEFT_OUT & set(has.get("LABELS", ())) or name.startswith(VERIFY):
+            if LEFT_OUT & set(has.get("LABELS", ())):
                 continue
             programs = self.programs(commands[name])
             found[name] = Test(programs, self.hash_of(commands[name], programs),
@@ -160,8 +185,10 @@ class Copy:
         Stopped after so many seconds, more where others keep the machine busy."""
         start = time.monotonic()
         seconds *= max(1, os.getloadavg()[0] / os.cpu_count())
+        tmp = os.path.join(self.tmp, name)
+        os.makedirs(tmp, exist_ok=True)
         child = subprocess.Popen(
-            [*self.apart, "ctest", "--test-dir", self.build, "-R",
+            [*self.apart[:-1], tmp, "ctest", "--test-dir", self.build, "-R",
              f"^{re.escape(name)}$"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT, text=True, errors="replace", preexec_fn=limit_memory,
             env=dict(self.environment, **environment))
@@ -173,6 +200,7 @@ class Copy:
             end = "hangs"
             child.kill()  # and with it all that it started
             child.communicate()
+        shutil.rmtree(tmp, ignore_errors=True)
         if end == "hangs":
             return end, time.monotonic() - start
         return end, sum(60 * float(m) + float(s) for m, s in TIMES.findall(said)[-2:])

@@ -182,6 +182,12 @@ static void prints(const struct measured *m)
     CHECK(strstr(text, cost));
     CHECK(strstr(text, "What was reproduced") && !strstr(text, "nan"));
     fclose(file);
+    struct said s; /* sentences are for people */
+    said_open(&s);
+    CHECK(experiment_print(e, m->folder, TABLE_CSV, s.file, NULL) == STATUS_OK);
+    said_close(&s, true);
+    said_lacks(&s, "CSV", "Measured: ");
+    said_clear(&s);
     CHECK(experiment_print(e, "/nowhere", TABLE_TEXT, stdout, NULL) != STATUS_OK);
 }
 

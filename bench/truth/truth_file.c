@@ -143,17 +143,16 @@ out:
     return st;
 }
 
-/* What a file does not tell is unknown. */
-static void read_origin(const struct store_read *file, struct truth_made *made)
+/* An entry of the provenance, of what room[size] takes; "unknown" if the file has none. */
+static enum status read_origin(const struct store_read *file, const char *key, char *room,
+                               size_t size)
 {
-    char *commit = NULL, *changed = NULL;
+    char *text = NULL;
+    enum status st = store_read_text(file, "provenance", key, &text, NULL);
 
-    store_read_text(file, "provenance", "commit", &commit, NULL);
-    store_read_text(file, "provenance", "changed_files", &changed, NULL);
-    snprintf(made->commit, sizeof made->commit, "%s", commit ? commit : "unknown");
-    snprintf(made->changed, sizeof made->changed, "%s", changed ? changed : "unknown");
-    free(commit);
-    free(changed);
+    snprintf(room, size, "%s", st == STATUS_OK ? text : "unknown");
+    free(text);
+    return st == STATUS_MEMORY ? st : STATUS_OK;
 }
 
 static enum status read_made(const struct store_read *file, struct truth_made *made)
@@ -174,7 +173,8 @@ static enum status read_made(const struct store_read *file, struct truth_made *m
     TRY(store_read_text(file, "/", "horizon", &horizon, NULL));
     snprintf(made->note, sizeof made->note, "%s", note);
     snprintf(made->horizon, sizeof made->horizon, "%s", horizon);
-    read_origin(file, made);
+    TRY(read_origin(file, "commit", made->commit, sizeof made->commit));
+    TRY(read_origin(file, "changed_files", made->changed, sizeof made->changed));
 out:
     free(time);
     free(note);

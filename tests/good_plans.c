@@ -1,0 +1,294 @@
+#define _DEFAULT_SOURCE /* mkstemps */
+/* What a good plan is taken apart into: cases, ranges, values, studies, stand-ins. */
+#include "tests/plan_fixture.h"
+
+/* What a study has of its own, and what of the plan. */
+static void check_studies(void)
+{
+    struct plan plan;
+    struct plan_case c;
+    struct message why = {""};
+
+    if (!CHECK(read_plan(STUDIES, STUDY_LINES, 0, "", &plan, &why) == STATUS_OK)) {
+        printf("%s\n", why.text);
+        return;
+    }
+    const struct plan_study *edge = &plan.studies[0], *corners = &plan.studies[1];
+    REQUIRE(plan.study_count == 2 && corners->level_count == 2);
+    CHECK(edge->truth && !corners->truth && edge->timed == 3 && corners->timed == 3);
+    CHECK(edge->time_count == 2 && edge->times[1] == 0.2);
+    CHECK(corners->time_count == 1 && corners->times[0] == 0.05);
+    CHECK(corners->levels[0].size == 0.3 && !strcmp(corners->levels[1].name, "9x9x2"));
+    CHECK(!strcmp(edge->caption, "edge"));
+    for (int quick = 0; quick < 2; quick++) {
+        REQUIRE(plan_case_level(&plan, corners, &corners->levels[1], quick, &c, &why) ==
+                STATUS_OK);
+        CHECK(!strcmp(settings_value(&c.settings, "discretization.points"), "[9,9,2]"));
+        CHECK(!settings_value(&c.settings, "time.step") == !quick);
+        CHECK(strstr(c.path, "corners_drop.yaml"));
+        plan_case_clear(&c);
+    }
+    plan_clear(&plan);
+}
+
+/* A name is the same in both quotes and in none, wherever a plan may have it. */
+static void check_quotes(void)
+{
+    static const struct {
+        const char *const *good;
+        int lines, line;
+        const char *format;
+    } places[] = {
+        {GOOD, LINES, 3, "scene: %sedge_drop%s"},
+        {GOOD, LINES, 4, "model: %siga%s"},
+        {GOOD, LINES, 9, "cases: [{scene: %sedge_drop%s, model: %siga%s}]"},
+        {STUDIES, STUDY_LINES, 3, "scene: %sedge_drop%s"},
+        {STUDIES, STUDY_LINES, 11,
+         "  - {name: edge, scene: %sedge_drop%s, model: %siga%s}"},
+        {STUDIES, STUDY_LINES, 5, "  - {label: 5x5x2, model: %siga%s}"},
+    };
+    static const char *const quotes[] = {"", "\"", "'"};
+
+    for (size_t n = 0; n < sizeof places / sizeof *places * 3; n++) {
+        const char *quote = quotes[n % 3];
+        struct plan plan;
+        struct plan_case c;
+        struct message why = {""};
+        char text[256];
+
+        snprintf(text, sizeof text, places[n / 3].format, quote, quote, quote, quote);
+        if (!CHECK(read_plan(places[n / 3].good, places[n / 3].lines, places[n / 3].line,
+                             text, &plan, &why) == STATUS_OK)) {
+            printf("  %s: %s\n", text, why.text);
+            continue;
+        }
+        const struct plan_study *s = plan.study_count ? &plan.studies[0] : NULL;
+        const enum status st = s ? plan_case_level(&plan, s, s->levels, false, &c, &why)
+                                 : plan_case_open(&plan, 0, &c, &why);
+        REQUIRE(st == STATUS_OK);
+        CHECK(strstr(c.path, "edge_drop.yaml") && !strcmp(c.contestant->name, "iga"));
+        plan_case_clear(&c);
+        plan_clear(&plan);
+    }
+}
+
+/* What nobody gives: at rest, no truth, not timed, nobody else's milliseconds. */
+static void check_bare_study(void)
+{
+    static const char *const text[] = {"name: bare", "source: a test", "scene: edge_drop",
+                                       "levels: [{label: \"Some Net, p = 2\"}]"};
+    struct plan plan;
+
+    REQUIRE(read_plan(text, 4, 0, "", &plan, NULL) == STATUS_OK);
+    const struct plan_study *s = &plan.studies[0];
+    CHECK(plan.study_count == 1 && !strcmp(s->name, "bare") &&
+          !strcmp(s->caption, "a test"));
+    CHECK(s->time_count == 0 && s->truth == 0 && s->timed == 0 && s->quick_count == 0);
+    CHECK(isnan(s->paper_ms) && isnan(s->levels[0].paper_ms) && s->levels[0].size == 0);
+    CHECK(!strcmp(s->levels[0].name, "some_net_p_2") && s->levels[0].phases == 0);
+    plan_clear(&plan);
+}
+
+/* The combinations in their order, and Gamma through the thickness. */
+static void check_good(void)
+{
+    static const char *const dampings[] = {"0.1", "0.5"};
+    static const double gammas[] = {10, 100, 1000};
+    struct plan plan;
+    struct message why = {""};
+    const double tol_gamma = 1e-13; /* a square root and back */
+
+    if (!CHECK(read_plan(GOOD, LINES, 0, "", &plan, &why) == STATUS_OK)) {
+        printf("%s\n", why.text);
+        return;
+    }
+    CHECK(plan_case_count(&plan) == 12 && plan.look == 5 && plan.time_limit == 10);
+    CHECK(plan.intersections == 1 && plan.keep == PLAN_KEEP_SNAPSHOTS);
+    for (int n = 0; n < 12; n++) {
+        struct plan_case c;
+        struct scene scene;
+
+        REQUIRE(plan_case_open(&plan, n, &c, &why) == STATUS_OK);
+        REQUIRE(plan_case_scene(&c, &scene, &why) == STATUS_OK);
+        CHECK(n < 6 ? c.name && !strcmp(c.name, "a") : !c.name);
+        CHECK(scene.poisson == (n < 6 ? 0.3 : 0.2) && scene.end == 0.5);
+        CHECK_RELATIVE(scene_gamma(&scene), gammas[n / 2 % 3], tol_gamma);
+        CHECK(scene.damping.value == strtod(dampings[n % 2], NULL));
+        CHECK(scene.young == 1e5 && !strcmp(c.contestant->name, "iga"));
+        scene_clear(&scene);
+        plan_case_clear(&c);
+    }
+    plan_clear(&plan);
+}
+
+/* From ... to, in the fewest digits that are the number. */
+static void check_ranges(void)
+{
+    static const struct {
+        const char *axis;
+        int count;
+        const char *values[5];
+    } ranges[] = {
+        {"{key: damping.value, from: 0.1, to: 0.9, count: 3}", 3, {"0.1", "0.5", "0.9"}},
+        {"{key: damping.value, from: 1, to: 0, count: 4}",
+         4,
+         {"1", "0.6666666666666667", "0.33333333333333337", "0"}},
+        {"{key: damping.value, from: 0.01, to: 1, count: 5, scale: log}",
+         5,
+         {"0.01", "0.0316227766016838", "0.1", "0.31622776601683794", "1"}},
+        {"{key: damping.value, from: 0.1, to: 0.3, count: 2, scale: linear}",
+         2,
+         {"0.1", "0.3"}},
+    };
+
+    for (size_t n = 0; n < sizeof ranges / sizeof *ranges; n++) {
+        struct plan plan;
+        char line[128];
+        snprintf(line, sizeof line, "  - %s", ranges[n].axis);
+        REQUIRE(read_plan(GOOD, LINES, 8, line, &plan, NULL) == STATUS_OK);
+        const struct plan_axis *axis = &plan.axes[1];
+        REQUIRE(axis->values.count == ranges[n].count && axis->line == 8);
+        for (int i = 0; i < axis->values.count; i++)
+            if (!CHECK(!strcmp(axis->values.list[i].value, ranges[n].values[i])))
+                printf("  %s: %s\n", ranges[n].axis, axis->values.list[i].value);
+        plan_clear(&plan);
+    }
+}
+
+/* Values of many parts, in one line as --set takes them. */
+static void check_values(void)
+{
+    static const struct {
+        const char *key, *value;
+    } want[] = {{"a", "[{at: {u: 0, w: 1}, fix: xyz}]"},
+                {"b", "{kind: mass, value: [1,2,[3]]}"},
+                {"c", "'it''s: so'"},
+                {"d", "plain"}};
+    struct plan plan;
+    struct message why = {""};
+    FILE *file = fopen(path, "w");
+
+    REQUIRE(file);
+    fputs("name: values\nsource: a test\nsettings:\n  a: [{at: {u: 0, w: 1}, fix: xyz}]\n"
+          "  b:\n    kind: mass\n    value: [1, 2, [3]]\n  c: \"it's: so\"\n  d: plain\n",
+          file);
+    REQUIRE(fclose(file) == 0);
+    if (!CHECK(plan_parse(path, &plan, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    REQUIRE(plan.settings.count == 4);
+    for (int n = 0; n < 4; n++)
+        if (!CHECK(!strcmp(plan.settings.list[n].key, want[n].key) &&
+                   !strcmp(plan.settings.list[n].value, want[n].value)))
+            printf("  %s is %s\n", plan.settings.list[n].key, plan.settings.list[n].value);
+    plan_clear(&plan);
+}
+
+/* A stand-in wherever it stands among the keys: first, here. */
+static void check_first(void)
+{
+    static const char *const text[] = {
+        "name: first", "source: a test", "settings: {gamma: 100}",
+        "axes: [{key: scene, values: [edge_drop]}, {key: damping.value, values: [0.5]}]"};
+    struct plan plan;
+    struct plan_case c;
+    struct scene scene;
+    const double tol_gamma = 1e-13;
+
+    REQUIRE(read_plan(text, 4, 0, "", &plan, NULL) == STATUS_OK);
+    CHECK(!strcmp(plan.keys[0], "gamma"));
+    REQUIRE(plan_case_open(&plan, 0, &c, NULL) == STATUS_OK);
+    REQUIRE(plan_case_scene(&c, &scene, NULL) == STATUS_OK);
+    CHECK_RELATIVE(scene_gamma(&scene), 100.0, tol_gamma);
+    scene_clear(&scene);
+    plan_case_clear(&c);
+    plan_clear(&plan);
+}
+
+/* Nobody's line, so the first. */
+static void check_many(void)
+{
+    struct plan plan;
+    struct message why = {""};
+
+    CHECK(read_plan(GOOD, LINES, 8,
+                    "  - {key: damping.value, values: [0.1, 0.5]}\n"
+                    "  - {key: time.step, from: 0.001, to: 0.002, count: 10000}",
+                    &plan, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, ".yaml:1: the plan has more than 100000 cases"));
+}
+
+/* The line that lists show of a plan, and of it as a study. */
+static void check_lists(void)
+{
+    static const struct {
+        const char *const *good;
+        int lines, line;
+        const char *text, *plan, *study;
+    } cases[] = {
+        {GOOD, LINES, 0, "", "a test", ""},
+        {GOOD, LINES, 16, "what: in a word", "in a word", ""},
+        {STUDIES, STUDY_LINES, 0, "", "a test", "a test"},
+        {STUDIES, STUDY_LINES, 13, "what: in a word", "in a word", "in a word"},
+        {GOOD, LINES, 2, "what: no source", "lacks the key 'source'", "lacks the key"},
+    };
+
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        struct plan plan;
+
+        read_plan(cases[n].good, cases[n].lines, cases[n].line, cases[n].text, &plan, NULL);
+        plan_clear(&plan);
+        char *is = plan_kind.describe(path), *study = plan_study_kind.describe(path);
+        CHECK(is && study && strstr(is, cases[n].plan));
+        CHECK(*cases[n].study ? strstr(study, cases[n].study) != NULL : !*study);
+        free(is);
+        free(study);
+    }
+}
+
+/* Each stand-in through each key it may be set by. */
+static void check_derived_keys(void)
+{
+    static const char *const by[] = {"material.young", "material.density",
+                                     "sheet.thickness", "sheet.length"};
+    const double tol_power = 1e-14; /* one rounding of pow each way */
+
+    for (int n = 0; n < 4; n++) {
+        struct scene scene;
+        double *const value[] = {&scene.young, &scene.density, &scene.thickness,
+                                 &scene.length};
+
+        REQUIRE(scene_init(&scene) == STATUS_OK);
+        scene.gravity[2] = -9.81;
+        scene.poisson = 0.3;
+        double solved = derived_key_solve("gamma", by[n], 123, &scene);
+        *value[n] = solved;
+        CHECK_RELATIVE(scene_gamma(&scene), 123.0, tol_power);
+        solved = derived_key_solve("young_over_density", by[n], 77, &scene);
+        CHECK(isnan(solved) == (n > 1));
+        *value[n] = solved;
+        if (n < 2)
+            CHECK_RELATIVE(scene.young / scene.density, 77.0, tol_power);
+        scene_clear(&scene);
+    }
+    CHECK(!derived_key_is("material.young") && derived_key_is("gamma"));
+}
+
+int main(void)
+{
+    int file = mkstemps(path, 5);
+
+    REQUIRE(file >= 0);
+    close(file);
+    check_good();
+    check_ranges();
+    check_values();
+    check_first();
+    check_studies();
+    check_quotes();
+    check_bare_study();
+    check_lists();
+    check_many();
+    check_derived_keys();
+    unlink(path);
+    return check_result();
+}

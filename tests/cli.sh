@@ -227,7 +227,7 @@ for light in 2.5e-3:1 4e-3:10 1e-3:; do
         --set material.density="${light%:*}"
     if [ "${light#*:}" ]; then
         says err "warning: small-strain" "more than ${light#*:} %"
-    elif [[ $err == *warning* ]]; then
+    elif [[ $err == *small-strain* ]]; then
         fail "a warning at Gamma = 0.77"
     fi
 done

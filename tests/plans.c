@@ -76,9 +76,8 @@ static void check_table4(void)
 
     read_plan("table4", &plan);
     check_rules(&plan.verdicts);
-    check_setting(&plan, "model", "iga");
+    check_setting(&plan, "model", "iga_paper");
     check_setting(&plan, "time.end", "3");
-    check_setting(&plan, "discretization.kinematics", "printed");
     CHECK(plan.look == 10 && plan.intersections == 1 && plan.keep == PLAN_KEEP_NONE);
     REQUIRE(plan.listed_count == PAPER_TABLE4_ROWS && plan.axis_count == 1);
     CHECK(plan.axes[0].values.count == 2 && !strcmp(plan.axes[0].key, "scene"));
@@ -122,7 +121,6 @@ static void check_feasibility(void)
     check_rules(&plan.verdicts); /* table4's */
     check_setting(&plan, "scene", "flag");
     check_setting(&plan, "time.end", "3");
-    check_setting(&plan, "discretization.kinematics", "printed");
     CHECK(plan.look == 20 && plan.intersections == 1 && plan.time_limit == 120);
     REQUIRE(plan.axis_count == 3 && plan_case_count(&plan) == 25 * 10 * 5);
     CHECK(plan.axes[0].scale == PLAN_AXIS_LOG && !strcmp(plan.axes[0].key, "gamma"));

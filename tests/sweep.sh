@@ -129,8 +129,8 @@ axes:
   - {key: damping.value, values: [0.1, 0.9]}
   - {key: gamma, values: [10, 100], scale: log}
 cases:
-  - {name: "it's \"a\"\n'; system('touch pwned'); set title '"}
-  - {name: "EOD\nsystem('touch pwned')\n`touch pwned` %s $x {a} \\"}
+  - {name: "it's \"a\"'; system('touch pwned'); set title '"}
+  - {name: "EOD system('touch pwned') `touch pwned` %s $x {a} \\"}
 map: {x: damping.value, y: gamma, panel: name}
 PLAN
 run names.yaml --out names

@@ -309,7 +309,7 @@ static void test_samples(const char *folder)
     CHECK(samples_of(&s, "32x32 edges", "nothing").count == 0);
     CHECK(isnan(samples_number(&s, "nobody", "frame")));
     samples_clear(&again);
-    CHECK(samples_read(&again, "/nowhere", &why) == STATUS_FILE);
+    CHECK(samples_read(&again, "/proc/nowhere", &why) == STATUS_FILE);
     samples_clear(&s);
     CHECK(samples_save(&s, folder, &why) == STATUS_OK);
     CHECK(samples_read(&again, folder, &why) == STATUS_INPUT &&

@@ -281,7 +281,7 @@ static void drawn_files(bool drawn)
         CHECK(!strncmp(text, made[n].begin, strlen(made[n].begin)));
         free(text);
     }
-    CHECK(chart_write(c, "/nowhere", "made", &why) == STATUS_FILE);
+    CHECK(chart_write(c, "/proc/nowhere", "made", &why) == STATUS_FILE);
     CHECK(chart_save(c, folder, "made", &why) == STATUS_OK); /* with gnuplot or without */
     CHECK(chart_write(NULL, folder, "made", &why) == STATUS_MEMORY);
 }

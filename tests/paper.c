@@ -160,7 +160,7 @@ static void figure_of(const struct plan_study *s, const char *scene, char figure
     *what = '\0';
     REQUIRE(sscanf(s->caption, "Fig. %63[^,], %63[^\n]", figure, rest) >= 1);
     if (*rest >= '0' && *rest <= '9')
-        snprintf(figure + strlen(figure), WORD - strlen(figure), "+%s", rest);
+        snprintf(figure + strlen(figure), WORD - strlen(figure), "+%.*s", WORD / 2, rest);
     else if (*rest)
         for (int n = 0; n < 4; n++)
             if (!strcmp(words[n][0], scene)) {

@@ -348,7 +348,7 @@ static void test_failures(void)
     CHECK(run_file_write(&(struct run_plan){DROP, named("iga"), &s, 0}, &keep, &r, &why) ==
           STATUS_INPUT);
     CHECK(strstr(why.text, "degree"));
-    CHECK(run_file_write(&(struct run_plan){"/nowhere.yaml", named("iga"), NULL, 0}, &keep,
+    CHECK(run_file_write(&(struct run_plan){"/proc/nowhere.yaml", named("iga"), NULL, 0}, &keep,
                          &r, &why) == STATUS_FILE);
     script_reset();
     script.create = STATUS_MEMORY;
@@ -361,11 +361,11 @@ static void test_failures(void)
           STATUS_LIBRARY);
     CHECK(access(file, F_OK) != 0 && access(view, F_OK) != 0);
     CHECK(run_result_read(file, true, &r, &why) == STATUS_FILE && strstr(why.text, file));
-    keep.file = "/nowhere/run.h5";
+    keep.file = "/proc/nowhere/run.h5";
     script_reset();
     CHECK(run_file_write(&(struct run_plan){DROP, &scripted, NULL, 0}, &keep, &r, &why) ==
           STATUS_FILE);
-    CHECK(strstr(why.text, "/nowhere"));
+    CHECK(strstr(why.text, "/proc/nowhere"));
     settings_clear(&s);
 }
 

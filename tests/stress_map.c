@@ -175,7 +175,7 @@ static void check_none(const char *folder)
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
-    setenv("PATH", "/nowhere", 1); /* no pictures */
+    setenv("PATH", "/proc/nowhere", 1); /* no pictures */
     check_map(argv[1], false);
     check_map(argv[1], true);
     check_none(argv[1]);

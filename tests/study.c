@@ -152,7 +152,7 @@ static void deaths_and_refusals(void)
     CHECK(!strcmp(late->plan->levels[0].name, "flat_sheet"));
     free(text);
     study_clear(&all);
-    CHECK(study_read(&plan, "/nowhere", &all, NULL) == STATUS_FILE);
+    CHECK(study_read(&plan, "/proc/nowhere", &all, NULL) == STATUS_FILE);
     CHECK(!all.study); /* all clear after a failure */
     plan_clear(&plan);
 }

@@ -112,7 +112,7 @@ static void prints(const char *folder)
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     CHECK(strstr(text, "0.605") && strstr(text, "h 20") && !strstr(text, "nan"));
     fclose(file);
-    CHECK(study_locking_experiment.print("/nowhere", TABLE_TEXT, stdout, NULL) ==
+    CHECK(study_locking_experiment.print("/proc/nowhere", TABLE_TEXT, stdout, NULL) ==
           STATUS_FILE);
 }
 

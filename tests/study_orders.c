@@ -67,7 +67,7 @@ static void motions(const char *folder)
     REQUIRE(file && study_orders_print(&r, TABLE_TEXT, file) == STATUS_OK);
     CHECK(ftell(file) > 400);
     fclose(file);
-    CHECK(study_orders_read("/nowhere", &r, &why) == STATUS_FILE);
+    CHECK(study_orders_read("/proc/nowhere", &r, &why) == STATUS_FILE);
 }
 
 int main(int argc, char **argv)

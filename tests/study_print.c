@@ -188,7 +188,7 @@ int main(int argc, char **argv)
     REQUIRE(argc == 2);
     folder = argv[1];
     REQUIRE(folder_make(folder, NULL) == STATUS_OK);
-    setenv("PATH", "/nowhere", 1); /* no pictures */
+    setenv("PATH", "/proc/nowhere", 1); /* no pictures */
     check_truth();
     check_without();
     check_rest();

@@ -91,7 +91,7 @@ static void prints(const char *folder)
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     CHECK(strstr(text, "does not hold") && strstr(text, "0.625") && !strstr(text, "nan"));
     fclose(file);
-    CHECK(experiment_print(&study_timestep_experiment, "/nowhere", TABLE_TEXT, stdout,
+    CHECK(experiment_print(&study_timestep_experiment, "/proc/nowhere", TABLE_TEXT, stdout,
                            NULL) == STATUS_FILE);
 }
 

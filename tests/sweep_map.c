@@ -148,7 +148,7 @@ static void check_labels(void)
 {
     static const char *const some[] = {"a", "died", "no result", "run again", "a", "b"};
     struct plan plan;
-    char names[30][8];
+    char names[30][16];
     const char *many[30];
 
     sweep_fixture_plan(PLAN "axes: [{key: damping.value, from: 0.01, to: 0.3, count: 30}]\n"
@@ -225,7 +225,7 @@ int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     sweep_fixture_begin(argv[1]);
-    setenv("PATH", "/nowhere", 1); /* the script is what counts: no gnuplot */
+    setenv("PATH", "/proc/nowhere", 1); /* the script is what counts: no gnuplot */
     check_maps();
     check_labels();
     check_no_result();

@@ -188,7 +188,7 @@ static void prints(const struct measured *m)
     said_close(&s, true);
     said_lacks(&s, "CSV", "Measured: ");
     said_clear(&s);
-    CHECK(experiment_print(e, "/nowhere", TABLE_TEXT, stdout, NULL) != STATUS_OK);
+    CHECK(experiment_print(e, "/proc/nowhere", TABLE_TEXT, stdout, NULL) != STATUS_OK);
 }
 
 /* The chart: of each line a point for each of its rows. */

@@ -194,8 +194,8 @@ static void test_print(void)
         said_lacks(&s, "quick", "Yes or no: ");
         said_clear(&s);
     }
-    CHECK(table4_exhibit.print("/nowhere", TABLE_TEXT, stdout, &why) == STATUS_FILE);
-    CHECK(strstr(why.text, "/nowhere/"));
+    CHECK(table4_exhibit.print("/proc/nowhere", TABLE_TEXT, stdout, &why) == STATUS_FILE);
+    CHECK(strstr(why.text, "/proc/nowhere/"));
 }
 
 /* Points of a panel: of each row the paper's words and ours, one for no word at all. */
@@ -216,7 +216,7 @@ static int points(const struct table4_run *run)
 static void test_chart(const struct table4_data *d)
 {
     static const int shown[] = {TABLE4_PRINTED, TABLE4_SHELL};
-    char begin[32];
+    char begin[48];
     struct said s;
 
     said_open(&s);

@@ -237,7 +237,7 @@ static void who_may_store(void)
                  {SOURCE_DIR "/bench/../bench/truths/mine.h5", "1234", "1", false},
                  {SOURCE_DIR "/bench/edge_drop.h5", "1234", "1", true},
                  {"edge_drop.h5", "unknown", "unknown", true},
-                 {"/nowhere/edge_drop.h5", "1234", "1", true}};
+                 {"/proc/nowhere/edge_drop.h5", "1234", "1", true}};
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         struct provenance p = {2, {{"commit", ""}, {"changed_files", ""}}};

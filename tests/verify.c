@@ -232,7 +232,7 @@ static void check_file(const char *folder)
     }
     verify_sheet_clear(&made);
     verify_sheet_clear(&read);
-    CHECK(verify_file_read(&check, "/nowhere", &read, &why) == STATUS_FILE);
+    CHECK(verify_file_read(&check, "/proc/nowhere", &read, &why) == STATUS_FILE);
 }
 
 /* What is no such file is refused. */

@@ -119,7 +119,8 @@ static void test_flag(void)
     CHECK(has_line(text, "0.750  printed (the paper's)", "1."));
     CHECK(has_line(text, "2.075  projective dynamics, matched", "1."));
     CHECK(strstr(text, "not the bending of its material"));
-    CHECK(study_flag_experiment.print("/proc/nowhere", TABLE_TEXT, stdout, &why) == STATUS_FILE);
+    CHECK(study_flag_experiment.print("/proc/nowhere", TABLE_TEXT, stdout, &why) ==
+          STATUS_FILE);
     CHECK(strstr(why.text, "/proc/nowhere/"));
     free(text);
 }

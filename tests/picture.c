@@ -97,7 +97,7 @@ int main(int argc, char **argv)
     }
     REQUIRE(setenv("PATH", folder, 1) == 0);
     data_and_script(false);
-    CHECK(picture_surfaces("/proc/nowhere", "sheets", 1, 1, &(struct picture_panel){"", NULL},
-                           &why) == STATUS_FILE);
+    CHECK(picture_surfaces("/proc/nowhere", "sheets", 1, 1,
+                           &(struct picture_panel){"", NULL}, &why) == STATUS_FILE);
     return check_result();
 }

@@ -348,8 +348,8 @@ static void test_failures(void)
     CHECK(run_file_write(&(struct run_plan){DROP, named("iga"), &s, 0}, &keep, &r, &why) ==
           STATUS_INPUT);
     CHECK(strstr(why.text, "degree"));
-    CHECK(run_file_write(&(struct run_plan){"/proc/nowhere.yaml", named("iga"), NULL, 0}, &keep,
-                         &r, &why) == STATUS_FILE);
+    CHECK(run_file_write(&(struct run_plan){"/proc/nowhere.yaml", named("iga"), NULL, 0},
+                         &keep, &r, &why) == STATUS_FILE);
     script_reset();
     script.create = STATUS_MEMORY;
     CHECK(run_file_write(&(struct run_plan){DROP, &scripted, NULL, 0}, &keep, &r, &why) ==

@@ -106,7 +106,7 @@ int main(int count, char **arguments)
     check(&study_artefacts_experiment, sizeof artefacts / sizeof *artefacts, artefacts,
           artefact_time, "normal: row 4, shell: not judged: quick.");
     study_wants_file("artefacts.gp", "'floating: row 13, shell'.\"\\n\".'t = 1.5 s'");
-    CHECK(experiment_print(&study_flag_experiment, "/proc/nowhere", TABLE_TEXT, stdout, NULL) ==
-          STATUS_FILE);
+    CHECK(experiment_print(&study_flag_experiment, "/proc/nowhere", TABLE_TEXT, stdout,
+                           NULL) == STATUS_FILE);
     return check_result();
 }

@@ -85,7 +85,7 @@ for variable in OMP_NUM_THREADS OPENBLAS_NUM_THREADS; do
     ends 2 "$variable=99999: at most 1024" env $variable=99999 "$program" help
 done
 # memory that is short from the start: whatever is left, the program says so or does it
-nm -D "$program" | grep -q __asan_init || for limit in $(seq 70000 8000 180000); do
+nm -D "$program" | grep __asan_init >/dev/null || for limit in $(seq 70000 8000 180000); do
     env -u OPENBLAS_NUM_THREADS -u OPENBLAS_CORETYPE \
         timeout 20 bash -c "ulimit -v $limit && exec \"\$@\"" - "$program" help >out 2>err
     code=$?

@@ -96,7 +96,8 @@ foreach(place home root work)
 endforeach()
 plant(style tests/grid.c "assert(1)\;" "tests/grid.c:2: assert in a test")
 plant(style tests/grid.c "#include <assert.h>" "tests/grid.c:2: assert in a test")
-plant(style models/grid.c "_Static_assert(1, \"/models/work/x\")\; assert(1)\;" "")
+set(place work)
+plant(style models/grid.c "_Static_assert(1, \"/models/${place}/x\")\; assert(1)\;" "")
 
 # A library of one object file, FILE.c holding `code`, in folder iga or models.
 function(plant_symbols folder file code expected)

@@ -111,6 +111,10 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
     if (m->strain_limit > 0)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "strain_limit: with integrator=implicit or explicit only");
+    if (m->beta > 0 && m->newton.supports.moving) /* held points have no velocity there */
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "integrator=leapfrog: no damping by stiffness (rayleigh beta) "
+                           "with supports that move");
     return spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, m->newton.K,
                                 &m->leapfrog, why);
 }

@@ -299,15 +299,26 @@ static void check_refusals(void)
         int substeps;
         double strain_limit, young;
         const char *says;
-    } cases[] = {{0, 0.1, 1e5, "strain_limit"}, {0, 0, 1e20, "integrator=implicit"}};
+        double beta; /* with a support that moves                                      */
+    } cases[] = {{0, 0.1, 1e5, "strain_limit", 0},
+                 {0, 0, 1e20, "integrator=implicit", 0},
+                 {0, 0, 1e5, "supports that move", 1e-3}};
 
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         struct scene scene;
         struct spring_motion m;
         struct discretization d = leapfrog(5, 5);
         struct message why = {{0}};
         fill_scene(&scene, true);
         scene.young = cases[k].young;
+        if (cases[k].beta > 0) {
+            scene.supports[0].path = calloc(2, sizeof *scene.supports[0].path);
+            REQUIRE(scene.supports[0].path);
+            scene.supports[0].path[1][0] = scene.supports[0].path[1][3] = 1;
+            scene.supports[0].path_count = 2;
+            scene.damping =
+                (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = cases[k].beta};
+        }
         d.substeps = cases[k].substeps, d.strain_limit = cases[k].strain_limit;
         CHECK(spring_motion_init(&m, &scene, &d, &why) != STATUS_OK);
         CHECK(strstr(why.text, cases[k].says));

@@ -86,8 +86,10 @@ static void tell(const struct discretization *usual, const struct discretization
                                  d->degree[0], d->degree[1], d->degree[2]);
     if (remedy)
         snprintf(text + used, sizeof text - used, "remedy=%s, ", remedy_name(d->remedy));
-    status_fail(why, STATUS_OK, points || degree || remedy ? "%snot the defaults: %s" : "",
-                text, reason.text);
+    if (points || degree || remedy)
+        status_fail(why, STATUS_OK, "%snot the defaults: %s", text, reason.text);
+    else
+        why->text[0] = '\0';
 }
 
 void model_complete(const struct model *model, const struct scene *scene,

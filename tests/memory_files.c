@@ -220,8 +220,8 @@ static void try_commands(const char *only)
 {
     static const char *const words[] = {
         "run edge_drop --quiet --set time.end=0.01 --probe 1,0.5,0.5 --out out.h5",
-        "run edge_drop --set time.end=0.01 --model hex_paper --matrices m --out out.h5 "
-        "--set discretization.points=[3,3,2]",
+        ("run edge_drop --set time.end=0.01 --model hex_paper --matrices m --out out.h5 "
+         "--set discretization.points=[3,3,2]"),
         "run cantilever --static --modes 2 --model shell --set gravity=[0,-1,0]",
         "truth sphere --stored",
     };

@@ -204,7 +204,7 @@ static double check_field(const struct solid *s, const struct field *field,
     }
     if (!holds)
         CHECK(worst > LEAST_MISS);
-    else if (!(CHECK_NEAR(worst, 0, TOL_FORCE) & CHECK_NEAR(worst_inside, 0, TOL_FORCE)))
+    else if (CHECK_NEAR(worst, 0, TOL_FORCE) + CHECK_NEAR(worst_inside, 0, TOL_FORCE) < 2)
         printf("  %s, %s net, degrees %d %d %d, nu %g\n", field->name, shape, b[0].p,
                b[1].p, b[2].p, nu);
     free(d);

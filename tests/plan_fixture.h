@@ -37,8 +37,8 @@ static const char *const STUDIES[] = {
     "scene: edge_drop",
     "levels:",
     "  - {label: 5x5x2, size: 0.3, settings: {discretization.points: [5,5,2]}}",
-    "  - {label: 9x9x2, settings: {discretization.points: [9,9,2]}, quick: {time.step: "
-    "0.01}}",
+    ("  - {label: 9x9x2, settings: {discretization.points: [9,9,2]}, "
+     "quick: {time.step: 0.01}}"),
     "times: [0.1, 0.2]",
     "truth: true",
     "timed: 3",

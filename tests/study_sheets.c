@@ -143,11 +143,11 @@ static void test_artefacts(void)
         "floating,\"row 13, shell, flag\",yes,too light,1.05,51,nan,yes\n",
         "penetration,\"row 2, iga, flag\",no,feasible,1.05,90,nan,\n",
         "# floating: row 13: shown, but not alone: this run is penetration, too light.",
-        "# normal: row 4, shell: not reproduced: by the rules of Table 4 (plan table4) "
-        "this "
-        "run is too light.",
-        "# penetration: row 2: not reproduced: by the rules of Table 4 (plan table4) this "
-        "run is feasible."};
+        ("# normal: row 4, shell: not reproduced: by the rules of Table 4 (plan table4) "
+         "this "
+         "run is too light."),
+        ("# penetration: row 2: not reproduced: by the rules of Table 4 (plan table4) this "
+         "run is feasible.")};
     static const char *const quick_rows[] = {
         "normal,\"row 14, iga, flag\",yes,feasible,1.05,85,nan,yes\n",
         "normal,\"row 4, shell, edge_drop\",,too light,1.05,60,nan,\n",

@@ -287,7 +287,7 @@ static struct contest race(void)
         {"mass_spring", {20, 1, 0, 0.19, 0.025, EARLY}},
         {"mass_spring", {20, 4, 0, 0.21, 0.015, 0}},
         {"mass_spring", {40, 1, 0, 0.3, 0.026, 0}},
-        {"iga_selective_3", {6, 1, 0, 0.4, 0.0011, 0}},
+        {"iga_selective_3", {6, 1, 0, 0.4, 0.0041, 0}},
         {"iga_linear", {10, 1, 0, 0.02, 0.0004, 0}},
         {"mass_spring", {30, 4, 0, 0, 0.009, PROBE}},
         {"projective_dynamics", {20, 1, 10, 0.02, 0, DIES}},

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "bench/compare/fig6.h"
 #include "bench/experiment/batch.h"
@@ -16,6 +17,11 @@
 /* Half a second: an edge drop's first quarter swing, before motions part for good. */
 static const double UNTIL = 0.5;
 
+/* Seconds that a run which the search proposes may take. */
+static const double LONGEST = 3;
+
+enum { MOST_ROUNDS = 20 };
+
 struct job {
     struct contest contest;
     struct scene scene;
@@ -27,6 +33,7 @@ struct job {
     struct settings truth; /* these, and how the truth is damped                       */
     struct truth *found;   /* owned                                                    */
     struct truth none;     /* stands in for a truth that could not be had              */
+    double longest; /* of the search [s]; 0: it is left out                            */
     bool quick, read_only;
 };
 
@@ -56,6 +63,20 @@ static enum status read_times(struct job *j, const struct command_line *line,
             return status_fail(why, STATUS_INPUT,
                                "--until %g: at least %d frames of %g s are needed", until,
                                j->times, j->scene.step);
+    return STATUS_OK;
+}
+
+static enum status read_longest(struct job *j, const struct command_line *line,
+                                struct message *why)
+{
+    const char *word = command_value(line, "--longest");
+    char *end = NULL;
+
+    j->longest = word ? strtod(word, &end) : j->quick ? 0 : LONGEST;
+    if (word && (end == word || *end || !(j->longest >= 0)))
+        return status_fail(why, STATUS_INPUT,
+                           "--longest %s: seconds, or 0 for no search beyond the ladder",
+                           word);
     return STATUS_OK;
 }
 
@@ -91,6 +112,7 @@ static enum status prepare(struct job *j, const struct command_line *line,
     TRY(settings_read_scene(&j->user, j->path, &j->scene, why));
     choose_damping(j);
     TRY(read_times(j, line, why));
+    TRY(read_longest(j, line, why));
     j->contest.scene = &j->scene;
 out:
     return st;
@@ -216,9 +238,20 @@ static enum status run_batch(const struct job *j, struct batch *batch, struct me
     return st;
 }
 
+/* Of rows that an earlier call may not have had those from the first one missing are not
+ * read. */
+static int there(const struct job *j, const struct batch *batch)
+{
+    int n = 0;
+
+    while (n < batch->count && (!j->read_only || access(batch->files[n], F_OK) == 0))
+        n++;
+    return n;
+}
+
 /* Runs all rows from the first one given on, unless an earlier call has left their files,
- * and fills them. */
-static enum status measure(struct job *j, int first, struct message *why)
+ * and fills them. If they are not `needed`, those that it did not leave go. */
+static enum status measure(struct job *j, int first, bool needed, struct message *why)
 {
     struct contest *c = &j->contest;
     struct batch batch;
@@ -229,6 +262,8 @@ static enum status measure(struct job *j, int first, struct message *why)
         plan_row(j, &c->rows[n], &batch);
     if (!j->read_only)
         TRY(run_batch(j, &batch, why));
+    if (!needed)
+        c->count = first + there(j, &batch);
     for (int n = first; n < c->count; n++) {
         struct run_result r = {0};
         TRY(batch_read(&batch, n - first, true, &r, why));
@@ -240,16 +275,52 @@ out:
     return st;
 }
 
-/* The ladder, and then what tells the limits of each. */
+static enum status add_proposals(struct job *j)
+{
+    struct contest *c = &j->contest;
+    const struct contestant *who;
+    struct contest_at at[CONTEST_PROPOSALS];
+    struct contest_row *unused;
+    enum status st = STATUS_OK;
+
+    for (int k = 0; (who = contest_entrant(c, k)); k++) {
+        const int count = contest_search(c, who, j->longest, at);
+        for (int n = 0; n < count; n++)
+            TRY(contest_add(c, &at[n], &unused));
+    }
+out:
+    return st;
+}
+
+/* Each contestant's best for each target, from what its ladder showed. */
+static enum status search(struct job *j, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int round = 0; round < MOST_ROUNDS && j->longest > 0; round++) {
+        const int first = j->contest.count;
+        TRY(add_proposals(j));
+        const int proposed = j->contest.count;
+        if (proposed > first)
+            TRY(measure(j, first, false, why));
+        if (proposed == first || j->contest.count < proposed)
+            break;
+    }
+out:
+    return st;
+}
+
+/* The ladder, what it makes worth a try, and then what tells the limits of each. */
 static enum status measure_all(struct job *j, struct message *why)
 {
-    const int ladder = j->contest.count;
     enum status st;
 
-    TRY(measure(j, 0, why));
+    TRY(measure(j, 0, true, why));
+    TRY(search(j, why));
+    const int searched = j->contest.count;
     TRY(add_probes(j));
-    if (j->contest.count > ladder)
-        TRY(measure(j, ladder, why));
+    if (j->contest.count > searched)
+        TRY(measure(j, searched, true, why));
 out:
     return st;
 }
@@ -318,10 +389,13 @@ static const struct command_option options[] = {
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
     {"--until", "SECONDS", false,
      "compare five times up to this one (0.5, or those of\nthe stored truth before it)"},
+    {"--longest", "SECONDS", false,
+     "of a run that the search for the best net, step and\niterations may try (3; 0: no "
+     "search)"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false, "where result files, CSV and plot go (results/compare_SCENE)"},
     {"--from", "DIR", false, "tables and plot from result files of an earlier run"},
-    {"--quick", NULL, false, "the cheap half of each refinement, three repeats"},
+    {"--quick", NULL, false, "the cheap half of each ladder, no search, three\nrepeats"},
     {NULL, NULL, false, NULL},
 };
 
@@ -332,8 +406,11 @@ const struct command compare_command = {
     .text =
         "Runs each contestant over nets, time steps and iterations from cheap to dear,\n"
         "holds every run against the scene's truth on the material grid, times all in\n"
-        "turn and prints the error beside the seconds; the least time for 10, 3, 2, 1 and\n"
-        "0.1 %, the least error in real time and the least of all, each with the net, the\n"
+        "turn, and searches from there: for the least net, the longest step and the\n"
+        "fewest iterations that reach 3, 2, 1, 0.5 and 0.2 %, and for what comes nearer.\n"
+        "It prints the error beside the seconds; the least time for each of these; how\n"
+        "seconds grow with accuracy; the least error in real time and the least of all, "
+        "each with the net, the\n"
         "step and the iterations that reach it; and what limits the last: from there net,\n"
         "step and iterations are refined once more, one at a time, and what takes most\n"
         "off is named, or the truth, where the error is within its bar. Seconds are "

@@ -4,21 +4,6 @@
 
 #include "bench/compare/compare.h"
 
-/* Error over the length, and the keys of what a machine reads beside it. */
-static const struct target {
-    double error;
-    const char *header, *seconds, *side, *step, *iterations;
-} targets[] = {
-#define TARGET(error, header, key)                                                         \
-    {                                                                                      \
-        error, header, "seconds_" key, "side_" key, "step_s_" key, "iterations_" key       \
-    }
-    TARGET(0.1, "10 %", "0.1"),      TARGET(0.03, "3 %", "0.03"),
-    TARGET(0.02, "2 %", "0.02"),     TARGET(0.01, "1 %", "0.01"),
-    TARGET(0.001, "0.1 %", "0.001"),
-};
-enum { TARGETS = sizeof targets / sizeof *targets };
-
 enum { FIXED = 13, MOST_COLUMNS = FIXED + CONTEST_TIMES + 3, SIZE_TEXT = 48 };
 
 /* What a table borrows. */
@@ -180,25 +165,38 @@ static void note_sizes(struct table *t, const struct contest *c)
 
 enum { WHO = 2, TARGET_COLUMNS = 5 };
 
+/* The columns of a target: its seconds for people, and what a machine reads beside. */
+struct target_words {
+    char header[16], key[TARGET_COLUMNS - 1][24];
+};
+
+static void add_columns(double error, struct target_words *w, struct table_column *column)
+{
+    static const char *const what[] = {"seconds", "side", "step_s", "iterations"};
+
+    snprintf(w->header, sizeof w->header, "%g %%", 100 * error);
+    *column++ = (struct table_column){w->header, "s", .readers = TABLE_PEOPLE};
+    for (int n = 0; n < TARGET_COLUMNS - 1; n++) {
+        snprintf(w->key[n], sizeof w->key[n], "%s_%g", what[n], error);
+        *column++ =
+            (struct table_column){w->key[n], .key = w->key[n], .readers = TABLE_MACHINES};
+    }
+}
+
 static enum status print_targets(const struct contest *c, const char *folder,
                                  enum table_format format, FILE *file, struct message *why)
 {
-    struct table_column columns[WHO + TARGETS * TARGET_COLUMNS] = {
+    struct table_column columns[WHO + CONTEST_TARGETS * TARGET_COLUMNS + 1] = {
         {"model", NULL, TABLE_LEFT, .key = "title"},
         {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
-    struct table_column *column = columns + WHO;
+    struct target_words words[CONTEST_TARGETS];
     const struct contestant *who;
     enum status st;
 
-    for (const struct target *g = targets; g < targets + TARGETS; g++) {
-        const enum table_readers m = TABLE_MACHINES;
-        *column++ = (struct table_column){g->header, "s", .readers = TABLE_PEOPLE};
-        *column++ = (struct table_column){g->seconds, .key = g->seconds, .readers = m};
-        *column++ = (struct table_column){g->side, .key = g->side, .readers = m};
-        *column++ = (struct table_column){g->step, .key = g->step, .readers = m};
-        *column++ =
-            (struct table_column){g->iterations, .key = g->iterations, .readers = m};
-    }
+    for (int n = 0; n < CONTEST_TARGETS; n++)
+        add_columns(contest_target[n], &words[n], &columns[WHO + n * TARGET_COLUMNS]);
+    columns[WHO + CONTEST_TARGETS * TARGET_COLUMNS] =
+        (struct table_column){"growth", .key = "growth"};
     struct table *t =
         table_create(sizeof columns / sizeof *columns, columns,
                      "Least seconds (set-up and stepping) to an RMSE/L at the worst of the "
@@ -207,14 +205,16 @@ static enum status print_targets(const struct contest *c, const char *folder,
         table_row(t);
         table_text(t, "%s", who->title);
         table_text(t, "%s", who->name);
-        for (int n = 0; n < TARGETS; n++) {
-            const struct contest_row *r = contest_cheapest(c, who, targets[n].error);
+        for (int n = 0; n < CONTEST_TARGETS; n++) {
+            const struct contest_row *r = contest_cheapest(c, who, contest_target[n]);
             add_cell(t, r, r ? r->seconds : NAN, "not reached");
             table_number(t, r ? r->seconds : NAN, 3);
             add_size(t, c, r);
         }
+        table_number(t, contest_growth(c, who), 2);
     }
     note_sizes(t, c);
+    table_note(t, "Growth p: seconds go as error^-p along the best runs (three or more).");
     TRY(table_save(t, folder, "compare_targets", why));
     return table_finish(t, format, file);
 out:

@@ -5,6 +5,8 @@
 
 #include "models/metric/metric.h"
 
+const double contest_target[CONTEST_TARGETS] = {0.03, 0.02, 0.01, 0.005, 0.002};
+
 enum status contest_add(struct contest *c, const struct contest_at *at,
                         struct contest_row **row)
 {
@@ -120,4 +122,17 @@ bool contest_on_front(const struct contest *c, const struct contest_row *row)
             r->seconds < row->seconds)
             return false;
     return true;
+}
+
+double contest_growth(const struct contest *c, const struct contestant *who)
+{
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
+        if (r->at.contestant != who || !contest_on_front(c, r))
+            continue;
+        const double a = -log(r->worst), b = log(r->seconds);
+        n++, x += a, y += b, xx += a * a, xy += a * b;
+    }
+    return n >= 3 ? (n * xy - x * y) / (n * xx - x * x) : NAN;
 }

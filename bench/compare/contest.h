@@ -11,7 +11,10 @@
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth.h"
 
-enum { CONTEST_TIMES = 5 };
+enum { CONTEST_TIMES = 5, CONTEST_TARGETS = 5 };
+
+/* Errors over the length that are asked for, from large to small. */
+extern const double contest_target[CONTEST_TARGETS];
 
 /* What can be refined. */
 enum contest_axis { CONTEST_NET, CONTEST_STEP, CONTEST_ITERATIONS, CONTEST_AXES };
@@ -76,6 +79,10 @@ bool contest_on_front(const struct contest *c, const struct contest_row *row);
  */
 #define CONTEST_LEAST_GAIN 0.1
 
+/* The same contestant, refined further along this axis, equally along the others. */
+bool contest_is_finer(const struct contest_at *a, const struct contest_at *than,
+                      enum contest_axis axis);
+
 /* The next row to try from `best` along an axis: net half as many points again, half the
  * step (of the pieces that the model itself divides steps into, if it does), twice the
  * iterations. False: there is a finer row already, or no such axis. */
@@ -104,6 +111,24 @@ struct contest_limit {
 };
 
 struct contest_limit contest_limit(const struct contest *c, const struct contestant *who);
+
+/* --- where to look next ------------------------------------------------------------------
+ *
+ * Called again and again, with what it proposed added and filled in, it finds for each
+ * target the least net, the longest step and the fewest iterations that meet it (bisection
+ * along one axis at a time, to a tenth of a net and a factor of two), and refines the
+ * nearest run until it meets the least target, is within the truth's bar or costs too much.
+ */
+enum { CONTEST_PROPOSALS = CONTEST_AXES * (CONTEST_TARGETS + 1) };
+
+/* How many were proposed; none is expected to take longer than so many seconds. It depends
+ * on the rows alone, so that the same rows are searched for the same. */
+int contest_search(const struct contest *c, const struct contestant *who, double longest,
+                   struct contest_at at[CONTEST_PROPOSALS]);
+
+/* How seconds grow with accuracy: the power p of seconds ~ error^-p that fits the front
+ * best; NaN: fewer than three rows on it. */
+double contest_growth(const struct contest *c, const struct contestant *who);
 
 /* For machines: "net", "step", ... Static storage. */
 const char *contest_kind_name(enum contest_kind kind);

@@ -14,8 +14,8 @@ const char *contest_kind_name(enum contest_kind kind)
     return kind_name[kind];
 }
 
-static bool is_finer(const struct contest_at *a, const struct contest_at *than,
-                     enum contest_axis axis)
+bool contest_is_finer(const struct contest_at *a, const struct contest_at *than,
+                      enum contest_axis axis)
 {
     for (int i = 0; i < CONTEST_AXES; i++)
         if (i != (int)axis && a->size[i] != than->size[i])
@@ -30,7 +30,8 @@ find_finer(const struct contest *c, const struct contest_at *at, enum contest_ax
     const struct contest_row *next = NULL;
 
     for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++)
-        if (is_finer(&r->at, at, axis) && (!next || is_finer(&next->at, &r->at, axis)))
+        if (contest_is_finer(&r->at, at, axis) &&
+            (!next || contest_is_finer(&next->at, &r->at, axis)))
             next = r;
     return next;
 }

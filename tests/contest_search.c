@@ -1,0 +1,196 @@
+/* The search of `compare` on a made-up contestant whose errors and seconds follow a rule:
+ * it ends, finds for each target what is as cheap as any to a tenth of a net and a factor
+ * of two, tries nothing twice, nothing dear, and gives up where nothing helps. */
+#include <math.h>
+
+#include "bench/compare/contest.h"
+#include "models/grid.h"
+#include "tests/run_fixture.h"
+
+enum { MOST_ROUNDS = 40, MOST_ROWS = 300 };
+
+static const double LONGEST = 3;
+
+/* What a run costs beyond the least possible: a tenth of a net more points, twice the
+ * steps, twice the iterations, and as much again where one axis is searched after another.
+ */
+static const double WASTE = 1.1 * 1.1 * 1.1 * 2 * 2 * 1.5;
+
+/* error = floor + net / points^2 + step / steps + iteration / iterations */
+struct rule {
+    const char *who;
+    double floor, net, step, iteration;
+    double bar; /* of the truth */
+};
+
+static double error_of(const struct rule *r, const int *size)
+{
+    return r->floor + r->net / (size[CONTEST_NET] * size[CONTEST_NET]) +
+           r->step / size[CONTEST_STEP] +
+           (size[CONTEST_ITERATIONS] ? r->iteration / size[CONTEST_ITERATIONS] : 0);
+}
+
+static double seconds_of(const int *size)
+{
+    return 2e-6 * pow(size[CONTEST_NET], 3) * size[CONTEST_STEP] *
+           (size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : 1);
+}
+
+static void add(struct contest *c, const struct rule *r, const struct contest_at *at)
+{
+    struct contest_row *row;
+
+    for (int n = 0; n < c->count; n++)
+        CHECK(memcmp(c->rows[n].at.size, at->size, sizeof at->size));
+    REQUIRE(c->count < MOST_ROWS && contest_add(c, at, &row) == STATUS_OK);
+    row->worst = row->error[0] = error_of(r, at->size);
+    row->seconds = seconds_of(at->size);
+}
+
+static void add_ladder(struct contest *c, const struct rule *r)
+{
+    const struct contestant *who = named(r->who);
+
+    for (int s = 0; s < CONTESTANT_STEPS && who->points[s]; s++)
+        for (int d = 0; d < CONTESTANT_STEPS && who->divisors[d]; d++)
+            for (int i = 0; i == 0 || (i < CONTESTANT_STEPS && who->iterations[i]); i++)
+                add(c, r,
+                    &(struct contest_at){
+                        who, {who->points[s], who->divisors[d], who->iterations[i]}});
+}
+
+/* The cheapest of all sizes that the search may reach. */
+static double least_seconds(const struct rule *r, double target)
+{
+    const bool iterates = named(r->who)->iterations[0];
+    double least = INFINITY;
+
+    for (int net = contestant_least(named(r->who)); net < 400; net++)
+        for (int step = 1; step <= 1024; step *= 2)
+            for (int i = iterates; i <= (iterates ? 4096 : 0); i += i ? i : 1) {
+                const int size[] = {net, step, i};
+                if (error_of(r, size) <= target && seconds_of(size) < least)
+                    least = seconds_of(size);
+            }
+    return least;
+}
+
+/* A net with a tenth fewer points, half the steps, half the iterations would miss, or is
+ * dear itself: what the ladder had beyond the longest is not gone after. */
+static void is_least(const struct rule *r, const struct contest_row *found, double target)
+{
+    for (int axis = 0; axis < CONTEST_AXES; axis++) {
+        const int least = axis == CONTEST_NET ? contestant_least(named(r->who)) : 1;
+        int size[CONTEST_AXES];
+        memcpy(size, found->at.size, sizeof size);
+        if (size[axis] <= least)
+            continue;
+        size[axis] = axis == CONTEST_NET ? (int)fmin(0.9 * size[axis], size[axis] - 1)
+                                         : size[axis] / 2;
+        if (!CHECK(size[axis] < least || error_of(r, size) > target ||
+                   seconds_of(size) > LONGEST))
+            printf("  %s, target %g: %d/%d/%d would do\n", r->who, target, size[0], size[1],
+                   size[2]);
+    }
+}
+
+static const struct rule rules[] = {
+    {"iga_selective_3", 0, 2.5, 0, 0, 1e-4},    /* the net alone */
+    {"iga_selective_3", 0, 0.05, 0.1, 0, 1e-4}, /* mostly the step */
+    {"mass_spring", 0, 1, 0.015, 0, 1e-4},      /* both */
+    {"mass_spring", 0, 1e-4, 0.015, 0, 1e-6}, /* half of 16 steps do, a quarter does not */
+    {"projective_dynamics", 0, 1, 0.01, 0.3, 1e-4}, /* and iterations */
+    {"iga_selective_3", 0.04, 2.5, 0.01, 0, 1e-4},  /* the model */
+    {"iga_selective_3", 0, 2.5, 0, 0, 0.02},        /* a blunt truth */
+    {"mass_spring_leapfrog", 0, 2, 0, 0, 1e-4},
+    {"iga_selective_3", 0, 1e-4, 0, 0, 1e-6}, /* less will do than the ladder */
+};
+
+static void searches(const struct rule *r)
+{
+    static double *xyz[1];
+    static double time[1] = {0.1};
+    double bar[1] = {r->bar}, shape[3 * 4] = {0};
+    struct scene scene = {.length = 1, .step = 0.005};
+    struct truth truth = {1, time, xyz, bar, "made up"};
+    struct contest c = {.scene = &scene, .truth = &truth};
+    struct contest_at at[CONTEST_PROPOSALS];
+    int rounds = 0, count, ladder;
+
+    xyz[0] = shape;
+    add_ladder(&c, r);
+    ladder = c.count;
+    while ((count = contest_search(&c, named(r->who), LONGEST, at)) &&
+           rounds++ < MOST_ROUNDS)
+        for (int n = 0; n < count; n++)
+            add(&c, r, &at[n]);
+    CHECK(rounds < MOST_ROUNDS);
+    for (int n = ladder; n < c.count; n++)
+        CHECK(c.rows[n].seconds <= LONGEST * (1 + 1e-9));
+    for (int t = 0; t < CONTEST_TARGETS; t++) {
+        const struct contest_row *found =
+            contest_cheapest(&c, named(r->who), contest_target[t]);
+        const double least = least_seconds(r, contest_target[t]);
+        if (!CHECK(found ? found->seconds <= WASTE * least
+                         : !(least * WASTE <= LONGEST) || r->bar > contest_target[t]))
+            printf("  %s, target %g: %g s, the least is %g s\n", r->who, contest_target[t],
+                   found ? found->seconds : NAN, least);
+        if (found)
+            is_least(r, found, contest_target[t]);
+    }
+    printf("%s: %d runs, %d of them searched for, %d rounds\n", r->who, c.count,
+           c.count - ladder, rounds);
+    contest_clear(&c);
+}
+
+/* A blunt truth is not run after; a search that may cost nothing proposes nothing. */
+static void nothing_to_do(void)
+{
+    struct contest_at at[CONTEST_PROPOSALS];
+    struct scene scene = {.length = 1, .step = 0.005};
+    double time[1] = {0.1}, bar[1] = {0.05}, shape[3] = {0}, *xyz[1] = {shape};
+    struct truth truth = {1, time, xyz, bar, "made up"};
+    struct contest c = {.scene = &scene, .truth = &truth};
+    const struct rule r = {"iga_selective_3", 0.04, 0, 0, 0, 0};
+
+    add(&c, &r, &(struct contest_at){named(r.who), {10, 1, 0}});
+    CHECK(contest_search(&c, named(r.who), LONGEST, at) == 0);
+    bar[0] = 0.03;
+    CHECK(contest_search(&c, named(r.who), LONGEST, at) == 2); /* a net, a step */
+    CHECK(contest_search(&c, named(r.who), 1e-9, at) == 0);
+    CHECK(contest_search(&c, named("mass_spring"), LONGEST, at) == 0);
+    bar[0] = 0, c.rows[0].worst = c.rows[0].error[0] = 0.0019; /* near enough */
+    CHECK(contest_search(&c, named(r.who), LONGEST, at) == 1);
+    CHECK(at[0].size[CONTEST_NET] == 5 && at[0].size[CONTEST_STEP] == 1);
+    c.rows[0].worst = c.rows[0].error[0] = NAN; /* it died */
+    CHECK(contest_search(&c, named(r.who), LONGEST, at) == 0);
+    contest_clear(&c);
+}
+
+/* Seconds that go as error^-1.5, exactly, but for a run off the front. */
+static void growth(void)
+{
+    struct contest c = {0};
+    struct contest_row *row;
+    static const double error[] = {0.1, 0.02, 0.005};
+
+    for (int n = 0; n < 4; n++) {
+        const struct contest_at at = {named("mass_spring"), {10 + n, 1, 0}};
+        REQUIRE(contest_add(&c, &at, &row) == STATUS_OK);
+        row->worst = n < 3 ? error[n] : 0.05,
+        row->seconds = n < 3 ? pow(error[n], -1.5) : 1e5;
+        CHECK(n >= 2 || isnan(contest_growth(&c, named("mass_spring"))));
+    }
+    CHECK_NEAR(contest_growth(&c, named("mass_spring")), 1.5, 1e-12);
+    CHECK(isnan(contest_growth(&c, named("iga"))));
+    contest_clear(&c);
+}
+
+int main(void)
+{
+    for (int n = 0; n < LENGTH(rules); n++)
+        searches(&rules[n]);
+    nothing_to_do();
+    growth();
+    return check_result();
+}

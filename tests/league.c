@@ -1,0 +1,161 @@
+/* compare over several scenes, on made-up contests: what error is asked of a scene, who
+ * wins it and by how much over another model, and where each stands in the tables. */
+#include "bench/compare/league.h"
+
+#include <math.h>
+
+#include "bench/files/folder.h"
+#include "tests/run_fixture.h"
+
+static void targets(void)
+{
+    CHECK(league_target(0) == 0.01 && league_target(0.01) == 0.01);
+    CHECK(league_target(0.0101) == 0.02 && league_target(0.02) == 0.02);
+    CHECK(league_target(0.021) == 0.03);
+    CHECK(isnan(league_target(0.0301)) && isnan(league_target(NAN)));
+}
+
+struct run_of {
+    const char *who;
+    int side;
+    double seconds, worst; /* NaN: it died; -1: refused                                 */
+};
+
+enum { RUNS = 8 };
+
+static const struct scene_of {
+    const char *name;
+    double bar, span; /* bar over the length; NaN: no truth */
+    struct run_of run[RUNS];
+} scenes[] = {
+    /* springs win over springs of another kind, and the next model is the plate */
+    {"near",
+     0.002,
+     0.5,
+     {{"mass_spring", 20, 0.5, 0.009},
+      {"mass_spring", 30, 0.9, 0.004},
+      {"mass_spring_single", 12, 0.004, 0.0099},
+      {"mass_spring_single", 10, 0.002, 0.0101},
+      {"iga_selective_3", 12, 0.8, 0.008},
+      {"shell_3", 10, 0.1, 0.08}}},
+    /* a truth that is known to 2 % only */
+    {"vague",
+     0.015,
+     0.25,
+     {{"mass_spring_single", 12, 0.004, 0.021},
+      {"iga_selective_3", 12, 0.8, 0.02},
+      {"shell_3", 10, 0.1, NAN}}},
+    {"blunt", 0.05, 1, {{"mass_spring_single", 12, 0.004, 0.001}, {"shell_3", 10, 1, -1}}},
+    {"far", 0.001, 1, {{"iga_selective_3", 12, 0.8, 0.3}}},
+    {"unknown", NAN, 1, {{"iga_selective_3", 12, 0.8, NAN}}},
+};
+
+static void add(struct league *l, const struct scene_of *s)
+{
+    char name[16];
+    double bar[1] = {2 * s->bar}, time[1] = {s->span}, shape[3] = {0}, *xyz[1] = {shape};
+    struct scene scene = {.name = name, .length = 2, .step = 0.005};
+    struct truth truth = {1, time, isnan(s->bar) ? NULL : xyz, bar, "made up"};
+    struct contest c = {.scene = &scene, .truth = &truth};
+    struct contest_row *row;
+
+    snprintf(name, sizeof name, "%s", s->name);
+    for (const struct run_of *r = s->run; r < s->run + RUNS && r->who; r++) {
+        const struct contest_at at = {named(r->who), {r->side, 4, 0}};
+        REQUIRE(contest_add(&c, &at, &row) == STATUS_OK);
+        row->seconds = r->seconds;
+        row->worst = row->error[0] = r->worst < 0 ? NAN : r->worst;
+        row->result.outcome = r->worst < 0 ? STATUS_INPUT : STATUS_OK;
+    }
+    CHECK(league_add(l, &c) == STATUS_OK);
+    contest_clear(&c);
+}
+
+static char *print(const struct league *l, const char *folder, enum table_format format)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    struct message why = {""};
+
+    REQUIRE(file);
+    CHECK(league_print(l, folder, format, file, &why) == STATUS_OK);
+    fclose(file);
+    return text;
+}
+
+static void has(const char *text, const char *line)
+{
+    if (!CHECK(strstr(text, line)))
+        printf("  '%s' is not in\n%s\n", line, text);
+}
+
+static bool is_winner(const struct league *l, int scene, const char *first,
+                      const char *second)
+{
+    const int n[] = {league_winner(l, scene), league_second(l, scene)};
+    const char *const want[] = {first, second};
+    bool same = true;
+
+    for (int k = 0; k < 2; k++)
+        same &= want[k] ? n[k] >= 0 && !strcmp(contestant_table[n[k]].name, want[k])
+                        : n[k] == -1;
+    return same;
+}
+
+int main(int argc, char **argv)
+{
+    struct league l = {0};
+    struct message why = {""};
+
+    REQUIRE(argc == 2 && folder_make(argv[1], &why) == STATUS_OK);
+    targets();
+    for (int n = 0; n < LENGTH(scenes); n++)
+        add(&l, &scenes[n]);
+    CHECK(is_winner(&l, 0, "mass_spring_single", "iga_selective_3"));
+    CHECK(is_winner(&l, 1, "iga_selective_3", NULL));
+    for (int n = 2; n < l.count; n++)
+        CHECK(is_winner(&l, n, NULL, NULL));
+
+    char *text = print(&l, argv[1], TABLE_TEXT);
+    static const char *const rows[] = {
+        "model                                     near    vague    blunt     far  "
+        "unknown\n",
+        "IGA, selective, nonlinear, p = 3           0.8      0.8           (30 %)     "
+        "died\n",
+        "shell, p = 3                             (8 %)     died  refused\n",
+        "mass-spring, matched                       0.5\n",
+        "mass-spring, leapfrog, single precision  0.004  (2.1 %)  (0.1 %)\n",
+        "error asked for                            1 %      2 %     none     1 %     "
+        "none\n",
+        "truth's bar                              0.2 %    1.5 %      5 %   0.1 %     "
+        "none\n",
+        "seconds shown                              0.5     0.25        1       1        "
+        "1\n",
+        ("near: mass-spring, leapfrog, single precision, 200 times less than the next "
+         "model, IGA,\n"
+         "selective, nonlinear, p = 3.\n"),
+        "vague: IGA, selective, nonlinear, p = 3, and no other model reaches 2 %.\n",
+        "blunt cannot be decided: its truth is known to 5 %.\n",
+        "far: nobody reaches 1 %.\n",
+        "unknown cannot be decided: it has no truth.\n"};
+    for (int n = 0; n < LENGTH(rows); n++)
+        has(text, rows[n]);
+    free(text);
+
+    text = print(&l, argv[1], TABLE_CSV);
+    static const char *const cells[] = {
+        ("scene,contestant,model,span_s,bar_over_length,target_rmse_over_length,seconds,"
+         "lowest_rmse_over_length,side,steps_a_frame,iterations,refused\n"),
+        "near,mass_spring,mass_spring,0.5,0.002,0.01,0.5,0.0040000000000000001,20,4,nan,"
+        "0\n",
+        "vague,mass_spring_single,mass_spring,0.25,0.014999999999999999,0.02,nan,"
+        "0.021000000000000001,12,4,nan,0\n",
+        "blunt,shell_3,shell,1,0.050000000000000003,nan,nan,nan,nan,nan,nan,1\n"};
+    for (int n = 0; n < LENGTH(cells); n++)
+        has(text, cells[n]);
+    CHECK(!strstr(text, "near,iga_paper")); /* it did not enter */
+    free(text);
+    league_clear(&l);
+    return check_result();
+}

@@ -19,18 +19,25 @@ static double norm(size_t count, const double *x)
     return sqrt(sum);
 }
 
+/* m^-1/2 of the free unknowns, 0 of the others. */
+static void set_scale(const struct supports *supports, size_t count, const double *mass,
+                      double *scale)
+{
+    for (size_t t = 0; t < count; t++)
+        scale[t] = supports->free_index[t] < 0 ? 0 : 1 / sqrt(mass[t / 3]);
+}
+
 /* y = m^-1/2 K m^-1/2 x among the free unknowns. */
-static void multiply(const struct blocks *graph, const struct supports *supports,
-                     const double *mass, const double (*K)[9], const double *x,
-                     double *work, double *y)
+static void multiply(const struct blocks *graph, const double *scale, const double (*K)[9],
+                     const double *x, double *work, double *y)
 {
     size_t count = 3 * (size_t)graph->nodes;
 
     for (size_t t = 0; t < count; t++)
-        work[t] = x[t] / sqrt(mass[t / 3]);
+        work[t] = scale[t] * x[t];
     blocks_multiply(graph, K, work, y);
     for (size_t t = 0; t < count; t++)
-        y[t] = supports->free_index[t] < 0 ? 0 : y[t] / sqrt(mass[t / 3]);
+        y[t] *= scale[t];
 }
 
 /* A start without symmetry: a low-discrepancy sequence. */
@@ -59,10 +66,10 @@ enum status spring_frequency_largest(const struct blocks *graph,
                                      const double (*K)[9], double *omega)
 {
     size_t count = 3 * (size_t)graph->nodes;
-    double *room = calloc(4 * count, sizeof *room), alpha[LANCZOS_STEPS],
+    double *room = calloc(5 * count, sizeof *room), alpha[LANCZOS_STEPS],
            beta[LANCZOS_STEPS];
     double *q = room, *before = room + count, *y = room + 2 * count,
-           *work = room + 3 * count;
+           *work = room + 3 * count, *root = room + 4 * count;
     double square = 0;
     int n = 0;
 
@@ -72,8 +79,9 @@ enum status spring_frequency_largest(const struct blocks *graph,
     if (!supports->free_count)
         goto out;
     start_vector(supports, count, q);
+    set_scale(supports, count, mass, root);
     for (double last = 0; n < LANCZOS_STEPS && n < supports->free_count;) {
-        multiply(graph, supports, mass, K, q, work, y);
+        multiply(graph, root, K, q, work, y);
         alpha[n] = 0;
         for (size_t t = 0; t < count; t++)
             alpha[n] += q[t] * y[t];

@@ -1,5 +1,6 @@
 #include "mass_spring/spring_sweep.h"
 
+#include <omp.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -15,6 +16,10 @@ enum { SWEEP_PAD = 8 };
 enum { SWEEP_REACH = 2 };
 
 enum { SWEEP_V = 2, SWEEP_SETS = 3 };
+
+/* Points from which on a step takes so much longer than threads wait for each other that
+ * they share it. */
+enum { SWEEP_SHARED = 3600 };
 
 struct spring_sweep {
     int n, m, kinds; /* rows, points of a row, different rows                          */
@@ -136,8 +141,25 @@ void spring_sweep_hold(struct spring_sweep *s, int node, int component, double x
         ((double *)field)[at] = x;
 }
 
+/* A share of the rows, step by step; all wait for each other after each. */
+static void run_share(struct spring_sweep *s, double dt, int count, int share, int shares)
+{
+    const int from = s->n * share / shares, to = s->n * (share + 1) / shares;
+
+    for (int n = 0; n < count; n++) {
+        BY_PRECISION(s, rows, s, dt, s->now ^ (n & 1), from, to);
+        if (shares > 1) {
+#pragma omp barrier
+        }
+    }
+}
+
 void spring_sweep_run(struct spring_sweep *s, double dt, int count)
 {
-    for (; count > 0; count--)
-        BY_PRECISION(s, step, s, dt);
+    if (s->n * s->m < SWEEP_SHARED || omp_get_max_threads() == 1)
+        run_share(s, dt, count, 0, 1);
+    else
+#pragma omp parallel
+        run_share(s, dt, count, omp_get_thread_num(), omp_get_num_threads());
+    s->now ^= count & 1;
 }

@@ -76,16 +76,16 @@ SWEEP_CLONES static void NAME(lagging_row)(ptrdiff_t count, ptrdiff_t pitch, REA
     NAME(gather)(count, pitch, dt, lag, true, c, x0, x1, x2, v0, v1, v2, y0, y1, y2);
 }
 
-/* One step of all rows. */
-static void NAME(step)(struct spring_sweep *s, double dt)
+/* One step of rows [from, to), from set `now` of the positions into the other. */
+static void NAME(rows)(struct spring_sweep *s, double dt, int now, int from, int to)
 {
-    for (int i = 0; i < s->n; i++) {
+    for (int i = from; i < to; i++) {
         ptrdiff_t at = s->first + i * s->pitch;
         const REAL *x[3];
         REAL *v[3], *y[3];
         for (int k = 0; k < 3; k++) {
-            x[k] = (const REAL *)s->field[s->now][k] + at;
-            y[k] = (REAL *)s->field[!s->now][k] + at;
+            x[k] = (const REAL *)s->field[now][k] + at;
+            y[k] = (REAL *)s->field[!now][k] + at;
             v[k] = (REAL *)s->field[SWEEP_V][k] + at;
         }
         if (s->lag > 0)
@@ -95,7 +95,6 @@ static void NAME(step)(struct spring_sweep *s, double dt)
         else NAME(row)(s->pitch, s->pitch, (REAL)dt, s->row[i], x[0], x[1], x[2], v[0],
                        v[1], v[2], y[0], y[1], y[2]);
     }
-    s->now = !s->now;
 }
 
 static void NAME(put)(struct spring_sweep *s, int set, const double *values)

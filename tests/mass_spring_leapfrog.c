@@ -1,5 +1,6 @@
 /* Springs by leapfrog: fall, energy, stability limit, watched steps, bending, precision. */
 #include <float.h>
+#include <omp.h>
 
 #include "mass_spring/spring_stencil.h"
 #include "tests/mass_spring.h"
@@ -326,6 +327,36 @@ static void check_refusals(void)
     }
 }
 
+/* A net so large that threads share its rows, unevenly; odd and even numbers of steps. */
+static void check_threads(enum precision precision, int substeps)
+{
+    double *one = NULL;
+    struct scene scene;
+    struct discretization d = leapfrog(71, 62);
+
+    d.precision = precision, d.substeps = substeps;
+    fill_scene(&scene, true);
+    scene.step = 1e-5 * substeps;
+    for (int threads = 1; threads <= 3; threads++) {
+        struct spring_motion m;
+        omp_set_num_threads(threads);
+        start(&m, &scene, &d);
+        const size_t size = 3 * (size_t)m.net.nodes * sizeof *m.x;
+        steps(&m, 2);
+        if (!one) {
+            one = malloc(size);
+            REQUIRE(one);
+            memcpy(one, m.x, size);
+            CHECK(memcmp(one, m.net.rest, size));
+        }
+        CHECK(!memcmp(one, m.x, size));
+        spring_motion_clear(&m);
+    }
+    omp_set_num_threads(1);
+    free(one);
+    scene_clear(&scene);
+}
+
 int main(void)
 {
     check_fall(0, 0, 0, 1e-12);
@@ -342,5 +373,7 @@ int main(void)
     check_clamp();
     check_scaled();
     check_refusals();
+    check_threads(PRECISION_SINGLE, 9);
+    check_threads(PRECISION_DOUBLE, 8);
     return check_result();
 }

@@ -4,13 +4,12 @@
 
 #include <float.h>
 
-#include "bench/files/folder.h"
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
 #include "bench/studies/studies.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
 
 static const char *folder;
 
@@ -129,7 +128,7 @@ int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     folder = argv[1];
-    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
+    fresh_folder(folder);
     test_frames();
     test_artefacts();
     test_flag();

@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "bench/experiment/batch.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/files/folder.h"
@@ -369,6 +370,43 @@ static void check_plans(void)
     CHECK(last.named && last.total > 0 && last.done == last.total);
 }
 
+/* Cases put together one by one: each its own file, settings and result. */
+static void check_batch(void)
+{
+    static const char *const name[] = {"small", "large"};
+    static const char *const net[] = {"discretization.points=[3,3,2]",
+                                      "discretization.points=[4,4,2]"};
+    static const double unknowns[] = {3 * (18 - 6), 3 * (32 - 8)}; /* less the held row */
+    const struct measurement_options options = {.quick = true};
+    const struct contestant *who;
+    struct batch b;
+    struct message why;
+
+    REQUIRE(contestant_find("iga_linear", &who, &why) == STATUS_OK);
+    REQUIRE(batch_init(&b, "made/for/it", 2) == STATUS_OK);
+    for (int n = 0; n < 2; n++) {
+        struct measurement_case *c =
+            batch_add(&b, SOURCE_DIR "/models/scenes/edge_drop.yaml", who, name[n]);
+        CHECK(c == &b.cases[n] && c->timed == MEASUREMENT_UNTIMED && !c->repeats);
+        CHECK(c->plan.contestant == who && c->plan.settings == batch_settings(&b));
+        CHECK(c->keep.fields == RUN_FIELDS_NONE && !strcmp(c->keep.file, b.files[n]));
+        settings_set(batch_settings(&b), net[n]);
+        c->plan.end = 0.005;
+    }
+    CHECK(b.count == 2 && batch_run(&b, &options, &why) == STATUS_OK);
+    for (int n = 0; n < 2; n++) {
+        struct run_result r;
+        char path[64];
+        snprintf(path, sizeof path, "made/for/it/%s.h5", name[n]);
+        CHECK(access(path, F_OK) == 0);
+        REQUIRE(batch_read(&b, n, true, &r, &why) == STATUS_OK);
+        CHECK(r.unknowns == unknowns[n] && r.frames == 0 && r.quick);
+        run_result_clear(&r);
+    }
+    batch_clear(&b);
+    CHECK(!b.count && !b.cases);
+}
+
 static int remove_one(const char *path, const struct stat *about, int kind, struct FTW *at)
 {
     (void)about, (void)kind, (void)at;
@@ -390,6 +428,7 @@ int main(int argc, char **argv)
     for (size_t n = 0; n < sizeof done / sizeof *done; n++)
         check_done(n);
     check_plans();
+    check_batch();
     check_ends();
     check_bar();
     return check_result();

@@ -97,9 +97,13 @@ static const struct experiment chosen = {.item = {"1", "with values"},
                                planned = {.item = {"told", NULL},
                                           .plan = "./tiny.yaml",
                                           .measure = measure,
-                                          .tell = tell};
+                                          .tell = tell},
+                               lost = {.item = {"lost", NULL},
+                                       .plan = "nowhere",
+                                       .measure = measure,
+                                       .tell = tell};
 static const struct command_item *const items[] = {&chosen.item, &plain.item, &planned.item,
-                                                   NULL};
+                                                   &lost.item, NULL};
 
 /* Plans of the user's: a study, a sweep, and one that has an experiment's name. */
 static void write_plans(void)
@@ -204,8 +208,9 @@ static const struct {
     const char *line, *sentence;
     enum status status;
 } refused[] = {
-    {"table 2", "table: there is no '2'; there are 1, plain, told", STATUS_INPUT},
-    {"table tiny", "table: there is no 'tiny'; there are 1, plain, told", STATUS_INPUT},
+    {"table 2", "table: there is no '2'; there are 1, plain, told, lost", STATUS_INPUT},
+    {"table tiny", "table: there is no 'tiny'; there are 1, plain, told, lost",
+     STATUS_INPUT},
     {"study sweeps",
      "plans/sweeps.yaml: the plan has no levels, so it is no study; clothbench sweep runs "
      "it",
@@ -236,7 +241,7 @@ static const char *const values[] = {"0",  "-1",  "1,",    ",1",    "2,1", "1,1"
  * experiment goes before are not. */
 static void check_known(void)
 {
-    static const char begins[] = "study: there is no '2'; there are 1, plain, told, ";
+    static const char begins[] = "study: there is no '2'; there are 1, plain, told, lost, ";
     static const char ends[] = ", tiny, or give the path of a plan with levels";
     struct message why;
 
@@ -277,6 +282,12 @@ static void check_ends(void)
     CHECK(!strcmp(why.text, "it ended so") && seen.measured == 1 && !seen.printed);
     CHECK(call("table told --out failed", &why) == STATUS_MEMORY && !seen.told);
     seen.end = STATUS_OK;
+    for (int from = 0; from < 2; from++) {
+        CHECK(call(from ? "table lost --from lost" : "table lost --out lost", &why) ==
+              STATUS_INPUT);
+        CHECK(!strncmp(why.text, "no plan 'nowhere'; give", 23));
+        CHECK(!seen.measured && !seen.told);
+    }
     CHECK(call("table 1 --out tiny.yaml/o", &why) == STATUS_FILE && !seen.measured);
     CHECK(strstr(why.text, "tiny.yaml"));
 }

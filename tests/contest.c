@@ -4,8 +4,8 @@
 #include "bench/compare/contest.h"
 
 #include "bench/compare/compare.h"
-#include "bench/files/folder.h"
 #include "models/grid.h"
+#include "tests/fresh.h"
 #include "tests/run_fixture.h"
 
 static const double TOL_SUM = 1e-12; /* rms of 60000 equal numbers                       */
@@ -435,9 +435,8 @@ static void no_truth(const char *folder)
 
 int main(int argc, char **argv)
 {
-    struct message why;
-
-    REQUIRE(argc == 2 && folder_make(argv[1], &why) == STATUS_OK);
+    REQUIRE(argc == 2);
+    fresh_folder(argv[1]);
     setenv("PATH", "", 1); /* scripts of charts are enough: nothing draws them */
     fill();
     limit();

@@ -4,13 +4,13 @@
 
 #include <float.h>
 
-#include "bench/files/folder.h"
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
 #include "bench/studies/studies.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
+#include "tests/said.h"
 
 static const char *folder;
 
@@ -72,6 +72,42 @@ static void test_frames(void)
     free(xyz);
 }
 
+/* Made-up numbers: every cell with its digits; who died has none later, and says why. */
+static void test_cells(void)
+{
+    static const char *const rows[] = {
+        "| 0.150 | calm | 540 | 1.235 | 0.124 | 12.3 | 2.35 | 7 |",
+        "| 0.150 | wild | 660 | 2.235 | 0.224 | 22.3 | 3.35 | 10 |",
+        "| 0.400 | calm | 540 | 1.335 | 0.134 | 13.3 | 2.45 | 8 |",
+        "| 0.400 | wild | 660 | - | - | - | - | - |", "\nwild: died of it.\n"};
+    static struct gallery_result r;
+    struct message why;
+    struct said s;
+
+    for (int n = 0; n < 2; n++) {
+        r.run[n].unknowns = n ? 660 : 540;
+        for (int t = 0; t < 2; t++)
+            r.frame[n][t] = (struct gallery_frame){
+                1.2346 + n + t / 10., 0.12351 + n / 10. + t / 100., 12.346 + 10 * n + t,
+                2.3456 + n + t / 10., 7 + 3 * n + t};
+    }
+    r.run[1].outcome = STATUS_NAN;
+    r.run[1].sentence = (struct message){"died of it"};
+    r.frame[1][1] = (struct gallery_frame){NAN, NAN, NAN, NAN, NAN};
+    REQUIRE(!setenv("PATH", "/proc/nowhere", 1)); /* no picture */
+    said_open(&s);
+    CHECK(gallery_print(&pair, &r, "a pair", folder, TABLE_MARKDOWN, s.file, &why) ==
+          STATUS_OK);
+    said_close(&s, true);
+    for (size_t n = 0; n < sizeof rows / sizeof *rows; n++)
+        said_has(&s, "cells", rows[n]);
+    said_lacks(&s, "cells", "calm: ");
+    said_clear(&s);
+    said_read(&s, folder, "pair.csv");
+    said_has(&s, "csv", "0002,wild,660,nan,nan,nan,nan,nan\n");
+    said_clear(&s);
+}
+
 /* Runs an experiment, quick, and returns what it prints; freed by the caller. */
 static char *printed(const struct experiment *experiment)
 {
@@ -129,9 +165,10 @@ int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     folder = argv[1];
-    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
+    fresh_folder(folder);
     test_frames();
     test_artefacts();
     test_flag();
+    test_cells();
     return check_result();
 }

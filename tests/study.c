@@ -10,7 +10,7 @@
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
 
 /* Files keep positions as 32-bit floats: 6e-8 of 1 m. */
 static const double TOL_STORED = 1e-7;
@@ -305,7 +305,7 @@ int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     folder = argv[1];
-    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
+    fresh_folder(folder);
     orders();
     trends();
     truth_again();

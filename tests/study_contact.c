@@ -2,10 +2,9 @@
  *
  *   study_contact FOLDER
  */
-#include "bench/files/folder.h"
 #include "bench/studies/studies.h"
 #include "bench/studies/study_contact.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
 
 /* Contact is closed to 1e-13 of the scene's size; projective dynamics, to what its global
  * step is solved to. */
@@ -77,7 +76,7 @@ int main(int argc, char **argv)
     struct message why = {""};
 
     REQUIRE(argc == 2);
-    REQUIRE(folder_make(argv[1], &why) == STATUS_OK);
+    fresh_folder(argv[1]);
     REQUIRE(
         study_contact_experiment.measure(
             &(struct experiment_options){.folder = argv[1], .quick = true, .repeats = 1},

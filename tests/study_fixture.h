@@ -5,39 +5,21 @@
 #ifndef STUDY_FIXTURE_H
 #define STUDY_FIXTURE_H
 
-#include <dirent.h>
-
 #include "bench/experiment/judge.h"
 #include "bench/experiment/plan_read.h"
 #include "bench/experiment/study.h"
-#include "bench/files/folder.h"
 #include "models/grid.h"
 #include "tests/check.h"
+#include "tests/fresh.h"
 
 static const char *study_folder;
-
-/* What an earlier run left, but for results, which take time. */
-static inline void study_empty(const char *folder)
-{
-    DIR *directory = opendir(folder);
-    char path[4096];
-
-    REQUIRE(directory);
-    for (struct dirent *entry; (entry = readdir(directory));)
-        if (entry->d_name[0] != '.' && !strstr(entry->d_name, ".h5")) {
-            snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
-            remove(path);
-        }
-    closedir(directory);
-}
 
 /* Where files go and plans come from; gnuplot is not found. */
 static inline void study_begin(int count, char **arguments)
 {
     REQUIRE(count == 2);
     study_folder = arguments[1];
-    REQUIRE(folder_make(study_folder, NULL) == STATUS_OK);
-    study_empty(study_folder);
+    fresh_folder(study_folder);
     REQUIRE(!setenv("CLOTHBENCH_SCENES", SOURCE_DIR "/models/scenes", 1));
     REQUIRE(!setenv("CLOTHBENCH_PLANS", SOURCE_DIR "/bench/plans", 1));
     REQUIRE(!setenv("PATH", study_folder, 1));

@@ -4,10 +4,9 @@
  *
  *   study_locking FOLDER
  */
-#include "bench/files/folder.h"
 #include "bench/studies/studies.h"
 #include "bench/studies/study_locking.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
 
 /* What the prototype's table must be met to; or half a unit of its last digit, if more. */
 static const double TOL_TABLE = 0.01;
@@ -33,7 +32,7 @@ static struct study_locking *measured(const char *folder)
     struct study_locking *s = NULL;
     struct message why = {""};
 
-    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    fresh_folder(folder);
     if (!CHECK(study_locking_experiment.measure(&options, &why) == STATUS_OK) ||
         !CHECK(study_locking_read(folder, &s, &why) == STATUS_OK)) {
         printf("%s\n", why.text);

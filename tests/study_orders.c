@@ -2,9 +2,8 @@
  * the same knots give the same net and the same motion, other knots do not. */
 #include "bench/studies/study_orders.h"
 
-#include "bench/files/folder.h"
 #include "iga/refine.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
 
 /* Rows of refinement operators are convex: a few roundings of 1 m. */
 static const double TOL_SHAPE = 1e-14;
@@ -73,7 +72,7 @@ static void motions(const char *folder)
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
-    REQUIRE(folder_make(argv[1], NULL) == STATUS_OK);
+    fresh_folder(argv[1]);
     shapes_and_nets();
     motions(argv[1]);
     return check_result();

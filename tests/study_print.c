@@ -5,8 +5,7 @@
 #include <unistd.h>
 
 #include "bench/experiment/plan_read.h"
-#include "bench/files/folder.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
 
 static const char *folder;
 
@@ -187,7 +186,7 @@ int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     folder = argv[1];
-    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
+    fresh_folder(folder);
     setenv("PATH", "/proc/nowhere", 1); /* no pictures */
     check_truth();
     check_without();

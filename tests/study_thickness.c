@@ -3,9 +3,8 @@
  *
  *   study_thickness FOLDER
  */
-#include "bench/files/folder.h"
 #include "bench/studies/studies.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
 
 /* Of the table's four digits, and the two per cent that (4,4,r) on 10 points leave. */
 static const double TOL_DIGITS = 1e-4, TOL_PLATE = 0.02;
@@ -66,11 +65,9 @@ static void test_degree(void)
 
 int main(int count, char **arguments)
 {
-    struct message why;
-
     REQUIRE(count == 2);
     folder = arguments[1];
-    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    fresh_folder(folder);
     REQUIRE(!setenv("CLOTHBENCH_SCENES", SOURCE_DIR "/models/scenes", 1));
     REQUIRE(!setenv("CLOTHBENCH_PLANS", SOURCE_DIR "/bench/plans", 1));
     test_degree();

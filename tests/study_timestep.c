@@ -3,12 +3,11 @@
  *
  *   study_timestep FOLDER
  */
-#include "bench/files/folder.h"
 #include "bench/studies/studies.h"
 #include "bench/studies/study_timestep.h"
 #include "bench/experiment/plan_read.h"
 #include "models/metric/metric.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
 
 /* Second differences of positions of some metres, kept as 32-bit floats, over 0.25 s. */
 static const double TOL_FALL = 2e-5;
@@ -104,7 +103,7 @@ int main(int argc, char **argv)
     struct message why = {""};
 
     REQUIRE(argc == 2);
-    REQUIRE(folder_make(argv[1], &why) == STATUS_OK);
+    fresh_folder(argv[1]);
     if (!CHECK(experiment_measure(&study_timestep_experiment, &options, &why) ==
                STATUS_OK) ||
         !CHECK(plan_read(SOURCE_DIR "/bench/plans/timestep.yaml", &plan, &why) ==

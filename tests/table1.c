@@ -1,12 +1,12 @@
 /* Table 1 from its result files: the RMSE of hexahedra 32x32x2 against the IGA baseline,
  * its trend with refinement, what the spaces are worth against truth; deaths are rows. */
 #include "bench/experiment/plan_read.h"
-#include "bench/files/folder.h"
 #include "bench/harness/run_file.h"
 #include "bench/experiment/study.h"
 #include "bench/tables/table1.h"
 #include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
+#include "tests/fresh.h"
 #include "tests/run_fixture.h"
 
 /* An independent prototype (h = 1 mm instead of 1.177 mm) found .042 and .043 m under
@@ -176,7 +176,7 @@ int main(int argc, char **argv)
     folder = argv[1];
     const struct experiment_options options = {
         .folder = folder, .quick = true, .repeats = 1};
-    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    fresh_folder(folder);
     if (experiment_measure(&table1_exhibit, &options, &why) != STATUS_OK ||
         plan_read(SOURCE_DIR "/bench/plans/table1.yaml", &plan, &why) != STATUS_OK ||
         study_read(&plan, folder, &r, &why) != STATUS_OK ||

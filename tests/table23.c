@@ -3,12 +3,12 @@
  *
  *   table23 FOLDER
  */
-#include "bench/files/folder.h"
 #include "bench/files/store_read.h"
 #include "bench/harness/fit.h"
 #include "bench/tables/table23.h"
 #include "bench/truth/paper.h"
 #include "bench/experiment/plan_read.h"
+#include "tests/fresh.h"
 #include "tests/said.h"
 
 /* What the paper's text and tables give to two decimals. */
@@ -37,7 +37,7 @@ static void measure(bool second, const char *folder, struct measured *m)
     struct message why = {""};
 
     snprintf(m->folder, sizeof m->folder, "%s/%s", folder, e->plan);
-    REQUIRE(folder_make(m->folder, &why) == STATUS_OK);
+    fresh_folder(m->folder);
     if (!CHECK(experiment_measure(e, &options, &why) == STATUS_OK) ||
         !CHECK(plan_read(second ? SOURCE_DIR "/bench/plans/table2.yaml"
                                 : SOURCE_DIR "/bench/plans/table3.yaml",

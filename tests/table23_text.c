@@ -1,9 +1,9 @@
 /* Tables 2 and 3 from made-up results: every sentence each way that it can turn, every
  * cell. */
 #include "bench/experiment/plan_read.h"
-#include "bench/files/folder.h"
 #include "bench/tables/table23.h"
 #include "models/grid.h"
+#include "tests/fresh.h"
 #include "tests/said.h"
 
 static const char *folder;
@@ -70,7 +70,7 @@ static void make(bool second, struct made *m)
                          : SOURCE_DIR "/bench/plans/table3.yaml",
                   &m->plan, &why) != STATUS_OK)
         printf("%s\n", why.text);
-    m->r = (struct study_results){&m->plan, m->plan.study_count, m->study, "no such file"};
+    m->r.plan = &m->plan, m->r.count = m->plan.study_count, m->r.study = m->study;
     m->table = (struct table23){second, &m->r};
     for (int n = 0; n < m->r.count; n++)
         fill(m, n);
@@ -403,7 +403,7 @@ int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     folder = argv[1];
-    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
+    fresh_folder(folder);
     test_turns();
     test_cells(
         true, TABLE_CSV,

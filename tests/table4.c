@@ -1,10 +1,10 @@
 /* Table 4 on a quick run of all its cases: what its columns and sentences rest on. */
 #include "bench/tables/table4.h"
 
-#include "bench/files/folder.h"
 #include "bench/files/store_scene.h"
 #include "bench/experiment/plan.h"
 #include "bench/experiment/plan_read.h"
+#include "tests/fresh.h"
 #include "tests/said.h"
 
 static const char *folder;
@@ -270,7 +270,7 @@ int main(int argc, char **argv)
     REQUIRE(argc == 2);
     folder = argv[1];
     struct experiment_options options = {.folder = folder, .quick = true};
-    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    fresh_folder(folder);
     test_paper();
     test_shared_runs();
     test_words();

@@ -1,6 +1,6 @@
 /* Table 4 from made-up results: every sentence each way that it can turn, every cell. */
-#include "bench/files/folder.h"
 #include "bench/tables/table4.h"
+#include "tests/fresh.h"
 #include "tests/said.h"
 
 static const char *folder;
@@ -412,7 +412,7 @@ int main(int argc, char **argv)
 
     REQUIRE(argc == 2);
     folder = argv[1];
-    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    fresh_folder(folder);
     REQUIRE(setenv("PATH", "", 1) == 0); /* charts are drawn elsewhere */
     REQUIRE(table4_rules(&d.rules, &why) == STATUS_OK);
     test_turns(&d);

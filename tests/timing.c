@@ -10,9 +10,9 @@
 #include "bench/files/store_read.h"
 #include "models/clock.h"
 #include "tests/run_fixture.h"
+#include "tests/said.h"
+#include "tests/scratch.h"
 #include "tests/scripted_model.h"
-
-static char folder[] = "/tmp/clothbench-timing-XXXXXX";
 
 /* Read, not built; `letter` is what the log calls it. */
 static struct run read_run(int letter)
@@ -40,6 +40,12 @@ static void count_call(void *context, int done, int total)
     calls->count++;
     calls->last = done;
     calls->total = total;
+}
+
+static void count_named(void *context, const char *what, int done, int total)
+{
+    CHECK(!strcmp(what, "both"));
+    count_call(context, done, total);
 }
 
 /* Nine of what is short, three of what is not, in turn as long as both go on. */
@@ -160,35 +166,134 @@ static void check_seconds(const char *path, int repeats, int frames)
     store_read_close(file);
 }
 
-/* Measured: the first pass is judged, the repeats end where it ended. */
+/* Measured: the first pass is judged, the repeats end where it ended; where frames differ
+ * in cost, by Newton's iterations or contact, all are timed. */
 static void test_measurement(void)
 {
     static const struct {
         enum measurement_frames timed;
         int repeats, columns;
-    } want[] = {
-        {MEASUREMENT_SOME, 9, 7}, {MEASUREMENT_WHOLE, 9, 9}, {MEASUREMENT_UNTIMED, 1, 10}};
+        const char *scene;
+        bool newton;
+    } want[] = {{MEASUREMENT_SOME, 9, 7, DROP, false},
+                {MEASUREMENT_WHOLE, 9, 9, DROP, false},
+                {MEASUREMENT_FAIR, 9, 7, DROP, false},
+                {MEASUREMENT_FAIR, 9, 9, DROP, true},
+                {MEASUREMENT_FAIR, 9, 9, SCENES "ground.yaml", false},
+                {MEASUREMENT_SOME, 9, 7, DROP, true},
+                {MEASUREMENT_UNTIMED, 1, 10, DROP, false}};
+    struct settings newton = LIST("discretization.kinematics=nonlinear");
 
     for (int n = 0; n < LENGTH(want); n++) {
         char path[64];
-        snprintf(path, sizeof path, "%s/%d.h5", folder, n);
-        struct measurement_case c = {.plan = {DROP, &scripted, NULL, 0.1},
-                                     .keep = {.file = path},
-                                     .timed = want[n].timed};
+        snprintf(path, sizeof path, "%s/%d.h5", scratch, n);
+        struct measurement_case c = {
+            .plan = {want[n].scene, &scripted, want[n].newton ? &newton : NULL, 0.1},
+            .keep = {.file = path},
+            .timed = want[n].timed};
         struct message why = {""};
         script_reset();
         script.escapes = 10;
         REQUIRE(measurement_run(&(struct measurement_options){0}, 1, &c, &why) ==
                 STATUS_OK);
         check_seconds(path, want[n].repeats, want[n].columns);
-        CHECK(script_advances == 10 + (n < 2 ? 9 * 9 : 0));
+        CHECK(script_advances == 10 + (want[n].repeats == 9 ? 9 * 9 : 0));
         struct run_result r;
         REQUIRE(run_result_read(path, true, &r, &why) == STATUS_OK);
         CHECK(r.outcome == STATUS_ESCAPED && r.death_time == 10 * 0.005);
-        CHECK(r.step.count == want[n].repeats && r.create.count == (n < 2 ? 9 : 1));
+        CHECK(r.step.count == want[n].repeats && r.create.count == want[n].repeats);
         run_result_clear(&r);
         unlink(path);
     }
+    settings_clear(&newton);
+}
+
+/* Two that are measured together: each is as it was asked for, and the bar ends at its end.
+ */
+static void test_together(void)
+{
+    const char *const path[] = {scratch_path("first.h5"), scratch_path("second.h5")};
+    const double time[] = {0.005, 0.01, 0.015};
+    struct calls calls = {0};
+    const struct measurement_options options = {
+        .what = "both", .quick = true, .progress = count_named, .context = &calls};
+    struct measurement_case c[2];
+    struct run_result r;
+
+    for (int n = 0; n < 2; n++)
+        c[n] = (struct measurement_case){
+            .plan = {DROP, &scripted, NULL, 0.05 * (n + 1)},
+            .keep = {.file = path[n], .times = n + 2, .time = time},
+            .timed = n ? MEASUREMENT_SOME : MEASUREMENT_WHOLE,
+            .repeats = n};
+    script_reset();
+    REQUIRE(measurement_run(&options, 2, c, NULL) == STATUS_OK);
+    CHECK(calls.last == calls.total && calls.count > 2);
+    for (int n = 0; n < 2; n++) {
+        check_seconds(path[n], n ? 1 : TIMING_REPEATS_QUICK, n ? 5 : 10);
+        REQUIRE(run_result_read(path[n], true, &r, NULL) == STATUS_OK);
+        CHECK(r.frames == n + 2 && r.quick);
+        run_result_clear(&r);
+        unlink(path[n]);
+        unlink(scratch_path(n ? "second.xdmf" : "first.xdmf"));
+    }
+    calls = (struct calls){0};
+    script_reset(); /* the second cannot be had: nothing is left of either */
+    script.create = STATUS_MEMORY, script.refuse_after = 1;
+    CHECK(measurement_run(&options, 2, c, NULL) == STATUS_MEMORY);
+    CHECK(scratch_files(scratch) == 0);
+}
+
+/* What a reader of milliseconds should know, from the file: all of it, in a line. */
+static void test_machine(void)
+{
+    static const struct {
+        double timed, processor; /* [s]; 0: not timed                                    */
+        const char *ends;
+    } all[] = {
+        {0, 0, ""},
+        {10, 9.6, "; a processor for 96 % of the time"},
+        {10, 9.4,
+         "; a processor for 94 % of the time: the machine was busy, the milliseconds are "
+         "too long"},
+        {10, 0, ""},
+    };
+    static const char *const keys[] = {" commit ",   "; changed_files ", "; compiler ",
+                                       "; flags ",   "; cpu ",           "; blas_kernel ",
+                                       "; cholmod ", "; omp_threads ",   "; blas_threads ",
+                                       "; date "};
+    const struct run_keep keep = {.file = scratch_path("machine.h5")};
+    struct run a = read_run('A');
+    struct said s;
+
+    for (int n = 0; n < LENGTH(all); n++) {
+        struct run_file *file = NULL;
+        REQUIRE(run_file_open(&a, &keep, &file, NULL) == STATUS_OK);
+        run_file_refuse(file, STATUS_UNSUPPORTED, &(struct message){"would not"});
+        if (all[n].timed)
+            run_file_seconds(file, "timed", &all[n].timed, 1, 0, NULL);
+        if (all[n].processor)
+            run_file_seconds(file, "processor", &all[n].processor, 1, 0, NULL);
+        REQUIRE(run_file_close(file, NULL, NULL, NULL) == STATUS_OK);
+        said_open(&s);
+        measurement_machine(keep.file, s.file);
+        said_close(&s, true);
+        CHECK(!strncmp(s.text, "\nMeasured: commit ", 18));
+        for (int k = 0; k < LENGTH(keys); k++)
+            said_has(&s, "machine", keys[k]);
+        const char *end = strstr(s.text, "; date ") + strlen("; date 2000-01-01T00:00:00Z");
+        if (!CHECK(!strncmp(end, all[n].ends, strlen(all[n].ends)) &&
+                   !strcmp(end + strlen(all[n].ends), "\n")))
+            printf("  %s", s.text);
+        said_clear(&s);
+    }
+    unlink(keep.file);
+    said_open(&s);
+    measurement_machine(keep.file, s.file);
+    said_close(&s, true);
+    CHECK(!*s.text);
+    said_clear(&s);
+    run_close(&a);
 }
 
 static void test_alone(void)
@@ -222,14 +327,16 @@ static void test_clock(void)
 
 int main(void)
 {
-    REQUIRE(mkdtemp(folder));
+    REQUIRE(mkdtemp(scratch));
     test_rule();
     test_frames();
     test_rest();
     test_failure();
     test_measurement();
+    test_together();
+    test_machine();
     test_alone();
     test_clock();
-    CHECK(rmdir(folder) == 0);
+    CHECK(rmdir(scratch) == 0);
     return check_result();
 }

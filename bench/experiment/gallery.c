@@ -2,7 +2,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <string.h>
 
 #include "bench/experiment/judge.h"
 #include "bench/files/store_read.h"
@@ -102,7 +101,6 @@ void gallery_clear(struct gallery_result *r)
 {
     for (int n = 0; n < GALLERY_CASES; n++)
         run_result_clear(&r->run[n]);
-    memset(r, 0, sizeof *r);
 }
 
 static struct table *fill(const struct gallery *g, const struct gallery_result *r,

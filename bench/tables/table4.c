@@ -98,7 +98,6 @@ static void change(const struct job *j, const struct contestant *c, struct setti
     const int side = j->options->quick && j->reading != TABLE4_PRINTED ? 6 : 10;
     const double frame = 0.005;
 
-    contestant_settings(c, s);
     contestant_points(c, side, side, s);
     settings_number(s, "material.young", j->scale * row->young);
     settings_number(s, "material.density", j->scale * row->density);

@@ -39,9 +39,12 @@ static enum status refuse(const struct scene *scene, const struct discretization
                            "a shell has one point through the thickness: use "
                            "discretization.points=[%d,%d]",
                            d->points[0], d->points[1]);
-    if (d->remedy != REMEDY_NONE)
+    if (d->remedy != REMEDY_NONE && d->remedy != REMEDY_SELECTIVE)
         return status_fail(why, STATUS_UNSUPPORTED,
-                           "shell has no remedy=%s; use remedy=none",
+                           "shell has no remedy=%s; use none or selective",
+                           remedy_name(d->remedy));
+    if (d->remedy != REMEDY_NONE && (d->gauss[0] || d->gauss[1]))
+        return status_fail(why, STATUS_INPUT, "remedy=%s has its own rule; leave gauss out",
                            remedy_name(d->remedy));
     if (d->unknowns == UNKNOWNS_THICKNESS)
         return status_fail(
@@ -87,7 +90,8 @@ static enum status make_space(const struct scene *scene, const struct discretiza
         TRY(cloak_net(scene, &basis[0], &basis[1], 1, &middle, point, weight, why));
     else
         make_flat(scene, basis, point);
-    TRY(shell_space_init(space, basis, point, curved ? weight : NULL, d->gauss, why));
+    TRY(shell_space_init(space, basis, point, curved ? weight : NULL, d->gauss,
+                         d->remedy == REMEDY_SELECTIVE, why));
 out:
     bspline_clear(&basis[0]);
     bspline_clear(&basis[1]);

@@ -17,7 +17,12 @@ void shell_space_clear(struct shell_space *space)
     for (int d = 0; d < 2; d++) {
         bspline_clear(&space->basis[d]);
         free(space->direction[d].span);
-        free(space->direction[d].table);
+        for (int r = 0; r < SHELL_RULES; r++) {
+            struct shell_line *line = &space->rule[r].line[d];
+            free(line->points);
+            free(line->weight);
+            free(line->table);
+        }
     }
     free(space->room);
     free(space->slab);
@@ -46,87 +51,115 @@ static enum status check(const struct bspline basis[2], const int gauss[2],
     return STATUS_OK;
 }
 
-/* Values at the `mine` Gauss points of each span, spread over the element's: point
- * q = qu other + qv belongs to place (d == 0 ? q / other : q % other) of this direction. */
-static enum status tabulate(struct shell_space *space, int d, int mine, int other)
+/* `points` a span, or as many as functions where that is 0. */
+static enum status place_points(const struct bspline *b, const struct shell_direction *d,
+                                int points, struct shell_line *line)
 {
-    const struct bspline *b = &space->basis[d];
-    struct shell_direction *dir = &space->direction[d];
-    double x[SHELL_MAX_GAUSS], w[SHELL_MAX_GAUSS];
-    double N[3 * BSPLINE_MAX_ORDER];
-    size_t row = (size_t)space->padded;
-
-    dir->order = b->p + 1;
-    dir->span = malloc((size_t)b->n * sizeof *dir->span);
-    if (!dir->span)
+    line->points = points ? malloc((size_t)d->spans * sizeof *line->points)
+                          : bspline_reduced_points(b);
+    if (!line->points)
         return STATUS_MEMORY;
-    dir->spans = bspline_spans(b, dir->span);
-    dir->table = calloc((size_t)(dir->spans * 3 * dir->order) * row, sizeof *dir->table);
-    if (!dir->table)
-        return STATUS_MEMORY;
-    gauss_rule(mine, x, w);
-    for (int s = 0; s < dir->spans; s++)
-        for (int q = 0; q < space->gauss; q++) {
-            int k = dir->span[s];
-            double from = b->U[k], step = b->U[k + 1] - from;
-            double at = from + step * x[d == 0 ? q / other : q % other];
-            bspline_eval(b, k, at, 2, N);
-            for (int t = 0; t < 3 * dir->order; t++)
-                dir->table[(size_t)(s * 3 * dir->order + t) * row + (size_t)q] = N[t];
-        }
+    for (int s = 0; s < d->spans; s++) {
+        if (points)
+            line->points[s] = points;
+        if (line->points[s] > line->most)
+            line->most = line->points[s];
+    }
     return STATUS_OK;
 }
 
-static void number_elements(struct shell_space *space, const int gauss[2])
+static enum status tabulate(const struct bspline *b, const struct shell_direction *d,
+                            int points, struct shell_line *line)
+{
+    double x[SHELL_MAX_GAUSS], w[SHELL_MAX_GAUSS];
+    size_t row = 3 * (size_t)d->order;
+    enum status st = place_points(b, d, points, line);
+
+    if (st != STATUS_OK)
+        return st;
+    line->weight = calloc((size_t)(d->spans * line->most), sizeof *line->weight);
+    line->table = calloc((size_t)(d->spans * line->most) * row, sizeof *line->table);
+    if (!line->weight || !line->table)
+        return STATUS_MEMORY;
+    for (int s = 0; s < d->spans; s++) {
+        double from = b->U[d->span[s]], step = b->U[d->span[s] + 1] - from;
+        gauss_rule(line->points[s], x, w);
+        for (int q = 0; q < line->points[s]; q++) {
+            size_t at = (size_t)(s * line->most + q);
+            line->weight[at] = step * w[q];
+            bspline_eval(b, d->span[s], from + step * x[q], 2, line->table + at * row);
+        }
+    }
+    return STATUS_OK;
+}
+
+static enum status make_rules(struct shell_space *space, const int gauss[2], bool selective)
+{
+    for (int r = 0; r < SHELL_RULES; r++) {
+        struct shell_rule *rule = &space->rule[r];
+        for (int d = 0; d < 2; d++) {
+            const int p = space->basis[d].p, full = gauss[d] ? gauss[d] : p + 1,
+                      own[SHELL_RULES] = {0, p - 1, full};
+            enum status st = tabulate(&space->basis[d], &space->direction[d],
+                                      selective ? own[r] : full, &rule->line[d]);
+            if (st != STATUS_OK)
+                return st;
+        }
+        rule->padded = SHELL_PADDED(rule->line[0].most * rule->line[1].most);
+    }
+    return STATUS_OK;
+}
+
+static enum status make_directions(struct shell_space *space)
+{
+    for (int d = 0; d < 2; d++) {
+        struct shell_direction *dir = &space->direction[d];
+        const struct bspline *b = &space->basis[d];
+        dir->order = b->p + 1;
+        dir->span = malloc((size_t)b->n * sizeof *dir->span);
+        if (!dir->span)
+            return STATUS_MEMORY;
+        dir->spans = bspline_spans(b, dir->span);
+    }
+    return STATUS_OK;
+}
+
+static void number_elements(struct shell_space *space)
 {
     const struct shell_direction *u = &space->direction[0], *v = &space->direction[1];
-    double x[SHELL_MAX_GAUSS], wu[SHELL_MAX_GAUSS], wv[SHELL_MAX_GAUSS];
     int m = space->basis[1].n;
 
-    gauss_rule(gauss[0], x, wu);
-    gauss_rule(gauss[1], x, wv);
     for (int e = 0; e < space->elements; e++) {
         int ku = u->span[e / v->spans], kv = v->span[e % v->spans];
         int *node = space->ien + (size_t)e * (size_t)space->local;
-        double *weight = space->parametric + (size_t)e * (size_t)space->padded;
-        double area = (space->basis[0].U[ku + 1] - space->basis[0].U[ku]) *
-                      (space->basis[1].U[kv + 1] - space->basis[1].U[kv]);
         for (int a = 0; a < space->local; a++)
             node[a] =
                 (ku - u->order + 1 + a / v->order) * m + kv - v->order + 1 + a % v->order;
-        for (int q = 0; q < space->gauss; q++)
-            weight[q] = area * wu[q / gauss[1]] * wv[q % gauss[1]];
     }
 }
 
 enum status shell_space_init(struct shell_space *space, const struct bspline basis[2],
                              const double *point, const double *weight, const int gauss[2],
-                             struct message *why)
+                             bool selective, struct message *why)
 {
     enum status st;
-    int points[2];
     struct shell_space new = {0};
 
     TRY(check(basis, gauss, why));
-    for (int d = 0; d < 2; d++) {
-        points[d] = gauss[d] ? gauss[d] : basis[d].p + 1;
+    for (int d = 0; d < 2; d++)
         TRY(bspline_copy(&basis[d], &new.basis[d]));
-    }
     new.nodes = basis[0].n *basis[1].n;
     new.local = (basis[0].p + 1) * (basis[1].p + 1);
-    new.gauss = points[0] * points[1];
-    new.padded = SHELL_PADDED(new.gauss);
-    TRY(tabulate(&new, 0, points[0], points[1]));
-    TRY(tabulate(&new, 1, points[1], points[1]));
+    TRY(make_directions(&new));
+    TRY(make_rules(&new, gauss, selective));
     new.elements = new.direction[0].spans *new.direction[1].spans;
     TRY(room_cut(&new.room, ROOM(new.ien, new.elements *(size_t) new.local),
-                 ROOM(new.parametric, new.elements *(size_t) new.padded),
                  ROOM(new.rest, 3 * (size_t) new.nodes),
                  ROOM(new.weight, weight ? new.nodes : 0)));
     memcpy(new.rest, point, 3 * (size_t) new.nodes * sizeof *point);
     if (weight)
         memcpy(new.weight, weight, (size_t) new.nodes * sizeof *weight);
-    number_elements(&new, points);
+    number_elements(&new);
     TRY(blocks_slabs(new.elements, new.direction[1].spans, new.direction[0].order,
                      &new.slabs, &new.slab));
     HAND_OVER(space, new);
@@ -136,16 +169,16 @@ out:
 }
 
 /* Turns B-spline functions into rational ones, R = w N / W, W = sum w N, by the quotient
- * rule; T[SHELL_DERIVATIVES][local][row], columns first .. first + count. */
-static void make_rational(const struct shell_space *space, const int *node, int row,
-                          int count, double *T)
+ * rule; T[derivatives][local][row], the first `count` columns. */
+static void make_rational(const struct shell_space *space, const int *node, int derivatives,
+                          int row, int count, double *T)
 {
     size_t stride = (size_t)space->local * (size_t)row;
 
     for (int q = 0; q < count; q++) {
         double W[SHELL_DERIVATIVES] = {0};
         for (int a = 0; a < space->local; a++)
-            for (int k = 0; k < SHELL_DERIVATIVES; k++) {
+            for (int k = 0; k < derivatives; k++) {
                 double *t = T + (size_t)k * stride + (size_t)(a * row + q);
                 *t *= space->weight[node[a]];
                 W[k] += *t;
@@ -156,6 +189,8 @@ static void make_rational(const struct shell_space *space, const int *node, int 
             double u = (t[stride] - R * W[1]) / W[0];
             double v = (t[2 * stride] - R * W[2]) / W[0];
             t[0] = R, t[stride] = u, t[2 * stride] = v;
+            if (derivatives == SHELL_SLOPES)
+                continue;
             t[3 * stride] = (t[3 * stride] - 2 * u * W[1] - R * W[3]) / W[0];
             t[4 * stride] = (t[4 * stride] - 2 * v * W[2] - R * W[4]) / W[0];
             t[5 * stride] = (t[5 * stride] - u * W[2] - v * W[1] - R * W[5]) / W[0];
@@ -163,25 +198,70 @@ static void make_rational(const struct shell_space *space, const int *node, int 
     }
 }
 
-void shell_space_functions(const struct shell_space *space, int element, double *T)
+/* The points of direction d in an element's span. */
+static int points_of(const struct shell_space *space, int rule, int element, int d)
 {
-    const struct shell_direction *u = &space->direction[0], *v = &space->direction[1];
-    size_t row = (size_t)space->padded;
-    const double *U = u->table + (size_t)(element / v->spans * 3 * u->order) * row;
-    const double *V = v->table + (size_t)(element % v->spans * 3 * v->order) * row;
+    int spans = space->direction[1].spans;
 
-    for (int k = 0; k < SHELL_DERIVATIVES; k++)
-        for (int i = 0; i < u->order; i++)
-            for (int j = 0; j < v->order; j++, T += row) {
-                const double *f = U + (size_t)(derivative_u[k] * u->order + i) * row;
-                const double *g = V + (size_t)(derivative_v[k] * v->order + j) * row;
-                for (size_t q = 0; q < row; q++)
-                    T[q] = f[q] * g[q];
+    return space->rule[rule].line[d].points[d ? element % spans : element / spans];
+}
+
+int shell_space_points(const struct shell_space *space, int rule, int element)
+{
+    return points_of(space, rule, element, 0) * points_of(space, rule, element, 1);
+}
+
+void shell_space_weights(const struct shell_space *space, int rule, int element,
+                         double *weight)
+{
+    const struct shell_line *u = &space->rule[rule].line[0], *v = u + 1;
+    int spans = space->direction[1].spans, along = points_of(space, rule, element, 1);
+    const double *wu = u->weight + element / spans * u->most,
+                 *wv = v->weight + element % spans * v->most;
+
+    for (int q = 0; q < shell_space_points(space, rule, element); q++)
+        weight[q] = wu[q / along] * wv[q % along];
+}
+
+/* Values and derivatives of one direction, [3 order], at each of an element's points:
+ * F[3 order][padded]. */
+static void spread(const struct shell_space *space, int rule, int element, int d, double *F)
+{
+    const struct shell_line *line = &space->rule[rule].line[d];
+    int spans = space->direction[1].spans, padded = space->rule[rule].padded;
+    int rows = 3 * space->direction[d].order, along = points_of(space, rule, element, 1);
+    int first = (d ? element % spans : element / spans) * line->most;
+
+    memset(F, 0, (size_t)(rows * padded) * sizeof *F);
+    for (int q = 0; q < shell_space_points(space, rule, element); q++) {
+        const double *from = line->table + (first + (d ? q % along : q / along)) * rows;
+        for (int t = 0; t < rows; t++)
+            F[t * padded + q] = from[t];
+    }
+}
+
+void shell_space_functions(const struct shell_space *space, int rule, int element,
+                           double *T)
+{
+    enum { ROOM = 3 * BSPLINE_MAX_ORDER * SHELL_MAX_POINTS };
+    const int derivatives = rule == SHELL_BENDING ? SHELL_DERIVATIVES : SHELL_SLOPES;
+    const int *order = (const int[]){space->direction[0].order, space->direction[1].order};
+    int row = space->rule[rule].padded;
+    double U[ROOM], V[ROOM], *t = T;
+
+    spread(space, rule, element, 0, U);
+    spread(space, rule, element, 1, V);
+    for (int k = 0; k < derivatives; k++)
+        for (int i = 0; i < order[0]; i++)
+            for (int j = 0; j < order[1]; j++, t += row) {
+                const double *f = U + (derivative_u[k] * order[0] + i) * row;
+                const double *g = V + (derivative_v[k] * order[1] + j) * row;
+                for (int q = 0; q < row; q++)
+                    t[q] = f[q] * g[q];
             }
     if (space->weight)
         make_rational(space, space->ien + (size_t)element * (size_t)space->local,
-                      space->padded, space->gauss,
-                      T - (size_t)(SHELL_DERIVATIVES * space->local) * row);
+                      derivatives, row, shell_space_points(space, rule, element), T);
 }
 
 void shell_space_at(const struct shell_space *space, double u, double v, int *node,
@@ -206,5 +286,5 @@ void shell_space_at(const struct shell_space *space, double u, double v, int *no
                                           N[1][derivative_v[k] * order[1] + j];
         }
     if (space->weight)
-        make_rational(space, node, 1, 1, T);
+        make_rational(space, node, SHELL_DERIVATIVES, 1, 1, T);
 }

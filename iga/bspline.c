@@ -189,26 +189,6 @@ int bspline_spans(const struct bspline *b, int *span)
     return count;
 }
 
-int *bspline_reduced_points(const struct bspline *b)
-{
-    int *span = malloc((size_t)b->n * sizeof *span), *counts = NULL, spans;
-
-    if (!span)
-        return NULL;
-    spans = bspline_spans(b, span);
-    counts = malloc((size_t)spans * sizeof *counts);
-    for (int e = 0; counts && e < spans; e++) /* a knot that repeats adds functions */
-        counts[e] = e + 1 < spans ? span[e + 1] - span[e] : 1;
-    for (int k = 0; counts && k < b->p; k++) {
-        int e = k % 2 ? spans - 1 - k / 2 : k == b->p - 1 ? spans / 2 : k / 2;
-        counts[e < 0 ? 0 : e >= spans ? spans - 1 : e]++;
-    }
-    for (int e = 0; counts && e < spans; e++)
-        counts[e] = counts[e] > b->p + 1 ? b->p + 1 : counts[e];
-    free(span);
-    return counts;
-}
-
 double bspline_greville(const struct bspline *b, int i)
 {
     double sum = 0.0;

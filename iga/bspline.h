@@ -49,14 +49,6 @@ void bspline_values(const void *b, double u, double *N);
  * span has room for n - p. */
 int bspline_spans(const struct bspline *b, int *span);
 
-/* As many quadrature points as functions, [spans]: one in each span, and one more for every
- * function that the spans between two knots of full multiplicity have beyond their number,
- * dealt out from both ends inwards, an odd last one in the middle, so that a clamp at u = 0
- * and one at u = 1 are alike. Stretch can then vanish wherever bending asks it to, and no
- * mode goes unseen (patch-wise reduced integration: Adam, Bouabdallah, Zarroug, Maitournam,
- * CMAME 284, 2015; the placing is ours). Owned by the caller; NULL: no memory. */
-int *bspline_reduced_points(const struct bspline *b);
-
 /* Greville abscissa of function i: (U[i+1] + ... + U[i+p]) / p. With these as control
  * points the curve is the identity. */
 double bspline_greville(const struct bspline *b, int i);

@@ -74,15 +74,16 @@ static void add_mass(struct shell_assembly *s, const struct shell_element *e, in
 /* Rest data, mass and areas of one element. */
 static enum status add_rest(struct shell_assembly *s, struct shell_element *e, int element)
 {
-    double weight[SHELL_MAX_POINTS], mass[SHELL_REST_ROWS * SHELL_MAX_POINTS];
+    struct shell_place place[SHELL_MAX_POINTS];
+    double mass[SHELL_REST_ROWS * SHELL_MAX_POINTS];
 
     shell_element_load(e, s->space, element, SHELL_RULES);
     gather(s->space, element, s->space->rest, e->X[0]);
     for (int r = 0; r < SHELL_RULES; r++) {
         double *rest =
             r == SHELL_MASS ? mass : s->rest[r] + (size_t)element * rest_size(s->space, r);
-        shell_space_weights(s->space, r, element, weight);
-        enum status st = shell_element_rest(e, r, &s->material, weight, rest);
+        shell_space_places(s->space, r, element, place);
+        enum status st = shell_element_rest(e, r, &s->material, place, rest);
         if (st != STATUS_OK)
             return st;
     }

@@ -42,29 +42,43 @@ out:
 void shell_element_load(struct shell_element *e, const struct shell_space *space,
                         int element, int rules)
 {
-    for (int r = 0; r < rules; r++) {
-        e->at[r].count = shell_space_points(space, r, element);
-        shell_space_functions(space, r, element, e->at[r].T);
-    }
+    for (int r = 0; r < rules; r++)
+        e->at[r].count = shell_space_functions(space, r, element, e->at[r].T);
 }
 
 /* The plane-stress law in the metric A^ab = a, b, c (11, 22, 12). */
 static void make_law(const struct shell_material *material, double a, double b, double c,
-                     int row, double *law)
+                     double law[6])
 {
     double nu = material->poisson, factor = material->young / (1 - nu * nu);
 
     law[0] = factor * a * a;
-    law[row] = factor * (nu * a * b + (1 - nu) * c * c);
-    law[2 * row] = factor * a * c;
-    law[3 * row] = factor * b * b;
-    law[4 * row] = factor * b * c;
-    law[5 * row] = factor * ((1 - nu) * a * b + (1 + nu) * c * c) / 2;
+    law[1] = factor * (nu * a * b + (1 - nu) * c * c);
+    law[2] = factor * a * c;
+    law[3] = factor * b * b;
+    law[4] = factor * b * c;
+    law[5] = factor * ((1 - nu) * a * b + (1 + nu) * c * c) / 2;
+}
+
+/* A point's share of the law: E / A_11^2 is what the law has along u where nothing else is
+ * stressed, and no more than that can be taken from it. */
+static void share_law(const struct shell_material *material, enum shell_share share,
+                      double A_11, double A_22, double law[6])
+{
+    double along_u = material->young / (A_11 * A_11) / 2,
+           along_v = material->young / (A_22 * A_22) / 2;
+
+    if (share == SHELL_ALL)
+        return;
+    if (share != SHELL_REST)
+        memset(law, 0, 6 * sizeof *law);
+    law[0] += share == SHELL_REST ? -along_u : share == SHELL_ALONG_U ? along_u : 0;
+    law[3] += share == SHELL_REST ? -along_v : share == SHELL_ALONG_V ? along_v : 0;
 }
 
 enum status shell_element_rest(struct shell_element *e, int rule,
                                const struct shell_material *material,
-                               const double *parametric, double *rest)
+                               const struct shell_place *place, double *rest)
 {
     const struct shell_points *p = &e->at[rule];
     int row = p->padded;
@@ -75,18 +89,21 @@ enum status shell_element_rest(struct shell_element *e, int rule,
         shell_lanes metric[3], curvature[3];
         const shell_lanes *form = rule == SHELL_BENDING ? curvature : metric;
         int t = q % SHELL_LANES;
-        double *r = rest + q;
+        double *r = rest + q, law[6];
         shell_frame_surface(p, e->local, e->X[0], q - t, rule == SHELL_BENDING, &s);
         shell_frame_metric(s.a, metric);
         shell_frame_curvature(&s, curvature);
         if (!(s.stretch[t] > 0 && isfinite(s.stretch[t])))
             return STATUS_INPUT;
         double det = s.stretch[t] * s.stretch[t];
-        r[REST_AREA * row] = parametric[q] * s.stretch[t];
+        r[REST_AREA * row] = place[q].weight * s.stretch[t];
+        make_law(material, metric[1][t] / det, metric[0][t] / det, -metric[2][t] / det,
+                 law);
+        share_law(material, place[q].share, metric[0][t], metric[1][t], law);
         for (int k = 0; k < 3; k++)
             r[(REST_FORM + k) * row] = form[k][t];
-        make_law(material, metric[1][t] / det, metric[0][t] / det, -metric[2][t] / det, row,
-                 r + REST_LAW * row);
+        for (int k = 0; k < 6; k++)
+            r[(REST_LAW + k) * row] = law[k];
     }
     return STATUS_OK;
 }
@@ -99,7 +116,7 @@ static const shell_lanes *form_of(const double *rest, int k, int row, int at)
 static void membrane_strain(const struct shell_points *p, int local, const double *X,
                             const double *rest)
 {
-    for (int at = 0; at < p->padded; at += SHELL_LANES) {
+    for (int at = 0; at < p->count; at += SHELL_LANES) {
         shell_lanes a[2][3], metric[3];
         shell_frame_derive(p, local, X, at, 2, a);
         shell_frame_metric(a, metric);
@@ -114,7 +131,7 @@ static bool bending_strain(const struct shell_points *p, int local, const double
 {
     bool sound = true;
 
-    for (int at = 0; at < p->padded; at += SHELL_LANES) {
+    for (int at = 0; at < p->count; at += SHELL_LANES) {
         struct shell_surface s;
         shell_lanes curvature[3];
         shell_frame_surface(p, local, X, at, true, &s);
@@ -139,7 +156,7 @@ void shell_element_foresee(struct shell_element *e)
     const struct shell_points *p = &e->at[SHELL_MEMBRANE];
     int row = p->padded;
 
-    for (int at = 0; at < row; at += SHELL_LANES) {
+    for (int at = 0; at < p->count; at += SHELL_LANES) {
         shell_lanes d[2][3];
         shell_frame_derive(p, e->local, e->X[2], at, 2, d);
         shell_lanes *strain = (shell_lanes *)(p->strain + at);
@@ -157,7 +174,7 @@ double shell_element_energy(const struct shell_element *e,
 
     for (int part = 0; part < SHELL_PARTS; part++) {
         const struct shell_points *p = &e->at[part];
-        for (int at = 0; at < p->padded; at += SHELL_LANES) {
+        for (int at = 0; at < p->count; at += SHELL_LANES) {
             shell_lanes C[3][3], stress[3];
             shell_frame_law(rest[part], p->padded, at, C);
             shell_frame_resultants(p, shell_frame_stiffness(material, part), C, at, stress);
@@ -190,7 +207,7 @@ static void membrane_force(struct shell_element *e, double stiffness, const doub
 {
     const struct shell_points *p = &e->at[SHELL_MEMBRANE];
 
-    for (int at = 0; at < p->padded; at += SHELL_LANES) {
+    for (int at = 0; at < p->count; at += SHELL_LANES) {
         shell_lanes C[3][3], N[3], a[2][3], d[2][3];
         shell_frame_law(rest, p->padded, at, C);
         shell_frame_resultants(p, stiffness, C, at, N);
@@ -206,7 +223,7 @@ static void bending_force(struct shell_element *e, double stiffness, const doubl
 {
     const struct shell_points *p = &e->at[SHELL_BENDING];
 
-    for (int at = 0; at < p->padded; at += SHELL_LANES) {
+    for (int at = 0; at < p->count; at += SHELL_LANES) {
         struct shell_frame f;
         shell_lanes C[3][3], m[3], d[5][3];
         shell_frame_law(rest, p->padded, at, C);

@@ -22,11 +22,11 @@ void shell_element_clear(struct shell_element *e);
 void shell_element_load(struct shell_element *e, const struct shell_space *space,
                         int element, int rules);
 
-/* rest[SHELL_REST_ROWS][padded] of a rule from the element's control points e->X[0] and the
- * points' parametric weights. STATUS_INPUT if the surface has no normal there. */
+/* rest[SHELL_REST_ROWS][padded] of a rule from the element's control points e->X[0] and
+ * place[]. STATUS_INPUT if the surface has no normal there. */
 enum status shell_element_rest(struct shell_element *e, int rule,
                                const struct shell_material *material,
-                               const double *parametric, double *rest);
+                               const struct shell_place *place, double *rest);
 
 /* rest[SHELL_PARTS], below: of membrane and bending.
  *

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/greville.h"
 #include "models/linalg/blocks.h"
 #include "models/linalg/gauss.h"
 #include "models/room.h"
@@ -17,8 +18,8 @@ void shell_space_clear(struct shell_space *space)
     for (int d = 0; d < 2; d++) {
         bspline_clear(&space->basis[d]);
         free(space->direction[d].span);
-        for (int r = 0; r < SHELL_RULES; r++) {
-            struct shell_line *line = &space->rule[r].line[d];
+        for (int l = 0; l < SHELL_LINES; l++) {
+            struct shell_line *line = &space->direction[d].line[l];
             free(line->points);
             free(line->weight);
             free(line->table);
@@ -51,77 +52,128 @@ static enum status check(const struct bspline basis[2], const int gauss[2],
     return STATUS_OK;
 }
 
-/* `points` a span, or as many as functions where that is 0. */
-static enum status place_points(const struct bspline *b, const struct shell_direction *d,
-                                int points, struct shell_line *line)
+/* `count` points at[] of these weights, ascending, as a line. */
+static enum status tabulate(const struct bspline *b, const struct shell_direction *d,
+                            int count, const double *at, const double *weight,
+                            struct shell_line *line)
 {
-    line->points = points ? malloc((size_t)d->spans * sizeof *line->points)
-                          : bspline_reduced_points(b);
-    if (!line->points)
+    enum status st;
+    size_t row = 3 * (size_t)d->order;
+    int *home = malloc((size_t)(count + 1) * sizeof *home); /* the span of each point */
+
+    if (!home)
         return STATUS_MEMORY;
-    for (int s = 0; s < d->spans; s++) {
-        if (points)
-            line->points[s] = points;
-        if (line->points[s] > line->most)
+    line->points = calloc((size_t)d->spans, sizeof *line->points);
+    if (!line->points)
+        TRY(STATUS_MEMORY);
+    for (int q = 0, s = 0; q < count; q++) {
+        while (s + 1 < d->spans && at[q] >= b->U[d->span[s + 1]])
+            s++;
+        home[q] = s;
+        if (++line->points[s] > line->most)
             line->most = line->points[s];
     }
-    return STATUS_OK;
-}
-
-static enum status tabulate(const struct bspline *b, const struct shell_direction *d,
-                            int points, struct shell_line *line)
-{
-    double x[SHELL_MAX_GAUSS], w[SHELL_MAX_GAUSS];
-    size_t row = 3 * (size_t)d->order;
-    enum status st = place_points(b, d, points, line);
-
-    if (st != STATUS_OK)
-        return st;
     line->weight = calloc((size_t)(d->spans * line->most), sizeof *line->weight);
     line->table = calloc((size_t)(d->spans * line->most) * row, sizeof *line->table);
     if (!line->weight || !line->table)
-        return STATUS_MEMORY;
-    for (int s = 0; s < d->spans; s++) {
-        double from = b->U[d->span[s]], step = b->U[d->span[s] + 1] - from;
-        gauss_rule(line->points[s], x, w);
-        for (int q = 0; q < line->points[s]; q++) {
-            size_t at = (size_t)(s * line->most + q);
-            line->weight[at] = step * w[q];
-            bspline_eval(b, d->span[s], from + step * x[q], 2, line->table + at * row);
-        }
+        TRY(STATUS_MEMORY);
+    for (int q = 0, k = 0; q < count; q++) {
+        k = q && home[q] == home[q - 1] ? k + 1 : 0;
+        size_t to = (size_t)(home[q] * line->most + k);
+        line->weight[to] = weight[q];
+        bspline_eval(b, d->span[home[q]], at[q], 2, line->table + to * row);
     }
-    return STATUS_OK;
+    st = STATUS_OK;
+out:
+    free(home);
+    return st;
 }
 
-static enum status make_rules(struct shell_space *space, const int gauss[2], bool selective)
+/* Gauss points, so many a span; returns how many in all. */
+static int gauss_points(const struct bspline *b, const struct shell_direction *d,
+                        int points, double *at, double *weight)
 {
-    for (int r = 0; r < SHELL_RULES; r++) {
-        struct shell_rule *rule = &space->rule[r];
-        for (int d = 0; d < 2; d++) {
-            const int p = space->basis[d].p, full = gauss[d] ? gauss[d] : p + 1,
-                      own[SHELL_RULES] = {0, p - 1, full};
-            enum status st = tabulate(&space->basis[d], &space->direction[d],
-                                      selective ? own[r] : full, &rule->line[d]);
+    double x[SHELL_MAX_GAUSS], w[SHELL_MAX_GAUSS];
+
+    gauss_rule(points, x, w);
+    for (int s = 0; s < d->spans; s++) {
+        double from = b->U[d->span[s]], step = b->U[d->span[s] + 1] - from;
+        for (int q = 0; q < points; q++) {
+            *at++ = from + step * x[q];
+            *weight++ = step * w[q];
+        }
+    }
+    return d->spans * points;
+}
+
+static enum status make_line(const struct bspline *b, struct shell_direction *d, int l,
+                             int gauss)
+{
+    enum status st = STATUS_MEMORY;
+    size_t most = (size_t)(d->spans * SHELL_MAX_GAUSS + b->n);
+    double *at = malloc(2 * most * sizeof *at), *weight = at ? at + most : NULL;
+    int count = 0;
+
+    if (at && (l == SHELL_FULL || l == SHELL_FEWER))
+        count = gauss_points(b, d,
+                             l == SHELL_FEWER ? b->p - 1
+                             : gauss          ? gauss
+                                              : b->p + 1,
+                             at, weight);
+    else if (at)
+        count = greville_rule(b, l == SHELL_DERIVED, at, weight);
+    if (count)
+        st = tabulate(b, d, count, at, weight, &d->line[l]);
+    free(at);
+    return st;
+}
+
+static enum status make_directions(struct shell_space *space, const int gauss[2],
+                                   bool selective)
+{
+    for (int i = 0; i < 2; i++) {
+        struct shell_direction *d = &space->direction[i];
+        const struct bspline *b = &space->basis[i];
+        d->order = b->p + 1;
+        d->span = malloc((size_t)b->n * sizeof *d->span);
+        if (!d->span)
+            return STATUS_MEMORY;
+        d->spans = bspline_spans(b, d->span);
+        for (int l = 0; l < (selective ? SHELL_LINES : SHELL_FULL + 1); l++) {
+            enum status st = make_line(b, d, l, gauss[i]);
             if (st != STATUS_OK)
                 return st;
         }
-        rule->padded = SHELL_PADDED(rule->line[0].most * rule->line[1].most);
     }
     return STATUS_OK;
 }
 
-static enum status make_directions(struct shell_space *space)
+static void make_rules(struct shell_space *space, bool selective)
 {
-    for (int d = 0; d < 2; d++) {
-        struct shell_direction *dir = &space->direction[d];
-        const struct bspline *b = &space->basis[d];
-        dir->order = b->p + 1;
-        dir->span = malloc((size_t)b->n * sizeof *dir->span);
-        if (!dir->span)
-            return STATUS_MEMORY;
-        dir->spans = bspline_spans(b, dir->span);
+    static const struct shell_rule full = {1, {{{SHELL_FULL, SHELL_FULL}, SHELL_ALL}}, 0},
+                                   bending = {1,
+                                              {{{SHELL_FEWER, SHELL_FEWER}, SHELL_ALL}},
+                                              0},
+                                   membrane = {
+                                       3,
+                                       {{{SHELL_DERIVED, SHELL_DERIVED}, SHELL_REST},
+                                        {{SHELL_DERIVED, SHELL_VALUES}, SHELL_ALONG_U},
+                                        {{SHELL_VALUES, SHELL_DERIVED}, SHELL_ALONG_V}},
+                                       0};
+
+    space->rule[SHELL_MEMBRANE] = selective ? membrane : full;
+    space->rule[SHELL_BENDING] = selective ? bending : full;
+    space->rule[SHELL_MASS] = full;
+    for (int r = 0; r < SHELL_RULES; r++) {
+        struct shell_rule *rule = &space->rule[r];
+        int most = 0;
+        for (int g = 0; g < rule->grids; g++) {
+            const int *line = rule->grid[g].line;
+            most += space->direction[0].line[line[0]].most *
+                    space->direction[1].line[line[1]].most;
+        }
+        rule->padded = SHELL_PADDED(most);
     }
-    return STATUS_OK;
 }
 
 static void number_elements(struct shell_space *space)
@@ -150,8 +202,8 @@ enum status shell_space_init(struct shell_space *space, const struct bspline bas
         TRY(bspline_copy(&basis[d], &new.basis[d]));
     new.nodes = basis[0].n *basis[1].n;
     new.local = (basis[0].p + 1) * (basis[1].p + 1);
-    TRY(make_directions(&new));
-    TRY(make_rules(&new, gauss, selective));
+    TRY(make_directions(&new, gauss, selective));
+    make_rules(&new, selective);
     new.elements = new.direction[0].spans *new.direction[1].spans;
     TRY(room_cut(&new.room, ROOM(new.ien, new.elements *(size_t) new.local),
                  ROOM(new.rest, 3 * (size_t) new.nodes),
@@ -198,70 +250,56 @@ static void make_rational(const struct shell_space *space, const int *node, int 
     }
 }
 
-/* The points of direction d in an element's span. */
-static int points_of(const struct shell_space *space, int rule, int element, int d)
+int shell_space_places(const struct shell_space *space, int rule, int element,
+                       struct shell_place *place)
 {
-    int spans = space->direction[1].spans;
+    const struct shell_direction *d = space->direction;
+    const int span[2] = {element / d[1].spans, element % d[1].spans};
+    int count = 0;
 
-    return space->rule[rule].line[d].points[d ? element % spans : element / spans];
-}
-
-int shell_space_points(const struct shell_space *space, int rule, int element)
-{
-    return points_of(space, rule, element, 0) * points_of(space, rule, element, 1);
-}
-
-void shell_space_weights(const struct shell_space *space, int rule, int element,
-                         double *weight)
-{
-    const struct shell_line *u = &space->rule[rule].line[0], *v = u + 1;
-    int spans = space->direction[1].spans, along = points_of(space, rule, element, 1);
-    const double *wu = u->weight + element / spans * u->most,
-                 *wv = v->weight + element % spans * v->most;
-
-    for (int q = 0; q < shell_space_points(space, rule, element); q++)
-        weight[q] = wu[q / along] * wv[q % along];
-}
-
-/* Values and derivatives of one direction, [3 order], at each of an element's points:
- * F[3 order][padded]. */
-static void spread(const struct shell_space *space, int rule, int element, int d, double *F)
-{
-    const struct shell_line *line = &space->rule[rule].line[d];
-    int spans = space->direction[1].spans, padded = space->rule[rule].padded;
-    int rows = 3 * space->direction[d].order, along = points_of(space, rule, element, 1);
-    int first = (d ? element % spans : element / spans) * line->most;
-
-    memset(F, 0, (size_t)(rows * padded) * sizeof *F);
-    for (int q = 0; q < shell_space_points(space, rule, element); q++) {
-        const double *from = line->table + (first + (d ? q % along : q / along)) * rows;
-        for (int t = 0; t < rows; t++)
-            F[t * padded + q] = from[t];
+    for (int g = 0; g < space->rule[rule].grids; g++) {
+        const struct shell_grid *grid = &space->rule[rule].grid[g];
+        const struct shell_line *u = &d[0].line[grid->line[0]],
+                                *v = &d[1].line[grid->line[1]];
+        for (int i = 0; i < u->points[span[0]]; i++)
+            for (int j = 0; j < v->points[span[1]]; j++) {
+                int at_u = span[0] * u->most + i, at_v = span[1] * v->most + j;
+                place[count++] = (struct shell_place){
+                    u->weight[at_u] * v->weight[at_v],
+                    grid->share,
+                    {u->table + at_u * 3 * d[0].order, v->table + at_v * 3 * d[1].order}};
+            }
     }
+    return count;
 }
 
-void shell_space_functions(const struct shell_space *space, int rule, int element,
-                           double *T)
+int shell_space_functions(const struct shell_space *space, int rule, int element, double *T)
 {
     enum { ROOM = 3 * BSPLINE_MAX_ORDER * SHELL_MAX_POINTS };
     const int derivatives = rule == SHELL_BENDING ? SHELL_DERIVATIVES : SHELL_SLOPES;
     const int *order = (const int[]){space->direction[0].order, space->direction[1].order};
-    int row = space->rule[rule].padded;
-    double U[ROOM], V[ROOM], *t = T;
+    struct shell_place place[SHELL_MAX_POINTS];
+    int row = space->rule[rule].padded, count;
+    double F[2][ROOM], *t = T; /* of u and of v at each point: [3][order][used] */
 
-    spread(space, rule, element, 0, U);
-    spread(space, rule, element, 1, V);
+    count = shell_space_places(space, rule, element, place);
+    int used = SHELL_PADDED(count);
+    for (int d = 0; d < 2; d++)
+        for (int k = 0; k < 3 * order[d]; k++)
+            for (int q = 0; q < used; q++)
+                F[d][k * used + q] = q < count ? place[q].N[d][k] : 0;
     for (int k = 0; k < derivatives; k++)
         for (int i = 0; i < order[0]; i++)
             for (int j = 0; j < order[1]; j++, t += row) {
-                const double *f = U + (derivative_u[k] * order[0] + i) * row;
-                const double *g = V + (derivative_v[k] * order[1] + j) * row;
-                for (int q = 0; q < row; q++)
+                const double *f = F[0] + (derivative_u[k] * order[0] + i) * used;
+                const double *g = F[1] + (derivative_v[k] * order[1] + j) * used;
+                for (int q = 0; q < used; q++)
                     t[q] = f[q] * g[q];
             }
     if (space->weight)
         make_rational(space, space->ien + (size_t)element * (size_t)space->local,
-                      derivatives, row, shell_space_points(space, rule, element), T);
+                      derivatives, row, count, T);
+    return count;
 }
 
 void shell_space_at(const struct shell_space *space, double u, double v, int *node,

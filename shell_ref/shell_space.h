@@ -18,7 +18,7 @@ enum { SHELL_LANES = 4 };
 enum {
     SHELL_MAX_LOCAL = BSPLINE_MAX_ORDER * BSPLINE_MAX_ORDER,
     SHELL_MAX_GAUSS = 8, /* points per span and direction                              */
-    SHELL_MAX_POINTS = SHELL_MAX_GAUSS * SHELL_MAX_GAUSS,
+    SHELL_MAX_POINTS = 3 * SHELL_MAX_LOCAL, /* more than 8 x 8                         */
 };
 
 /* Derivatives in the order of the tables: N, N_u, N_v, N_uu, N_vv, N_uv; of the rules that
@@ -28,8 +28,11 @@ enum { SHELL_DERIVATIVES = 6, SHELL_SLOPES = 3 };
 /* What is integrated, each by its own points. */
 enum { SHELL_MEMBRANE, SHELL_BENDING, SHELL_PARTS, SHELL_MASS = SHELL_PARTS, SHELL_RULES };
 
-/* Quadrature along one direction: points, weights, and values and two derivatives of the
- * functions alive there. */
+/* Which strains a point of the membrane has its share of. */
+enum shell_share { SHELL_ALL, SHELL_REST, SHELL_ALONG_U, SHELL_ALONG_V };
+
+/* Points along one direction, weights, and values and two derivatives of the functions
+ * alive there. */
 struct shell_line {
     int most;       /* points a span, where they are most                              */
     int *points;    /* [spans] points in use                                   owned   */
@@ -37,14 +40,24 @@ struct shell_line {
     double *table;  /* [spans][most][3][order]                                 owned   */
 };
 
-struct shell_rule {
-    struct shell_line line[2]; /* u, v                                                 */
-    int padded; /* rows of an element's points: the most it can have, padded           */
-};
+/* Gauss points of the full rule and of bending; points of spline spaces (greville.h): of
+ * the functions, and of their derivatives. */
+enum { SHELL_FULL, SHELL_FEWER, SHELL_VALUES, SHELL_DERIVED, SHELL_LINES };
 
 struct shell_direction {
     int order, spans;
     int *span; /* [spans] knot index                                           owned   */
+    struct shell_line line[SHELL_LINES];
+};
+
+/* Grids of points, one after the other: each the product of a line of u and one of v. */
+struct shell_rule {
+    int grids;
+    struct shell_grid {
+        int line[2];
+        enum shell_share share;
+    } grid[3];
+    int padded; /* rows of an element's points: the most it can have, padded           */
 };
 
 struct shell_space {
@@ -60,12 +73,20 @@ struct shell_space {
     int slabs, *slab; /* elements slab[s] .. slab[s+1]; s and s+2 share no node owned  */
 };
 
-/* Copies bases, control points point[nodes][3] and weights (NULL: all 1).
+/* Copies bases, control points point[nodes][3] and weights (NULL: all 1). All rules have
+ * gauss[2] points a span, 0: degree + 1, unless `selective`.
  *
- * All three rules have gauss[2] points a span, 0: degree + 1, unless `selective`: then the
- * membrane has as many points as there are functions (bspline_reduced_points), which cures
- * its locking, bending p - 1 a span, which see every polynomial that second derivatives of
- * degree p square to, and the mass p + 1.
+ * Selective. The strain along u is a product of derivatives of degree p - 1 in u and values
+ * of degree p in v. Asked for at more points than such a space has functions, it must
+ * vanish where a thin sheet's bending lets it not: the membrane locks. It is therefore
+ * asked for at those of SHELL_DERIVED in u and SHELL_VALUES in v, that along v the other
+ * way round, shear at those of SHELL_DERIVED in both. (Strains interpolated at such points
+ * are those of Casquero, Mathews, CMAME 417, 2023; here the points are a quadrature, and
+ * nothing is interpolated.) Poisson's ratio couples the first two, which have no point in
+ * common: at the points of shear the law keeps what is left of it after half of Young's
+ * modulus along u and along v has gone to their own points, and is still nowhere negative.
+ * Bending has p - 1 Gauss points a span, which is exact for second derivatives squared; the
+ * mass p + 1.
  *
  * STATUS_INPUT with a sentence unless degrees are 2 or more (a Kirchhoff-Love shell needs
  * slopes that are continuous), inner knots are repeated at most p - 1 times and
@@ -75,15 +96,22 @@ enum status shell_space_init(struct shell_space *space, const struct bspline bas
                              bool selective, struct message *why);
 void shell_space_clear(struct shell_space *space);
 
-/* Points of a rule in an element, q = qu points_v + qv, and their parametric weights. */
-int shell_space_points(const struct shell_space *space, int rule, int element);
-void shell_space_weights(const struct shell_space *space, int rule, int element,
-                         double *weight);
+/* A point of a rule in an element: parametric weight; [3][order] of u and of v. */
+struct shell_place {
+    double weight;
+    enum shell_share share;
+    const double *N[2];
+};
+
+/* Returns how many; place[SHELL_MAX_POINTS]. */
+int shell_space_places(const struct shell_space *space, int rule, int element,
+                       struct shell_place *place);
 
 /* T[SHELL_DERIVATIVES or SHELL_SLOPES][local][padded] of one element, the rule's points
- * running fastest; zeros in the padding. Pure: any thread. */
-void shell_space_functions(const struct shell_space *space, int rule, int element,
-                           double *T);
+ * running fastest; zeros in the padding up to a multiple of SHELL_LANES. Returns how many
+ * points. Pure: any thread. */
+int shell_space_functions(const struct shell_space *space, int rule, int element,
+                          double *T);
 
 /* The functions alive at (u,v): T[SHELL_DERIVATIVES][local] and their nodes node[local]. */
 void shell_space_at(const struct shell_space *space, double u, double v, int *node,

@@ -109,17 +109,14 @@ static int gauss_points(const struct bspline *b, const struct shell_direction *d
 static enum status make_line(const struct bspline *b, struct shell_direction *d, int l,
                              int gauss)
 {
+    const int full = gauss ? gauss : b->p + 1, fewer = b->p > 2 ? b->p - 1 : 2;
     enum status st = STATUS_MEMORY;
     size_t most = (size_t)(d->spans * SHELL_MAX_GAUSS + b->n);
     double *at = malloc(2 * most * sizeof *at), *weight = at ? at + most : NULL;
     int count = 0;
 
     if (at && (l == SHELL_FULL || l == SHELL_FEWER))
-        count = gauss_points(b, d,
-                             l == SHELL_FEWER ? b->p - 1
-                             : gauss          ? gauss
-                                              : b->p + 1,
-                             at, weight);
+        count = gauss_points(b, d, l == SHELL_FULL ? full : fewer, at, weight);
     else if (at)
         count = greville_rule(b, l == SHELL_DERIVED, at, weight);
     if (count)

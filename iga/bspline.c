@@ -95,6 +95,14 @@ enum status bspline_init_direction(struct bspline *b, const struct discretizatio
     return bspline_init(b, d->degree[i], d->knot_count[i], d->knots[i], why);
 }
 
+int bspline_open_degree(const struct discretization *d, int i, int usual)
+{
+    const int most = d->points[i] - 1,
+              told = d->knot_count[i] ? d->knot_count[i] - most - 2 : usual;
+
+    return most < 1 || told < 1 ? 1 : told > most ? most : told;
+}
+
 enum status bspline_copy(const struct bspline *from, struct bspline *to)
 {
     return bspline_init(to, from->p, from->n + from->p + 1, from->U, NULL);

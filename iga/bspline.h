@@ -30,6 +30,9 @@ enum status bspline_init(struct bspline *b, int p, int count, const double *U,
 /* Direction i of a discretization: its knots, or uniform ones. */
 enum status bspline_init_direction(struct bspline *b, const struct discretization *d, int i,
                                    struct message *why);
+/* The degree of a direction that leaves it open: `usual`, or what its knots tell, or what
+ * few points allow. */
+int bspline_open_degree(const struct discretization *d, int i, int usual);
 enum status bspline_copy(const struct bspline *from, struct bspline *to);
 void bspline_clear(struct bspline *b);
 

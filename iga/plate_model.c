@@ -307,22 +307,13 @@ static enum status check_remedy(const struct discretization *d, struct message *
     return STATUS_OK;
 }
 
-/* Knots tell their degree, and few points allow no more. */
-static int open_degree(const struct discretization *d, int i, int usual)
-{
-    const int most = d->points[i] - 1,
-              told = d->knot_count[i] ? d->knot_count[i] - most - 2 : usual;
-
-    return most < 1 || told < 1 ? 1 : told > most ? most : told;
-}
-
 static void adapt(struct discretization *d, struct message *reason)
 {
     const bool paper = kinematics_rebuilds(d->kinematics);
 
     for (int i = 0; i < 3; i++)
         if (!d->degree[i])
-            d->degree[i] = open_degree(d, i, i < 2 ? 3 - paper : 2 - paper);
+            d->degree[i] = bspline_open_degree(d, i, i < 2 ? 3 - paper : 2 - paper);
     if (paper)
         status_fail(reason, STATUS_OK, "cured sheets die of kinematics=%s",
                     kinematics_name(d->kinematics));

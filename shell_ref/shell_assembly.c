@@ -27,38 +27,68 @@ static void gather(const struct shell_space *space, int element, const double *x
             X[3 * a + i] = x[3 * (size_t)node[a] + (size_t)i];
 }
 
-static double *rest_of(const struct shell_assembly *s, int element)
+static size_t rest_size(const struct shell_space *space, int rule)
 {
-    return s->rest + (size_t)element * SHELL_REST_ROWS * (size_t)s->space->padded;
+    return SHELL_REST_ROWS * (size_t)space->rule[rule].padded;
+}
+
+/* Where an element's rest data begins, by parts. */
+struct rest {
+    const double *part[SHELL_PARTS];
+};
+
+static struct rest rest_of(const struct shell_assembly *s, int element)
+{
+    struct rest r;
+
+    for (int part = 0; part < SHELL_PARTS; part++)
+        r.part[part] = s->rest[part] + (size_t)element * rest_size(s->space, part);
+    return r;
+}
+
+/* Mass and areas of one element from the areas of its points. */
+static void add_mass(struct shell_assembly *s, const struct shell_element *e, int element,
+                     const double *area)
+{
+    const struct shell_points *p = &e->at[SHELL_MASS];
+    const int *node = nodes_of(s->space, element);
+    double sheet = s->material.density * s->material.thickness;
+    int local = e->local, runs = runs_of(s->space), run = local / runs;
+    const int *place = s->place + (size_t)element * (size_t)(local * runs);
+
+    for (int a = 0; a < local; a++) {
+        const double *Na = p->T + a * p->padded;
+        for (int q = 0; q < p->count; q++)
+            s->area[node[a]] += area[q] * Na[q];
+        for (int b = a; b < local; b++) {
+            const double *Nb = p->T + b * p->padded;
+            int r = b / run, first = r * run > a ? r * run : a;
+            double sum = 0;
+            for (int q = 0; q < p->count; q++)
+                sum += area[q] * Na[q] * Nb[q];
+            s->M[place[a * runs + r] + b - first] += sheet * sum;
+        }
+    }
 }
 
 /* Rest data, mass and areas of one element. */
 static enum status add_rest(struct shell_assembly *s, struct shell_element *e, int element)
 {
-    const struct shell_space *space = s->space;
-    const int *node = nodes_of(space, element);
-    double *rest = rest_of(s, element), sheet = s->material.density * s->material.thickness;
-    int runs = runs_of(space), run = space->local / runs;
-    const int *place = s->place + (size_t)element * (size_t)(space->local * runs);
+    struct shell_place place[SHELL_MAX_POINTS];
+    double mass[SHELL_REST_ROWS * SHELL_MAX_POINTS];
 
-    shell_element_load(e, space, element);
-    gather(space, element, space->rest, e->X[0]);
-    enum status st = shell_element_rest(
-        e, &s->material, space->parametric + (size_t)element * (size_t)space->padded, rest);
-    for (int a = 0; st == STATUS_OK && a < space->local; a++) {
-        const double *Na = e->T + a * space->padded;
-        for (int q = 0; q < space->gauss; q++)
-            s->area[node[a]] += rest[q] * Na[q];
-        for (int b = a; b < space->local; b++) {
-            const double *Nb = e->T + b * space->padded;
-            int r = b / run, first = r * run > a ? r * run : a;
-            double sum = 0;
-            for (int q = 0; q < space->gauss; q++)
-                sum += rest[q] * Na[q] * Nb[q];
-            s->M[place[a * runs + r] + b - first] += sheet * sum;
-        }
+    shell_element_load(e, s->space, element, SHELL_RULES);
+    gather(s->space, element, s->space->rest, e->X[0]);
+    for (int r = 0; r < SHELL_RULES; r++) {
+        double *rest =
+            r == SHELL_MASS ? mass : s->rest[r] + (size_t)element * rest_size(s->space, r);
+        shell_space_places(s->space, r, element, place);
+        enum status st = shell_element_rest(e, r, &s->material, place, rest);
+        if (st != STATUS_OK)
+            return st;
     }
-    return st;
+    add_mass(s, e, element, mass + REST_AREA * e->at[SHELL_MASS].padded);
+    return STATUS_OK;
 }
 
 static double *strain_of(const void *self, int thread, int element, const double *x,
@@ -67,9 +97,9 @@ static double *strain_of(const void *self, int thread, int element, const double
     const struct shell_assembly *s = self;
     struct shell_element *e = &s->work[thread];
 
-    shell_element_load(e, s->space, element);
+    shell_element_load(e, s->space, element, SHELL_PARTS);
     gather(s->space, element, x, e->X[0]);
-    if (!shell_element_strain(e, rest_of(s, element)))
+    if (!shell_element_strain(e, rest_of(s, element).part))
         return NULL;
     if (change) {
         gather(s->space, element, change, e->X[2]);
@@ -98,7 +128,7 @@ static void add_force(const void *self, int thread, int element, double *force)
     struct shell_element *e = &s->work[thread];
     const int *node = nodes_of(s->space, element);
 
-    shell_element_force(e, &s->material, rest_of(s, element));
+    shell_element_force(e, &s->material, rest_of(s, element).part);
     for (int a = 0; a < e->local; a++)
         for (int i = 0; i < 3; i++)
             force[3 * (size_t)node[a] + (size_t)i] += e->f[3 * a + i];
@@ -112,7 +142,7 @@ static void add_tangent(const void *self, int thread, int element,
     int local = e->local, row = e->row, runs = runs_of(s->space), run = local / runs;
     const int *place = s->place + (size_t)element * (size_t)(local * runs);
 
-    shell_tangent_compute(e, &s->material, rest_of(s, element), path);
+    shell_tangent_compute(e, &s->material, rest_of(s, element).part, path);
     for (int a = 0; a < local; a++) {
         const double *from = e->K + (size_t)(a * 9 * row);
         for (int r = a / run; r < runs; r++) {
@@ -127,16 +157,14 @@ static void add_tangent(const void *self, int thread, int element,
 
 static struct large_body body_of(const struct shell_assembly *s)
 {
-    size_t strains = SHELL_STRAINS * (size_t)s->space->padded;
-
     return (struct large_body){.self = s,
                                .nodes = s->space->nodes,
                                .slabs = s->space->slabs,
                                .threads = s->threads,
                                .slab = s->space->slab,
                                .pairs = s->graph.start[s->space->nodes],
-                               .strains = strains,
-                               .lagged = strains / 2,
+                               .strains = shell_room_strains(s->space, SHELL_PARTS),
+                               .lagged = shell_room_strains(s->space, SHELL_MEMBRANE),
                                .strain = strain_of,
                                .geometry = set_geometry,
                                .force = add_force,
@@ -162,10 +190,11 @@ enum status shell_assembly_init(struct shell_assembly *s, const struct shell_spa
     TRY(blocks_init(&new.graph, space->nodes, space->elements, space->local, space->ien));
     TRY(blocks_places(&new.graph, space->elements, space->local,
                       space->local / runs_of(space), space->ien, &new.place));
-    TRY(room_cut(
-        &new.room, ROOM(new.M, new.graph.start[space->nodes]), ROOM(new.area, space->nodes),
-        ROOM(new.rest, (size_t)space->elements * SHELL_REST_ROWS * (size_t)space->padded),
-        ROOM(new.work, omp_get_max_threads())));
+    TRY(room_cut(&new.room, ROOM(new.M, new.graph.start[space->nodes]),
+                 ROOM(new.area, space->nodes),
+                 ROOM(new.rest[0], (size_t)space->elements * rest_size(space, 0)),
+                 ROOM(new.rest[1], (size_t)space->elements * rest_size(space, 1)),
+                 ROOM(new.work, omp_get_max_threads())));
     for (; new.threads < omp_get_max_threads(); new.threads++)
         TRY(shell_element_init(&new.work[new.threads], space));
     for (int e = 0; e < space->elements; e++)
@@ -188,11 +217,11 @@ enum status shell_assembly_energy(const struct shell_assembly *s, const double *
 
     *energy = 0;
     for (int n = 0; n < s->space->elements; n++) {
-        shell_element_load(e, s->space, n);
+        shell_element_load(e, s->space, n, SHELL_PARTS);
         gather(s->space, n, x, e->X[0]);
-        if (!shell_element_strain(e, rest_of(s, n)))
+        if (!shell_element_strain(e, rest_of(s, n).part))
             return STATUS_NAN;
-        *energy += shell_element_energy(e, &s->material, rest_of(s, n));
+        *energy += shell_element_energy(e, &s->material, rest_of(s, n).part);
     }
     return STATUS_OK;
 }

@@ -20,8 +20,8 @@ struct shell_assembly {
     void *room;   /* of the arrays but place                               owned   */
     double *M;    /* [pairs] consistent mass rho h                [kg]                 */
     double *area; /* [nodes] int N_a dA at rest                   [m^2]                */
-    double *rest; /* [elements][SHELL_REST_ROWS][padded]                               */
-    int *place;   /* [elements][local][order u] pair of (node, first of run)   owned   */
+    double *rest[SHELL_PARTS]; /* [elements][SHELL_REST_ROWS][padded]                  */
+    int *place; /* [elements][local][order u] pair of (node, first of run)   owned   */
     int threads;
     struct shell_element *work; /* [threads]                                           */
 };

@@ -15,100 +15,151 @@ void shell_element_clear(struct shell_element *e)
 enum status shell_element_init(struct shell_element *e, const struct shell_space *space)
 {
     enum status st;
-    size_t local = (size_t)space->local, row = SHELL_PADDED(local);
-    size_t points = (size_t)space->padded, gauss = (size_t)space->gauss;
+    size_t local = (size_t)space->local, row = SHELL_PADDED(local), points[SHELL_RULES];
 
     memset(e, 0, sizeof *e);
+    for (int r = 0; r < SHELL_RULES; r++) {
+        e->at[r].padded = space->rule[r].padded;
+        points[r] = (size_t)e->at[r].padded;
+    }
     TRY(room_cut(
-        &e->memory, ROOM(e->T, SHELL_DERIVATIVES * local * points),
-        ROOM(e->strain, SHELL_STRAINS * points), ROOM(e->X[0], SHELL_PADDED(3 * local)),
-        ROOM(e->X[1], SHELL_PADDED(3 * local)), ROOM(e->X[2], SHELL_PADDED(3 * local)),
-        ROOM(e->f, SHELL_PADDED(3 * local)),
-        ROOM(e->left, gauss * SHELL_TANGENT_LEFT * row),
-        ROOM(e->right, gauss * SHELL_TANGENT_RIGHT * row), ROOM(e->K, local * 9 * row)));
+        &e->memory, ROOM(e->at[0].T, SHELL_SLOPES * local * points[0]),
+        ROOM(e->at[1].T, SHELL_DERIVATIVES * local * points[1]),
+        ROOM(e->at[2].T, SHELL_SLOPES * local * points[2]),
+        ROOM(e->strain, shell_room_strains(space, SHELL_PARTS)),
+        ROOM(e->X[0], SHELL_PADDED(3 * local)), ROOM(e->X[1], SHELL_PADDED(3 * local)),
+        ROOM(e->X[2], SHELL_PADDED(3 * local)), ROOM(e->f, SHELL_PADDED(3 * local)),
+        ROOM(e->left, shell_tangent_left(space) * row),
+        ROOM(e->right, shell_tangent_right(space) * row), ROOM(e->K, local * 9 * row)));
     e->local = space->local;
     e->row = (int)row;
-    e->padded = space->padded;
-    e->gauss = space->gauss;
+    e->at[SHELL_MEMBRANE].strain = e->strain;
+    e->at[SHELL_BENDING].strain = e->strain + shell_room_strains(space, SHELL_MEMBRANE);
 out:
     return st;
 }
 
 void shell_element_load(struct shell_element *e, const struct shell_space *space,
-                        int element)
+                        int element, int rules)
 {
-    shell_space_functions(space, element, e->T);
+    for (int r = 0; r < rules; r++)
+        e->at[r].count = shell_space_functions(space, r, element, e->at[r].T);
 }
 
-enum status shell_element_rest(struct shell_element *e,
-                               const struct shell_material *material,
-                               const double *parametric, double *rest)
+/* The plane-stress law in the metric A^ab = a, b, c (11, 22, 12). */
+static void make_law(const struct shell_material *material, double a, double b, double c,
+                     double law[6])
 {
     double nu = material->poisson, factor = material->young / (1 - nu * nu);
-    int row = e->padded;
+
+    law[0] = factor * a * a;
+    law[1] = factor * (nu * a * b + (1 - nu) * c * c);
+    law[2] = factor * a * c;
+    law[3] = factor * b * b;
+    law[4] = factor * b * c;
+    law[5] = factor * ((1 - nu) * a * b + (1 + nu) * c * c) / 2;
+}
+
+/* A point's share of the law: E / A_11^2 is what the law has along u where nothing else is
+ * stressed, and no more than that can be taken from it. */
+static void share_law(const struct shell_material *material, enum shell_share share,
+                      double A_11, double A_22, double law[6])
+{
+    double along_u = material->young / (A_11 * A_11) / 2,
+           along_v = material->young / (A_22 * A_22) / 2;
+
+    if (share == SHELL_ALL)
+        return;
+    if (share != SHELL_REST)
+        memset(law, 0, 6 * sizeof *law);
+    law[0] += share == SHELL_REST ? -along_u : share == SHELL_ALONG_U ? along_u : 0;
+    law[3] += share == SHELL_REST ? -along_v : share == SHELL_ALONG_V ? along_v : 0;
+}
+
+enum status shell_element_rest(struct shell_element *e, int rule,
+                               const struct shell_material *material,
+                               const struct shell_place *place, double *rest)
+{
+    const struct shell_points *p = &e->at[rule];
+    int row = p->padded;
 
     memset(rest, 0, SHELL_REST_ROWS * (size_t)row * sizeof *rest);
-    for (int q = 0; q < e->gauss; q++) {
+    for (int q = 0; q < p->count; q++) {
         struct shell_surface s;
         shell_lanes metric[3], curvature[3];
+        const shell_lanes *form = rule == SHELL_BENDING ? curvature : metric;
         int t = q % SHELL_LANES;
-        double *r = rest + q;
-        shell_frame_surface(e, e->X[0], q / SHELL_LANES, &s);
-        shell_frame_forms(&s, metric, curvature);
+        double *r = rest + q, law[6];
+        shell_frame_surface(p, e->local, e->X[0], q - t, rule == SHELL_BENDING, &s);
+        shell_frame_metric(s.a, metric);
+        shell_frame_curvature(&s, curvature);
         if (!(s.stretch[t] > 0 && isfinite(s.stretch[t])))
             return STATUS_INPUT;
         double det = s.stretch[t] * s.stretch[t];
-        double a = metric[1][t] / det, b = metric[0][t] / det, c = -metric[2][t] / det;
-        r[REST_AREA * row] = parametric[q] * s.stretch[t];
-        for (int k = 0; k < 3; k++) {
-            r[(REST_METRIC + k) * row] = metric[k][t];
-            r[(REST_CURVATURE + k) * row] = curvature[k][t];
-        }
-        r[REST_LAW * row] = factor * a * a;
-        r[(REST_LAW + 1) * row] = factor * (nu * a * b + (1 - nu) * c * c);
-        r[(REST_LAW + 2) * row] = factor * a * c;
-        r[(REST_LAW + 3) * row] = factor * b * b;
-        r[(REST_LAW + 4) * row] = factor * b * c;
-        r[(REST_LAW + 5) * row] = factor * ((1 - nu) * a * b + (1 + nu) * c * c) / 2;
+        r[REST_AREA * row] = place[q].weight * s.stretch[t];
+        make_law(material, metric[1][t] / det, metric[0][t] / det, -metric[2][t] / det,
+                 law);
+        share_law(material, place[q].share, metric[0][t], metric[1][t], law);
+        for (int k = 0; k < 3; k++)
+            r[(REST_FORM + k) * row] = form[k][t];
+        for (int k = 0; k < 6; k++)
+            r[(REST_LAW + k) * row] = law[k];
     }
     return STATUS_OK;
 }
 
-bool shell_element_strain(struct shell_element *e, const double *rest)
+static const shell_lanes *form_of(const double *rest, int k, int row, int at)
 {
-    int row = e->padded;
+    return (const shell_lanes *)(rest + (REST_FORM + k) * row + at);
+}
+
+static void membrane_strain(const struct shell_points *p, int local, const double *X,
+                            const double *rest)
+{
+    for (int at = 0; at < p->count; at += SHELL_LANES) {
+        shell_lanes a[2][3], metric[3];
+        shell_frame_derive(p, local, X, at, 2, a);
+        shell_frame_metric(a, metric);
+        for (int k = 0; k < 3; k++)
+            *(shell_lanes *)(p->strain + k * p->padded + at) =
+                (k < 2 ? 0.5 : 1.0) * (metric[k] - *form_of(rest, k, p->padded, at));
+    }
+}
+
+static bool bending_strain(const struct shell_points *p, int local, const double *X,
+                           const double *rest)
+{
     bool sound = true;
 
-    for (int c = 0; c < row / SHELL_LANES; c++) {
+    for (int at = 0; at < p->count; at += SHELL_LANES) {
         struct shell_surface s;
-        shell_lanes metric[3], curvature[3];
-        shell_frame_surface(e, e->X[0], c, &s);
-        shell_frame_forms(&s, metric, curvature);
-        for (int t = 0; t < SHELL_LANES && c * SHELL_LANES + t < e->gauss; t++)
+        shell_lanes curvature[3];
+        shell_frame_surface(p, local, X, at, true, &s);
+        shell_frame_curvature(&s, curvature);
+        for (int t = 0; t < SHELL_LANES && at + t < p->count; t++)
             sound = sound && s.stretch[t] > 0 && isfinite(s.stretch[t]);
-        for (int k = 0; k < 3; k++) {
-            int at = c * SHELL_LANES;
-            const shell_lanes *A =
-                (const shell_lanes *)(rest + (REST_METRIC + k) * row + at);
-            const shell_lanes *B =
-                (const shell_lanes *)(rest + (REST_CURVATURE + k) * row + at);
-            *(shell_lanes *)(e->strain + k * row + at) =
-                (k < 2 ? 0.5 : 1.0) * (metric[k] - *A);
-            *(shell_lanes *)(e->strain + (3 + k) * row + at) =
-                (k < 2 ? 1.0 : 2.0) * (*B - curvature[k]);
-        }
+        for (int k = 0; k < 3; k++)
+            *(shell_lanes *)(p->strain + k * p->padded + at) =
+                (k < 2 ? 1.0 : 2.0) * (*form_of(rest, k, p->padded, at) - curvature[k]);
     }
     return sound;
 }
 
+bool shell_element_strain(struct shell_element *e, const double *const rest[])
+{
+    membrane_strain(&e->at[SHELL_MEMBRANE], e->local, e->X[0], rest[SHELL_MEMBRANE]);
+    return bending_strain(&e->at[SHELL_BENDING], e->local, e->X[0], rest[SHELL_BENDING]);
+}
+
 void shell_element_foresee(struct shell_element *e)
 {
-    int row = e->padded;
+    const struct shell_points *p = &e->at[SHELL_MEMBRANE];
+    int row = p->padded;
 
-    for (int c = 0; c < row / SHELL_LANES; c++) {
+    for (int at = 0; at < p->count; at += SHELL_LANES) {
         shell_lanes d[2][3];
-        shell_frame_derive(e, e->X[2], c, 2, d);
-        shell_lanes *strain = (shell_lanes *)(e->strain + c * SHELL_LANES);
+        shell_frame_derive(p, e->local, e->X[2], at, 2, d);
+        shell_lanes *strain = (shell_lanes *)(p->strain + at);
         strain[0] -= 0.5 * shell_frame_dot(d[0], d[0]);
         strain[row / SHELL_LANES] -= 0.5 * shell_frame_dot(d[1], d[1]);
         strain[2 * row / SHELL_LANES] -= shell_frame_dot(d[0], d[1]);
@@ -116,59 +167,84 @@ void shell_element_foresee(struct shell_element *e)
 }
 
 double shell_element_energy(const struct shell_element *e,
-                            const struct shell_material *material, const double *rest)
+                            const struct shell_material *material,
+                            const double *const rest[])
 {
     shell_lanes sum = {0};
 
-    for (int at = 0; at < e->padded; at += SHELL_LANES) {
-        shell_lanes C[3][3], stress[SHELL_STRAINS];
-        shell_frame_law(rest, e->padded, at, C);
-        shell_frame_resultants(e, material, C, at, stress);
-        for (int k = 0; k < SHELL_STRAINS; k++)
-            sum += 0.5 * stress[k] * *(const shell_lanes *)(e->strain + k * e->padded + at);
+    for (int part = 0; part < SHELL_PARTS; part++) {
+        const struct shell_points *p = &e->at[part];
+        for (int at = 0; at < p->count; at += SHELL_LANES) {
+            shell_lanes C[3][3], stress[3];
+            shell_frame_law(rest[part], p->padded, at, C);
+            shell_frame_resultants(p, shell_frame_stiffness(material, part), C, at, stress);
+            for (int k = 0; k < 3; k++)
+                sum += 0.5 * stress[k] *
+                       *(const shell_lanes *)(p->strain + k * p->padded + at);
+        }
     }
     return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 
-/* What multiplies N_u, N_v, N_uu, N_vv, N_uv in the force at four Gauss points. */
-static void densities(const struct shell_frame *f, const shell_lanes stress[SHELL_STRAINS],
-                      shell_lanes p[5][3])
+/* e->f += densities d[rows] times N_u, N_v, N_uu, N_vv, N_uv at four points. */
+static void add_densities(struct shell_element *e, const struct shell_points *p, int at,
+                          int rows, shell_lanes d[][3])
 {
-    const shell_lanes *m = stress + 3;
+    size_t stride = (size_t)(e->local * p->padded);
 
-    for (int i = 0; i < 3; i++) {
-        const shell_lanes n = f->s.n[i];
-        for (int d = 0; d < 2; d++)
-            p[d][i] = stress[d] * f->s.a[d][i] + stress[2] * f->s.a[1 - d][i] +
-                      n * (m[0] * f->gamma[d][0] + m[1] * f->gamma[d][1] +
-                           2 * m[2] * f->gamma[d][2]);
-        p[2][i] = -m[0] * n;
-        p[3][i] = -m[1] * n;
-        p[4][i] = -2 * m[2] * n;
+    for (int a = 0; a < e->local; a++) {
+        const double *T = p->T + stride + a * p->padded + at;
+        shell_lanes s[3] = {{0}};
+        for (int k = 0; k < rows; k++)
+            for (int i = 0; i < 3; i++)
+                s[i] += *(const shell_lanes *)(T + (size_t)k * stride) * d[k][i];
+        for (int i = 0; i < 3; i++)
+            e->f[3 * a + i] += (s[i][0] + s[i][2]) + (s[i][1] + s[i][3]);
+    }
+}
+
+static void membrane_force(struct shell_element *e, double stiffness, const double *rest)
+{
+    const struct shell_points *p = &e->at[SHELL_MEMBRANE];
+
+    for (int at = 0; at < p->count; at += SHELL_LANES) {
+        shell_lanes C[3][3], N[3], a[2][3], d[2][3];
+        shell_frame_law(rest, p->padded, at, C);
+        shell_frame_resultants(p, stiffness, C, at, N);
+        shell_frame_derive(p, e->local, e->X[1], at, 2, a);
+        for (int k = 0; k < 2; k++)
+            for (int i = 0; i < 3; i++)
+                d[k][i] = N[k] * a[k][i] + N[2] * a[1 - k][i];
+        add_densities(e, p, at, 2, d);
+    }
+}
+
+static void bending_force(struct shell_element *e, double stiffness, const double *rest)
+{
+    const struct shell_points *p = &e->at[SHELL_BENDING];
+
+    for (int at = 0; at < p->count; at += SHELL_LANES) {
+        struct shell_frame f;
+        shell_lanes C[3][3], m[3], d[5][3];
+        shell_frame_law(rest, p->padded, at, C);
+        shell_frame_resultants(p, stiffness, C, at, m);
+        shell_frame_frame(p, e->local, e->X[1], at, &f);
+        m[2] *= 2;
+        for (int i = 0; i < 3; i++) {
+            for (int k = 0; k < 2; k++)
+                d[k][i] = f.s.n[i] * shell_frame_dot(m, f.gamma[k]);
+            for (int k = 0; k < 3; k++)
+                d[2 + k][i] = -m[k] * f.s.n[i];
+        }
+        add_densities(e, p, at, 5, d);
     }
 }
 
 void shell_element_force(struct shell_element *e, const struct shell_material *material,
-                         const double *rest)
+                         const double *const rest[])
 {
-    size_t stride = (size_t)(e->local * e->padded);
-
     memset(e->f, 0, 3 * (size_t)e->local * sizeof *e->f);
-    for (int at = 0; at < e->padded; at += SHELL_LANES) {
-        struct shell_frame f;
-        shell_lanes C[3][3], stress[SHELL_STRAINS], p[5][3];
-        shell_frame_law(rest, e->padded, at, C);
-        shell_frame_resultants(e, material, C, at, stress);
-        shell_frame_frame(e, e->X[1], at / SHELL_LANES, &f);
-        densities(&f, stress, p);
-        for (int a = 0; a < e->local; a++) {
-            const double *T = e->T + stride + a * e->padded + at;
-            shell_lanes s[3] = {{0}};
-            for (int k = 0; k < 5; k++)
-                for (int i = 0; i < 3; i++)
-                    s[i] += *(const shell_lanes *)(T + (size_t)k * stride) * p[k][i];
-            for (int i = 0; i < 3; i++)
-                e->f[3 * a + i] += (s[i][0] + s[i][2]) + (s[i][1] + s[i][3]);
-        }
-    }
+    membrane_force(e, shell_frame_stiffness(material, SHELL_MEMBRANE),
+                   rest[SHELL_MEMBRANE]);
+    bending_force(e, shell_frame_stiffness(material, SHELL_BENDING), rest[SHELL_BENDING]);
 }

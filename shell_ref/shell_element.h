@@ -18,27 +18,30 @@
 enum status shell_element_init(struct shell_element *e, const struct shell_space *space);
 void shell_element_clear(struct shell_element *e);
 
-/* Loads the element's functions; before the other calls. */
+/* Loads the element's functions of the first so many rules; before the other calls. */
 void shell_element_load(struct shell_element *e, const struct shell_space *space,
-                        int element);
+                        int element, int rules);
 
-/* rest[SHELL_REST_ROWS][padded] from the element's control points e->X[0]. STATUS_INPUT if
- * the surface has no normal there. */
-enum status shell_element_rest(struct shell_element *e,
+/* rest[SHELL_REST_ROWS][padded] of a rule from the element's control points e->X[0] and
+ * place[]. STATUS_INPUT if the surface has no normal there. */
+enum status shell_element_rest(struct shell_element *e, int rule,
                                const struct shell_material *material,
-                               const double *parametric, double *rest);
+                               const struct shell_place *place, double *rest);
 
-/* e->strain on the control points e->X[0]. False if they are not finite or the surface has
+/* rest[SHELL_PARTS], below: of membrane and bending.
+ *
+ * e->strain on the control points e->X[0]. False if they are not finite or the surface has
  * no normal. */
-bool shell_element_strain(struct shell_element *e, const double *rest);
+bool shell_element_strain(struct shell_element *e, const double *const rest[]);
 
 /* Elastic energy of e->strain [J]. */
 double shell_element_energy(const struct shell_element *e,
-                            const struct shell_material *material, const double *rest);
+                            const struct shell_material *material,
+                            const double *const rest[]);
 
 /* e->f: forces of the stress of e->strain on the geometry e->X[1]. */
 void shell_element_force(struct shell_element *e, const struct shell_material *material,
-                         const double *rest);
+                         const double *const rest[]);
 
 /* e->strain -= half the membrane strain that the change e->X[2] makes in second order: what
  * is left is the strain as the tangent foresaw it. Magisano, Leonetti, Garcea 2017 base the

@@ -1,5 +1,5 @@
 /* shell_frame.h - inside shell_ref: the surface, its base vectors and its resultants, at
- * four Gauss points at a time. Includers are compiled with -ffp-contract=fast (see
+ * four points at a time. Includers are compiled with -ffp-contract=fast (see
  * CMakeLists.txt): their loops are nothing but multiply-adds, and fused ones are twice as
  * fast.
  */
@@ -13,7 +13,7 @@
 
 typedef double shell_lanes __attribute__((vector_size(SHELL_LANES * sizeof(double))));
 
-/* The surface at four Gauss points. */
+/* The surface at four points. */
 struct shell_surface {
     shell_lanes a[2][3], second[3][3], n[3], stretch; /* second: x_uu, x_vv, x_uv */
 };
@@ -23,17 +23,18 @@ static inline shell_lanes shell_frame_dot(const shell_lanes a[3], const shell_la
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Derivatives of the surface with control points X at Gauss points 4 c .. 4 c + 3; in the
- * padding everything is zero. */
-static inline void shell_frame_derive(const struct shell_element *e, const double *X, int c,
-                                      int rows, shell_lanes out[][3])
+/* `rows` derivatives, from N_u on, of the surface with control points X at points
+ * at .. at + 3; in the padding everything is zero. */
+static inline void shell_frame_derive(const struct shell_points *p, int local,
+                                      const double *X, int at, int rows,
+                                      shell_lanes out[][3])
 {
-    size_t stride = (size_t)(e->local * e->padded);
+    size_t stride = (size_t)(local * p->padded);
 
     for (int k = 0; k < rows; k++) {
-        const double *T = e->T + (size_t)(k + 1) * stride + c * SHELL_LANES;
+        const double *T = p->T + (size_t)(k + 1) * stride + at;
         shell_lanes x = {0}, y = {0}, z = {0};
-        for (int a = 0; a < e->local; a++, T += e->padded) {
+        for (int a = 0; a < local; a++, T += p->padded) {
             shell_lanes N = *(const shell_lanes *)T;
             x += N * X[3 * a];
             y += N * X[3 * a + 1];
@@ -43,12 +44,14 @@ static inline void shell_frame_derive(const struct shell_element *e, const doubl
     }
 }
 
-static inline void shell_frame_surface(const struct shell_element *e, const double *X,
-                                       int c, struct shell_surface *s)
+/* second only if the rule has it: zero elsewhere. */
+static inline void shell_frame_surface(const struct shell_points *p, int local,
+                                       const double *X, int at, bool second,
+                                       struct shell_surface *s)
 {
-    shell_lanes d[5][3], square;
+    shell_lanes d[5][3] = {{{0}}}, square;
 
-    shell_frame_derive(e, X, c, 5, d);
+    shell_frame_derive(p, local, X, at, second ? 5 : 2, d);
     memcpy(s->a, d, sizeof s->a);
     memcpy(s->second, d + 2, sizeof s->second);
     for (int i = 0; i < 3; i++) {
@@ -59,23 +62,27 @@ static inline void shell_frame_surface(const struct shell_element *e, const doub
     for (int t = 0; t < SHELL_LANES; t++)
         s->stretch[t] = sqrt(square[t]);
     for (int t = 0; t < SHELL_LANES; t++) /* padding: no normal, and no division by zero */
-        square[t] = c * SHELL_LANES + t < e->gauss ? 1 / s->stretch[t] : 0;
+        square[t] = at + t < p->count ? 1 / s->stretch[t] : 0;
     for (int i = 0; i < 3; i++)
         s->n[i] *= square;
 }
 
-/* Metric and curvature, in the order 11, 22, 12. */
-static inline void shell_frame_forms(const struct shell_surface *s, shell_lanes metric[3],
-                                     shell_lanes curvature[3])
+/* In the order 11, 22, 12. */
+static inline void shell_frame_metric(shell_lanes a[2][3], shell_lanes metric[3])
 {
-    metric[0] = shell_frame_dot(s->a[0], s->a[0]);
-    metric[1] = shell_frame_dot(s->a[1], s->a[1]);
-    metric[2] = shell_frame_dot(s->a[0], s->a[1]);
+    metric[0] = shell_frame_dot(a[0], a[0]);
+    metric[1] = shell_frame_dot(a[1], a[1]);
+    metric[2] = shell_frame_dot(a[0], a[1]);
+}
+
+static inline void shell_frame_curvature(const struct shell_surface *s,
+                                         shell_lanes curvature[3])
+{
     for (int c = 0; c < 3; c++)
         curvature[c] = shell_frame_dot(s->second[c], s->n);
 }
 
-/* Law C times area at four Gauss points. */
+/* Law C times area at four points. */
 static inline void shell_frame_law(const double *rest, int row, int at, shell_lanes C[3][3])
 {
     shell_lanes area = *(const shell_lanes *)(rest + REST_AREA * row + at);
@@ -86,25 +93,26 @@ static inline void shell_frame_law(const double *rest, int row, int at, shell_la
             C[i][j] = C[j][i] = area * *(const shell_lanes *)(law + k * row);
 }
 
-/* Resultants of e->strain times area at four Gauss points. */
-static inline void shell_frame_resultants(const struct shell_element *e,
-                                          const struct shell_material *material,
-                                          shell_lanes C[3][3], int at,
-                                          shell_lanes out[SHELL_STRAINS])
+static inline double shell_frame_stiffness(const struct shell_material *material, int part)
 {
     double h = material->thickness;
 
-    for (int part = 0; part < 2; part++)
-        for (int i = 0; i < 3; i++) {
-            const double *strain = e->strain + part * 3 * e->padded + at;
-            shell_lanes s = {0};
-            for (int j = 0; j < 3; j++)
-                s += C[i][j] * *(const shell_lanes *)(strain + j * e->padded);
-            out[part * 3 + i] = (part ? h * h * h / 12 : h) * s;
-        }
+    return part == SHELL_BENDING ? h * h * h / 12 : h;
 }
 
-/* Surface, dual base and Christoffel symbols at four Gauss points. */
+/* Resultants of the strain times area at four points. */
+static inline void shell_frame_resultants(const struct shell_points *p, double stiffness,
+                                          shell_lanes C[3][3], int at, shell_lanes out[3])
+{
+    for (int i = 0; i < 3; i++) {
+        shell_lanes s = {0};
+        for (int j = 0; j < 3; j++)
+            s += C[i][j] * *(const shell_lanes *)(p->strain + j * p->padded + at);
+        out[i] = stiffness * s;
+    }
+}
+
+/* Surface, dual base and Christoffel symbols at four points. */
 struct shell_frame {
     struct shell_surface s;
     shell_lanes inverse[3];  /* a^11, a^22, a^12  */
@@ -113,16 +121,16 @@ struct shell_frame {
     shell_lanes curvature[3];
 };
 
-static inline void shell_frame_frame(const struct shell_element *e, const double *X, int c,
-                                     struct shell_frame *f)
+static inline void shell_frame_frame(const struct shell_points *p, int local,
+                                     const double *X, int at, struct shell_frame *f)
 {
     shell_lanes metric[3], over;
 
-    shell_frame_surface(e, X, c, &f->s);
-    shell_frame_forms(&f->s, metric, f->curvature);
+    shell_frame_surface(p, local, X, at, true, &f->s);
+    shell_frame_metric(f->s.a, metric);
+    shell_frame_curvature(&f->s, f->curvature);
     for (int t = 0; t < SHELL_LANES; t++)
-        over[t] =
-            c * SHELL_LANES + t < e->gauss ? 1 / (f->s.stretch[t] * f->s.stretch[t]) : 0;
+        over[t] = at + t < p->count ? 1 / (f->s.stretch[t] * f->s.stretch[t]) : 0;
     f->inverse[0] = metric[1] * over;
     f->inverse[1] = metric[0] * over;
     f->inverse[2] = -metric[2] * over;

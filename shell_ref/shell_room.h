@@ -4,27 +4,40 @@
 
 #include "shell_ref/shell_space.h"
 
-/* Strains or resultants at Gauss points, rows of the padded points. */
-enum { SHELL_STRAINS = 6 };
-
-/* What the rest shape gives each Gauss point: area, metric, curvature, and C without h,
- * entries (0,0) (0,1) (0,2) (1,1) (1,2) (2,2). */
-enum { REST_AREA, REST_METRIC, REST_CURVATURE = 4, REST_LAW = 7, SHELL_REST_ROWS = 13 };
+/* What the rest shape gives each point of the membrane and of bending: area, metric (or
+ * curvature), and C without h, entries (0,0) (0,1) (0,2) (1,1) (1,2) (2,2); of the mass:
+ * its area alone. */
+enum { REST_AREA, REST_FORM, REST_LAW = 4, SHELL_REST_ROWS = 10 };
 
 struct shell_material {
     double young, poisson, density, thickness;
 };
 
+/* An element's points of one rule. */
+struct shell_points {
+    int count, padded; /* points, and rows of them                                     */
+    double *T;         /* [SHELL_DERIVATIVES or SHELL_SLOPES][local][padded]           */
+    double *strain;    /* [3][padded]; the mass has none                               */
+};
+
 /* Room for one element; one per thread. */
 struct shell_element {
-    int local, row, padded, gauss; /* functions, padded; Gauss points padded, and not  */
-    void *memory;                  /*                                          owned   */
-    double *T;                     /* [SHELL_DERIVATIVES][local][padded]               */
-    double *X[3];                  /* [local][3]: present, geometry, last change       */
-    double *strain;                /* [SHELL_STRAINS][padded]                          */
-    double *f;                     /* [local][3]                                       */
-    double *left, *right;          /* [gauss][rows][row], see the kernel               */
-    double *K;                     /* [local][9][row], columns b >= a filled           */
+    int local, row; /* functions, and padded                                           */
+    void *memory;   /*                                                         owned   */
+    struct shell_points at[SHELL_RULES];
+    double *X[3];         /* [local][3]: present, geometry, last change                */
+    double *strain;       /* of membrane, then of bending                              */
+    double *f;            /* [local][3]                                                */
+    double *left, *right; /* rows of all points, see the kernel                        */
+    double *K;            /* [local][9][row], columns b >= a filled                    */
 };
+
+/* Numbers in e->strain, and of rest data, of a part or, with SHELL_PARTS, of both. */
+static inline size_t shell_room_strains(const struct shell_space *space, int part)
+{
+    const struct shell_rule *r = space->rule;
+
+    return 3 * (size_t)(part == SHELL_PARTS ? r[0].padded + r[1].padded : r[part].padded);
+}
 
 #endif

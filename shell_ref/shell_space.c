@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/greville.h"
 #include "models/linalg/blocks.h"
 #include "models/linalg/gauss.h"
 #include "models/room.h"
@@ -17,7 +18,12 @@ void shell_space_clear(struct shell_space *space)
     for (int d = 0; d < 2; d++) {
         bspline_clear(&space->basis[d]);
         free(space->direction[d].span);
-        free(space->direction[d].table);
+        for (int l = 0; l < SHELL_LINES; l++) {
+            struct shell_line *line = &space->direction[d].line[l];
+            free(line->points);
+            free(line->weight);
+            free(line->table);
+        }
     }
     free(space->room);
     free(space->slab);
@@ -46,87 +52,163 @@ static enum status check(const struct bspline basis[2], const int gauss[2],
     return STATUS_OK;
 }
 
-/* Values at the `mine` Gauss points of each span, spread over the element's: point
- * q = qu other + qv belongs to place (d == 0 ? q / other : q % other) of this direction. */
-static enum status tabulate(struct shell_space *space, int d, int mine, int other)
+/* `count` points at[] of these weights, ascending, as a line. */
+static enum status tabulate(const struct bspline *b, const struct shell_direction *d,
+                            int count, const double *at, const double *weight,
+                            struct shell_line *line)
 {
-    const struct bspline *b = &space->basis[d];
-    struct shell_direction *dir = &space->direction[d];
-    double x[SHELL_MAX_GAUSS], w[SHELL_MAX_GAUSS];
-    double N[3 * BSPLINE_MAX_ORDER];
-    size_t row = (size_t)space->padded;
+    enum status st;
+    size_t row = 3 * (size_t)d->order;
+    int *home = malloc((size_t)(count + 1) * sizeof *home); /* the span of each point */
 
-    dir->order = b->p + 1;
-    dir->span = malloc((size_t)b->n * sizeof *dir->span);
-    if (!dir->span)
+    if (!home)
         return STATUS_MEMORY;
-    dir->spans = bspline_spans(b, dir->span);
-    dir->table = calloc((size_t)(dir->spans * 3 * dir->order) * row, sizeof *dir->table);
-    if (!dir->table)
-        return STATUS_MEMORY;
-    gauss_rule(mine, x, w);
-    for (int s = 0; s < dir->spans; s++)
-        for (int q = 0; q < space->gauss; q++) {
-            int k = dir->span[s];
-            double from = b->U[k], step = b->U[k + 1] - from;
-            double at = from + step * x[d == 0 ? q / other : q % other];
-            bspline_eval(b, k, at, 2, N);
-            for (int t = 0; t < 3 * dir->order; t++)
-                dir->table[(size_t)(s * 3 * dir->order + t) * row + (size_t)q] = N[t];
+    line->points = calloc((size_t)d->spans, sizeof *line->points);
+    if (!line->points)
+        TRY(STATUS_MEMORY);
+    for (int q = 0, s = 0; q < count; q++) {
+        while (s + 1 < d->spans && at[q] >= b->U[d->span[s + 1]])
+            s++;
+        home[q] = s;
+        if (++line->points[s] > line->most)
+            line->most = line->points[s];
+    }
+    line->weight = calloc((size_t)(d->spans * line->most), sizeof *line->weight);
+    line->table = calloc((size_t)(d->spans * line->most) * row, sizeof *line->table);
+    if (!line->weight || !line->table)
+        TRY(STATUS_MEMORY);
+    for (int q = 0, k = 0; q < count; q++) {
+        k = q && home[q] == home[q - 1] ? k + 1 : 0;
+        size_t to = (size_t)(home[q] * line->most + k);
+        line->weight[to] = weight[q];
+        bspline_eval(b, d->span[home[q]], at[q], 2, line->table + to * row);
+    }
+    st = STATUS_OK;
+out:
+    free(home);
+    return st;
+}
+
+/* Gauss points, so many a span; returns how many in all. */
+static int gauss_points(const struct bspline *b, const struct shell_direction *d,
+                        int points, double *at, double *weight)
+{
+    double x[SHELL_MAX_GAUSS], w[SHELL_MAX_GAUSS];
+
+    gauss_rule(points, x, w);
+    for (int s = 0; s < d->spans; s++) {
+        double from = b->U[d->span[s]], step = b->U[d->span[s] + 1] - from;
+        for (int q = 0; q < points; q++) {
+            *at++ = from + step * x[q];
+            *weight++ = step * w[q];
         }
+    }
+    return d->spans * points;
+}
+
+static enum status make_line(const struct bspline *b, struct shell_direction *d, int l,
+                             int gauss)
+{
+    const int full = gauss ? gauss : b->p + 1, fewer = b->p > 2 ? b->p - 1 : 2;
+    enum status st = STATUS_MEMORY;
+    size_t most = (size_t)(d->spans * SHELL_MAX_GAUSS + b->n);
+    double *at = malloc(2 * most * sizeof *at), *weight = at ? at + most : NULL;
+    int count = 0;
+
+    if (at && (l == SHELL_FULL || l == SHELL_FEWER))
+        count = gauss_points(b, d, l == SHELL_FULL ? full : fewer, at, weight);
+    else if (at)
+        count = greville_rule(b, l == SHELL_DERIVED, at, weight);
+    if (count)
+        st = tabulate(b, d, count, at, weight, &d->line[l]);
+    free(at);
+    return st;
+}
+
+static enum status make_directions(struct shell_space *space, const int gauss[2],
+                                   bool selective)
+{
+    for (int i = 0; i < 2; i++) {
+        struct shell_direction *d = &space->direction[i];
+        const struct bspline *b = &space->basis[i];
+        d->order = b->p + 1;
+        d->span = malloc((size_t)b->n * sizeof *d->span);
+        if (!d->span)
+            return STATUS_MEMORY;
+        d->spans = bspline_spans(b, d->span);
+        for (int l = 0; l < (selective ? SHELL_LINES : SHELL_FULL + 1); l++) {
+            enum status st = make_line(b, d, l, gauss[i]);
+            if (st != STATUS_OK)
+                return st;
+        }
+    }
     return STATUS_OK;
 }
 
-static void number_elements(struct shell_space *space, const int gauss[2])
+static void make_rules(struct shell_space *space, bool selective)
+{
+    static const struct shell_rule full = {1, {{{SHELL_FULL, SHELL_FULL}, SHELL_ALL}}, 0},
+                                   bending = {1,
+                                              {{{SHELL_FEWER, SHELL_FEWER}, SHELL_ALL}},
+                                              0},
+                                   membrane = {
+                                       3,
+                                       {{{SHELL_DERIVED, SHELL_DERIVED}, SHELL_REST},
+                                        {{SHELL_DERIVED, SHELL_VALUES}, SHELL_ALONG_U},
+                                        {{SHELL_VALUES, SHELL_DERIVED}, SHELL_ALONG_V}},
+                                       0};
+
+    space->rule[SHELL_MEMBRANE] = selective ? membrane : full;
+    space->rule[SHELL_BENDING] = selective ? bending : full;
+    space->rule[SHELL_MASS] = full;
+    for (int r = 0; r < SHELL_RULES; r++) {
+        struct shell_rule *rule = &space->rule[r];
+        int most = 0;
+        for (int g = 0; g < rule->grids; g++) {
+            const int *line = rule->grid[g].line;
+            most += space->direction[0].line[line[0]].most *
+                    space->direction[1].line[line[1]].most;
+        }
+        rule->padded = SHELL_PADDED(most);
+    }
+}
+
+static void number_elements(struct shell_space *space)
 {
     const struct shell_direction *u = &space->direction[0], *v = &space->direction[1];
-    double x[SHELL_MAX_GAUSS], wu[SHELL_MAX_GAUSS], wv[SHELL_MAX_GAUSS];
     int m = space->basis[1].n;
 
-    gauss_rule(gauss[0], x, wu);
-    gauss_rule(gauss[1], x, wv);
     for (int e = 0; e < space->elements; e++) {
         int ku = u->span[e / v->spans], kv = v->span[e % v->spans];
         int *node = space->ien + (size_t)e * (size_t)space->local;
-        double *weight = space->parametric + (size_t)e * (size_t)space->padded;
-        double area = (space->basis[0].U[ku + 1] - space->basis[0].U[ku]) *
-                      (space->basis[1].U[kv + 1] - space->basis[1].U[kv]);
         for (int a = 0; a < space->local; a++)
             node[a] =
                 (ku - u->order + 1 + a / v->order) * m + kv - v->order + 1 + a % v->order;
-        for (int q = 0; q < space->gauss; q++)
-            weight[q] = area * wu[q / gauss[1]] * wv[q % gauss[1]];
     }
 }
 
 enum status shell_space_init(struct shell_space *space, const struct bspline basis[2],
                              const double *point, const double *weight, const int gauss[2],
-                             struct message *why)
+                             bool selective, struct message *why)
 {
     enum status st;
-    int points[2];
     struct shell_space new = {0};
 
     TRY(check(basis, gauss, why));
-    for (int d = 0; d < 2; d++) {
-        points[d] = gauss[d] ? gauss[d] : basis[d].p + 1;
+    for (int d = 0; d < 2; d++)
         TRY(bspline_copy(&basis[d], &new.basis[d]));
-    }
     new.nodes = basis[0].n *basis[1].n;
     new.local = (basis[0].p + 1) * (basis[1].p + 1);
-    new.gauss = points[0] * points[1];
-    new.padded = SHELL_PADDED(new.gauss);
-    TRY(tabulate(&new, 0, points[0], points[1]));
-    TRY(tabulate(&new, 1, points[1], points[1]));
+    TRY(make_directions(&new, gauss, selective));
+    make_rules(&new, selective);
     new.elements = new.direction[0].spans *new.direction[1].spans;
     TRY(room_cut(&new.room, ROOM(new.ien, new.elements *(size_t) new.local),
-                 ROOM(new.parametric, new.elements *(size_t) new.padded),
                  ROOM(new.rest, 3 * (size_t) new.nodes),
                  ROOM(new.weight, weight ? new.nodes : 0)));
     memcpy(new.rest, point, 3 * (size_t) new.nodes * sizeof *point);
     if (weight)
         memcpy(new.weight, weight, (size_t) new.nodes * sizeof *weight);
-    number_elements(&new, points);
+    number_elements(&new);
     TRY(blocks_slabs(new.elements, new.direction[1].spans, new.direction[0].order,
                      &new.slabs, &new.slab));
     HAND_OVER(space, new);
@@ -136,16 +218,16 @@ out:
 }
 
 /* Turns B-spline functions into rational ones, R = w N / W, W = sum w N, by the quotient
- * rule; T[SHELL_DERIVATIVES][local][row], columns first .. first + count. */
-static void make_rational(const struct shell_space *space, const int *node, int row,
-                          int count, double *T)
+ * rule; T[derivatives][local][row], the first `count` columns. */
+static void make_rational(const struct shell_space *space, const int *node, int derivatives,
+                          int row, int count, double *T)
 {
     size_t stride = (size_t)space->local * (size_t)row;
 
     for (int q = 0; q < count; q++) {
         double W[SHELL_DERIVATIVES] = {0};
         for (int a = 0; a < space->local; a++)
-            for (int k = 0; k < SHELL_DERIVATIVES; k++) {
+            for (int k = 0; k < derivatives; k++) {
                 double *t = T + (size_t)k * stride + (size_t)(a * row + q);
                 *t *= space->weight[node[a]];
                 W[k] += *t;
@@ -156,6 +238,8 @@ static void make_rational(const struct shell_space *space, const int *node, int 
             double u = (t[stride] - R * W[1]) / W[0];
             double v = (t[2 * stride] - R * W[2]) / W[0];
             t[0] = R, t[stride] = u, t[2 * stride] = v;
+            if (derivatives == SHELL_SLOPES)
+                continue;
             t[3 * stride] = (t[3 * stride] - 2 * u * W[1] - R * W[3]) / W[0];
             t[4 * stride] = (t[4 * stride] - 2 * v * W[2] - R * W[4]) / W[0];
             t[5 * stride] = (t[5 * stride] - u * W[2] - v * W[1] - R * W[5]) / W[0];
@@ -163,25 +247,56 @@ static void make_rational(const struct shell_space *space, const int *node, int 
     }
 }
 
-void shell_space_functions(const struct shell_space *space, int element, double *T)
+int shell_space_places(const struct shell_space *space, int rule, int element,
+                       struct shell_place *place)
 {
-    const struct shell_direction *u = &space->direction[0], *v = &space->direction[1];
-    size_t row = (size_t)space->padded;
-    const double *U = u->table + (size_t)(element / v->spans * 3 * u->order) * row;
-    const double *V = v->table + (size_t)(element % v->spans * 3 * v->order) * row;
+    const struct shell_direction *d = space->direction;
+    const int span[2] = {element / d[1].spans, element % d[1].spans};
+    int count = 0;
 
-    for (int k = 0; k < SHELL_DERIVATIVES; k++)
-        for (int i = 0; i < u->order; i++)
-            for (int j = 0; j < v->order; j++, T += row) {
-                const double *f = U + (size_t)(derivative_u[k] * u->order + i) * row;
-                const double *g = V + (size_t)(derivative_v[k] * v->order + j) * row;
-                for (size_t q = 0; q < row; q++)
-                    T[q] = f[q] * g[q];
+    for (int g = 0; g < space->rule[rule].grids; g++) {
+        const struct shell_grid *grid = &space->rule[rule].grid[g];
+        const struct shell_line *u = &d[0].line[grid->line[0]],
+                                *v = &d[1].line[grid->line[1]];
+        for (int i = 0; i < u->points[span[0]]; i++)
+            for (int j = 0; j < v->points[span[1]]; j++) {
+                int at_u = span[0] * u->most + i, at_v = span[1] * v->most + j;
+                place[count++] = (struct shell_place){
+                    u->weight[at_u] * v->weight[at_v],
+                    grid->share,
+                    {u->table + at_u * 3 * d[0].order, v->table + at_v * 3 * d[1].order}};
+            }
+    }
+    return count;
+}
+
+int shell_space_functions(const struct shell_space *space, int rule, int element, double *T)
+{
+    enum { ROOM = 3 * BSPLINE_MAX_ORDER * SHELL_MAX_POINTS };
+    const int derivatives = rule == SHELL_BENDING ? SHELL_DERIVATIVES : SHELL_SLOPES;
+    const int *order = (const int[]){space->direction[0].order, space->direction[1].order};
+    struct shell_place place[SHELL_MAX_POINTS];
+    int row = space->rule[rule].padded, count;
+    double F[2][ROOM], *t = T; /* of u and of v at each point: [3][order][used] */
+
+    count = shell_space_places(space, rule, element, place);
+    int used = SHELL_PADDED(count);
+    for (int d = 0; d < 2; d++)
+        for (int k = 0; k < 3 * order[d]; k++)
+            for (int q = 0; q < used; q++)
+                F[d][k * used + q] = q < count ? place[q].N[d][k] : 0;
+    for (int k = 0; k < derivatives; k++)
+        for (int i = 0; i < order[0]; i++)
+            for (int j = 0; j < order[1]; j++, t += row) {
+                const double *f = F[0] + (derivative_u[k] * order[0] + i) * used;
+                const double *g = F[1] + (derivative_v[k] * order[1] + j) * used;
+                for (int q = 0; q < used; q++)
+                    t[q] = f[q] * g[q];
             }
     if (space->weight)
         make_rational(space, space->ien + (size_t)element * (size_t)space->local,
-                      space->padded, space->gauss,
-                      T - (size_t)(SHELL_DERIVATIVES * space->local) * row);
+                      derivatives, row, count, T);
+    return count;
 }
 
 void shell_space_at(const struct shell_space *space, double u, double v, int *node,
@@ -206,5 +321,5 @@ void shell_space_at(const struct shell_space *space, double u, double v, int *no
                                           N[1][derivative_v[k] * order[1] + j];
         }
     if (space->weight)
-        make_rational(space, node, 1, 1, T);
+        make_rational(space, node, SHELL_DERIVATIVES, 1, 1, T);
 }

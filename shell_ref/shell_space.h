@@ -1,6 +1,6 @@
 /* shell_space.h - a bivariate B-spline or NURBS surface as the shell's assembly sees it:
  * elements (non-empty knot spans), their control points, and their basis functions with
- * first and second derivatives at Gauss points.
+ * first and second derivatives at the quadrature points of three rules.
  *
  * Control points are numbered v fastest: node = i m + j for i < n, j < m; elements
  * likewise.
@@ -18,46 +18,100 @@ enum { SHELL_LANES = 4 };
 enum {
     SHELL_MAX_LOCAL = BSPLINE_MAX_ORDER * BSPLINE_MAX_ORDER,
     SHELL_MAX_GAUSS = 8, /* points per span and direction                              */
-    SHELL_MAX_POINTS = SHELL_MAX_GAUSS * SHELL_MAX_GAUSS,
+    SHELL_MAX_POINTS = 3 * SHELL_MAX_LOCAL, /* more than 8 x 8                         */
 };
 
-/* Derivatives in the order of the tables: N, N_u, N_v, N_uu, N_vv, N_uv. */
-enum { SHELL_DERIVATIVES = 6 };
+/* Derivatives in the order of the tables: N, N_u, N_v, N_uu, N_vv, N_uv; of the rules that
+ * bending has no part in, the first three. */
+enum { SHELL_DERIVATIVES = 6, SHELL_SLOPES = 3 };
 
-/* One direction: values and two derivatives of the functions alive on each span at each of
- * the element's Gauss points, [spans][3][order][padded]. */
+/* What is integrated, each by its own points. */
+enum { SHELL_MEMBRANE, SHELL_BENDING, SHELL_PARTS, SHELL_MASS = SHELL_PARTS, SHELL_RULES };
+
+/* Which strains a point of the membrane has its share of. */
+enum shell_share { SHELL_ALL, SHELL_REST, SHELL_ALONG_U, SHELL_ALONG_V };
+
+/* Points along one direction, weights, and values and two derivatives of the functions
+ * alive there. */
+struct shell_line {
+    int most;       /* points a span, where they are most                              */
+    int *points;    /* [spans] points in use                                   owned   */
+    double *weight; /* [spans][most]                                           owned   */
+    double *table;  /* [spans][most][3][order]                                 owned   */
+};
+
+/* Gauss points of the full rule and of bending; points of spline spaces (greville.h): of
+ * the functions, and of their derivatives. */
+enum { SHELL_FULL, SHELL_FEWER, SHELL_VALUES, SHELL_DERIVED, SHELL_LINES };
+
 struct shell_direction {
     int order, spans;
-    int *span;     /* [spans] knot index                                       owned   */
-    double *table; /*                                                          owned   */
+    int *span; /* [spans] knot index                                           owned   */
+    struct shell_line line[SHELL_LINES];
+};
+
+/* Grids of points, one after the other: each the product of a line of u and one of v. */
+struct shell_rule {
+    int grids;
+    struct shell_grid {
+        int line[2];
+        enum shell_share share;
+    } grid[3];
+    int padded; /* rows of an element's points: the most it can have, padded           */
 };
 
 struct shell_space {
     struct bspline basis[2]; /* u, v                                           owned   */
-    void *room;              /* of weight, rest, parametric and ien            owned   */
+    void *room;              /* of weight, rest and ien                        owned   */
     double *weight;          /* [nodes] > 0; NULL: all 1                               */
     double *rest;            /* [nodes][3] control points at rest  [m]                 */
     int nodes, elements;
-    int local;         /* functions per element, (p+1)(q+1)                           */
-    int gauss, padded; /* Gauss points per element; rows of them, padded              */
+    int local; /* functions per element, (p+1)(q+1)                                    */
     struct shell_direction direction[2];
-    double *parametric; /* [elements][padded] parametric quadrature weights            */
-    int *ien;           /* [elements][local] ascending                                 */
-    int slabs, *slab;   /* elements slab[s] .. slab[s+1]; s and s+2 share no node owned */
+    struct shell_rule rule[SHELL_RULES];
+    int *ien;         /* [elements][local] ascending                                   */
+    int slabs, *slab; /* elements slab[s] .. slab[s+1]; s and s+2 share no node owned  */
 };
 
-/* Copies bases, control points point[nodes][3] and weights (NULL: all 1). gauss[2]: points
- * per span, 0: degree + 1. STATUS_INPUT with a sentence unless degrees are 2 or more (a
- * Kirchhoff-Love shell needs slopes that are continuous), inner knots are repeated at most
- * p - 1 times and 0 <= gauss <= SHELL_MAX_GAUSS. */
+/* Copies bases, control points point[nodes][3] and weights (NULL: all 1). All rules have
+ * gauss[2] points a span, 0: degree + 1, unless `selective`.
+ *
+ * Selective. The strain along u is a product of derivatives of degree p - 1 in u and values
+ * of degree p in v. Asked for at more points than such a space has functions, it must
+ * vanish where a thin sheet's bending lets it not: the membrane locks. It is therefore
+ * asked for at those of SHELL_DERIVED in u and SHELL_VALUES in v, that along v the other
+ * way round, shear at those of SHELL_DERIVED in both. (Strains interpolated at such points
+ * are those of Casquero, Mathews, CMAME 417, 2023; here the points are a quadrature, and
+ * nothing is interpolated.) Poisson's ratio couples the first two, which have no point in
+ * common: at the points of shear the law keeps what is left of it after half of Young's
+ * modulus along u and along v has gone to their own points, and is still nowhere negative.
+ * Bending has p - 1 Gauss points a span, which is exact for second derivatives squared; the
+ * mass p + 1.
+ *
+ * STATUS_INPUT with a sentence unless degrees are 2 or more (a Kirchhoff-Love shell needs
+ * slopes that are continuous), inner knots are repeated at most p - 1 times and
+ * 0 <= gauss <= SHELL_MAX_GAUSS. */
 enum status shell_space_init(struct shell_space *space, const struct bspline basis[2],
                              const double *point, const double *weight, const int gauss[2],
-                             struct message *why);
+                             bool selective, struct message *why);
 void shell_space_clear(struct shell_space *space);
 
-/* T[SHELL_DERIVATIVES][local][padded] of one element, Gauss points running fastest; zeros
- * in the padding. Pure: any thread. */
-void shell_space_functions(const struct shell_space *space, int element, double *T);
+/* A point of a rule in an element: parametric weight; [3][order] of u and of v. */
+struct shell_place {
+    double weight;
+    enum shell_share share;
+    const double *N[2];
+};
+
+/* Returns how many; place[SHELL_MAX_POINTS]. */
+int shell_space_places(const struct shell_space *space, int rule, int element,
+                       struct shell_place *place);
+
+/* T[SHELL_DERIVATIVES or SHELL_SLOPES][local][padded] of one element, the rule's points
+ * running fastest; zeros in the padding up to a multiple of SHELL_LANES. Returns how many
+ * points. Pure: any thread. */
+int shell_space_functions(const struct shell_space *space, int rule, int element,
+                          double *T);
 
 /* The functions alive at (u,v): T[SHELL_DERIVATIVES][local] and their nodes node[local]. */
 void shell_space_at(const struct shell_space *space, double u, double v, int *node,

@@ -5,12 +5,13 @@
 #include "models/mechanics/large_body.h"
 #include "shell_ref/shell_room.h"
 
-/* Rows over an element's functions that the kernel needs at each Gauss point. */
-enum { SHELL_TANGENT_LEFT = 22, SHELL_TANGENT_RIGHT = 18 };
+/* Rows over an element's functions that the kernel needs at all points, left and right. */
+size_t shell_tangent_left(const struct shell_space *space);
+size_t shell_tangent_right(const struct shell_space *space);
 
 /* e->K on the geometry e->X[1], by the path's shares: s1 times the material part (the
  * membrane's s1 + lag) plus g1 times the geometric part with the stress of e->strain. */
 void shell_tangent_compute(struct shell_element *e, const struct shell_material *material,
-                           const double *rest, const struct large_path *path);
+                           const double *const rest[], const struct large_path *path);
 
 #endif

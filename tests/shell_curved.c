@@ -97,7 +97,7 @@ static void problem_init(struct problem *p, const struct bspline basis[2],
     struct message why = {{0}};
 
     memset(p, 0, sizeof *p);
-    if (!CHECK(shell_space_init(&p->space, basis, point, weight, gauss, &why) ==
+    if (!CHECK(shell_space_init(&p->space, basis, point, weight, gauss, false, &why) ==
                STATUS_OK) ||
         !CHECK(shell_assembly_init(&p->s, &p->space, material, &why) == STATUS_OK))
         printf("%s\n", why.text);

@@ -1,6 +1,7 @@
 /* The shell's forces are the derivative of its energy and its tangent that of its forces,
  * by central differences at swept steps; rigid motions cost nothing. For flat, curved and
- * rational sheets of every degree. */
+ * rational sheets of every degree, by the full
+ * rule and by the cured one. */
 #include "tests/shell_fixture.h"
 
 static const struct large_path statics = {.s1 = 1, .g1 = 1};
@@ -105,14 +106,15 @@ static void check_rigid(const struct shell_assembly *s, double deformed)
     free(x);
 }
 
-static void check_shell(int p, int n, int q, int m, bool weights, double thickness)
+static void check_shell(int p, int n, int q, int m, bool weights, bool selective,
+                        double thickness)
 {
     struct shell_space space = {0};
     struct shell_assembly s = {0};
     const struct shell_material material = {
         .young = 3.0, .poisson = 0.3, .density = 2, .thickness = thickness};
 
-    shell_curved(&space, p, n, q, m, weights);
+    shell_curved(&space, p, n, q, m, weights, selective);
     REQUIRE(shell_assembly_init(&s, &space, &material, NULL) == STATUS_OK);
     double *x = shell_moved(&space, 0.05, 3), *d = shell_moved(&space, 0.5, 11);
     for (int t = 0; t < 3 * space.nodes; t++)
@@ -128,11 +130,13 @@ static void check_shell(int p, int n, int q, int m, bool weights, double thickne
 
 int main(void)
 {
-    for (int p = 2; p <= 5; p++) {
-        check_shell(p, p + 3, p, p + 2, false, 0.1);
-        check_shell(p, p + 2, p, p + 3, true, 0.1);
+    for (int cured = 0; cured < 2; cured++) {
+        for (int p = 2; p <= 5; p++) {
+            check_shell(p, p + 3, p, p + 2, false, cured, 0.1);
+            check_shell(p, p + 2, p, p + 3, true, cured, 0.1);
+        }
+        check_shell(2, 6, 3, 5, true, cured, 1.0);   /* bending rules */
+        check_shell(3, 5, 2, 5, false, cured, 1e-3); /* membrane rules */
     }
-    check_shell(2, 6, 3, 5, true, 1.0);   /* bending rules */
-    check_shell(3, 5, 2, 5, false, 1e-3); /* membrane rules */
     return check_result();
 }

@@ -22,7 +22,7 @@ static inline void shell_bases(struct bspline basis[2], int p, int n, int q, int
 
 /* A sheet 1.3 m x 0.9 m, bent, twisted and skewed, with weights if wanted. */
 static inline void shell_curved(struct shell_space *space, int p, int n, int q, int m,
-                                bool weights)
+                                bool weights, bool selective)
 {
     struct bspline basis[2];
     struct message why = {{0}};
@@ -43,7 +43,7 @@ static inline void shell_curved(struct shell_space *space, int p, int n, int q, 
             weight[i * m + j] = 1 + 0.3 * shell_random(&seed);
         }
     if (!CHECK(shell_space_init(space, basis, point, weights ? weight : NULL, gauss,
-                                &why) == STATUS_OK))
+                                selective, &why) == STATUS_OK))
         printf("%s\n", why.text);
     bspline_clear(&basis[0]);
     bspline_clear(&basis[1]);

@@ -94,16 +94,21 @@ const struct contestant contestant_table[] = {
      {0}},
 
     /* The Kirchhoff-Love shell. */
-    {"shell", "shell", "shell", &shell_model, STRESS | SPEED, {0}, 0, 2, {6, 10, 16},
-     {1, 4}, {0}},
+    {"shell", "shell", "shell def.", &shell_model, 0, {0}, 0, 3, {6, 10, 16}, {1, 4}, {0}},
     {"shell_linear", "shell, linear, p = 2", "shell lin.", &shell_model, SMALL,
-     {LINEAR, QUADRATIC_2}, 0, 2, {10, 20}, {1, 4}, {0}},
+     {LINEAR, UNCURED, QUADRATIC_2}, 0, 2, {10, 20}, {1, 4}, {0}},
     {"shell_linear_3", "shell, linear, p = 3", "shell lin. 3", &shell_model, SMALL,
-     {LINEAR, CUBIC_2}, 0, 3, {7, 10}, {1, 4}, {0}},
-    {"shell_2", "shell, p = 2", "shell 2", &shell_model, COMPARE, {NONLINEAR, QUADRATIC_2},
-     0, 2, {6, 10, 16}, {1, 4}, {0}},
+     {LINEAR, UNCURED, CUBIC_2}, 0, 3, {7, 10}, {1, 4}, {0}},
+    {"shell_2", "shell, p = 2", "shell 2", &shell_model, COMPARE | STRESS | SPEED,
+     {NONLINEAR, UNCURED, QUADRATIC_2}, 0, 2, {6, 10, 16}, {1, 4}, {0}},
     {"shell_3", "shell, p = 3", "shell 3", &shell_model, COMPARE | LARGE | SPEED,
-     {NONLINEAR, CUBIC_2}, 0, 3, {6, 10, 16}, {1, 4}, {0}},
+     {NONLINEAR, UNCURED, CUBIC_2}, 0, 3, {6, 10, 16}, {1, 4}, {0}},
+    {"shell_selective_2", "shell, selective, p = 2", "shell sel. 2", &shell_model,
+     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, SELECTIVE, QUADRATIC_2}, 0, 2,
+     {6, 10, 16}, {1, 4}, {0}},
+    {"shell_selective_3", "shell, selective, p = 3", "shell sel. 3", &shell_model,
+     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, SELECTIVE, CUBIC_2}, 0, 3, {6, 10, 16},
+     {1, 4}, {0}},
 
     /* Springs and constraints. */
     {"mass_spring", "mass-spring, matched", "springs", &spring_model,

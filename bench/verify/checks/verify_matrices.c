@@ -49,8 +49,10 @@ static const struct verify_entry entries[] = {
     {"hex", ASKED, {6}, {5}, .settings = {REMEDY "none"}},
     {"hex", ASKED, {4}, {5}, .settings = {REMEDY "none"}, .layers = 4},
     {"hex", ASKED, {6}, {5}, 0, "incompatible", {REMEDY "incompatible"}, .mark = true},
-    {"shell", ASKED, {6}, {5}, 0, "p = 2", {DEGREE "[2,2]"}, .mark = true},
-    {"shell", ASKED, {7}, {6}, 0, "p = 3", {DEGREE "[3,3]"}, .mark = true},
+    {"shell", ASKED, {6}, {5}, 0, "p = 2", {DEGREE "[2,2]", REMEDY "none"}, .mark = true},
+    {"shell", ASKED, {7}, {6}, 0, "p = 3", {DEGREE "[3,3]", REMEDY "none"}, .mark = true},
+    {"shell_selective_2", ASKED, {6}, {5}, .mark = true},
+    {"shell_selective_3", ASKED, {7}, {6}, .mark = true},
     {"mass_spring", ASKED, {6}, {5}, .mark = true},
     {"projective_dynamics", ASKED, {6}, {5}, .mark = true},
     {NULL}};

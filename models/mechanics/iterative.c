@@ -15,6 +15,9 @@ static const double TOLERANCE = 1e-10;
  * no factor, of each unknown. */
 enum { MOST_FRESH = 30, MOST_AN_UNKNOWN = 10, MOST_ANYWAY = 100 };
 
+/* Solutions that are extrapolated. */
+enum { PAST = 3 };
+
 struct iterative {
     struct iterative_owner owner;
     enum solver solver;
@@ -34,8 +37,10 @@ struct iterative {
     void *follow;       /* of the next arrays                                  owned   */
     double (*now)[9], (*then)[9]; /* [nodes] frames of A and of the factor             */
     double *turned;               /* [nodes][3]                                        */
-    double *last, *before;        /* [nodes][3] solutions, if they are extrapolated    */
+    double *past[PAST];           /* [nodes][3] solutions, the last first, to extrapolate */
     int known;                    /* of those                                          */
+    long age, spent; /* of the factor: systems, iterations worth of work on them       */
+    bool spent_more; /* the last took more than they did on average                    */
     long solves, factorisations;
 };
 
@@ -191,6 +196,7 @@ static enum status make_factor(struct iterative *it)
     it->factorisations++;
     TRY(it->owner.factor(it->owner.self, (const double(*)[9])it->A));
     it->factored = it->fresh = true;
+    it->age = 0, it->spent = it->owner.patience, it->spent_more = false;
     if (it->frames)
         memcpy(it->then, it->now, (size_t)it->owner.graph->nodes * sizeof *it->then);
 out:
@@ -274,8 +280,8 @@ enum status iterative_follow(struct iterative *it,
     size_t nodes = (size_t)it->owner.graph->nodes, count = guess ? 3 * nodes : 0;
 
     TRY(room_cut(&it->follow, ROOM(it->now, nodes), ROOM(it->then, nodes),
-                 ROOM(it->turned, 3 * nodes), ROOM(it->last, count),
-                 ROOM(it->before, count)));
+                 ROOM(it->turned, 3 * nodes), ROOM(it->past[0], count),
+                 ROOM(it->past[1], count), ROOM(it->past[2], count)));
     it->frames = frames;
     it->body = body;
 out:
@@ -328,7 +334,7 @@ enum status iterative_update(struct iterative *it, bool keep)
         return make_blocks(it);
     if (it->preconditioner == PRECONDITIONER_ICHOL)
         return make_ichol(it);
-    return keep && it->factored ? STATUS_OK : make_factor(it);
+    return keep && it->factored && !it->spent_more ? STATUS_OK : make_factor(it);
 }
 
 static double product(size_t count, const double *a, const double *b)
@@ -340,18 +346,22 @@ static double product(size_t count, const double *a, const double *b)
     return sum;
 }
 
-/* The last two solutions extrapolated, by the factor that is best in the norm of A; zero
+/* The last solutions extrapolated, by the factor that is best in the norm of A; zero
  * without them. */
 static void guess(struct iterative *it, double *x)
 {
+    static const double weight[PAST + 1][PAST] = {
+        {0}, {1}, {2, -1}, {3, -3, 1}};
+    const double *w = weight[it->known];
     size_t count = count_of(it);
     double *Ax = it->krylov.work;
 
     memset(x, 0, count * sizeof *x);
-    if (!it->last || it->known < 2)
+    if (!it->known)
         return;
     for (size_t t = 0; t < count; t++)
-        x[t] = 2 * it->last[t] - it->before[t];
+        for (int n = 0; n < it->known; n++)
+            x[t] += w[n] * it->past[n][t];
     multiply(it, x, Ax);
     double size = product(count, x, Ax), part = product(count, x, it->b) / size;
     for (size_t t = 0; t < count; t++)
@@ -360,13 +370,13 @@ static void guess(struct iterative *it, double *x)
 
 static void remember(struct iterative *it, const double *x)
 {
-    double *oldest = it->before;
+    double *oldest = it->past[PAST - 1];
 
-    if (!it->last)
+    if (!oldest)
         return;
-    it->before = it->last, it->last = oldest;
-    memcpy(it->last, x, count_of(it) * sizeof *x);
-    it->known += it->known < 2;
+    memmove(it->past + 1, it->past, (PAST - 1) * sizeof *it->past);
+    it->past[0] = memcpy(oldest, x, count_of(it) * sizeof *x);
+    it->known += it->known < PAST;
 }
 
 static enum status iterate(struct iterative *it, int most, double *x, bool *done)
@@ -403,6 +413,9 @@ enum status iterative_solve(struct iterative *it, double *x)
         }
     }
     st = done ? STATUS_OK : STATUS_UNSOLVED;
+    it->spent += it->krylov.iterations;
+    it->age++;
+    it->spent_more = it->krylov.iterations * it->age > it->spent;
     if (done)
         remember(it, x);
 out:

@@ -143,8 +143,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     if (uses_scene_damping(m))
         m->beta = damping_stiffness(scene);
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters));
-    TRY(spring_newton_init(&m->newton, scene, &m->net, d->solver,
-                           d->integrator != INTEGRATOR_LEAPFROG, why));
+    TRY(spring_newton_init(&m->newton, scene, &m->net, d, why));
     TRY(allocate(m));
     memcpy(m->x, m->net.rest, 3 * (size_t)m->net.nodes * sizeof *m->x);
     m->rest_energy = spring_force_energy(&m->net, m->x);

@@ -62,6 +62,10 @@ enum status discretization_refuse(const struct discretization *d, unsigned used,
         if (keys[n].set && !(used & keys[n].bit))
             return status_fail(why, STATUS_INPUT, "%s: this model has no use for it",
                                keys[n].key);
+    if (d->preconditioner != PRECONDITIONER_FACTOR && !solver_iterates(d->solver))
+        return status_fail(why, STATUS_INPUT,
+                           "preconditioner=%s: with solver=cg or gmres only",
+                           preconditioner_name(d->preconditioner));
     return STATUS_OK;
 }
 
@@ -113,6 +117,11 @@ enum status discretization_refuse_net(const struct discretization *d, unsigned u
     return discretization_refuse(d, used, why);
 }
 
+bool solver_iterates(int solver)
+{
+    return solver == SOLVER_CG || solver == SOLVER_GMRES;
+}
+
 bool kinematics_rebuilds(int kinematics)
 {
     return kinematics == KINEMATICS_PRINTED || kinematics == KINEMATICS_INCREMENTAL;
@@ -135,7 +144,10 @@ WORDS(
 WORDS(unknowns, [UNKNOWNS_AUTO] = "auto", [UNKNOWNS_POINTS] = "points",
       [UNKNOWNS_THICKNESS] = "thickness")
 WORDS(solver, [SOLVER_AUTO] = "auto", [SOLVER_BANDED] = "banded",
-      [SOLVER_SUPERNODAL] = "supernodal", [SOLVER_CHOLMOD] = "cholmod")
+      [SOLVER_SUPERNODAL] = "supernodal", [SOLVER_CHOLMOD] = "cholmod", [SOLVER_CG] = "cg",
+      [SOLVER_GMRES] = "gmres")
+WORDS(preconditioner, [PRECONDITIONER_FACTOR] = "factor", [PRECONDITIONER_ICHOL] = "ichol",
+      [PRECONDITIONER_JACOBI] = "jacobi")
 WORDS(parameters, [PARAMETERS_MATCHED] = "matched", [PARAMETERS_PAPER] = "paper")
 WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit",
       [INTEGRATOR_LEAPFROG] = "leapfrog")

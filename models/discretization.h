@@ -35,6 +35,15 @@ enum solver {
     SOLVER_BANDED,     /* a band of tiles                                              */
     SOLVER_SUPERNODAL, /* multifrontal, in CHOLMOD's order                             */
     SOLVER_CHOLMOD,    /* CHOLMOD's own factorisation                                  */
+    SOLVER_CG,         /* conjugate gradients                                          */
+    SOLVER_GMRES,      /* generalised minimal residuals                                */
+};
+
+/* Of cg and gmres. */
+enum preconditioner {
+    PRECONDITIONER_FACTOR, /* of an earlier matrix, as long as it serves               */
+    PRECONDITIONER_ICHOL,  /* incomplete Cholesky                                      */
+    PRECONDITIONER_JACOBI, /* the blocks on the diagonal                               */
 };
 
 /* Where a spring's or constraint's strength comes from (mass_spring, projective_dynamics).
@@ -70,6 +79,7 @@ struct discretization {
     enum remedy remedy;
     enum unknowns unknowns;
     enum solver solver;
+    enum preconditioner preconditioner;
 
     /* Of the models that are no solids; zero: the model's own. */
     enum parameters parameters;
@@ -124,6 +134,9 @@ void discretization_clear(struct discretization *d);
 enum status discretization_copy(const struct discretization *from,
                                 struct discretization *to);
 
+/* Conjugate gradients or GMRES. */
+bool solver_iterates(int solver);
+
 /* The paper's schemes, which assemble on the present shape in every step. Cured sheets die
  * of them (edge_drop, undamped incremental: 0.5 s; printed: 0.55 s). */
 bool kinematics_rebuilds(int kinematics);
@@ -134,6 +147,7 @@ const char *kinematics_name(int kinematics);
 const char *remedy_name(int remedy);
 const char *unknowns_name(int unknowns);
 const char *solver_name(int solver);
+const char *preconditioner_name(int preconditioner);
 const char *parameters_name(int parameters);
 const char *integrator_name(int integrator);
 const char *precision_name(int precision);

@@ -77,7 +77,8 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_INPUT,
                            "shell takes no weights: a flat sheet has no use for them, and "
                            "a curved one brings its own");
-    return check_remedy(d, why);
+    st = check_remedy(d, why);
+    return st == STATUS_OK ? discretization_refuse(d, 0, why) : st;
 }
 
 /* The flat sheet: control points at Greville abscissae, so that parameter = coordinate. */

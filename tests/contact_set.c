@@ -81,7 +81,7 @@ static void make(struct fixture *f, bool held)
     }
     REQUIRE(supports_init(&f->supports, &f->scene, NODES, uvw, NULL) == STATUS_OK);
     REQUIRE(blocks_init(&f->graph, NODES, 1, NODES, ien) == STATUS_OK);
-    REQUIRE(system_init(&f->system, &f->graph, &f->supports, NULL, NULL, SOLVER_AUTO) ==
+    REQUIRE(system_init(&f->system, &f->graph, &f->supports, NULL, NULL, NULL) ==
             STATUS_OK);
     REQUIRE(contact_set_init(&f->set, &f->scene, &f->supports, f->old, 0, NULL) ==
             STATUS_OK);

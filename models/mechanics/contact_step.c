@@ -14,7 +14,7 @@ void contact_step_clear(struct contact_step *c)
 enum status contact_step_init(struct contact_step *c, const struct scene *scene,
                               const struct blocks *graph, const struct supports *supports,
                               const double *x, double offset, const int *order,
-                              enum solver solver, struct message *why)
+                              const struct discretization *d, struct message *why)
 {
     enum status st;
 
@@ -22,7 +22,7 @@ enum status contact_step_init(struct contact_step *c, const struct scene *scene,
     TRY(contact_set_init(&c->set, scene, supports, x, offset, why));
     if (!contact_set_used(&c->set))
         return STATUS_OK;
-    TRY(system_init(&c->mass, graph, supports, NULL, order, solver));
+    TRY(system_init(&c->mass, graph, supports, NULL, order, d));
     c->arrest = malloc((size_t)supports->nodes * sizeof *c->arrest);
     st = c->arrest ? STATUS_OK : STATUS_MEMORY;
 out:

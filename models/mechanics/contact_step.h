@@ -24,7 +24,7 @@ struct contact_step {
 enum status contact_step_init(struct contact_step *c, const struct scene *scene,
                               const struct blocks *graph, const struct supports *supports,
                               const double *x, double offset, const int *order,
-                              enum solver solver, struct message *why);
+                              const struct discretization *d, struct message *why);
 void contact_step_clear(struct contact_step *c);
 
 /* Inelastic impact of the points in contact: v <- the velocity nearest to it in the norm of

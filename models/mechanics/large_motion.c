@@ -126,8 +126,8 @@ out:
     return st;
 }
 
-enum status large_motion_step(struct large_motion *m, double time,
-                              struct counters *counters)
+static enum status all_substeps(struct large_motion *m, double time,
+                                struct counters *counters)
 {
     enum status st;
     int done = 0;
@@ -163,4 +163,13 @@ enum status large_motion_step(struct large_motion *m, double time,
         m->halvings++;
     }
     return STATUS_OK;
+}
+
+enum status large_motion_step(struct large_motion *m, double time,
+                              struct counters *counters)
+{
+    enum status st = all_substeps(m, time, counters);
+
+    system_work(m->system, counters);
+    return st;
 }

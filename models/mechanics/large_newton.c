@@ -50,11 +50,14 @@ static enum status factor(struct large_motion *m, double mass, struct counters *
     const struct scene *s = m->scene;
     double more = scene_bending_stiffness(s) /
                   (s->density * s->thickness * pow(s->length, 4)); /* some omega^2 */
-    enum status st = system_factor(m->system, 1, K, mass, m->M);
+    enum status st = STATUS_OK;
 
-    counters->factorisations++;
     m->added = 0;
-    for (int n = 0; n < TRIES && st == STATUS_INDEFINITE && mass == 0; n++) {
+    if (mass > 0)
+        return system_update(m->system, 1, K, mass, m->M);
+    st = system_factor(m->system, 1, K, mass, m->M);
+    counters->factorisations++;
+    for (int n = 0; n < TRIES && st == STATUS_INDEFINITE; n++) {
         m->added = more *= 10;
         st = system_factor(m->system, 1, K, more, m->M);
         counters->factorisations++;
@@ -107,12 +110,10 @@ struct iteration {
     enum contact_friction friction;
 };
 
-/* The same with obstacles, which factors as it needs. A tangent that is not positive
- * definite is replaced by one without stress. */
+/* The same with obstacles, which factors as it needs. */
 static enum status solve_contact(struct large_motion *m, const struct large_equation *q,
                                  struct iteration *i, struct counters *counters)
 {
-    enum status st;
     size_t count = count_of(m);
     const struct contact_problem problem = {.k = 1,
                                             .K = (const double(*)[9])m->K,
@@ -125,34 +126,35 @@ static enum status solve_contact(struct large_motion *m, const struct large_equa
 
     for (size_t t = 0; t < count; t++)
         i->work[t] = q->path.x_old[t] - i->x[t];
-    for (int attempt = 0; attempt < 2; attempt++) {
-        memset(i->next, 0, count * sizeof *i->next);
-        st = contact_solve(&m->contact->set, m->system, &problem, i->next, counters);
-        if (st != STATUS_INDEFINITE || m->stressless)
-            break;
-        m->stressless = true;
-        TRY(refresh(m, q, i->x, (struct large_foresight){.none = true}, counters));
-    }
-out:
-    return st;
+    memset(i->next, 0, count * sizeof *i->next);
+    return contact_solve(&m->contact->set, m->system, &problem, i->next, counters);
 }
 
-/* i->next from i->r with the factored tangent. */
+/* i->next from i->r with the factored tangent. One that a solve finds not to be positive
+ * definite, as conjugate gradients and contact do, is replaced by one without stress. */
 static enum status solve(struct large_motion *m, const struct large_equation *q,
                          struct iteration *i, double *size, struct counters *counters)
 {
     enum status st;
-    size_t count = count_of(m);
 
-    if (in_contact(m, q)) {
-        st = solve_contact(m, q, i, counters);
-    } else {
-        memcpy(i->next, i->r, count * sizeof *i->next);
-        st = system_solve(m->system, i->next);
-        counters->solves++;
+    for (int attempt = 0; attempt < 2; attempt++) {
+        if (in_contact(m, q)) {
+            st = solve_contact(m, q, i, counters);
+        } else {
+            memcpy(i->next, i->r, count_of(m) * sizeof *i->next);
+            st = system_solve(m->system, i->next);
+            counters->solves++;
+        }
+        if (st != STATUS_INDEFINITE || m->stressless || q->mass == 0)
+            break;
+        m->stressless = true;
+        TRY(refresh(m, q, i->x, (struct large_foresight){.none = true}, counters));
     }
+    TRY(st);
     *size = blocks_longest(m->graph->nodes, i->next);
-    return st != STATUS_OK ? st : isfinite(*size) ? STATUS_OK : STATUS_NAN;
+    st = isfinite(*size) ? STATUS_OK : STATUS_NAN;
+out:
+    return st;
 }
 
 /* x += d and the right-hand side there; d is halved while there is none. */

@@ -80,15 +80,73 @@ static int *order_unknowns(const struct supports *held, const int *order)
 void system_clear(struct system *s)
 {
     factor_destroy(s->factor);
+    iterative_destroy(s->iterative);
     free(s->room);
     memset(s, 0, sizeof *s);
 }
 
+/* A's numbers where the factor wants them. */
+static enum status factor_blocks(void *self, const double (*A)[9])
+{
+    struct system *s = self;
+    long pairs = s->graph->start[s->graph->nodes];
+    double *value = factor_values(s->factor);
+
+    factor_clear_values(s->factor);
+    for (long n = 0; n < pairs; n++)
+        for (int t = 0; t < 9; t++)
+            value[s->slot[9 * n + t]] = A[n][t];
+    return factor_refactor(s->factor);
+}
+
+static enum status solve_factored(void *self, double *x)
+{
+    struct system *s = self;
+    const int *place = s->held->free_index;
+    int count = 3 * s->held->nodes;
+    enum status st;
+
+    for (int n = 0; n < count; n++)
+        if (place[n] >= 0)
+            s->packed[place[n]] = x[n];
+    st = factor_solve(s->factor, s->packed);
+    for (int n = 0; n < count; n++)
+        x[n] = place[n] >= 0 ? s->packed[place[n]] : 0;
+    return st;
+}
+
+/* A factorisation's cost in iterations: it does its arithmetic this much faster, an
+ * iteration waits for memory (factor.c's measurements, a product with A included). */
+static int patience(const struct factor *f)
+{
+    const double advantage = 16;
+    struct factor_info info;
+
+    factor_describe(f, &info);
+    return 2 + (int)(info.flops / (advantage * (double)(info.entries + 1)));
+}
+
+static enum status make_iterative(struct system *s, const struct factor_pattern *pattern,
+                                  const struct discretization *d)
+{
+    const struct iterative_owner owner = {.self = s,
+                                          .graph = s->graph,
+                                          .held = s->held,
+                                          .parity = s->parity,
+                                          .factor = factor_blocks,
+                                          .solve = solve_factored,
+                                          .patience = s->factor ? patience(s->factor) : 0};
+
+    return iterative_create(&owner, pattern, d->solver, d->preconditioner, &s->iterative);
+}
+
 enum status system_init(struct system *s, const struct blocks *graph,
                         const struct supports *held, const unsigned char *parity,
-                        const int *order, enum solver solver)
+                        const int *order, const struct discretization *d)
 {
     enum status st = STATUS_MEMORY;
+    const bool iterates = d && solver_iterates(d->solver);
+    const enum solver solver = iterates || !d ? SOLVER_AUTO : d->solver;
     struct system new = {.graph = graph, .held = held, .parity = parity};
     long *start = NULL;
     int *row = NULL, *unknowns = NULL;
@@ -97,11 +155,15 @@ enum status system_init(struct system *s, const struct blocks *graph,
         goto out;
     TRY(pattern(graph, held, parity, &start, &row));
     struct factor_pattern p = {held->free_count, start, row, unknowns};
-    TRY(factor_create(&p, solver, &new.factor));
     TRY(room_cut(&new.room, ROOM(new.slot, 9 * graph->start[graph->nodes]),
                  ROOM(new.packed, held->free_count)));
-    find_slots(&new, parity);
+    if (!iterates || d->preconditioner == PRECONDITIONER_FACTOR) {
+        TRY(factor_create(&p, solver, &new.factor));
+        find_slots(&new, parity);
+    }
     HAND_OVER(s, new);
+    if (iterates && (st = make_iterative(s, &p, d)) != STATUS_OK)
+        system_clear(s);
 out:
     system_clear(&new);
     free(start);
@@ -116,6 +178,8 @@ struct model_size system_size(const struct system *s, const char *unknown_basis)
 
     if (s->factor)
         factor_describe(s->factor, &info);
+    if (s->iterative)
+        info.method = solver_name((int)iterative_method(s->iterative));
     return (struct model_size){.nodes = s->held->nodes,
                                .unknowns = s->held->free_count,
                                .factor_entries = info.entries,
@@ -123,9 +187,56 @@ struct model_size system_size(const struct system *s, const char *unknown_basis)
                                .unknown_basis = unknown_basis};
 }
 
+/* The same into A, to iterate on. */
+static enum status update(struct system *s, bool keep, double k, const double (*K)[9],
+                          double m, const double *M)
+{
+    long pairs = s->graph->start[s->graph->nodes];
+    double(*A)[9] = iterative_matrix(s->iterative);
+
+    for (long n = 0; n < pairs; n++) {
+        double mass = M ? m * M[n] : 0;
+        for (int t = 0; t < 9; t++)
+            A[n][t] = k * K[n][t] + (t % 4 ? 0 : mass);
+    }
+    return iterative_update(s->iterative, keep);
+}
+
+enum status system_update(struct system *s, double k, const double (*K)[9], double m,
+                          const double *M)
+{
+    if (s->iterative)
+        return update(s, true, k, K, m, M);
+    s->factorisations++;
+    return system_factor(s, k, K, m, M);
+}
+
+enum status system_follow(struct system *s,
+                          void (*frames)(const void *body, double (*Q)[9]),
+                          const void *body, bool guess, double tolerance)
+{
+    if (!s->iterative)
+        return STATUS_OK;
+    iterative_tolerate(s->iterative, tolerance);
+    return iterative_follow(s->iterative, frames, body, guess);
+}
+
+void system_work(struct system *s, struct counters *counters)
+{
+    long solves = 0, factorisations = 0;
+
+    if (s->iterative)
+        iterative_work(s->iterative, &solves, &factorisations);
+    counters->solves += solves;
+    counters->factorisations += factorisations + s->factorisations;
+    s->factorisations = 0;
+}
+
 enum status system_factor(struct system *s, double k, const double (*K)[9], double m,
                           const double *M)
 {
+    if (s->iterative)
+        return update(s, false, k, K, m, M);
     long pairs = s->graph->start[s->graph->nodes];
     double *value = factor_values(s->factor);
 
@@ -165,22 +276,24 @@ enum status system_factor_projected(struct system *s, double k, const double (*K
                                     const double (*P)[9], const unsigned char *touched)
 {
     const struct blocks *g = s->graph;
-    double *value = factor_values(s->factor), B[9];
+    double *value = s->iterative ? NULL : factor_values(s->factor), work[9];
 
-    factor_clear_values(s->factor);
+    if (value)
+        factor_clear_values(s->factor);
     for (int a = 0; a < g->nodes; a++)
         for (long n = g->start[a]; n < g->start[a + 1]; n++) {
             int b = g->node[n];
             double mass = M ? m * M[n] : 0;
+            double *B = value ? work : iterative_matrix(s->iterative)[n];
             for (int t = 0; t < 9; t++)
                 B[t] = (K ? k * K[n][t] : 0) + (t % 4 ? 0 : mass) +
                        (D && a == b ? D[a][t] : 0);
             if (touched[a] || touched[b])
                 project_block(P[a], P[b], a == b, B);
-            for (int t = 0; t < 9; t++)
+            for (int t = 0; value && t < 9; t++)
                 value[s->slot[9 * n + t]] = B[t];
         }
-    return factor_refactor(s->factor);
+    return value ? factor_refactor(s->factor) : iterative_update(s->iterative, false);
 }
 
 void system_multiply(const struct system *s, double k, const double (*K)[9], double m,
@@ -197,17 +310,7 @@ void system_multiply(const struct system *s, double k, const double (*K)[9], dou
 
 enum status system_solve(struct system *s, double *x)
 {
-    const int *place = s->held->free_index;
-    int count = 3 * s->held->nodes;
-    enum status st;
-
-    for (int n = 0; n < count; n++)
-        if (place[n] >= 0)
-            s->packed[place[n]] = x[n];
-    st = factor_solve(s->factor, s->packed);
-    for (int n = 0; n < count; n++)
-        x[n] = place[n] >= 0 ? s->packed[place[n]] : 0;
-    return st;
+    return s->iterative ? iterative_solve(s->iterative, x) : solve_factored(s, x);
 }
 
 enum status system_columns(const struct blocks *graph, const struct supports *held,

@@ -1,12 +1,14 @@
 /* system.h - the symmetric positive definite system k K + m M of a vector field with held
  * unknowns (Dirichlet data by elimination; Ren et al. 2024, eq. 20-22): pattern and
- * symbolic factorisation once, numbers as often as wanted.
+ * symbolic factorisation once, numbers as often as wanted. By a factor, or iterated
+ * (iterative.h) where the discretization's solver says so.
  */
 #ifndef SYSTEM_H
 #define SYSTEM_H
 
 #include "models/linalg/blocks.h"
 #include "models/linalg/factor.h"
+#include "models/mechanics/iterative.h"
 #include "models/mechanics/supports.h"
 #include "models/model.h"
 
@@ -14,17 +16,20 @@ struct system {
     const struct blocks *graph;  /* borrowed                                        */
     const struct supports *held; /* borrowed                                        */
     const unsigned char *parity; /* borrowed or NULL                                */
-    struct factor *factor;
-    void *room;     /* of the arrays; owned, as the factor is                          */
+    struct factor *factor;       /* NULL: preconditioned by other means             */
+    struct iterative *iterative; /* NULL: solved by the factor; owned, as it is     */
+    void *room;     /* of the arrays                                           owned   */
     int *slot;      /* [pairs][9] place of each block entry in the factor's values     */
     double *packed; /* [free_count]                                                    */
+    long factorisations; /* system_work                                                */
 };
 
 /* parity[nodes][3] or NULL: entries that couple unlike parities are left out (they must be
- * zero; see solid_space.h). order[nodes] or NULL: a node order for the factorisation. */
+ * zero; see solid_space.h). order[nodes] or NULL: a node order for the factorisation. d
+ * has the solver; NULL: a factor, as the program chooses. *s must stay where it is. */
 enum status system_init(struct system *s, const struct blocks *graph,
                         const struct supports *held, const unsigned char *parity,
-                        const int *order, enum solver solver);
+                        const int *order, const struct discretization *d);
 void system_clear(struct system *s);
 
 /* What a model says of its size (model.h); unknown_basis is static. */
@@ -33,6 +38,22 @@ struct model_size system_size(const struct system *s, const char *unknown_basis)
 /* Factorises k K + m M; M may be NULL if m == 0. STATUS_INDEFINITE if it can't be. */
 enum status system_factor(struct system *s, double k, const double (*K)[9], double m,
                           const double *M);
+
+/* The same for one in a row of systems that differ little, as steps in time and iterations
+ * do: iterated, an earlier factor goes on preconditioning. Counts what it factorises in
+ * system_work, as system_factor does not. */
+enum status system_update(struct system *s, double k, const double (*K)[9], double m,
+                          const double *M);
+
+/* For systems of a motion, where they are iterated: iterative_follow, iterative_tolerate. */
+enum status system_follow(struct system *s,
+                          void (*frames)(const void *body, double (*Q)[9]),
+                          const void *body, bool guess, double tolerance);
+
+/* Adds to *counters the factorisations of system_update and system_solve, and a solve for
+ * each product with the preconditioner but the first of each system_solve, which its caller
+ * counts. Since the last call. */
+void system_work(struct system *s, struct counters *counters);
 
 /* Factorises P A P + S for A = k K + m M + D, D[nodes][3][3] on the diagonal, or NULL:
  * nodes a that are touched[a] may move only in the range of the orthogonal projector

@@ -211,6 +211,8 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, unknowns)},
     {"solver", "of the linear systems", SCHEMA_WORD, .word = solver_name,
      IN(discretization, solver)},
+    {"preconditioner", "of cg and gmres", SCHEMA_WORD, .word = preconditioner_name,
+     IN(discretization, preconditioner)},
     {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_name,
      IN(discretization, parameters)},
     {"integrator", "of springs: Euler's methods, or leapfrog", SCHEMA_WORD,

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/mechanics/frames.h"
 #include "models/room.h"
 #include "models/solid/solid_contact.h"
 #include "models/solid/solid_large.h"
@@ -73,6 +74,25 @@ void solid_motion_clear(struct solid_motion *m)
     memset(m, 0, sizeof *m);
 }
 
+static void frames(const void *body, double (*Q)[9])
+{
+    const struct solid_motion *m = body;
+
+    frames_of_net(m->points, m->space->thickness_basis, m->x, Q);
+}
+
+/* Of a system that is iterated: what frames rebuilt each step add to d, a step of Newton. */
+static enum status follow(struct solid_motion *m)
+{
+    static const double SOLVE_TOLERANCE = 1e-8, STEP_TOLERANCE = 1e-3;
+    const bool rebuilt = kinematics_rebuilds(m->kinematics);
+
+    if (m->kinematics == KINEMATICS_LINEAR)
+        return STATUS_OK;
+    return system_follow(&m->system, frames, m, rebuilt,
+                         rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE);
+}
+
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               const struct solid_space *space,
                               const struct discretization *d, const int *order,
@@ -81,6 +101,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     enum status st;
     size_t bytes = 3 * (size_t)space->nodes * sizeof(double);
     struct solid_motion new = {.scene = scene, .space = space, .kinematics = d->kinematics};
+    memcpy(new.points, d->points, sizeof new.points);
     struct solid_material material =
         solid_element_material(scene->young, scene->poisson, scene->density);
 
@@ -105,12 +126,14 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     memset(&new, 0, sizeof new);
     st = system_init(&m->system, &m->assembly.graph, &m->supports,
                      d->kinematics == KINEMATICS_LINEAR ? space->parity : NULL, order,
-                     d->solver);
+                     d);
+    if (st == STATUS_OK)
+        st = follow(m);
     if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
         st = solid_large_create(m, &m->large);
     if (st == STATUS_OK)
         st = contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
-                               0, order, d->solver, why);
+                               0, order, d, why);
     if (st != STATUS_OK)
         solid_motion_clear(m);
 out:
@@ -232,8 +255,7 @@ static enum status step_rebuilt(struct solid_motion *m, struct counters *counter
         held = step_motion(m, m->time + n->dt);
     if (contact_set_used(&m->contact.set))
         return solid_contact_rebuilt(m, m->supports.moving ? &held : NULL, counters);
-    TRY(system_factor(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
-    counters->factorisations++;
+    TRY(system_update(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
     TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load,
                      m->supports.moving ? &held : NULL));
     counters->solves++;
@@ -248,6 +270,7 @@ enum status solid_motion_step(struct solid_motion *m, struct counters *counters)
     enum status st = m->kinematics == KINEMATICS_LINEAR ? step_linear(m, counters)
                      : m->large                         ? solid_large_step(m, counters)
                                                         : step_rebuilt(m, counters);
+    system_work(&m->system, counters);
     if (st != STATUS_OK)
         return st;
     damp_velocity(m);

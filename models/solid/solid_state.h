@@ -11,6 +11,7 @@ struct solid_motion {
     const struct scene *scene;       /* borrowed                                       */
     const struct solid_space *space; /* borrowed                                       */
     enum kinematics kinematics;
+    int points[3];
     struct solid_assembly assembly;
     struct supports supports;
     struct system system;

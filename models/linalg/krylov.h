@@ -1,0 +1,37 @@
+/* krylov.h - Krylov methods for A x = b, by products with A and a symmetric positive
+ * definite preconditioner P ~ A^-1. Serial and ordered: the same bits on any machine with
+ * the same arithmetic, whatever the number of threads.
+ */
+#ifndef KRYLOV_H
+#define KRYLOV_H
+
+#include "models/status.h"
+
+struct krylov {
+    int n;
+    void *self;
+    void (*multiply)(void *self, const double *x, double *y);            /* y = A x    */
+    enum status (*precondition)(void *self, const double *x, double *y); /* y = P x    */
+    double tolerance; /* relative, see below                                           */
+    int most;         /* iterations                                                    */
+    double *work;     /* [krylov_work(n)]                                     borrowed */
+    int iterations;   /* products of P that the last call took, written                */
+};
+
+/* Numbers of work: conjugate gradients; GMRES. */
+size_t krylov_cg_work(int n);
+size_t krylov_gmres_work(int n);
+
+/* Conjugate gradients (Hestenes, Stiefel 1952) from x[n], A symmetric positive definite.
+ * Converged when the residual is below `tolerance` in the norm of P, of what x = 0 leaves
+ * or, where the guess is so good that this is not known, of the guess's x b; *done tells.
+ * STATUS_INDEFINITE where A or P turns out not to be positive definite, STATUS_NAN. */
+enum status krylov_cg(struct krylov *k, const double *b, double *x, bool *done);
+
+/* GMRES (Saad, Schultz 1986; modified Gram-Schmidt, restarted after KRYLOV_RESTART
+ * products) from x[n], preconditioned from the left: the norm is that of P r, of P b. A
+ * need not be definite. STATUS_NAN. */
+enum { KRYLOV_RESTART = 60 };
+enum status krylov_gmres(struct krylov *k, const double *b, double *x, bool *done);
+
+#endif

@@ -1,0 +1,65 @@
+/* iterative.h - inside system.h: A x = b of a vector field on a node graph by conjugate
+ * gradients or GMRES (krylov.h), preconditioned by a factor of an earlier A, by incomplete
+ * Cholesky or by the 3 x 3 blocks on the diagonal.
+ *
+ * An earlier factor is kept while it takes fewer iterations than a new one would cost: A is
+ * then factored anew and the iteration goes on from where it is. A body that turns keeps it
+ * longer: with the frames Q of its nodes now and then, the factor of the earlier A stands
+ * for that of R A R^T, R = Q_now Q_then^T node by node. Counts decide, not clocks.
+ */
+#ifndef ITERATIVE_H
+#define ITERATIVE_H
+
+#include "models/linalg/blocks.h"
+#include "models/linalg/factor.h"
+#include "models/mechanics/supports.h"
+
+struct iterative;
+
+/* What the owner does and says; borrowed until iterative_destroy. */
+struct iterative_owner {
+    void *self;
+    const struct blocks *graph;
+    const struct supports *held;
+    const unsigned char *parity; /* or NULL                                            */
+    /* Factors A (in iterative_matrix's form); solves with that factor in place. */
+    enum status (*factor)(void *self, const double (*A)[9]);
+    enum status (*solve)(void *self, double *x);
+    int patience; /* iterations that cost as much as a factorisation                   */
+};
+
+/* `pattern` of the free unknowns, for incomplete Cholesky. Owned by the caller. */
+enum status iterative_create(const struct iterative_owner *owner,
+                             const struct factor_pattern *pattern, enum solver solver,
+                             enum preconditioner preconditioner, struct iterative **it);
+void iterative_destroy(struct iterative *it); /* NULL is allowed */
+
+/* A[pairs][9] to fill before iterative_update, which clears what belongs to held unknowns
+ * or couples unlike parities. Borrowed. */
+double (*iterative_matrix(struct iterative *it))[9];
+
+/* A is new. keep: an earlier factor may serve on. STATUS_INDEFINITE if the preconditioner
+ * cannot be. */
+enum status iterative_update(struct iterative *it, bool keep);
+
+/* The nodes' frames, three orthonormal columns each, of the present A: Q[nodes][9], filled
+ * by `frames` at each iterative_update. guess: right-hand sides follow one another
+ * smoothly, so that solutions are extrapolated. */
+enum status iterative_follow(struct iterative *it,
+                             void (*frames)(const void *body, double (*Q)[9]),
+                             const void *body, bool guess);
+
+/* Relative, of each solution, in the norm that the preconditioner gives; 1e-10 unless set.
+ */
+void iterative_tolerate(struct iterative *it, double tolerance);
+
+/* Solves in place, x[nodes][3], zero at held unknowns. STATUS_UNSOLVED if that takes too
+ * many iterations, STATUS_INDEFINITE, STATUS_NAN. */
+enum status iterative_solve(struct iterative *it, double *x);
+
+enum solver iterative_method(const struct iterative *it);
+
+/* Since the last call: products with the preconditioner, factorisations. */
+void iterative_work(struct iterative *it, long *solves, long *factorisations);
+
+#endif

@@ -8,6 +8,15 @@
 #include "models/mechanics/contact_set.h"
 #include "models/room.h"
 
+/* Softening that the choice of substeps bears, and a bending mode's phase in the substeps
+ * from one bending to the next (pb_motion.h). */
+static const double SOFTENING = 10, BENDING = 1;
+
+static const double MOST_SUBSTEPS = 1e6;
+
+/* Frames from one measurement of what iterations leave to the next. */
+enum { MEASURED = 10 };
+
 static size_t count(const struct pb_motion *m)
 {
     return 3 * (size_t)m->net.nodes;
@@ -91,8 +100,8 @@ static void set_form(const struct pb_motion *m, const struct spring_plate_form *
 
     for (int n = 0; n < form->count; n++)
         sum += form->weight[n] * form->weight[n] * free_inverse_mass(m, form->node[n]);
-    pb_sweep_form(strength_of(m, form->stiffness, sum), 1 + m->points.beta / m->dt, sum,
-                  strength, recall);
+    pb_sweep_form(strength_of(m, m->bending_every * form->stiffness, sum),
+                  1 + m->points.beta / m->dt, sum, strength, recall);
 }
 
 static void put_forms(struct pb_motion *m)
@@ -172,10 +181,28 @@ static double stiffest(const struct pb_motion *m)
     return most;
 }
 
+/* An upper bound of the bending's frequencies (Gershgorin) [rad/s]. */
+static double bending_frequency(const struct pb_motion *m)
+{
+    double most = 0;
+
+    memset(m->work, 0, count(m) * sizeof *m->work);
+    for (int n = 0; n < m->form_count; n++) {
+        const struct spring_plate_form *form = &m->form[n];
+        double sum = 0;
+        for (int k = 0; k < form->count; k++)
+            sum += fabs(form->weight[k]);
+        for (int k = 0; k < form->count; k++)
+            m->work[form->node[k]] += form->stiffness * fabs(form->weight[k]) * sum;
+    }
+    for (int a = 0; a < m->net.nodes; a++)
+        most = fmax(most, m->work[a] * free_inverse_mass(m, a));
+    return sqrt(most);
+}
+
 static enum status set_steps(struct pb_motion *m, const struct discretization *d,
                              struct message *why)
 {
-    static const double MOST_SUBSTEPS = 1e6, SOFTENING = 10;
     double step = m->scene->step, most = stiffest(m);
     double n = d->substeps ? d->substeps : fmax(1, ceil(step * sqrt(most / SOFTENING)));
 
@@ -185,7 +212,17 @@ static enum status set_steps(struct pb_motion *m, const struct discretization *d
     m->substeps = (int)n;
     m->dt = step / n;
     m->softening = most * m->dt * m->dt;
+    m->bending_every = (int)fmin(n, fmax(1, BENDING / (m->dt * bending_frequency(m))));
     return STATUS_OK;
+}
+
+/* Elongation of a spring at x [m]. */
+static double longer(const struct spring *s, const double *x)
+{
+    const double *a = x + 3 * (ptrdiff_t)s->a, *b = x + 3 * (ptrdiff_t)s->b;
+    double e[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+
+    return sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) - s->length;
 }
 
 static double elastic(const struct pb_motion *m)
@@ -194,9 +231,7 @@ static double elastic(const struct pb_motion *m)
 
     for (const struct spring *s = m->net.springs; s < m->net.springs + m->net.spring_count;
          s++) {
-        const double *a = m->x + 3 * (ptrdiff_t)s->a, *b = m->x + 3 * (ptrdiff_t)s->b;
-        double e[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-        double more = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) - s->length;
+        double more = longer(s, m->x);
         sum += s->stiffness * more * more / 2;
     }
     for (int n = 0; n < m->form_count; n++) {
@@ -279,34 +314,38 @@ static void hold(struct pb_motion *m, double t)
                       m->net.rest[s->held[h]] + m->shift[h]);
 }
 
-/* Length of the change from one displacement to another. */
-static double change(const struct pb_motion *m, const double *from, const double *to)
+/* How much longer springs are than their forces ask for, l - r - alpha f, to their lengths;
+ * root of the mean square. */
+static double strained(const struct pb_motion *m, const double *x)
 {
-    double sum = 0;
+    double *strength = m->work, *lambda = m->work + m->net.nodes, sum = 0;
 
-    for (size_t n = 0; n < count(m); n++)
-        sum += (to[n] - from[n]) * (to[n] - from[n]);
-    return sqrt(sum);
+    for (int kind = 0; kind < PB_SPRINGS; kind++) {
+        pb_sweep_get(m->sweep, PB_STRENGTH + kind, 1, strength);
+        pb_sweep_get(m->sweep, PB_LAMBDA + kind, 1, lambda);
+        for (const struct spring *s = m->net.springs;
+             s < m->net.springs + m->net.spring_count; s++) {
+            if ((int)kind_of(m, s) != kind)
+                continue;
+            double off = longer(s, x) + lambda[s->a] / strength[s->a];
+            sum += off * off / (s->length * s->length);
+        }
+    }
+    return sqrt(sum / fmax(m->net.spring_count, 1));
 }
 
-/* What two more iterations would do tells, as of a geometric series, how much of the
- * correction since m->before is left: at least that, for what is slowest shows last. */
+/* Where the step's iterations ended, before the positions follow. */
 static void measure(struct pb_motion *m, double t)
 {
-    double *end = m->work, *next = end + count(m), *last = next + count(m);
-    const double rounding = 1e-6 * m->scene->length;
+    double *d = m->work, *x = m->before;
 
-    pb_sweep_get(m->sweep, PB_D, 3, end);
-    pb_sweep_project(m->sweep, 1, true);
-    pb_sweep_get(m->sweep, PB_D, 3, next);
-    pb_sweep_project(m->sweep, 1, true);
-    pb_sweep_get(m->sweep, PB_D, 3, last);
-    pb_sweep_put(m->sweep, PB_D, 3, end);
-    double moved = change(m, end, next), rate = change(m, next, last) / moved;
-    double rest = rate < 1 ? moved / (1 - rate) : INFINITY;
-    double share = rest / (rest + change(m, m->before, end));
-    if (moved > rounding * m->dt / m->scene->step && !(share <= m->left))
-        m->left = isnan(share) ? 1 : share, m->left_time = t;
+    pb_sweep_get(m->sweep, PB_X, 3, x);
+    pb_sweep_get(m->sweep, PB_D, 3, d);
+    for (size_t n = 0; n < count(m); n++)
+        x[n] += d[n];
+    double left = strained(m, x);
+    if (!(left <= m->left))
+        m->left = left, m->left_time = t;
 }
 
 static void leave_obstacles(struct pb_motion *m)
@@ -336,9 +375,7 @@ static void substep(struct pb_motion *m, bool asked)
     pb_sweep_predict(m->sweep, recalls);
     if (m->supports.moving)
         hold(m, t);
-    if (asked && xpbd)
-        pb_sweep_get(m->sweep, PB_D, 3, m->before);
-    pb_sweep_project(m->sweep, m->iterations, recalls);
+    pb_sweep_project(m->sweep, m->iterations, m->substep % m->bending_every == 0, recalls);
     if (asked && xpbd)
         measure(m, t);
     if (m->scene->obstacle_count)
@@ -350,7 +387,8 @@ enum status pb_motion_frame(struct pb_motion *m, struct counters *counters)
 {
     memset(m->push, 0, sizeof m->push);
     for (int n = 1; n <= m->substeps; n++)
-        substep(m, n == m->substeps);
+        substep(m, n == m->substeps && m->frame % MEASURED == 0);
+    m->frame++;
     counters->steps++;
     counters->substeps += m->substeps;
     counters->iterations += (long)m->substeps * m->iterations;

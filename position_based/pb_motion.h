@@ -57,17 +57,18 @@ struct pb_motion {
     struct pb_sweep *sweep;
     enum projection projection;
     int iterations, substeps;
-    double dt;          /* of a substep                                         [s]    */
-    double softening;   /* greatest share that one iteration adds to a compliance [1]  */
-    double rest_energy; /* round-off of the energy at rest                      [J]    */
-    long substep;       /* taken so far                                                */
+    int bending_every;   /* so many substeps                                           */
+    double dt;           /* of a substep                                         [s]    */
+    double softening;    /* greatest share that one iteration adds to a compliance [1]  */
+    double rest_energy;  /* round-off of the energy at rest                      [J]    */
+    long substep, frame; /* taken so far                                               */
     void *room;
     double *x, *v;         /* [nodes][3] of now                                        */
     double *before, *work; /* [3][nodes][3]                                            */
     double *weight;        /* [nodes] m / dt^2 + c / dt                       [N/m]    */
     double *shift;         /* [held_count]                                             */
-    double left; /* of a step's correction when its iterations ended, at most      [1] */
-    double left_time; /* that step's end                                           [s]  */
+    double left;      /* strain of springs that iterations left, rms, most so far   [1] */
+    double left_time; /* when                                                      [s]  */
     double push[3];   /* of obstacles, mean over the last frame                [N]      */
     int pushed;       /* points that they bore at its end                              */
 };

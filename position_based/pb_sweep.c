@@ -154,10 +154,10 @@ void pb_sweep_hold(struct pb_sweep *s, int node, int component, double x)
     BY_PRECISION(s, hold, s, node / s->plan.m * s->pitch + node % s->plan.m, component, x);
 }
 
-void pb_sweep_project(struct pb_sweep *s, int iterations, bool recalls)
+void pb_sweep_project(struct pb_sweep *s, int iterations, bool bends, bool recalls)
 {
     for (; iterations > 0; iterations--) {
-        BY_PRECISION(s, iterate, s, recalls, s->back);
+        BY_PRECISION(s, iterate, s, bends, recalls, s->back);
         s->back = !s->back;
     }
 }

@@ -91,10 +91,10 @@ void pb_sweep_put(struct pb_sweep *sweep, int first, int count, const double *va
 void pb_sweep_get(const struct pb_sweep *sweep, int first, int count, double *values);
 
 /* A step: d <- keep d + kick, lambda <- 0 if `recalls`; held components to where they shall
- * be; iterations; x <- x + d. */
+ * be; iterations, with bending or with springs alone; x <- x + d. */
 void pb_sweep_predict(struct pb_sweep *sweep, bool recalls);
 void pb_sweep_hold(struct pb_sweep *sweep, int node, int component, double x);
-void pb_sweep_project(struct pb_sweep *sweep, int iterations, bool recalls);
+void pb_sweep_project(struct pb_sweep *sweep, int iterations, bool bends, bool recalls);
 void pb_sweep_finish(struct pb_sweep *sweep);
 
 #endif

@@ -232,10 +232,12 @@ INLINE void NAME(odd)(struct pb_sweep *s, const bool recalls)
         }
 }
 
-INLINE void NAME(pass)(struct pb_sweep *s, bool back, const bool recalls)
+INLINE void NAME(pass)(struct pb_sweep *s, bool bends, bool back, const bool recalls)
 {
-    for (int k = 0; k <= PB_KINDS; k++)
-        switch (back ? PB_KINDS - k : k) {
+    const int last = bends ? PB_KINDS : PB_SPRINGS - 1;
+
+    for (int k = 0; k <= last; k++)
+        switch (back ? last - k : k) {
         case PB_U:
             NAME(kind)(s, PB_U, 2, 0, 1, NULL, 1, recalls);
             break;
@@ -265,12 +267,12 @@ INLINE void NAME(pass)(struct pb_sweep *s, bool back, const bool recalls)
         }
 }
 
-CLONES static void NAME(iterate)(struct pb_sweep *s, bool recalls, bool back)
+CLONES static void NAME(iterate)(struct pb_sweep *s, bool bends, bool recalls, bool back)
 {
     if (recalls)
-        NAME(pass)(s, back, true);
+        NAME(pass)(s, bends, back, true);
     else
-        NAME(pass)(s, back, false);
+        NAME(pass)(s, bends, back, false);
 }
 
 CLONES static void NAME(predict)(struct pb_sweep *s)

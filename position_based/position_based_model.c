@@ -103,14 +103,14 @@ static void describe(const void *state, struct message *line)
 
 static void doubt(const void *state, struct message *line)
 {
-    static const double LEFT_TOLD = 0.5;
+    static const double LEFT_TOLD = 1e-3; /* a thousandth of the length                 */
     const struct pb_motion *m = state;
 
     if (m->left > LEFT_TOLD)
         status_fail(line, STATUS_OK,
-                    "iterations end far from their fixed point: at t = %.4g s %.2g %% of "
-                    "what constraints should have moved in a step is left; take smaller "
-                    "steps or more iterations",
+                    "iterations end far from their fixed point: at t = %.4g s springs were "
+                    "longer by %.2g %% than their forces ask for; take smaller steps or "
+                    "more iterations",
                     m->left_time, 100 * m->left);
 }
 

@@ -59,8 +59,14 @@ enum integrator {
     INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
 };
 
-/* Of positions in leapfrog steps. */
+/* Of positions in leapfrog steps and in position_based. */
 enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
+
+/* How position_based moves points back to its constraints. */
+enum projection {
+    PROJECTION_XPBD, /* by compliance (Macklin et al. 2016)                            */
+    PROJECTION_PBD,  /* by a share of the way an iteration (Mueller et al. 2007)       */
+};
 
 /* What resists stretching in projective_dynamics. */
 enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
@@ -91,6 +97,7 @@ struct discretization {
     double strain_limit; /* Provot 1995: greatest elongation of a spring [1]; 0: none  */
     enum constraint constraint;
     enum acceleration acceleration;
+    enum projection projection;
 };
 
 /* The keys above that not every model has a use for, zero if unset; bits. */
@@ -103,7 +110,8 @@ struct discretization {
     X(TOLERANCE, tolerance)                                                                \
     X(STRAIN_LIMIT, strain_limit)                                                          \
     X(CONSTRAINT, constraint)                                                              \
-    X(ACCELERATION, acceleration)
+    X(ACCELERATION, acceleration)                                                          \
+    X(PROJECTION, projection)
 
 enum discretization_place {
 #define DISCRETIZATION_PLACE(name, member) DISCRETIZATION_PLACE_##name,
@@ -153,5 +161,6 @@ const char *integrator_name(int integrator);
 const char *precision_name(int precision);
 const char *constraint_name(int constraint);
 const char *acceleration_name(int acceleration);
+const char *projection_name(int projection);
 
 #endif

@@ -6,6 +6,7 @@
 #include "fem_ref/hex_model.h"
 #include "iga/plate_model.h"
 #include "mass_spring/spring_model.h"
+#include "position_based/position_based_model.h"
 #include "projective_dynamics/projective_dynamics_model.h"
 #include "shell_ref/shell_model.h"
 
@@ -124,6 +125,14 @@ const struct contestant contestant_table[] = {
      &spring_model, COMPARE | SPEED,
      {"discretization.integrator=leapfrog", "discretization.precision=single"}, 0, 1,
      {10, 16, 20, 40}, {1}, {0}},
+    {"position_based", "position-based, matched", "XPBD", &position_based_model,
+     CONTESTANT_EVERYWHERE, {0}, 0, 1, {10, 16, 20, 40}, {1}, {0}},
+    {"position_based_single", "position-based, single precision", "XPBD single",
+     &position_based_model, COMPARE | SPEED, {"discretization.precision=single"}, 0, 1,
+     {10, 16, 20, 40}, {1}, {0}},
+    {"position_based_pbd", "position-based, without compliance", "PBD",
+     &position_based_model, COMPARE, {"discretization.projection=pbd"}, 0, 1, {10, 16, 20},
+     {1}, {0}},
     {"projective_dynamics", "projective dynamics, matched", "PD", &projective_dynamics_model,
      CONTESTANT_EVERYWHERE, {MATCHED}, 0, 1, {10, 20, 40}, {1, 4, 16}, {10, 100}},
     {"projective_dynamics_paper", "projective dynamics, the paper's set", "PD paper",

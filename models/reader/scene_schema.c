@@ -217,7 +217,7 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, parameters)},
     {"integrator", "of springs: Euler's methods, or leapfrog", SCHEMA_WORD,
      .word = integrator_name, IN(discretization, integrator)},
-    {"precision", "of leapfrog steps", SCHEMA_WORD, .word = precision_name,
+    {"precision", "of leapfrog and position_based", SCHEMA_WORD, .word = precision_name,
      IN(discretization, precision)},
     {"substeps", "of a frame, 0: as many as needed", SCHEMA_COUNT, .low = 0, .high = 1e6,
      IN(discretization, substeps)},
@@ -231,6 +231,8 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, constraint)},
     {"acceleration", "of an iteration", SCHEMA_WORD, .word = acceleration_name,
      IN(discretization, acceleration)},
+    {"projection", "of constraints on positions", SCHEMA_WORD, .word = projection_name,
+     IN(discretization, projection)},
     {NULL}};
 /* clang-format on */
 

@@ -1,0 +1,87 @@
+/* pb_motion.h - a net in time by constraints on positions: XPBD (Macklin, Mueller,
+ * Chentanez 2016) in small steps (Macklin et al. 2019), and PBD (Mueller et al. 2007).
+ *
+ * A step of dt: d <- (m dt v + dt^2 f) / (m + c dt), then every constraint C(x + d) = 0 is
+ * projected in turn (pb_sweep.h), once or `iterations` times; x <- x + d, v = d / dt. With
+ * so many iterations that nothing moves this is implicit Euler's step but for one thing: a
+ * spring has pulled along the directions that it had on the way, not along the last one.
+ * That is of second order in what it turns in a step (tests/position_based.c measures it).
+ *
+ * Constraints and what compliance means. The springs of spring_law.h, C = l - r [m], have
+ * the energy C^2 / 2 alpha with the compliance alpha = 1 / k [m/N]; on square cells
+ *     alpha = 2 (1 - nu) / (E h)   along u and v,
+ *     alpha = 2 (1 + nu) / (E h)   along diagonals,
+ * whatever the cell's size. In pascals: a strip of width b, length a and thickness h has
+ * E = a / (alpha b h); and if C is written as a strain, (l - r) / r, alpha is 1 / (E V), V
+ * the volume that the spring stands for. Springs are plane stress at nu = 1/3 only
+ * (spring_law.h). Bending: the sums of spring_plate.h, C = sum weight x [m] in each
+ * component with alpha = 1 / stiffness: a^3 / (B b) for a strip, B = E h^3 / 12 (1 - nu^2).
+ *
+ * What an iteration leaves. A constraint that is projected once gives way as if its
+ * compliance were greater by about dt^2 sum w: springs of mass m at both ends by 2 dt^2 /
+ * m. Over alpha, that is the softening 2 k dt^2 / m, which goes with the square of the
+ * step: small steps do more than iterations. `doubt` tells how much of a step's correction
+ * was left, from two more iterations at the end of a frame.
+ *
+ * PBD has no compliance: an iteration goes a share s of the way, so that stiffness depends
+ * on step, mass and iterations. Here s is chosen so that one iteration goes as far as one
+ * of XPBD does, s1 = sum w / (sum w + alpha / dt^2), and n iterations go
+ * s = 1 - (1 - s1)^(1/n) each (Mueller et al. 2007, sec. 3.3).
+ *
+ * Damping: mass and alpha, and drag, are c; beta makes gamma = beta / dt of each constraint
+ * (Macklin et al. 2016, eq. 26), its rate of change resisted, which turning is not. PBD has
+ * none of that kind. velocity_scale and velocity_rate act once a frame. Obstacles: after
+ * the projections points are set back (spring_contact.h).
+ *
+ * Single precision: velocities as differences of positions of order L are wrong by 6e-8 L /
+ * dt a step, a walk that after N steps has led N^1.5 / sqrt(3) * 6e-8 L away: one per cent
+ * at some 4000. Here d is kept by itself, and what is left is the rounding of x, sqrt(N) *
+ * 6e-8 L.
+ */
+#ifndef PB_MOTION_H
+#define PB_MOTION_H
+
+#include "mass_spring/spring_load.h"
+#include "mass_spring/spring_plate.h"
+#include "models/mechanics/supports.h"
+#include "position_based/pb_sweep.h"
+
+struct pb_motion {
+    const struct scene *scene; /* borrowed                                             */
+    struct spring_net net;
+    struct spring_load points;
+    struct supports supports;
+    struct spring_plate_form *form; /* [form_count]                            owned   */
+    int form_count;
+    struct pb_odd *odd; /* the clamps among them                        owned   */
+    struct pb_sweep *sweep;
+    enum projection projection;
+    int iterations, substeps;
+    int bending_every;   /* so many substeps                                           */
+    double dt;           /* of a substep                                         [s]    */
+    double softening;    /* greatest share that one iteration adds to a compliance [1]  */
+    double rest_energy;  /* round-off of the energy at rest                      [J]    */
+    long substep, frame; /* taken so far                                               */
+    void *room;
+    double *x, *v;         /* [nodes][3] of now                                        */
+    double *before, *work; /* [3][nodes][3]                                            */
+    double *weight;        /* [nodes] m / dt^2 + c / dt                       [N/m]    */
+    double *shift;         /* [held_count]                                             */
+    double left;      /* strain of springs that iterations left, rms, most so far   [1] */
+    double left_time; /* when                                                      [s]  */
+    double push[3];   /* of obstacles, mean over the last frame                [N]      */
+    int pushed;       /* points that they bore at its end                              */
+};
+
+/* *m must stay where it is: it holds pointers into itself. */
+enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
+                           const struct discretization *d, struct message *why);
+void pb_motion_clear(struct pb_motion *m);
+
+/* One step of scene->step. STATUS_NAN. */
+enum status pb_motion_frame(struct pb_motion *m, struct counters *counters);
+
+void pb_motion_energy(const struct pb_motion *m, struct energy *energy);
+void pb_motion_contact(const struct pb_motion *m, struct model_contact *contact);
+
+#endif

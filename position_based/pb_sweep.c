@@ -1,0 +1,168 @@
+#include "position_based/pb_sweep.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/clones.h"
+#include "models/room.h"
+
+/* Points that rows are padded to, at least a vector of AVX2 or of doubles. */
+enum { PAD = 8 };
+
+/* Masks of every second and of every third point. */
+enum { HALVES = 2, THIRDS = 3 };
+
+struct pb_sweep {
+    struct pb_plan plan;
+    ptrdiff_t pitch;     /* from row to row                             */
+    size_t size;         /* of a number                                             */
+    bool used[PB_KINDS]; /* any strength                                            */
+    bool back;           /* the next iteration's way through the kinds              */
+    void *field[PB_FIELDS];
+    void *half[HALVES], *third[THIRDS]; /* as fields, 1 or 0                           */
+    void *pull[3];                      /* as fields, of the constraints of a point    */
+    void *room;
+};
+
+/* Weights of a point, of the one before it and the one behind in its row; `has`, known to
+ * the compiler, those that are not zero. */
+enum { BEFORE = 1, AT = 2, BEHIND = 4, ALL = 7 };
+struct across {
+    unsigned has;
+    double before, at, behind;
+};
+
+/* Of constraints in a point, from those of points in a constraint. */
+static inline __attribute__((always_inline)) struct across turned(struct across w)
+{
+    unsigned has =
+        (w.has & AT) | (w.has & BEFORE ? BEHIND : 0) | (w.has & BEHIND ? BEFORE : 0);
+
+    return (struct across){has, w.behind, w.at, w.before};
+}
+
+#define REAL      float
+#define NAME(x)   single_##x
+#define ROOT(x)   __builtin_sqrtf(x)
+#define NO_LENGTH 1e-30f
+#include "position_based/pb_sweep_row.h"
+#undef REAL
+#undef NAME
+#undef ROOT
+#undef NO_LENGTH
+#define REAL      double
+#define NAME(x)   double_##x
+#define ROOT(x)   __builtin_sqrt(x)
+#define NO_LENGTH 1e-30
+#include "position_based/pb_sweep_row.h"
+
+/* The function of the sweep's precision. */
+#define BY_PRECISION(s, name, ...)                                                         \
+    ((s)->plan.precision == PRECISION_SINGLE ? single_##name(__VA_ARGS__)                  \
+                                             : double_##name(__VA_ARGS__))
+
+void pb_sweep_free(struct pb_sweep *s)
+{
+    if (!s)
+        return;
+    free(s->room);
+    free(s);
+}
+
+/* All arrays in one piece, with two rows of room around each. */
+static enum status allocate(struct pb_sweep *s)
+{
+    size_t before = s->size * (size_t)(2 * s->pitch);
+    size_t whole = s->size * (size_t)(s->pitch * s->plan.n) + 2 * before;
+    char *at = NULL;
+    enum status st =
+        room_cut(&s->room, ROOM(at, (PB_FIELDS + 3 + HALVES + THIRDS) * whole));
+
+    if (st != STATUS_OK)
+        return st;
+    at += before;
+    for (int f = 0; f < PB_FIELDS; f++, at += whole)
+        s->field[f] = at;
+    for (int c = 0; c < 3; c++, at += whole)
+        s->pull[c] = at;
+    for (int k = 0; k < HALVES; k++, at += whole)
+        s->half[k] = at;
+    for (int k = 0; k < THIRDS; k++, at += whole)
+        s->third[k] = at;
+    return STATUS_OK;
+}
+
+enum status pb_sweep_make(const struct pb_plan *plan, struct pb_sweep **sweep)
+{
+    enum status st;
+    struct pb_sweep *s = calloc(1, sizeof *s);
+
+    if (!s)
+        return STATUS_MEMORY;
+    s->plan = *plan;
+    s->size = plan->precision == PRECISION_SINGLE ? sizeof(float) : sizeof(double);
+    s->pitch = (plan->m + PAD - 1) / PAD * PAD;
+    TRY(allocate(s));
+    for (int n = 0; n < 3 * plan->odd_count; n++) {
+        int node = plan->odd[n / 3].node[n % 3];
+        plan->odd[n / 3].place[n % 3] = node / plan->m * s->pitch + node % plan->m;
+    }
+    for (int k = 0; k < HALVES; k++)
+        BY_PRECISION(s, mask, s, s->half[k], HALVES, k);
+    for (int k = 0; k < THIRDS; k++)
+        BY_PRECISION(s, mask, s, s->third[k], THIRDS, k);
+    *sweep = s, s = NULL;
+out:
+    pb_sweep_free(s);
+    return st;
+}
+
+void pb_sweep_form(double s, double gain, double sum, double *strength, double *recall)
+{
+    *recall = 1 / (1 + s * gain * sum);
+    *strength = s * *recall;
+}
+
+void pb_sweep_put(struct pb_sweep *s, int first, int count, const double *values)
+{
+    size_t numbers = (size_t)(s->plan.n * s->plan.m * count);
+
+    for (int k = 0; k < PB_KINDS; k++)
+        for (size_t n = 0; first == PB_STRENGTH + k && n < numbers; n++)
+            s->used[k] |= values[n] != 0;
+    BY_PRECISION(s, put, s, first, count, values);
+}
+
+void pb_sweep_get(const struct pb_sweep *s, int first, int count, double *values)
+{
+    BY_PRECISION(s, get, s, first, count, values);
+}
+
+void pb_sweep_predict(struct pb_sweep *s, bool recalls)
+{
+    size_t whole = s->size * (size_t)(s->pitch * s->plan.n);
+
+    for (int f = PB_LAMBDA; recalls && f < PB_FIELDS; f++)
+        memset(s->field[f], 0, whole);
+    for (int n = 0; recalls && n < s->plan.odd_count; n++)
+        memset(s->plan.odd[n].lambda, 0, sizeof s->plan.odd[n].lambda);
+    BY_PRECISION(s, predict, s);
+}
+
+void pb_sweep_hold(struct pb_sweep *s, int node, int component, double x)
+{
+    BY_PRECISION(s, hold, s, node / s->plan.m * s->pitch + node % s->plan.m, component, x);
+}
+
+void pb_sweep_project(struct pb_sweep *s, int iterations, bool bends, bool recalls)
+{
+    for (; iterations > 0; iterations--) {
+        BY_PRECISION(s, iterate, s, bends, recalls, s->back);
+        s->back = !s->back;
+    }
+}
+
+void pb_sweep_finish(struct pb_sweep *s)
+{
+    BY_PRECISION(s, finish, s);
+}

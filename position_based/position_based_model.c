@@ -1,0 +1,144 @@
+#include "position_based/position_based_model.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/grid.h"
+#include "models/net.h"
+#include "position_based/pb_motion.h"
+
+#define SERVES                                                                             \
+    (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |                  \
+     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |         \
+     SCENE_NEED_INITIAL_MOTION)
+
+/* Keys it has a use for. */
+enum {
+    USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
+           DISCRETIZATION_PRECISION | DISCRETIZATION_PROJECTION
+};
+
+static void defaults(struct discretization *d)
+{
+    *d = (struct discretization){.points = {10, 10, 1},
+                                 .degree = {1, 1, 1},
+                                 .kinematics = KINEMATICS_NONLINEAR,
+                                 .iterations = 1};
+}
+
+static void destroy(void *state)
+{
+    pb_motion_clear(state);
+    free(state);
+}
+
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
+{
+    enum status st;
+    struct pb_motion *m = NULL;
+
+    TRY(model_refuse_net(scene, SERVES, why));
+    TRY(discretization_refuse_net(d, USED, "position_based", why));
+    if (d->iterations < 1)
+        return status_fail(why, STATUS_INPUT,
+                           "iterations: position_based takes a fixed number, 1 or more");
+    if (d->projection == PROJECTION_PBD && scene->damping.kind == DAMPING_RAYLEIGH &&
+        scene->damping.beta > 0 && d->parameters == PARAMETERS_MATCHED)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "unsupported: no damping by stiffness (rayleigh beta) with "
+                           "projection=pbd, which knows no stiffness");
+    m = calloc(1, sizeof *m);
+    if (!m)
+        TRY(STATUS_MEMORY);
+    TRY(pb_motion_init(m, scene, d, why));
+    *state = m, m = NULL;
+out:
+    destroy(m);
+    return st;
+}
+
+static enum status advance(void *state, struct counters *counters)
+{
+    return pb_motion_frame(state, counters);
+}
+
+static void probe(const void *state, int n, const double *uvw, double *xyz)
+{
+    const struct pb_motion *m = state;
+    const struct net net = {m->net.points[0], m->net.points[1], m->x, 3, 1};
+
+    net_points(&net, m->scene->thickness, n, uvw, xyz);
+}
+
+static void sample(const void *state, double *xyz)
+{
+    grid_sample(probe, state, xyz);
+}
+
+static void size(const void *state, struct model_size *size)
+{
+    const struct pb_motion *m = state;
+
+    *size = (struct model_size){.nodes = m->net.nodes,
+                                .unknowns = m->supports.free_count,
+                                .solver = "none",
+                                .unknown_basis = "mid-surface points"};
+}
+
+/* The misfit of springs to plane stress, and what one iteration leaves. */
+static void describe(const void *state, struct message *line)
+{
+    const struct pb_motion *m = state;
+
+    spring_law_tell(&m->net.law, m->net.cell, m->scene, line);
+    size_t end = strlen(line->text);
+    snprintf(line->text + end, sizeof line->text - end,
+             "; steps of %.3g s, one iteration adds up to %.3g of their compliance to "
+             "springs%s",
+             m->dt, m->softening,
+             m->projection == PROJECTION_PBD ? "; PBD's stiffness depends on both" : "");
+}
+
+static void doubt(const void *state, struct message *line)
+{
+    static const double LEFT_TOLD = 1e-3; /* a thousandth of the length                 */
+    const struct pb_motion *m = state;
+
+    if (m->left > LEFT_TOLD)
+        status_fail(line, STATUS_OK,
+                    "iterations end far from their fixed point: at t = %.4g s springs were "
+                    "longer by %.2g %% than their forces ask for; take smaller steps or "
+                    "more iterations",
+                    m->left_time, 100 * m->left);
+}
+
+static void energy(const void *state, struct energy *energy)
+{
+    pb_motion_energy(state, energy);
+}
+
+static void contact(const void *state, struct model_contact *contact)
+{
+    pb_motion_contact(state, contact);
+}
+
+const struct model position_based_model = {
+    .name = "position_based",
+    .title = "position-based constraints",
+    .source = "Macklin, Mueller, Chentanez 2016 (XPBD), small steps: Macklin et al. 2019; "
+              "Mueller et al. 2007 (PBD)",
+    .serves = SERVES,
+    .defaults = defaults,
+    .create = create,
+    .advance = advance,
+    .sample = sample,
+    .probe = probe,
+    .size = size,
+    .describe = describe,
+    .doubt = doubt,
+    .energy = energy,
+    .contact = contact,
+    .destroy = destroy,
+};

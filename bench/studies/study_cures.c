@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 #include "bench/experiment/judge.h"
-#include "bench/experiment/measurement.h"
 #include "bench/studies/studies.h"
+#include "bench/studies/study_cantilever.h"
 #include "bench/truth/truth_plate.h"
 #include "fem_ref/elastica.h"
 #include "fem_ref/reference.h"
@@ -34,17 +34,10 @@ enum { PATH = 4096 };
 static const double LOAD = 0.01;
 static const struct study_cures_tip none = {NAN, NAN};
 
-/* Square, 1 m: the sheet, and a load such that Gamma or, linear, the tip is known. */
+/* Nonlinear, the load is Gamma. */
 static void add_physics(struct settings *s, double nu, double h, double gamma)
 {
-    const double D = 1e5 * h * h * h / (12 * (1 - nu * nu));
-
-    settings_number(s, "sheet.thickness", h);
-    settings_number(s, "material.poisson", nu);
-    settings_set(s, "material.young=1e5");
-    settings_set(s, "material.density=1");
-    settings_numbers(s, "gravity", 3,
-                     (double[]){0, 0, -(gamma > 0 ? gamma : LOAD) * D / h});
+    study_cantilever_sheet(s, nu, h, gamma > 0 ? gamma : LOAD);
     settings_word(s, "discretization.kinematics", gamma > 0 ? "nonlinear" : "linear");
 }
 
@@ -260,6 +253,7 @@ static enum status measure_frames(const struct experiment_options *options,
                                   struct message *why)
 {
     static const double time = 0.1, end = 0.25; /* [s] */
+    const struct measurement_options how = experiment_measurement(options, "frames");
     struct measurement_case cases[STUDY_CURES_SPACES] = {{{0}}};
     char file[STUDY_CURES_SPACES][PATH];
     struct settings incremental = {0};
@@ -275,10 +269,7 @@ static enum status measure_frames(const struct experiment_options *options,
         c->phases = true;
         TRY(contestant_find(study_cures_space[n].contestant, &c->plan.contestant, why));
     }
-    TRY(measurement_run(&(struct measurement_options){"frames", options->quick,
-                                                      options->repeats, options->progress,
-                                                      options->context},
-                        STUDY_CURES_SPACES, cases, why));
+    TRY(measurement_run(&how, STUDY_CURES_SPACES, cases, why));
 out:
     settings_clear(&incremental);
     return st;

@@ -68,6 +68,9 @@ static void add_samples(struct samples *s)
     add(s, "10x10 Chebyshev", "iteration", 5e-6);
     samples_add(s, "10x10 Chebyshev", "needed", 321);
     samples_add(s, "20x20 Chebyshev", "needed", 400000);
+    add(s, "20x20 Chebyshev", "iteration", 7e-6);
+    samples_add(s, "sheet", "side", 30);
+    samples_add(s, "scene", "time", 0.25);
     samples_add(s, "10x10 Chebyshev", "radius", 0.9375);
     samples_add(s, "scene", "step", 0.005);
 }
@@ -106,7 +109,7 @@ static void print_part(const struct bench_part *part, enum table_format format,
 
 static const struct cells {
     const struct bench_part *part;
-    const char *has[5], *lacks;
+    const char *has[6], *lacks;
 } cells[] = {
     {&bench_part_solids,
      {"\niga 10x10x2 "
@@ -142,12 +145,14 @@ static const struct cells {
       "\niga 10x10x2 prefactored,CHOLMOD,8,1,8,4,2,2,9\n"},
      "prefactored,LAPACK"},
     {&bench_part_intersection,
-     {"\nfolded,12,345,1,0.5,0.75,1.25,9,7,7\n", "Every pair: 678 tests"}},
+     {"\nfolded,12,345,1,0.5,0.75,1.25,9,7,7\n", "Every pair: 678 tests",
+      "Self-intersections of 30 x 30 points"}},
     {&bench_part_projective,
      {"\n10x10,edges,500,700,0.001,0.002,0.01,", ",0.029999999999999999,yes\n",
-      ",0.59999999999999998,no\n",
+      "# How far one step at 0.25 s is from its end", ",0.59999999999999998,no\n",
       "10 points a side: radius 0.937500; the end itself took 321 plain iterations.\n",
-      "the end itself took 400000 plain iterations, and is not quite it.\n"}},
+      "the end itself took 400000 plain iterations, and is not quite it.\n"},
+     "10x10,triangles"}, /* which has no samples */
 };
 
 static void test_cells(void)
@@ -158,7 +163,7 @@ static void test_cells(void)
         said_open(&s);
         print_part(c->part, TABLE_CSV, &s);
         said_close(&s, true);
-        for (int k = 0; k < 5 && c->has[k]; k++)
+        for (int k = 0; k < 6 && c->has[k]; k++)
             said_has(&s, c->part->item.name, c->has[k]);
         if (c->lacks)
             said_lacks(&s, c->part->item.name, c->lacks);

@@ -2,6 +2,7 @@
  * milliseconds are those of tests/reference/peers.csv. */
 #include "bench/speed/bench.h"
 
+#include "bench/experiment/bench_solid.h"
 #include "bench/files/folder.h"
 #include "bench/speed/peers.h"
 #include "fem_ref/reference.h"
@@ -374,6 +375,51 @@ static void test_baselines(void)
     }
 }
 
+/* Means of calls: as many as asked for, together no longer than it took. */
+static void test_phases(void)
+{
+    const struct run_plan plan = {DROP, named("iga_paper"), &(struct settings){0}, 0};
+    struct run run = {0};
+
+    REQUIRE(run_open(&run, &plan, NULL) == STATUS_OK);
+    for (int p = 0; p < BENCH_SOLID_FRAME; p++) {
+        double seconds[4] = {NAN, NAN, NAN, NAN}, sum = 0;
+        const double start = clock_now();
+        CHECK(bench_solid_time(run.state, p, 3, seconds) == STATUS_OK);
+        const double took = clock_now() - start;
+        for (int n = 0; n < 3; n++) {
+            CHECK(seconds[n] > 0);
+            sum += seconds[n];
+        }
+        CHECK(sum <= took && isnan(seconds[3]));
+    }
+    run_close(&run);
+}
+
+static void test_share(void)
+{
+    static const struct {
+        double processor, all;
+        const char *text;
+    } share[] = {{3.9, 4, "; a processor for 98 % of the time"},
+                 {3.8, 4, "; a processor for 95 % of the time"},
+                 {3.79, 4,
+                  "; a processor for 95 % of the time: the machine was busy, the "
+                  "milliseconds are too long"},
+                 {1, 4,
+                  "; a processor for 25 % of the time: the machine was busy, the "
+                  "milliseconds are too long"}};
+
+    for (int n = 0; n < LENGTH(share); n++) {
+        struct said s;
+        said_open(&s);
+        measurement_share(share[n].processor, share[n].all, s.file);
+        said_close(&s, true);
+        CHECK(!strcmp(s.text, share[n].text));
+        said_clear(&s);
+    }
+}
+
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
@@ -385,5 +431,7 @@ int main(int argc, char **argv)
     test_samples(argv[1]);
     test_time();
     test_baselines();
+    test_phases();
+    test_share();
     return check_result();
 }

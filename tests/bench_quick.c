@@ -172,6 +172,9 @@ static void test_runs(const char *folder)
                  from ? "--from" : "--quick --out", folder);
         CHECK(bench(&s, words, &why) == STATUS_OK);
         said_has(&s, "contestants", "\nMeasured: commit ");
+        said_has(&s, "contestants", "; compiler ");
+        said_has(&s, "contestants", "; omp_threads 1; blas_threads 1; date ");
+        said_has(&s, "contestants", "; a processor for ");
         CHECK(said_count(&s, "Peak memory ") == !from);
         said_clear(&s);
     }

@@ -2,6 +2,7 @@
  * milliseconds are those of tests/reference/peers.csv. */
 #include "bench/speed/bench.h"
 
+#include "bench/experiment/bench_solid.h"
 #include "bench/files/folder.h"
 #include "bench/speed/peers.h"
 #include "fem_ref/reference.h"
@@ -68,6 +69,9 @@ static void add_samples(struct samples *s)
     add(s, "10x10 Chebyshev", "iteration", 5e-6);
     samples_add(s, "10x10 Chebyshev", "needed", 321);
     samples_add(s, "20x20 Chebyshev", "needed", 400000);
+    add(s, "20x20 Chebyshev", "iteration", 7e-6);
+    samples_add(s, "sheet", "side", 30);
+    samples_add(s, "scene", "time", 0.25);
     samples_add(s, "10x10 Chebyshev", "radius", 0.9375);
     samples_add(s, "scene", "step", 0.005);
 }
@@ -106,7 +110,7 @@ static void print_part(const struct bench_part *part, enum table_format format,
 
 static const struct cells {
     const struct bench_part *part;
-    const char *has[5], *lacks;
+    const char *has[6], *lacks;
 } cells[] = {
     {&bench_part_solids,
      {"\niga 10x10x2 "
@@ -142,12 +146,14 @@ static const struct cells {
       "\niga 10x10x2 prefactored,CHOLMOD,8,1,8,4,2,2,9\n"},
      "prefactored,LAPACK"},
     {&bench_part_intersection,
-     {"\nfolded,12,345,1,0.5,0.75,1.25,9,7,7\n", "Every pair: 678 tests"}},
+     {"\nfolded,12,345,1,0.5,0.75,1.25,9,7,7\n", "Every pair: 678 tests",
+      "Self-intersections of 30 x 30 points"}},
     {&bench_part_projective,
      {"\n10x10,edges,500,700,0.001,0.002,0.01,", ",0.029999999999999999,yes\n",
-      ",0.59999999999999998,no\n",
+      "# How far one step at 0.25 s is from its end", ",0.59999999999999998,no\n",
       "10 points a side: radius 0.937500; the end itself took 321 plain iterations.\n",
-      "the end itself took 400000 plain iterations, and is not quite it.\n"}},
+      "the end itself took 400000 plain iterations, and is not quite it.\n"},
+     "10x10,triangles"}, /* which has no samples */
 };
 
 static void test_cells(void)
@@ -158,7 +164,7 @@ static void test_cells(void)
         said_open(&s);
         print_part(c->part, TABLE_CSV, &s);
         said_close(&s, true);
-        for (int k = 0; k < 5 && c->has[k]; k++)
+        for (int k = 0; k < 6 && c->has[k]; k++)
             said_has(&s, c->part->item.name, c->has[k]);
         if (c->lacks)
             said_lacks(&s, c->part->item.name, c->lacks);
@@ -369,6 +375,51 @@ static void test_baselines(void)
     }
 }
 
+/* Means of calls: as many as asked for, together no longer than it took. */
+static void test_phases(void)
+{
+    const struct run_plan plan = {DROP, named("iga_paper"), &(struct settings){0}, 0};
+    struct run run = {0};
+
+    REQUIRE(run_open(&run, &plan, NULL) == STATUS_OK);
+    for (int p = 0; p < BENCH_SOLID_FRAME; p++) {
+        double seconds[4] = {NAN, NAN, NAN, NAN}, sum = 0;
+        const double start = clock_now();
+        CHECK(bench_solid_time(run.state, p, 3, seconds) == STATUS_OK);
+        const double took = clock_now() - start;
+        for (int n = 0; n < 3; n++) {
+            CHECK(seconds[n] > 0);
+            sum += seconds[n];
+        }
+        CHECK(sum <= took && isnan(seconds[3]));
+    }
+    run_close(&run);
+}
+
+static void test_share(void)
+{
+    static const struct {
+        double processor, all;
+        const char *text;
+    } share[] = {{3.9, 4, "; a processor for 98 % of the time"},
+                 {3.8, 4, "; a processor for 95 % of the time"},
+                 {3.79, 4,
+                  "; a processor for 95 % of the time: the machine was busy, the "
+                  "milliseconds are too long"},
+                 {1, 4,
+                  "; a processor for 25 % of the time: the machine was busy, the "
+                  "milliseconds are too long"}};
+
+    for (int n = 0; n < LENGTH(share); n++) {
+        struct said s;
+        said_open(&s);
+        measurement_share(share[n].processor, share[n].all, s.file);
+        said_close(&s, true);
+        CHECK(!strcmp(s.text, share[n].text));
+        said_clear(&s);
+    }
+}
+
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
@@ -380,5 +431,7 @@ int main(int argc, char **argv)
     test_samples(argv[1]);
     test_time();
     test_baselines();
+    test_phases();
+    test_share();
     return check_result();
 }

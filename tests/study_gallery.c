@@ -9,6 +9,7 @@
 #include "bench/studies/studies.h"
 #include "bench/tables/table4.h"
 #include "models/metric/metric.h"
+#include "tests/progress_seen.h"
 #include "tests/study_fixture.h"
 
 enum { TIMES = 3 };
@@ -83,11 +84,14 @@ static void check_file(const struct kept *k, const double *time, const char *csv
 static void check(const struct experiment *e, int count, const struct kept *kept,
                   const double *time, const char *unsaid)
 {
-    const struct experiment_options options = {.folder = study_folder, .quick = true};
+    struct progress_seen seen = {0, 0};
+    const struct experiment_options options = {
+        .folder = study_folder, .quick = true, .progress = progress_seen, .context = &seen};
     struct study_printed p;
     char name[64];
 
     REQUIRE(experiment_measure(e, &options, NULL) == STATUS_OK);
+    progress_seen_all(&seen, count);
     REQUIRE(experiment_print(e, study_folder, TABLE_TEXT, study_print_to(&p), NULL) ==
             STATUS_OK);
     study_printed_wants(&p, unsaid);

@@ -4,6 +4,10 @@
  *
  *   study_locking FOLDER
  */
+#include "bench/files/folder.h"
+#include "bench/files/store_read.h"
+#include "bench/files/store_scene.h"
+#include "bench/harness/run_result.h"
 #include "bench/studies/studies.h"
 #include "bench/studies/study_locking.h"
 #include "tests/fresh.h"
@@ -96,6 +100,59 @@ static void without_shear(const struct study_locking *s)
     CHECK_NEAR(study_locking_shear(s, shell, 0), 1, TOL_NOTHING);
 }
 
+/* What a label says, "IGA (4,4,1) 10x10x2", is what ran: degree, and unknowns of a sheet
+ * with one edge held (a shell holds two rows); each file is of the sheet that its name
+ * says. */
+static void check_file(const char *folder, int space, int nu, double h)
+{
+    const struct study_locking_space *s = &study_locking_space[space];
+    const bool shell = !strncmp(s->label, "shell", 5);
+    const char *net = strpbrk(s->label, "0123456789");
+    int side = 0, other = 0, layers = 1;
+    char path[4096], degree[64] = "";
+    struct store_read *file = NULL;
+    struct scene scene;
+    struct run_result r;
+
+    while (net && sscanf(net, "%dx%dx%d", &side, &other, &layers) < 2 + !shell)
+        net = strpbrk(net + strspn(net, "0123456789"), "0123456789");
+    CHECK(net && side == s->points && other == side);
+    if (s->degree) {
+        snprintf(degree, sizeof degree, "(%.5s)", strchr(s->degree, '[') + 1);
+        CHECK(strstr(s->label, degree));
+    }
+    snprintf(path, sizeof path, "%s/%s_nu%g_h%gmm.h5", folder, s->name,
+             study_locking_nu[nu], 1e3 * h);
+    REQUIRE(run_result_read(path, false, &r, NULL) == STATUS_OK);
+    CHECK(r.unknowns == 3 * side * (shell ? side - 2 : (side - 1) * layers));
+    REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
+    REQUIRE(store_scene(file, path, &scene, NULL) == STATUS_OK);
+    CHECK(scene.poisson == study_locking_nu[nu] && scene.thickness == h);
+    scene_clear(&scene);
+    store_read_close(file);
+    run_result_clear(&r);
+}
+
+/* Also what was timed: at nu = 0.3 alone, of what has an equilibrium. */
+static void files(const char *folder, const struct study_locking *s)
+{
+    char path[4096];
+
+    for (int n = 0; n < s->count; n++) {
+        CHECK(s->thickness[n] == study_locking_thickness[n]);
+        for (int space = 0; space < STUDY_LOCKING_SPACES; space++)
+            for (int nu = 0; nu < STUDY_LOCKING_NUS; nu++) {
+                const struct study_locking_cell *c = &s->cell[space][nu][n];
+                const bool timed = nu == STUDY_LOCKING_BOTH;
+                check_file(folder, space, nu, s->thickness[n]);
+                CHECK(timed ? c->setup > 0 && c->equilibrium > 0
+                            : isnan(c->setup) && isnan(c->equilibrium));
+            }
+    }
+    snprintf(path, sizeof path, "%s/iga_221_10_nu0.3_h1mm.h5", folder);
+    CHECK(!strcmp(s->machine, path));
+}
+
 static void prints(const char *folder)
 {
     char text[1 << 16];
@@ -124,6 +181,7 @@ int main(int argc, char **argv)
     against_prototype(s);
     kinds(s);
     without_shear(s);
+    files(argv[1], s);
     prints(argv[1]);
     free(s);
     return check_result();

@@ -138,6 +138,17 @@ static void test_locking(void)
     STUDY_ROW(text, "space,unknowns,setup_s,equilibrium_s",
               "\"IGA (3,3,1) 10x10x2 reduced\"", 0, 1154, 0.161, 0.32, 0.9 * 0.65,
               0.9 * 0.75, 0.9 * 0.85);
+    lock.count = 2; /* what it costs is told of the thicker one */
+    REQUIRE(study_locking_tell(&lock, study_folder, TABLE_CSV, study_print_to(&p), &why) ==
+            STATUS_OK);
+    char *two = study_printed_text(&p);
+    STUDY_ROW(two, "space,unknowns,setup_s,equilibrium_s", "hex 10x10x2", 0, 1074, 0.081,
+              0.16, 0.9 / (1 + 1e8), 0.9 / (1 + 1e6));
+    free(two);
+    locking_base();
+    REQUIRE(study_locking_tell(&lock, study_folder, TABLE_TEXT, study_print_to(&p), &why) ==
+            STATUS_OK); /* files again of all three */
+    free(study_printed_text(&p));
     const char *shear = strstr(text, "Transverse shear locking alone");
     const char *through = strstr(text, "Thickness locking alone");
     REQUIRE(shear && through);

@@ -4,6 +4,7 @@
 
 #include "iga/refine.h"
 #include "tests/fresh.h"
+#include "tests/progress_seen.h"
 
 /* Rows of refinement operators are convex: a few roundings of 1 m. */
 static const double TOL_SHAPE = 1e-14;
@@ -47,15 +48,20 @@ static void shapes_and_nets(void)
 
 static void motions(const char *folder)
 {
-    const struct experiment_options options = {.folder = folder, .quick = true};
+    struct progress_seen seen = {0, 0};
+    const struct experiment_options options = {
+        .folder = folder, .quick = true, .progress = progress_seen, .context = &seen};
     struct study_orders_result r;
     struct message why = {""};
 
     REQUIRE(study_orders_measure(&options, &why) == STATUS_OK);
+    progress_seen_all(&seen, STUDY_ORDERS);
     REQUIRE(study_orders_read(folder, &r, &why) == STATUS_OK);
     CHECK(r.side == 6);
     CHECK(r.points[STUDY_ORDERS_REFINE_FIRST] == 18 && r.points[STUDY_ORDERS_K] == 14);
     CHECK(r.knots == 0);
+    for (int n = 0; n < STUDY_ORDERS; n++)
+        CHECK_NEAR(r.shape[n], 0, TOL_SHAPE);
     CHECK_NEAR(r.net, 0, TOL_SHAPE);
     for (int t = 0; t < STUDY_ORDERS_TIMES; t++) {
         CHECK(r.motion[STUDY_ORDERS_REFINE_FIRST][t] == 0);

@@ -253,6 +253,8 @@ static void tables(struct study_made *m)
     study_wants_file("timestep.gp", "10 7.03 5 7.13 2.5 7.23 1.25 7.33 0.625 7.43 EOD");
     study_wants_file("timestep.gp", "10 0.02 5 0.01 2.5 0.005 1.25 0.0025 EOD");
     study_wants_file("timestep.gp", "set xlabel 'step [ms]'");
+    study_wants_file("timestep.gp",
+                     "set xtics ('0.625' 0.625,'1.25' 1.25,'2.5' 2.5,'5' 5,'10' 10)");
     study_wants_file("timestep.gp", "set ylabel 'RMSE / L to half the step'");
     free(study_file("nonlinear_mass.csv"));
     text = study_squeeze(study_file("timestep.gp"));

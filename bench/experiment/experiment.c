@@ -31,6 +31,13 @@ void experiment_progress(const struct experiment_options *options, const char *w
         options->progress(options->context, what, done, total);
 }
 
+struct measurement_options experiment_measurement(const struct experiment_options *options,
+                                                  const char *what)
+{
+    return (struct measurement_options){what, options->quick, options->repeats,
+                                        options->progress, options->context};
+}
+
 struct bar {
     struct progress progress;
     const char *what;
@@ -128,10 +135,7 @@ enum status experiment_measure(const struct experiment *e,
                                const struct experiment_options *options,
                                struct message *why)
 {
-    const struct measurement_options how = {.quick = options->quick,
-                                            .repeats = options->repeats,
-                                            .progress = options->progress,
-                                            .context = options->context};
+    const struct measurement_options how = experiment_measurement(options, NULL);
     struct plan plan = {0};
     enum status st = STATUS_OK;
 

@@ -9,6 +9,7 @@
 #ifndef EXPERIMENT_H
 #define EXPERIMENT_H
 
+#include "bench/experiment/measurement.h"
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 
@@ -49,6 +50,10 @@ struct experiment {
 /* Calls options->progress if there is one. */
 void experiment_progress(const struct experiment_options *options, const char *what,
                          int done, int total);
+
+/* For runs that are measured together, as the experiment is. */
+struct measurement_options experiment_measurement(const struct experiment_options *options,
+                                                  const char *what);
 
 /* What the commands `table` and `study` do: the experiment that the first word names, or,
  * with `plans`, the studies of the plan that it names. Results go to

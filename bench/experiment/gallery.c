@@ -103,6 +103,19 @@ void gallery_clear(struct gallery_result *r)
         run_result_clear(&r->run[n]);
 }
 
+enum status gallery_tell(const struct gallery *g, const char *folder,
+                         enum table_format format, FILE *file, struct message *why)
+{
+    struct gallery_result r;
+    enum status st = gallery_read(g, folder, &r, why);
+
+    if (st != STATUS_OK)
+        return st;
+    st = g->tell(&r, folder, format, file, why);
+    gallery_clear(&r);
+    return st;
+}
+
 static struct table *fill(const struct gallery *g, const struct gallery_result *r,
                           const char *caption)
 {

@@ -16,6 +16,8 @@ struct gallery_case {
     const char *scene, *contestant;
 };
 
+struct gallery_result; /* below */
+
 struct gallery {
     const char *name; /* of its files                                                  */
     int times;
@@ -23,6 +25,10 @@ struct gallery {
     int count;
     struct gallery_case item[GALLERY_CASES];
     void (*settings)(int item, bool quick, struct settings *s); /* adds a case's       */
+
+    /* What is printed of its runs. */
+    enum status (*tell)(const struct gallery_result *r, const char *folder,
+                        enum table_format format, FILE *file, struct message *why);
 };
 
 /* Runs every case to the last time: FOLDER/NAME_CASE.h5. Deaths and refusals are results.
@@ -45,6 +51,10 @@ struct gallery_result {
 enum status gallery_read(const struct gallery *g, const char *folder,
                          struct gallery_result *r, struct message *why);
 void gallery_clear(struct gallery_result *r);
+
+/* gallery_read, then the gallery's `tell`. */
+enum status gallery_tell(const struct gallery *g, const char *folder,
+                         enum table_format format, FILE *file, struct message *why);
 
 /* The numbers of every case at every time, also into NAME.csv; NAME.png (gallery_picture).
  */

@@ -222,20 +222,22 @@ out:
     return st;
 }
 
-/* Milliseconds of a busy machine are too long; a reader should know. */
+void measurement_share(double processor, double all, FILE *file)
+{
+    fprintf(file, "; a processor for %.0f %% of the time", 100 * processor / all);
+    if (processor < ENOUGH * all)
+        fprintf(file, ": the machine was busy, the milliseconds are too long");
+}
+
 static void tell_share(const struct store_read *run, FILE *file)
 {
     double *all = NULL, *ours = NULL;
     int rows, columns;
 
-    if (store_read_has(run, "seconds/timed") && store_read_has(run, "seconds/processor") &&
-        store_read_array(run, "seconds/timed", &all, &rows, &columns, NULL) == STATUS_OK &&
+    if (store_read_array(run, "seconds/timed", &all, &rows, &columns, NULL) == STATUS_OK &&
         store_read_array(run, "seconds/processor", &ours, &rows, &columns, NULL) ==
-            STATUS_OK) {
-        fprintf(file, "; a processor for %.0f %% of the time", 100 * *ours / *all);
-        if (*ours < ENOUGH * *all)
-            fprintf(file, ": the machine was busy, the milliseconds are too long");
-    }
+            STATUS_OK)
+        measurement_share(*ours, *all, file);
     free(all);
     free(ours);
 }

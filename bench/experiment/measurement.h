@@ -39,6 +39,10 @@ struct measurement_options {
 enum status measurement_run(const struct measurement_options *options, int count,
                             const struct measurement_case *cases, struct message *why);
 
+/* Words on how much of `all` seconds a processor was had: milliseconds of a busy machine
+ * are too long, and a reader should know. */
+void measurement_share(double processor, double all, FILE *file);
+
 /* A line on where the run in a result file was measured; nothing if it cannot be read. */
 void measurement_machine(const char *path, FILE *file);
 

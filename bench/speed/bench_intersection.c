@@ -1,12 +1,11 @@
 /* What counting self-intersections costs, and what its tree saves: surfaces of 100 x 100
- * points from flat to crumpled. */
+ * points from flat to crumpled; if quick, of fewer. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
 #include "bench/speed/bench.h"
 #include "models/clock.h"
-#include "models/grid.h"
 #include "models/metric/intersection.h"
 
 static const double turn = 6.283185307179586;
@@ -73,7 +72,7 @@ static const struct shape {
     {"flat", flat},     {"draped", draped},     {"rolled up", rolled},
     {"folded", folded}, {"crumpled", crumpled}, {"doubled", doubled},
 };
-enum { SHAPES = sizeof shapes / sizeof *shapes };
+enum { SHAPES = sizeof shapes / sizeof *shapes, SIDE = 100, QUICK_SIDE = 30 };
 
 enum way { TREE, EVERY_PAIR, WAYS };
 static const char *const way_name[WAYS] = {"tree", "every pair"};
@@ -81,6 +80,7 @@ static const char *const way_name[WAYS] = {"tree", "every pair"};
 /* A shape on the grid, and what the last counts of it gave. */
 struct sheet {
     struct intersection work;
+    int side; /* points                                                                */
     double *xyz;
     long pairs[WAYS]; /* that intersect                                                */
     long tests[WAYS]; /* of pairs of triangles                                         */
@@ -89,7 +89,8 @@ struct sheet {
 static enum status count(void *sheet)
 {
     struct sheet *s = sheet;
-    enum status st = intersection_count(&s->work, GRID_U, GRID_V, s->xyz, &s->pairs[TREE]);
+    enum status st =
+        intersection_count(&s->work, s->side, s->side, s->xyz, &s->pairs[TREE]);
 
     s->tests[TREE] = s->work.tests;
     return st;
@@ -99,22 +100,20 @@ static enum status count_all(void *sheet)
 {
     struct sheet *s = sheet;
     enum status st =
-        intersection_count_all(&s->work, GRID_U, GRID_V, s->xyz, &s->pairs[EVERY_PAIR]);
+        intersection_count_all(&s->work, s->side, s->side, s->xyz, &s->pairs[EVERY_PAIR]);
 
     s->tests[EVERY_PAIR] = s->work.tests;
     return st;
 }
 
-static enum status make(const struct shape *shape, struct sheet *s)
+static enum status make(const struct shape *shape, int side, struct sheet *s)
 {
-    s->xyz = malloc(GRID_U * GRID_V * 3 * sizeof *s->xyz);
+    s->side = side;
+    s->xyz = malloc((size_t)(side * side) * 3 * sizeof *s->xyz);
     if (!s->xyz)
         return STATUS_MEMORY;
-    for (int n = 0; n < GRID_U * GRID_V; n++) {
-        double uvw[3];
-        grid_point(n, uvw);
-        shape->point(uvw[0], uvw[1], s->xyz + 3 * n);
-    }
+    for (int n = 0; n < side * side; n++)
+        shape->point(n % side / (side - 1.), n / side / (side - 1.), s->xyz + 3 * n);
     return STATUS_OK;
 }
 
@@ -135,10 +134,12 @@ static enum status sample(struct bench *b, struct message *why)
 {
     struct sheet sheets[SHAPES] = {{{0}}};
     struct samples_task tasks[WAYS * SHAPES];
+    const int side = b->quick ? QUICK_SIDE : SIDE;
     enum status st = STATUS_OK;
 
+    samples_add(&b->samples, "sheet", "side", side);
     for (int n = 0; n < SHAPES; n++) {
-        TRY(make(&shapes[n], &sheets[n]));
+        TRY(make(&shapes[n], side, &sheets[n]));
         for (int w = 0; w < WAYS; w++)
             tasks[WAYS * n + w] =
                 (struct samples_task){shapes[n].name, way_name[w],
@@ -161,9 +162,12 @@ static enum status print(const struct bench *b, struct message *why)
     static const struct table_column columns[] = {
         {"surface", NULL, TABLE_LEFT}, {"pairs"}, {"tests"}, BENCH_PART_TIMES,
         {"every pair", "ms"},          {"gain"}};
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   "Self-intersections of 100 x 100 points");
+    const double side = samples_number(&b->samples, "sheet", "side");
+    char caption[64];
 
+    snprintf(caption, sizeof caption, "Self-intersections of %.0f x %.0f points", side,
+             side);
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
     for (int n = 0; n < SHAPES; n++) {
         const char *name = shapes[n].name;
         const struct clock_summary tree = samples_of(&b->samples, name, way_name[TREE]);

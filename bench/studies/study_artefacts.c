@@ -50,7 +50,8 @@ static const struct gallery gallery = {
              {"floating: row 13", "floating", "flag", "iga_paper"},
              {"floating: row 13, shell", "floating_shell", "flag", STUDIES_SHELL},
              {"penetration: row 2", "penetration", "flag", "iga_paper"}},
-    .settings = add_settings};
+    .settings = add_settings,
+    .tell = study_artefacts_tell};
 
 static enum status measure(const struct experiment_options *options, struct message *why)
 {
@@ -128,14 +129,7 @@ out:
 static enum status print(const char *folder, enum table_format format, FILE *file,
                          struct message *why)
 {
-    struct gallery_result r;
-    enum status st;
-
-    TRY(gallery_read(&gallery, folder, &r, why));
-    TRY(study_artefacts_tell(&r, folder, format, file, why));
-out:
-    gallery_clear(&r);
-    return st;
+    return gallery_tell(&gallery, folder, format, file, why);
 }
 
 const struct experiment study_artefacts_experiment = {

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 #include "bench/experiment/judge.h"
-#include "bench/experiment/measurement.h"
 #include "bench/studies/studies.h"
+#include "bench/studies/study_cantilever.h"
 #include "bench/truth/truth_plate.h"
 #include "fem_ref/elastica.h"
 #include "fem_ref/reference.h"
@@ -34,17 +34,10 @@ enum { PATH = 4096 };
 static const double LOAD = 0.01;
 static const struct study_cures_tip none = {NAN, NAN};
 
-/* Square, 1 m: the sheet, and a load such that Gamma or, linear, the tip is known. */
+/* Nonlinear, the load is Gamma. */
 static void add_physics(struct settings *s, double nu, double h, double gamma)
 {
-    const double D = 1e5 * h * h * h / (12 * (1 - nu * nu));
-
-    settings_number(s, "sheet.thickness", h);
-    settings_number(s, "material.poisson", nu);
-    settings_set(s, "material.young=1e5");
-    settings_set(s, "material.density=1");
-    settings_numbers(s, "gravity", 3,
-                     (double[]){0, 0, -(gamma > 0 ? gamma : LOAD) * D / h});
+    study_cantilever_sheet(s, nu, h, gamma > 0 ? gamma : LOAD);
     settings_word(s, "discretization.kinematics", gamma > 0 ? "nonlinear" : "linear");
 }
 
@@ -161,6 +154,7 @@ enum status study_cures_solve(int what, int law, int n, int thickness, bool quic
         TRY(elastica_solve(gamma, &elastica));
         *tip = (struct study_cures_tip){elastica.reach, elastica.drop};
     } else {
+        tip->x = 1; /* nothing turns */
         TRY(truth_plate_coefficient(nu, 24, &tip->z));
     }
 out:
@@ -196,7 +190,7 @@ out:
 
 /* FOLDER/tips.csv, a line for each tip. Quick: every other thickness. */
 static enum status measure_tips(const struct experiment_options *options,
-                                struct message *why)
+                                study_cures_solver *solver, struct message *why)
 {
     enum { ALL = STUDY_CURES_LAWS * STUDY_CURES_NUS * STUDY_CURES_THICKNESSES };
     static const struct table_column columns[] = {{"what"},      {"law"}, {"nu"},
@@ -214,7 +208,7 @@ static enum status measure_tips(const struct experiment_options *options,
         for (int what = 0; what < STUDY_CURES_WHATS && !(quick && h % 2); what++) {
             /* thin sheets have one truth: the last thickness has left it in tip[] */
             if (what < STUDY_CURES_SPACES || h <= (quick ? 2 : 1))
-                TRY(study_cures_solve(what, law, nu, h, quick, &tip[what], why));
+                TRY(solver(what, law, nu, h, quick, &tip[what], why));
             if (isnan(tip[what].z))
                 continue;
             const double row[] = {what, law, nu, h, tip[what].x, tip[what].z};
@@ -260,6 +254,7 @@ static enum status measure_frames(const struct experiment_options *options,
                                   struct message *why)
 {
     static const double time = 0.1, end = 0.25; /* [s] */
+    const struct measurement_options how = experiment_measurement(options, "frames");
     struct measurement_case cases[STUDY_CURES_SPACES] = {{{0}}};
     char file[STUDY_CURES_SPACES][PATH];
     struct settings incremental = {0};
@@ -275,24 +270,27 @@ static enum status measure_frames(const struct experiment_options *options,
         c->phases = true;
         TRY(contestant_find(study_cures_space[n].contestant, &c->plan.contestant, why));
     }
-    TRY(measurement_run(&(struct measurement_options){"frames", options->quick,
-                                                      options->repeats, options->progress,
-                                                      options->context},
-                        STUDY_CURES_SPACES, cases, why));
+    TRY(measurement_run(&how, STUDY_CURES_SPACES, cases, why));
 out:
     settings_clear(&incremental);
     return st;
 }
 
-static enum status measure(const struct experiment_options *options, struct message *why)
+enum status study_cures_measure(const struct experiment_options *options,
+                                study_cures_solver *solver, struct message *why)
 {
     enum status st;
 
-    TRY(measure_tips(options, why));
+    TRY(measure_tips(options, solver, why));
     TRY(measure_zero_modes(options->folder, why));
     TRY(measure_frames(options, why));
 out:
     return st;
+}
+
+static enum status measure(const struct experiment_options *options, struct message *why)
+{
+    return study_cures_measure(options, study_cures_solve, why);
 }
 
 /* A whole number below `count` from a cell; -1: it is none. */
@@ -332,8 +330,13 @@ static enum status read_zero_modes(const char *path, struct study_cures *s,
     enum status st;
 
     TRY(reference_open(path, &table, why));
-    for (int n = 0; n < STUDY_CURES_SPACES && n < reference_rows(table); n++)
-        s->zero_modes[n] = index_of(table, n, "zero_modes", INT_MAX);
+    for (int n = 0; n < STUDY_CURES_SPACES; n++) {
+        const int row = n < reference_rows(table) ? n : -1;
+        s->zero_modes[n] = row < 0 ? -1 : index_of(table, row, "zero_modes", INT_MAX);
+        if (s->zero_modes[n] < 0)
+            TRY(status_fail(why, STATUS_INPUT, "%s: zero modes of '%s' are wanted", path,
+                            study_cures_space[n].label));
+    }
     TRY(reference_fault(table, why));
 out:
     reference_close(table);

@@ -59,6 +59,12 @@ struct study_cures {
 enum status study_cures_solve(int what, int law, int nu, int thickness, bool quick,
                               struct study_cures_tip *tip, struct message *why);
 
+/* Result files of tips found by a solver such as that, zero modes, and frames. */
+typedef enum status study_cures_solver(int what, int law, int nu, int thickness, bool quick,
+                                       struct study_cures_tip *tip, struct message *why);
+enum status study_cures_measure(const struct experiment_options *options,
+                                study_cures_solver *solver, struct message *why);
+
 /* Zero modes of the free sheet, h/L = 0.02, by the eigenvalues of its stiffness. */
 enum status study_cures_zero_modes(const struct study_cures_space *space, int *count,
                                    struct message *why);

@@ -4,8 +4,8 @@
 #include "bench/experiment/judge.h"
 #include "bench/experiment/measurement.h"
 #include "bench/experiment/study.h"
+#include "bench/studies/study_cantilever.h"
 #include "bench/studies/study_cures.h"
-#include "bench/ui/chart.h"
 
 /* Two degrees, each with the paper's way first. */
 enum { HALF = STUDY_CURES_SPACES / 2 };
@@ -280,25 +280,20 @@ static struct chart *make_chart(const struct table *t)
     const struct chart_axis h = {"h/L", NULL, true, 5e-6, 0.2},
                             error = {"|1 - tip / truth|", NULL, true, 1e-5, 2};
     struct chart *c = chart_create("Cures for locking, 10x10x2: tip against truth");
-    char law_text[48], title[80];
+    char text[48];
 
     chart_columns(c, STUDY_CURES_NUS);
     chart_axes(c, &h, &error);
     for (int law = 0; law < STUDY_CURES_LAWS; law++)
         for (int nu = 0; nu < STUDY_CURES_NUS; nu++) {
-            snprintf(title, sizeof title, "%s, nu = %g", law_name(law, law_text),
-                     study_cures_nu[nu]);
-            chart_panel(c, title);
+            study_cantilever_panel(c, law_name(law, text), study_cures_nu[nu]);
             chart_band(c, "asked of a cure", study_cures_target, study_cures_target);
             for (int space = 0; space < STUDY_CURES_SPACES; space++) {
-                const struct chart_where where[] = {
-                    {"space", study_cures_space[space].label},
-                    {"gamma", NULL, study_cures_gamma[law]},
-                    {"poisson", NULL, study_cures_nu[nu]}};
-                chart_series(c, &(struct chart_series){study_cures_space[space].label,
-                                                       .colour = space % 3 + 1,
-                                                       .second = space > 2});
-                chart_rows(c, t, "thickness", "error", 3, where);
+                const struct chart_series look = {study_cures_space[space].label,
+                                                  .colour = space % HALF + 1,
+                                                  .second = space >= HALF};
+                study_cantilever_line(c, t, "thickness", &look, study_cures_nu[nu],
+                                      &study_cures_gamma[law]);
             }
         }
     return c;
@@ -307,7 +302,7 @@ static struct chart *make_chart(const struct table *t)
 enum status study_cures_tell(const struct study_cures *s, const char *folder,
                              enum table_format format, FILE *file, struct message *why)
 {
-    struct table *errors = fill_errors(s);
+    struct table *errors;
     enum status st = STATUS_OK;
 
     for (int law = 0; law < STUDY_CURES_LAWS; law++)
@@ -315,9 +310,8 @@ enum status study_cures_tell(const struct study_cures *s, const char *folder,
     TRY(table_finish(cost_table(s), format, file));
     if (table_format_is_prose(format))
         print_text(s, file);
-    TRY(table_save(errors, folder, "errors", why));
-    TRY(chart_save(make_chart(errors), folder, "cures", why));
+    errors = fill_errors(s);
+    st = study_cantilever_save(errors, "errors", make_chart(errors), "cures", folder, why);
 out:
-    table_destroy(errors);
     return st;
 }

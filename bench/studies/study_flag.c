@@ -37,7 +37,8 @@ static const struct gallery gallery = {
              {"mass-spring, matched", STUDIES_SPRINGS, "flag", STUDIES_SPRINGS},
              {"projective dynamics, matched", STUDIES_PROJECTIVE, "flag",
               STUDIES_PROJECTIVE}},
-    .settings = add_settings};
+    .settings = add_settings,
+    .tell = study_flag_tell};
 
 static enum status measure(const struct experiment_options *options, struct message *why)
 {
@@ -131,14 +132,7 @@ out:
 static enum status print(const char *folder, enum table_format format, FILE *file,
                          struct message *why)
 {
-    struct gallery_result r;
-    enum status st;
-
-    TRY(gallery_read(&gallery, folder, &r, why));
-    TRY(study_flag_tell(&r, folder, format, file, why));
-out:
-    gallery_clear(&r);
-    return st;
+    return gallery_tell(&gallery, folder, format, file, why);
 }
 
 const struct experiment study_flag_experiment = {

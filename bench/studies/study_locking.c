@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/experiment/measurement.h"
 #include "bench/studies/studies.h"
+#include "bench/studies/study_cantilever.h"
 #include "bench/truth/truth_plate.h"
 #include "fem_ref/reference.h"
 
@@ -87,19 +87,12 @@ static enum status fill(const struct study_locking_space *s,
                         const struct contestant *contestant, double nu, double h,
                         struct settings *settings)
 {
-    const double young = 1e5, density = 1;
-    const double stiffness = young * h * h * h / (12 * (1 - nu * nu));
     double coefficient;
     const enum status st = truth_plate_coefficient(nu, TERMS, &coefficient);
 
     if (st != STATUS_OK)
         return st;
-    settings_number(settings, "sheet.thickness", h);
-    settings_number(settings, "material.young", young);
-    settings_number(settings, "material.poisson", nu);
-    settings_number(settings, "material.density", density);
-    settings_numbers(settings, "gravity", 3,
-                     (double[]){0, 0, -TIP * stiffness / (coefficient * density * h)});
+    study_cantilever_sheet(settings, nu, h, TIP / coefficient);
     if (s->degree)
         settings_set(settings, s->degree);
     contestant_points(contestant, s->points, s->points, settings);
@@ -132,10 +125,8 @@ static enum status measure_thickness(const struct experiment_options *options, d
                  &jobs[n].settings));
     }
     snprintf(what, sizeof what, "h = %g mm", 1e3 * h);
-    TRY(measurement_run(&(struct measurement_options){what, options->quick,
-                                                      options->repeats, options->progress,
-                                                      options->context},
-                        CASES, cases, why));
+    const struct measurement_options how = experiment_measurement(options, what);
+    TRY(measurement_run(&how, CASES, cases, why));
 out:
     for (int n = 0; jobs && n < CASES; n++)
         settings_clear(&jobs[n].settings);

@@ -7,8 +7,8 @@
 #include "bench/experiment/measurement.h"
 #include "bench/experiment/study.h"
 #include "bench/harness/fit.h"
+#include "bench/studies/study_cantilever.h"
 #include "bench/studies/study_locking.h"
-#include "bench/ui/chart.h"
 
 enum { FIXED = 4, MOST = FIXED + STUDY_LOCKING_MOST, TEXT = 32 };
 
@@ -303,23 +303,18 @@ static struct chart *make_chart(const struct table *t)
                             error = {"|1 - tip / Kirchhoff|", NULL, true, 1e-4, 1.2};
     struct chart *c = chart_create(
         "Locking of a cantilever: of shear alone at nu = 0, both kinds at nu = 0.3");
-    char text[TEXT];
 
     chart_columns(c, STUDY_LOCKING_NUS);
     chart_axes(c, &h, &error);
     for (int first = 0, end; first < STUDY_LOCKING_SPACES; first = end)
         for (int nu = 0; nu < STUDY_LOCKING_NUS; nu++) {
-            snprintf(text, sizeof text, "%s, nu = %g", space[first].family,
-                     study_locking_nu[nu]);
-            chart_panel(c, text);
+            study_cantilever_panel(c, space[first].family, study_locking_nu[nu]);
             for (end = first; end < STUDY_LOCKING_SPACES &&
                               !strcmp(space[end].family, space[first].family);
-                 end++) {
-                const struct chart_where where[] = {
-                    {"space", space[end].label}, {"poisson", NULL, study_locking_nu[nu]}};
-                chart_series(c, &(struct chart_series){space[end].label});
-                chart_rows(c, t, "thickness_m", "error", 2, where);
-            }
+                 end++)
+                study_cantilever_line(c, t, "thickness_m",
+                                      &(struct chart_series){space[end].label},
+                                      study_locking_nu[nu], NULL);
         }
     return c;
 }
@@ -327,7 +322,7 @@ static struct chart *make_chart(const struct table *t)
 enum status study_locking_tell(const struct study_locking *s, const char *folder,
                                enum table_format format, FILE *file, struct message *why)
 {
-    struct table *all = fill(s);
+    struct table *all;
     enum status st;
 
     TRY(print_tips(s, format, file));
@@ -335,9 +330,8 @@ enum status study_locking_tell(const struct study_locking *s, const char *folder
     TRY(print_prototype(s, format, file));
     if (table_format_is_prose(format))
         tell(s, file);
-    TRY(table_save(all, folder, "locking", why));
-    TRY(chart_save(make_chart(all), folder, "locking", why));
+    all = fill(s);
+    st = study_cantilever_save(all, "locking", make_chart(all), "locking", folder, why);
 out:
-    table_destroy(all);
     return st;
 }

@@ -1,0 +1,211 @@
+/* Quick runs of `bench`, by what does not depend on seconds: which rows there are, counts,
+ * distances, repeats; that the same is printed again from what was kept.
+ *
+ *   bench_quick FOLDER
+ */
+#define _GNU_SOURCE /* nftw */
+#include <ftw.h>
+#include <unistd.h>
+
+#include "bench/harness/timing.h"
+#include "bench/speed/bench.h"
+#include "tests/run_fixture.h"
+#include "tests/said.h"
+
+/* `bench` with these words: its exit status and what it prints. */
+static enum status bench(struct said *s, const char *words, struct message *why)
+{
+    char text[4096], *word[16];
+    struct command_line line;
+    int count = 0;
+
+    snprintf(text, sizeof text, "%s", words);
+    for (char *at = strtok(text, " "); at; at = strtok(NULL, " "))
+        word[count++] = at;
+    REQUIRE(command_parse(&bench_command, count, word, &line, why) == STATUS_OK);
+    FILE *file = tmpfile();
+    fflush(stdout);
+    const int out = dup(STDOUT_FILENO);
+    REQUIRE(file && out >= 0 && dup2(fileno(file), STDOUT_FILENO) >= 0);
+    const enum status st = bench_command.run(&line, why);
+    fflush(stdout);
+    REQUIRE(dup2(out, STDOUT_FILENO) >= 0);
+    close(out);
+    rewind(file);
+    said_open(s);
+    for (int c; (c = fgetc(file)) != EOF;)
+        fputc(c, s->file);
+    said_close(s, true);
+    fclose(file);
+    command_line_clear(&line);
+    return st;
+}
+
+/* A row of CSV: the cell of a column, counted from 0, behind the row's name. */
+static double cell(const struct said *s, const char *row, int column)
+{
+    char begin[128];
+
+    snprintf(begin, sizeof begin, "\n%s,", row);
+    const char *at = strstr(s->text, begin);
+    if (!CHECK(at != NULL)) {
+        printf("no row '%s' in\n%s\n", row, s->text);
+        return NAN;
+    }
+    at += strlen(begin);
+    for (; column > 0 && at; column--)
+        at = strchr(at, ',') + 1;
+    return strtod(at, NULL);
+}
+
+/* What is timed is kept in a folder of the part's, which is made, and printed again from
+ * there; machines get the table alone. */
+static void twice(struct said *first, const char *part, const char *folder)
+{
+    char words[4300];
+    struct message why = {""};
+    struct said s;
+
+    snprintf(words, sizeof words, "%s --quick --format csv --out %s/quick", part, folder);
+    if (!CHECK(bench(first, words, &why) == STATUS_OK))
+        printf("%s: %s\n", part, why.text);
+    said_lacks(first, part, "Peak memory");
+    snprintf(words, sizeof words, "%s --format csv --from %s/quick", part, folder);
+    CHECK(bench(&s, words, &why) == STATUS_OK);
+    CHECK(!strcmp(s.text, first->text));
+    said_clear(&s);
+}
+
+/* Seconds of another day are of the same surfaces: as often through themselves. */
+static void test_surfaces(const char *folder)
+{
+    static const struct {
+        const char *name;
+        double least, most; /* pairs: halves on each other touch as rounding has it     */
+    } want[] = {{"flat", 0, 0},       {"draped", 0, 0},   {"rolled up", 0, 0},
+                {"folded", 515, 515}, {"crumpled", 9, 9}, {"doubled", 1682, 10 * 1682}};
+    const double all = 1682 * 1681 / 2; /* pairs of 2 x 29 x 29 triangles               */
+    struct said s;
+
+    twice(&s, "intersection", folder);
+    said_has(&s, "intersection", "Self-intersections of 30 x 30 points");
+    said_has(&s, "intersection", "Every pair: 1413721 tests");
+    for (int n = 0; n < LENGTH(want); n++) {
+        const double pairs = cell(&s, want[n].name, 0), tests = cell(&s, want[n].name, 1);
+        CHECK(pairs >= want[n].least && pairs <= want[n].most);
+        CHECK(tests > 1682 && tests < all / 10);
+        CHECK(cell(&s, want[n].name, 6) == TIMING_REPEATS_QUICK);
+    }
+    said_clear(&s);
+}
+
+/* Constraints are triangles or edges, and as many rows of bending for either; an iteration
+ * goes towards the end, the accelerated one farther; and a sheet that falls at 2 m/s has
+ * more before it in a step than one at rest, g dt^2. */
+static void test_projective(const char *folder)
+{
+    static const int points[] = {10, 32};
+    char name[32];
+    struct said s;
+
+    twice(&s, "projective", folder);
+    for (int n = 0; n < LENGTH(points); n++) {
+        const int p = points[n];
+        snprintf(name, sizeof name, "%dx%d,triangles", p, p);
+        const double triangles = cell(&s, name, 0), entries = cell(&s, name, 1);
+        CHECK(cell(&s, name, 8) == TIMING_REPEATS_QUICK);
+        snprintf(name, sizeof name, "%dx%d,edges", p, p);
+        CHECK(cell(&s, name, 0) - triangles == 2 * p * (p - 1));
+        CHECK(cell(&s, name, 1) == entries && entries > p * p);
+    }
+    said_lacks(&s, "projective", "\n100x100,");
+    said_has(&s, "projective", "one step at 0.2 s is");
+    said_has(&s, "projective", "dt = 5 ms;");
+    CHECK(cell(&s, "10x10,plain", 0) > 9.81 * 0.005 * 0.005);
+    CHECK(cell(&s, "10x10,plain", 0) == cell(&s, "10x10,Chebyshev", 0)); /* its delay */
+    for (int n = 1; n < 5; n++) {
+        const double plain = cell(&s, "10x10,plain", n);
+        const double faster = cell(&s, "10x10,Chebyshev", n);
+        CHECK(plain < cell(&s, "10x10,plain", n - 1) && faster < plain && faster > 0);
+    }
+    CHECK(cell(&s, "10x10,plain", 6) == TIMING_REPEATS_QUICK);
+    const char *note = strstr(s.text, "# 10 points a side: radius ");
+    double radius = 0, needed = 0;
+    REQUIRE(note && sscanf(note, "# 10 points a side: radius %lf; the end itself took %lf",
+                           &radius, &needed) == 2);
+    CHECK(radius > 0.99 && radius < 1 && needed > 1000 && needed < 400000);
+    said_clear(&s);
+}
+
+/* Three nets by two libraries, each phase with its repeats. */
+static void test_libraries(const char *folder)
+{
+    static const char *const library[] = {"CHOLMOD", "LAPACK band"};
+    char name[128];
+    struct said s;
+
+    twice(&s, "baselines", folder);
+    for (int n = 0; n < 6; n++) {
+        snprintf(name, sizeof name, "%s,%s", bench_part_solids.rows[n / 2].title,
+                 library[n % 2]);
+        for (int k = 0; k < 6; k++)
+            CHECK(cell(&s, name, k) > 0);
+        CHECK(cell(&s, name, 6) == TIMING_REPEATS_QUICK);
+    }
+    said_lacks(&s, "baselines", bench_part_solids.rows[3].title);
+    said_clear(&s);
+}
+
+/* A part made of runs. People are told of the machine too, and of memory where it ran. */
+static void test_runs(const char *folder)
+{
+    char words[4300];
+    struct message why = {""};
+    struct said s;
+
+    twice(&s, "contestants --models shell_3", folder);
+    CHECK(said_count(&s, "shell_3,shell,10x10,") == 1 && said_count(&s, "\n") == 5);
+    CHECK(cell(&s, "\"shell, p = 3\",shell_3,shell,10x10", 0) == 3 * 80);
+    said_clear(&s);
+    for (int from = 0; from < 2; from++) {
+        snprintf(words, sizeof words, "contestants --models shell_3 %s %s/quick",
+                 from ? "--from" : "--quick --out", folder);
+        CHECK(bench(&s, words, &why) == STATUS_OK);
+        said_has(&s, "contestants", "\nMeasured: commit ");
+        said_has(&s, "contestants", "; compiler ");
+        said_has(&s, "contestants", "; omp_threads 1; blas_threads 1; date ");
+        said_has(&s, "contestants", "; a processor for ");
+        CHECK(said_count(&s, "Peak memory ") == !from);
+        said_clear(&s);
+    }
+    CHECK(bench(&s, "contestants --from /proc/nowhere", &why) == STATUS_FILE);
+    said_clear(&s);
+    CHECK(bench(&s, "contestants --format scroll", &why) == STATUS_INPUT);
+    said_clear(&s);
+}
+
+static int remove_one(const char *path, const struct stat *s, int kind, struct FTW *at)
+{
+    (void)s, (void)kind, (void)at;
+    return remove(path);
+}
+
+/* That folders are made, too, is tried. */
+static void remove_earlier(const char *folder)
+{
+    char path[4096];
+
+    snprintf(path, sizeof path, "%s/quick", folder);
+    nftw(path, remove_one, 8, FTW_DEPTH | FTW_PHYS);
+}
+
+int main(int argc, char **argv)
+{
+    REQUIRE(argc == 2);
+    remove_earlier(argv[1]);
+    test_surfaces(argv[1]);
+    test_projective(argv[1]);
+    test_libraries(argv[1]);
+    test_runs(argv[1]);
+    return check_result();
+}

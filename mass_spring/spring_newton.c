@@ -45,8 +45,8 @@ void spring_newton_clear(struct spring_newton *s)
 }
 
 enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
-                               const struct spring_net *net,
-                               const struct discretization *d, struct message *why)
+                               const struct spring_net *net, const struct discretization *d,
+                               struct message *why)
 {
     enum status st;
     size_t pairs = (size_t)net->graph.start[net->nodes];

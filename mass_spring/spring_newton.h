@@ -52,8 +52,8 @@ struct spring_limits {
 /* After spring_net_init; `net` must stay where it is, and so must *s. Leapfrog steps want
  * the supports only: no system. */
 enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
-                               const struct spring_net *net,
-                               const struct discretization *d, struct message *why);
+                               const struct spring_net *net, const struct discretization *d,
+                               struct message *why);
 void spring_newton_clear(struct spring_newton *s);
 
 /* From x[nodes][3], whose held unknowns are where they should be, to the minimum.

@@ -104,7 +104,7 @@ static const struct wrong BAD_STUDIES[] = {
     {5, "  - {size: 0.3}", "a level lacks the key 'label', a line of text"},
     {5, "  - {label: a, size: -1}", "size is '-1', but must be a number between 0 and"},
     {5, "  - {label: a, colour: red}", "has no key 'colour'"},
-    {5, "  - {label: a, model: ibm}", "there is no model 'ibm'; models: iga"},
+    {5, "  - {label: a, model: ibm}", "there is no model or contestant 'ibm'; models: iga"},
     {5, "  - {label: a, settings: 5}", "settings is '5', but must be a map {KEY: VALUE"},
     {5, "  - {label: a, settings: {discretization.degree: [9,9,1]}}", "degree holds '9'"},
     {5, "  - {label: a, settings: {material.colour: red}}", "has no key 'colour'"},

@@ -11,16 +11,16 @@ const struct model *contestant_model(int n)
     return NULL;
 }
 
-/* "a, b" into text[size]: the models' names, or all. */
-static void list_names(bool models, char *text, size_t size)
+/* "a, b" into text[size]: the models' names. */
+static void list_models(char *text, size_t size)
 {
+    const struct model *model;
     size_t used = 0;
 
     *text = '\0';
-    for (const struct contestant *c = contestant_table; c->name && used < size; c++)
-        if (strcmp(c->name, c->model->name) ? !models : models)
-            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "",
-                                     c->name);
+    for (int n = 0; (model = contestant_model(n)) && used < size; n++)
+        used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "",
+                                 model->name);
 }
 
 static bool is(const char *word, size_t length, const char *name)
@@ -28,22 +28,25 @@ static bool is(const char *word, size_t length, const char *name)
     return strlen(name) == length && !strncmp(word, name, length);
 }
 
+/* Of a word that is no name, what is told. */
+enum { LONGEST = 80 };
+
 /* By a name of `length` letters. */
 static enum status find(const char *name, size_t length, const struct contestant **found,
                         struct message *why)
 {
-    char models[256], others[768];
+    char models[256];
 
     for (const struct contestant *c = contestant_table; c->name; c++)
         if (is(name, length, c->name)) {
             *found = c;
             return STATUS_OK;
         }
-    list_names(true, models, sizeof models);
-    list_names(false, others, sizeof others);
+    list_models(models, sizeof models);
     return status_fail(why, STATUS_INPUT,
-                       "there is no model '%.*s'; models: %s; contestants: %s", (int)length,
-                       name, models, others);
+                       "there is no model or contestant '%.*s'; models: %s; contestants: "
+                       "clothbench list contestants",
+                       length < LONGEST ? (int)length : LONGEST, name, models);
 }
 
 enum status contestant_find(const char *name, const struct contestant **found,

@@ -44,7 +44,7 @@ extern const struct contestant contestant_table[];
 /* The n-th model, in the order of the table; NULL past the last. */
 const struct model *contestant_model(int n);
 
-/* By its name. STATUS_INPUT with a sentence that lists the names: there is no such one. */
+/* By its name. STATUS_INPUT with a sentence that lists the models: there is no such one. */
 enum status contestant_find(const char *name, const struct contestant **c,
                             struct message *why);
 

@@ -203,7 +203,7 @@ enum status truth_file_read(const char *path, struct truth_made *made, char **ph
     checksum(text, made, sum);
     if (strcmp(sum, kept) != 0)
         TRY(status_fail(why, STATUS_INPUT,
-                        "%s: was changed after it was made (its checksum is %s, not %s); "
+                        "%s: was changed after it was made (its checksum is %s, not %.40s); "
                         "make it again: clothbench truth",
                         path, sum, kept));
     *physics = text, text = NULL;

@@ -195,7 +195,10 @@ static enum status batch_deed(const void *what, struct message *why)
         c->keep.provenance = &provenance;
     }
     TRY(batch_run(&b, &options, why));
-    TRY(batch_read(&b, 1, true, &r, why));
+    for (int n = 0; n < 2; n++) {
+        run_result_clear(&r);
+        TRY(batch_read(&b, n, true, &r, why));
+    }
 out:
     run_result_clear(&r);
     batch_clear(&b);

@@ -100,6 +100,12 @@ static const char STUDY_PLAN[] =
     "times: [0.1, 0.2]\ntimed: 3\n"
     "studies:\n  - {name: edge}\n  - {name: corners, scene: corners_drop, times: [0.05]}\n";
 
+static const char REFUSED_PLAN[] =
+    "name: refused\nsource: a test\naxes: [{key: damping.value, values: [0.1]}]\n"
+    "cases: [{name: a, material.young: 1e5}]\n"
+    "verdicts: [{label: big, measure: drop_max, above: 1, why: a test},\n"
+    "           {label: small, measure: drop_max, why: a test}]\n";
+
 /* A frame of nine points: what comes before and after it is what is tried. */
 static const char SMALL_PLAN[] =
     "name: small\nsource: a test\nscene: edge_drop\nmodel: mass_spring\n"
@@ -127,6 +133,15 @@ static enum status plan_deed(const void *what, struct message *why)
     plan_case_clear(&c);
     plan_clear(&plan);
     return st;
+}
+
+/* Refused when much of it was read: the last rule is neither above nor below. */
+static enum status refused_deed(const void *what, struct message *why)
+{
+    struct plan plan;
+    const enum status st = plan_read(what, &plan, why);
+
+    return st == STATUS_INPUT ? STATUS_OK : st;
 }
 
 static enum status table_deed(const void *what, struct message *why)
@@ -216,6 +231,7 @@ static void try_files(const char *only)
         {"no such scene", unknown_deed, &scene_file_kind, .may_do_without = true},
         {"plan", plan_deed, strdup(in_folder("plan.yaml"))},
         {"plan of studies", plan_deed, strdup(in_folder("study.yaml"))},
+        {"plan, refused", refused_deed, strdup(in_folder("refused.yaml"))},
         {"table", table_deed, "leissa_plate_frequencies"},
         {"run, read", read_deed, strdup(in_folder("written.h5"))},
         {"run, written", write_deed, linear, .may_do_without = true},
@@ -226,6 +242,7 @@ static void try_files(const char *only)
     write_text(in_folder("plan.yaml"), PLAN);
     write_text(in_folder("study.yaml"), STUDY_PLAN);
     write_text(in_folder("small.yaml"), SMALL_PLAN);
+    write_text(in_folder("refused.yaml"), REFUSED_PLAN);
     CHECK(write_deed(linear, NULL) == STATUS_OK); /* for who reads it alone */
     for (size_t n = 0; n < sizeof deeds / sizeof *deeds; n++)
         if (!only || !strcmp(only, deeds[n].name))
@@ -270,7 +287,8 @@ static void try_commands(const char *only)
     REQUIRE(setenv("PATH", "", 1) == 0); /* nothing is drawn */
     for (size_t n = 0; n < sizeof words / sizeof *words; n++)
         if (!only || !strncmp(only, words[n], strlen(only)))
-            try_all(&(struct deed){words[n], command_deed, words[n], true});
+            try_all(&(struct deed){words[n], command_deed, words[n], true,
+                                   !strncmp(words[n], "study", 5)});
 }
 
 int main(int argc, char **argv)

@@ -1,19 +1,11 @@
 #!/usr/bin/env bash
 # Reference tables that somebody damaged: each is told with file and line, and nothing dies.
 #   bad_tables.sh PROGRAM SOURCE-FOLDER
-set -uo pipefail
-
+# shellcheck source=tests/fixture.sh
+. "$(dirname "$0")/fixture.sh"
 program=$1
 tables=$2/tests/reference
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fail() {
-    echo "$*"
-    ((++failures))
-}
+own_folder
 
 # MODEL CHECK TABLE COLUMN: a check of the model that reads the column of the table.
 while read -r models check table column; do

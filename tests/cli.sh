@@ -1,20 +1,12 @@
 #!/usr/bin/env bash
 # The program as a user meets it: what it prints where, and how it ends.
 #   cli.sh PROGRAM SOURCE-FOLDER
-set -uo pipefail
-
+# shellcheck source=tests/fixture.sh
+. "$(dirname "$0")/fixture.sh"
 program=$1
 manual=$2/doc/clothbench.1
 readme=$2/README.md
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fail() {
-    echo "$*"
-    ((++failures))
-}
+own_folder
 
 run() { # ARGUMENT...; fills $code, $out and $err
     "$program" "$@" >out 2>err </dev/null

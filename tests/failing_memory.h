@@ -136,6 +136,7 @@ struct deed {
     enum status (*act)(const void *what, struct message *why);
     const void *what;
     bool may_do_without; /* an allocation may fail and be done without */
+    bool every;          /* at each k: little of it repeats itself     */
 };
 
 /* At every k, until the deed is done. */
@@ -155,7 +156,7 @@ static void try_all(const struct deed *deed)
     asked = 0;
     deed->act(deed->what, &why);
     count = asked;
-    for (; k < count; k += k < ALL_UP_TO ? 1 : STRIDE) {
+    for (; k < count; k += k < ALL_UP_TO || deed->every ? 1 : STRIDE) {
         why.text[0] = '\0';
         until_failure = k;
         st = deed->act(deed->what, &why);

@@ -2,19 +2,11 @@
 # What is no file, cannot be read or is too much; limits of the machine; names with control
 # characters: a sentence and an exit code each, never a signal, never a wait.
 #   limits.sh PROGRAM SOURCE-FOLDER
-set -uo pipefail
-
+# shellcheck source=tests/fixture.sh
+. "$(dirname "$0")/fixture.sh"
 program=$1
 scene=$2/models/scenes/edge_drop.yaml
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fail() {
-    echo "$*"
-    ((++failures))
-}
+own_folder
 
 # CODE TEXT COMMAND...: ends at once with the code; the last line it says has TEXT.
 ends() {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "bench/commands.h"
+#include "bench/experiment/batch.h"
 #include "bench/experiment/plan_case.h"
 #include "bench/experiment/plan_read.h"
 #include "bench/files/provenance.h"
@@ -99,6 +100,18 @@ static const char STUDY_PLAN[] =
     "times: [0.1, 0.2]\ntimed: 3\n"
     "studies:\n  - {name: edge}\n  - {name: corners, scene: corners_drop, times: [0.05]}\n";
 
+static const char REFUSED_PLAN[] =
+    "name: refused\nsource: a test\naxes: [{key: damping.value, values: [0.1]}]\n"
+    "cases: [{name: a, material.young: 1e5}]\n"
+    "verdicts: [{label: big, measure: drop_max, above: 1, why: a test},\n"
+    "           {label: small, measure: drop_max, why: a test}]\n";
+
+/* A frame of nine points: what comes before and after it is what is tried. */
+static const char SMALL_PLAN[] =
+    "name: small\nsource: a test\nscene: edge_drop\nmodel: mass_spring\n"
+    "levels: [{label: a, settings: {discretization.points: [3,3]}}]\n"
+    "times: [0.015]\ntimed: 2\n";
+
 static enum status plan_deed(const void *what, struct message *why)
 {
     struct plan plan;
@@ -120,6 +133,15 @@ static enum status plan_deed(const void *what, struct message *why)
     plan_case_clear(&c);
     plan_clear(&plan);
     return st;
+}
+
+/* Refused when much of it was read: the last rule is neither above nor below. */
+static enum status refused_deed(const void *what, struct message *why)
+{
+    struct plan plan;
+    const enum status st = plan_read(what, &plan, why);
+
+    return st == STATUS_INPUT ? STATUS_OK : st;
 }
 
 static enum status table_deed(const void *what, struct message *why)
@@ -168,6 +190,36 @@ static enum status truth_deed(const void *what, struct message *why)
     return st;
 }
 
+/* Two cases, a motion and, timed, a state of rest that springs do not have. */
+static enum status batch_deed(const void *what, struct message *why)
+{
+    const struct measurement_options options = {.quick = true, .repeats = 1};
+    struct provenance provenance = {0};
+    struct run_result r = {0};
+    struct batch b = {0};
+    enum status st;
+
+    TRY(batch_init(&b, folder, 2));
+    for (int n = 0; n < 2; n++) {
+        struct measurement_case *c = batch_add(
+            &b, SOURCE_DIR "/models/scenes/edge_drop.yaml", what, n ? "rest" : "motion");
+        settings_set(batch_settings(&b), "discretization.points=[3,3]");
+        c->plan.end = 0.005;
+        c->rest = n;
+        c->timed = MEASUREMENT_WHOLE;
+        c->keep.provenance = &provenance;
+    }
+    TRY(batch_run(&b, &options, why));
+    for (int n = 0; n < 2; n++) {
+        run_result_clear(&r);
+        TRY(batch_read(&b, n, true, &r, why));
+    }
+out:
+    run_result_clear(&r);
+    batch_clear(&b);
+    return st;
+}
+
 static void try_files(const char *only)
 {
     const struct contestant *linear = NULL;
@@ -179,14 +231,18 @@ static void try_files(const char *only)
         {"no such scene", unknown_deed, &scene_file_kind, .may_do_without = true},
         {"plan", plan_deed, strdup(in_folder("plan.yaml"))},
         {"plan of studies", plan_deed, strdup(in_folder("study.yaml"))},
+        {"plan, refused", refused_deed, strdup(in_folder("refused.yaml"))},
         {"table", table_deed, "leissa_plate_frequencies"},
         {"run, read", read_deed, strdup(in_folder("written.h5"))},
         {"run, written", write_deed, linear, .may_do_without = true},
+        {"batch", batch_deed, linear, .may_do_without = true},
         {"truth", truth_deed, SOURCE_DIR "/bench/truths/sphere.h5"},
     };
 
     write_text(in_folder("plan.yaml"), PLAN);
     write_text(in_folder("study.yaml"), STUDY_PLAN);
+    write_text(in_folder("small.yaml"), SMALL_PLAN);
+    write_text(in_folder("refused.yaml"), REFUSED_PLAN);
     CHECK(write_deed(linear, NULL) == STATUS_OK); /* for who reads it alone */
     for (size_t n = 0; n < sizeof deeds / sizeof *deeds; n++)
         if (!only || !strcmp(only, deeds[n].name))
@@ -224,12 +280,15 @@ static void try_commands(const char *only)
          "--set discretization.points=[3,3,2]"),
         "run cantilever --static --modes 2 --model shell --set gravity=[0,-1,0]",
         "truth sphere --stored",
+        "study small.yaml --quick --out small",
     };
 
     REQUIRE(chdir(folder) == 0);
+    REQUIRE(setenv("PATH", "", 1) == 0); /* nothing is drawn */
     for (size_t n = 0; n < sizeof words / sizeof *words; n++)
         if (!only || !strncmp(only, words[n], strlen(only)))
-            try_all(&(struct deed){words[n], command_deed, words[n], true});
+            try_all(&(struct deed){words[n], command_deed, words[n], true,
+                                   !strncmp(words[n], "study", 5)});
 }
 
 int main(int argc, char **argv)

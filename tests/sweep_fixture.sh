@@ -1,14 +1,9 @@
 #!/usr/bin/env bash
 # What the scripts that test `clothbench sweep` share: sourced, with $program set.
 # shellcheck disable=SC2154 # program
-set -uo pipefail
+# shellcheck source=tests/fixture.sh
+. "$(dirname "${BASH_SOURCE[0]}")/fixture.sh"
 export OMP_NUM_THREADS=1 LC_ALL=C
-failures=0
-
-fail() {
-    echo "$*"
-    ((++failures))
-}
 
 # A plan of 12 * $2 cases, milliseconds each, into FILE.
 write_plan() { # FILE COUNT

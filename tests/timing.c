@@ -6,9 +6,11 @@
 #include <sched.h>
 #include <unistd.h>
 
+#include "bench/experiment/bench_solid.h"
 #include "bench/experiment/measurement.h"
 #include "bench/files/store_read.h"
 #include "models/clock.h"
+#include "models/solid/solid_motion.h"
 #include "tests/run_fixture.h"
 #include "tests/said.h"
 #include "tests/scratch.h"
@@ -296,6 +298,45 @@ static void test_machine(void)
     run_close(&a);
 }
 
+/* Phases of a solid's step, each by itself: as many seconds as were asked for, none of them
+ * longer than all took; the matrix is the step's, of what is not held. */
+static void test_phases(void)
+{
+    struct settings s = LIST("discretization.points=[3,3,2]");
+    struct run run;
+    int n = 0, *row = NULL;
+    long *start = NULL;
+    double *value = NULL;
+
+    REQUIRE(run_open(&run, &(struct run_plan){DROP, named("iga_linear"), &s, 0}, NULL) ==
+            STATUS_OK);
+    for (int phase = 0; phase < BENCH_SOLID_FRAME; phase++) {
+        double seconds[] = {NAN, NAN, NAN, -1};
+        const double before = clock_now();
+        CHECK(bench_solid_time(run.state, (enum bench_solid_phase)phase, 3, seconds) ==
+              STATUS_OK);
+        const double all = clock_now() - before;
+        for (int r = 0; r < 3; r++)
+            CHECK(seconds[r] > 0 && seconds[r] <= all);
+        CHECK(seconds[3] == -1);
+    }
+    REQUIRE(bench_solid_matrix(run.state, &n, &start, &row, &value) == STATUS_OK);
+    CHECK(n == 3 * (18 - 6) && start[0] == 0);
+    for (int j = 0; j < n; j++)
+        CHECK(start[j + 1] > start[j] && row[start[j]] == j && value[start[j]] > 0);
+    /* an inside-out element has no matrices */
+    struct solid_motion *motion = run.state;
+    double *rest = motion->space->rest;
+    for (int i = 0; i < 18; i++)
+        rest[3 * i] = -rest[3 * i];
+    double none[] = {-1, -1};
+    CHECK(status_is_death(bench_solid_time(run.state, BENCH_SOLID_ASSEMBLE, 2, none)));
+    CHECK(none[0] == -1 && none[1] == -1);
+    free(start), free(row), free(value);
+    run_close(&run);
+    settings_clear(&s);
+}
+
 static void test_alone(void)
 {
     cpu_set_t set;
@@ -335,6 +376,7 @@ int main(void)
     test_measurement();
     test_together();
     test_machine();
+    test_phases();
     test_alone();
     test_clock();
     CHECK(rmdir(scratch) == 0);

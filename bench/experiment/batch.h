@@ -39,7 +39,7 @@ struct settings *batch_settings(struct batch *b);
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why);
 
-/* run_result_read of the n-th. */
+/* run_result_read of the n-th. STATUS_MEMORY: there was none for its file's name. */
 enum status batch_read(const struct batch *b, int n, bool fields, struct run_result *r,
                        struct message *why);
 

@@ -217,8 +217,10 @@ static enum status choose(const struct command_line *line, bool plans,
     *e = find(line->command, word);
     if (*e)
         return STATUS_OK;
-    if (!plans || named_file_find(&plan_study_kind, word, &path, NULL) != STATUS_OK)
-        return refuse(line->command, word, plans, why);
+    const enum status st =
+        plans ? named_file_find(&plan_study_kind, word, &path, NULL) : STATUS_INPUT;
+    if (st != STATUS_OK)
+        return st == STATUS_MEMORY ? st : refuse(line->command, word, plans, why);
     free(path);
     *own = (struct experiment){.plan = word};
     *e = own;

@@ -3,6 +3,9 @@
  *
  *   study_locks FOLDER
  */
+#include "bench/harness/contestant.h"
+#include "bench/harness/run.h"
+#include "bench/studies/study_cantilever.h"
 #include "bench/studies/study_cures.h"
 #include "bench/studies/study_locking.h"
 #include "tests/study_fixture.h"
@@ -356,10 +359,34 @@ static void test_cures(void)
     study_wants_file("cures.gp", "nonlinear, Gamma = 10, nu = 0.49");
 }
 
+/* --- what they share */
+
+/* Its load is Gamma, and points down alone. */
+static void test_sheet(void)
+{
+    static const double load = 0.02, TOL_DIGITS = 1e-12; /* settings have 17 digits     */
+    struct run_plan plan = {.path = "cantilever"};
+    struct settings s = {0};
+    struct run run = {0};
+
+    study_cantilever_sheet(&s, 0.3, 0.05, load);
+    plan.settings = &s;
+    REQUIRE(contestant_find("iga_linear", &plan.contestant, NULL) == STATUS_OK);
+    REQUIRE(run_read(&run, &plan, NULL) == STATUS_OK);
+    CHECK(run.scene.poisson == 0.3 && run.scene.thickness == 0.05);
+    CHECK(run.scene.young == 1e5 && run.scene.density == 1);
+    CHECK(run.scene.gravity[0] == 0 && run.scene.gravity[1] == 0);
+    CHECK(run.scene.gravity[2] < 0);
+    CHECK_RELATIVE(scene_gamma(&run.scene), load, TOL_DIGITS);
+    run_close(&run);
+    settings_clear(&s);
+}
+
 int main(int count, char **arguments)
 {
     study_begin(count, arguments);
     test_locking();
     test_cures();
+    test_sheet();
     return check_result();
 }

@@ -5,6 +5,7 @@
 #include "iga/refine.h"
 #include "tests/fresh.h"
 #include "tests/progress_seen.h"
+#include "tests/said.h"
 
 /* Rows of refinement operators are convex: a few roundings of 1 m. */
 static const double TOL_SHAPE = 1e-14;
@@ -68,10 +69,19 @@ static void motions(const char *folder)
         CHECK_NEAR(r.motion[STUDY_ORDERS_ELEVATE_FIRST][t], 0, TOL_MOTION);
         CHECK(r.motion[STUDY_ORDERS_K][t] > 1e3 * TOL_MOTION);
     }
-    FILE *file = tmpfile();
-    REQUIRE(file && study_orders_print(&r, TABLE_TEXT, file) == STATUS_OK);
-    CHECK(ftell(file) > 400);
-    fclose(file);
+    struct said s;
+    said_open(&s);
+    REQUIRE(study_orders_print(&r, TABLE_TEXT, s.file) == STATUS_OK);
+    said_close(&s, false);
+    said_has(&s, "orders", "From 6x6x2 of degrees (2,2,1)");
+    said_has(&s, "orders", "so the same motion\": not judged: quick.");
+    said_clear(&s);
+    said_open(&s);
+    REQUIRE(study_orders_print(&r, TABLE_CSV, s.file) == STATUS_OK);
+    said_close(&s, true);
+    said_has(&s, "orders", "\n\"elevate, then refine, single knots\",14,");
+    said_lacks(&s, "orders", "not judged");
+    said_clear(&s);
     CHECK(study_orders_read("/proc/nowhere", &r, &why) == STATUS_FILE);
 }
 

@@ -60,13 +60,17 @@ static void make_law(const struct shell_material *material, double a, double b, 
     law[5] = factor * ((1 - nu) * a * b + (1 + nu) * c * c) / 2;
 }
 
-/* A point's share of the law: E / A_11^2 is what the law has along u where nothing else is
- * stressed, and no more than that can be taken from it. */
+/* A point's share of the law. E / A_11^2 is what the law has along u where nothing else is
+ * stressed; the most that can be taken from it of both that and E / A_22^2, so that what is
+ * left is nowhere negative, is 1 / (1 + |r|) of them, r the correlation of the two strains
+ * in the law's inverse: -nu where u and v are at right angles. */
 static void share_law(const struct shell_material *material, enum shell_share share,
-                      double A_11, double A_22, double law[6])
+                      const double metric[3], double law[6])
 {
-    double along_u = material->young / (A_11 * A_11) / 2,
-           along_v = material->young / (A_22 * A_22) / 2;
+    double nu = material->poisson, both = metric[0] * metric[1];
+    double r = (1 + nu) * metric[2] * metric[2] / both - nu, part = 1 / (1 + fabs(r));
+    double along_u = part * material->young / (metric[0] * metric[0]),
+           along_v = part * material->young / (metric[1] * metric[1]);
 
     if (share == SHELL_ALL)
         return;
@@ -99,7 +103,8 @@ enum status shell_element_rest(struct shell_element *e, int rule,
         r[REST_AREA * row] = place[q].weight * s.stretch[t];
         make_law(material, metric[1][t] / det, metric[0][t] / det, -metric[2][t] / det,
                  law);
-        share_law(material, place[q].share, metric[0][t], metric[1][t], law);
+        share_law(material, place[q].share,
+                  (const double[]){metric[0][t], metric[1][t], metric[2][t]}, law);
         for (int k = 0; k < 3; k++)
             r[(REST_FORM + k) * row] = form[k][t];
         for (int k = 0; k < 6; k++)

@@ -274,6 +274,7 @@ int shell_space_functions(const struct shell_space *space, int rule, int element
 {
     enum { ROOM = 3 * BSPLINE_MAX_ORDER * SHELL_MAX_POINTS };
     const int derivatives = rule == SHELL_BENDING ? SHELL_DERIVATIVES : SHELL_SLOPES;
+    const int first = rule < SHELL_PARTS && !space->weight; /* strains need no values */
     const int *order = (const int[]){space->direction[0].order, space->direction[1].order};
     struct shell_place place[SHELL_MAX_POINTS];
     int row = space->rule[rule].padded, count;
@@ -285,7 +286,8 @@ int shell_space_functions(const struct shell_space *space, int rule, int element
         for (int k = 0; k < 3 * order[d]; k++)
             for (int q = 0; q < used; q++)
                 F[d][k * used + q] = q < count ? place[q].N[d][k] : 0;
-    for (int k = 0; k < derivatives; k++)
+    t += first * space->local * row;
+    for (int k = first; k < derivatives; k++)
         for (int i = 0; i < order[0]; i++)
             for (int j = 0; j < order[1]; j++, t += row) {
                 const double *f = F[0] + (derivative_u[k] * order[0] + i) * used;

@@ -109,7 +109,8 @@ int shell_space_places(const struct shell_space *space, int rule, int element,
 
 /* T[SHELL_DERIVATIVES or SHELL_SLOPES][local][padded] of one element, the rule's points
  * running fastest; zeros in the padding up to a multiple of SHELL_LANES. Returns how many
- * points. Pure: any thread. */
+ * points. Values N are there for the mass and in a rational space alone. Pure: any thread.
+ */
 int shell_space_functions(const struct shell_space *space, int rule, int element,
                           double *T);
 

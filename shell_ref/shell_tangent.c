@@ -64,8 +64,8 @@ static void membrane_blocks(shell_lanes a[2][3], shell_lanes C[3][3], shell_lane
             for (int j = 0; j < 3; j++) {
                 shell_lanes to[2];
                 for (int e = 0; e < 2; e++)
-                    to[e] = material * (C[form[c][e]][form[d][0]] * a[0][j] +
-                                        C[form[c][e]][form[d][1]] * a[1][j]);
+                    to[e] = C[form[c][e]][form[d][0]] * (material * a[0][j]) +
+                            C[form[c][e]][form[d][1]] * (material * a[1][j]);
                 for (int i = 0; i < 3; i++)
                     block[3 * i + j] = a[0][i] * to[0] + a[1][i] * to[1];
             }

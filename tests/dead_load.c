@@ -176,7 +176,7 @@ int main(void)
                true);
     check_pull("hex", "discretization.points=[6,5,2]", true);
     check_pull("hex", "discretization.remedy=incompatible", true);
-    check_pull("shell", "discretization.degree=[3,3]", false);
+    check_pull("shell_3", "discretization.points=[6,5]", false);
     check_unknowns("iga");
     check_unknowns("hex");
     check_flight("iga", "discretization.kinematics=linear", 0);

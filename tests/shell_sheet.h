@@ -14,12 +14,14 @@ struct sheet {
     struct counters counters;
 };
 
-/* 1 m x 1 m, no load, no supports; change scene and d before sheet_start. */
+/* 1 m x 1 m, no load, no supports, the full rule: that of the truths; change scene and d
+ * before sheet_start. */
 static inline void sheet_init(struct sheet *s, int p, int spans_u, int spans_v)
 {
     memset(s, 0, sizeof *s);
     REQUIRE(scene_init(&s->scene) == STATUS_OK);
     shell_model.defaults(&s->d);
+    s->d.remedy = REMEDY_NONE;
     s->d.degree[0] = s->d.degree[1] = p;
     s->d.points[0] = p + spans_u;
     s->d.points[1] = p + spans_v;

@@ -46,8 +46,8 @@ static const struct told {
      "accurate,0.0001,nan,1,10000 steps"},
 };
 
-static const char *const two[] = {"iga_paper", "shell"};
-static const struct stress_choice both = {.models = "iga_paper,shell"};
+static const char *const two[] = {"iga_paper", "shell_2"};
+static const struct stress_choice both = {.models = "iga_paper,shell_2"};
 
 static char *print(const char *folder, const struct stress_choice *choice,
                    enum table_format format, enum status want, struct message *why)
@@ -93,7 +93,7 @@ static void check_print(const char *folder)
             holds(text, line, true);
         else
             holds(text, strstr(line, "  -"), true);
-        snprintf(line, sizeof line, "%s,shell,%.17g,%s\n", told[n].c, c->bound,
+        snprintf(line, sizeof line, "%s,shell_2,%.17g,%s\n", told[n].c, c->bound,
                  told[n].details);
         holds(csv, line, true);
         holds(text, "it. 1 runs: ", true);
@@ -113,7 +113,7 @@ static void check_print(const char *folder)
               strstr(text, "What each case is held against"));
         free(text);
         free(csv);
-        snprintf(file, sizeof file, "%s/%s.shell.txt", folder, told[n].c);
+        snprintf(file, sizeof file, "%s/%s.shell_2.txt", folder, told[n].c);
         unlink(file);
     }
 }
@@ -129,7 +129,7 @@ static void check_print_damaged(const char *folder)
 
     free(print(folder, &choice, TABLE_TEXT, STATUS_INPUT, &why));
     holds(why.text, "holds no such results of `stress`", true);
-    snprintf(path, sizeof path, "%s/still.shell.txt", folder);
+    snprintf(path, sizeof path, "%s/still.shell_2.txt", folder);
     FILE *file = fopen(path, "w");
     REQUIRE(file && fclose(file) == 0);
     for (int n = 0; n < 2; n++) {
@@ -139,8 +139,8 @@ static void check_print_damaged(const char *folder)
         holds(text, "no longer as they were written: 1.", true);
         free(text);
         text = print(folder, &choice, TABLE_CSV, STATUS_OK, NULL);
-        holds(text, "still,shell,9.9999999999999998e-13,damaged,,,,", true);
-        holds(text, "still.shell.txt: is damaged: ", true);
+        holds(text, "still,shell_2,9.9999999999999998e-13,damaged,,,,", true);
+        holds(text, "still.shell_2.txt: is damaged: ", true);
         free(text);
         stress_result_write(folder, c, stress_fixture_contestant(two[0]), &told[0].r, NULL);
     }

@@ -105,7 +105,7 @@ const struct contestant contestant_table[] = {
     {"shell_3", "shell, p = 3", "shell 3", &shell_model, COMPARE | LARGE | SPEED,
      {NONLINEAR, UNCURED, CUBIC_2}, 0, 3, {6, 10, 16}, {1, 4}, {0}},
     {"shell_selective_2", "shell, selective, p = 2", "shell sel. 2", &shell_model,
-     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, SELECTIVE, QUADRATIC_2}, 0, 2,
+     COMPARE | SPEED, {NONLINEAR, SELECTIVE, QUADRATIC_2}, 0, 2,
      {6, 10, 16}, {1, 4}, {0}},
     {"shell_selective_3", "shell, selective, p = 3", "shell sel. 3", &shell_model,
      COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, SELECTIVE, CUBIC_2}, 0, 3, {6, 10, 16},

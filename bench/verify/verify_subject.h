@@ -29,7 +29,8 @@ struct verify_entry {
 
 /* Those that differ in what frees them of locking, which rigid motion does not ask for. */
 #define VERIFY_REMEDIES                                                                    \
-    "iga_nonlinear_3,iga_reduced,iga_reduced_3,iga_selective,hex_incompatible,shell_3"
+    "iga_nonlinear_3,iga_reduced,iga_reduced_3,iga_selective,hex_incompatible,shell_3,"    \
+    "shell_selective_3"
 
 /* The same but for the cured in their own nets, and those that only lock. */
 #define VERIFY_LOCKED "iga_nonlinear_3,iga_reduced_3,iga_selective,hex_nonlinear"

@@ -29,6 +29,7 @@ static const struct verify_entry entries[] = {
     {"iga_selective", ASKED},
     {"hex_incompatible", 0, VERIFY_PLATES_SHEAR, {16, 32}},
     {"shell_3", VERIFY_PLATES_THEORY, {7, 10}},
+    {"shell_selective_3", VERIFY_PLATES_THEORY, {7, 10}},
     {NULL}};
 static const struct verify_field field = {entries, CONTESTANT_SMALL};
 

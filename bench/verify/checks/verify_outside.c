@@ -123,7 +123,9 @@ static const struct verify_entry strips[] = {
     {"mass_spring", 0, "implicit Euler damps", {40}, {3}},
     {"projective_dynamics", 0, "implicit Euler damps", {40}, {3}},
     {NULL}};
-#define OTHERS "iga_nonlinear,iga_reduced_3,iga_selective,hex_nonlinear"
+#define OTHERS                                                                             \
+    "iga_nonlinear,iga_reduced_3,iga_selective,hex_nonlinear,"                             \
+    "shell_selective_3"
 static const struct verify_field strip_field = {strips, CONTESTANT_LARGE, OTHERS, {40}};
 
 enum { TIMES = 6, POINTS = 4 };

@@ -52,6 +52,7 @@ static const struct verify_entry entries[] = {
     {"shell", ASKED, {6}, {5}, 0, "p = 2", {DEGREE "[2,2]"}, .mark = true},
     {"shell", ASKED, {7}, {6}, 0, "p = 3", {DEGREE "[3,3]"}, .mark = true},
     {"mass_spring", ASKED, {6}, {5}, .mark = true},
+    {"position_based", ASKED, {6}, {5}, .mark = true},
     {"projective_dynamics", ASKED, {6}, {5}, .mark = true},
     {NULL}};
 static const struct verify_field field = {

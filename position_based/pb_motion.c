@@ -10,7 +10,7 @@
 
 /* Softening that the choice of substeps bears, and a bending mode's phase in the substeps
  * from one bending to the next (pb_motion.h). */
-static const double SOFTENING = 10, BENDING = 1;
+static const double SOFTENING = 10, BENDING = 0.4;
 
 static const double MOST_SUBSTEPS = 1e6;
 
@@ -204,7 +204,9 @@ static enum status set_steps(struct pb_motion *m, const struct discretization *d
                              struct message *why)
 {
     double step = m->scene->step, most = stiffest(m);
-    double n = d->substeps ? d->substeps : fmax(1, ceil(step * sqrt(most / SOFTENING)));
+    double bending = bending_frequency(m);
+    double least = fmax(sqrt(most / SOFTENING), bending / BENDING);
+    double n = d->substeps ? d->substeps : fmax(1, ceil(step * least));
 
     if (!(n <= MOST_SUBSTEPS))
         return status_fail(why, STATUS_INPUT,
@@ -212,7 +214,7 @@ static enum status set_steps(struct pb_motion *m, const struct discretization *d
     m->substeps = (int)n;
     m->dt = step / n;
     m->softening = most * m->dt * m->dt;
-    m->bending_every = (int)fmin(n, fmax(1, BENDING / (m->dt * bending_frequency(m))));
+    m->bending_every = (int)fmin(n, fmax(1, BENDING / (m->dt * bending)));
     return STATUS_OK;
 }
 

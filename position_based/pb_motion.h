@@ -5,7 +5,8 @@
  * projected in turn (pb_sweep.h), once or `iterations` times; x <- x + d, v = d / dt. With
  * so many iterations that nothing moves this is implicit Euler's step but for one thing: a
  * spring has pulled along the directions that it had on the way, not along the last one.
- * That is of second order in what it turns in a step (tests/position_based.c measures it).
+ * That is of second order in what it turns in a step: 1e-6 of the way for steps of 4 ms,
+ * 1e-4 of 16 ms (tests/position_based.c).
  *
  * Constraints and what compliance means. The springs of spring_law.h, C = l - r [m], have
  * the energy C^2 / 2 alpha with the compliance alpha = 1 / k [m/N]; on square cells
@@ -16,12 +17,22 @@
  * the volume that the spring stands for. Springs are plane stress at nu = 1/3 only
  * (spring_law.h). Bending: the sums of spring_plate.h, C = sum weight x [m] in each
  * component with alpha = 1 / stiffness: a^3 / (B b) for a strip, B = E h^3 / 12 (1 - nu^2).
+ * A cantilever under a small load droops 2.7 %, 1.7 %, 0.95 % too far on 9, 17 and 33 rows:
+ * the clamp's half cell (spring_plate.h) is of first order.
  *
  * What an iteration leaves. A constraint that is projected once gives way as if its
  * compliance were greater by about dt^2 sum w: springs of mass m at both ends by 2 dt^2 /
  * m. Over alpha, that is the softening 2 k dt^2 / m, which goes with the square of the
- * step: small steps do more than iterations. `doubt` tells how much of a step's correction
- * was left, from two more iterations at the end of a frame.
+ * step: small steps do more than iterations. Unless their number is given, there are so
+ * many substeps that it is 10 at most. A cloth that hardly stretches does not mind; but
+ * springs so soft store more than they push with, and a hard impact seems to add energy
+ * (tests/contact_truth.c wants 0.4). `doubt` tells what it comes to: the strain of springs
+ * beyond what their forces ask for, l - r + alpha lambda / dt^2 over r.
+ *
+ * Bending is soft, and is projected in every n-th substep with the strength of n: as long
+ * as a bound of its fastest mode's phase from one to the next is 0.4 at most (an impulse
+ * method; Grubmueller et al. 1991), which adds 3/8 0.4^2 = 6 % to its compliance at most.
+ * Where a single substep is more, there are more substeps.
  *
  * PBD has no compliance: an iteration goes a share s of the way, so that stiffness depends
  * on step, mass and iterations. Here s is chosen so that one iteration goes as far as one
@@ -34,9 +45,9 @@
  * the projections points are set back (spring_contact.h).
  *
  * Single precision: velocities as differences of positions of order L are wrong by 6e-8 L /
- * dt a step, a walk that after N steps has led N^1.5 / sqrt(3) * 6e-8 L away: one per cent
- * at some 4000. Here d is kept by itself, and what is left is the rounding of x, sqrt(N) *
- * 6e-8 L.
+ * dt a step, a walk that after N steps has led N^1.5 / sqrt(3) * 6e-8 L away: edge_drop on
+ * 16 x 16 points is 0.2 % of L off after 8000 steps and 44 % after 32000. Here d is kept by
+ * itself, and what is left is the rounding of x, sqrt(N) * 6e-8 L: 0.002 and 0.005 %.
  */
 #ifndef PB_MOTION_H
 #define PB_MOTION_H

@@ -126,6 +126,7 @@ static void check_words(void)
     CHECK(!strcmp(integrator_name(INTEGRATOR_EXPLICIT), "explicit"));
     CHECK(!strcmp(constraint_name(CONSTRAINT_EDGES), "edges"));
     CHECK(!strcmp(acceleration_name(ACCELERATION_CHEBYSHEV), "chebyshev"));
+    CHECK(!strcmp(projection_name(PROJECTION_PBD), "pbd"));
     CHECK(!strcmp(damping_name(DAMPING_VELOCITY_RATE), "velocity_rate"));
     CHECK(!strcmp(damping_name(-1), "unknown"));
     CHECK(!strcmp(solver_name((enum solver)99), "unknown"));

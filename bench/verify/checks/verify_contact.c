@@ -24,6 +24,7 @@ static const struct verify_entry entries[] = {
     {"shell_linear", BALANCE},
     {"shell_2", BALANCE},
     {"mass_spring", BALANCE, .settings = {"discretization.tolerance=1e-9"}},
+    {"position_based", BALANCE},
     {"projective_dynamics", BALANCE},
     {NULL}};
 static const struct verify_field field = {

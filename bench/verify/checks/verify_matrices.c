@@ -54,6 +54,7 @@ static const struct verify_entry entries[] = {
     {"shell_selective_2", ASKED, {6}, {5}, .mark = true},
     {"shell_selective_3", ASKED, {7}, {6}, .mark = true},
     {"mass_spring", ASKED, {6}, {5}, .mark = true},
+    {"position_based", ASKED, {6}, {5}, .mark = true},
     {"projective_dynamics", ASKED, {6}, {5}, .mark = true},
     {NULL}};
 static const struct verify_field field = {

@@ -121,6 +121,7 @@ static const struct verify_entry strips[] = {
     {"hex_incompatible", SWING, {129}, {2}},
     {"shell_3", 1e-3, "as of solids", {35}, {4}},
     {"mass_spring", 0, "implicit Euler damps", {40}, {3}},
+    {"position_based", 0, "damps as implicit Euler, in small steps", {40}, {3}},
     {"projective_dynamics", 0, "implicit Euler damps", {40}, {3}},
     {NULL}};
 #define OTHERS                                                                             \
@@ -184,7 +185,7 @@ static const struct verify_entry plates[] = {
 };
 #define THEIR_LIKE                                                                         \
     "iga_linear_3,iga_reduced_linear_3,iga_selective_linear,iga_selective_linear_3,"       \
-    "hex_linear,shell_linear,mass_spring,projective_dynamics"
+    "hex_linear,shell_linear,mass_spring,position_based,projective_dynamics"
 static const struct verify_field plate_field = {
     plates, CONTESTANT_SMALL, THEIR_LIKE, {35}, {19}};
 

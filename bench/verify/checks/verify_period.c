@@ -16,10 +16,14 @@ static const struct verify_entry entries[] = {
     {"hex_linear", PERIOD, {2}},
     {NULL}};
 static const struct verify_field field = {
-    entries, CONTESTANT_LARGE, "iga,hex,shell,mass_spring,projective_dynamics", {2}, {2}};
+    entries,
+    CONTESTANT_LARGE,
+    "iga,hex,shell,mass_spring,position_based,projective_dynamics",
+    {2},
+    {2}};
 
 static const struct verify_entry others[] = {
-    {"shell"}, {"mass_spring"}, {"projective_dynamics"}, {NULL}};
+    {"shell"}, {"mass_spring"}, {"position_based"}, {"projective_dynamics"}, {NULL}};
 static const struct verify_field without_mode = {.entry = others};
 
 /* The tip moves by x_n = x_s (1 - cos n theta). n is such that n theta is about a radian

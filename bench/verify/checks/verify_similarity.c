@@ -24,6 +24,7 @@ static const struct verify_entry entries[] = {
     {"shell_linear", SAME},
     {"shell_2", SAME},
     {"mass_spring", SAME, {11}, {8}},
+    {"position_based", SAME, {11}, {8}},
     {"projective_dynamics", SAME, {11}, {8}},
     {NULL}};
 #define OTHERS                                                                             \

@@ -46,6 +46,7 @@ static const struct verify_entry entries[] = {
     {"shell_linear_3", SHELL, THREE},
     {"shell_3", SHELL, THREE, .dear = true},
     {"mass_spring", 0, EULER, {21, 41}, .settings = {"discretization.tolerance=1e-9"}},
+    {"position_based", 0, EULER, {11, 21}},
     {"projective_dynamics", 0, EULER, {11, 21}, TO_THE_END, .dear = true},
     {NULL}};
 #define OTHERS "iga_linear_3,iga_reduced_linear_3,iga_selective_linear_3,shell_linear"

@@ -1,0 +1,387 @@
+/* Constraints on positions: fall, what steps converge to, statics, damping, order in time,
+ * what single precision loses. */
+#include "position_based/pb_motion.h"
+#include "position_based/position_based_model.h"
+#include "projective_dynamics/pd_motion.h"
+#include "tests/mass_spring.h"
+
+static struct discretization constraints(int n, int m)
+{
+    struct discretization d = net_of(n, m);
+
+    d.iterations = 1;
+    return d;
+}
+
+static void begin(struct pb_motion *m, const struct scene *scene,
+                  const struct discretization *d)
+{
+    struct message why = {{0}};
+
+    if (!CHECK(pb_motion_init(m, scene, d, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    REQUIRE(m->x);
+}
+
+static void frames(struct pb_motion *m, int count)
+{
+    struct counters counters = {0};
+
+    for (int n = 0; n < count; n++)
+        REQUIRE(pb_motion_frame(m, &counters) == STATUS_OK);
+}
+
+static double distance(const double *a, const double *b, int numbers)
+{
+    double sum = 0;
+
+    for (int n = 0; n < numbers; n++)
+        sum += (a[n] - b[n]) * (a[n] - b[n]);
+    return sqrt(sum);
+}
+
+/* A free sheet falls as one point does by Euler's implicit method, whatever is projected;
+ * with mass damping and drag too. In single precision positions below 1 m are rounded by
+ * 6e-8 m a step at most, to either side: sqrt(20000) of that. (Velocities that are
+ * differences of them lead it 1.3e-2 m astray.) */
+static void check_fall(enum projection projection, enum precision precision, double alpha,
+                       double drag, double beta, int substeps)
+{
+    enum { FRAMES = 20 };
+    const double tolerance = precision == PRECISION_SINGLE ? 8.5e-6 : 1e-11;
+    struct scene scene;
+    struct pb_motion m;
+    struct discretization d = constraints(9, 8);
+    double z = 0, v = 0, worst = 0, c = 0;
+
+    fill_scene(&scene, false);
+    scene.gravity[0] = 0, scene.drag = drag, scene.wind[2] = 3;
+    scene.damping =
+        (struct scene_damping){.kind = DAMPING_RAYLEIGH, .alpha = alpha, .beta = beta};
+    d.projection = projection, d.precision = precision, d.substeps = substeps;
+    begin(&m, &scene, &d);
+    frames(&m, FRAMES);
+    c = alpha + drag / scene.density;
+    for (int n = 0; n < FRAMES * substeps; n++) {
+        v = (v + m.dt * (scene.gravity[2] + drag / scene.density * scene.wind[2])) /
+            (1 + m.dt * c);
+        z += m.dt * v;
+    }
+    for (int n = 0; n < 3 * m.net.nodes; n++)
+        worst = fmax(worst, fabs(m.x[n] - m.net.rest[n] - (n % 3 == 2 ? z : 0)));
+    if (!CHECK(worst < tolerance))
+        printf("fall off by %.2e of %.3g m\n", worst, z);
+    pb_motion_clear(&m);
+    scene_clear(&scene);
+}
+
+/* A sheet that is thrown, of springs that hardly bend, for one step of three solvers. */
+static void throw_sheet(struct scene *scene, double dt)
+{
+    fill_scene(scene, true);
+    scene->thickness = 1e-5;
+    scene->young = 1e6;
+    scene->step = dt;
+    scene->spin[1] = 4;
+}
+
+/* Springs by Newton's method, projective dynamics and constraints make the same step of
+ * implicit Euler (Liu et al. 2013), constraints but for what springs turn on the way: how
+ * far off they end, of how far they moved. */
+static double same_step(int n, int m, double dt, double *projective)
+{
+    struct scene scene;
+    struct spring_motion springs;
+    struct pd_motion pd;
+    struct pb_motion pb;
+    struct discretization d = net_of(n, m), p = constraints(n, m);
+    const struct pd_options o = {.points = {n, m},
+                                 .constraint = CONSTRAINT_EDGES,
+                                 .substeps = 1,
+                                 .iterations = 200000,
+                                 .tolerance = 1e-13};
+    struct counters counters = {0};
+    struct message why;
+    double *x = calloc((size_t)(3 * n * m), sizeof *x);
+
+    REQUIRE(x);
+    throw_sheet(&scene, dt);
+    d.tolerance = 1e-10, p.iterations = 3000, p.substeps = 1;
+    start(&springs, &scene, &d);
+    CHECK(spring_motion_step(&springs, &counters) == STATUS_OK);
+    REQUIRE(pd_motion_init(&pd, &scene, &o, &why) == STATUS_OK);
+    CHECK(pd_motion_frame(&pd, &counters) == STATUS_OK);
+    for (int a = 0; a < 3 * n * m; a++)
+        x[a] = pd.x[a % 3 * pd_net_stride(&pd.energy.net) + a / 3];
+    begin(&pb, &scene, &p);
+    frames(&pb, 1);
+    double moved = distance(springs.x, springs.net.rest, 3 * n * m);
+    *projective = distance(springs.x, x, 3 * n * m) / moved;
+    double off = distance(springs.x, pb.x, 3 * n * m) / moved;
+    pd_motion_clear(&pd);
+    pb_motion_clear(&pb);
+    spring_motion_clear(&springs);
+    scene_clear(&scene);
+    free(x);
+    return off;
+}
+
+static void check_same_step(void)
+{
+    const double iterated = 1e-6; /* 1e-13 of the length a round, at rates of 0.999 */
+    double projective[2];
+    double coarse = same_step(6, 5, 4e-3, &projective[0]);
+    double fine = same_step(6, 5, 2e-3, &projective[1]);
+
+    printf("one step: projective dynamics off springs by %.1e, %.1e; constraints by %.2e, "
+           "with half the step %.2e\n",
+           projective[0], projective[1], coarse, fine);
+    CHECK(projective[0] < iterated && projective[1] < iterated);
+    CHECK(coarse < 0.01);
+    CHECK(coarse / fine > 3); /* of second order in what turns */
+}
+
+/* --- what it comes to rest at ------------------------------------------------------------
+ */
+
+/* Slope of the energy along a change of free components, over that of the loads. */
+static double slope(struct pb_motion *m, int number)
+{
+    const double small = 1e-6;
+    struct energy e[2];
+    double loads = 0;
+
+    for (int side = 0; side < 2; side++) {
+        for (int n = 0; n < 3 * m->net.nodes; n++) {
+            double step =
+                m->supports.free_index[n] < 0 ? 0 : small * noise(n + 31 * number);
+            m->x[n] += side ? -2 * step : step;
+            loads += side ? 0 : fabs(step * m->points.load[n]);
+        }
+        pb_motion_energy(m, &e[side]);
+    }
+    for (int n = 0; n < 3 * m->net.nodes; n++)
+        if (m->supports.free_index[n] >= 0)
+            m->x[n] += small * noise(n + 31 * number);
+    return fabs(e[0].elastic + e[0].potential - e[1].elastic - e[1].potential) /
+           (2 * loads);
+}
+
+/* With enough iterations a sheet comes to rest where its energy has no slope, whatever the
+ * size of its net: rows that fill vectors, and rows that do not. So thick, it bends in
+ * every substep. */
+static void check_rest(int n, int m, double nu, unsigned fix, double thickness)
+{
+    const double tolerance = 1e-3; /* e^-10 of the swing, and what iterations leave */
+    struct scene_support corner = {.lo = {1, 1, 0}, .hi = {1, 1, 1}, .fix = fix};
+    struct scene scene;
+    struct pb_motion motion;
+    struct discretization d = constraints(n, m);
+
+    fill_scene(&scene, true);
+    REQUIRE(scene_add_support(&scene, &corner) == STATUS_OK);
+    scene.poisson = nu, scene.thickness = thickness, scene.young = 2e4;
+    scene.damping = (struct scene_damping){.kind = DAMPING_VELOCITY_SCALE, .value = 0.9};
+    d.substeps = 10, d.iterations = 30;
+    begin(&motion, &scene, &d);
+    CHECK(motion.bending_every == 1);
+    frames(&motion, 300);
+    for (int k = 0; k < 3; k++) {
+        double off = slope(&motion, k);
+        if (!CHECK(off < tolerance))
+            printf("%d x %d, nu = %g: slope %.2e of the loads'\n", n, m, nu, off);
+    }
+    pb_motion_clear(&motion);
+    scene_clear(&scene);
+}
+
+/* Tip of a strip that hangs from a clamp, over q L^4 / 8 B, at rest. */
+static double cantilever(int n, int substeps, int iterations)
+{
+    struct scene scene;
+    struct pb_motion m;
+    struct discretization d = constraints(n, 3);
+
+    fill_scene(&scene, true);
+    scene.poisson = 0, scene.thickness = 0.04, scene.young = 2e4, scene.width = 0.2;
+    scene.gravity[0] = 0, scene.gravity[2] = -0.05;
+    scene.damping = (struct scene_damping){.kind = DAMPING_VELOCITY_SCALE, .value = 0.9};
+    d.substeps = substeps, d.iterations = iterations;
+    begin(&m, &scene, &d);
+    frames(&m, 300);
+    double tip = m.x[3 * (m.net.nodes - 1) + 2];
+    double want = scene.density * scene.thickness * scene.gravity[2] *
+                  pow(scene.length, 4) / 8 / scene_bending_stiffness(&scene);
+    pb_motion_clear(&m);
+    scene_clear(&scene);
+    return tip / want;
+}
+
+/* A clamp over half a cell leaves an error of first order; the substeps that are chosen add
+ * at most the softening of bending that they bear, 3/8 of 0.4^2. */
+static void check_cantilever(void)
+{
+    const double added = 0.06;
+    double coarse = cantilever(9, 10, 30) - 1, fine = cantilever(17, 20, 30) - 1;
+    double chosen = cantilever(9, 0, 1) - 1;
+
+    printf("cantilever off by %.2e, with half the cells' size %.2e; by one iteration in "
+           "the steps chosen %.2e\n",
+           coarse, fine, chosen);
+    CHECK(coarse > 0 && coarse < 0.05 && coarse / fine > 1.5);
+    CHECK(chosen > coarse && chosen < coarse + added);
+}
+
+/* --- in time -----------------------------------------------------------------------------
+ */
+
+/* A swing from a clamp until 0.2 s; x[nodes][3]. */
+static void swing(int substeps, enum precision precision, int count, double *x)
+{
+    struct scene scene;
+    struct pb_motion m;
+    struct discretization d = constraints(8, 7);
+
+    fill_scene(&scene, true);
+    scene.thickness = 0.003, scene.young = 2e4;
+    d.substeps = substeps, d.precision = precision;
+    begin(&m, &scene, &d);
+    frames(&m, 40);
+    REQUIRE(count == 3 * m.net.nodes);
+    memcpy(x, m.x, (size_t)count * sizeof *x);
+    pb_motion_clear(&m);
+    scene_clear(&scene);
+}
+
+/* First order, as implicit Euler; what one iteration leaves goes with the square. Single
+ * precision goes where double does, at the bound that check_fall has. */
+static void check_order(void)
+{
+    enum { NUMBERS = 3 * 8 * 7 };
+    const double rounding = 1e-5;
+    static double coarse[NUMBERS], fine[NUMBERS], finest[NUMBERS], single[NUMBERS];
+
+    swing(20, PRECISION_DOUBLE, NUMBERS, coarse);
+    swing(40, PRECISION_DOUBLE, NUMBERS, fine);
+    swing(640, PRECISION_DOUBLE, NUMBERS, finest);
+    swing(640, PRECISION_SINGLE, NUMBERS, single);
+    double off[2] = {distance(coarse, finest, NUMBERS), distance(fine, finest, NUMBERS)};
+    double lost = distance(single, finest, NUMBERS) / sqrt(NUMBERS);
+    printf("swing off by %.2e, with half the step %.2e; single precision by %.2e m\n",
+           off[0], off[1], lost);
+    CHECK(off[0] / off[1] > 1.8 && off[0] / off[1] < 4.2);
+    CHECK(lost > 0 && lost < rounding);
+}
+
+/* The energy of a cell that breathes along u after 0.2 s; *rate: beta omega^2 of it, K / M
+ * over its springs and the two points that move. */
+static double breath(double beta, double *rate)
+{
+    struct scene scene;
+    struct pb_motion m;
+    struct energy e;
+    struct discretization d = constraints(2, 2);
+    struct scene_support edge = {.hi = {0, 1, 1}, .fix = FIX_XYZ},
+                         side = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_Y | FIX_Z};
+    double stiffness = 0;
+
+    fill_scene(&scene, false);
+    REQUIRE(scene_add_support(&scene, &edge) == STATUS_OK);
+    REQUIRE(scene_add_support(&scene, &side) == STATUS_OK);
+    memset(scene.gravity, 0, sizeof scene.gravity);
+    scene.velocity[0] = 1e-3, scene.young = 1000;
+    scene.damping = (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = beta};
+    d.substeps = 200;
+    begin(&m, &scene, &d);
+    frames(&m, 40);
+    pb_motion_energy(&m, &e);
+    for (int n = 0; n < m.net.spring_count; n++) {
+        const struct spring *s = &m.net.springs[n];
+        double along = m.net.rest[3 * s->b] - m.net.rest[3 * s->a];
+        stiffness += s->stiffness * along * along / (s->length * s->length);
+    }
+    *rate = beta * stiffness / (m.points.mass[2] + m.points.mass[3]);
+    pb_motion_clear(&m);
+    scene_clear(&scene);
+    return e.kinetic + e.elastic;
+}
+
+/* Stiffness damping takes beta omega^2 of the energy a second; what the steps take besides
+ * is in both. */
+static void check_damping(void)
+{
+    const double tolerance = 0.03; /* where in its swing it ends: 1 / 2 omega t */
+    double rate, before = breath(0, &rate), after = breath(2e-4, &rate);
+
+    CHECK_RELATIVE(log(before / after), rate * 0.2, tolerance);
+}
+
+static void check_refusals(void)
+{
+    static const struct {
+        double young, beta;
+        int iterations;
+        enum projection projection;
+        const char *says;
+    } cases[] = {{1e5, 0, 0, PROJECTION_XPBD, "iterations"},
+                 {1e5, 1e-3, 1, PROJECTION_PBD, "rayleigh beta"},
+                 {1e20, 0, 1, PROJECTION_XPBD, "substeps"}};
+
+    for (int k = 0; k < 3; k++) {
+        struct scene scene;
+        struct discretization d = constraints(5, 5);
+        struct message why = {{0}};
+        void *state = NULL;
+        fill_scene(&scene, true);
+        scene.young = cases[k].young;
+        scene.damping =
+            (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = cases[k].beta};
+        d.iterations = cases[k].iterations, d.projection = cases[k].projection;
+        CHECK(position_based_model.create(&scene, &d, &state, &why) != STATUS_OK);
+        CHECK(!state && strstr(why.text, cases[k].says));
+        scene_clear(&scene);
+    }
+}
+
+/* Steps that are too long are told: springs give way. */
+static void check_doubt(void)
+{
+    for (int k = 0; k < 2; k++) {
+        struct scene scene;
+        struct discretization d = constraints(12, 12);
+        struct counters counters = {0};
+        struct message line = {{0}};
+        void *state = NULL;
+        fill_scene(&scene, true);
+        d.substeps = k ? 0 : 1;
+        REQUIRE(position_based_model.create(&scene, &d, &state, &line) == STATUS_OK);
+        line.text[0] = 0;
+        for (int n = 0; n < 61; n++)
+            REQUIRE(position_based_model.advance(state, &counters) == STATUS_OK);
+        position_based_model.doubt(state, &line);
+        CHECK((line.text[0] == 0) == (k == 1));
+        position_based_model.destroy(state);
+        scene_clear(&scene);
+    }
+}
+
+int main(void)
+{
+    check_fall(PROJECTION_XPBD, PRECISION_DOUBLE, 0, 0, 0, 1);
+    check_fall(PROJECTION_XPBD, PRECISION_DOUBLE, 3, 0, 1e-3, 10);
+    check_fall(PROJECTION_PBD, PRECISION_DOUBLE, 1, 2, 0, 10);
+    check_fall(PROJECTION_XPBD, PRECISION_SINGLE, 0, 0, 0, 1000);
+    check_fall(PROJECTION_XPBD, PRECISION_SINGLE, 1, 2, 1e-3, 100);
+    check_same_step();
+    check_rest(2, 3, 0.3, FIX_Z, 0.2);
+    check_rest(3, 2, 0.3, FIX_XYZ, 0.2);
+    check_rest(5, 9, -0.4, FIX_Z, 0.04);
+    check_rest(7, 8, 0.3, FIX_X, 0.04);
+    check_rest(6, 10, 0, FIX_X | FIX_Z, 0.04);
+    check_cantilever();
+    check_order();
+    check_damping();
+    check_refusals();
+    check_doubt();
+    return check_result();
+}

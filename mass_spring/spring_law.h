@@ -73,4 +73,8 @@ struct spring_law_stiffness spring_law_effective(const struct spring_law *law,
 /* Of a sheet in plane stress. */
 struct spring_law_stiffness spring_law_plane_stress(const struct scene *scene);
 
+/* The misfit of the one to the other, for people. */
+void spring_law_tell(const struct spring_law *law, const double cell[2],
+                     const struct scene *scene, struct message *line);
+
 #endif

@@ -1,6 +1,5 @@
 #include "mass_spring/spring_model.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,14 +63,7 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     const struct spring_motion *m = state;
     const struct net net = {m->net.points[0], m->net.points[1], m->x, 3, 1};
 
-    for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
-        double middle[3], off[3];
-        net_surface(&net, uvw[0], uvw[1], middle, off);
-        double length = off[0] * off[0] + off[1] * off[1] + off[2] * off[2];
-        double height = (uvw[2] - 0.5) * m->scene->thickness;
-        for (int c = 0; c < 3; c++)
-            xyz[c] = middle[c] + (length > 0 ? height / sqrt(length) * off[c] : 0);
-    }
+    net_points(&net, m->scene->thickness, n, uvw, xyz);
 }
 
 static void sample(const void *state, double *xyz)
@@ -92,26 +84,14 @@ static void size(const void *state, struct model_size *size)
 static void describe(const void *state, struct message *line)
 {
     const struct spring_motion *m = state;
-    struct spring_law_stiffness net = spring_law_effective(&m->net.law, m->net.cell);
-    struct spring_law_stiffness sheet = spring_law_plane_stress(m->scene);
-    char limit[128] = "";
 
+    spring_law_tell(&m->net.law, m->net.cell, m->scene, line);
+    size_t end = strlen(line->text);
     if (m->integrator != INTEGRATOR_IMPLICIT)
-        snprintf(limit, sizeof limit,
+        snprintf(line->text + end, sizeof line->text - end,
                  "; explicit steps of %.3g s, stable below %.3g s about rest",
                  m->leapfrog ? spring_leapfrog_step(m->leapfrog) : m->dt,
                  spring_motion_limit(m));
-    snprintf(
-        line->text, sizeof line->text,
-        "the net has C11 %.4g, C22 %.4g, C33 %.4g of plane stress's, and C12 = %.4g C11 "
-        "for "
-        "%.4g C11 (springs have C12 = C33, plane stress only at nu = 1/3)%s%s",
-        net.c11 / sheet.c11, net.c22 / sheet.c22, net.c33 / sheet.c33, net.c12 / net.c11,
-        sheet.c12 / sheet.c11,
-        m->parameters == PARAMETERS_PAPER
-            ? "; the paper's springs: no bending, own mass and damping, not the scene's"
-            : "",
-        limit);
 }
 
 static void energy(const void *state, struct energy *energy)

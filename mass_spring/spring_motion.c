@@ -7,8 +7,6 @@
 #include "mass_spring/spring_contact.h"
 #include "mass_spring/spring_frequency.h"
 #include "mass_spring/spring_strain.h"
-#include "models/damping.h"
-#include "models/mechanics/dead_load.h"
 #include "models/room.h"
 
 /* Of the explicit method's greatest step, where it chooses: springs that turn and stretch
@@ -18,44 +16,16 @@ static const double LIMIT_SHARE = 0.8;
 /* Newton's tolerance, in rest lengths of the shortest spring. */
 static const double DEFAULT_TOLERANCE = 1e-6;
 
-static bool uses_scene_damping(const struct spring_motion *m)
-{
-    return m->parameters != PARAMETERS_PAPER;
-}
-
-static void set_masses(struct spring_motion *m)
-{
-    const struct scene *s = m->scene;
-    double alpha = uses_scene_damping(m) ? damping_mass(s) : 0;
-
-    for (int a = 0; a < m->net.nodes; a++) {
-        double volume = m->net.area[a] * s->thickness;
-        m->mass[a] = m->net.law.area_mass * m->net.area[a];
-        m->drag[a] = alpha * m->mass[a] + m->net.law.drag + s->drag * volume;
-        for (int i = 0; i < 3; i++)
-            m->load[3 * a + i] = m->mass[a] * s->gravity[i] + s->drag * volume * s->wind[i];
-    }
-}
-
-/* By the hats of the net's nodes, as the solids' by theirs. */
-static enum status add_loads(struct spring_motion *m, const int points[2])
-{
-    const struct dead_load_line line[3] = {
-        {.n = points[0], .degree = 1}, {.n = points[1], .degree = 1}, {.n = 1}};
-
-    return dead_load_make(m->scene, line, &m->dead, m->load);
-}
-
 static enum status allocate(struct spring_motion *m)
 {
     size_t nodes = (size_t)m->net.nodes;
     size_t pairs = (size_t)m->net.graph.start[nodes];
 
-    return room_cut(
-        &m->room, ROOM(m->mass, nodes), ROOM(m->drag, nodes), ROOM(m->weight, nodes),
-        ROOM(m->x, 3 * nodes), ROOM(m->v, 3 * nodes), ROOM(m->load, 3 * nodes),
-        ROOM(m->start, 3 * nodes), ROOM(m->target, 3 * nodes),
-        ROOM(m->shift, m->newton.supports.held_count), ROOM(m->V, m->beta > 0 ? pairs : 0));
+    return room_cut(&m->room, ROOM(m->weight, nodes), ROOM(m->x, 3 * nodes),
+                    ROOM(m->v, 3 * nodes), ROOM(m->start, 3 * nodes),
+                    ROOM(m->target, 3 * nodes),
+                    ROOM(m->shift, m->newton.supports.held_count),
+                    ROOM(m->V, m->points.beta > 0 ? pairs : 0));
 }
 
 double spring_motion_limit(const struct spring_motion *m)
@@ -78,9 +48,9 @@ static enum status set_steps(struct spring_motion *m, const struct discretizatio
     m->substeps = d->substeps > 0 ? d->substeps : 1;
     if (m->integrator == INTEGRATOR_EXPLICIT) {
         spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
-        TRY(spring_frequency_largest(&m->net.graph, &m->newton.supports, m->mass,
+        TRY(spring_frequency_largest(&m->net.graph, &m->newton.supports, m->points.mass,
                                      (const double(*)[9])m->newton.K, &omega));
-        m->limit = limit_of(omega, m->beta);
+        m->limit = limit_of(omega, m->points.beta);
         double needed = ceil(step / (LIMIT_SHARE * m->limit));
         if (!d->substeps && !(needed <= MOST_SUBSTEPS))
             return status_fail(why, STATUS_INPUT,
@@ -92,7 +62,7 @@ static enum status set_steps(struct spring_motion *m, const struct discretizatio
     }
     m->dt = step / m->substeps;
     for (int a = 0; a < m->net.nodes; a++)
-        m->weight[a] = m->mass[a] / (m->dt * m->dt) + m->drag[a] / m->dt;
+        m->weight[a] = m->points.mass[a] / (m->dt * m->dt) + m->points.drag[a] / m->dt;
 out:
     return st;
 }
@@ -105,13 +75,15 @@ static double shortest_spring(const struct spring_net *net)
 static enum status make_leapfrog(struct spring_motion *m, const struct discretization *d,
                                  struct message *why)
 {
-    const struct spring_body body = {
-        m->scene, &m->net, &m->newton.supports, m->mass, m->drag, m->load, m->beta};
+    const struct spring_body body = {m->scene,       &m->net,        &m->newton.supports,
+                                     m->points.mass, m->points.drag, m->points.load,
+                                     m->points.beta};
 
     if (m->strain_limit > 0)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "strain_limit: with integrator=implicit or explicit only");
-    if (m->beta > 0 && m->newton.supports.moving) /* held points have no velocity there */
+    if (m->points.beta > 0 &&
+        m->newton.supports.moving) /* held points have no velocity there */
         return status_fail(why, STATUS_UNSUPPORTED,
                            "integrator=leapfrog: no damping by stiffness (rayleigh beta) "
                            "with supports that move");
@@ -126,8 +98,8 @@ void spring_motion_clear(struct spring_motion *m)
     spring_leapfrog_free(m->leapfrog);
     spring_newton_clear(&m->newton);
     spring_net_clear(&m->net);
+    spring_load_clear(&m->points);
     free(m->room);
-    free(m->dead);
     memset(m, 0, sizeof *m);
 }
 
@@ -136,21 +108,16 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
 {
     enum status st;
 
-    *m = (struct spring_motion){.scene = scene,
-                                .parameters = d->parameters,
-                                .integrator = d->integrator,
-                                .strain_limit = d->strain_limit};
-    if (uses_scene_damping(m))
-        m->beta = damping_stiffness(scene);
+    *m = (struct spring_motion){
+        .scene = scene, .integrator = d->integrator, .strain_limit = d->strain_limit};
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters));
+    TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
     TRY(spring_newton_init(&m->newton, scene, &m->net, d->solver,
                            d->integrator != INTEGRATOR_LEAPFROG, why));
     TRY(allocate(m));
     memcpy(m->x, m->net.rest, 3 * (size_t)m->net.nodes * sizeof *m->x);
     m->rest_energy = spring_force_energy(&m->net, m->x);
     supports_initial_velocity(&m->newton.supports, scene, m->net.rest, NULL, m->v);
-    set_masses(m);
-    TRY(add_loads(m, d->points));
     m->limits.iterations = d->iterations;
     m->limits.tolerance =
         (d->tolerance > 0 ? d->tolerance : DEFAULT_TOLERANCE) * shortest_spring(&m->net);
@@ -175,7 +142,7 @@ void spring_motion_hold(struct spring_motion *m, double t)
 
 static void damping_matrix(struct spring_motion *m)
 {
-    if (m->beta > 0)
+    if (m->points.beta > 0)
         spring_force_clamped(&m->net, m->x, (const double(*)[9])m->newton.hinges, m->V);
 }
 
@@ -186,14 +153,15 @@ static enum status step_implicit(struct spring_motion *m, double t,
     double dt = m->dt;
     struct spring_problem p = {.weight = m->weight,
                                .target = m->target,
-                               .load = m->load,
-                               .viscosity = m->beta / dt,
+                               .load = m->points.load,
+                               .viscosity = m->points.beta / dt,
                                .V = (const double(*)[9])m->V,
                                .start = m->start};
 
     damping_matrix(m);
     for (size_t n = 0; n < count; n++)
-        m->target[n] = m->x[n] + m->v[n] * (m->mass[n / 3] / (dt * m->weight[n / 3]));
+        m->target[n] =
+            m->x[n] + m->v[n] * (m->points.mass[n / 3] / (dt * m->weight[n / 3]));
     spring_motion_hold(m, t);
     return spring_newton_solve(&m->newton, &p, &m->limits, m->x, counters);
 }
@@ -205,13 +173,13 @@ static enum status step_explicit(struct spring_motion *m, double t,
     double *f = m->target, dt = m->dt;
 
     damping_matrix(m);
-    if (m->beta > 0)
+    if (m->points.beta > 0)
         blocks_multiply(&m->net.graph, (const double(*)[9])m->V, m->v, f);
     for (size_t n = 0; n < count; n++)
-        f[n] = m->load[n] - (m->beta > 0 ? m->beta * f[n] : 0);
+        f[n] = m->points.load[n] - (m->points.beta > 0 ? m->points.beta * f[n] : 0);
     spring_force_add(&m->net, m->x, f);
     for (size_t n = 0; n < count; n++) {
-        double mass = m->mass[n / 3], drag = m->drag[n / 3];
+        double mass = m->points.mass[n / 3], drag = m->points.drag[n / 3];
         m->x[n] += dt * (mass * m->v[n] + dt * f[n]) / (mass + dt * drag);
     }
     spring_motion_hold(m, t);
@@ -261,11 +229,6 @@ out:
     return st;
 }
 
-static double velocity_factor(const struct spring_motion *m)
-{
-    return uses_scene_damping(m) ? damping_velocity(m->scene) : 1;
-}
-
 /* v <- factor v. The explicit method's v is that of half a step ago: brought up to now and
  * back again by the present forces, or modes near the limit that keep step with the frames
  * would take energy from the scaling. */
@@ -277,12 +240,12 @@ static void scale_velocity(struct spring_motion *m, double factor)
 
     if (factor == 1)
         return;
-    memcpy(f, m->load, count * sizeof *f);
+    memcpy(f, m->points.load, count * sizeof *f);
     if (behind)
         spring_force_add(&m->net, m->x, f);
     for (size_t n = 0; n < count; n++) {
         double lag = behind && m->newton.supports.free_index[n] >= 0
-                         ? m->dt / 2 * f[n] / m->mass[n / 3]
+                         ? m->dt / 2 * f[n] / m->points.mass[n / 3]
                          : 0;
         m->v[n] = factor * (m->v[n] + lag) - lag;
     }
@@ -295,12 +258,12 @@ enum status spring_motion_step(struct spring_motion *m, struct counters *counter
     memset(m->push, 0, sizeof m->push);
     if (m->leapfrog) {
         counters->steps++;
-        return spring_leapfrog_frame(m->leapfrog, velocity_factor(m), m->x, m->push,
-                                     &m->pushed, counters);
+        return spring_leapfrog_frame(m->leapfrog, m->points.keep, m->x, m->push, &m->pushed,
+                                     counters);
     }
     for (int n = 0; n < m->substeps; n++)
         TRY(substep(m, counters));
-    scale_velocity(m, velocity_factor(m));
+    scale_velocity(m, m->points.keep);
     counters->steps++;
     counters->substeps += m->substeps;
 out:
@@ -316,18 +279,9 @@ void spring_motion_contact(const struct spring_motion *m, struct model_contact *
 
 void spring_motion_energy(const struct spring_motion *m, struct energy *energy)
 {
-    double kinetic = 0, potential = 0;
-
     if (m->leapfrog)
         spring_leapfrog_velocity(m->leapfrog, m->v);
-    for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++) {
-        double mass = m->mass[n / 3];
-        kinetic += mass * m->v[n] * m->v[n] / 2;
-        double weight = mass * m->scene->gravity[n % 3] + (m->dead ? m->dead[n] : 0);
-        potential -= weight * (m->x[n] - m->net.rest[n]);
-    }
-    energy->kinetic = kinetic;
+    spring_load_energy(&m->points, m->x, m->v, energy);
     energy->elastic = m->leapfrog ? spring_leapfrog_elastic(m->leapfrog, m->x)
                                   : spring_force_energy(&m->net, m->x) - m->rest_energy;
-    energy->potential = potential;
 }

@@ -22,29 +22,27 @@
 #define SPRING_MOTION_H
 
 #include "mass_spring/spring_leapfrog.h"
+#include "mass_spring/spring_load.h"
 #include "mass_spring/spring_newton.h"
 
 struct spring_motion {
     const struct scene *scene; /* borrowed                                             */
     struct spring_net net;
     struct spring_newton newton;
-    enum parameters parameters;
     enum integrator integrator;
     struct spring_limits limits;
     int substeps;
     double dt;           /* of a substep                                        [s]   */
     double strain_limit; /* 0: none                                                   */
-    double beta;         /* stiffness damping                                   [s]   */
     double limit;        /* greatest stable step of the explicit method at rest [s]   */
     double rest_energy;  /* round-off of the energy at rest                     [J]   */
-    void *room;          /* of the arrays but dead                  owned     */
-    double *mass, *drag, *weight; /* [nodes] m, c, m / dt^2 + c / dt                   */
-    double *x, *v;                /* [nodes][3]                                        */
-    double *load;                 /* [nodes][3] gravity, wind and loads      [N]       */
-    double *dead;           /* [nodes][3] of which the scene's loads, or NULL  owned   */
-    double *start, *target; /* [nodes][3] work                                         */
-    double *shift;          /* [held_count] work                                       */
-    double (*V)[9];         /* [pairs] with beta, else NULL                            */
+    struct spring_load points; /* their masses, drag, loads and damping               */
+    void *room;                /* of the arrays                                owned   */
+    double *weight;            /* [nodes] m / dt^2 + c / dt                     [N/m]     */
+    double *x, *v;             /* [nodes][3]                                              */
+    double *start, *target;    /* [nodes][3] work                                         */
+    double *shift;             /* [held_count] work                                       */
+    double (*V)[9];            /* [pairs] with beta, else NULL                            */
     struct spring_leapfrog *leapfrog; /* of that integrator, else NULL         owned   */
     long substep;   /* taken so far                                              */
     double push[3]; /* of obstacles, mean over the last frame              [N]   */

@@ -31,7 +31,7 @@ static double total_energy(const struct spring_motion *m)
     double energy = spring_force_energy(&m->net, m->x);
 
     for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++)
-        energy -= m->load[n] * (m->x[n] - m->net.rest[n]);
+        energy -= m->points.load[n] * (m->x[n] - m->net.rest[n]);
     return energy;
 }
 
@@ -43,7 +43,7 @@ static double residual(const struct search *s)
     size_t count = 3 * (size_t)m->net.nodes;
     double most = 0;
 
-    memcpy(s->r, m->load, count * sizeof *s->r);
+    memcpy(s->r, m->points.load, count * sizeof *s->r);
     spring_force_add(&m->net, m->x, s->r);
     for (size_t n = 0; n < count; n++) {
         if (place[n] < 0)
@@ -61,7 +61,7 @@ static void allowed_forces(const struct spring_motion *m, double *wanted, double
     double load = 0, position = 0, stiffness = 0;
 
     for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++) {
-        load = fmax(load, fabs(m->load[n]));
+        load = fmax(load, fabs(m->points.load[n]));
         position = fmax(position, fabs(m->net.rest[n]));
     }
     for (int n = 0; n < m->net.spring_count; n++)
@@ -82,7 +82,7 @@ static enum status factor(const struct search *s, bool clamped)
         spring_force_jacobian(net, s->m->x, newton->K);
     for (int a = 0; a < g->nodes; a++)
         for (int i = 0; i < 3; i++)
-            newton->K[g->start[a]][4 * i] += s->m->mass[a] / (s->step * s->step);
+            newton->K[g->start[a]][4 * i] += s->m->points.mass[a] / (s->step * s->step);
     newton->factored = false; /* for the steps: this is another matrix */
     return system_factor(&newton->system, 1, (const double(*)[9])newton->K, 0, NULL);
 }
@@ -108,7 +108,7 @@ static enum status advance(struct search *s, struct counters *counters)
         return st;
     double scale = fabs(s->energy) + 1e-300, move = 0;
     for (size_t n = 0; n < count; n++) {
-        scale += fabs(m->load[n] * (m->x[n] - m->net.rest[n]));
+        scale += fabs(m->points.load[n] * (m->x[n] - m->net.rest[n]));
         m->x[n] += s->d[n];
         move = fmax(move, fabs(s->d[n]));
     }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mass_spring/spring_plate.h"
 #include "models/room.h"
 
 const int spring_stencil_step[SPRING_STENCIL_ALL][2] = {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1},
@@ -48,128 +49,18 @@ static void set_springs(struct spring_stencil *s)
     }
 }
 
-/* A weighted sum of points whose weights add up to zero, and a constant. */
-enum { FORM_POINTS = 4 };
-struct form {
-    int count, node[FORM_POINTS];
-    double weight[FORM_POINTS], shift[3];
-};
-
-/* The energy b p . q of two forms: what a point of p feels of the points of q. */
-static void add_pull(struct spring_stencil *s, double b, const struct form *p,
-                     const struct form *q)
+/* What each point of a form feels of the others. */
+static void add_form(struct spring_stencil *s, const struct spring_plate_form *form)
 {
-    for (int m = 0; m < p->count; m++) {
-        int a = p->node[m];
-        for (int n = 0; n < q->count; n++)
-            if (q->node[n] != a)
-                s->bend[a][place_of(s->net, a, q->node[n])] -=
-                    b * p->weight[m] * q->weight[n];
+    for (int m = 0; m < form->count; m++) {
+        int a = form->node[m];
+        double b = form->stiffness * form->weight[m];
+        for (int n = 0; n < form->count; n++)
+            if (n != m)
+                s->bend[a][place_of(s->net, a, form->node[n])] -= b * form->weight[n];
         for (int c = 0; c < 3; c++)
-            s->clamp[a][c] -= b * p->weight[m] * q->shift[c];
+            s->clamp[a][c] -= b * form->shift[c];
     }
-}
-
-static void add_square(struct spring_stencil *s, double b, const struct form *p)
-{
-    add_pull(s, b, p, p);
-}
-
-/* The second difference at (i, j) along u or v (di, dj); false where it reaches beyond. */
-static bool second_difference(const struct spring_net *net, int i, int j, int di, int dj,
-                              struct form *form)
-{
-    int before = node_at(net, i - di, j - dj), after = node_at(net, i + di, j + dj);
-
-    *form = (struct form){3, {before, node_at(net, i, j), after}, {1, -2, 1}, {0, 0, 0}};
-    return before >= 0 && after >= 0;
-}
-
-/* kappa a^2 at the clamped point (i, j) towards the free one next to it; false if there is
- * none. */
-static bool clamp_form(const struct spring_net *net, int i, int j, int di, int dj,
-                       struct form *form)
-{
-    int root = node_at(net, i, j), next = node_at(net, i + di, j + dj);
-    int second = node_at(net, i + 2 * di, j + 2 * dj);
-
-    if (next < 0 || net->clamped[next])
-        return false;
-    *form = second >= 0 ? (struct form){3, {root, next, second}, {-3.5, 4, -0.5}, {0}}
-                        : (struct form){2, {root, next}, {-2, 2}, {0}};
-    for (int c = 0; c < 3; c++) {
-        double edge = net->rest[3 * next + c] - net->rest[3 * root + c];
-        form->shift[c] = (second >= 0 ? -3 : -2) * edge;
-    }
-    return true;
-}
-
-/* What a plate bends with. */
-struct plate {
-    double stiffness, poisson; /* B [N m], nu                                          */
-};
-
-/* Bending at a point along one direction; `strip` is the width of sheet that is bent. */
-static void add_line(struct spring_stencil *s, const struct plate *plate, int i, int j,
-                     int along)
-{
-    const struct spring_net *net = s->net;
-    int di = along == 0, dj = along == 1, across = along == 0 ? j : i;
-    bool rim = across == 0 || across == net->points[1 - along] - 1;
-    double a = net->cell[along], strip = net->cell[1 - along] * (rim ? 0.5 : 1);
-    double nu = plate->poisson, B = plate->stiffness * (rim ? 1 - nu * nu : 1);
-    struct form form;
-
-    if (net->clamped[node_at(net, i, j)]) {
-        for (int side = -1; side <= 1; side += 2)
-            if (clamp_form(net, i, j, side * di, side * dj, &form))
-                add_square(s, B * strip / (2 * a * a * a), &form);
-    } else if (second_difference(net, i, j, di, dj, &form)) {
-        add_square(s, B * strip / (a * a * a), &form);
-    }
-}
-
-static void add_poisson(struct spring_stencil *s, const struct plate *plate, int i, int j)
-{
-    const struct spring_net *net = s->net;
-    double area = net->cell[0] * net->cell[1];
-    double b = plate->poisson * plate->stiffness / area;
-    struct form u, v;
-
-    if (net->clamped[node_at(net, i, j)] || !second_difference(net, i, j, 1, 0, &u) ||
-        !second_difference(net, i, j, 0, 1, &v))
-        return;
-    add_pull(s, b, &u, &v);
-    add_pull(s, b, &v, &u);
-}
-
-static void add_twist(struct spring_stencil *s, const struct plate *plate, int i, int j)
-{
-    const struct spring_net *net = s->net;
-    double b = 2 * (1 - plate->poisson) * plate->stiffness / (net->cell[0] * net->cell[1]);
-    const struct form form = {4,
-                              {node_at(net, i, j), node_at(net, i, j + 1),
-                               node_at(net, i + 1, j), node_at(net, i + 1, j + 1)},
-                              {1, -1, -1, 1},
-                              {0}};
-
-    if (form.node[3] >= 0)
-        add_square(s, b, &form);
-}
-
-static void set_bending(struct spring_stencil *s, const struct scene *scene)
-{
-    double h = scene->thickness, nu = scene->poisson;
-    const struct plate plate = {scene->young * h * h * h / (12 * (1 - nu * nu)), nu};
-
-    for (int i = 0; i < s->net->points[0]; i++)
-        for (int j = 0; j < s->net->points[1]; j++) {
-            add_line(s, &plate, i, j, 0);
-            add_line(s, &plate, i, j, 1);
-            add_poisson(s, &plate, i, j);
-            if (i + 1 < s->net->points[0] && j + 1 < s->net->points[1])
-                add_twist(s, &plate, i, j);
-        }
 }
 
 void spring_stencil_clear(struct spring_stencil *s)
@@ -183,14 +74,18 @@ enum status spring_stencil_init(struct spring_stencil *s, const struct scene *sc
 {
     enum status st;
     size_t nodes = (size_t)net->nodes;
+    struct spring_plate_form *forms = NULL;
+    int count = 0;
 
     *s = (struct spring_stencil){.net = net};
     TRY(room_cut(&s->room, ROOM(s->spring, nodes), ROOM(s->bend, nodes),
                  ROOM(s->clamp, nodes)));
     set_springs(s);
-    if (net->hinge_count || net->clamp_count)
-        set_bending(s, scene);
+    TRY(spring_plate_make(scene, net, &forms, &count));
+    for (int n = 0; n < count; n++)
+        add_form(s, &forms[n]);
 out:
+    free(forms);
     return st;
 }
 

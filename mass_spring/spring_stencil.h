@@ -4,17 +4,7 @@
  *     k (l^2 - r^2)^2 / 8 r^2,  force  k (l^2 - r^2) / 2 r^2  times the edge,
  * k (l - r)^2 / 2 for small strains, and stiffer by (3 (l/r)^2 - 1) / 2 when stretched.
  *
- * Bending: Kirchhoff's plate by differences about the flat rest shape, quadratic in the
- * positions (after Bergou et al. 2006, "A quadratic bending model for inextensible
- * surfaces", here on a regular net), exact in the scene's nu:
- *     B/2 int |x_uu|^2 + |x_vv|^2 + 2 nu x_uu x_vv + 2 (1 - nu) |x_uv|^2,
- * x_uu and x_vv at points, x_uv in cells. Along a rim, across which no moment is borne, the
- * strip bends as a beam: factor 1 - nu^2 and no nu x_uu x_vv.
- *
- * Clamps: at a held column that cannot turn, the curvature of the cubic that leaves the
- * point x0 along e with the free neighbours x1, x2 on it,
- *     kappa a^2 = 4 (x1 - x0 - a e) - (x2 - x0 - 2 a e) / 2,
- * over half a cell; with one free neighbour alone that of the parabola, 2 (x1 - x0 - a e).
+ * Bending and clamps: the quadratic plate of spring_plate.h.
  */
 #ifndef SPRING_STENCIL_H
 #define SPRING_STENCIL_H

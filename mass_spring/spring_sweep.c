@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/clones.h"
 #include "models/room.h"
 
 /* Points that rows are padded to: a vector of single precision in AVX2, two or one of
@@ -28,15 +29,6 @@ struct spring_sweep {
     char *table;                /* [n] of them, the first `kinds` in use               */
     void *room;
 };
-
-/* A portable build carries the step for newer CPUs, too. */
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                     \
-    !defined(__AVX2__) && !defined(__SANITIZE_ADDRESS__)
-#define SWEEP_CLONES                                                                       \
-    __attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
-#else
-#define SWEEP_CLONES
-#endif
 
 #define REAL    float
 #define NAME(x) single_##x

@@ -56,22 +56,21 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lag
     }
 }
 
-SWEEP_CLONES static void NAME(row)(ptrdiff_t count, ptrdiff_t pitch, REAL dt,
-                                   const REAL *restrict c, const REAL *restrict x0,
-                                   const REAL *restrict x1, const REAL *restrict x2,
-                                   REAL *restrict v0, REAL *restrict v1, REAL *restrict v2,
-                                   REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
+CLONES static void NAME(row)(ptrdiff_t count, ptrdiff_t pitch, REAL dt,
+                             const REAL *restrict c, const REAL *restrict x0,
+                             const REAL *restrict x1, const REAL *restrict x2,
+                             REAL *restrict v0, REAL *restrict v1, REAL *restrict v2,
+                             REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
 {
     NAME(gather)(count, pitch, dt, 0, false, c, x0, x1, x2, v0, v1, v2, y0, y1, y2);
 }
 
-SWEEP_CLONES static void NAME(lagging_row)(ptrdiff_t count, ptrdiff_t pitch, REAL dt,
-                                           REAL lag, const REAL *restrict c,
-                                           const REAL *restrict x0, const REAL *restrict x1,
-                                           const REAL *restrict x2, REAL *restrict v0,
-                                           REAL *restrict v1, REAL *restrict v2,
-                                           REAL *restrict y0, REAL *restrict y1,
-                                           REAL *restrict y2)
+CLONES static void NAME(lagging_row)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag,
+                                     const REAL *restrict c, const REAL *restrict x0,
+                                     const REAL *restrict x1, const REAL *restrict x2,
+                                     REAL *restrict v0, REAL *restrict v1,
+                                     REAL *restrict v2, REAL *restrict y0,
+                                     REAL *restrict y1, REAL *restrict y2)
 {
     NAME(gather)(count, pitch, dt, lag, true, c, x0, x1, x2, v0, v1, v2, y0, y1, y2);
 }

@@ -51,3 +51,15 @@ void net_surface(const struct net *net, double u, double v, double middle[3],
         }
     }
 }
+
+void net_points(const struct net *net, double thickness, int n, const double *uvw,
+                double *xyz)
+{
+    for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
+        double off[3];
+        net_surface(net, uvw[0], uvw[1], xyz, off);
+        double length = sqrt(off[0] * off[0] + off[1] * off[1] + off[2] * off[2]);
+        for (int c = 0; c < 3 && length > 0; c++)
+            xyz[c] += (uvw[2] - 0.5) * thickness * (off[c] / length);
+    }
+}

@@ -17,4 +17,9 @@ struct net {
 void net_surface(const struct net *net, double u, double v, double middle[3],
                  double normal[3]);
 
+/* Material points uvw[n][3] of a sheet so thick into xyz[n][3]: the surface and
+ * (w - 1/2) thickness along the unit normal. */
+void net_points(const struct net *net, double thickness, int n, const double *uvw,
+                double *xyz);
+
 #endif

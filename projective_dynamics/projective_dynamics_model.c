@@ -3,8 +3,8 @@
 #include <stdlib.h>
 
 #include "models/grid.h"
+#include "models/net.h"
 #include "projective_dynamics/pd_motion.h"
-#include "projective_dynamics/pd_surface.h"
 
 enum { DEFAULT_ITERATIONS = 10, MOST_ITERATIONS = 1000000 };
 static const double DEFAULT_TOLERANCE = 1e-6; /* of the length; if iterations = 0        */
@@ -93,8 +93,10 @@ static enum status advance(void *state, struct counters *counters)
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct pd_motion *m = state;
+    const struct pd_net *net = &m->energy.net;
+    const struct net surface = {net->n, net->m, m->x, 1, pd_net_stride(net)};
 
-    pd_surface_points(&m->energy.net, m->x, m->scene->thickness, n, uvw, xyz);
+    net_points(&surface, m->scene->thickness, n, uvw, xyz);
 }
 
 static void sample(const void *state, double *xyz)

@@ -75,7 +75,7 @@ static void check_vibration(enum integrator integrator)
         double along = m.net.rest[3 * s->b] - m.net.rest[3 * s->a];
         k += s->stiffness * along * along / (s->length * s->length) / 2;
     }
-    double rate = k / m.mass[2], x = amplitude, v = 0, off = 0, dt = m.dt;
+    double rate = k / m.points.mass[2], x = amplitude, v = 0, off = 0, dt = m.dt;
     m.x[6] += x, m.x[9] += x;
     for (int n = 0; n < STEPS; n++) {
         CHECK(spring_motion_step(&m, &counters) == STATUS_OK);

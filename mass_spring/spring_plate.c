@@ -1,0 +1,160 @@
+#include "mass_spring/spring_plate.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Of a node, at most: two curvatures, their sum, a twist; or four clamps and a twist. */
+enum { FORMS = 5 };
+
+struct plate {
+    const struct spring_net *net;
+    double stiffness, poisson; /* B [N m], nu                                          */
+    struct spring_plate_form *form;
+    int count;
+};
+
+static int node_at(const struct spring_net *net, int i, int j)
+{
+    return i < 0 || j < 0 || i >= net->points[0] || j >= net->points[1]
+               ? -1
+               : i * net->points[1] + j;
+}
+
+static void add(struct plate *p, const struct spring_plate_form *form)
+{
+    if (form->stiffness > 0)
+        p->form[p->count++] = *form;
+}
+
+/* kappa a^2 at the clamped point (i, j) towards the free one next to it. */
+static void add_clamp(struct plate *p, int i, int j, int di, int dj, double stiffness)
+{
+    const struct spring_net *net = p->net;
+    int root = node_at(net, i, j), next = node_at(net, i + di, j + dj);
+    int second = node_at(net, i + 2 * di, j + 2 * dj);
+
+    if (next < 0 || net->clamped[next])
+        return;
+    struct spring_plate_form form =
+        second >= 0 ? (struct spring_plate_form){.count = 3,
+                                                 .node = {root, next, second},
+                                                 .weight = {-3.5, 4, -0.5}}
+                    : (struct spring_plate_form){
+                          .count = 2, .node = {root, next}, .weight = {-2, 2}};
+    form.kind = SPRING_PLATE_CLAMP, form.at = root, form.stiffness = stiffness;
+    for (int c = 0; c < 3; c++) {
+        double edge = net->rest[3 * next + c] - net->rest[3 * root + c];
+        form.shift[c] = (second >= 0 ? -3 : -2) * edge;
+    }
+    add(p, &form);
+}
+
+/* Nodes before and after (i, j) along u or v; false where one is beyond the rim. */
+static bool between(const struct spring_net *net, int i, int j, int along, int node[2])
+{
+    int di = along == 0, dj = along == 1;
+
+    node[0] = node_at(net, i - di, j - dj), node[1] = node_at(net, i + di, j + dj);
+    return node[0] >= 0 && node[1] >= 0;
+}
+
+/* Bending at a free point along one direction; `both`: there is the other, too. */
+static void add_line(struct plate *p, int i, int j, int along, bool both)
+{
+    const struct spring_net *net = p->net;
+    int across = along == 0 ? j : i, at = node_at(net, i, j), node[2];
+    bool rim = across == 0 || across == net->points[1 - along] - 1;
+    double a = net->cell[along], strip = net->cell[1 - along] * (rim ? 0.5 : 1);
+    double nu = p->poisson, B = p->stiffness * (rim ? 1 - nu * nu : 1) * strip;
+
+    if (net->clamped[at]) {
+        for (int side = -1; side <= 1; side += 2)
+            add_clamp(p, i, j, along == 0 ? side : 0, along == 1 ? side : 0,
+                      B / (2 * a * a * a));
+    } else if (between(net, i, j, along, node)) {
+        const struct spring_plate_form form = {
+            .kind = along == 0 ? SPRING_PLATE_U : SPRING_PLATE_V,
+            .at = at,
+            .count = 3,
+            .node = {node[0], at, node[1]},
+            .weight = {1, -2, 1},
+            .stiffness = B * (both ? 1 - fabs(nu) : 1) / (a * a * a)};
+        add(p, &form);
+    }
+}
+
+static double mean_of(double nu, const double cell[2], double weight[2])
+{
+    weight[0] = cell[1] / cell[0];
+    weight[1] = copysign(cell[0] / cell[1], nu);
+    return fabs(nu) / (cell[0] * cell[1]);
+}
+
+void spring_plate_mean(const struct scene *scene, const double cell[2], double weight[2])
+{
+    mean_of(scene->poisson, cell, weight);
+}
+
+static void add_mean(struct plate *p, int at, const int u[2], const int v[2])
+{
+    double w[2], share = mean_of(p->poisson, p->net->cell, w);
+    const struct spring_plate_form form = {
+        .kind = SPRING_PLATE_MEAN,
+        .at = at,
+        .count = 5,
+        .node = {at, u[0], u[1], v[0], v[1]},
+        .weight = {-2 * (w[0] + w[1]), w[0], w[0], w[1], w[1]},
+        .stiffness = share * p->stiffness};
+
+    add(p, &form);
+}
+
+static void add_twist(struct plate *p, int i, int j)
+{
+    const struct spring_net *net = p->net;
+    const struct spring_plate_form form = {
+        .kind = SPRING_PLATE_TWIST,
+        .at = node_at(net, i, j),
+        .count = 4,
+        .node = {node_at(net, i, j), node_at(net, i, j + 1), node_at(net, i + 1, j),
+                 node_at(net, i + 1, j + 1)},
+        .weight = {1, -1, -1, 1},
+        .stiffness = 2 * (1 - p->poisson) * p->stiffness / (net->cell[0] * net->cell[1])};
+
+    if (form.node[1] >= 0 && form.node[2] >= 0)
+        add(p, &form);
+}
+
+enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
+                              struct spring_plate_form **forms, int *count)
+{
+    double h = scene->thickness, nu = scene->poisson;
+    struct plate p = {net, scene->young * h * h * h / (12 * (1 - nu * nu)), nu,
+                      malloc(FORMS * (size_t)net->nodes * sizeof *p.form), 0};
+
+    if (!p.form)
+        return STATUS_MEMORY;
+    const bool bends = net->hinge_count || net->clamp_count;
+    for (int a = 0; bends && a < net->nodes; a++) {
+        int i = a / net->points[1], j = a % net->points[1], u[2], v[2];
+        bool both =
+            !net->clamped[a] && between(net, i, j, 0, u) && between(net, i, j, 1, v);
+        add_line(&p, i, j, 0, both);
+        add_line(&p, i, j, 1, both);
+        if (both)
+            add_mean(&p, a, u, v);
+        add_twist(&p, i, j);
+    }
+    *forms = p.form, *count = p.count;
+    return STATUS_OK;
+}
+
+void spring_plate_value(const struct spring_plate_form *form, const double *x,
+                        double value[3])
+{
+    for (int c = 0; c < 3; c++) {
+        value[c] = form->shift[c];
+        for (int n = 0; n < form->count; n++)
+            value[c] += form->weight[n] * x[3 * form->node[n] + c];
+    }
+}

@@ -1,0 +1,51 @@
+/* spring_plate.h - the bending of a net as squares of sums of its points: Kirchhoff's plate
+ * by differences about the flat rest shape, quadratic in the positions (after Bergou et al.
+ * 2006, "A quadratic bending model for inextensible surfaces", here on a regular net),
+ * exact in the scene's nu:
+ *     B/2 int |x_uu|^2 + |x_vv|^2 + 2 nu x_uu x_vv + 2 (1 - nu) |x_uv|^2,
+ * x_uu and x_vv at points, x_uv in cells; what has both is, with s the sign of nu,
+ *     (1 - |nu|) (|x_uu|^2 + |x_vv|^2) + |nu| |x_uu + s x_vv|^2.
+ * Along a rim, across which no moment is borne, the strip bends as a beam: factor 1 - nu^2
+ * and no nu x_uu x_vv.
+ *
+ * Clamps: at a held column that cannot turn, the curvature of the cubic that leaves the
+ * point x0 along e with the free neighbours x1, x2 on it,
+ *     kappa a^2 = 4 (x1 - x0 - a e) - (x2 - x0 - 2 a e) / 2,
+ * over half a cell; with one free neighbour alone that of the parabola, 2 (x1 - x0 - a e).
+ */
+#ifndef SPRING_PLATE_H
+#define SPRING_PLATE_H
+
+#include "mass_spring/spring_net.h"
+
+enum spring_plate_kind {
+    SPRING_PLATE_U,     /* x_uu a_u^2: points before, at, after                        */
+    SPRING_PLATE_V,     /* x_vv a_v^2                                                  */
+    SPRING_PLATE_TWIST, /* x_uv a_u a_v: points (i,j), (i,j+1), (i+1,j), (i+1,j+1)     */
+    SPRING_PLATE_MEAN,  /* (x_uu + s x_vv) a_u a_v: at, before and after along u, v    */
+    SPRING_PLATE_CLAMP, /* kappa a^2: the held point, its neighbour, the next          */
+};
+
+/* The energy stiffness |sum weight x_node + shift|^2 / 2. */
+enum { SPRING_PLATE_POINTS = 5 };
+struct spring_plate_form {
+    enum spring_plate_kind kind;
+    int at; /* the node that it belongs to                                              */
+    int count, node[SPRING_PLATE_POINTS];
+    double weight[SPRING_PLATE_POINTS]; /* sum to zero                           [1]   */
+    double shift[3];                    /* of clamps                             [m]   */
+    double stiffness;                   /* >= 0                                  [N/m] */
+};
+
+/* All of a net's into *forms, owned by the caller; none if its law has no bending. */
+enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
+                              struct spring_plate_form **forms, int *count);
+
+/* The weights of SPRING_PLATE_MEAN: of neighbours along u and along v. */
+void spring_plate_mean(const struct scene *scene, const double cell[2], double weight[2]);
+
+/* The form's value at x[nodes][3] into value[3] [m]. */
+void spring_plate_value(const struct spring_plate_form *form, const double *x,
+                        double value[3]);
+
+#endif

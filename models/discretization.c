@@ -138,7 +138,10 @@ WORDS(solver, [SOLVER_AUTO] = "auto", [SOLVER_BANDED] = "banded",
       [SOLVER_SUPERNODAL] = "supernodal", [SOLVER_CHOLMOD] = "cholmod")
 WORDS(parameters, [PARAMETERS_MATCHED] = "matched", [PARAMETERS_PAPER] = "paper")
 WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit",
-      [INTEGRATOR_LEAPFROG] = "leapfrog")
+      [INTEGRATOR_LEAPFROG] = "leapfrog", [INTEGRATOR_MOMENTUM] = "momentum")
 WORDS(precision, [PRECISION_DOUBLE] = "double", [PRECISION_SINGLE] = "single")
 WORDS(constraint, [CONSTRAINT_TRIANGLES] = "triangles", [CONSTRAINT_EDGES] = "edges")
 WORDS(acceleration, [ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev")
+WORDS(membrane, [MEMBRANE_GREEN] = "green", [MEMBRANE_COROTATIONAL] = "corotational",
+      [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin")
+WORDS(bending, [BENDING_QUADRATIC] = "quadratic", [BENDING_HINGE] = "hinge")

@@ -48,10 +48,15 @@ enum integrator {
     INTEGRATOR_IMPLICIT, /* Euler                                                      */
     INTEGRATOR_EXPLICIT, /* symplectic Euler                                           */
     INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
+    INTEGRATOR_MOMENTUM, /* implicit, second order, keeps energy and momenta           */
 };
 
 /* Of positions in leapfrog steps. */
 enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
+
+/* What strain of a triangle is, and what bends a net of them (triangles). */
+enum membrane { MEMBRANE_GREEN, MEMBRANE_COROTATIONAL, MEMBRANE_BARAFF_WITKIN };
+enum bending { BENDING_QUADRATIC, BENDING_HINGE };
 
 /* What resists stretching in projective_dynamics. */
 enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
@@ -81,6 +86,8 @@ struct discretization {
     double strain_limit; /* Provot 1995: greatest elongation of a spring [1]; 0: none  */
     enum constraint constraint;
     enum acceleration acceleration;
+    enum membrane membrane;
+    enum bending bending;
 };
 
 /* The keys above that not every model has a use for, zero if unset; bits. */
@@ -93,7 +100,9 @@ struct discretization {
     X(TOLERANCE, tolerance)                                                                \
     X(STRAIN_LIMIT, strain_limit)                                                          \
     X(CONSTRAINT, constraint)                                                              \
-    X(ACCELERATION, acceleration)
+    X(ACCELERATION, acceleration)                                                          \
+    X(MEMBRANE, membrane)                                                                  \
+    X(BENDING, bending)
 
 enum discretization_place {
 #define DISCRETIZATION_PLACE(name, member) DISCRETIZATION_PLACE_##name,
@@ -139,5 +148,7 @@ const char *integrator_name(int integrator);
 const char *precision_name(int precision);
 const char *constraint_name(int constraint);
 const char *acceleration_name(int acceleration);
+const char *membrane_name(int membrane);
+const char *bending_name(int bending);
 
 #endif

@@ -8,6 +8,7 @@
 #include "mass_spring/spring_model.h"
 #include "projective_dynamics/projective_dynamics_model.h"
 #include "shell_ref/shell_model.h"
+#include "triangles/tri_model.h"
 
 #define COMPARE CONTESTANT_COMPARE
 #define STRESS  CONTESTANT_STRESS
@@ -104,6 +105,15 @@ const struct contestant contestant_table[] = {
      0, 2, {6, 10, 16}, {1, 4}, {0}},
     {"shell_3", "shell, p = 3", "shell 3", &shell_model, COMPARE | LARGE | SPEED,
      {NONLINEAR, CUBIC_2}, 0, 3, {6, 10, 16}, {1, 4}, {0}},
+
+    /* Triangles. */
+    {"triangles", "triangles", "triangles", &tri_model, CONTESTANT_EVERYWHERE, {0}, 0, 1,
+     {10, 16, 24, 40}, {1, 4}, {0}},
+    {"triangles_baraff_witkin", "triangles, Baraff and Witkin", "triangles BW", &tri_model,
+     COMPARE,
+     {"discretization.integrator=implicit", "discretization.iterations=1",
+      "discretization.membrane=baraff_witkin", "discretization.bending=hinge"},
+     0, 1, {10, 16, 24}, {1, 4, 16}, {0}},
 
     /* Springs and constraints. */
     {"mass_spring", "mass-spring, matched", "springs", &spring_model,

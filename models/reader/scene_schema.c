@@ -213,7 +213,7 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, solver)},
     {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_name,
      IN(discretization, parameters)},
-    {"integrator", "of springs: Euler's methods, or leapfrog", SCHEMA_WORD,
+    {"integrator", "Euler's methods, leapfrog, or energy-momentum", SCHEMA_WORD,
      .word = integrator_name, IN(discretization, integrator)},
     {"precision", "of leapfrog steps", SCHEMA_WORD, .word = precision_name,
      IN(discretization, precision)},
@@ -229,6 +229,10 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, constraint)},
     {"acceleration", "of an iteration", SCHEMA_WORD, .word = acceleration_name,
      IN(discretization, acceleration)},
+    {"membrane", "strain of triangles", SCHEMA_WORD, .word = membrane_name,
+     IN(discretization, membrane)},
+    {"bending", "of triangles", SCHEMA_WORD, .word = bending_name,
+     IN(discretization, bending)},
     {NULL}};
 /* clang-format on */
 

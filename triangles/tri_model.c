@@ -39,6 +39,9 @@ static enum status refuse(const struct scene *scene, const struct discretization
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");
+    if (d->bending == BENDING_HINGE && d->integrator == INTEGRATOR_LEAPFROG)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "bending=hinge: with integrator=momentum or implicit only");
     if (d->iterations && d->integrator != INTEGRATOR_IMPLICIT)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "iterations: with integrator=implicit only");
@@ -91,8 +94,9 @@ static void sample(const void *state, double *xyz)
 static void size(const void *state, struct model_size *size)
 {
     const struct tri_motion *m = state;
+    const struct system none = {.held = &m->supports};
 
-    *size = system_size(&m->system, "mid-surface points");
+    *size = system_size(m->system.factor ? &m->system : &none, "mid-surface points");
 }
 
 /* What is not the scene's law, in words. */

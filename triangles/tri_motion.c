@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mass_spring/spring_contact.h"
+#include "mass_spring/spring_frequency.h"
 #include "models/damping.h"
 #include "models/linalg/order.h"
 #include "models/mechanics/large_rest.h"
@@ -26,10 +28,11 @@ static size_t count_of(const struct tri_motion *m)
 
 static enum status make_arrays(struct tri_motion *m)
 {
+    bool explicit = m->integrator == INTEGRATOR_LEAPFROG;
     size_t pairs = (size_t)m->net.graph.start[m->net.points.nodes];
-    enum status st =
-        room_cut(&m->room, ROOM(m->x, count_of(m)), ROOM(m->M, pairs),
-                 ROOM(m->held, 4 * (size_t)m->supports.held_count), ROOM(m->K, pairs));
+    enum status st = room_cut(&m->room, ROOM(m->x, count_of(m)), ROOM(m->M, pairs),
+                              ROOM(m->held, 4 * (size_t)m->supports.held_count),
+                              ROOM(m->K, pairs), ROOM(m->v, explicit ? count_of(m) : 0));
 
     if (st != STATUS_OK)
         return st;
@@ -39,13 +42,30 @@ static enum status make_arrays(struct tri_motion *m)
     return STATUS_OK;
 }
 
-static enum status make_large(struct tri_motion *m, const struct discretization *d)
+/* What implicit steps, equilibrium and modes need; once. */
+static enum status make_large(struct tri_motion *m, struct message *why)
 {
-    bool euler = d->integrator == INTEGRATOR_IMPLICIT;
+    enum status st = STATUS_OK;
+    const struct scene *scene = m->scene;
+    const int *points = m->net.points.points;
+    bool euler = m->integrator == INTEGRATOR_IMPLICIT;
+    int *order = NULL;
 
+    if (m->large.x)
+        return STATUS_OK;
+    TRY(newmark_init(&m->newmark, m->net.points.nodes,
+                     scene->step / (m->substeps ? m->substeps : 1),
+                     damping_mass(scene) + damping_drag(scene), m->load.beta));
+    order = malloc((size_t)m->net.points.nodes * sizeof *order);
+    if (!order)
+        TRY(STATUS_MEMORY);
+    order_nested(points[0], points[1], 1, REACH, order);
+    TRY(system_init(&m->system, &m->net.graph, &m->supports, NULL, order, m->solver));
+    TRY(contact_step_init(&m->contact, scene, &m->net.graph, &m->supports,
+                          m->net.points.rest, scene->thickness / 2, order, m->solver, why));
     m->large = (struct large_motion){
         .body = m->body.body,
-        .scene = m->scene,
+        .scene = scene,
         .graph = &m->net.graph,
         .M = m->M,
         .rest = m->net.points.rest,
@@ -58,10 +78,50 @@ static enum status make_large(struct tri_motion *m, const struct discretization 
         .held = m->held,
         .lag = euler ? 0 : MEMBRANE_LAG,
         .euler = euler,
-        .enough = d->iterations,
-        .contact = m->scene->obstacle_count ? &m->contact : NULL,
+        .enough = m->iterations,
+        .contact = scene->obstacle_count ? &m->contact : NULL,
     };
-    return large_motion_init(&m->large);
+    TRY(large_motion_init(&m->large));
+out:
+    free(order);
+    return st;
+}
+
+static enum status rest_stiffness(const struct tri_motion *m)
+{
+    return large_body_tangent(&m->body.body, &statics, m->net.points.rest,
+                              (struct large_foresight){0}, m->K);
+}
+
+static enum status make_leapfrog(struct tri_motion *m, const struct discretization *d,
+                                 struct message *why)
+{
+    enum status st;
+    const struct spring_net *points = &m->net.points;
+    struct spring_body body = {.scene = m->scene,
+                               .net = points,
+                               .supports = &m->supports,
+                               .mass = m->load.mass,
+                               .drag = m->load.drag,
+                               .load = m->load.load,
+                               .beta = m->load.beta,
+                               .cells = &m->cells};
+    struct contact_set outside = {0};
+
+    m->cells.membrane = d->membrane;
+    memcpy(m->cells.D, m->body.D, sizeof m->cells.D);
+    memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
+    TRY(rest_stiffness(m));
+    TRY(spring_frequency_largest(&m->net.graph, &m->supports, m->load.mass,
+                                 (const double(*)[9])m->K, &body.omega));
+    supports_initial_velocity(&m->supports, m->scene, points->rest, NULL, m->v);
+    TRY(contact_set_init(&outside, m->scene, &m->supports, m->x, m->scene->thickness / 2,
+                         why));
+    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, NULL,
+                             &m->leapfrog, why));
+out:
+    contact_set_clear(&outside);
+    return st;
 }
 
 static enum status build(struct tri_motion *m, const struct discretization *d,
@@ -70,31 +130,25 @@ static enum status build(struct tri_motion *m, const struct discretization *d,
     enum status st;
     const struct scene *scene = m->scene;
     struct spring_net *points = &m->net.points;
-    int *order = NULL;
 
     TRY(tri_net_init(&m->net, scene, d->points, d->bending));
     TRY(tri_body_init(&m->body, scene, &m->net, d->membrane));
     TRY(spring_load_init(&m->load, scene, points, PARAMETERS_MATCHED));
     TRY(supports_init(&m->supports, scene, points->nodes, points->uvw, why));
     TRY(make_arrays(m));
-    TRY(newmark_init(&m->newmark, points->nodes, scene->step / m->substeps,
-                     damping_mass(scene) + damping_drag(scene), m->load.beta));
-    supports_initial_velocity(&m->supports, scene, points->rest, NULL, m->newmark.v);
-    order = malloc((size_t)points->nodes * sizeof *order);
-    if (!order)
-        TRY(STATUS_MEMORY);
-    order_nested(d->points[0], d->points[1], 1, REACH, order);
-    TRY(system_init(&m->system, &m->net.graph, &m->supports, NULL, order, d->solver));
-    TRY(contact_step_init(&m->contact, scene, &m->net.graph, &m->supports, m->x,
-                          scene->thickness / 2, order, d->solver, why));
-    TRY(make_large(m, d));
+    if (d->integrator == INTEGRATOR_LEAPFROG) {
+        TRY(make_leapfrog(m, d, why));
+    } else {
+        TRY(make_large(m, why));
+        supports_initial_velocity(&m->supports, scene, points->rest, NULL, m->newmark.v);
+    }
 out:
-    free(order);
     return st;
 }
 
 void tri_motion_clear(struct tri_motion *m)
 {
+    spring_leapfrog_free(m->leapfrog);
     large_motion_clear(&m->large);
     contact_step_clear(&m->contact);
     system_clear(&m->system);
@@ -112,7 +166,9 @@ enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
 {
     *m = (struct tri_motion){.scene = scene,
                              .integrator = d->integrator,
-                             .substeps = d->substeps > 0 ? d->substeps : 1};
+                             .solver = d->solver,
+                             .iterations = d->iterations,
+                             .substeps = d->substeps};
     enum status st = build(m, d, why);
 
     if (st != STATUS_OK)
@@ -120,19 +176,36 @@ enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
     return st;
 }
 
-enum status tri_motion_step(struct tri_motion *m, struct counters *counters)
+static enum status step_implicit(struct tri_motion *m, struct counters *counters)
 {
     enum status st = STATUS_OK;
+    int substeps = m->substeps ? m->substeps : 1;
     double push[3] = {0, 0, 0}, start = (double)m->frame * m->scene->step;
 
-    for (int n = 0; n < m->substeps; n++) {
+    for (int n = 0; n < substeps; n++) {
         TRY(large_motion_step(&m->large, start + n * m->newmark.dt, counters));
         for (int i = 0; i < 3; i++)
-            push[i] += m->large.push[i] / m->substeps;
+            push[i] += m->large.push[i] / substeps;
     }
     memcpy(m->large.push, push, sizeof push);
     for (size_t t = 0; m->load.keep != 1 && t < count_of(m); t++)
         m->newmark.v[t] *= m->load.keep;
+out:
+    return st;
+}
+
+enum status tri_motion_step(struct tri_motion *m, struct counters *counters)
+{
+    enum status st;
+
+    if (m->leapfrog) {
+        memset(m->push, 0, sizeof m->push);
+        m->large.rested = false;
+        TRY(spring_leapfrog_frame(m->leapfrog, m->load.keep, m->x, m->push, &m->pushed,
+                                  counters));
+    } else {
+        TRY(step_implicit(m, counters));
+    }
     m->frame++;
     counters->steps++;
 out:
@@ -143,10 +216,14 @@ enum status tri_motion_rest(struct tri_motion *m, struct counters *counters,
                             struct message *why)
 {
     enum status st;
+    double end = supports_rest_time(&m->supports, m->scene);
 
     TRY(supports_allow_rest(&m->supports, m->scene, why));
+    TRY(make_large(m, why));
     TRY(large_rest_equilibrium(&m->large, counters, why));
-    m->frame = lround(supports_rest_time(&m->supports, m->scene) / m->scene->step);
+    m->frame = lround(end / m->scene->step);
+    if (m->leapfrog)
+        spring_leapfrog_place(m->leapfrog, end, m->x);
 out:
     return st;
 }
@@ -160,8 +237,7 @@ enum status tri_motion_modes(struct tri_motion *m, int count, double *omega,
     if (m->large.rested)
         return large_rest_modes(&m->large, count, omega, why);
     m->large.factored = -1;
-    TRY(large_body_tangent(&m->body.body, &statics, m->net.points.rest,
-                           (struct large_foresight){0}, m->K));
+    TRY(rest_stiffness(m));
     TRY(pencil_modes(&p, &m->supports, NULL, count, omega, why));
 out:
     return st;
@@ -173,8 +249,7 @@ enum status tri_motion_matrices(const struct tri_motion *m, struct matrix *K,
     enum status st;
     const struct pencil p = {&m->net.graph, (const double(*)[9])m->K, m->M, false};
 
-    TRY(large_body_tangent(&m->body.body, &statics, m->net.points.rest,
-                           (struct large_foresight){0}, m->K));
+    TRY(rest_stiffness(m));
     TRY(pencil_matrices(&p, K, M));
 out:
     return st;
@@ -182,11 +257,20 @@ out:
 
 void tri_motion_contact(const struct tri_motion *m, struct model_contact *contact)
 {
-    large_motion_contact(&m->large, contact);
+    if (!m->leapfrog) {
+        large_motion_contact(&m->large, contact);
+        return;
+    }
+    *contact = (struct model_contact){
+        .nodes = m->pushed,
+        .least_gap = spring_contact_gap(m->scene, m->net.points.nodes, m->x)};
+    memcpy(contact->force, m->push, sizeof contact->force);
 }
 
 void tri_motion_energy(const struct tri_motion *m, struct energy *energy)
 {
-    spring_load_energy(&m->load, m->x, m->newmark.v, energy);
+    if (m->leapfrog)
+        spring_leapfrog_velocity(m->leapfrog, m->v);
+    spring_load_energy(&m->load, m->x, m->leapfrog ? m->v : m->newmark.v, energy);
     energy->elastic = tri_body_energy(&m->body, m->x);
 }

@@ -3,6 +3,7 @@
  * momentum  large_motion.h: energy-momentum steps, second order, Newton's method.
  * implicit  Euler's implicit steps, Newton's method; iterations = 1: one linear solve a
  *           step (Baraff and Witkin 1998).
+ * leapfrog  spring_leapfrog.h: explicit, second order.
  *
  * Mass is lumped: every point has its part of the area. A point has no slope to hold: where
  * a column is held whole, clamps hold it (spring_plate.h); a support that takes the
@@ -11,6 +12,7 @@
 #ifndef TRI_MOTION_H
 #define TRI_MOTION_H
 
+#include "mass_spring/spring_leapfrog.h"
 #include "mass_spring/spring_load.h"
 #include "models/mechanics/large_motion.h"
 #include "triangles/tri_body.h"
@@ -18,6 +20,8 @@
 struct tri_motion {
     const struct scene *scene; /* borrowed                                             */
     enum integrator integrator;
+    enum solver solver;
+    int iterations, substeps; /* asked for; 0: as many as needed                       */
     struct tri_net net;
     struct tri_body body;
     struct spring_load load;
@@ -31,7 +35,11 @@ struct tri_motion {
     double *M;                   /* [pairs] lumped mass                        [kg]    */
     double *held;                /* [4][held_count] work                               */
     double (*K)[9];              /* [pairs] work                               [N/m]   */
-    int substeps;                /* of a frame                                         */
+    struct spring_cells cells;   /* leapfrog only, as what follows                     */
+    struct spring_leapfrog *leapfrog; /*                                       owned   */
+    double push[3];                   /* of obstacles, mean over the last frame  [N]   */
+    int pushed;                       /* points that they bore at its end              */
+    double *v;                        /* [nodes][3] work                         [m/s] */
     long frame;
 };
 

@@ -14,82 +14,111 @@ struct NAME(law) {
     REAL d11, d12, d33; /* times a triangle's area                                     */
 };
 
-/* S, the derivative of the energy by (C - I) / 2: C = (q, r; s). */
-static inline __attribute__((always_inline)) void NAME(stress)(const enum membrane membrane,
-                                                               const struct NAME(law) * law,
-                                                               REAL q, REAL r, REAL s,
-                                                               REAL *restrict S)
+struct NAME(three) {
+    REAL x, y, z;
+};
+
+static inline __attribute__((always_inline)) struct NAME(three)
+    NAME(less)(struct NAME(three) a, struct NAME(three) b)
 {
-    if (membrane == MEMBRANE_GREEN) {
-        REAL e = (q - 1) / 2, f = (r - 1) / 2;
-        S[0] = law->d11 * e + law->d12 * f;
-        S[1] = law->d12 * e + law->d11 * f;
-        S[2] = law->d33 * s;
-    } else if (membrane == MEMBRANE_COROTATIONAL) {
-        /* U^-1 D e, coaxial: 2 G e + (d12) tr e I on e = U - I, 2 G = d11 - d12 */
-        REAL j = ROOT(q * r - s * s), t = ROOT(q + r + 2 * j);
-        REAL shear = 2 * law->d33, all = (law->d12 * (t - 2) - shear) / (j * t);
-        S[0] = all * (r + j) + shear;
-        S[1] = all * (q + j) + shear;
-        S[2] = -all * s;
-    } else {
-        S[0] = law->d11 * (1 - 1 / ROOT(q));
-        S[1] = law->d11 * (1 - 1 / ROOT(r));
-        S[2] = law->d33 * s;
-    }
+    return (struct NAME(three)){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/* The pull of one triangle along its edges a (u) and b (v), three components each. */
-static inline __attribute__((always_inline)) void
-NAME(triangle)(const enum membrane membrane, const struct NAME(law) * law, const REAL *a,
-               const REAL *b, REAL *restrict f, REAL *restrict g)
+static inline __attribute__((always_inline)) REAL NAME(dot)(struct NAME(three) a,
+                                                            struct NAME(three) b)
 {
-    REAL S[3];
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
-    NAME(stress)
-    (membrane, law, law->uu * (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]),
-     law->vv * (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]),
-     law->uv * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]), S);
-    REAL P = law->uu * S[0], Q = law->vv * S[1], R = law->uv * S[2];
-    for (int k = 0; k < 3; k++) {
-        f[k] = P * a[k] + R * b[k];
-        g[k] = Q * b[k] + R * a[k];
+/* p a + q b. */
+static inline __attribute__((always_inline)) struct NAME(three)
+    NAME(mix)(REAL p, struct NAME(three) a, REAL q, struct NAME(three) b)
+{
+    return (struct NAME(three)){p * a.x + q * b.x, p * a.y + q * b.y, p * a.z + q * b.z};
+}
+
+static inline __attribute__((always_inline)) struct NAME(three)
+    NAME(choose)(bool first, struct NAME(three) a, struct NAME(three) b)
+{
+    return (struct NAME(three)){first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+}
+
+/* The pull of one triangle along its edges a (u) and b (v), by the derivatives of its
+ * energy with respect to (C - I) / 2, times 1 / a_u^2, 1 / a_v^2, 1 / (a_u a_v). */
+struct NAME(pull) {
+    struct NAME(three) a, b;
+};
+
+static inline __attribute__((always_inline)) struct NAME(pull)
+    NAME(triangle)(const enum membrane membrane, const struct NAME(law) law,
+                   struct NAME(three) a, struct NAME(three) b)
+{
+    REAL q = law.uu * NAME(dot)(a, a), r = law.vv * NAME(dot)(b, b);
+    REAL s = law.uv * NAME(dot)(a, b), P, Q, R;
+
+    if (membrane == MEMBRANE_GREEN) {
+        REAL e = (q - 1) / 2, f = (r - 1) / 2;
+        P = law.d11 * e + law.d12 * f;
+        Q = law.d12 * e + law.d11 * f;
+        R = law.d33 * s;
+    } else if (membrane == MEMBRANE_COROTATIONAL) {
+        /* D e and U^-1 have the same axes: 2 G (I - U^-1) + d12 tr e U^-1 with
+         * e = U - I, j = det U, t = tr U, 2 G = 2 d33 = d11 - d12 */
+        REAL j = ROOT(q * r - s * s), t = ROOT(q + r + 2 * j), shear = 2 * law.d33;
+        REAL inverse = (law.d12 * (t - 2) - shear) / (j * t);
+        P = inverse * (r + j) + shear;
+        Q = inverse * (q + j) + shear;
+        R = -inverse * s;
+    } else {
+        P = law.d11 * (1 - 1 / ROOT(q));
+        Q = law.d11 * (1 - 1 / ROOT(r));
+        R = law.d33 * s;
     }
+    P *= law.uu, Q *= law.vv, R *= law.uv;
+    return (struct NAME(pull)){NAME(mix)(P, a, R, b), NAME(mix)(Q, b, R, a)};
 }
 
 /* Pulls of `count` cells into to[edge][3][stride]; x: of their first points; there and
  * hub: 1 or 0. */
 static inline __attribute__((always_inline)) void
-NAME(cells_by)(const enum membrane membrane, const struct NAME(law) * law, ptrdiff_t count,
+NAME(cells_by)(const enum membrane membrane, const struct NAME(law) law, ptrdiff_t count,
                ptrdiff_t pitch, ptrdiff_t stride, const REAL *restrict there,
                const REAL *restrict hub, const REAL *restrict x0, const REAL *restrict x1,
                const REAL *restrict x2, REAL *restrict to)
 {
+    const struct NAME(three) none = {0, 0, 0};
+
     count -= count % SWEEP_PAD;
+#pragma omp simd
     for (ptrdiff_t j = 0; j < count; j++) {
-        const REAL *const x[3] = {x0 + j, x1 + j, x2 + j};
-        REAL bottom[3], top[3], left[3], right[3], with[3], other[3], f[4][3];
+#define AT(k) ((struct NAME(three)){x0[j + (k)], x1[j + (k)], x2[j + (k)]})
+#define PUT(edge, f)                                                                       \
+    to[3 * NAME(edge) * stride + j] = (f).x,                                               \
+                                 to[(3 * NAME(edge) + 1) * stride + j] = (f).y,            \
+                                 to[(3 * NAME(edge) + 2) * stride + j] = (f).z
+        const struct NAME(three) p = AT(0), q = AT(1), r = AT(pitch), s = AT(pitch + 1);
+        const struct NAME(three) left = NAME(less)(q, p), right = NAME(less)(s, r);
         bool swap = hub[j] > 0, is = there[j] > 0;
-        for (int k = 0; k < 3; k++) {
-            bottom[k] = x[k][pitch] - x[k][0], top[k] = x[k][pitch + 1] - x[k][1];
-            left[k] = x[k][1] - x[k][0], right[k] = x[k][pitch + 1] - x[k][pitch];
-            with[k] = swap ? right[k] : left[k], other[k] = swap ? left[k] : right[k];
-        }
-        NAME(triangle)(membrane, law, bottom, with, f[0], f[2]);
-        NAME(triangle)(membrane, law, top, other, f[1], f[3]);
-        for (int k = 0; k < 3; k++) {
-            REAL one = is ? f[2][k] : 0, two = is ? f[3][k] : 0;
-            to[(3 * NAME(BOTTOM) + k) * stride + j] = is ? f[0][k] : 0;
-            to[(3 * NAME(TOP) + k) * stride + j] = is ? f[1][k] : 0;
-            to[(3 * NAME(LEFT) + k) * stride + j] = swap ? two : one;
-            to[(3 * NAME(RIGHT) + k) * stride + j] = swap ? one : two;
-        }
+        struct NAME(pull) one = NAME(triangle)(membrane, law, NAME(less)(r, p),
+                                               NAME(choose)(swap, right, left));
+        struct NAME(pull) two = NAME(triangle)(membrane, law, NAME(less)(s, q),
+                                               NAME(choose)(swap, left, right));
+        one.a = NAME(choose)(is, one.a, none), one.b = NAME(choose)(is, one.b, none);
+        two.a = NAME(choose)(is, two.a, none), two.b = NAME(choose)(is, two.b, none);
+        const struct NAME(three) on_left = NAME(choose)(swap, two.b, one.b);
+        const struct NAME(three) on_right = NAME(choose)(swap, one.b, two.b);
+        PUT(BOTTOM, one.a);
+        PUT(TOP, two.a);
+        PUT(LEFT, on_left);
+        PUT(RIGHT, on_right);
+#undef AT
+#undef PUT
     }
 }
 
 #define CELLS(name, membrane)                                                              \
     CLONES static void NAME(name)(                                                         \
-        const struct NAME(law) * law, ptrdiff_t count, ptrdiff_t pitch, ptrdiff_t stride,  \
+        const struct NAME(law) law, ptrdiff_t count, ptrdiff_t pitch, ptrdiff_t stride,    \
         const REAL *restrict there, const REAL *restrict hub, const REAL *restrict x0,     \
         const REAL *restrict x1, const REAL *restrict x2, REAL *restrict to)               \
     {                                                                                      \
@@ -157,7 +186,7 @@ static const REAL *NAME(cells_row)(struct spring_sweep *s, int i)
         (c->membrane == MEMBRANE_GREEN          ? NAME(cells_green)
          : c->membrane == MEMBRANE_COROTATIONAL ? NAME(cells_corotational)
                                                 : NAME(cells_conditions))(
-            &law, s->pitch, s->pitch, s->stride, there, hub, x[0], x[1], x[2], behind);
+            law, s->pitch, s->pitch, s->stride, there, hub, x[0], x[1], x[2], behind);
     NAME(points)(s->pitch, s->stride, i == 0 ? nothing : before, behind, sum);
     return sum;
 }

@@ -200,7 +200,7 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
                  ROOM(l->shift, body->supports->held_count)));
     TRY(spring_stencil_init(&l->stencil, body->scene, body->net));
     if (body->cells)
-        memset(l->stencil.spring, 0, nodes * sizeof *l->stencil.spring);
+        spring_stencil_replace(&l->stencil, body->form_count, body->forms);
     TRY(spring_sweep_make(points[0], points[1], precision, body->beta, body->cells,
                           &l->sweep));
     TRY(choose_step(l, K, why));

@@ -24,8 +24,10 @@ struct spring_body {
     const struct supports *supports;
     const double *mass, *drag, *load; /* [nodes] kg, N s/m; [nodes][3] N                */
     double beta;                      /* stiffness damping                      [s]   */
-    const struct spring_cells *cells; /* NULL: springs; else these, bending as it is  */
-    double omega; /* with cells: largest angular frequency about rest         [rad/s] */
+    const struct spring_cells *cells; /* NULL: springs; else these and what follows   */
+    int form_count;                   /* bending                                      */
+    const struct spring_plate_form *forms;
+    double omega; /* largest angular frequency about rest                     [rad/s] */
 };
 
 struct spring_leapfrog; /* opaque */

@@ -165,7 +165,9 @@ static void check_printed(void)
         "discretization.tolerance=1.0000000000000001e-09",
         "discretization.strain_limit=0.25",
         "discretization.constraint=edges",
-        "discretization.acceleration=chebyshev"};
+        "discretization.acceleration=chebyshev",
+        "discretization.membrane=corotational",
+        "discretization.bending=hinge"};
     const int count = sizeof settings / sizeof *settings;
     struct scene s;
     struct discretization d = defaults();

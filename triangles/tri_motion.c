@@ -37,6 +37,7 @@ static enum status make_arrays(struct tri_motion *m)
     if (st != STATUS_OK)
         return st;
     memcpy(m->x, m->net.points.rest, count_of(m) * sizeof *m->x);
+    m->rest_energy = tri_body_energy(&m->body, m->x);
     for (int a = 0; a < m->net.points.nodes; a++)
         m->M[m->net.graph.start[a]] = m->load.mass[a];
     return STATUS_OK;
@@ -105,7 +106,9 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
                                .drag = m->load.drag,
                                .load = m->load.load,
                                .beta = m->load.beta,
-                               .cells = &m->cells};
+                               .cells = &m->cells,
+                               .form_count = m->net.form_count,
+                               .forms = m->net.forms};
     struct contact_set outside = {0};
 
     m->cells.membrane = d->membrane;
@@ -272,5 +275,5 @@ void tri_motion_energy(const struct tri_motion *m, struct energy *energy)
     if (m->leapfrog)
         spring_leapfrog_velocity(m->leapfrog, m->v);
     spring_load_energy(&m->load, m->x, m->leapfrog ? m->v : m->newmark.v, energy);
-    energy->elastic = tri_body_energy(&m->body, m->x);
+    energy->elastic = tri_body_energy(&m->body, m->x) - m->rest_energy;
 }

@@ -41,6 +41,7 @@ struct tri_motion {
     int pushed;                       /* points that they bore at its end              */
     double *v;                        /* [nodes][3] work                         [m/s] */
     long frame;
+    double rest_energy; /* round-off of the energy at rest                       [J]   */
 };
 
 /* *m must stay where it is: it holds pointers into itself. */

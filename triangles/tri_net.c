@@ -7,6 +7,12 @@
 
 enum { MOST = SPRING_PLATE_POINTS };
 
+/* spring_plate.h's clamp has the curvature of a cubic at the trapezoidal weight 1/2, which
+ * bends the first cell under a constant moment: positions are then of first order. With 1/3
+ * there and 7/6 at the next point it is at rest, and they are of second:
+ *     y_1: 4 w_0 - 2 w_1 + 1 = 0,   y_2: -w_0 / 2 + w_1 - 2 + 1 = 0. */
+static const double ROOT_WEIGHT = 1. / 3, NEXT_WEIGHT = 7. / 6, PLATE_WEIGHT = 1. / 2;
+
 static int node_of(const struct tri_net *net, int i, int j)
 {
     return i * net->points.points[1] + j;
@@ -39,30 +45,35 @@ static void add_hinge(struct tri_net *net, int a, int b, int c, int d, double st
         (struct tri_hinge){.node = {a, b, c, d}, .stiffness = stiffness};
 }
 
-/* The edge from (i, j) along u or v, if it lies between two cells. Where the right angles
- * are clamped, the clamp bends instead. */
+/* The edge from (i, j) along u or v, if it lies between two cells, as seen with right
+ * angles at either end. Where those are clamped, the clamp bends instead. */
 static void add_edge(struct tri_net *net, double D, int i, int j, int along)
 {
     const struct spring_net *p = &net->points;
     int across = 1 - along, at = along ? i : j; /* of the edge's line                  */
-    int a = node_of(net, i, j), b = node_of(net, i + !along, j + along);
-    int corner = is_hub(net, a) ? b : a, step = along ? p->points[1] : 1;
+    int end[2] = {node_of(net, i, j), node_of(net, i + !along, j + along)};
+    int step = along ? p->points[1] : 1;
 
-    if (at == 0 || at == p->points[across] - 1 || p->clamped[corner])
+    if (at == 0 || at == p->points[across] - 1)
         return;
-    add_hinge(net, corner, corner == a ? b : a, corner - step, corner + step,
-              D * p->cell[along] / p->cell[across]);
+    for (int k = 0; k < 2; k++) {
+        int before = end[k] - step, behind = end[k] + step;
+        double weight = 1 + (NEXT_WEIGHT - 1) * (p->clamped[before] + p->clamped[behind]);
+        if (!p->clamped[end[k]])
+            add_hinge(net, end[k], end[!k], before, behind,
+                      weight * D / 2 * p->cell[along] / p->cell[across]);
+    }
 }
 
-static void add_diagonal(struct tri_net *net, double D, int i, int j)
+static void add_diagonals(struct tri_net *net, double D, int i, int j)
 {
     const double *a = net->points.cell;
-    double k = 2 * D * a[0] * a[1] / (a[0] * a[0] + a[1] * a[1]);
-    int corner[4] = {node_of(net, i, j), node_of(net, i + 1, j + 1), node_of(net, i + 1, j),
-                     node_of(net, i, j + 1)};
-    int turn = is_hub(net, corner[0]) ? 0 : 2;
+    double k = D * a[0] * a[1] / (a[0] * a[0] + a[1] * a[1]);
+    const int p = node_of(net, i, j), q = node_of(net, i + 1, j + 1);
+    const int r = node_of(net, i + 1, j), s = node_of(net, i, j + 1);
 
-    add_hinge(net, corner[turn], corner[turn + 1], corner[2 - turn], corner[3 - turn], k);
+    add_hinge(net, p, q, r, s, k);
+    add_hinge(net, r, s, p, q, k);
 }
 
 /* Triangles and hinges, strip by strip. */
@@ -77,7 +88,7 @@ static void fill(struct tri_net *net, double D)
             if (j + 1 < m)
                 add_triangles(net, i, j);
             if (D > 0 && j + 1 < m)
-                add_diagonal(net, D, i, j);
+                add_diagonals(net, D, i, j);
             if (D > 0)
                 add_edge(net, D, i, j, 0);
             if (D > 0 && j + 1 < m)
@@ -97,6 +108,33 @@ static int strip_of(const struct tri_net *net, const struct spring_plate_form *f
     return least / net->points.points[1];
 }
 
+/* Clamps and what is next to them by these weights. */
+static enum status balance_clamps(const struct tri_net *net, int count,
+                                  struct spring_plate_form *forms)
+{
+    int m = net->points.points[1], *line[2]; /* the form at a node along u, along v     */
+    size_t nodes = (size_t)net->points.nodes;
+
+    line[0] = calloc(2 * nodes, sizeof *line[0]);
+    if (!line[0])
+        return STATUS_MEMORY;
+    line[1] = line[0] + nodes;
+    for (int k = 0; k < count; k++)
+        if (forms[k].kind == SPRING_PLATE_U || forms[k].kind == SPRING_PLATE_V)
+            line[forms[k].kind == SPRING_PLATE_V][forms[k].at] = k;
+    for (int k = 0; k < count; k++) {
+        struct spring_plate_form *clamp = &forms[k];
+        if (clamp->kind != SPRING_PLATE_CLAMP || clamp->count < 3)
+            continue;
+        int next = clamp->node[1], along = abs(next - clamp->node[0]) != m;
+        double whole = clamp->stiffness / PLATE_WEIGHT;
+        forms[line[along][next]].stiffness += (NEXT_WEIGHT - 1) * whole;
+        clamp->stiffness = ROOT_WEIGHT * whole;
+    }
+    free(line[0]);
+    return STATUS_OK;
+}
+
 /* The plate's forms by strips: all, or the clamps alone. */
 static enum status add_forms(struct tri_net *net, const struct scene *scene, bool all)
 {
@@ -105,6 +143,7 @@ static enum status add_forms(struct tri_net *net, const struct scene *scene, boo
     struct spring_plate_form *forms = NULL;
 
     TRY(spring_plate_make(scene, &net->points, &forms, &count));
+    TRY(balance_clamps(net, count, forms));
     net->forms = malloc(((size_t)count + 1) * sizeof *net->forms);
     if (!net->forms)
         TRY(STATUS_MEMORY);
@@ -195,7 +234,7 @@ enum status tri_net_init(struct tri_net *net, const struct scene *scene,
 
     TRY(spring_net_init(&new.points, scene, points, PARAMETERS_MATCHED));
     TRY(room_cut(&new.room, ROOM(new.triangles, 2 * n * m),
-                 ROOM(new.hinges, hinges ? 3 * n * m : 0), ROOM(new.triangle_at, n + 1),
+                 ROOM(new.hinges, hinges ? 6 * n * m : 0), ROOM(new.triangle_at, n + 1),
                  ROOM(new.hinge_at, n + 1), ROOM(new.form_at, n + 1)));
     fill(&new, hinges ? scene_bending_stiffness(scene) : 0);
     TRY(add_forms(&new, scene, !hinges));

@@ -12,14 +12,18 @@
  *
  * Bending, per point or edge:
  *   quadratic  spring_plate.h: a constant second derivative, the scene's D and nu.
- *   hinge      k theta^2 / 2 at inner edges (tri_hinge.h). An edge along v between cells
- *              turns by a_u x_uu, one along u by a_v x_vv, a diagonal of length l by l
- * x_uv: k = D a_v / a_u, D a_u / a_v and 2 D a_u a_v / l^2 give D/2 int |x_uu|^2 + |x_vv|^2
- * + 2 |x_uv|^2, D under bending about any axis, and the Gaussian curvature of a plate with
+ *   hinge      k theta^2 / 2 at inner edges (tri_hinge.h). With its right angles at one of
+ *              its ends, an edge along v between cells turns by a_u x_uu there, one along u
+ *              by a_v x_vv; a diagonal of length l turns by l x_uv. Edges count with either
+ *              end, cells with either diagonal, half each: at every point the same. (The
+ *              cut's own angles alone measure x_uu at every other point of a line, which
+ *              then folds at the others for next to nothing.) With k = D a_v / 2 a_u,
+ *              D a_u / 2 a_v and D a_u a_v / l^2 the energy is
+ *                  D/2 int |x_uu|^2 + |x_vv|^2 + 2 |x_uv|^2,
+ *              D under bending about any axis, and the Gaussian curvature of a plate with
  *              nu = 0. (On square cells that is a third of Grinspun et al.'s
- *              3 |e|^2 / (A_1 + A_2) in each edge, which is meant for irregular triangles.)
- *              An edge goes by its right angles, which lie at the points with odd i + j.
- * Clamps are those of spring_plate.h in both.
+ *              3 |e|^2 / (A_1 + A_2) of each edge, which is meant for irregular triangles.)
+ * Clamps are those of spring_plate.h in both, at rest under a constant moment (tri_net.c).
  */
 #ifndef TRI_NET_H
 #define TRI_NET_H

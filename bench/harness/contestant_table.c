@@ -108,16 +108,16 @@ const struct contestant contestant_table[] = {
 
     /* Triangles. */
     {"triangles", "triangles", "triangles", &tri_model, CONTESTANT_EVERYWHERE, {0}, 0, 1,
-     {10, 16, 24, 40}, {1, 4}, {0}},
+     {10, 18, 26, 40}, {1, 4}, {0}},
     {"triangles_explicit", "triangles, leapfrog, single precision", "triangles expl.",
      &tri_model, COMPARE | SPEED,
      {"discretization.integrator=leapfrog", "discretization.precision=single"}, 0, 1,
-     {10, 16, 24, 40}, {1}, {0}},
+     {10, 18, 26, 40}, {1}, {0}},
     {"triangles_baraff_witkin", "triangles, Baraff and Witkin", "triangles BW", &tri_model,
      COMPARE,
      {"discretization.integrator=implicit", "discretization.iterations=1",
       "discretization.membrane=baraff_witkin", "discretization.bending=hinge"},
-     0, 1, {10, 16, 24}, {1, 4, 16}, {0}},
+     0, 1, {10, 20}, {1, 4, 16}, {0}},
 
     /* Springs and constraints. */
     {"mass_spring", "mass-spring, matched", "springs", &spring_model,

@@ -37,6 +37,7 @@ static const struct verify_entry entries[] = {
      .mark = true,
      .changed = "as now; taken back for a while after the loss was missed"},
     {"shell_3", VISCOUS, {16}, .dear = true, .mark = true, INSTEAD},
+    {"triangles", VISCOUS, {21}, .mark = true},
     {"mass_spring", 0, EULER, {21}},
     {"projective_dynamics", 0, EULER, {21}},
     {NULL}};

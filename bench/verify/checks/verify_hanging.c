@@ -42,6 +42,7 @@ static const struct verify_entry entries[] = {
     {"iga_reduced_3", SOLID, CHAIN, .settings = {"discretization.degree=[3,2,1]"}},
     {"hex_incompatible", SOLID, {40, 80}, {2, 2}},
     {"shell_3", 0.005, "half of what is asked of solids", {13, 25}, {4, 4}, 2},
+    {"triangles", SOLID, {40, 80}, {3, 5}},
     {"mass_spring", 0, NULL, {20, 40}, {3, 5}},
     {"projective_dynamics", 0, NULL, {20, 40}, {3, 5}},
     {NULL}};

@@ -25,6 +25,7 @@ static const struct verify_entry entries[] = {
     {"iga_reduced", ASKED, {12, 24}, {6, 12}},
     {"hex_incompatible", ASKED, {32, 64}, {8, 16}},
     {"shell_3", 0.01, "a third of what is asked", {9, 15}, {6, 10}},
+    {"triangles", ASKED, {20, 40}, {6, 11}},
     {"mass_spring", 0, NULL, {10, 20}, {6, 11}},
     {"projective_dynamics", 0, NULL, {10, 20}, {6, 11}},
     {NULL}};

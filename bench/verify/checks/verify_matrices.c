@@ -51,6 +51,7 @@ static const struct verify_entry entries[] = {
     {"hex", ASKED, {6}, {5}, 0, "incompatible", {REMEDY "incompatible"}, .mark = true},
     {"shell", ASKED, {6}, {5}, 0, "p = 2", {DEGREE "[2,2]"}, .mark = true},
     {"shell", ASKED, {7}, {6}, 0, "p = 3", {DEGREE "[3,3]"}, .mark = true},
+    {"triangles", ASKED, {6}, {5}, .mark = true},
     {"mass_spring", ASKED, {6}, {5}, .mark = true},
     {"projective_dynamics", ASKED, {6}, {5}, .mark = true},
     {NULL}};

@@ -56,6 +56,7 @@ static const struct verify_entry entries[] = {
     {"iga_nonlinear_3", SOLID, {32, 64}, {4, 4}},
     {"hex_incompatible", SOLID, {80, 320}, {2, 2}},
     {"shell_3", SHELL, {32, 128}, {3, 3}, .settings = {"discretization.degree=[3,2]"}},
+    {"triangles", SOLID, {40, 80}, {3, 3}},
     {"mass_spring", 0, EULER, {40, 80}, {3, 3}},
     {"projective_dynamics", 0, EULER, {40, 40}, {5, 5}, TO_THE_END, .dear = true},
     {NULL}};

@@ -23,6 +23,7 @@ static const struct verify_entry entries[] = {
     {"hex_nonlinear", 0, "locks", MANY},
     {"hex_incompatible", ASKED, MANY},
     {"shell_3", THEORY, {16, 32}, {4, 4}, 2},
+    {"triangles", ASKED, {80, 160}, {3, 3}},
     {"mass_spring", 0, "springs bend as a plate only in the limit", {20, 40}, {3, 5}},
     {"projective_dynamics", 0, "no statics: damped motion", {20, 40}, {3, 5}},
     {NULL}};

@@ -246,15 +246,35 @@ out:
     return st;
 }
 
+/* Of the sheet itself: clamps belong to what holds it. */
 enum status tri_motion_matrices(const struct tri_motion *m, struct matrix *K,
                                 struct matrix *M)
 {
     enum status st;
-    const struct pencil p = {&m->net.graph, (const double(*)[9])m->K, m->M, false};
+    struct scene bare = *m->scene;
+    struct tri_net net = {0};
+    struct tri_body body = {0};
+    double(*tangent)[9] = NULL, *mass = NULL;
 
-    TRY(rest_stiffness(m));
-    TRY(pencil_matrices(&p, K, M));
+    bare.support_count = 0;
+    TRY(tri_net_init(&net, &bare, m->net.points.points,
+                     m->net.hinge_count ? BENDING_HINGE : BENDING_QUADRATIC));
+    TRY(tri_body_init(&body, &bare, &net, m->body.membrane));
+    tangent = calloc((size_t)body.body.pairs, sizeof *tangent);
+    mass = calloc((size_t)body.body.pairs, sizeof *mass);
+    if (!tangent || !mass)
+        TRY(STATUS_MEMORY);
+    for (int a = 0; a < net.points.nodes; a++)
+        mass[net.graph.start[a]] = m->load.mass[a];
+    TRY(large_body_tangent(&body.body, &statics, net.points.rest,
+                           (struct large_foresight){0}, tangent));
+    TRY(pencil_matrices(
+        &(struct pencil){&net.graph, (const double(*)[9])tangent, mass, false}, K, M));
 out:
+    free(tangent);
+    free(mass);
+    tri_body_clear(&body);
+    tri_net_clear(&net);
     return st;
 }
 

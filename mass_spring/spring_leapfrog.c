@@ -69,6 +69,7 @@ static void set_point(struct spring_leapfrog *l, int a)
     for (int n = SPRING_STENCIL_NEAR; n < SPRING_STENCIL_ALL; n++)
         c[SWEEP_FAR + n - SPRING_STENCIL_NEAR] = push * l->stencil.bend[a][n];
     c[SWEEP_KEEP] = kept(l, a);
+    c[SWEEP_PUSH] = push;
     for (int i = 0; i < 3; i++) {
         bool free = b->supports->free_index[3 * a + i] >= 0;
         c[SWEEP_FREE + i] = free;
@@ -160,12 +161,14 @@ static double needed(const struct spring_leapfrog *l, double share, double stret
 static enum status choose_step(struct spring_leapfrog *l, double (*K)[9],
                                struct message *why)
 {
-    enum status st;
-    double omega = 0, beta = l->body.beta;
+    enum status st = STATUS_OK;
+    double omega = l->body.omega, beta = l->body.beta;
 
-    spring_stencil_jacobian(&l->stencil, K);
-    TRY(spring_frequency_largest(&l->body.net->graph, l->body.supports, l->body.mass,
-                                 (const double(*)[9])K, &omega));
+    if (!l->body.cells) {
+        spring_stencil_jacobian(&l->stencil, K);
+        TRY(spring_frequency_largest(&l->body.net->graph, l->body.supports, l->body.mass,
+                                     (const double(*)[9])K, &omega));
+    }
     l->limit = omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
     double n = l->asked ? l->asked : needed(l, CHOSEN, 1);
     if (!(n <= MOST_SUBSTEPS))
@@ -196,7 +199,10 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
                  ROOM(l->kicked, 3 * nodes), ROOM(l->ahead, 3 * nodes),
                  ROOM(l->shift, body->supports->held_count)));
     TRY(spring_stencil_init(&l->stencil, body->scene, body->net));
-    TRY(spring_sweep_make(points[0], points[1], precision, body->beta, &l->sweep));
+    if (body->cells)
+        spring_stencil_replace(&l->stencil, body->form_count, body->forms);
+    TRY(spring_sweep_make(points[0], points[1], precision, body->beta, body->cells,
+                          &l->sweep));
     TRY(choose_step(l, K, why));
     l->rest_energy = spring_stencil_energy(&l->stencil, body->net->rest);
     start(l, x, v);
@@ -214,6 +220,13 @@ static void hold(struct spring_leapfrog *l, double t)
     for (int h = 0; h < s->held_count; h++)
         spring_sweep_hold(l->sweep, s->held[h] / 3, s->held[h] % 3,
                           l->body.net->rest[s->held[h]] + l->shift[h]);
+}
+
+void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x)
+{
+    l->frame = lround(t / l->body.scene->step);
+    memset(l->now, 0, count(l) * sizeof *l->now);
+    start(l, x, l->now);
 }
 
 /* Points out of obstacles; those that were pushed come as they went. */

@@ -24,6 +24,10 @@ struct spring_body {
     const struct supports *supports;
     const double *mass, *drag, *load; /* [nodes] kg, N s/m; [nodes][3] N                */
     double beta;                      /* stiffness damping                      [s]   */
+    const struct spring_cells *cells; /* NULL: springs; else these and what follows   */
+    int form_count;                   /* bending                                      */
+    const struct spring_plate_form *forms;
+    double omega; /* largest angular frequency about rest                     [rad/s] */
 };
 
 struct spring_leapfrog; /* opaque */
@@ -42,7 +46,10 @@ void spring_leapfrog_free(struct spring_leapfrog *l);
 enum status spring_leapfrog_frame(struct spring_leapfrog *l, double factor, double *x,
                                   double push[3], int *pushed, struct counters *counters);
 
-/* Velocities v[nodes][3] of now, and the elastic energy [J]. */
+/* To positions x[nodes][3] at time t [s], a whole number of frames, at rest. */
+void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x);
+
+/* Velocities v[nodes][3] of now, and the elastic energy [J], without that of cells. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v);
 double spring_leapfrog_elastic(const struct spring_leapfrog *l, const double *x);
 

@@ -89,6 +89,18 @@ out:
     return st;
 }
 
+void spring_stencil_replace(struct spring_stencil *s, int count,
+                            const struct spring_plate_form *forms)
+{
+    size_t nodes = (size_t)s->net->nodes;
+
+    memset(s->spring, 0, nodes * sizeof *s->spring);
+    memset(s->bend, 0, nodes * sizeof *s->bend);
+    memset(s->clamp, 0, nodes * sizeof *s->clamp);
+    for (int n = 0; n < count; n++)
+        add_form(s, &forms[n]);
+}
+
 static double square_of_edge(const double *x, int a, int b, double edge[3])
 {
     double sum = 0;

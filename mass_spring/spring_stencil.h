@@ -9,7 +9,7 @@
 #ifndef SPRING_STENCIL_H
 #define SPRING_STENCIL_H
 
-#include "mass_spring/spring_net.h"
+#include "mass_spring/spring_plate.h"
 
 enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12 };
 
@@ -30,6 +30,10 @@ struct spring_stencil {
 enum status spring_stencil_init(struct spring_stencil *s, const struct scene *scene,
                                 const struct spring_net *net);
 void spring_stencil_clear(struct spring_stencil *s);
+
+/* These forms in place of all bending, and no springs: their squares of lengths stay. */
+void spring_stencil_replace(struct spring_stencil *s, int count,
+                            const struct spring_plate_form *forms);
 
 /* The neighbour's node, or -1 beyond the rim. */
 int spring_stencil_node(const struct spring_net *net, int node, int neighbour);

@@ -1,6 +1,7 @@
 #include "mass_spring/spring_sweep.h"
 
 #include <omp.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -22,6 +23,19 @@ enum { SWEEP_V = 2, SWEEP_SETS = 3 };
  * they share it. */
 enum { SWEEP_SHARED = 3600 };
 
+/* Parts of the room for cells, a stride each: what they pull with, by edge and component,
+ * of two rows and of none; the sum on a row of points; which cells there are. */
+enum {
+    CELL_FIRST = 0,
+    CELL_SECOND = 12,
+    CELL_NOTHING = 24,
+    CELL_SUM = 36,
+    CELL_THERE = 39,
+    CELL_EVEN,
+    CELL_ODD,
+    CELL_PARTS
+};
+
 struct spring_sweep {
     int n, m, kinds; /* rows, points of a row, different rows                          */
     enum precision precision;
@@ -33,15 +47,23 @@ struct spring_sweep {
     void **row;                 /* [n] coefficients of a row                           */
     char *table;                /* [n] of them, the first `kinds` in use               */
     void *room;
+    struct spring_cells cells; /* with cells only, as what follows                     */
+    ptrdiff_t stride;
+    char *cell_room; /* [CELL_PARTS][stride]; NULL: springs                            */
 };
 
 #define REAL    float
+#define ROOT    sqrtf
 #define NAME(x) single_##x
+#include "mass_spring/spring_sweep_cell.h"
 #include "mass_spring/spring_sweep_row.h"
 #undef REAL
+#undef ROOT
 #undef NAME
 #define REAL    double
+#define ROOT    sqrt
 #define NAME(x) double_##x
+#include "mass_spring/spring_sweep_cell.h"
 #include "mass_spring/spring_sweep_row.h"
 
 /* The function of the sweep's precision. */
@@ -57,26 +79,28 @@ void spring_sweep_free(struct spring_sweep *s)
     free(s);
 }
 
-static enum status allocate(struct spring_sweep *s)
+static enum status allocate(struct spring_sweep *s, bool cells)
 {
     size_t size = s->precision == PRECISION_SINGLE ? sizeof(float) : sizeof(double);
     size_t bytes = size * (size_t)(s->pitch * (s->n + 2 * SWEEP_REACH));
     char *field[SWEEP_SETS][3];
 
+    s->stride = s->pitch + SWEEP_PAD;
     s->row_bytes = size * SWEEP_COUNT * (size_t)s->pitch;
-    enum status st = room_cut(&s->room, ROOM(field[0][0], bytes), ROOM(field[0][1], bytes),
-                              ROOM(field[0][2], bytes), ROOM(field[1][0], bytes),
-                              ROOM(field[1][1], bytes), ROOM(field[1][2], bytes),
-                              ROOM(field[2][0], bytes), ROOM(field[2][1], bytes),
-                              ROOM(field[2][2], bytes), ROOM(s->row, (size_t)s->n),
-                              ROOM(s->table, (size_t)s->n * s->row_bytes));
+    enum status st = room_cut(
+        &s->room, ROOM(field[0][0], bytes), ROOM(field[0][1], bytes),
+        ROOM(field[0][2], bytes), ROOM(field[1][0], bytes), ROOM(field[1][1], bytes),
+        ROOM(field[1][2], bytes), ROOM(field[2][0], bytes), ROOM(field[2][1], bytes),
+        ROOM(field[2][2], bytes), ROOM(s->row, (size_t)s->n),
+        ROOM(s->table, (size_t)s->n * s->row_bytes),
+        ROOM(s->cell_room, cells ? size * CELL_PARTS * (size_t)s->stride : 0));
     for (int n = 0; st == STATUS_OK && n < 3 * SWEEP_SETS; n++)
         s->field[n / 3][n % 3] = field[n / 3][n % 3];
     return st;
 }
 
 enum status spring_sweep_make(int n, int m, enum precision precision, double lag,
-                              struct spring_sweep **sweep)
+                              const struct spring_cells *cells, struct spring_sweep **sweep)
 {
     enum status st;
     struct spring_sweep *s = calloc(1, sizeof *s);
@@ -86,7 +110,11 @@ enum status spring_sweep_make(int n, int m, enum precision precision, double lag
     s->n = n, s->m = m, s->precision = precision, s->lag = lag;
     s->pitch = (m + SWEEP_PAD - 1) / SWEEP_PAD * SWEEP_PAD;
     s->first = SWEEP_REACH * s->pitch;
-    TRY(allocate(s));
+    TRY(allocate(s, cells));
+    if (cells) {
+        s->cells = *cells;
+        BY_PRECISION(s, cells_set, s);
+    }
     *sweep = s, s = NULL;
 out:
     spring_sweep_free(s);
@@ -146,9 +174,10 @@ static void run_share(struct spring_sweep *s, double dt, int count, int share, i
     }
 }
 
+/* Rows of cells are made one from the other, in one thread. */
 void spring_sweep_run(struct spring_sweep *s, double dt, int count)
 {
-    if (s->n * s->m < SWEEP_SHARED || omp_get_max_threads() == 1)
+    if (s->n * s->m < SWEEP_SHARED || s->cell_room || omp_get_max_threads() == 1)
         run_share(s, dt, count, 0, 1);
     else
 #pragma omp parallel

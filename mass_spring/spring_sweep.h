@@ -24,13 +24,24 @@ enum spring_sweep_place {
     SWEEP_KEEP = 20,
     SWEEP_FREE = 21, /* [3] 1, or 0 for held components                                 */
     SWEEP_KICK = 24, /* [3] of constant forces, zero where held          [m/s]           */
-    SWEEP_COUNT = 27
+    SWEEP_PUSH = 27, /* velocity per force of cells                   [m/s/N]          */
+    SWEEP_COUNT = 28
+};
+
+/* A membrane of triangles in place of springs: each cell cut along one diagonal, in turns
+ * (triangles/tri_net.h). */
+struct spring_cells {
+    enum membrane membrane;
+    double D[3];    /* D11 = D22, D12, D33 of strains (triangles/tri_strain.h) [N/m]   */
+    double cell[2]; /* a_u, a_v                                                [m]     */
 };
 
 struct spring_sweep; /* opaque; positions, velocities and coefficients                  */
 
-/* n x m points, at rest at the origin; lag is beta [s]. *sweep is owned by the caller. */
+/* n x m points, at rest at the origin; lag is beta [s]; cells: copied, NULL for springs.
+ * *sweep is owned by the caller. */
 enum status spring_sweep_make(int n, int m, enum precision precision, double lag,
+                              const struct spring_cells *cells,
                               struct spring_sweep **sweep);
 void spring_sweep_free(struct spring_sweep *sweep);
 

@@ -3,9 +3,11 @@
  * CMakeLists.txt. */
 
 /* x, v, y: positions, velocities, new positions of the row, by component; c: coefficients
- * [SWEEP_COUNT][count]; count a multiple of the padding; pitch from row to row. */
+ * [SWEEP_COUNT][count]; count a multiple of the padding; pitch from row to row; more: other
+ * forces on the points, [3][stride], in place of springs; NULL without. */
 static inline __attribute__((always_inline)) void
 NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lags,
+             const bool springs, const REAL *restrict more, ptrdiff_t stride,
              const REAL *restrict c, const REAL *restrict x0, const REAL *restrict x1,
              const REAL *restrict x2, REAL *restrict v0, REAL *restrict v1,
              REAL *restrict v2, REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
@@ -19,8 +21,9 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lag
     {                                                                                      \
         REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],                 \
              e2 = x2[j + (offset)] - x2[j];                                                \
-        REAL pull = c[(SWEEP_A + (n)) * count + j] +                                       \
-                    c[(SWEEP_B + (n)) * count + j] * (e0 * e0 + e1 * e1 + e2 * e2);        \
+        REAL pull = c[(SWEEP_A + (n)) * count + j];                                        \
+        if (springs)                                                                       \
+            pull += c[(SWEEP_B + (n)) * count + j] * (e0 * e0 + e1 * e1 + e2 * e2);        \
         f0 += pull * e0, f1 += pull * e1, f2 += pull * e2;                                 \
     }
 #define FAR(n, offset)                                                                     \
@@ -44,6 +47,11 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lag
         FAR(3, 2 * pitch)
 #undef NEAR
 #undef FAR
+        if (!springs) {
+            REAL push = c[SWEEP_PUSH * count + j];
+            f0 += push * more[j], f1 += push * more[stride + j];
+            f2 += push * more[2 * stride + j];
+        }
         REAL keep = c[SWEEP_KEEP * count + j];
         const REAL *free = c + SWEEP_FREE * count + j, *kick = c + SWEEP_KICK * count + j;
         REAL new0 = keep * v0[j] + (free[0] * f0 + kick[0]);
@@ -56,43 +64,43 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lag
     }
 }
 
-CLONES static void NAME(row)(ptrdiff_t count, ptrdiff_t pitch, REAL dt,
-                             const REAL *restrict c, const REAL *restrict x0,
-                             const REAL *restrict x1, const REAL *restrict x2,
-                             REAL *restrict v0, REAL *restrict v1, REAL *restrict v2,
-                             REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
-{
-    NAME(gather)(count, pitch, dt, 0, false, c, x0, x1, x2, v0, v1, v2, y0, y1, y2);
-}
-
-CLONES static void NAME(lagging_row)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag,
-                                     const REAL *restrict c, const REAL *restrict x0,
-                                     const REAL *restrict x1, const REAL *restrict x2,
-                                     REAL *restrict v0, REAL *restrict v1,
-                                     REAL *restrict v2, REAL *restrict y0,
-                                     REAL *restrict y1, REAL *restrict y2)
-{
-    NAME(gather)(count, pitch, dt, lag, true, c, x0, x1, x2, v0, v1, v2, y0, y1, y2);
-}
+#define ROW(name, lags, springs)                                                           \
+    CLONES static void NAME(name)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag,     \
+                                  const REAL *restrict more, ptrdiff_t stride,             \
+                                  const REAL *restrict c, const REAL *restrict x0,         \
+                                  const REAL *restrict x1, const REAL *restrict x2,        \
+                                  REAL *restrict v0, REAL *restrict v1, REAL *restrict v2, \
+                                  REAL *restrict y0, REAL *restrict y1, REAL *restrict y2) \
+    {                                                                                      \
+        NAME(gather)                                                                       \
+        (count, pitch, dt, lag, lags, springs, more, stride, c, x0, x1, x2, v0, v1, v2,    \
+         y0, y1, y2);                                                                      \
+    }
+ROW(row, false, true)
+ROW(lagging_row, true, true)
+ROW(cell_row, false, false)
+ROW(lagging_cell_row, true, false)
+#undef ROW
 
 /* One step of rows [from, to), from set `now` of the positions into the other. */
 static void NAME(rows)(struct spring_sweep *s, double dt, int now, int from, int to)
 {
+    const bool cells = s->cell_room, lags = s->lag > 0;
+
     for (int i = from; i < to; i++) {
         ptrdiff_t at = s->first + i * s->pitch;
-        const REAL *x[3];
+        const REAL *x[3], *more = cells ? NAME(cells_row)(s, now, i) : NULL;
         REAL *v[3], *y[3];
         for (int k = 0; k < 3; k++) {
             x[k] = (const REAL *)s->field[now][k] + at;
             y[k] = (REAL *)s->field[!now][k] + at;
             v[k] = (REAL *)s->field[SWEEP_V][k] + at;
         }
-        if (s->lag > 0)
-            NAME(lagging_row)
-        (s->pitch, s->pitch, (REAL)dt, (REAL)s->lag, s->row[i], x[0], x[1], x[2], v[0],
-         v[1], v[2], y[0], y[1], y[2]);
-        else NAME(row)(s->pitch, s->pitch, (REAL)dt, s->row[i], x[0], x[1], x[2], v[0],
-                       v[1], v[2], y[0], y[1], y[2]);
+        (cells  ? lags ? NAME(lagging_cell_row) : NAME(cell_row)
+          : lags ? NAME(lagging_row)
+                : NAME(row))(s->pitch, s->pitch, (REAL)dt, (REAL)s->lag, more, s->stride,
+                             s->row[i], x[0], x[1], x[2], v[0], v[1], v[2], y[0], y[1],
+                             y[2]);
     }
 }
 

@@ -150,8 +150,11 @@ WORDS(preconditioner, [PRECONDITIONER_FACTOR] = "factor", [PRECONDITIONER_ICHOL]
       [PRECONDITIONER_JACOBI] = "jacobi")
 WORDS(parameters, [PARAMETERS_MATCHED] = "matched", [PARAMETERS_PAPER] = "paper")
 WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit",
-      [INTEGRATOR_LEAPFROG] = "leapfrog")
+      [INTEGRATOR_LEAPFROG] = "leapfrog", [INTEGRATOR_MOMENTUM] = "momentum")
 WORDS(precision, [PRECISION_DOUBLE] = "double", [PRECISION_SINGLE] = "single")
 WORDS(constraint, [CONSTRAINT_TRIANGLES] = "triangles", [CONSTRAINT_EDGES] = "edges")
 WORDS(acceleration, [ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev")
 WORDS(projection, [PROJECTION_XPBD] = "xpbd", [PROJECTION_PBD] = "pbd")
+WORDS(membrane, [MEMBRANE_GREEN] = "green", [MEMBRANE_COROTATIONAL] = "corotational",
+      [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin")
+WORDS(bending, [BENDING_QUADRATIC] = "quadratic", [BENDING_HINGE] = "hinge")

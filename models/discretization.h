@@ -57,6 +57,7 @@ enum integrator {
     INTEGRATOR_IMPLICIT, /* Euler                                                      */
     INTEGRATOR_EXPLICIT, /* symplectic Euler                                           */
     INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
+    INTEGRATOR_MOMENTUM, /* implicit, second order, keeps energy and momenta           */
 };
 
 /* Of positions in leapfrog steps and in position_based. */
@@ -67,6 +68,9 @@ enum projection {
     PROJECTION_XPBD, /* by compliance (Macklin et al. 2016)                            */
     PROJECTION_PBD,  /* by a share of the way an iteration (Mueller et al. 2007)       */
 };
+/* What strain of a triangle is, and what bends a net of them (triangles). */
+enum membrane { MEMBRANE_GREEN, MEMBRANE_COROTATIONAL, MEMBRANE_BARAFF_WITKIN };
+enum bending { BENDING_QUADRATIC, BENDING_HINGE };
 
 /* What resists stretching in projective_dynamics. */
 enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
@@ -98,6 +102,8 @@ struct discretization {
     enum constraint constraint;
     enum acceleration acceleration;
     enum projection projection;
+    enum membrane membrane;
+    enum bending bending;
 };
 
 /* The keys above that not every model has a use for, zero if unset; bits. */
@@ -111,7 +117,9 @@ struct discretization {
     X(STRAIN_LIMIT, strain_limit)                                                          \
     X(CONSTRAINT, constraint)                                                              \
     X(ACCELERATION, acceleration)                                                          \
-    X(PROJECTION, projection)
+    X(PROJECTION, projection)                                                              \
+    X(MEMBRANE, membrane)                                                                  \
+    X(BENDING, bending)
 
 enum discretization_place {
 #define DISCRETIZATION_PLACE(name, member) DISCRETIZATION_PLACE_##name,
@@ -162,5 +170,7 @@ const char *precision_name(int precision);
 const char *constraint_name(int constraint);
 const char *acceleration_name(int acceleration);
 const char *projection_name(int projection);
+const char *membrane_name(int membrane);
+const char *bending_name(int bending);
 
 #endif

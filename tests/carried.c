@@ -18,6 +18,7 @@ static const struct {
     {"iga_selective_3", "discretization.points=[6,5,2]", 1e-3},
     {"hex_incompatible", "discretization.points=[5,4,2]", 1e-3},
     {"shell_3", "discretization.points=[6,5]", 0.1},       /* algorithmic viscosity */
+    {"triangles", "discretization.points=[6,5,1]", 0.1},   /* likewise */
     {"mass_spring", "discretization.points=[6,5,1]", 0.5}, /* implicit Euler damps */
     {"mass_spring_leapfrog", "discretization.points=[6,5,1]", 1e-3},
     {"projective_dynamics", "discretization.points=[6,5,1]", 0.5},

@@ -183,6 +183,9 @@ int main(void)
     check_flight("iga", "discretization.kinematics=nonlinear", 0);
     check_flight("hex", "discretization.kinematics=linear", 0);
     check_flight("shell", "discretization.kinematics=nonlinear", 0);
+    check_flight("triangles", "discretization.bending=hinge", 0);
+    check_flight("triangles", "discretization.integrator=leapfrog", 0);
+    check_flight("triangles", "discretization.integrator=implicit", 0.1);
     check_flight("mass_spring", "discretization.iterations=0", 0.1);
     check_flight("projective_dynamics", "discretization.iterations=20", 0.1);
     return check_result();

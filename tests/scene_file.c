@@ -166,7 +166,9 @@ static void check_printed(void)
         "discretization.strain_limit=0.25",
         "discretization.constraint=edges",
         "discretization.acceleration=chebyshev",
-        "discretization.projection=pbd"};
+        "discretization.projection=pbd",
+        "discretization.membrane=corotational",
+        "discretization.bending=hinge"};
     const int count = sizeof settings / sizeof *settings;
     struct scene s;
     struct discretization d = defaults();

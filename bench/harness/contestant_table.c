@@ -9,6 +9,7 @@
 #include "position_based/position_based_model.h"
 #include "projective_dynamics/projective_dynamics_model.h"
 #include "shell_ref/shell_model.h"
+#include "triangles/tri_model.h"
 
 #define COMPARE CONTESTANT_COMPARE
 #define STRESS  CONTESTANT_STRESS
@@ -110,6 +111,19 @@ const struct contestant contestant_table[] = {
     {"shell_selective_3", "shell, selective, p = 3", "shell sel. 3", &shell_model,
      COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, SELECTIVE, CUBIC_2}, 0, 3, {6, 10, 16},
      {1, 4}, {0}},
+
+    /* Triangles. */
+    {"triangles", "triangles", "triangles", &tri_model, CONTESTANT_EVERYWHERE, {0}, 0, 1,
+     {10, 18, 26, 40}, {1, 4}, {0}},
+    {"triangles_explicit", "triangles, leapfrog, single precision", "triangles expl.",
+     &tri_model, COMPARE | SPEED,
+     {"discretization.integrator=leapfrog", "discretization.precision=single"}, 0, 1,
+     {10, 18, 26, 40}, {1}, {0}},
+    {"triangles_baraff_witkin", "triangles, Baraff and Witkin", "triangles BW", &tri_model,
+     COMPARE,
+     {"discretization.integrator=implicit", "discretization.iterations=1",
+      "discretization.membrane=baraff_witkin", "discretization.bending=hinge"},
+     0, 1, {10, 20}, {1, 4, 16}, {0}},
 
     /* Springs and constraints. */
     {"mass_spring", "mass-spring, matched", "springs", &spring_model,

@@ -89,6 +89,8 @@ struct large_motion {
     double *x;               /* [nodes][3] present coefficients                [m]     */
     double *held;            /* [4][held_count] supports_motion                        */
     double lag;              /* algorithmic viscosity, in steps; see above             */
+    bool euler;              /* steps are Euler's implicit ones                        */
+    int enough;              /* iterations after which a step is taken; 0: converged   */
     struct contact_step *contact; /* NULL: no obstacles                                */
 
     struct large_follower follower;

@@ -54,7 +54,7 @@ static void finish(struct large_motion *m, double dt, const double *x_old)
     double *v_held = m->held + m->supports->held_count;
 
     for (size_t t = 0; t < count; t++) {
-        double v = 2 * (m->x[t] - x_old[t]) / dt - n->v[t];
+        double mean = (m->x[t] - x_old[t]) / dt, v = m->euler ? mean : 2 * mean - n->v[t];
         n->a[t] = (v - n->v[t]) / dt;
         n->v[t] = v;
     }
@@ -91,25 +91,28 @@ static enum status substep(struct large_motion *m, double t, double dt,
     struct newmark *n = m->newmark;
     size_t count = count_of(m);
     double *x_old = m->room, *hat = m->room + count;
-    double mass = 2 / (dt * dt) + n->alpha / dt, damping = n->beta / dt;
+    double end = m->euler ? 1 : 0.5; /* where forces are taken, in steps from x_old */
+    double mass = 1 / (end * dt * dt) + n->alpha / dt, damping = n->beta / dt;
     const struct large_equation equation = {
-        .path = {.s0 = 0.5 - damping,
-                 .s1 = 0.5 + damping,
-                 .g1 = 0.5,
+        .path = {.s0 = 1 - end - damping,
+                 .s1 = end + damping,
+                 .g1 = end,
                  .lag = m->lag,
                  .x_old = x_old,
                  .strain_old = m->strain_old},
         .mass = mass,
         .hat = hat,
         .load = 1,
-        .chord = 0.4,
+        .chord = m->enough ? 0 : 0.4, /* a step without another to mend it: its own */
         .limit = 40,
+        .enough = m->enough,
     };
 
     memcpy(x_old, m->x, count * sizeof *x_old);
     for (size_t k = 0; k < count; k++) {
-        hat[k] = x_old[k] + 2 * n->v[k] / dt / mass;
-        m->x[k] += dt * (n->v[k] + dt / 2 * n->a[k]);
+        hat[k] = x_old[k] + n->v[k] / (end * dt) / mass;
+        if (m->enough != 1)
+            m->x[k] += dt * (n->v[k] + dt * end * n->a[k]);
     }
     move_supports(m, t, dt, mass, x_old, hat);
     if (m->contact)

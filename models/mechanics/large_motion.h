@@ -11,6 +11,10 @@
  * order in the step. Stiffness damping is beta times the rate of stress, which knows no
  * rigid motion.
  *
+ * euler: implicit Euler instead, first order, which damps what is fast:
+ *   M (v_1 - v_0)/dt + alpha M v_1 + f(x_1) + beta rate = load,   v_1 = (x_1 - x_0)/dt;
+ * one Newton iteration of it (enough = 1), from x_0, is the step of Baraff and Witkin 1998.
+ *
  * Obstacles add a force r that is constant over the step; contact_step.h has its work, and
  * the impact that ends the step. Newton's method meets them at the planes that touch at the
  * step's start, by contact_solve in each iteration.

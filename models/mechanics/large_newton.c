@@ -231,7 +231,8 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
         counters->iterations++;
         calm = i.size <= i.tolerance && settled(m, i.size, before) ? calm + 1 : 0;
         before = i.size;
-        if (calm > in_contact(m, q)) { /* what friction makes of a step shows in the next */
+        /* what friction makes of a step shows in the next */
+        if (calm > in_contact(m, q) || n + 1 == q->enough) {
             for (size_t t = 0; t < count; t++)
                 x[t] += i.d[t];
             return STATUS_OK;

@@ -215,7 +215,7 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, preconditioner)},
     {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_name,
      IN(discretization, parameters)},
-    {"integrator", "of springs: Euler's methods, or leapfrog", SCHEMA_WORD,
+    {"integrator", "Euler's methods, leapfrog, or energy-momentum", SCHEMA_WORD,
      .word = integrator_name, IN(discretization, integrator)},
     {"precision", "of leapfrog and position_based", SCHEMA_WORD, .word = precision_name,
      IN(discretization, precision)},
@@ -233,6 +233,10 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, acceleration)},
     {"projection", "of constraints on positions", SCHEMA_WORD, .word = projection_name,
      IN(discretization, projection)},
+    {"membrane", "strain of triangles", SCHEMA_WORD, .word = membrane_name,
+     IN(discretization, membrane)},
+    {"bending", "of triangles", SCHEMA_WORD, .word = bending_name,
+     IN(discretization, bending)},
     {NULL}};
 /* clang-format on */
 

@@ -23,6 +23,7 @@ static const struct verify_entry entries[] = {
     {"hex_nonlinear", BALANCE},
     {"shell_linear", BALANCE},
     {"shell_2", BALANCE},
+    {"triangles", BALANCE},
     {"mass_spring", BALANCE, .settings = {"discretization.tolerance=1e-9"}},
     {"position_based", BALANCE},
     {"projective_dynamics", BALANCE},

@@ -38,6 +38,7 @@ static const struct verify_entry entries[] = {
      .changed = "as now; taken back for a while after the loss was missed"},
     {"shell_3", VISCOUS, {16}, .dear = true, .mark = true, INSTEAD},
     {"shell_selective_3", KEPT, {10}, .mark = true},
+    {"triangles", VISCOUS, {21}, .mark = true},
     {"mass_spring", 0, EULER, {21}},
     {"position_based", 0, EULER, {21}},
     {"projective_dynamics", 0, EULER, {21}},

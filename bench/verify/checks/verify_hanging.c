@@ -43,6 +43,7 @@ static const struct verify_entry entries[] = {
     {"hex_incompatible", SOLID, {40, 80}, {2, 2}},
     {"shell_3", 0.005, "half of what is asked of solids", {13, 25}, {4, 4}, 2},
     {"shell_selective_3", 0.005, "half of what is asked of solids", {13, 25}, {4, 4}, 2},
+    {"triangles", SOLID, {40, 80}, {3, 5}},
     {"mass_spring", 0, NULL, {20, 40}, {3, 5}},
     {"position_based", 0, NULL, {20, 40}, {3, 5}},
     {"projective_dynamics", 0, NULL, {20, 40}, {3, 5}},

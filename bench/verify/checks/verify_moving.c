@@ -26,6 +26,7 @@ static const struct verify_entry entries[] = {
     {"hex_nonlinear", ITERATED, {8}, {6}},
     {"shell_linear", EXACT, {8}, {6}},
     {"shell_2", ITERATED, {8}, {6}},
+    {"triangles", ITERATED, {11}},
     {"mass_spring", ITERATED, {11}, .settings = {CLOSE}, .mark = true},
     {"projective_dynamics", ITERATED, {11}, .settings = {CLOSE, LONG}, .mark = true},
     {NULL}};

@@ -61,6 +61,7 @@ static const struct verify_entry entries[] = {
      {32, 128},
      {3, 3},
      .settings = {"discretization.degree=[3,2]"}},
+    {"triangles", SOLID, {40, 80}, {3, 3}},
     {"mass_spring", 0, EULER, {40, 80}, {3, 3}},
     {"position_based", 0, EULER, {20, 40}, {3, 3}},
     {"projective_dynamics", 0, EULER, {40, 40}, {5, 5}, TO_THE_END, .dear = true},

@@ -23,6 +23,7 @@ static const struct verify_entry entries[] = {
     {"hex_incompatible", SOLID, {41, 81}, {2, 2}},
     {"shell_3", 0.005, "half of what is asked of solids", {25, 49}, {4, 4}},
     {"shell_selective_3", 0.005, "half of what is asked of solids", {25, 49}, {4, 4}},
+    {"triangles", SOLID, {41, 81}, {3, 5}},
     {"mass_spring", 0, "springs bend as a plate only in the limit", {25, 49}, {3, 5}},
     {"position_based", 0, NULL, {25, 49}, {3, 5}},
     {"projective_dynamics", 0, NULL, {25, 49}, {3, 5}},

@@ -24,6 +24,7 @@ static const struct verify_entry entries[] = {
     {"hex_incompatible", ASKED, MANY},
     {"shell_3", THEORY, {16, 32}, {4, 4}, 2},
     {"shell_selective_3", THEORY, {16, 32}, {4, 4}, 2},
+    {"triangles", ASKED, {80, 160}, {3, 3}},
     {"mass_spring", 0, "springs bend as a plate only in the limit", {20, 40}, {3, 5}},
     {"position_based", 0, "no statics: damped motion", {20}, {3}, .dear = true},
     {"projective_dynamics", 0, "no statics: damped motion", {20, 40}, {3, 5}},

@@ -45,6 +45,7 @@ static const struct verify_entry entries[] = {
     {"hex_incompatible", SOLID, MANY, .dear = true},
     {"shell_linear_3", SHELL, THREE},
     {"shell_3", SHELL, THREE, .dear = true},
+    {"triangles", SOLID, THREE},
     {"mass_spring", 0, EULER, {21, 41}, .settings = {"discretization.tolerance=1e-9"}},
     {"position_based", 0, EULER, {11, 21}},
     {"projective_dynamics", 0, EULER, {11, 21}, TO_THE_END, .dear = true},

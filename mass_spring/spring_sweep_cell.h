@@ -1,0 +1,192 @@
+/* spring_sweep_cell.h - the membrane of a net whose cells are cut into triangles of
+ * constant strain, for one kind of REAL (spring_sweep_row.h): one row of cells at a time.
+ *
+ * A cell has edges `bottom`, `top` along u and `left`, `right` along v. Where four
+ * diagonals meet at its first point, its right angles lie between bottom and right, and
+ * between top and left; elsewhere between bottom and left, and between top and right
+ * (tri_net.h). */
+
+/* What a row of cells pulls with, by component: along its edges [N]. */
+enum NAME(cell_edge) { NAME(BOTTOM), NAME(TOP), NAME(LEFT), NAME(RIGHT), NAME(EDGES) };
+
+struct NAME(law) {
+    REAL uu, vv, uv;    /* per metre of edge: 1 / a_u^2, 1 / a_v^2, 1 / (a_u a_v)      */
+    REAL d11, d12, d33; /* times a triangle's area                                     */
+};
+
+struct NAME(three) {
+    REAL x, y, z;
+};
+
+static inline __attribute__((always_inline)) struct NAME(three)
+    NAME(less)(struct NAME(three) a, struct NAME(three) b)
+{
+    return (struct NAME(three)){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static inline __attribute__((always_inline)) REAL NAME(dot)(struct NAME(three) a,
+                                                            struct NAME(three) b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* p a + q b. */
+static inline __attribute__((always_inline)) struct NAME(three)
+    NAME(mix)(REAL p, struct NAME(three) a, REAL q, struct NAME(three) b)
+{
+    return (struct NAME(three)){p * a.x + q * b.x, p * a.y + q * b.y, p * a.z + q * b.z};
+}
+
+static inline __attribute__((always_inline)) struct NAME(three)
+    NAME(choose)(bool first, struct NAME(three) a, struct NAME(three) b)
+{
+    return (struct NAME(three)){first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+}
+
+/* The pull of one triangle along its edges a (u) and b (v), by the derivatives of its
+ * energy with respect to (C - I) / 2, times 1 / a_u^2, 1 / a_v^2, 1 / (a_u a_v). */
+struct NAME(pull) {
+    struct NAME(three) a, b;
+};
+
+static inline __attribute__((always_inline)) struct NAME(pull)
+    NAME(triangle)(const enum membrane membrane, const struct NAME(law) law,
+                   struct NAME(three) a, struct NAME(three) b)
+{
+    REAL q = law.uu * NAME(dot)(a, a), r = law.vv * NAME(dot)(b, b);
+    REAL s = law.uv * NAME(dot)(a, b), P, Q, R;
+
+    if (membrane == MEMBRANE_GREEN) {
+        REAL e = (q - 1) / 2, f = (r - 1) / 2;
+        P = law.d11 * e + law.d12 * f;
+        Q = law.d12 * e + law.d11 * f;
+        R = law.d33 * s;
+    } else if (membrane == MEMBRANE_COROTATIONAL) {
+        /* D e and U^-1 have the same axes: 2 G (I - U^-1) + d12 tr e U^-1 with
+         * e = U - I, j = det U, t = tr U, 2 G = 2 d33 = d11 - d12 */
+        REAL j = ROOT(q * r - s * s), t = ROOT(q + r + 2 * j), shear = 2 * law.d33;
+        REAL inverse = (law.d12 * (t - 2) - shear) / (j * t);
+        P = inverse * (r + j) + shear;
+        Q = inverse * (q + j) + shear;
+        R = -inverse * s;
+    } else {
+        P = law.d11 * (1 - 1 / ROOT(q));
+        Q = law.d11 * (1 - 1 / ROOT(r));
+        R = law.d33 * s;
+    }
+    P *= law.uu, Q *= law.vv, R *= law.uv;
+    return (struct NAME(pull)){NAME(mix)(P, a, R, b), NAME(mix)(Q, b, R, a)};
+}
+
+/* Pulls of `count` cells into to[edge][3][stride]; x: of their first points; there and
+ * hub: 1 or 0. */
+static inline __attribute__((always_inline)) void
+NAME(cells_by)(const enum membrane membrane, const struct NAME(law) law, ptrdiff_t count,
+               ptrdiff_t pitch, ptrdiff_t stride, const REAL *restrict there,
+               const REAL *restrict hub, const REAL *restrict x0, const REAL *restrict x1,
+               const REAL *restrict x2, REAL *restrict to)
+{
+    const struct NAME(three) none = {0, 0, 0};
+
+    count -= count % SWEEP_PAD;
+#pragma omp simd
+    for (ptrdiff_t j = 0; j < count; j++) {
+#define AT(k) ((struct NAME(three)){x0[j + (k)], x1[j + (k)], x2[j + (k)]})
+#define PUT(edge, f)                                                                       \
+    to[3 * NAME(edge) * stride + j] = (f).x,                                               \
+                                 to[(3 * NAME(edge) + 1) * stride + j] = (f).y,            \
+                                 to[(3 * NAME(edge) + 2) * stride + j] = (f).z
+        const struct NAME(three) p = AT(0), q = AT(1), r = AT(pitch), s = AT(pitch + 1);
+        const struct NAME(three) left = NAME(less)(q, p), right = NAME(less)(s, r);
+        bool swap = hub[j] > 0, is = there[j] > 0;
+        struct NAME(pull) one = NAME(triangle)(membrane, law, NAME(less)(r, p),
+                                               NAME(choose)(swap, right, left));
+        struct NAME(pull) two = NAME(triangle)(membrane, law, NAME(less)(s, q),
+                                               NAME(choose)(swap, left, right));
+        one.a = NAME(choose)(is, one.a, none), one.b = NAME(choose)(is, one.b, none);
+        two.a = NAME(choose)(is, two.a, none), two.b = NAME(choose)(is, two.b, none);
+        const struct NAME(three) on_left = NAME(choose)(swap, two.b, one.b);
+        const struct NAME(three) on_right = NAME(choose)(swap, one.b, two.b);
+        PUT(BOTTOM, one.a);
+        PUT(TOP, two.a);
+        PUT(LEFT, on_left);
+        PUT(RIGHT, on_right);
+#undef AT
+#undef PUT
+    }
+}
+
+#define CELLS(name, membrane)                                                              \
+    CLONES static void NAME(name)(                                                         \
+        const struct NAME(law) law, ptrdiff_t count, ptrdiff_t pitch, ptrdiff_t stride,    \
+        const REAL *restrict there, const REAL *restrict hub, const REAL *restrict x0,     \
+        const REAL *restrict x1, const REAL *restrict x2, REAL *restrict to)               \
+    {                                                                                      \
+        NAME(cells_by)                                                                     \
+        (membrane, law, count, pitch, stride, there, hub, x0, x1, x2, to);                 \
+    }
+CELLS(cells_green, MEMBRANE_GREEN)
+CELLS(cells_corotational, MEMBRANE_COROTATIONAL)
+CELLS(cells_conditions, MEMBRANE_BARAFF_WITKIN)
+#undef CELLS
+
+/* Forces on a row of points into sum[3][stride]: of the cells before and behind it. */
+CLONES static void NAME(points)(ptrdiff_t count, ptrdiff_t stride,
+                                const REAL *restrict before, const REAL *restrict behind,
+                                REAL *restrict sum)
+{
+    count -= count % SWEEP_PAD;
+    for (int k = 0; k < 3; k++) {
+        const REAL *fb = behind + (3 * NAME(BOTTOM) + k) * stride;
+        const REAL *ft = behind + (3 * NAME(TOP) + k) * stride;
+        const REAL *fl = behind + (3 * NAME(LEFT) + k) * stride;
+        const REAL *gb = before + (3 * NAME(BOTTOM) + k) * stride;
+        const REAL *gt = before + (3 * NAME(TOP) + k) * stride;
+        const REAL *gr = before + (3 * NAME(RIGHT) + k) * stride;
+        for (ptrdiff_t j = 0; j < count; j++)
+            sum[k * stride + j] = fb[j] + ft[j - 1] - gb[j] - gt[j - 1] + fl[j] -
+                                  fl[j - 1] + gr[j] - gr[j - 1];
+    }
+}
+
+/* The room's parts, each a stride with a vector in front that stays zero. */
+static REAL *NAME(cell_room)(const struct spring_sweep *s, int part)
+{
+    return (REAL *)s->cell_room + part * s->stride + SWEEP_PAD;
+}
+
+static void NAME(cells_set)(struct spring_sweep *s)
+{
+    for (int j = 0; j < s->m - 1; j++) {
+        NAME(cell_room)(s, CELL_THERE)[j] = 1;
+        NAME(cell_room)(s, j % 2 == 0 ? CELL_EVEN : CELL_ODD)[j] = 1;
+    }
+}
+
+/* Forces of the cells on the points of row i, and what row i + 1 needs. */
+static const REAL *NAME(cells_row)(struct spring_sweep *s, int now, int i)
+{
+    const struct spring_cells *c = &s->cells;
+    const double *a = c->cell, area = a[0] * a[1] / 2;
+    const struct NAME(law) law = {(REAL)(1 / (a[0] * a[0])), (REAL)(1 / (a[1] * a[1])),
+                                  (REAL)(1 / (a[0] * a[1])), (REAL)(area * c->D[0]),
+                                  (REAL)(area * c->D[1]),    (REAL)(area * c->D[2])};
+    ptrdiff_t at = s->first + i * s->pitch;
+    const REAL *x[3], *there = NAME(cell_room)(s, CELL_THERE);
+    const REAL *hub = NAME(cell_room)(s, i % 2 ? CELL_ODD : CELL_EVEN);
+    REAL *nothing = NAME(cell_room)(s, CELL_NOTHING), *sum = NAME(cell_room)(s, CELL_SUM);
+    REAL *before = NAME(cell_room)(s, i % 2 ? CELL_FIRST : CELL_SECOND);
+    REAL *behind = NAME(cell_room)(s, i % 2 ? CELL_SECOND : CELL_FIRST);
+
+    for (int k = 0; k < 3; k++)
+        x[k] = (const REAL *)s->field[now][k] + at;
+    if (i == s->n - 1)
+        behind = nothing;
+    else
+        (c->membrane == MEMBRANE_GREEN          ? NAME(cells_green)
+         : c->membrane == MEMBRANE_COROTATIONAL ? NAME(cells_corotational)
+                                                : NAME(cells_conditions))(
+            law, s->pitch, s->pitch, s->stride, there, hub, x[0], x[1], x[2], behind);
+    NAME(points)(s->pitch, s->stride, i == 0 ? nothing : before, behind, sum);
+    return sum;
+}

@@ -1,0 +1,385 @@
+#include "triangles/tri_body.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/room.h"
+#include "triangles/tri_hinge.h"
+
+/* Rows of points that a strip reaches. */
+enum { ROWS = 3 };
+
+struct tri_body_room {
+    int first;    /* node at the start of x                                            */
+    double *x[2]; /* [3 rows][3] points, and those of the geometry                     */
+    double *strain;
+};
+
+/* Edges of a triangle, per metre of material. */
+struct tangents {
+    double at[2][3];
+};
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static struct tangents tangents_of(const struct tri_body *b, const struct tri_triangle *t,
+                                   const double *x, int first)
+{
+    struct tangents X;
+    const double *root = x + 3 * (t->node[0] - first);
+
+    for (int d = 0; d < 2; d++) {
+        const double *to = x + 3 * (t->node[1 + d] - first);
+        double scale = t->side[d] / b->net->points.cell[d];
+        for (int i = 0; i < 3; i++)
+            X.at[d][i] = scale * (to[i] - root[i]);
+    }
+    return X;
+}
+
+static void metric(const struct tangents *X, double C[3])
+{
+    C[0] = dot(X->at[0], X->at[0]);
+    C[1] = dot(X->at[1], X->at[1]);
+    C[2] = dot(X->at[0], X->at[1]);
+}
+
+/* e, or what its linearisation at x - change foresaw of the present. */
+static bool membrane_strain(const struct tri_body *b, const struct tri_triangle *t,
+                            const struct tri_body_room *r, const double *change,
+                            double e[3])
+{
+    struct tangents X = tangents_of(b, t, r->x[0], r->first), before = X, d;
+    struct tri_strain s;
+    double C[3], old[3], twice[3];
+
+    metric(&X, C);
+    if (!tri_strain_at(b->membrane, C, &s))
+        return false;
+    memcpy(e, s.e, sizeof s.e);
+    if (!change)
+        return true;
+    d = tangents_of(b, t, change, 0);
+    for (int i = 0; i < 6; i++)
+        before.at[i / 3][i % 3] -= d.at[i / 3][i % 3];
+    metric(&before, old);
+    metric(&d, twice);
+    if (!tri_strain_at(b->membrane, old, &s))
+        return true;
+    for (int k = 0; k < 3; k++) {
+        e[k] = s.e[k];
+        for (int l = 0; l < 3; l++)
+            e[k] += s.J[k][l] * (C[l] - twice[l] - old[l]);
+    }
+    return true;
+}
+
+static void gather_hinge(const struct tri_hinge *h, const double *x, int first,
+                         double at[4][3])
+{
+    for (int k = 0; k < 4; k++)
+        memcpy(at[k], x + 3 * (h->node[k] - first), sizeof at[k]);
+}
+
+static double *strain_of(const void *self, int thread, int strip, const double *x,
+                         const double *change)
+{
+    const struct tri_body *b = self;
+    const struct tri_net *net = b->net;
+    struct tri_body_room *r = &b->work[thread];
+    int m = net->points.points[1], rows = net->points.points[0] - strip;
+    double *next = r->strain;
+
+    r->first = strip * m;
+    memcpy(r->x[0], x + 3 * r->first,
+           3 * (size_t)m * (size_t)(rows < ROWS ? rows : ROWS) * sizeof *x);
+    for (int k = net->triangle_at[strip]; k < net->triangle_at[strip + 1]; k++, next += 3)
+        if (!membrane_strain(b, &net->triangles[k], r, change, next))
+            return NULL;
+    next = r->strain + b->forms_from;
+    for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, next += 3)
+        spring_plate_value(&net->forms[k], x, next);
+    next = r->strain + b->hinges_from;
+    for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++) {
+        double at[4][3];
+        gather_hinge(&net->hinges[k], r->x[0], r->first, at);
+        *next++ = tri_hinge_angle(at);
+    }
+    return r->strain;
+}
+
+static void set_geometry(const void *self, int thread, int strip, const double *x_old,
+                         double share)
+{
+    const struct tri_body *b = self;
+    struct tri_body_room *r = &b->work[thread];
+    int m = b->net->points.points[1], rows = b->net->points.points[0] - strip;
+    int count = 3 * m * (rows < ROWS ? rows : ROWS);
+
+    memcpy(r->x[1], r->x[0], (size_t)count * sizeof(double));
+    if (share == 1)
+        return;
+    for (int t = 0; t < count; t++)
+        r->x[1][t] = (1 - share) * x_old[3 * r->first + t] + share * r->x[0][t];
+}
+
+/* dE / dC of a triangle, and the tangents there. False where it has no area: it then feels
+ * nothing, for the geometry is none that Newton's method may accept. */
+static bool pull_of(const struct tri_body *b, const struct tri_triangle *t,
+                    const struct tri_body_room *r, const double *e, struct tangents *X,
+                    struct tri_strain *s, double stress[3], double pull[3])
+{
+    double C[3];
+
+    *X = tangents_of(b, t, r->x[1], r->first);
+    metric(X, C);
+    if (!tri_strain_at(b->membrane, C, s))
+        return false;
+    tri_strain_stress(b->D, e, stress);
+    for (int l = 0; l < 3; l++) {
+        pull[l] = 0;
+        for (int k = 0; k < 3; k++)
+            pull[l] += b->area * stress[k] * s->J[k][l];
+    }
+    return true;
+}
+
+static void membrane_force(const struct tri_body *b, const struct tri_triangle *t,
+                           const struct tri_body_room *r, const double *e, double *force)
+{
+    struct tangents X;
+    struct tri_strain s;
+    double stress[3], g[3];
+
+    if (!pull_of(b, t, r, e, &X, &s, stress, g))
+        return;
+    for (int d = 0; d < 2; d++) {
+        double scale = t->side[d] / b->net->points.cell[d];
+        for (int i = 0; i < 3; i++) {
+            double f = scale * (2 * g[d] * X.at[d][i] + g[2] * X.at[1 - d][i]);
+            force[3 * t->node[1 + d] + i] += f;
+            force[3 * t->node[0] + i] -= f;
+        }
+    }
+}
+
+static void add_force(const void *self, int thread, int strip, double *force)
+{
+    const struct tri_body *b = self;
+    const struct tri_net *net = b->net;
+    const struct tri_body_room *r = &b->work[thread];
+    const double *e = r->strain;
+
+    for (int k = net->triangle_at[strip]; k < net->triangle_at[strip + 1]; k++, e += 3)
+        membrane_force(b, &net->triangles[k], r, e, force);
+    e = r->strain + b->forms_from;
+    for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, e += 3) {
+        const struct spring_plate_form *f = &net->forms[k];
+        for (int p = 0; p < f->count; p++)
+            for (int i = 0; i < 3; i++)
+                force[3 * f->node[p] + i] += f->stiffness * f->weight[p] * e[i];
+    }
+    e = r->strain + b->hinges_from;
+    for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++, e++) {
+        const struct tri_hinge *h = &net->hinges[k];
+        double at[4][3], g[12];
+        gather_hinge(h, r->x[1], r->first, at);
+        tri_hinge_gradient(at, g);
+        for (int t = 0; t < 12; t++)
+            force[3 * h->node[t / 3] + t % 3] += h->stiffness * *e * g[t];
+    }
+}
+
+/* What a triangle's tangent is made of: M = m J'D J + g sum stress_k H_k by C, and the
+ * derivatives of C by the tangents. */
+static void by_metric(const struct tri_body *b, const struct tri_strain *s,
+                      const double stress[3], double material, double geometric,
+                      double M[3][3])
+{
+    static const int PLACE[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+
+    for (int l = 0; l < 3; l++)
+        for (int m = 0; m < 3; m++) {
+            const double column[3] = {s->J[0][m], s->J[1][m], s->J[2][m]};
+            double DJ[3], sum = 0;
+            tri_strain_stress(b->D, column, DJ);
+            for (int k = 0; k < 3; k++)
+                sum += material * s->J[k][l] * DJ[k] +
+                       geometric * stress[k] * s->H[k][PLACE[l][m]];
+            M[l][m] = b->area * sum;
+        }
+}
+
+/* Second derivative by the two tangents, Q[2][2][3][3]. */
+static void by_tangents(const struct tangents *X, const double M[3][3], const double g[3],
+                        double Q[2][2][3][3])
+{
+    for (int d = 0; d < 2; d++)
+        for (int c = 0; c < 2; c++) {
+            double constant = d == c ? 2 * g[d] : g[2];
+            for (int i = 0; i < 3; i++)
+                for (int j = 0; j < 3; j++) {
+                    double di = 2 * X->at[d][i], si = X->at[1 - d][i];
+                    double cj = 2 * X->at[c][j], sj = X->at[1 - c][j];
+                    Q[d][c][i][j] = M[d][c] * di * cj + M[d][2] * di * sj +
+                                    M[2][c] * si * cj + M[2][2] * si * sj +
+                                    (i == j ? constant : 0);
+                }
+        }
+}
+
+static void membrane_tangent(const struct tri_body *b, const struct tri_triangle *t,
+                             const struct tri_body_room *r, const double *e,
+                             const struct large_path *path, double (*K)[9])
+{
+    struct tangents X;
+    struct tri_strain s;
+    double stress[3], g[3], M[3][3], Q[2][2][3][3], B[81], w[3][2];
+    const double *cell = b->net->points.cell;
+
+    if (!pull_of(b, t, r, e, &X, &s, stress, g))
+        return;
+    by_metric(b, &s, stress, path->s1 + path->lag, path->g1, M);
+    for (int l = 0; l < 3; l++)
+        g[l] *= path->g1;
+    by_tangents(&X, (const double(*)[3])M, g, Q);
+    for (int d = 0; d < 2; d++) {
+        double scale = t->side[d] / cell[d];
+        w[0][d] = -scale, w[1][d] = d == 0 ? scale : 0, w[2][d] = d == 1 ? scale : 0;
+    }
+    for (int p = 0; p < 9; p++)
+        for (int q = 0; q < 9; q++) {
+            double sum = 0;
+            for (int d = 0; d < 2; d++)
+                for (int c = 0; c < 2; c++)
+                    sum += w[p / 3][d] * w[q / 3][c] * Q[d][c][p % 3][q % 3];
+            B[9 * p + q] = sum;
+        }
+    tri_net_add(3, t->node, t->pair, B, K);
+}
+
+static void hinge_tangent(const struct tri_hinge *h, const struct tri_body_room *r,
+                          double e, const struct large_path *path, double (*K)[9])
+{
+    double at[4][3], g[12], H[12][12];
+
+    gather_hinge(h, r->x[1], r->first, at);
+    tri_hinge_gradient(at, g);
+    tri_hinge_hessian(at, H);
+    for (int p = 0; p < 12; p++)
+        for (int q = 0; q < 12; q++)
+            H[p][q] = h->stiffness * (path->s1 * g[p] * g[q] + path->g1 * e * H[p][q]);
+    tri_net_add(4, h->node, h->pair, H[0], K);
+}
+
+static void add_tangent(const void *self, int thread, int strip,
+                        const struct large_path *path, double (*K)[9])
+{
+    const struct tri_body *b = self;
+    const struct tri_net *net = b->net;
+    const struct tri_body_room *r = &b->work[thread];
+    const struct blocks *graph = &net->graph;
+    int m = net->points.points[1];
+    const double *e = r->strain;
+
+    for (int k = net->triangle_at[strip]; k < net->triangle_at[strip + 1]; k++, e += 3)
+        membrane_tangent(b, &net->triangles[k], r, e, path, K);
+    for (long n = graph->start[strip * m]; n < graph->start[(strip + 1) * m]; n++)
+        for (int i = 0; i < 3; i++)
+            K[n][4 * i] += path->s1 * net->plate[n];
+    e = r->strain + b->hinges_from;
+    for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++)
+        hinge_tangent(&net->hinges[k], r, *e++, path, K);
+}
+
+/* The most that a strip has of something. */
+static int most_of(const int *at, int strips)
+{
+    int most = 0;
+
+    for (int i = 0; i < strips; i++)
+        most = at[i + 1] - at[i] > most ? at[i + 1] - at[i] : most;
+    return most;
+}
+
+void tri_body_clear(struct tri_body *b)
+{
+    for (int t = 0; b->work && t < b->body.threads; t++)
+        free(b->work[t].x[0]);
+    free(b->work);
+    free(b->slab);
+    memset(b, 0, sizeof *b);
+}
+
+static enum status make_rooms(struct tri_body *b)
+{
+    size_t points = 3 * ROWS * (size_t)b->net->points.points[1];
+    int threads = omp_get_max_threads();
+
+    b->work = calloc((size_t)threads, sizeof *b->work);
+    for (; b->work && b->body.threads < threads; b->body.threads++) {
+        struct tri_body_room *r = &b->work[b->body.threads];
+        r->x[0] = calloc(2 * points + b->body.strains, sizeof(double));
+        if (!r->x[0])
+            return STATUS_MEMORY;
+        r->x[1] = r->x[0] + points, r->strain = r->x[1] + points;
+    }
+    return b->work ? STATUS_OK : STATUS_MEMORY;
+}
+
+enum status tri_body_init(struct tri_body *b, const struct scene *scene,
+                          const struct tri_net *net, enum membrane membrane)
+{
+    enum status st;
+    int n = net->points.points[0];
+
+    *b = (struct tri_body){.net = net, .membrane = membrane};
+    tri_strain_stiffness(scene, membrane, b->D);
+    b->area = net->points.cell[0] * net->points.cell[1] / 2;
+    b->forms_from = 3 * most_of(net->triangle_at, n);
+    b->hinges_from = b->forms_from + 3 * most_of(net->form_at, n);
+    b->body =
+        (struct large_body){.self = b,
+                            .nodes = net->points.nodes,
+                            .pairs = net->graph.start[net->points.nodes],
+                            .strains = (size_t)(b->hinges_from + most_of(net->hinge_at, n)),
+                            .lagged = (size_t)b->forms_from,
+                            .strain = strain_of,
+                            .geometry = set_geometry,
+                            .force = add_force,
+                            .tangent = add_tangent};
+    TRY(blocks_slabs(n, 1, ROWS - 1, &b->body.slabs, &b->slab));
+    b->body.slab = b->slab;
+    TRY(make_rooms(b));
+out:
+    if (st != STATUS_OK)
+        tri_body_clear(b);
+    return st;
+}
+
+double tri_body_energy(const struct tri_body *b, const double *x)
+{
+    const struct tri_net *net = b->net;
+    double energy = 0, stress[3];
+
+    for (int strip = 0; strip < net->points.points[0]; strip++) {
+        const double *e = strain_of(b, 0, strip, x, NULL), *form, *hinge;
+        if (!e)
+            return NAN;
+        form = e + b->forms_from, hinge = e + b->hinges_from;
+        for (int k = net->triangle_at[strip]; k < net->triangle_at[strip + 1]; k++) {
+            tri_strain_stress(b->D, e, stress);
+            energy += b->area * dot(stress, e) / 2, e += 3;
+        }
+        for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, form += 3)
+            energy += net->forms[k].stiffness * dot(form, form) / 2;
+        for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++, hinge++)
+            energy += net->hinges[k].stiffness * *hinge * *hinge / 2;
+    }
+    return energy;
+}

@@ -1,0 +1,167 @@
+#include "triangles/tri_model.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "models/grid.h"
+#include "models/net.h"
+#include "triangles/tri_motion.h"
+
+#define SERVES                                                                             \
+    (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |                  \
+     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |         \
+     SCENE_NEED_INITIAL_MOTION)
+
+static void defaults(struct discretization *d)
+{
+    *d = (struct discretization){.points = {16, 16, 1},
+                                 .degree = {1, 1, 1},
+                                 .kinematics = KINEMATICS_NONLINEAR,
+                                 .integrator = INTEGRATOR_MOMENTUM};
+}
+
+/* Keys it has a use for. */
+enum {
+    USED = DISCRETIZATION_INTEGRATOR | DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
+           DISCRETIZATION_PRECISION | DISCRETIZATION_MEMBRANE | DISCRETIZATION_BENDING
+};
+
+static enum status refuse(const struct scene *scene, const struct discretization *d,
+                          struct message *why)
+{
+    enum status st;
+
+    TRY(model_refuse_net(scene, SERVES, why));
+    TRY(discretization_refuse_net(d, USED, "triangles", why));
+    if (d->integrator == INTEGRATOR_EXPLICIT)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "triangles take explicit steps by integrator=leapfrog");
+    if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "precision=single: with integrator=leapfrog only");
+    if (d->bending == BENDING_HINGE && d->integrator == INTEGRATOR_LEAPFROG)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "bending=hinge: with integrator=momentum or implicit only");
+    if (d->iterations && d->integrator != INTEGRATOR_IMPLICIT)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "iterations: with integrator=implicit only");
+out:
+    return st;
+}
+
+static void destroy(void *state)
+{
+    if (state)
+        tri_motion_clear(state);
+    free(state);
+}
+
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
+{
+    enum status st;
+    struct tri_motion *m = NULL;
+
+    TRY(refuse(scene, d, why));
+    m = calloc(1, sizeof *m);
+    if (!m)
+        TRY(STATUS_MEMORY);
+    TRY(tri_motion_init(m, scene, d, why));
+    *state = m, m = NULL;
+out:
+    destroy(m);
+    return st;
+}
+
+static enum status advance(void *state, struct counters *counters)
+{
+    return tri_motion_step(state, counters);
+}
+
+static void probe(const void *state, int n, const double *uvw, double *xyz)
+{
+    const struct tri_motion *m = state;
+    const struct net net = {m->net.points.points[0], m->net.points.points[1], m->x, 3, 1};
+
+    net_points(&net, m->scene->thickness, n, uvw, xyz);
+}
+
+static void sample(const void *state, double *xyz)
+{
+    grid_sample(probe, state, xyz);
+}
+
+static void size(const void *state, struct model_size *size)
+{
+    const struct tri_motion *m = state;
+    const struct system none = {.held = &m->supports};
+
+    *size = system_size(m->system.factor ? &m->system : &none, "mid-surface points");
+}
+
+/* What is not the scene's law, in words. */
+static void describe(const void *state, struct message *line)
+{
+    const struct tri_motion *m = state;
+    bool hinges = m->net.hinge_count > 0;
+
+    snprintf(line->text, sizeof line->text, "%s%s%s",
+             m->body.membrane == MEMBRANE_BARAFF_WITKIN
+                 ? "membrane by the conditions of Baraff and Witkin: the C11 and C33 of "
+                   "plane stress, and no C12"
+                 : "",
+             m->body.membrane == MEMBRANE_BARAFF_WITKIN && hinges ? "; " : "",
+             hinges
+                 ? "hinges bend with the scene's D about any axis, but with the Gaussian "
+                   "curvature of a plate of nu = 0: a narrow strip is 1 / (1 - nu^2) "
+                   "times too stiff"
+                 : "");
+}
+
+static void energy(const void *state, struct energy *energy)
+{
+    tri_motion_energy(state, energy);
+}
+
+static void contact(const void *state, struct model_contact *contact)
+{
+    tri_motion_contact(state, contact);
+}
+
+static enum status equilibrium(void *state, struct counters *counters, struct message *why)
+{
+    return tri_motion_rest(state, counters, why);
+}
+
+static enum status modes(void *state, int count, double *omega, struct message *why)
+{
+    return tri_motion_modes(state, count, omega, why);
+}
+
+static enum status matrices(const void *state, struct matrix *K, struct matrix *M)
+{
+    return tri_motion_matrices(state, K, M);
+}
+
+const struct model tri_model = {
+    .name = "triangles",
+    .title = "constant-strain triangles",
+    .source =
+        "membrane: St. Venant and Kirchhoff, or Baraff and Witkin 1998; bending: Bergou "
+        "et al. 2006, or Grinspun et al. 2003; steps: Simo and Tarnow 1992, Baraff and "
+        "Witkin 1998, leapfrog",
+    .serves = SERVES,
+    .defaults = defaults,
+    .create = create,
+    .advance = advance,
+    .sample = sample,
+    .probe = probe,
+    .size = size,
+    .describe = describe,
+    .energy = energy,
+    .contact = contact,
+    .equilibrium = equilibrium,
+    .modes = modes,
+    .matrices = matrices,
+    .destroy = destroy,
+};

@@ -1,0 +1,65 @@
+/* tri_motion.h - a net of triangles in time.
+ *
+ * momentum  large_motion.h: energy-momentum steps, second order, Newton's method.
+ * implicit  Euler's implicit steps, Newton's method; iterations = 1: one linear solve a
+ *           step (Baraff and Witkin 1998).
+ * leapfrog  spring_leapfrog.h: explicit, second order.
+ *
+ * Mass is lumped: every point has its part of the area. A point has no slope to hold: where
+ * a column is held whole, clamps hold it (spring_plate.h); a support that takes the
+ * mid-surface or single components alone is a hinge.
+ */
+#ifndef TRI_MOTION_H
+#define TRI_MOTION_H
+
+#include "mass_spring/spring_leapfrog.h"
+#include "mass_spring/spring_load.h"
+#include "models/mechanics/large_motion.h"
+#include "triangles/tri_body.h"
+
+struct tri_motion {
+    const struct scene *scene; /* borrowed                                             */
+    enum integrator integrator;
+    enum solver solver;
+    int iterations, substeps; /* asked for; 0: as many as needed                       */
+    struct tri_net net;
+    struct tri_body body;
+    struct spring_load load;
+    struct supports supports;
+    struct system system;
+    struct newmark newmark;
+    struct large_motion large;
+    struct contact_step contact; /* with obstacles only                                */
+    void *room;                  /* of the arrays                              owned   */
+    double *x;                   /* [nodes][3] present points                  [m]     */
+    double *M;                   /* [pairs] lumped mass                        [kg]    */
+    double *held;                /* [4][held_count] work                               */
+    double (*K)[9];              /* [pairs] work                               [N/m]   */
+    struct spring_cells cells;   /* leapfrog only, as what follows                     */
+    struct spring_leapfrog *leapfrog; /*                                       owned   */
+    double push[3];                   /* of obstacles, mean over the last frame  [N]   */
+    int pushed;                       /* points that they bore at its end              */
+    double *v;                        /* [nodes][3] work                         [m/s] */
+    long frame;
+    double rest_energy; /* round-off of the energy at rest                       [J]   */
+};
+
+/* *m must stay where it is: it holds pointers into itself. */
+enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
+                            const struct discretization *d, struct message *why);
+void tri_motion_clear(struct tri_motion *m);
+
+/* One step of scene->step. */
+enum status tri_motion_step(struct tri_motion *m, struct counters *counters);
+
+/* model.h's entries of these names. */
+enum status tri_motion_rest(struct tri_motion *m, struct counters *counters,
+                            struct message *why);
+enum status tri_motion_modes(struct tri_motion *m, int count, double *omega,
+                             struct message *why);
+enum status tri_motion_matrices(const struct tri_motion *m, struct matrix *K,
+                                struct matrix *M);
+void tri_motion_contact(const struct tri_motion *m, struct model_contact *contact);
+void tri_motion_energy(const struct tri_motion *m, struct energy *energy);
+
+#endif

@@ -1,0 +1,267 @@
+#include "triangles/tri_net.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/room.h"
+
+enum { MOST = SPRING_PLATE_POINTS };
+
+/* spring_plate.h's clamp has the curvature of a cubic at the trapezoidal weight 1/2, which
+ * bends the first cell under a constant moment: positions are then of first order. With 1/3
+ * there and 7/6 at the next point it is at rest, and they are of second:
+ *     y_1: 4 w_0 - 2 w_1 + 1 = 0,   y_2: -w_0 / 2 + w_1 - 2 + 1 = 0. */
+static const double ROOT_WEIGHT = 1. / 3, NEXT_WEIGHT = 7. / 6, PLATE_WEIGHT = 1. / 2;
+
+static int node_of(const struct tri_net *net, int i, int j)
+{
+    return i * net->points.points[1] + j;
+}
+
+/* Where four diagonals meet. */
+static bool is_hub(const struct tri_net *net, int node)
+{
+    int m = net->points.points[1];
+
+    return (node / m + node % m) % 2 == 0;
+}
+
+/* The two triangles of a cell: right angles at its points that are no hubs. */
+static void add_triangles(struct tri_net *net, int i, int j)
+{
+    for (int k = 0; k < 4; k++) {
+        int di = k / 2, dj = k % 2, root = node_of(net, i + di, j + dj);
+        if (is_hub(net, root))
+            continue;
+        net->triangles[net->triangle_count++] = (struct tri_triangle){
+            .node = {root, node_of(net, i + !di, j + dj), node_of(net, i + di, j + !dj)},
+            .side = {di ? -1 : 1, dj ? -1 : 1}};
+    }
+}
+
+static void add_hinge(struct tri_net *net, int a, int b, int c, int d, double stiffness)
+{
+    net->hinges[net->hinge_count++] =
+        (struct tri_hinge){.node = {a, b, c, d}, .stiffness = stiffness};
+}
+
+/* The edge from (i, j) along u or v, if it lies between two cells, as seen with right
+ * angles at either end. Where those are clamped, the clamp bends instead. */
+static void add_edge(struct tri_net *net, double D, int i, int j, int along)
+{
+    const struct spring_net *p = &net->points;
+    int across = 1 - along, at = along ? i : j; /* of the edge's line                  */
+    int end[2] = {node_of(net, i, j), node_of(net, i + !along, j + along)};
+    int step = along ? p->points[1] : 1;
+
+    if (at == 0 || at == p->points[across] - 1)
+        return;
+    for (int k = 0; k < 2; k++) {
+        int before = end[k] - step, behind = end[k] + step;
+        double weight = 1 + (NEXT_WEIGHT - 1) * (p->clamped[before] + p->clamped[behind]);
+        if (!p->clamped[end[k]])
+            add_hinge(net, end[k], end[!k], before, behind,
+                      weight * D / 2 * p->cell[along] / p->cell[across]);
+    }
+}
+
+static void add_diagonals(struct tri_net *net, double D, int i, int j)
+{
+    const double *a = net->points.cell;
+    double k = D * a[0] * a[1] / (a[0] * a[0] + a[1] * a[1]);
+    const int p = node_of(net, i, j), q = node_of(net, i + 1, j + 1);
+    const int r = node_of(net, i + 1, j), s = node_of(net, i, j + 1);
+
+    add_hinge(net, p, q, r, s, k);
+    add_hinge(net, r, s, p, q, k);
+}
+
+/* Triangles and hinges, strip by strip. */
+static void fill(struct tri_net *net, double D)
+{
+    int n = net->points.points[0], m = net->points.points[1];
+
+    for (int i = 0; i < n; i++) {
+        net->triangle_at[i] = net->triangle_count;
+        net->hinge_at[i] = net->hinge_count;
+        for (int j = 0; i + 1 < n && j < m; j++) {
+            if (j + 1 < m)
+                add_triangles(net, i, j);
+            if (D > 0 && j + 1 < m)
+                add_diagonals(net, D, i, j);
+            if (D > 0)
+                add_edge(net, D, i, j, 0);
+            if (D > 0 && j + 1 < m)
+                add_edge(net, D, i + 1, j, 1);
+        }
+    }
+    net->triangle_at[n] = net->triangle_count;
+    net->hinge_at[n] = net->hinge_count;
+}
+
+static int strip_of(const struct tri_net *net, const struct spring_plate_form *form)
+{
+    int least = form->node[0];
+
+    for (int k = 1; k < form->count; k++)
+        least = form->node[k] < least ? form->node[k] : least;
+    return least / net->points.points[1];
+}
+
+/* Clamps and what is next to them by these weights. */
+static enum status balance_clamps(const struct tri_net *net, int count,
+                                  struct spring_plate_form *forms)
+{
+    int m = net->points.points[1], *line[2]; /* the form at a node along u, along v     */
+    size_t nodes = (size_t)net->points.nodes;
+
+    line[0] = calloc(2 * nodes, sizeof *line[0]);
+    if (!line[0])
+        return STATUS_MEMORY;
+    line[1] = line[0] + nodes;
+    for (int k = 0; k < count; k++)
+        if (forms[k].kind == SPRING_PLATE_U || forms[k].kind == SPRING_PLATE_V)
+            line[forms[k].kind == SPRING_PLATE_V][forms[k].at] = k;
+    for (int k = 0; k < count; k++) {
+        struct spring_plate_form *clamp = &forms[k];
+        if (clamp->kind != SPRING_PLATE_CLAMP || clamp->count < 3)
+            continue;
+        int next = clamp->node[1], along = abs(next - clamp->node[0]) != m;
+        double whole = clamp->stiffness / PLATE_WEIGHT;
+        forms[line[along][next]].stiffness += (NEXT_WEIGHT - 1) * whole;
+        clamp->stiffness = ROOT_WEIGHT * whole;
+    }
+    free(line[0]);
+    return STATUS_OK;
+}
+
+/* The plate's forms by strips: all, or the clamps alone. */
+static enum status add_forms(struct tri_net *net, const struct scene *scene, bool all)
+{
+    enum status st;
+    int n = net->points.points[0], count = 0;
+    struct spring_plate_form *forms = NULL;
+
+    TRY(spring_plate_make(scene, &net->points, &forms, &count));
+    TRY(balance_clamps(net, count, forms));
+    net->forms = malloc(((size_t)count + 1) * sizeof *net->forms);
+    if (!net->forms)
+        TRY(STATUS_MEMORY);
+    for (int k = 0; k < count; k++)
+        if (all || forms[k].kind == SPRING_PLATE_CLAMP)
+            net->form_at[strip_of(net, &forms[k]) + 1]++;
+    for (int i = 0; i < n; i++)
+        net->form_at[i + 1] += net->form_at[i];
+    net->form_count = net->form_at[n];
+    for (int k = count - 1; k >= 0; k--) /* form_at: the strips' ends, then their starts */
+        if (all || forms[k].kind == SPRING_PLATE_CLAMP)
+            net->forms[--net->form_at[strip_of(net, &forms[k]) + 1]] = forms[k];
+    memmove(net->form_at, net->form_at + 1, (size_t)n * sizeof *net->form_at);
+    net->form_at[n] = net->form_count;
+out:
+    free(forms);
+    return st;
+}
+
+/* MOST nodes of an element, the last one repeated. */
+static void list(int **next, int count, const int *node)
+{
+    for (int k = 0; k < MOST; k++)
+        *(*next)++ = node[k < count ? k : count - 1];
+}
+
+static enum status make_graph(struct tri_net *net)
+{
+    enum status st = STATUS_MEMORY;
+    int elements = net->triangle_count + net->hinge_count + net->form_count;
+    int *ien = malloc(((size_t)elements * MOST + 1) * sizeof *ien), *next = ien;
+
+    if (!ien)
+        goto out;
+    for (int k = 0; k < net->triangle_count; k++)
+        list(&next, 3, net->triangles[k].node);
+    for (int k = 0; k < net->hinge_count; k++)
+        list(&next, 4, net->hinges[k].node);
+    for (int k = 0; k < net->form_count; k++)
+        list(&next, net->forms[k].count, net->forms[k].node);
+    TRY(blocks_init(&net->graph, net->points.nodes, elements, MOST, ien));
+out:
+    free(ien);
+    return st;
+}
+
+static long pair_of(const struct blocks *g, int a, int b)
+{
+    return a < b ? blocks_find(g, a, b) : blocks_find(g, b, a);
+}
+
+static void find_pairs(const struct blocks *g, int count, const int *node, long *pair)
+{
+    for (int p = 0; p < count; p++)
+        for (int q = p; q < count; q++)
+            *pair++ = pair_of(g, node[p], node[q]);
+}
+
+static void set_plate(struct tri_net *net)
+{
+    for (int k = 0; k < net->form_count; k++) {
+        const struct spring_plate_form *f = &net->forms[k];
+        for (int p = 0; p < f->count; p++)
+            for (int q = 0; q < f->count; q++)
+                if (f->node[p] <= f->node[q])
+                    net->plate[pair_of(&net->graph, f->node[p], f->node[q])] +=
+                        f->stiffness * f->weight[p] * f->weight[q];
+    }
+}
+
+void tri_net_clear(struct tri_net *net)
+{
+    blocks_clear(&net->graph);
+    spring_net_clear(&net->points);
+    free(net->forms);
+    free(net->plate);
+    free(net->room);
+    memset(net, 0, sizeof *net);
+}
+
+enum status tri_net_init(struct tri_net *net, const struct scene *scene,
+                         const int points[2], enum bending bending)
+{
+    enum status st;
+    struct tri_net new = {0};
+    size_t n = (size_t)points[0], m = (size_t)points[1];
+    bool hinges = bending == BENDING_HINGE;
+
+    TRY(spring_net_init(&new.points, scene, points, PARAMETERS_MATCHED));
+    TRY(room_cut(&new.room, ROOM(new.triangles, 2 * n * m),
+                 ROOM(new.hinges, hinges ? 6 * n * m : 0), ROOM(new.triangle_at, n + 1),
+                 ROOM(new.hinge_at, n + 1), ROOM(new.form_at, n + 1)));
+    fill(&new, hinges ? scene_bending_stiffness(scene) : 0);
+    TRY(add_forms(&new, scene, !hinges));
+    TRY(make_graph(&new));
+    for (int k = 0; k < new.triangle_count; k++)
+        find_pairs(&new.graph, 3, new.triangles[k].node, new.triangles[k].pair);
+    for (int k = 0; k < new.hinge_count; k++)
+        find_pairs(&new.graph, 4, new.hinges[k].node, new.hinges[k].pair);
+    new.plate = calloc((size_t) new.graph.start[new.points.nodes], sizeof *new.plate);
+    if (!new.plate)
+        TRY(STATUS_MEMORY);
+    set_plate(&new);
+    HAND_OVER(net, new);
+out:
+    tri_net_clear(&new);
+    return st;
+}
+
+void tri_net_add(int count, const int *node, const long *pair, const double *B,
+                 double (*K)[9])
+{
+    for (int p = 0; p < count; p++)
+        for (int q = p; q < count; q++, pair++)
+            for (int t = 0; t < 9; t++) {
+                int i = t / 3, j = t % 3;
+                int at = node[p] <= node[q] ? (3 * p + i) * 3 * count + 3 * q + j
+                                            : (3 * p + j) * 3 * count + 3 * q + i;
+                K[*pair][t] += B[at];
+            }
+}

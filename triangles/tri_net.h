@@ -1,0 +1,70 @@
+/* tri_net.h - a net of n x m points (spring_net.h) as triangles, with what bends it.
+ *
+ * Every cell is cut along one diagonal, and neighbouring cells along different ones: the
+ * diagonals meet at the points with even i + j, which have eight triangles, four of them
+ * across from the right angles that the other points have ("union jack"). So none is
+ * preferred over the net as a whole, as one diagonal throughout would be, and the net can
+ * fold along the lines and both diagonals; both diagonals in every cell would make rigid
+ * plates of the cells (six lengths hold four points), and a point in the middle of each
+ * cell would double the points and halve the explicit step.
+ * Every point has the same part of the area, and cells have exactly the stiffness of plane
+ * stress under homogeneous strain, for every nu.
+ *
+ * Bending, per point or edge:
+ *   quadratic  spring_plate.h: a constant second derivative, the scene's D and nu.
+ *   hinge      k theta^2 / 2 at inner edges (tri_hinge.h). With its right angles at one of
+ *              its ends, an edge along v between cells turns by a_u x_uu there, one along u
+ *              by a_v x_vv; a diagonal of length l turns by l x_uv. Edges count with either
+ *              end, cells with either diagonal, half each: at every point the same. (The
+ *              cut's own angles alone measure x_uu at every other point of a line, which
+ *              then folds at the others for next to nothing.) With k = D a_v / 2 a_u,
+ *              D a_u / 2 a_v and D a_u a_v / l^2 the energy is
+ *                  D/2 int |x_uu|^2 + |x_vv|^2 + 2 |x_uv|^2,
+ *              D under bending about any axis, and the Gaussian curvature of a plate with
+ *              nu = 0. (On square cells that is a third of Grinspun et al.'s
+ *              3 |e|^2 / (A_1 + A_2) of each edge, which is meant for irregular triangles.)
+ * Clamps are those of spring_plate.h in both, at rest under a constant moment (tri_net.c).
+ */
+#ifndef TRI_NET_H
+#define TRI_NET_H
+
+#include "mass_spring/spring_plate.h"
+
+/* Node 0 has the right angle; 1 lies beside it along u, 2 along v. */
+struct tri_triangle {
+    int node[3];
+    double side[2]; /* +-1: node 1 (2) has the larger u (v), or the smaller            */
+    long pair[6];   /* (0,0), (0,1), (0,2), (1,1), (1,2), (2,2) in the graph           */
+};
+
+struct tri_hinge {
+    int node[4]; /* tri_hinge.h                                                        */
+    double stiffness; /*                                                       [N m]   */
+    long pair[10];
+};
+
+/* Things in strips: strip i has those whose least row of points is row i; they reach rows i
+ * to i + 2. */
+struct tri_net {
+    struct spring_net points; /* its springs are not used                              */
+    void *room;               /* of the arrays but forms                       owned   */
+    int triangle_count, hinge_count, form_count;
+    struct tri_triangle *triangles;
+    struct tri_hinge *hinges;
+    struct spring_plate_form *forms;       /*                             owned   */
+    int *triangle_at, *hinge_at, *form_at; /* [n + 1] first of each strip         */
+    struct blocks graph;
+    double *plate; /* [pairs] second derivative of the forms, times the identity [N/m],
+                      owned                                                            */
+};
+
+enum status tri_net_init(struct tri_net *net, const struct scene *scene,
+                         const int points[2], enum bending bending);
+void tri_net_clear(struct tri_net *net);
+
+/* K[pair] += B[3 count][3 count], symmetric, of node[count] whose pairs (p, q >= p) are
+ * given. */
+void tri_net_add(int count, const int *node, const long *pair, const double *B,
+                 double (*K)[9]);
+
+#endif

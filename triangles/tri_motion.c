@@ -61,9 +61,10 @@ static enum status make_large(struct tri_motion *m, struct message *why)
     if (!order)
         TRY(STATUS_MEMORY);
     order_nested(points[0], points[1], 1, REACH, order);
-    TRY(system_init(&m->system, &m->net.graph, &m->supports, NULL, order, m->solver));
+    TRY(system_init(&m->system, &m->net.graph, &m->supports, NULL, order, &m->linear));
     TRY(contact_step_init(&m->contact, scene, &m->net.graph, &m->supports,
-                          m->net.points.rest, scene->thickness / 2, order, m->solver, why));
+                          m->net.points.rest, scene->thickness / 2, order, &m->linear,
+                          why));
     m->large = (struct large_motion){
         .body = m->body.body,
         .scene = scene,
@@ -167,11 +168,12 @@ void tri_motion_clear(struct tri_motion *m)
 enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
                             const struct discretization *d, struct message *why)
 {
-    *m = (struct tri_motion){.scene = scene,
-                             .integrator = d->integrator,
-                             .solver = d->solver,
-                             .iterations = d->iterations,
-                             .substeps = d->substeps};
+    *m = (struct tri_motion){
+        .scene = scene,
+        .integrator = d->integrator,
+        .linear = {.solver = d->solver, .preconditioner = d->preconditioner},
+        .iterations = d->iterations,
+        .substeps = d->substeps};
     enum status st = build(m, d, why);
 
     if (st != STATUS_OK)

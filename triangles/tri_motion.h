@@ -20,7 +20,7 @@
 struct tri_motion {
     const struct scene *scene; /* borrowed                                             */
     enum integrator integrator;
-    enum solver solver;
+    struct discretization linear; /* its solver and preconditioner                     */
     int iterations, substeps; /* asked for; 0: as many as needed                       */
     struct tri_net net;
     struct tri_body body;

@@ -298,6 +298,20 @@ static void test_machine(void)
     run_close(&a);
 }
 
+/* Assemblies, each so slow that one makes up a sample (CMakeLists.txt wraps them). */
+enum status __real_solid_assembly_compute(struct solid_assembly *a, const double *rest);
+enum status __wrap_solid_assembly_compute(struct solid_assembly *a, const double *rest);
+static int assemblies;
+static bool slowly;
+
+enum status __wrap_solid_assembly_compute(struct solid_assembly *a, const double *rest)
+{
+    assemblies++;
+    if (slowly)
+        script_wait(2e-3);
+    return __real_solid_assembly_compute(a, rest);
+}
+
 /* Phases of a solid's step, each by itself: as many seconds as were asked for, none of them
  * longer than all took; the matrix is the step's, of what is not held. */
 static void test_phases(void)
@@ -324,6 +338,11 @@ static void test_phases(void)
     CHECK(n == 3 * (18 - 6) && start[0] == 0);
     for (int j = 0; j < n; j++)
         CHECK(start[j + 1] > start[j] && row[start[j]] == j && value[start[j]] > 0);
+    double slow[5];
+    assemblies = 0, slowly = true; /* one that is not timed, then one a sample */
+    CHECK(bench_solid_time(run.state, BENCH_SOLID_ASSEMBLE, 5, slow) == STATUS_OK);
+    CHECK(assemblies == 1 + 5);
+    slowly = false;
     /* an inside-out element has no matrices */
     struct solid_motion *motion = run.state;
     double *rest = motion->space->rest;

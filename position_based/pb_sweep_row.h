@@ -74,7 +74,9 @@ INLINE void NAME(stretch)(struct pb_sweep *s, enum pb_kind kind, int row, ptrdif
     }
 }
 
-/* What s->pull does to the points of a row (of count / pitch rows) with these weights. */
+/* What s->pull does to the points of a row (of count / pitch rows) with these weights.
+ * Behind its end it is zero: the last colour of kinds that are done at once has nothing in
+ * the first column, and nothing else writes there. */
 INLINE void NAME(push)(struct pb_sweep *s, int row, ptrdiff_t count, const struct across to)
 {
     const struct NAME(vector) d = NAME(vector_at)(s, PB_D, row),
@@ -202,8 +204,6 @@ INLINE void NAME(kind)(struct pb_sweep *s, const enum pb_kind kind, const int ro
 {
     if (!s->used[kind])
         return;
-    for (int c = 0; rows > 0 && c < 3; c++) /* behind a row there is nothing that pulls */
-        ((REAL *)s->pull[c])[s->pitch] = 0;
     for (int r = 0; r < rows; r++)
         for (int i = low + r; i < s->plan.n - high; i += rows)
             for (int k = 0; k < colours; k++)

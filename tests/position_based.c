@@ -75,6 +75,33 @@ static void check_fall(enum projection projection, enum precision precision, dou
     scene_clear(&scene);
 }
 
+/* Every projection keeps momentum, converged or not, whatever the size of rows. */
+static void check_momentum(int n, int m, enum projection projection)
+{
+    const double rounding = 1e-12; /* of some thousand steps */
+    struct scene scene;
+    struct pb_motion motion;
+    struct discretization d = constraints(n, m);
+    double before[3] = {0}, after[3] = {0};
+
+    fill_scene(&scene, false);
+    memset(scene.gravity, 0, sizeof scene.gravity);
+    d.projection = projection;
+    begin(&motion, &scene, &d);
+    for (int k = 0; k < 3 * n * m; k++) {
+        motion.work[k] = motion.dt * noise(k);
+        before[k % 3] += motion.points.mass[k / 3] * noise(k);
+    }
+    pb_sweep_put(motion.sweep, PB_D, 3, motion.work);
+    frames(&motion, 5);
+    for (int k = 0; k < 3 * n * m; k++)
+        after[k % 3] += motion.points.mass[k / 3] * motion.v[k];
+    if (!CHECK(distance(before, after, 3) < rounding))
+        printf("%d x %d: momentum changes by %.2e\n", n, m, distance(before, after, 3));
+    pb_motion_clear(&motion);
+    scene_clear(&scene);
+}
+
 /* A sheet that is thrown, of springs that hardly bend, for one step of three solvers. */
 static void throw_sheet(struct scene *scene, double dt)
 {
@@ -372,6 +399,9 @@ int main(void)
     check_fall(PROJECTION_PBD, PRECISION_DOUBLE, 1, 2, 0, 10);
     check_fall(PROJECTION_XPBD, PRECISION_SINGLE, 0, 0, 0, 1000);
     check_fall(PROJECTION_XPBD, PRECISION_SINGLE, 1, 2, 1e-3, 100);
+    check_momentum(7, 8, PROJECTION_XPBD);
+    check_momentum(5, 16, PROJECTION_PBD);
+    check_momentum(6, 9, PROJECTION_XPBD);
     check_same_step();
     check_rest(2, 3, 0.3, FIX_Z, 0.2);
     check_rest(3, 2, 0.3, FIX_XYZ, 0.2);

@@ -13,7 +13,7 @@ static const struct wrong BAD[] = {
     {3, "scene: nowhere", "no scene 'nowhere'; give the path of a file, or one of"},
     {3, "scene: ./nowhere.yaml", "cannot be read as a scene: No such file"},
     {3, "scene: [edge_drop]", "scene is a list of 1, but must be the name or the path"},
-    {4, "model: ibm", "no model 'ibm'; models: iga"},
+    {4, "model: ibm", "no model or contestant 'ibm'; models: iga"},
     {5, "settings: 5", "settings is '5', but must be a map {KEY: VALUE, ...}"},
     {5, "settings: {material.density: heavy}", "density is 'heavy', but must be a number"},
     {5, "settings: {material.colour: red}", "has no key 'colour'"},

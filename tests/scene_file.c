@@ -157,6 +157,7 @@ static void check_printed(void)
         "discretization.remedy=incompatible",
         "discretization.unknowns=thickness",
         "discretization.solver=cholmod",
+        "discretization.preconditioner=ichol",
         "discretization.parameters=paper",
         "discretization.integrator=explicit",
         "discretization.precision=single",

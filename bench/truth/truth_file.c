@@ -202,10 +202,11 @@ enum status truth_file_read(const char *path, struct truth_made *made, char **ph
         TRY(status_fail(why, STATUS_INPUT, "%s: is not a stored truth", path));
     checksum(text, made, sum);
     if (strcmp(sum, kept) != 0)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: was changed after it was made (its checksum is %s, not %.40s); "
-                        "make it again: clothbench truth",
-                        path, sum, kept));
+        TRY(status_fail(
+            why, STATUS_INPUT,
+            "%s: was changed after it was made (its checksum is %s, not %.40s); "
+            "make it again: clothbench truth",
+            path, sum, kept));
     *physics = text, text = NULL;
 out:
     if (st != STATUS_OK)

@@ -45,7 +45,8 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
 enum status system_update(struct system *s, double k, const double (*K)[9], double m,
                           const double *M);
 
-/* For systems of a motion, where they are iterated: iterative_follow, iterative_tolerate. */
+/* For systems of a motion, where they are iterated: iterative_follow, iterative_tolerate.
+ */
 enum status system_follow(struct system *s,
                           void (*frames)(const void *body, double (*Q)[9]),
                           const void *body, bool guess, double tolerance);

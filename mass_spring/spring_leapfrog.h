@@ -42,6 +42,9 @@ void spring_leapfrog_free(struct spring_leapfrog *l);
 enum status spring_leapfrog_frame(struct spring_leapfrog *l, double factor, double *x,
                                   double push[3], int *pushed, struct counters *counters);
 
+/* To positions x[nodes][3] at time t [s], a whole number of frames, at rest. */
+void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x);
+
 /* Velocities v[nodes][3] of now, and the elastic energy [J]. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v);
 double spring_leapfrog_elastic(const struct spring_leapfrog *l, const double *x);

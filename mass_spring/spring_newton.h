@@ -27,7 +27,8 @@
 struct spring_newton {
     const struct spring_net *net; /* borrowed                                          */
     struct supports supports;
-    struct system system;
+    enum solver solver;
+    struct system system; /* empty before spring_newton_system                         */
     struct contact_set contact;
     void *room;          /* of the arrays                                      owned   */
     double (*K)[9];      /* [pairs]                                                    */
@@ -49,11 +50,14 @@ struct spring_limits {
     double tolerance; /* converged when no coordinate moves farther             [m]    */
 };
 
-/* After spring_net_init; `net` must stay where it is, and so must *s. solves: false leaves
- * the system out, for steps that only want the supports. */
+/* After spring_net_init; `net` must stay where it is, and so must *s. */
 enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
                                const struct spring_net *net, enum solver solver,
-                               bool solves, struct message *why);
+                               struct message *why);
+
+/* The system, once, for who solves: explicit steps only want the supports. */
+enum status spring_newton_system(struct spring_newton *s);
+
 void spring_newton_clear(struct spring_newton *s);
 
 /* From x[nodes][3], whose held unknowns are where they should be, to the minimum.

@@ -24,6 +24,7 @@ static const struct verify_entry entries[] = {
     {"shell_linear", SAME},
     {"shell_2", SAME},
     {"mass_spring", SAME, {11}, {8}},
+    {"mass_spring_leapfrog", SAME, {11}, {8}},
     {"projective_dynamics", SAME, {11}, {8}},
     {NULL}};
 #define OTHERS "iga_nonlinear,iga_nonlinear_3,iga_reduced_3,hex_nonlinear,shell_3"

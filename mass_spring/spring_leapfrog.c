@@ -30,7 +30,8 @@ struct spring_leapfrog {
     double *x, *v;                /* [nodes][3] of the sweep                            */
     double *before;               /* [nodes][3] positions before a step                 */
     double *now, *kicked, *ahead; /* [nodes][3] work                                   */
-    double *shift;                /* [held_count]                                       */
+    double *shift;                /* [held_count] of held points now                    */
+    double *next;                 /* [held_count] work                                  */
 };
 
 void spring_leapfrog_free(struct spring_leapfrog *l)
@@ -112,12 +113,13 @@ static void start(struct spring_leapfrog *l, const double *x, const double *now)
     spring_sweep_get(l->sweep, NULL, l->kicked);
     for (size_t n = 0; n < count(l); n++) {
         bool held = l->body.supports->free_index[n] < 0;
-        l->v[n] = held ? 0 : (2 * now[n] - l->kicked[n]) / (1 + kept(l, (int)(n / 3)));
+        l->v[n] = held ? now[n] : (2 * now[n] - l->kicked[n]) / (1 + kept(l, (int)(n / 3)));
     }
     put(l, x, l->v, l->v);
 }
 
-/* v of now: the mean of half a step ago and half a step on. Leaves the sweep as it is. */
+/* v of now: the mean of half a step ago and half a step on; of held points, that of the
+ * step. Leaves the sweep as it is. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
 {
     double *x = l->x, *old = l->v;
@@ -127,7 +129,7 @@ void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
     spring_sweep_get(l->sweep, NULL, v);
     spring_sweep_put(l->sweep, x, old);
     for (size_t n = 0; n < count(l); n++)
-        v[n] = (old[n] + v[n]) / 2;
+        v[n] = l->body.supports->free_index[n] < 0 ? old[n] : (old[n] + v[n]) / 2;
 }
 
 double spring_leapfrog_elastic(const struct spring_leapfrog *l, const double *x)
@@ -165,7 +167,7 @@ static enum status choose_step(struct spring_leapfrog *l, double (*K)[9],
     double omega = l->body.omega, beta = l->body.beta;
 
     if (!l->body.cells) {
-        spring_stencil_jacobian(&l->stencil, K);
+        spring_stencil_jacobian(&l->stencil, l->body.net->rest, true, K);
         TRY(spring_frequency_largest(&l->body.net->graph, l->body.supports, l->body.mass,
                                      (const double(*)[9])K, &omega));
     }
@@ -197,7 +199,9 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
     TRY(room_cut(&l->room, ROOM(l->c, nodes), ROOM(l->weight, nodes), ROOM(l->x, 3 * nodes),
                  ROOM(l->v, 3 * nodes), ROOM(l->before, 3 * nodes), ROOM(l->now, 3 * nodes),
                  ROOM(l->kicked, 3 * nodes), ROOM(l->ahead, 3 * nodes),
-                 ROOM(l->shift, body->supports->held_count)));
+                 ROOM(l->shift, body->supports->held_count),
+                 ROOM(l->next, body->supports->held_count)));
+    supports_shift(body->supports, body->scene, 0, l->shift);
     TRY(spring_stencil_init(&l->stencil, body->scene, body->net));
     if (body->cells)
         spring_stencil_replace(&l->stencil, body->form_count, body->forms);
@@ -212,19 +216,26 @@ out:
     return st;
 }
 
+/* Held points to time t, with the velocity that they came by. */
 static void hold(struct spring_leapfrog *l, double t)
 {
     const struct supports *s = l->body.supports;
+    double *was = l->shift;
 
-    supports_shift(s, l->body.scene, t, l->shift);
-    for (int h = 0; h < s->held_count; h++)
-        spring_sweep_hold(l->sweep, s->held[h] / 3, s->held[h] % 3,
-                          l->body.net->rest[s->held[h]] + l->shift[h]);
+    supports_shift(s, l->body.scene, t, l->next);
+    for (int h = 0; h < s->held_count; h++) {
+        double v = (l->next[h] - was[h]) / l->dt;
+        double x = l->body.net->rest[s->held[h]] + l->next[h];
+        spring_sweep_hold(l->sweep, s->held[h] / 3, s->held[h] % 3, x + l->body.beta * v,
+                          v);
+    }
+    l->shift = l->next, l->next = was;
 }
 
 void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x)
 {
     l->frame = lround(t / l->body.scene->step);
+    supports_shift(l->body.supports, l->body.scene, t, l->shift);
     memset(l->now, 0, count(l) * sizeof *l->now);
     start(l, x, l->now);
 }

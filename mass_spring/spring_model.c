@@ -106,11 +106,6 @@ static void contact(const void *state, struct model_contact *contact)
 
 static enum status equilibrium(void *state, struct counters *counters, struct message *why)
 {
-    const struct spring_motion *m = state;
-
-    if (m->leapfrog)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "static equilibrium: with integrator=implicit or explicit");
     return spring_rest_equilibrium(state, counters, why);
 }
 

@@ -82,11 +82,6 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
     if (m->strain_limit > 0)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "strain_limit: with integrator=implicit or explicit only");
-    if (m->points.beta > 0 &&
-        m->newton.supports.moving) /* held points have no velocity there */
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "integrator=leapfrog: no damping by stiffness (rayleigh beta) "
-                           "with supports that move");
     return spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, m->newton.K,
                                 &m->leapfrog, why);
 }
@@ -110,9 +105,12 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
 
     *m = (struct spring_motion){
         .scene = scene, .integrator = d->integrator, .strain_limit = d->strain_limit};
-    TRY(spring_net_init(&m->net, scene, d->points, d->parameters));
+    TRY(spring_net_init(&m->net, scene, d->points, d->parameters,
+                        d->integrator == INTEGRATOR_LEAPFROG));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
     TRY(spring_newton_init(&m->newton, scene, &m->net, d, why));
+    if (d->integrator != INTEGRATOR_LEAPFROG)
+        TRY(spring_newton_system(&m->newton));
     TRY(allocate(m));
     memcpy(m->x, m->net.rest, 3 * (size_t)m->net.nodes * sizeof *m->x);
     m->rest_energy = spring_force_energy(&m->net, m->x);

@@ -125,9 +125,26 @@ static void find_clamped(struct spring_net *net, const struct scene *scene)
     }
 }
 
-static enum status make_graph(struct spring_net *net)
+/* Elements of the graph at a node: every two and every three in line. */
+static int *add_lines(const struct spring_net *net, int i, int j, int *next)
 {
-    size_t elements = (size_t)net->spring_count + (size_t)net->hinge_count;
+    int b = i * net->points[1] + j;
+
+    for (int n = 0; n < LINE_COUNT; n++) {
+        int a = along(net, i, j, &LINES[n], -1), c = along(net, i, j, &LINES[n], 1);
+        if (c < 0)
+            continue;
+        next[0] = a < 0 ? b : a, next[1] = b, next[2] = c;
+        next += 3;
+    }
+    return next;
+}
+
+/* Of springs and hinges; `whole`: of all lines, also those whose law has none. */
+static enum status make_graph(struct spring_net *net, bool whole)
+{
+    size_t elements = (size_t)net->spring_count + (size_t)net->hinge_count +
+                      (whole ? LINE_COUNT * (size_t)net->nodes : 0);
     int *ien = malloc((3 * elements + 1) * sizeof *ien), *next = ien;
     enum status st = STATUS_MEMORY;
 
@@ -141,7 +158,9 @@ static enum status make_graph(struct spring_net *net)
         const struct hinge *h = &net->hinges[n];
         next[0] = h->a, next[1] = h->b, next[2] = h->c;
     }
-    TRY(blocks_init(&net->graph, net->nodes, (int)elements, 3, ien));
+    for (int a = 0; whole && a < net->nodes; a++)
+        next = add_lines(net, a / net->points[1], a % net->points[1], next);
+    TRY(blocks_init(&net->graph, net->nodes, (int)((next - ien) / 3), 3, ien));
 out:
     free(ien);
     return st;
@@ -186,7 +205,7 @@ void spring_net_clear(struct spring_net *net)
 }
 
 enum status spring_net_init(struct spring_net *net, const struct scene *scene,
-                            const int points[2], enum parameters parameters)
+                            const int points[2], enum parameters parameters, bool whole)
 {
     enum status st;
     struct spring_net new = {
@@ -203,7 +222,7 @@ enum status spring_net_init(struct spring_net *net, const struct scene *scene,
         add_springs(&new, a / points[1], a % points[1]);
         add_hinges(&new, a / points[1], a % points[1]);
     }
-    TRY(make_graph(&new));
+    TRY(make_graph(&new, whole));
     find_pairs(&new);
     HAND_OVER(net, new);
 out:

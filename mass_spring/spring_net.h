@@ -51,9 +51,10 @@ struct spring_net {
     struct blocks graph;
 };
 
-/* points: n, m >= 2. */
+/* points: n, m >= 2. whole: the graph has all that spring_stencil.h binds, also where long
+ * cells have no spring. */
 enum status spring_net_init(struct spring_net *net, const struct scene *scene,
-                            const int points[2], enum parameters parameters);
+                            const int points[2], enum parameters parameters, bool whole);
 void spring_net_clear(struct spring_net *net);
 
 /* How far a hinge reaches, in nodes: 2, or 1 without hinges. */

@@ -21,16 +21,18 @@ static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
  * start. */
 static const double LARGEST_RISE = 0.5;
 
-static enum status make_system(struct spring_newton *s, const struct discretization *d)
+enum status spring_newton_system(struct spring_newton *s)
 {
     enum status st = STATUS_MEMORY;
     const int *points = s->net->points;
-    int *order = malloc((size_t)s->net->nodes * sizeof *order);
 
+    if (s->system.factor || !s->supports.free_count)
+        return STATUS_OK;
+    int *order = malloc((size_t)s->net->nodes * sizeof *order);
     if (!order)
         return st;
     order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
-    st = system_init(&s->system, &s->net->graph, &s->supports, NULL, order, d);
+    st = system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear);
     free(order);
     return st;
 }
@@ -51,13 +53,12 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
     enum status st;
     size_t pairs = (size_t)net->graph.start[net->nodes];
 
-    *s = (struct spring_newton){.net = net};
+    *s = (struct spring_newton){
+        .net = net, .linear = {.solver = d->solver, .preconditioner = d->preconditioner}};
     TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, why));
     TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->hinges, pairs),
                  ROOM(s->work, 18 * (size_t)net->nodes)));
     spring_force_hinges(net, s->hinges);
-    if (s->supports.free_count && d->integrator != INTEGRATOR_LEAPFROG)
-        TRY(make_system(s, d));
     TRY(contact_set_init(&s->contact, scene, &s->supports, net->rest, scene->thickness / 2,
                          why));
 out:

@@ -27,7 +27,8 @@
 struct spring_newton {
     const struct spring_net *net; /* borrowed                                          */
     struct supports supports;
-    struct system system;
+    struct discretization linear; /* its solver and preconditioner */
+    struct system system; /* empty before spring_newton_system                         */
     struct contact_set contact;
     void *room;          /* of the arrays                                      owned   */
     double (*K)[9];      /* [pairs]                                                    */
@@ -49,11 +50,14 @@ struct spring_limits {
     double tolerance; /* converged when no coordinate moves farther             [m]    */
 };
 
-/* After spring_net_init; `net` must stay where it is, and so must *s. Leapfrog steps want
- * the supports only: no system. */
+/* After spring_net_init; `net` must stay where it is, and so must *s. d has the solver. */
 enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
                                const struct spring_net *net, const struct discretization *d,
                                struct message *why);
+
+/* The system, once, for who solves: explicit steps only want the supports. */
+enum status spring_newton_system(struct spring_newton *s);
+
 void spring_newton_clear(struct spring_newton *s);
 
 /* From x[nodes][3], whose held unknowns are where they should be, to the minimum.

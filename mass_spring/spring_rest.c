@@ -26,9 +26,15 @@ struct search {
     double move;          /* of the last step, INFINITY unless it was long       [m]   */
 };
 
+static const struct spring_stencil *stencil_of(const struct spring_motion *m)
+{
+    return m->leapfrog ? spring_leapfrog_stencil(m->leapfrog) : NULL;
+}
+
 static double total_energy(const struct spring_motion *m)
 {
-    double energy = spring_force_energy(&m->net, m->x);
+    double energy = m->leapfrog ? spring_stencil_energy(stencil_of(m), m->x)
+                                : spring_force_energy(&m->net, m->x);
 
     for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++)
         energy -= m->points.load[n] * (m->x[n] - m->net.rest[n]);
@@ -44,7 +50,10 @@ static double residual(const struct search *s)
     double most = 0;
 
     memcpy(s->r, m->points.load, count * sizeof *s->r);
-    spring_force_add(&m->net, m->x, s->r);
+    if (m->leapfrog)
+        spring_stencil_force_add(stencil_of(m), m->x, s->r);
+    else
+        spring_force_add(&m->net, m->x, s->r);
     for (size_t n = 0; n < count; n++) {
         if (place[n] < 0)
             s->r[n] = 0;
@@ -76,7 +85,9 @@ static enum status factor(const struct search *s, bool clamped)
     const struct spring_net *net = &s->m->net;
     const struct blocks *g = &net->graph;
 
-    if (clamped)
+    if (s->m->leapfrog)
+        spring_stencil_jacobian(stencil_of(s->m), s->m->x, clamped, newton->K);
+    else if (clamped)
         spring_force_clamped(net, s->m->x, (const double(*)[9])newton->hinges, newton->K);
     else
         spring_force_jacobian(net, s->m->x, newton->K);
@@ -164,6 +175,7 @@ enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *co
     struct search s = {.m = m};
 
     TRY(supports_allow_rest(&m->newton.supports, m->scene, why));
+    TRY(spring_newton_system(&m->newton));
     s.r = m->start, s.d = m->target;
     s.from = malloc(count * sizeof *s.from);
     if (!s.from)
@@ -174,7 +186,10 @@ enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *co
             TRY(search(&s, counters, why));
     }
     memset(m->v, 0, count * sizeof *m->v);
-    m->substep = lround(end / m->dt);
+    if (m->leapfrog)
+        spring_leapfrog_place(m->leapfrog, end, m->x);
+    else
+        m->substep = lround(end / m->dt);
 out:
     free(s.from);
     return st;

@@ -167,7 +167,25 @@ static void add_block(const struct blocks *graph, int a, int b, double block[9],
     }
 }
 
-void spring_stencil_jacobian(const struct spring_stencil *s, double (*K)[9])
+void spring_stencil_force_add(const struct spring_stencil *s, const double *x, double *f)
+{
+    double edge[3];
+
+    for (int a = 0; a < s->net->nodes; a++)
+        for (int n = 0; n < SPRING_STENCIL_ALL; n++) {
+            int b = spring_stencil_node(s->net, a, n);
+            if (b < 0)
+                continue;
+            double more = square_of_edge(x, a, b, edge) - s->square[n];
+            for (int c = 0; c < 3; c++)
+                f[3 * a + c] += (s->bend[a][n] + s->spring[a][n] * more) * edge[c];
+        }
+    for (int t = 0; t < 3 * s->net->nodes; t++)
+        f[t] += s->clamp[t / 3][t % 3];
+}
+
+void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
+                             double (*K)[9])
 {
     const struct blocks *graph = &s->net->graph;
     double edge[3], block[9];
@@ -178,10 +196,11 @@ void spring_stencil_jacobian(const struct spring_stencil *s, double (*K)[9])
             int b = spring_stencil_node(s->net, a, n);
             if (b < a)
                 continue;
-            double k = n < SPRING_STENCIL_NEAR ? 2 * s->spring[a][n] : 0;
-            square_of_edge(s->net->rest, a, b, edge);
+            double more = square_of_edge(x, a, b, edge) - s->square[n];
+            double k = s->spring[a][n], all = s->bend[a][n];
+            all += k * (clamped ? fmax(more, 0) : more);
             for (int t = 0; t < 9; t++)
-                block[t] = k * edge[t / 3] * edge[t % 3] + (t % 4 == 0 ? s->bend[a][n] : 0);
+                block[t] = 2 * k * edge[t / 3] * edge[t % 3] + (t % 4 == 0 ? all : 0);
             add_block(graph, a, b, block, K);
         }
 }

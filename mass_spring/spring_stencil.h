@@ -41,9 +41,14 @@ int spring_stencil_node(const struct spring_net *net, int node, int neighbour);
 /* Elastic energy at x[nodes][3] [J], zero at rest up to round-off. */
 double spring_stencil_energy(const struct spring_stencil *s, const double *x);
 
-/* Second derivative of the energy at rest, K[pairs of net->graph][9] [N/m]; pairs with held
- * points that the graph leaves out are left out. */
-void spring_stencil_jacobian(const struct spring_stencil *s, double (*K)[9]);
+/* f[nodes][3] -= its derivative [N]. */
+void spring_stencil_force_add(const struct spring_stencil *s, const double *x, double *f);
+
+/* Its second derivative at x, K[pairs of net->graph][9] [N/m]; pairs with held points that
+ * the graph leaves out are left out. clamped: springs that are pressed do not push aside,
+ * and K is positive semi-definite. */
+void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
+                             double (*K)[9]);
 
 /* Largest (l/r)^2 of a spring at x[nodes][3] [1]. */
 double spring_stencil_stretch2(const struct spring_stencil *s, const double *x);

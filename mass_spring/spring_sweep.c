@@ -150,15 +150,15 @@ void spring_sweep_get(const struct spring_sweep *s, double *x, double *v)
         BY_PRECISION(s, get, s, SWEEP_V, v);
 }
 
-void spring_sweep_hold(struct spring_sweep *s, int node, int component, double x)
+void spring_sweep_hold(struct spring_sweep *s, int node, int component, double x, double v)
 {
     ptrdiff_t at = s->first + node / s->m * s->pitch + node % s->m;
-    void *field = s->field[s->now][component];
+    void *place = s->field[s->now][component], *velocity = s->field[SWEEP_V][component];
 
     if (s->precision == PRECISION_SINGLE)
-        ((float *)field)[at] = (float)x;
+        ((float *)place)[at] = (float)x, ((float *)velocity)[at] = (float)v;
     else
-        ((double *)field)[at] = x;
+        ((double *)place)[at] = x, ((double *)velocity)[at] = v;
 }
 
 /* A share of the rows, step by step; all wait for each other after each. */

@@ -52,8 +52,9 @@ void spring_sweep_set(struct spring_sweep *sweep, const double (*c)[SWEEP_COUNT]
 void spring_sweep_put(struct spring_sweep *sweep, const double *x, const double *v);
 void spring_sweep_get(const struct spring_sweep *sweep, double *x, double *v);
 
-/* One component of x + lag v of one point [m]. */
-void spring_sweep_hold(struct spring_sweep *sweep, int node, int component, double x);
+/* One component of x + lag v [m] and v [m/s] of one point. */
+void spring_sweep_hold(struct spring_sweep *sweep, int node, int component, double x,
+                       double v);
 
 /* `count` steps of dt [s]. dt = 0 is a kick without a drift. */
 void spring_sweep_run(struct spring_sweep *sweep, double dt, int count);

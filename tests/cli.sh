@@ -5,7 +5,7 @@
 . "$(dirname "$0")/fixture.sh"
 program=$1
 manual=$2/doc/clothbench.1
-readme=$2/README.md
+readme=("$2/README.md" "$2"/doc/*.md)
 own_folder
 
 run() { # ARGUMENT...; fills $code, $out and $err
@@ -58,12 +58,12 @@ while read -r command; do
     grep -q "^\.It Cm $command" "$manual" || fail "the manual has no $command"
     grep -o '^  --[a-z]*' out >>options
 done <commands
-# the manual has these options and no others; README uses no others
+# the manual has these options and no others; the pages use no others
 sed -n 's/^\.It Fl Fl \([a-z]*\).*/  --\1/p' "$manual" | sort -u >documented
 sort -u options | diff - documented || fail 'help (<) and manual (>) have other options'
-grep '^    build/clothbench' "$readme" | grep -o ' --[a-z]*' | sort -u | while read -r option; do
+grep -h '^    build/clothbench' "${readme[@]}" | grep -o ' --[a-z]*' | sort -u | while read -r option; do
     grep -qx -- "  $option" options || exit 1
-done || fail 'README has an option that help has not'
+done || fail 'a page has an option that help has not'
 good run edge_drop --model hex --help
 says out --static --modes --probe --matrices --out --set
 good version

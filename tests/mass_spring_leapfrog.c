@@ -206,7 +206,7 @@ static double bending(int cells, const double c[3], double nu)
 
     fill_scene(&scene, false);
     scene.poisson = nu;
-    REQUIRE(spring_net_init(&net, &scene, points, PARAMETERS_MATCHED) == STATUS_OK);
+    REQUIRE(spring_net_init(&net, &scene, points, PARAMETERS_MATCHED, true) == STATUS_OK);
     REQUIRE(spring_stencil_init(&stencil, &scene, &net) == STATUS_OK);
     memcpy(x, net.rest, 3 * (size_t)net.nodes * sizeof *x);
     for (int a = 0; a < net.nodes; a++) {
@@ -249,7 +249,7 @@ static void check_clamp(void)
 
     fill_scene(&scene, true);
     scene.poisson = 0;
-    REQUIRE(spring_net_init(&net, &scene, points, PARAMETERS_MATCHED) == STATUS_OK);
+    REQUIRE(spring_net_init(&net, &scene, points, PARAMETERS_MATCHED, true) == STATUS_OK);
     REQUIRE(spring_stencil_init(&stencil, &scene, &net) == STATUS_OK);
     memcpy(x, net.rest, sizeof x);
     double L = scene.length, a = L / 8;
@@ -294,32 +294,90 @@ static void check_scaled(void)
     scene_clear(&scene);
 }
 
+/* A sheet damped by mass and stiffness, whose edge is pulled in its plane and turns back:
+ * small strains, in which all springs are one law. Positions and energy while it moves. */
+struct driven {
+    double pull; /* [m] */
+    enum integrator integrator;
+    int substeps;
+    enum precision precision;
+};
+
+static void drive(struct driven by, double *x, double *energy)
+{
+    const double path[3][4] = {{0}, {0.05, by.pull, by.pull, 0}, {0.1}};
+    struct scene scene;
+    struct spring_motion m;
+    struct discretization d = net_of(8, 7);
+
+    fill_scene(&scene, true);
+    scene.gravity[0] = scene.gravity[2] = 0;
+    scene.young = 1e3;
+    scene.damping =
+        (struct scene_damping){.kind = DAMPING_RAYLEIGH, .alpha = 1, .beta = 2e-3};
+    scene.supports[0].path = malloc(sizeof path);
+    REQUIRE(scene.supports[0].path);
+    memcpy(scene.supports[0].path, path, sizeof path);
+    scene.supports[0].path_count = 3;
+    d.integrator = by.integrator, d.substeps = by.substeps, d.precision = by.precision;
+    start(&m, &scene, &d);
+    steps(&m, 8);
+    memcpy(x, m.x, 3 * (size_t)m.net.nodes * sizeof *x);
+    *energy = total(&m);
+    spring_motion_clear(&m);
+    scene_clear(&scene);
+}
+
+/* Damping by stiffness knows the velocity of held points, too: the leapfrog goes where the
+ * implicit and the explicit steps go, and has the same energy, of held points as well. What
+ * first-order steps of 25 us leave is a part of beta / 25 us, and some parts in a thousand;
+ * held points without velocity would be off by 5 %. Single precision moves points at 0.6 m
+ * by 1e-4 m, of which its digits are 6e-4, a hundred steps a frame. */
+static void check_driven(void)
+{
+    static const struct {
+        struct driven one, other;
+        double tolerance; /* of the pull, and of the energy                           */
+    } cases[] = {
+        {{1e-6, INTEGRATOR_LEAPFROG, 400, PRECISION_DOUBLE},
+         {1e-6, INTEGRATOR_IMPLICIT, 400, PRECISION_DOUBLE},
+         1e-2},
+        {{1e-6, INTEGRATOR_LEAPFROG, 400, PRECISION_DOUBLE},
+         {1e-6, INTEGRATOR_EXPLICIT, 400, PRECISION_DOUBLE},
+         1e-2},
+        {{1e-4, INTEGRATOR_LEAPFROG, 100, PRECISION_SINGLE},
+         {1e-4, INTEGRATOR_LEAPFROG, 100, PRECISION_DOUBLE},
+         5e-2},
+    };
+
+    for (int k = 0; k < 3; k++) {
+        double x[3 * 56], y[3 * 56], energy[2], off = 0;
+        drive(cases[k].one, x, energy);
+        drive(cases[k].other, y, energy + 1);
+        for (int t = 0; t < 3 * 56; t++)
+            off = fmax(off, fabs(x[t] - y[t]) / cases[k].one.pull);
+        printf("driven: off by %.2e of the pull, energy by %.2e\n", off,
+               fabs(energy[0] / energy[1] - 1));
+        CHECK(off < cases[k].tolerance);
+        CHECK_RELATIVE(energy[0], energy[1], cases[k].tolerance);
+    }
+}
+
 static void check_refusals(void)
 {
     static const struct {
         int substeps;
         double strain_limit, young;
         const char *says;
-        double beta; /* with a support that moves                                      */
-    } cases[] = {{0, 0.1, 1e5, "strain_limit", 0},
-                 {0, 0, 1e20, "integrator=implicit", 0},
-                 {0, 0, 1e5, "supports that move", 1e-3}};
+    } cases[] = {{0, 0.1, 1e5, "strain_limit"}, {0, 0, 1e20, "integrator=implicit"}};
 
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 2; k++) {
         struct scene scene;
         struct spring_motion m;
         struct discretization d = leapfrog(5, 5);
         struct message why = {{0}};
         fill_scene(&scene, true);
         scene.young = cases[k].young;
-        if (cases[k].beta > 0) {
-            scene.supports[0].path = calloc(2, sizeof *scene.supports[0].path);
-            REQUIRE(scene.supports[0].path);
-            scene.supports[0].path[1][0] = scene.supports[0].path[1][3] = 1;
-            scene.supports[0].path_count = 2;
-            scene.damping =
-                (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = cases[k].beta};
-        }
         d.substeps = cases[k].substeps, d.strain_limit = cases[k].strain_limit;
         CHECK(spring_motion_init(&m, &scene, &d, &why) != STATUS_OK);
         CHECK(strstr(why.text, cases[k].says));
@@ -372,6 +430,7 @@ int main(void)
     check_bending();
     check_clamp();
     check_scaled();
+    check_driven();
     check_refusals();
     check_threads(PRECISION_SINGLE, 9);
     check_threads(PRECISION_DOUBLE, 8);

@@ -111,9 +111,7 @@ static void try_models(const char *only)
         try_contestant(c, "swing", false, "time.step=0.005");
         try_contestant(c, "contact", false,
                        "obstacles=[{plane: {point: [0,0,-0.0006], normal: [0,0,1]}}]");
-        const char *integrator = contestant_setting(c, "discretization.integrator");
-        const bool leaps = integrator && !strcmp(integrator, "leapfrog"); /* no statics */
-        if ((c->model->equilibrium || c->model->modes) && !leaps)
+        if (c->model->equilibrium || c->model->modes)
             try_contestant(c, "rest", true, "gravity=[0,0,-0.001]");
     }
 }

@@ -25,7 +25,7 @@ packages=(
     "zlib1g-dev: checksums of result files"
     "libyaml-dev: reads scene files"
     "gnuplot-nox: draws the charts"
-    "python3: holds the figures of README.md against doc/results (a test)"
+    "python3: holds the figures of README.md and doc/ against doc/results (a test)"
 )
 
 setup_say() { # PHASE SENTENCE

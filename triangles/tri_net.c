@@ -232,7 +232,7 @@ enum status tri_net_init(struct tri_net *net, const struct scene *scene,
     size_t n = (size_t)points[0], m = (size_t)points[1];
     bool hinges = bending == BENDING_HINGE;
 
-    TRY(spring_net_init(&new.points, scene, points, PARAMETERS_MATCHED));
+    TRY(spring_net_init(&new.points, scene, points, PARAMETERS_MATCHED, false));
     TRY(room_cut(&new.room, ROOM(new.triangles, 2 * n * m),
                  ROOM(new.hinges, hinges ? 6 * n * m : 0), ROOM(new.triangle_at, n + 1),
                  ROOM(new.hinge_at, n + 1), ROOM(new.form_at, n + 1)));

@@ -188,14 +188,17 @@ void run_result_tell(struct run_result *r, const char *refusal)
         status_fail(&r->sentence, r->outcome, "%s", r->outcome ? refusal : "done");
 }
 
-/* A text that not every file has. */
-static void read_extra(const struct store_read *file, const char *key, char *text, int size)
+/* A text that not every file has. STATUS_MEMORY: nobody knows. */
+static enum status read_extra(const struct store_read *file, const char *key, char *text,
+                              int size)
 {
     char *whole = NULL;
+    const enum status st = store_read_text(file, "/", key, &whole, NULL);
 
-    if (store_read_text(file, "/", key, &whole, NULL) == STATUS_OK)
+    if (st == STATUS_OK)
         snprintf(text, (size_t)size, "%s", whole);
     free(whole);
+    return st == STATUS_MEMORY ? st : STATUS_OK;
 }
 
 static enum status read_end(const struct store_read *file, const char *path,
@@ -212,8 +215,8 @@ static enum status read_end(const struct store_read *file, const char *path,
     else if (r->outcome)
         TRY(store_read_number(file, "death_time", &r->death_time, why));
     run_result_tell(r, note ? note : "");
-    read_extra(file, "made_for", r->made_for, sizeof r->made_for);
-    read_extra(file, "quick", quick, sizeof quick);
+    TRY(read_extra(file, "made_for", r->made_for, sizeof r->made_for));
+    TRY(read_extra(file, "quick", quick, sizeof quick));
     r->quick = *quick;
 out:
     free(outcome);

@@ -217,7 +217,7 @@ static enum status judge(struct map *m, long number, struct sweep_row *row,
     enum status st = STATUS_OK;
 
     sweep_folder_file(&m->folder, number, "h5", path);
-    sweep_row_read(&m->folder, number, NULL, true, row);
+    TRY(sweep_row_read(&m->folder, number, NULL, true, row));
     if (finest) {
         run_result_clear(&m->reference);
         m->lost = sweep_row_is_open(row);

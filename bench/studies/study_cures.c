@@ -214,7 +214,10 @@ static enum status measure_tips(const struct experiment_options *options,
             const double row[] = {what, law, nu, h, tip[what].x, tip[what].z};
             table_row(t);
             for (size_t i = 0; i < sizeof row / sizeof *row; i++)
-                table_number(t, row[i], 6);
+                if (isnan(row[i])) /* Kirchhoff's tip has no x: read again, no word */
+                    table_dash(t);
+                else
+                    table_number(t, row[i], 6);
         }
     }
     experiment_progress(options, "tips", ALL, ALL);

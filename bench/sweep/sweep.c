@@ -102,7 +102,7 @@ static enum status read_row(const struct sweep *s, long number, struct sweep_row
 
     *row = (struct sweep_row){0};
     TRY(find_made_for(s, number, made_for));
-    sweep_row_read(&s->folder, number, made_for, false, row);
+    TRY(sweep_row_read(&s->folder, number, made_for, false, row));
     if (row->state == SWEEP_ROW_FOREIGN)
         st = status_fail(why, STATUS_INPUT, "%s", row->why.text);
 out:

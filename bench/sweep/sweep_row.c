@@ -72,54 +72,63 @@ static enum sweep_row_state read_sentence(char *text, const char *path,
     return SWEEP_ROW_DAMAGED;
 }
 
-static enum sweep_row_state read_text(const char *path, const char *made_for,
-                                      struct message *why)
+static enum status read_text(const char *path, const char *made_for, struct sweep_row *row)
 {
     char *text = NULL;
 
     if (access(path, F_OK) != 0) {
-        snprintf(why->text, sizeof why->text, "its file is gone; --resume runs it again");
-        return SWEEP_ROW_GONE;
+        row->state = SWEEP_ROW_GONE;
+        snprintf(row->why.text, sizeof row->why.text,
+                 "its file is gone; --resume runs it again");
+        return STATUS_OK;
     }
-    enum sweep_row_state state = SWEEP_ROW_DAMAGED;
-    if (sealed_text_read(path, &text, NULL) == STATUS_OK)
-        state = read_sentence(text, path, made_for, why);
+    const enum status st = sealed_text_read(path, &text, NULL);
+    if (st == STATUS_OK)
+        row->state = read_sentence(text, path, made_for, &row->why);
     free(text);
-    return state;
+    return st;
 }
 
-static enum sweep_row_state read_result(const char *path, const char *made_for, bool fields,
-                                        struct sweep_row *row)
+static enum status read_result(const char *path, const char *made_for, bool fields,
+                               struct sweep_row *row)
 {
     struct run_result *r = &row->result;
+    const enum status st = run_result_read(path, fields, r, NULL);
 
-    if (run_result_read(path, fields, r, NULL) != STATUS_OK)
-        return SWEEP_ROW_DAMAGED;
+    if (st != STATUS_OK)
+        return st;
+    row->state = r->outcome == STATUS_INPUT ? SWEEP_ROW_FAILED : SWEEP_ROW_RAN;
+    row->why = r->sentence;
     if (made_for && strcmp(r->made_for, made_for) != 0) {
+        row->state = SWEEP_ROW_FOREIGN;
         tell_foreign(path, r->made_for, made_for, &row->why);
         run_result_clear(r);
-        return SWEEP_ROW_FOREIGN;
     }
-    row->why = r->sentence;
-    return r->outcome == STATUS_INPUT ? SWEEP_ROW_FAILED : SWEEP_ROW_RAN;
+    return STATUS_OK;
 }
 
-void sweep_row_read(const struct sweep_folder *folder, long number, const char *made_for,
-                    bool fields, struct sweep_row *row)
+enum status sweep_row_read(const struct sweep_folder *folder, long number,
+                           const char *made_for, bool fields, struct sweep_row *row)
 {
     char path[SWEEP_FOLDER_PATH];
+    enum status st;
 
-    *row = (struct sweep_row){0};
+    *row = (struct sweep_row){.state = SWEEP_ROW_DAMAGED};
     sweep_folder_file(folder, number, "h5", path);
     if (access(path, F_OK) == 0) {
-        row->state = read_result(path, made_for, fields, row);
+        st = read_result(path, made_for, fields, row);
     } else {
         sweep_folder_file(folder, number, "txt", path);
-        row->state = read_text(path, made_for, &row->why);
+        st = read_text(path, made_for, row);
+    }
+    if (st == STATUS_MEMORY) {
+        *row = (struct sweep_row){0};
+        return st;
     }
     if (row->state == SWEEP_ROW_DAMAGED)
         snprintf(row->why.text, sizeof row->why.text,
                  "its file is damaged; --resume runs it again");
+    return STATUS_OK;
 }
 
 enum status sweep_row_write(const struct sweep_folder *folder, long number,

@@ -37,9 +37,10 @@ enum { SWEEP_ROW_MADE_FOR = 80 };
 const char *sweep_row_made_for(const struct sweep_folder *folder, const struct plan *plan,
                                const struct plan_case *c, char text[SWEEP_ROW_MADE_FOR]);
 
-/* Reads case `number`, with its fields or without. `made_for` NULL: whatever it is. */
-void sweep_row_read(const struct sweep_folder *folder, long number, const char *made_for,
-                    bool fields, struct sweep_row *row);
+/* Reads case `number`, with its fields or without. `made_for` NULL: whatever it is.
+ * STATUS_MEMORY: nothing is known of its file, and *row is empty. */
+enum status sweep_row_read(const struct sweep_folder *folder, long number,
+                           const char *made_for, bool fields, struct sweep_row *row);
 
 /* Keeps the sentence of a case that came to no result, SWEEP_ROW_FAILED or _CUT.
  * STATUS_FILE. */

@@ -1,0 +1,417 @@
+"""What doc/results/ has, as words and tables of the pages: doc/figures fills them in.
+
+A function a result; BLOCKS and WORDS at the end say which is which.
+"""
+import re
+
+from figures_read import (RESULTS, TOP, digits, markdown, part, percent, result, row, tables,
+                          whole)
+
+# --- the paper -------------------------------------------------------------------------------
+
+
+def paper():
+    """{(table, row, column): value} of the second transcription."""
+    path = TOP / "tests" / "reference" / "paper_tables.csv"
+    return {(r["table"], r["row"], r["column"]): r["value"] for r in tables(path)[-1][1]}
+
+
+def paper_words():
+    p = paper()
+    iga, fem = (p["1", who, "seconds"] for who in ("IGA-Galerkin", "FEM"))
+    return {
+        "paper_rmse": p["1", "FEM", "RMSE at most"],
+        "paper_iga_s": iga,
+        "paper_fem_s": fem,
+        "paper_ratio": digits(float(fem) / float(iga), 3),
+    }
+
+
+# --- Table 1 ---------------------------------------------------------------------------------
+
+PRINTED = "Table 1, printed"
+TIMES = ["rmse_0_1_s_m", "rmse_0_2_s_m", "rmse_0_3_s_m", "rmse_0_4_s_m"]
+
+
+def table1():
+    shown = [
+        ("IGA, paper's", "iga", "10x10x2"),
+        ("hexahedra", "hex", "32x32x2"),
+        ("hexahedra, incompatible modes", "hex incompatible", "10x10x2"),
+        ("shell, p = 2, nonlinear", "shell", "10x10"),
+    ]
+    rows = []
+    for title, model, net in shown:
+        timed = row(part("table1", PRINTED, "cost_over_iga"), model=model, net=net)
+        truth = row(part("table1", "against truth", "static_rmse_percent"), model=model, net=net)
+        near = " ".join(f"{float(timed[t]):.3f}" for t in TIMES)
+        rows.append([title, net, digits(timed["median_ms"], 3),
+                     digits(timed["cost_over_iga"], 2),
+                     "baseline" if model == "iga" else near,
+                     percent(float(truth["static_rmse_percent"]))])
+    for title, who in [("IGA", "IGA-Galerkin"), ("FEM", "FEM"), ("shell", "shell IGA")]:
+        p = row(part("table1", PRINTED, "cost_over_iga"), model=f"paper: {who}")
+        rows.append([f"paper: {title}", p["net"], f"{float(p['median_ms']):.0f}",
+                     digits(p["cost_over_iga"], 3),
+                     {"baseline": "baseline", "yes": '"<= 0.04"'}.get(p["within_0_04_m"], "-"),
+                     "-"])
+    return markdown(["", "net", "ms a frame", "cost / IGA",
+                     "RMSE to IGA at 0.1 ... 0.4 s [m]", "error"], rows)
+
+
+# --- Tables 2 and 3 --------------------------------------------------------------------------
+
+
+def frames(name):
+    return part(name, "milliseconds a frame", "printed_ms")
+
+
+def frame_rows(name, run, unit):
+    """Rows of a table's costs, over the row `unit`."""
+    rows = []
+    for what, cost in zip(run, frames(name)):
+        ours, theirs = float(cost["printed_ms"]), float(cost["paper_ms"])
+        rows.append([what["row"], what["degree"], what["net"], digits(ours, 3),
+                     digits(cost["prefactored_ms"], 2), f"{theirs:.0f}",
+                     f"{ours / float(unit['printed_ms']):.2f}",
+                     f"{theirs / float(unit['paper_ms']):.2f}"])
+    return rows
+
+
+def table23():
+    unit2 = row(frames("table2"), figure="Fig. 12b, 13a")
+    rows = frame_rows("table2", part("table2", "what was run", "degree"), unit2)
+    rows += frame_rows("table3", part("table3", "what was run", "degree"),
+                       frames("table3")[0])[-1:]
+    return markdown(["", "degree", "net", "printed", "prefactored", "paper", "relative",
+                     "paper's"], rows)
+
+
+def table23_words():
+    growth = part("table2", "Growth", "exponent_all_four")
+
+    def exponent(quantity, column="exponent_all_four"):
+        return f"{float(row(growth, quantity=quantity)[column]):.2f}"
+
+    times = [float(r["paper_ms"]) / float(r["printed_ms"]) for r in frames("table2")]
+    ground = row(frames("table2"), figure="Fig. 9, ground contact")
+    flag = row(frames("table2"), figure="Fig. 15, falling flag")
+    return {
+        "growth_paper": exponent("paper"),
+        "growth_paper_3": exponent("paper", "exponent_last_three"),
+        "growth": exponent("frame, printed"),
+        "growth_assembly": exponent("K and M alone"),
+        "growth_factor": exponent("factor alone"),
+        "times_low": digits(min(times), 2),
+        "times_high": digits(max(times), 3),
+        "ground": digits(float(ground["printed_ms"]) / float(flag["printed_ms"]), 2),
+        "ground_paper": digits(float(ground["paper_ms"]) / float(flag["paper_ms"]), 2),
+    }
+
+
+# --- Table 4 ---------------------------------------------------------------------------------
+
+
+def table4():
+    shown = [("printed", "printed"), ("incremental", "incremental"), ("linear", "linear"),
+             ("nonlinear solid", "nonlinear"), ("shell", "nonlinear_shell")]
+    rows = []
+    for r in part("table4", "Physics, or", "printed_flag"):
+        cells = [f"{r[key + '_flag']}, {r[key + '_edge_drop']}" for _, key in shown]
+        rows.append([r["answer"], r["paper"]] + cells)
+    return markdown(["", "paper"] + [title for title, _ in shown], rows)
+
+
+def table4_words():
+    agree = part("table4", "Agreement", "feasible_agree")
+    printed = [r for r in agree if r["physics"].startswith("printed")]
+    worth = row(part("table4", "worth", "always_no"), answer="feasible")
+    row7 = row(part("table4", "on edge_drop, printed", "blows_up_s"), row="7")
+    yes = sorted({int(r["feasible_agree"]) for r in printed})
+    return {
+        "agree": " and ".join(str(n) for n in yes),
+        "always_no": worth["always_no"],
+        "hindsight": worth["two_bounds_on_e_per_rho"],
+        "row7": f"{float(row7['blows_up_s']):.3f}",
+    }
+
+
+# --- verification ----------------------------------------------------------------------------
+
+
+def worst(check, model, keep=lambda quantity: True):
+    """The largest error of a check's rows of a model, whose title begins so."""
+    errors = [abs(float(r["error"]))
+              for _, rows in result("verify") for r in rows
+              if r["check"] == check and re.fullmatch(model, r["model"])
+              and keep(r["quantity"]) and r["verdict"] != "not applicable"
+              and r["error"] not in ("", "nan", "inf")]
+    return percent(100 * max(errors)) if errors else "-"
+
+
+def ratio(quantity):
+    """h/L of a row of `cantilever`, and its nu."""
+    found = re.search(r"h/L = ([\d.e-]+), nu = ([\d.]+)", quantity)
+    return (float(found[1]), float(found[2])) if found else (0, 0)
+
+
+def thick(quantity, nu):
+    return quantity.startswith("field") and ratio(quantity)[0] == 0.1 and nu(ratio(quantity)[1])
+
+
+def verify():
+    whole("verify")
+    net = r"[^=]*\d+x\d+.*"
+    rows = []
+    for title, strip, plate in [
+        ("IGA, p = 2", "IGA, nonlinear, ", "IGA, linear, "),
+        ("IGA, p = 2, reduced", "IGA, reduced, nonlinear, ", "IGA, reduced, linear, "),
+        ("IGA, p = 2, selective", "IGA, selective, nonlinear, ", "IGA, selective, linear, "),
+        ("IGA, p = 3, reduced", "IGA, reduced, nonlinear, p = 3, ",
+         "IGA, reduced, linear, p = 3, "),
+        ("IGA, p = 3, selective", "IGA, selective, nonlinear, p = 3, ",
+         "IGA, selective, linear, p = 3, "),
+        ("hexahedra", "hexahedra, nonlinear, ", "hexahedra, linear, "),
+        ("hexahedra, incompatible", "hexahedra, incompatible, nonlinear, ",
+         "hexahedra, incompatible, linear, "),
+        ("shell, p = 3", "shell, p = 3, ", "shell, linear, p = 3, "),
+        ("mass-spring, matched", "mass-spring, matched, ", "mass-spring, matched, "),
+        ("mass-spring, leapfrog", "mass-spring, leapfrog, ", "mass-spring, leapfrog, "),
+    ]:
+        strips = [worst(check, strip + net) for check in ("elastica", "fabrics", "sze")]
+        plates = [
+            worst("cantilever", plate + net, lambda q: 0 < ratio(q)[0] <= 0.01),
+            worst("cantilever", plate + net, lambda q: thick(q, lambda nu: nu <= 0.3)),
+            worst("cantilever", plate + net, lambda q: thick(q, lambda nu: nu == 0.49)),
+            worst("frequencies", plate + net),
+        ]
+        if set(strips + plates) != {"-"}: # a result older than the contestant
+            rows.append([title] + strips + plates)
+    return markdown(["", "`elastica`, Gamma 0.01 to 1e4", "`fabrics`: bending length",
+                     "`sze`: end shear", "`cantilever`, h/L 1e-2 to 1e-5",
+                     "h/L = 0.1, nu to 0.3", "nu = 0.49", "`frequencies`, 63 plates"], rows)
+
+
+# --- speed against error ---------------------------------------------------------------------
+
+
+def seconds(text):
+    return "not reached" if text in ("", "nan") else digits(text, 2)
+
+
+def compare():
+    least = part("compare", "Least seconds", "seconds_0.01")
+    lowest = part("compare", "Lowest RMSE", "lowest_rmse_over_length")
+    rows = []
+    for time, best in zip(least, lowest):
+        error = float(best["lowest_rmse_over_length"])
+        rows.append([time["title"]] +
+                    [seconds(time[f"seconds_{e}"]) for e in ("0.1", "0.03", "0.02", "0.01")] +
+                    [percent(100 * error), best["sentence"].partition(":")[0]])
+    return markdown(["", "10 %", "3 %", "2 %", "1 %", "lowest", "limited by"], rows)
+
+
+def compare_words():
+    def least(contestant, error="0.01"):
+        rows = part("compare", "Least seconds", "seconds_0.01")
+        return float(row(rows, contestant=contestant)[f"seconds_{error}"])
+
+    cured, single = least("iga_selective_3"), least("mass_spring_single")
+    return {
+        "compare_ms": digits(1000 * single, 2),
+        "compare_ratio": digits(cured / single, 2),
+        "compare_cured": digits(cured, 2),
+        "compare_springs": digits(least("mass_spring"), 2),
+        "compare_projective": digits(least("projective_dynamics"), 2),
+    }
+
+
+# --- truths ----------------------------------------------------------------------------------
+
+SCENES = ["edge_drop", "corners_patch", "flag", "sphere"]
+
+
+def bars(scene):
+    """[(time, bar in per cent)] of what is claimed."""
+    rows = part(f"truth_{scene}", "error bars", "error_bar_over_length")
+    return [(float(r["time_s"]), 100 * float(r["error_bar_over_length"])) for r in rows
+            if r["error_bar_over_length"]]
+
+
+def horizon(scene):
+    text = (RESULTS / f"truth_{scene}.csv").read_text()
+    grown = re.search(r"# Horizon: a change .*? (has grown|grows at most) ([\d.e+]+)-fold "
+                      r"(?:at|up to) ([\d.]+) s", text)
+    many = "a thousandfold" if float(grown[2]) > 1000 else f"{grown[2]}-fold"
+    how = {"has grown": "has grown {} at {} s", "grows at most": "at most {} up to {} s"}
+    return how[grown[1]].format(many, grown[3])
+
+
+def truths():
+    rows = []
+    for scene in SCENES:
+        known = bars(scene)
+        rows.append([f"`{scene}`", f"{known[-1][0]:.1f} s",
+                     ", ".join(digits(bar, 1 if bar < 0.1 else 2) for _, bar in known),
+                     horizon(scene)])
+    return markdown(["scene", "known to", "error bar, % of the length, at 0.1, 0.2, ... s",
+                     "a change of 1e-6"], rows)
+
+
+def truth_words():
+    return {"bar_half_second": digits(dict(bars("edge_drop"))[0.5], 1) + " %"}
+
+
+# --- hard cases ------------------------------------------------------------------------------
+
+STRESS = [("IGA, paper's", "iga_paper"), ("IGA", "iga_nonlinear"), ("IGA, reduced", "iga_reduced"),
+          ("IGA, selective", "iga_selective"), ("hex", "hex_nonlinear"),
+          ("hex, incompatible", "hex_incompatible"), ("shell, p = 2", "shell"),
+          ("mass-spring", "mass_spring"), ("leapfrog", "mass_spring_leapfrog"),
+          ("PD", "projective_dynamics"), ("PD, 1000", "projective_dynamics_1000")]
+UNITS = ["millimetres", "inches", "soft", "stiff"]
+CASES = [("tip, h/L = 1e-2", ["thin_2"]), ("h/L = 1e-5", ["thin_5"]),
+         ("nu = 0.4999", ["poisson_04999"]), ("length 1000 widths", ["narrow"]),
+         ("repeated knots", ["repeated_knots"]), ("knots that fold back", ["folded_knots"]),
+         ("mm, inches, E/rho from 1e-3 to 1e3", UNITS),
+         ("10,000 steps undamped: energy", ["swing_10000"]),
+         ("spinning stiff bar: energy", ["spinning_bar"]),
+         ("ends pushed 10 % nearer", ["buckling"]),
+         ("edge jerked by L/2 in a step", ["thrown"]),
+         ("dropped at 1000 g: energy", ["violent_drop"]),
+         ("hung from two corners", ["two_corners"])]
+
+
+def ends():
+    """{(case, model): (end, error)}"""
+    return {(r["case"], r["model"]): (r["end"], float(r["error"]))
+            for r in part("stress", "How each run ended", "in_words")}
+
+
+def end_of(runs):
+    """The worst of some ends, in a word."""
+    worst = max(runs, key=lambda r: (["accurate", "refused", "degraded"].index(r[0])
+                                     if r[0] != "died" else 3))
+    far = worst[1] > 1
+    return {"accurate": "ok", "degraded": "off" if far else f"off {percent(100 * worst[1])}",
+            }.get(worst[0], worst[0])
+
+
+def stress():
+    whole("stress")
+    all_ends = ends()
+    rows = [[title] + [end_of([all_ends[c, model] for c in cases]) for _, model in STRESS]
+            for title, cases in CASES]
+    cases = sorted({c for c, _ in all_ends})
+    rows.append([f"accurate, of {len(cases)} cases"] +
+                [str(sum(all_ends[c, model][0] == "accurate" for c in cases))
+                 for _, model in STRESS])
+    return markdown([""] + [title for title, _ in STRESS], rows)
+
+
+def stress_map():
+    whole("stress_map")
+    columns = ["1e3", "1e5", "1e7", "1e9"]
+    found = part("stress_map", "largest step", "died")
+    titles = dict((model, title) for title, model in STRESS)
+    rows = [[titles.get(r["step_s_by_e_per_rho"], r["step_s_by_e_per_rho"])] +
+            [r[c] if r[c] == "none" else f"{1000 * float(r[c]):g} ms" for c in columns] +
+            [r["died"]] for r in found]
+    return markdown(["E/rho"] + columns + ["died"], rows)
+
+
+# --- studies ---------------------------------------------------------------------------------
+
+
+def mesh():
+    whole("study_mesh")
+    nets = ["5x5x2", "10x10x2", "15x15x2", "20x20x2"]
+    held = part("study_mesh", "two corners held, the paper's scheme", "roughness")
+    free = part("study_mesh", "undamped", "roughness")
+    truth = free[-1]
+
+    def last(rows, net):
+        return [r for r in rows if r["level"] == net][-1]
+
+    def shape(r):
+        return f"{digits(r['roughness'], 2)}, {float(r['stretch']):.2f}"
+
+    last_time = f"{float(last(free, nets[0])['time_s']):g}"
+    rows = [[f"two corners held, paper's scheme, {float(held[-1]['time_s']):g} s: roughness, "
+             "largest stretch"] + [shape(last(held, n)) for n in nets] + ["-"],
+            [f"one edge held, undamped, {last_time} s: roughness, largest stretch"] +
+            [shape(last(free, n)) for n in nets] + [shape(truth)],
+            ["... error (of the truth: its error bar)"] +
+            [percent(100 * float(last(free, n)["error_over_length"])) for n in nets] +
+            [percent(100 * float(truth["error_bar_over_length"]))]]
+    return markdown([""] + nets + ["truth"], rows)
+
+
+CURES = [("none", "IGA (2,2,1), none, the paper's"), ("reduced", "IGA (2,2,1), reduced"),
+         ("selective", "IGA (2,2,1), selective"), ("selective, degree 3", "IGA (3,3,1), selective")]
+HEIGHTS = ["h_per_l_1e_1", "1e_2", "1e_3", "1e_4", "1e_5"]
+
+
+def cures():
+    def off(caption, heights, least=0, most=0.5):
+        """The worst error of each cure, with nu from least to most."""
+        found = part("study_cures", caption, "worst_percent")
+        return [percent(max(abs(float(r[h]) - 1) for r in found for h in heights
+                            if r["space"] == space and least <= float(r["nu"]) <= most
+                            and r[h] not in ("", "nan")) * 100) for _, space in CURES]
+
+    whole("study_cures")
+    thick, thin = HEIGHTS[:1], HEIGHTS[1:]
+    return markdown([""] + [title for title, _ in CURES], [
+        ["linear, h/L 1e-2 and thinner"] + off("Linear cantilever", thin),
+        ["linear, h/L = 0.1, nu up to 0.3"] + off("Linear cantilever", thick, most=0.3),
+        ["linear, h/L = 0.1, nu = 0.49"] + off("Linear cantilever", thick, least=0.49),
+        ["nonlinear, Gamma = 10"] + off("Gamma = 10:", HEIGHTS),
+        ["nonlinear, Gamma = 100 (two spans bend)"] + off("Gamma = 100:", HEIGHTS)])
+
+
+def locking_words():
+    whole("study_locking")
+    shear = part("study_locking", "Transverse shear locking alone", "h_1_mm")
+    theory = re.search(r"\(r = 1\) has ([\d.]+) of", (RESULTS / "study_locking.csv").read_text())
+
+    def kept(space):
+        return percent(100 * float(row(shear, space=space)["h_1_mm"]))
+
+    return {"locking_2": kept("IGA (2,2,1) 10x10x2, the paper's"),
+            "locking_3": kept("IGA (3,3,1) 10x10x2"),
+            "locking_layer": digits(theory[1], 3)}
+
+
+def timestep_words():
+    whole("study_timestep")
+    order = part("study_timestep", "Differences from step to half step", "exponent_of_dt")
+    fall = part("study_timestep", "A free sheet", "ratio")
+    creep = part("study_timestep", "creeps", "speed_dt_per_sag")
+    off = max(abs(float(r[key]) - 1) for rows, key in
+              [(fall, "ratio"), (fall, "ratio_2"), (creep, "speed_dt_per_sag")] for r in rows)
+
+    def exponent(scheme):
+        return f"{float(row(order, scheme=scheme)['exponent_of_dt']):.1f}"
+
+    return {"timestep_rate": exponent("nonlinear, v <- (1 - 2 dt) v"),
+            "timestep_mass": exponent("nonlinear, C = 2 M"),
+            "timestep_off": f"{100 * off:.3f} %"}
+
+
+# --- which is which --------------------------------------------------------------------------
+
+BLOCKS = {"table1": table1, "table23": table23, "table4": table4, "verify": verify,
+          "compare": compare, "truths": truths, "stress": stress, "stress_map": stress_map,
+          "mesh": mesh, "cures": cures}
+WORDS = {
+    paper_words: ["paper_rmse", "paper_iga_s", "paper_fem_s", "paper_ratio"],
+    table23_words: ["growth_paper", "growth_paper_3", "growth", "growth_assembly",
+                    "growth_factor", "times_low", "times_high", "ground", "ground_paper"],
+    table4_words: ["agree", "always_no", "hindsight", "row7"],
+    compare_words: ["compare_ms", "compare_ratio", "compare_cured", "compare_springs",
+                    "compare_projective"],
+    truth_words: ["bar_half_second"],
+    locking_words: ["locking_2", "locking_3", "locking_layer"],
+    timestep_words: ["timestep_rate", "timestep_mass", "timestep_off"],
+}

@@ -12,6 +12,9 @@
  * point x0 along e with the free neighbours x1, x2 on it,
  *     kappa a^2 = 4 (x1 - x0 - a e) - (x2 - x0 - 2 a e) / 2,
  * over half a cell; with one free neighbour alone that of the parabola, 2 (x1 - x0 - a e).
+ * (Half a cell makes a strip's tip under a small load converge with first order, 25 % / n;
+ * a third of a cell there and 7/6 at the next point, Gregory's weights, with second, 1.35 %
+ * at 9 points, but edge_drop on 16 x 16 is then 1.2 % of L off for 0.8 %.)
  */
 #ifndef SPRING_PLATE_H
 #define SPRING_PLATE_H

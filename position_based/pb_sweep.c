@@ -24,6 +24,13 @@ struct pb_sweep {
     void *room;
 };
 
+/* A loop whose turns do not need each other's results. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define APART _Pragma("GCC ivdep")
+#else
+#define APART
+#endif
+
 /* Weights of a point, of the one before it and the one behind in its row; `has`, known to
  * the compiler, those that are not zero. */
 enum { BEFORE = 1, AT = 2, BEHIND = 4, ALL = 7 };

@@ -24,9 +24,8 @@ INLINE struct NAME(vector) NAME(vector_at)(const struct pb_sweep *s, int field, 
 
 /* `count` points, a multiple of the padding, which tells the compiler that no rest is left;
  * what they do to each other is zero. */
-#define LANES(j, count)                                                                    \
-    _Pragma("GCC ivdep") for (ptrdiff_t j = 0; j < (count) - (count) % PAD; j++)
-#define COMPONENTS(c) _Pragma("GCC unroll 3") for (int c = 0; c < 3; c++)
+#define LANES(j, count) APART for (ptrdiff_t j = 0; j < (count) - (count) % PAD; j++)
+#define COMPONENTS(c)   _Pragma("GCC unroll 3") for (int c = 0; c < 3; c++)
 
 /* Springs from `count` points to those `o` behind them; mask NULL: all of them. What pulls
  * goes to s->pull, or at once to the points, if no two springs share one. */
@@ -283,9 +282,8 @@ CLONES static void NAME(predict)(struct pb_sweep *s)
     for (int c = 0; c < 3; c++) {
         const REAL *restrict kick = s->field[PB_KICK + c];
         REAL *restrict d = s->field[PB_D + c];
-#pragma GCC ivdep
-        for (ptrdiff_t n = 0; n < count; n++)
-            d[n] = keep[n] * d[n] + kick[n];
+        LANES(n, count)
+        d[n] = keep[n] * d[n] + kick[n];
     }
 }
 
@@ -296,9 +294,8 @@ CLONES static void NAME(finish)(struct pb_sweep *s)
     for (int c = 0; c < 3; c++) {
         const REAL *restrict d = s->field[PB_D + c];
         REAL *restrict x = s->field[PB_X + c];
-#pragma GCC ivdep
-        for (ptrdiff_t n = 0; n < count; n++)
-            x[n] += d[n];
+        LANES(n, count)
+        x[n] += d[n];
     }
 }
 

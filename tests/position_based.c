@@ -262,8 +262,9 @@ static void check_cantilever(void)
 /* --- in time -----------------------------------------------------------------------------
  */
 
-/* A swing from a clamp until 0.2 s; x[nodes][3]. */
-static void swing(int substeps, enum precision precision, int count, double *x)
+/* A swing from a clamp until 0.2 s by XPBD or, pbd > 0, so many iterations of PBD;
+ * x[nodes][3]. */
+static void swing(int substeps, enum precision precision, int pbd, int count, double *x)
 {
     struct scene scene;
     struct pb_motion m;
@@ -272,6 +273,8 @@ static void swing(int substeps, enum precision precision, int count, double *x)
     fill_scene(&scene, true);
     scene.thickness = 0.003, scene.young = 2e4;
     d.substeps = substeps, d.precision = precision;
+    if (pbd)
+        d.projection = PROJECTION_PBD, d.iterations = pbd;
     begin(&m, &scene, &d);
     frames(&m, 40);
     REQUIRE(count == 3 * m.net.nodes);
@@ -288,16 +291,21 @@ static void check_order(void)
     const double rounding = 1e-5;
     static double coarse[NUMBERS], fine[NUMBERS], finest[NUMBERS], single[NUMBERS];
 
-    swing(20, PRECISION_DOUBLE, NUMBERS, coarse);
-    swing(40, PRECISION_DOUBLE, NUMBERS, fine);
-    swing(640, PRECISION_DOUBLE, NUMBERS, finest);
-    swing(640, PRECISION_SINGLE, NUMBERS, single);
+    swing(20, PRECISION_DOUBLE, 0, NUMBERS, coarse);
+    swing(40, PRECISION_DOUBLE, 0, NUMBERS, fine);
+    swing(640, PRECISION_DOUBLE, 0, NUMBERS, finest);
+    swing(640, PRECISION_SINGLE, 0, NUMBERS, single);
     double off[2] = {distance(coarse, finest, NUMBERS), distance(fine, finest, NUMBERS)};
     double lost = distance(single, finest, NUMBERS) / sqrt(NUMBERS);
     printf("swing off by %.2e, with half the step %.2e; single precision by %.2e m\n",
            off[0], off[1], lost);
     CHECK(off[0] / off[1] > 1.8 && off[0] / off[1] < 4.2);
     CHECK(lost > 0 && lost < rounding);
+    swing(20, PRECISION_DOUBLE, 1, NUMBERS, fine); /* the same, but for rounding */
+    CHECK_NEAR(distance(coarse, fine, NUMBERS), 0, 1e-9);
+    swing(20, PRECISION_DOUBLE, 8, NUMBERS, fine); /* as stiff, whatever the number */
+    printf("swing by 8 iterations of PBD off by %.2e\n", distance(coarse, fine, NUMBERS));
+    CHECK(distance(coarse, fine, NUMBERS) < 2 * off[0]);
 }
 
 /* The energy of a cell that breathes along u after 0.2 s; *rate: beta omega^2 of it, K / M

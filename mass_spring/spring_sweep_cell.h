@@ -143,6 +143,7 @@ CLONES static void NAME(points)(ptrdiff_t count, ptrdiff_t stride,
         const REAL *gb = before + (3 * NAME(BOTTOM) + k) * stride;
         const REAL *gt = before + (3 * NAME(TOP) + k) * stride;
         const REAL *gr = before + (3 * NAME(RIGHT) + k) * stride;
+#pragma omp simd
         for (ptrdiff_t j = 0; j < count; j++)
             sum[k * stride + j] = fb[j] + ft[j - 1] - gb[j] - gt[j - 1] + fl[j] -
                                   fl[j - 1] + gr[j] - gr[j - 1];

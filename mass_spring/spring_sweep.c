@@ -14,6 +14,9 @@
  * double. */
 enum { SWEEP_PAD = 8 };
 
+/* Room in front of a part of the cells', so that all begin with a cache line. */
+enum { CELL_PAD = 16 };
+
 /* Rows around the net that neighbours reach. */
 enum { SWEEP_REACH = 2 };
 
@@ -24,13 +27,13 @@ enum { SWEEP_V = 2, SWEEP_SETS = 3 };
 enum { SWEEP_SHARED = 3600 };
 
 /* Parts of the room for cells, a stride each: what they pull with, by edge and component,
- * of two rows and of none; the sum on a row of points; which cells there are. */
+ * of three rows and of none; the sum on a row of points; which cells there are. */
 enum {
-    CELL_FIRST = 0,
-    CELL_SECOND = 12,
-    CELL_NOTHING = 24,
-    CELL_SUM = 36,
-    CELL_THERE = 39,
+    CELL_ROWS = 3,
+    CELL_EDGES = 12,
+    CELL_NOTHING = CELL_ROWS * CELL_EDGES,
+    CELL_SUM = CELL_NOTHING + CELL_EDGES,
+    CELL_THERE = CELL_SUM + 3,
     CELL_EVEN,
     CELL_ODD,
     CELL_PARTS
@@ -85,7 +88,7 @@ static enum status allocate(struct spring_sweep *s, bool cells)
     size_t bytes = size * (size_t)(s->pitch * (s->n + 2 * SWEEP_REACH));
     char *field[SWEEP_SETS][3];
 
-    s->stride = s->pitch + SWEEP_PAD;
+    s->stride = (s->pitch + 2 * CELL_PAD - 1) / CELL_PAD * CELL_PAD;
     s->row_bytes = size * SWEEP_COUNT * (size_t)s->pitch;
     enum status st = room_cut(
         &s->room, ROOM(field[0][0], bytes), ROOM(field[0][1], bytes),

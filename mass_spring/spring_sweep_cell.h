@@ -143,16 +143,17 @@ CLONES static void NAME(points)(ptrdiff_t count, ptrdiff_t stride,
         const REAL *gb = before + (3 * NAME(BOTTOM) + k) * stride;
         const REAL *gt = before + (3 * NAME(TOP) + k) * stride;
         const REAL *gr = before + (3 * NAME(RIGHT) + k) * stride;
+#pragma omp simd
         for (ptrdiff_t j = 0; j < count; j++)
             sum[k * stride + j] = fb[j] + ft[j - 1] - gb[j] - gt[j - 1] + fl[j] -
                                   fl[j - 1] + gr[j] - gr[j - 1];
     }
 }
 
-/* The room's parts, each a stride with a vector in front that stays zero. */
+/* The room's parts, each a stride whose beginning stays zero. */
 static REAL *NAME(cell_room)(const struct spring_sweep *s, int part)
 {
-    return (REAL *)s->cell_room + part * s->stride + SWEEP_PAD;
+    return (REAL *)s->cell_room + part * s->stride + CELL_PAD;
 }
 
 static void NAME(cells_set)(struct spring_sweep *s)
@@ -163,30 +164,51 @@ static void NAME(cells_set)(struct spring_sweep *s)
     }
 }
 
-/* Forces of the cells on the points of row i, and what row i + 1 needs. */
-static const REAL *NAME(cells_row)(struct spring_sweep *s, int now, int i)
+static struct NAME(law) NAME(law_of)(const struct spring_cells *c)
 {
-    const struct spring_cells *c = &s->cells;
     const double *a = c->cell, area = a[0] * a[1] / 2;
-    const struct NAME(law) law = {(REAL)(1 / (a[0] * a[0])), (REAL)(1 / (a[1] * a[1])),
-                                  (REAL)(1 / (a[0] * a[1])), (REAL)(area * c->D[0]),
-                                  (REAL)(area * c->D[1]),    (REAL)(area * c->D[2])};
-    ptrdiff_t at = s->first + i * s->pitch;
-    const REAL *x[3], *there = NAME(cell_room)(s, CELL_THERE);
-    const REAL *hub = NAME(cell_room)(s, i % 2 ? CELL_ODD : CELL_EVEN);
-    REAL *nothing = NAME(cell_room)(s, CELL_NOTHING), *sum = NAME(cell_room)(s, CELL_SUM);
-    REAL *before = NAME(cell_room)(s, i % 2 ? CELL_FIRST : CELL_SECOND);
-    REAL *behind = NAME(cell_room)(s, i % 2 ? CELL_SECOND : CELL_FIRST);
 
+    return (struct NAME(law)){(REAL)(1 / (a[0] * a[0])), (REAL)(1 / (a[1] * a[1])),
+                              (REAL)(1 / (a[0] * a[1])), (REAL)(area * c->D[0]),
+                              (REAL)(area * c->D[1]),    (REAL)(area * c->D[2])};
+}
+
+/* What the cells of row i pull with. */
+static REAL *NAME(cells_of)(const struct spring_sweep *s, int i)
+{
+    return NAME(cell_room)(s, i < 0 || i >= s->n - 1 ? CELL_NOTHING
+                                                     : CELL_EDGES * (i % CELL_ROWS));
+}
+
+static void NAME(cells_row)(const struct spring_sweep *s, const struct NAME(law) law,
+                            int now, int i)
+{
+    const enum membrane membrane = s->cells.membrane;
+    const REAL *there = NAME(cell_room)(s, CELL_THERE), *x[3];
+    const REAL *hub = NAME(cell_room)(s, i % 2 ? CELL_ODD : CELL_EVEN);
+
+    if (i >= s->n - 1)
+        return;
     for (int k = 0; k < 3; k++)
-        x[k] = (const REAL *)s->field[now][k] + at;
-    if (i == s->n - 1)
-        behind = nothing;
-    else
-        (c->membrane == MEMBRANE_GREEN          ? NAME(cells_green)
-         : c->membrane == MEMBRANE_COROTATIONAL ? NAME(cells_corotational)
-                                                : NAME(cells_conditions))(
-            law, s->pitch, s->pitch, s->stride, there, hub, x[0], x[1], x[2], behind);
-    NAME(points)(s->pitch, s->stride, i == 0 ? nothing : before, behind, sum);
+        x[k] = (const REAL *)s->field[now][k] + s->first + i * s->pitch;
+    (membrane == MEMBRANE_GREEN ? NAME(cells_green)
+     : membrane == MEMBRANE_COROTATIONAL
+         ? NAME(cells_corotational)
+         : NAME(cells_conditions))(law, s->pitch, s->pitch, s->stride, there, hub, x[0],
+                                   x[1], x[2], NAME(cells_of)(s, i));
+}
+
+/* Forces of the cells on the points of row i. The cells of the row after next are done
+ * first: what was just written is slow to read a place farther on. */
+static const REAL *NAME(cells_force)(const struct spring_sweep *s,
+                                     const struct NAME(law) law, int now, int i)
+{
+    REAL *sum = NAME(cell_room)(s, CELL_SUM);
+
+    if (i == 0)
+        NAME(cells_row)(s, law, now, 0);
+    NAME(cells_row)(s, law, now, i + 1);
+    NAME(points)
+    (s->pitch, s->stride, NAME(cells_of)(s, i - 1), NAME(cells_of)(s, i), sum);
     return sum;
 }

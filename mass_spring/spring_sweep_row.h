@@ -86,10 +86,13 @@ ROW(lagging_cell_row, true, false)
 static void NAME(rows)(struct spring_sweep *s, double dt, int now, int from, int to)
 {
     const bool cells = s->cell_room, lags = s->lag > 0;
+    struct NAME(law) law = {0};
 
+    if (cells)
+        law = NAME(law_of)(&s->cells);
     for (int i = from; i < to; i++) {
         ptrdiff_t at = s->first + i * s->pitch;
-        const REAL *x[3], *more = cells ? NAME(cells_row)(s, now, i) : NULL;
+        const REAL *x[3], *more = cells ? NAME(cells_force)(s, law, now, i) : NULL;
         REAL *v[3], *y[3];
         for (int k = 0; k < 3; k++) {
             x[k] = (const REAL *)s->field[now][k] + at;

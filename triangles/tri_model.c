@@ -99,23 +99,30 @@ static void size(const void *state, struct model_size *size)
     *size = system_size(m->system.factor ? &m->system : &none, "mid-surface points");
 }
 
-/* What is not the scene's law, in words. */
+/* What is not the scene's law, and the explicit steps' limit. */
 static void describe(const void *state, struct message *line)
 {
     const struct tri_motion *m = state;
-    bool hinges = m->net.hinge_count > 0;
+    const struct spring_leapfrog *l = m->leapfrog;
+    const bool conditions = m->body.membrane == MEMBRANE_BARAFF_WITKIN;
+    char limit[96] = "";
 
-    snprintf(line->text, sizeof line->text, "%s%s%s",
-             m->body.membrane == MEMBRANE_BARAFF_WITKIN
-                 ? "membrane by the conditions of Baraff and Witkin: the C11 and C33 of "
-                   "plane stress, and no C12"
+    if (l)
+        snprintf(limit, sizeof limit,
+                 "explicit steps of %.3g s, stable below %.3g s about rest",
+                 spring_leapfrog_step(l), spring_leapfrog_limit(l));
+    snprintf(line->text, sizeof line->text, "%s%s%s%s",
+             conditions
+                 ? "membrane by the conditions of Baraff and Witkin: the C11 and C33 "
+                   "of plane stress, and no C12"
                  : "",
-             m->body.membrane == MEMBRANE_BARAFF_WITKIN && hinges ? "; " : "",
-             hinges
+             conditions && (l || m->net.hinge_count) ? "; " : "",
+             m->net.hinge_count
                  ? "hinges bend with the scene's D about any axis, but with the Gaussian "
-                   "curvature of a plate of nu = 0: a narrow strip is 1 / (1 - nu^2) "
-                   "times too stiff"
-                 : "");
+                   "curvature of a plate of nu = 0: a narrow strip is 1 / (1 - nu^2) times "
+                   "too stiff"
+                 : "",
+             limit);
 }
 
 static void energy(const void *state, struct energy *energy)

@@ -29,6 +29,8 @@ static const struct bench_row solids[] = {
 static const struct bench_row motions[] = {
     {"shell 10x10, p = 2", "shell_2", {UNDAMPED}, 0.4, 1, {0}},
     {"shell 10x10, p = 3", "shell_3", {UNDAMPED}, 0.4, 2, {0}},
+    {"shell 10x10, p = 2, selective", "shell_selective_2", {UNDAMPED}, 0.4, 1, {0}},
+    {"shell 10x10, p = 3, selective", "shell_selective_3", {UNDAMPED}, 0.4, 2, {0}},
     {"mass-spring 32x32, to its tolerance", "mass_spring_paper",
      {UNDAMPED, MATCHED, SPRINGS_32}, 0.4, 2, {0}},
     {"mass-spring 32x32, one iteration", "mass_spring_paper",

@@ -21,8 +21,8 @@ struct shell {
     struct samples grid[2];
 };
 
-/* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, for one
- * and a half times the cost. */
+/* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in about
+ * the same time: Newton's method takes fewer tangents. */
 static void defaults(struct discretization *d)
 {
     *d = (struct discretization){.points = {10, 10, 1},

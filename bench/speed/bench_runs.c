@@ -36,6 +36,8 @@ static const struct bench_row motions[] = {
     {"iga 10x10x2, none (the paper's)", "iga_nonlinear", {UNDAMPED}, 0.4, 5, {0}},
     {"iga 10x10x2, reduced", "iga_reduced", {UNDAMPED}, 0.4, 5, {0}},
     {"iga 10x10x2, selective", "iga_selective", {UNDAMPED}, 0.4, 5, {0}},
+    {"shell 10x10, p = 2, selective", "shell_selective_2", {UNDAMPED}, 0.4, 1, {0}},
+    {"shell 10x10, p = 3, selective", "shell_selective_3", {UNDAMPED}, 0.4, 2, {0}},
 };
 
 static const struct bench_row swings[] = {

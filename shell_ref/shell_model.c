@@ -51,7 +51,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_INPUT,
                            "shell takes no weights: a flat sheet has no use for them, and "
                            "a curved one brings its own");
-    return discretization_refuse(d, 0, why);
+    return discretization_refuse(d, DISCRETIZATION_NEWTON, why);
 }
 
 /* The flat sheet: control points at Greville abscissae, so that parameter = coordinate. */

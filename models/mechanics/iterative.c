@@ -34,7 +34,7 @@ struct iterative {
 
     void (*frames)(const void *body, double (*Q)[9]);
     const void *body;
-    void *follow;       /* of the next arrays                                  owned   */
+    void *follow; /* of the next arrays                                  owned   */
     double (*now)[9], (*then)[9]; /* [nodes] frames of A and of the factor             */
     double *turned;               /* [nodes][3]                                        */
     double *past[PAST];           /* [nodes][3] solutions, the last first, to extrapolate */
@@ -293,6 +293,11 @@ void iterative_tolerate(struct iterative *it, double tolerance)
     it->krylov.tolerance = tolerance;
 }
 
+void iterative_forget(struct iterative *it)
+{
+    it->factored = false;
+}
+
 enum solver iterative_method(const struct iterative *it)
 {
     return it->solver;
@@ -350,8 +355,7 @@ static double product(size_t count, const double *a, const double *b)
  * without them. */
 static void guess(struct iterative *it, double *x)
 {
-    static const double weight[PAST + 1][PAST] = {
-        {0}, {1}, {2, -1}, {3, -3, 1}};
+    static const double weight[PAST + 1][PAST] = {{0}, {1}, {2, -1}, {3, -3, 1}};
     const double *w = weight[it->known];
     size_t count = count_of(it);
     double *Ax = it->krylov.work;

@@ -53,6 +53,9 @@ enum status iterative_follow(struct iterative *it,
  */
 void iterative_tolerate(struct iterative *it, double tolerance);
 
+/* The factor is of something else: the next iterative_update makes another. */
+void iterative_forget(struct iterative *it);
+
 /* Solves in place, x[nodes][3], zero at held unknowns. STATUS_UNSOLVED if that takes too
  * many iterations, STATUS_INDEFINITE, STATUS_NAN. */
 enum status iterative_solve(struct iterative *it, double *x);

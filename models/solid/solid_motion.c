@@ -81,7 +81,8 @@ static void frames(const void *body, double (*Q)[9])
     frames_of_net(m->points, m->space->thickness_basis, m->x, Q);
 }
 
-/* Of a system that is iterated: what frames rebuilt each step add to d, a step of Newton. */
+/* Of a system that is iterated: what frames rebuilt each step add to d, a step of Newton.
+ */
 static enum status follow(struct solid_motion *m)
 {
     static const double SOLVE_TOLERANCE = 1e-8, STEP_TOLERANCE = 1e-3;
@@ -89,8 +90,8 @@ static enum status follow(struct solid_motion *m)
 
     if (m->kinematics == KINEMATICS_LINEAR)
         return STATUS_OK;
-    return system_follow(&m->system, frames, m, rebuilt,
-                         rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE);
+    system_tolerate(&m->system, rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE);
+    return system_follow(&m->system, frames, m, rebuilt);
 }
 
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
@@ -125,8 +126,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     *m = new; /* before the system, which keeps pointers into it */
     memset(&new, 0, sizeof new);
     st = system_init(&m->system, &m->assembly.graph, &m->supports,
-                     d->kinematics == KINEMATICS_LINEAR ? space->parity : NULL, order,
-                     d);
+                     d->kinematics == KINEMATICS_LINEAR ? space->parity : NULL, order, d);
     if (st == STATUS_OK)
         st = follow(m);
     if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)

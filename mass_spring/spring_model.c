@@ -44,6 +44,10 @@ static enum status create(const struct scene *scene, const struct discretization
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");
+    if (solver_iterates(d->solver) && d->integrator != INTEGRATOR_IMPLICIT)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "solver=%s: with integrator=implicit only",
+                           solver_name(d->solver));
     m = calloc(1, sizeof *m);
     if (!m)
         TRY(STATUS_MEMORY);

@@ -182,6 +182,7 @@ static enum status solve_contact(struct spring_newton *s, const struct spring_pr
     for (size_t t = 0; t < count; t++)
         still[t] = p->start[t] - x[t];
     memset(d, 0, count * sizeof *d);
+    s->at = x;
     contact_set_forget(&s->contact);
     enum status st = contact_solve(&s->contact, &s->system, &problem, d, counters);
     system_forget(&s->system);

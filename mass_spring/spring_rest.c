@@ -83,6 +83,7 @@ static enum status factor(const struct search *s, bool clamped)
     for (int a = 0; a < g->nodes; a++)
         for (int i = 0; i < 3; i++)
             newton->K[g->start[a]][4 * i] += s->m->mass[a] / (s->step * s->step);
+    newton->at = s->m->x;
     return system_factor(&newton->system, 1, (const double(*)[9])newton->K, 0, NULL);
 }
 

@@ -66,7 +66,7 @@ enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
 enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 
 /* Tangents of Newton's method: kept while they serve, or new in each iteration. */
-enum newton { NEWTON_CHORD, NEWTON_FULL };
+enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
 
 enum acceleration { ACCELERATION_NONE, ACCELERATION_CHEBYSHEV };
 
@@ -84,7 +84,7 @@ struct discretization {
     enum solver solver;
     enum preconditioner preconditioner;
 
-    enum newton newton; /* nonlinear kinematics                                        */
+    enum newton_tangents newton; /* nonlinear kinematics                                        */
 
     /* Of the models that are no solids; zero: the model's own. */
     enum parameters parameters;

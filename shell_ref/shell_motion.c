@@ -130,7 +130,7 @@ static enum status make_room(struct shell_motion *m)
     return st;
 }
 
-static enum status make_large(struct shell_motion *m, enum newton newton)
+static enum status make_large(struct shell_motion *m, enum newton_tangents newton)
 {
     m->large = (struct large_motion){
         .body = m->assembly.body,

@@ -157,6 +157,8 @@ static void check_printed(void)
         "discretization.remedy=incompatible",
         "discretization.unknowns=thickness",
         "discretization.solver=cholmod",
+        "discretization.preconditioner=jacobi",
+        "discretization.newton=full",
         "discretization.parameters=paper",
         "discretization.integrator=explicit",
         "discretization.precision=single",

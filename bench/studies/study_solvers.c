@@ -75,6 +75,8 @@ static enum status plan_case(struct batch *b, int kind, int method, int net,
     struct measurement_case *c = batch_add(b, "edge_drop", contestant, name);
     c->timed = MEASUREMENT_WHOLE;
     c->plan.end = *end;
+    c->keep.fields = RUN_FIELDS_TIMES;
+    c->keep.doubles = true;
     c->keep.times = 1;
     c->keep.time = end;
     contestant_points(contestant, side[net], side[net], batch_settings(b));

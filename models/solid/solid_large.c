@@ -22,7 +22,7 @@ void solid_large_destroy(struct solid_large *large)
     free(large);
 }
 
-enum status solid_large_create(struct solid_motion *m, enum newton newton,
+enum status solid_large_create(struct solid_motion *m, enum newton_tangents newton,
                                struct solid_large **large)
 {
     enum status st;

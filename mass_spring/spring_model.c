@@ -87,7 +87,7 @@ static void size(const void *state, struct model_size *size)
 {
     const struct spring_motion *m = state;
     const struct system none = {.held = &m->newton.supports};
-    bool implicit = m->integrator == INTEGRATOR_IMPLICIT && m->newton.system.factor;
+    bool implicit = m->integrator == INTEGRATOR_IMPLICIT && m->newton.system.graph;
 
     *size = system_size(implicit ? &m->newton.system : &none, "mid-surface points");
 }

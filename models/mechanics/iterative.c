@@ -31,6 +31,7 @@ struct iterative {
     struct ichol *ichol;
     long *entry; /* [pairs][9] of ichol's values, -1: none                             */
     bool factored, fresh;
+    double tolerance; /* of systems in a row                                           */
 
     void (*frames)(const void *body, double (*Q)[9]);
     const void *body;
@@ -241,8 +242,8 @@ enum status iterative_create(const struct iterative_owner *owner,
     it->krylov = (struct krylov){.n = n,
                                  .self = it,
                                  .multiply = multiply,
-                                 .precondition = precondition,
-                                 .tolerance = TOLERANCE};
+                                 .precondition = precondition};
+    it->tolerance = TOLERANCE;
     TRY(room_cut(&it->room, ROOM(it->A, pairs), ROOM(it->b, 3 * nodes),
                  ROOM(it->krylov.work, cg ? krylov_cg_work(n) : krylov_gmres_work(n)),
                  ROOM(it->block, jacobi ? nodes : 0), ROOM(it->packed, ichol ? n : 0),
@@ -290,7 +291,7 @@ out:
 
 void iterative_tolerate(struct iterative *it, double tolerance)
 {
-    it->krylov.tolerance = tolerance;
+    it->tolerance = tolerance;
 }
 
 void iterative_forget(struct iterative *it)
@@ -332,6 +333,7 @@ static void clear_held(struct iterative *it)
 enum status iterative_update(struct iterative *it, bool keep)
 {
     clear_held(it);
+    it->krylov.tolerance = keep ? it->tolerance : TOLERANCE;
     if (it->frames)
         it->frames(it->body, it->now);
     it->fresh = false;

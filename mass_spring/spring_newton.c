@@ -221,13 +221,13 @@ static double search(const struct spring_newton *s, const struct spring_problem 
     return part;
 }
 
-/* Of a step's size, what the next is expected to have: steps shrink evenly, as the Jacobian
- * is not exact; 1 while they do not shrink fast. */
+/* Of a step's size, what the next is expected to have at most: steps shrink evenly, as the
+ * Jacobian is not exact; 1 while they do not shrink fast. */
 static double left(double size, double before)
 {
-    const double fast = 0.1;
+    const double caution = 10;
 
-    return size <= fast * before ? size / before : 1;
+    return fmin(1, caution * size / before);
 }
 
 enum status spring_newton_solve(struct spring_newton *s, const struct spring_problem *p,

@@ -84,7 +84,7 @@ struct discretization {
     enum solver solver;
     enum preconditioner preconditioner;
 
-    enum newton_tangents newton; /* nonlinear kinematics                                        */
+    enum newton_tangents newton; /* nonlinear kinematics */
 
     /* Of the models that are no solids; zero: the model's own. */
     enum parameters parameters;
@@ -154,7 +154,7 @@ const char *remedy_name(int remedy);
 const char *unknowns_name(int unknowns);
 const char *solver_name(int solver);
 const char *preconditioner_name(int preconditioner);
-const char *newton_name(int newton);
+const char *newton_tangents_name(int newton);
 const char *parameters_name(int parameters);
 const char *integrator_name(int integrator);
 const char *precision_name(int precision);

@@ -138,8 +138,7 @@ static void solve(struct problem *p)
     for (int t = 0; t < 3 * p->space.nodes; t++)
         if (p->held.free_index[t] == 0)
             p->held.free_index[t] = p->held.free_count++;
-    REQUIRE(system_init(&system, &p->s.graph, &p->held, NULL, NULL, NULL) ==
-            STATUS_OK);
+    REQUIRE(system_init(&system, &p->s.graph, &p->held, NULL, NULL, NULL) == STATUS_OK);
     CHECK(system_factor(&system, 1, (const double(*)[9])p->K, 0, NULL) == STATUS_OK);
     CHECK(system_solve(&system, p->load) == STATUS_OK);
     system_clear(&system);

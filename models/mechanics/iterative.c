@@ -239,10 +239,8 @@ enum status iterative_create(const struct iterative_owner *owner,
         return st;
     *it = (struct iterative){
         .owner = *owner, .solver = solver, .preconditioner = preconditioner};
-    it->krylov = (struct krylov){.n = n,
-                                 .self = it,
-                                 .multiply = multiply,
-                                 .precondition = precondition};
+    it->krylov = (struct krylov){
+        .n = n, .self = it, .multiply = multiply, .precondition = precondition};
     it->tolerance = TOLERANCE;
     TRY(room_cut(&it->room, ROOM(it->A, pairs), ROOM(it->b, 3 * nodes),
                  ROOM(it->krylov.work, cg ? krylov_cg_work(n) : krylov_gmres_work(n)),

@@ -214,7 +214,7 @@ static const struct schema_key DISCRETIZATION[] = {
     {"preconditioner", "of cg and gmres", SCHEMA_WORD, .word = preconditioner_name,
      IN(discretization, preconditioner)},
     {"newton", "its tangents: kept while they serve, or all new", SCHEMA_WORD,
-     .word = newton_name, IN(discretization, newton)},
+     .word = newton_tangents_name, IN(discretization, newton)},
     {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_name,
      IN(discretization, parameters)},
     {"integrator", "of springs: Euler's methods, or leapfrog", SCHEMA_WORD,

@@ -64,7 +64,8 @@ int main(int argc, char **argv)
             "\"printed, 5x5x2: an iterative solver pays\": holds. The best, CG, last "
             "factor, takes 0.5 of",
             "\"nonlinear, 40x40x2: an iterative solver pays\": holds.",
-            "growth of a rebuilt frame below 1.25\": holds. Direct it grows as "
+            "growth of a rebuilt frame below 1.25\": holds. Up to 20x20x2: direct it grows "
+            "as "
             "unknowns^1.5,",
             "every net\": does not hold.", "the same motion\": holds.", NULL});
     s = made(2, 1.5, 1e-4);

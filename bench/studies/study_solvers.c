@@ -174,7 +174,7 @@ double study_solvers_growth(const struct study_solvers *s, enum study_solvers_ki
     double x[STUDY_SOLVERS_NETS], y[STUDY_SOLVERS_NETS];
     int count = 0;
 
-    for (int n = 0; n < STUDY_SOLVERS_NETS; n++) {
+    for (int n = 0; n < STUDY_SOLVERS_GROWING; n++) {
         const struct study_solvers_cost *c = &s->cost[kind][method][n];
         if (!isfinite(c->step))
             continue;
@@ -273,7 +273,8 @@ static void judge_growth(const struct study_solvers *s, bool quick, FILE *file)
 
     judge_print(file, "the last factor keeps the growth of a rebuilt frame below 1.25",
                 quick ? JUDGE_QUICK : judge_below(cg, AIM),
-                "Direct it grows as unknowns^%.3g, by conjugate gradients with the last "
+                "Up to 20x20x2: direct it grows as unknowns^%.3g, by conjugate gradients "
+                "with the last "
                 "factor as ^%.3g.",
                 direct, cg);
 }

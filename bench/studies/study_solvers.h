@@ -37,7 +37,9 @@ struct study_solvers {
                                   [STUDY_SOLVERS_NETS];
 };
 
-/* Exponent of a frame's cost over the unknowns; NaN with fewer than two nets. */
+/* Exponent of a frame's cost over the unknowns, of 5 to 20 points a side as in the paper's
+ * Table 2; NaN with fewer than two nets. */
+enum { STUDY_SOLVERS_GROWING = 3 };
 double study_solvers_growth(const struct study_solvers *s, enum study_solvers_kind kind,
                             enum study_solvers_method method);
 

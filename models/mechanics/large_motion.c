@@ -7,8 +7,8 @@
 #include "models/mechanics/large_newton.h"
 
 /* A step of Newton's method with an old tangent is good enough if it is this much shorter
- * than the last: an assembly and a factor cost as much as four or five of them. */
-static const double CHORD = 0.5;
+ * than the last: an assembly and a factor cost as much as three or four of them. */
+static const double CHORD = 0.4;
 
 /* Substeps are step / 2^0 ... step / 2^HALVINGS. */
 enum { HALVINGS = 8, FINEST = 1 << HALVINGS };

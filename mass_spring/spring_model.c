@@ -43,6 +43,10 @@ static enum status create(const struct scene *scene, const struct discretization
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");
+    if (solver_iterates(d->solver) && d->integrator != INTEGRATOR_IMPLICIT)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "solver=%s: with integrator=implicit only",
+                           solver_name(d->solver));
     m = calloc(1, sizeof *m);
     if (!m)
         TRY(STATUS_MEMORY);
@@ -75,7 +79,7 @@ static void size(const void *state, struct model_size *size)
 {
     const struct spring_motion *m = state;
     const struct system none = {.held = &m->newton.supports};
-    bool implicit = m->integrator == INTEGRATOR_IMPLICIT && m->newton.system.factor;
+    bool implicit = m->integrator == INTEGRATOR_IMPLICIT && m->newton.system.graph;
 
     *size = system_size(implicit ? &m->newton.system : &none, "mid-surface points");
 }

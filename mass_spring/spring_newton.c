@@ -5,11 +5,12 @@
 #include <string.h>
 
 #include "models/linalg/order.h"
+#include "models/mechanics/frames.h"
 #include "models/room.h"
 
 /* A net that is pressed may have to buckle within the step, away from a saddle that
- * attracts at first. MOST_LINEAR: about what a factorisation costs, in iterations. */
-enum { MOST_ITERATIONS = 2000, MOST_CUTS = 30, MOST_LINEAR = 6 };
+ * attracts at first. */
+enum { MOST_ITERATIONS = 2000, MOST_CUTS = 30 };
 
 /* Friction that has not settled by then stays as it is for the rest of the step. */
 enum { FRICTION_ITERATIONS = 50 };
@@ -21,18 +22,28 @@ static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
  * start. */
 static const double LARGEST_RISE = 0.5;
 
+static void frames(const void *body, double (*Q)[9])
+{
+    const struct spring_newton *s = body;
+    const int points[3] = {s->net->points[0], s->net->points[1], 1};
+
+    frames_of_net(points, false, s->at, Q);
+}
+
 enum status spring_newton_system(struct spring_newton *s)
 {
     enum status st = STATUS_MEMORY;
     const int *points = s->net->points;
 
-    if (s->system.factor || !s->supports.free_count)
+    if (s->system.factor || s->system.iterative || !s->supports.free_count)
         return STATUS_OK;
     int *order = malloc((size_t)s->net->nodes * sizeof *order);
     if (!order)
         return st;
     order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
-    st = system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear);
+    TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
+    st = system_follow(&s->system, frames, s, false);
+out:
     free(order);
     return st;
 }
@@ -55,6 +66,8 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
 
     *s = (struct spring_newton){
         .net = net, .linear = {.solver = d->solver, .preconditioner = d->preconditioner}};
+    if (d->solver == SOLVER_AUTO)
+        s->linear.solver = SOLVER_CG; /* on an earlier factor */
     TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, why));
     TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->hinges, pairs),
                  ROOM(s->work, 18 * (size_t)net->nodes)));
@@ -115,64 +128,21 @@ static double product(size_t count, const double *a, const double *b)
     return sum;
 }
 
-/* Conjugate gradients from d = 0 for K d = r, with the factor of an earlier K for a
- * preconditioner; r stays. Every iterate points down. True if the residual fell to
- * `tolerance` of r, in the norm of the preconditioner. */
-static enum status iterate(struct spring_newton *s, double tolerance, const double *r,
-                           double *d, bool *done, struct counters *counters)
+/* d = K^-1 r. */
+static enum status solve(struct spring_newton *s, double tolerance, const double *x,
+                         const double *r, double *d, struct counters *counters)
 {
-    enum status st = STATUS_OK;
+    enum status st;
     size_t count = 3 * (size_t)s->net->nodes;
-    const int *place = s->supports.free_index;
-    double *left = s->work + 2 * count, *z = left + count, *q = z + count, *Kq = q + count;
-    double size = 0, first = 0;
 
-    memcpy(left, r, count * sizeof *left);
-    memset(d, 0, count * sizeof *d);
-    memset(q, 0, count * sizeof *q);
-    *done = false;
-    for (int n = 0; n <= MOST_LINEAR; n++) {
-        memcpy(z, left, count * sizeof *z);
-        TRY(system_solve(&s->system, z));
-        counters->solves++;
-        double before = size;
-        size = product(count, left, z);
-        first = n ? first : size;
-        *done = size <= tolerance * tolerance * first;
-        if (*done || n == MOST_LINEAR)
-            break;
-        for (size_t t = 0; t < count; t++)
-            q[t] = z[t] + (n ? size / before * q[t] : 0);
-        blocks_multiply(&s->net->graph, (const double(*)[9])s->K, q, Kq);
-        double part = size / product(count, q, Kq);
-        for (size_t t = 0; t < count; t++) {
-            d[t] += part * q[t];
-            left[t] -= place[t] < 0 ? 0 : part * Kq[t];
-        }
-    }
-out:
-    return st;
-}
-
-/* d = K^-1 r: by iteration while an old factor serves, else by a new one. */
-static enum status solve(struct spring_newton *s, double tolerance, const double *r,
-                         double *d, struct counters *counters)
-{
-    enum status st = STATUS_OK;
-    size_t count = 3 * (size_t)s->net->nodes;
-    bool done = false;
-
-    if (s->factored)
-        TRY(iterate(s, tolerance, r, d, &done, counters));
-    if (done)
-        goto out;
-    s->factored = false;
-    TRY(system_factor(&s->system, 1, (const double(*)[9])s->K, 0, NULL));
-    s->factored = true;
+    s->at = x;
+    system_tolerate(&s->system, tolerance);
+    TRY(system_update(&s->system, 1, (const double(*)[9])s->K, 0, NULL));
     memcpy(d, r, count * sizeof *d);
     TRY(system_solve(&s->system, d));
-    counters->factorisations++, counters->solves++;
+    counters->solves++;
 out:
+    system_work(&s->system, counters);
     return st;
 }
 
@@ -211,9 +181,11 @@ static enum status solve_contact(struct spring_newton *s, const struct spring_pr
     for (size_t t = 0; t < count; t++)
         still[t] = p->start[t] - x[t];
     memset(d, 0, count * sizeof *d);
-    s->factored = false;
+    s->at = x;
     contact_set_forget(&s->contact);
-    return contact_solve(&s->contact, &s->system, &problem, d, counters);
+    enum status st = contact_solve(&s->contact, &s->system, &problem, d, counters);
+    system_forget(&s->system);
+    return st;
 }
 
 /* Of sliding points: forces that are no gradient, the same along d. */
@@ -248,6 +220,15 @@ static double search(const struct spring_newton *s, const struct spring_problem 
     return part;
 }
 
+/* Of a step's size, what the next is expected to have at most: steps shrink evenly, as the
+ * Jacobian is not exact; 1 while they do not shrink fast. */
+static double left(double size, double before)
+{
+    const double caution = 10;
+
+    return fmin(1, caution * size / before);
+}
+
 enum status spring_newton_solve(struct spring_newton *s, const struct spring_problem *p,
                                 const struct spring_limits *limits, double *x,
                                 struct counters *counters)
@@ -258,6 +239,7 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
     bool obstacles = contact_set_used(&s->contact);
     int most = limits->iterations ? limits->iterations : MOST_ITERATIONS;
     int calm = 0;
+    double before = 0;
 
     if (!s->supports.free_count)
         return STATUS_OK;
@@ -268,7 +250,7 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         assemble(s, p, x);
         bool bears = obstacles && contact_set_any(&s->contact);
         if (!bears)
-            TRY(solve(s, most == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE, r, d, counters));
+            TRY(solve(s, most == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE, x, r, d, counters));
         if (bears || (obstacles && meets(s, p->start, x, d)))
             TRY(solve_contact(s, p, x,
                               n < FRICTION_ITERATIONS ? CONTACT_FRICTION_ONCE
@@ -283,7 +265,11 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
                 x[t] += d[t];
             goto out;
         }
-        calm = search(s, p, d, x, r) * size <= limits->tolerance ? calm + 1 : 0;
+        double part = search(s, p, d, x, r);
+        calm = part * size * (part == 1 ? left(size, before) : 1) <= limits->tolerance
+                   ? calm + 1
+                   : 0;
+        before = size;
         if (calm > bears) /* what friction makes of a step shows in the next */
             goto out;
     }

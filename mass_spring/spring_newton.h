@@ -8,10 +8,9 @@
  * cancellation. Cut to one iteration it is the linearised step of Baraff and Witkin 1998,
  * without line search.
  *
- * The linear systems are solved by conjugate gradients that an earlier factor
- * preconditions, as long as that takes fewer steps than a new factorisation would cost; a
- * slow net keeps a factor for tens of frames. To 1e-2 of the step if others follow, 1e-4 if
- * it is the only one.
+ * The linear systems are solved by conjugate gradients that an earlier factor, turned with
+ * the net, preconditions (iterative.h), unless the discretization has another solver. To
+ * 1e-2 of the step if others follow, 1e-4 if it is the only one.
  *
  * Obstacles are their tangent planes at `start`, half a thickness nearer. Every system is
  * first solved as if there were none; if a point bore on one before, or would now be beyond
@@ -34,7 +33,7 @@ struct spring_newton {
     double (*K)[9];      /* [pairs]                                                    */
     double (*hinges)[9]; /* [pairs] spring_force_hinges                                */
     double *work;        /* [6][nodes][3]                                              */
-    bool factored;       /* the system holds the factor of a K, maybe an old one       */
+    const double *at;    /* [nodes][3] where K is of                         borrowed  */
 };
 
 struct spring_problem {

@@ -94,7 +94,7 @@ static enum status factor(const struct search *s, bool clamped)
     for (int a = 0; a < g->nodes; a++)
         for (int i = 0; i < 3; i++)
             newton->K[g->start[a]][4 * i] += s->m->points.mass[a] / (s->step * s->step);
-    newton->factored = false; /* for the steps: this is another matrix */
+    newton->at = s->m->x;
     return system_factor(&newton->system, 1, (const double(*)[9])newton->K, 0, NULL);
 }
 
@@ -191,6 +191,7 @@ enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *co
     else
         m->substep = lround(end / m->dt);
 out:
+    system_forget(&m->newton.system); /* its matrix is not that of steps */
     free(s.from);
     return st;
 }

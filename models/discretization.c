@@ -148,6 +148,7 @@ WORDS(solver, [SOLVER_AUTO] = "auto", [SOLVER_BANDED] = "banded",
       [SOLVER_GMRES] = "gmres")
 WORDS(preconditioner, [PRECONDITIONER_FACTOR] = "factor", [PRECONDITIONER_ICHOL] = "ichol",
       [PRECONDITIONER_JACOBI] = "jacobi")
+WORDS(newton_tangents, [NEWTON_CHORD] = "chord", [NEWTON_FULL] = "full")
 WORDS(parameters, [PARAMETERS_MATCHED] = "matched", [PARAMETERS_PAPER] = "paper")
 WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit",
       [INTEGRATOR_LEAPFROG] = "leapfrog", [INTEGRATOR_MOMENTUM] = "momentum")

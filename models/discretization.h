@@ -75,6 +75,9 @@ enum bending { BENDING_QUADRATIC, BENDING_HINGE };
 /* What resists stretching in projective_dynamics. */
 enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 
+/* Tangents of Newton's method: kept while they serve, or new in each iteration. */
+enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
+
 enum acceleration { ACCELERATION_NONE, ACCELERATION_CHEBYSHEV };
 
 struct discretization {
@@ -90,6 +93,8 @@ struct discretization {
     enum unknowns unknowns;
     enum solver solver;
     enum preconditioner preconditioner;
+
+    enum newton_tangents newton; /* nonlinear kinematics */
 
     /* Of the models that are no solids; zero: the model's own. */
     enum parameters parameters;
@@ -108,6 +113,7 @@ struct discretization {
 
 /* The keys above that not every model has a use for, zero if unset; bits. */
 #define DISCRETIZATION_LIST(X)                                                             \
+    X(NEWTON, newton)                                                                      \
     X(PARAMETERS, parameters)                                                              \
     X(INTEGRATOR, integrator)                                                              \
     X(PRECISION, precision)                                                                \
@@ -164,6 +170,7 @@ const char *remedy_name(int remedy);
 const char *unknowns_name(int unknowns);
 const char *solver_name(int solver);
 const char *preconditioner_name(int preconditioner);
+const char *newton_tangents_name(int newton);
 const char *parameters_name(int parameters);
 const char *integrator_name(int integrator);
 const char *precision_name(int precision);

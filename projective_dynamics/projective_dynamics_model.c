@@ -74,6 +74,10 @@ static enum status create(const struct scene *scene, const struct discretization
     if (d->parameters == PARAMETERS_MATCHED)
         TRY(refuse_damping(scene, why));
     TRY(discretization_refuse_net(d, USED, "projective_dynamics", why));
+    if (solver_iterates(d->solver))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "solver=%s: projective_dynamics factors its one matrix",
+                           solver_name(d->solver));
     m = calloc(1, sizeof *m);
     if (!m)
         TRY(STATUS_MEMORY);

@@ -130,7 +130,7 @@ static enum status make_room(struct shell_motion *m)
     return st;
 }
 
-static enum status make_large(struct shell_motion *m)
+static enum status make_large(struct shell_motion *m, enum newton_tangents newton)
 {
     m->large = (struct large_motion){
         .body = m->assembly.body,
@@ -146,6 +146,7 @@ static enum status make_large(struct shell_motion *m)
         .x = m->x,
         .held = m->held,
         .lag = MEMBRANE_LAG,
+        .full = newton == NEWTON_FULL,
         .contact = m->scene->obstacle_count ? &m->contact : NULL,
     };
     return large_motion_init(&m->large);
@@ -172,7 +173,7 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     TRY(large_body_tangent(&m->assembly.body, &statics, m->x, (struct large_foresight){0},
                            m->K));
     if (m->kinematics == KINEMATICS_NONLINEAR)
-        TRY(make_large(m));
+        TRY(make_large(m, d->newton));
     else if (!scene->obstacle_count)
         TRY(find_parity(m));
     TRY(order_wide(m->space->basis[0].n, m->space->basis[1].n, 1, &order));

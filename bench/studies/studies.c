@@ -1,12 +1,19 @@
 #include "bench/studies/studies.h"
 
 static const struct command_item *const items[] = {
-    &study_nets_mesh.item,          &study_nets_degree.item,
-    &study_nets_both.item,          &study_thickness_swing.item,
-    &study_thickness_degree.item,   &study_locking_experiment.item,
-    &study_cures_experiment.item,   &study_timestep_experiment.item,
-    &study_flag_experiment.item,    &study_artefacts_experiment.item,
-    &study_contact_experiment.item, NULL,
+    &study_nets_mesh.item,
+    &study_nets_degree.item,
+    &study_nets_both.item,
+    &study_thickness_swing.item,
+    &study_thickness_degree.item,
+    &study_locking_experiment.item,
+    &study_cures_experiment.item,
+    &study_timestep_experiment.item,
+    &study_flag_experiment.item,
+    &study_artefacts_experiment.item,
+    &study_contact_experiment.item,
+    &study_solvers_experiment.item,
+    NULL,
 };
 
 static enum status run(const struct command_line *line, struct message *why)

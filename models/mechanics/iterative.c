@@ -31,6 +31,7 @@ struct iterative {
     struct ichol *ichol;
     long *entry; /* [pairs][9] of ichol's values, -1: none                             */
     bool factored, fresh;
+    double tolerance; /* of systems in a row                                           */
 
     void (*frames)(const void *body, double (*Q)[9]);
     const void *body;
@@ -238,11 +239,9 @@ enum status iterative_create(const struct iterative_owner *owner,
         return st;
     *it = (struct iterative){
         .owner = *owner, .solver = solver, .preconditioner = preconditioner};
-    it->krylov = (struct krylov){.n = n,
-                                 .self = it,
-                                 .multiply = multiply,
-                                 .precondition = precondition,
-                                 .tolerance = TOLERANCE};
+    it->krylov = (struct krylov){
+        .n = n, .self = it, .multiply = multiply, .precondition = precondition};
+    it->tolerance = TOLERANCE;
     TRY(room_cut(&it->room, ROOM(it->A, pairs), ROOM(it->b, 3 * nodes),
                  ROOM(it->krylov.work, cg ? krylov_cg_work(n) : krylov_gmres_work(n)),
                  ROOM(it->block, jacobi ? nodes : 0), ROOM(it->packed, ichol ? n : 0),
@@ -290,7 +289,12 @@ out:
 
 void iterative_tolerate(struct iterative *it, double tolerance)
 {
-    it->krylov.tolerance = tolerance;
+    it->tolerance = tolerance;
+}
+
+void iterative_forget(struct iterative *it)
+{
+    it->factored = false;
 }
 
 enum solver iterative_method(const struct iterative *it)
@@ -327,6 +331,7 @@ static void clear_held(struct iterative *it)
 enum status iterative_update(struct iterative *it, bool keep)
 {
     clear_held(it);
+    it->krylov.tolerance = keep ? it->tolerance : TOLERANCE;
     if (it->frames)
         it->frames(it->body, it->now);
     it->fresh = false;

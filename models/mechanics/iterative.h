@@ -49,9 +49,13 @@ enum status iterative_follow(struct iterative *it,
                              void (*frames)(const void *body, double (*Q)[9]),
                              const void *body, bool guess);
 
-/* Relative, of each solution, in the norm that the preconditioner gives; 1e-10 unless set.
- */
+/* Relative, of each solution of a system that may keep an earlier factor, in the norm that
+ * the preconditioner gives; 1e-10 unless set, and of a system that stands alone. Before
+ * iterative_update. */
 void iterative_tolerate(struct iterative *it, double tolerance);
+
+/* The factor is of something else: the next iterative_update makes another. */
+void iterative_forget(struct iterative *it);
 
 /* Solves in place, x[nodes][3], zero at held unknowns. STATUS_UNSOLVED if that takes too
  * many iterations, STATUS_INDEFINITE, STATUS_NAN. */

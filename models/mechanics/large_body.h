@@ -92,6 +92,7 @@ struct large_motion {
     bool euler;              /* steps are Euler's implicit ones                        */
     int enough;              /* iterations after which a step is taken; 0: converged   */
     struct contact_step *contact; /* NULL: no obstacles                                */
+    bool full;                    /* a new tangent in each iteration                   */
 
     struct large_follower follower;
     double *strain_old; /* strains at the step's start                         owned   */
@@ -99,6 +100,7 @@ struct large_motion {
     double factored;    /* mass factor of the tangent that is factored; -1: none       */
     double added;       /* to the factored tangent, of mass; 0: none         [1/s^2]   */
     bool stressless;    /* this equation's tangents leave out the stress               */
+    bool worn;          /* the last equation could not do with one factored tangent    */
     bool started;       /* strain_old belongs to x                                     */
     bool rested;        /* x is an equilibrium (large_rest.h)                          */
     int halvings;       /* the present substep is step / 2^halvings                    */

@@ -6,6 +6,10 @@
 
 #include "models/mechanics/large_newton.h"
 
+/* A step of Newton's method with an old tangent is good enough if it is this much shorter
+ * than the last: an assembly and a factor cost as much as three or four of them. */
+static const double CHORD = 0.4;
+
 /* Substeps are step / 2^0 ... step / 2^HALVINGS. */
 enum { HALVINGS = 8, FINEST = 1 << HALVINGS };
 
@@ -103,7 +107,8 @@ static enum status substep(struct large_motion *m, double t, double dt,
         .mass = mass,
         .hat = hat,
         .load = 1,
-        .chord = m->enough ? 0 : 0.4, /* a step without another to mend it: its own */
+        /* without another step of Newton to mend it, a step needs its own tangent */
+        .chord = m->full || m->enough ? 0 : CHORD,
         .limit = 40,
         .enough = m->enough,
     };

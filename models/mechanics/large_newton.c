@@ -189,6 +189,7 @@ static enum status next_step(struct large_motion *m, const struct large_equation
         TRY(solve(m, q, i, &size, counters));
     if (!(size <= q->chord * i->size)) {
         TRY(refresh(m, q, i->x, (struct large_foresight){.change = i->d}, counters));
+        m->worn = true;
         TRY(solve(m, q, i, &size, counters));
     }
     swap = i->d;
@@ -223,10 +224,11 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
 
     m->stressless = false;
     TRY(residual(m, q, x, i.r, i.work));
-    if (q->chord == 0 || m->factored != q->mass)
+    if (q->chord == 0 || m->factored != q->mass || m->worn)
         TRY(refresh(m, q, x, (struct large_foresight){.strain = m->strain_old}, counters));
     TRY(solve(m, q, &i, &i.size, counters));
     swap = i.d, i.d = i.next, i.next = swap;
+    m->worn = false;
     for (int n = 0; n < q->limit; n++) {
         counters->iterations++;
         calm = i.size <= i.tolerance && settled(m, i.size, before) ? calm + 1 : 0;

@@ -213,12 +213,21 @@ enum status system_update(struct system *s, double k, const double (*K)[9], doub
 
 enum status system_follow(struct system *s,
                           void (*frames)(const void *body, double (*Q)[9]),
-                          const void *body, bool guess, double tolerance)
+                          const void *body, bool guess)
 {
-    if (!s->iterative)
-        return STATUS_OK;
-    iterative_tolerate(s->iterative, tolerance);
-    return iterative_follow(s->iterative, frames, body, guess);
+    return s->iterative ? iterative_follow(s->iterative, frames, body, guess) : STATUS_OK;
+}
+
+void system_tolerate(struct system *s, double tolerance)
+{
+    if (s->iterative)
+        iterative_tolerate(s->iterative, tolerance);
+}
+
+void system_forget(struct system *s)
+{
+    if (s->iterative)
+        iterative_forget(s->iterative);
 }
 
 void system_work(struct system *s, struct counters *counters)

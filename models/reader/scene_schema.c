@@ -213,6 +213,8 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, solver)},
     {"preconditioner", "of cg and gmres", SCHEMA_WORD, .word = preconditioner_name,
      IN(discretization, preconditioner)},
+    {"newton", "its tangents: kept while they serve, or all new", SCHEMA_WORD,
+     .word = newton_tangents_name, IN(discretization, newton)},
     {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_name,
      IN(discretization, parameters)},
     {"integrator", "Euler's methods, leapfrog, or energy-momentum", SCHEMA_WORD,

@@ -22,7 +22,8 @@ void solid_large_destroy(struct solid_large *large)
     free(large);
 }
 
-enum status solid_large_create(struct solid_motion *m, struct solid_large **large)
+enum status solid_large_create(struct solid_motion *m, enum newton_tangents newton,
+                               struct solid_large **large)
 {
     enum status st;
     const struct blocks *graph = &m->assembly.graph;
@@ -47,6 +48,7 @@ enum status solid_large_create(struct solid_motion *m, struct solid_large **larg
         .K = new->K,
         .x = m->x,
         .held = m->held,
+        .full = newton == NEWTON_FULL,
         .contact = m->scene->obstacle_count ? &m->contact : NULL,
     };
     TRY(large_motion_init(&new->motion));

@@ -8,7 +8,8 @@
 #include "models/solid/solid_state.h"
 
 /* After the rest of *m is there and in its place. STATUS_MEMORY, STATUS_INVERTED. */
-enum status solid_large_create(struct solid_motion *m, struct solid_large **large);
+enum status solid_large_create(struct solid_motion *m, enum newton_tangents newton,
+                               struct solid_large **large);
 void solid_large_destroy(struct solid_large *large); /* NULL is allowed */
 
 /* One step of the scene from m->time. */

@@ -90,8 +90,8 @@ static enum status follow(struct solid_motion *m)
 
     if (m->kinematics == KINEMATICS_LINEAR)
         return STATUS_OK;
-    return system_follow(&m->system, frames, m, rebuilt,
-                         rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE);
+    system_tolerate(&m->system, rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE);
+    return system_follow(&m->system, frames, m, rebuilt);
 }
 
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
@@ -130,7 +130,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     if (st == STATUS_OK)
         st = follow(m);
     if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
-        st = solid_large_create(m, &m->large);
+        st = solid_large_create(m, d->newton, &m->large);
     if (st == STATUS_OK)
         st = contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
                                0, order, d, why);

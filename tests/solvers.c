@@ -1,0 +1,203 @@
+/* Every model that solves linear systems, by every solver and preconditioner: the motion of
+ * its direct solver, the same bits on any number of threads, work that is counted; what is
+ * refused; an iteration that does not converge is a death. */
+#include <omp.h>
+
+#include "bench/harness/run.h"
+#include "models/grid.h"
+#include "models/solid/solid_model.h"
+#include "tests/contract.h"
+
+/* Between solvers, of the length, after FRAMES frames: solutions are to 1e-8 in the energy
+ * where frames are rebuilt, Newton's steps to 1e-7, those of springs, too (1e-6 of a spring
+ * of a fifth), and what a frame leaves open is the next one's velocity: FRAMES^2 / 2 times.
+ */
+static const double SAME = 1e-5;
+
+static const struct subject {
+    const char *model;
+    enum kinematics kinematics;
+} subjects[] = {{"iga", KINEMATICS_PRINTED},          {"iga", KINEMATICS_INCREMENTAL},
+                {"iga", KINEMATICS_LINEAR},           {"iga", KINEMATICS_NONLINEAR},
+                {"hex", KINEMATICS_PRINTED},          {"hex", KINEMATICS_NONLINEAR},
+                {"shell", KINEMATICS_LINEAR},         {"shell", KINEMATICS_NONLINEAR},
+                {"mass_spring", KINEMATICS_NONLINEAR}};
+
+static const struct way {
+    enum solver solver;
+    enum preconditioner preconditioner;
+} ways[] = {{SOLVER_CG, PRECONDITIONER_FACTOR},    {SOLVER_CG, PRECONDITIONER_ICHOL},
+            {SOLVER_CG, PRECONDITIONER_JACOBI},    {SOLVER_GMRES, PRECONDITIONER_FACTOR},
+            {SOLVER_GMRES, PRECONDITIONER_ICHOL},  {SOLVER_GMRES, PRECONDITIONER_JACOBI},
+            {SOLVER_BANDED, PRECONDITIONER_FACTOR}};
+
+static struct discretization net_of(const struct subject *s)
+{
+    const struct contestant *c = NULL;
+    REQUIRE(contestant_find(s->model, &c, NULL) == STATUS_OK);
+    struct discretization d = small_net(c->model);
+
+    d.kinematics = s->kinematics;
+    return d;
+}
+
+static struct counters move(const struct subject *s, const struct scene *scene,
+                            const struct discretization *d, double *xyz)
+{
+    const struct contestant *c = NULL;
+    struct counters work = {0};
+    struct message why = {""};
+    struct model_size size;
+    void *state = NULL;
+
+    REQUIRE(contestant_find(s->model, &c, NULL) == STATUS_OK);
+    if (!CHECK(c->model->create(scene, d, &state, &why) == STATUS_OK))
+        printf("%s: %s\n", s->model, why.text);
+    REQUIRE(state);
+    for (int n = 0; n < FRAMES; n++)
+        CHECK(c->model->advance(state, &work) == STATUS_OK);
+    c->model->sample(state, xyz);
+    c->model->size(state, &size);
+    CHECK(!solver_iterates(d->solver) || !strcmp(size.solver, solver_name(d->solver)));
+    c->model->destroy(state);
+    return work;
+}
+
+static double apart(const double *a, const double *b)
+{
+    double most = 0;
+
+    for (int t = 0; t < 3 * GRID_POINTS; t++)
+        if (!(fabs(a[t] - b[t]) <= most))
+            most = fabs(a[t] - b[t]);
+    return most;
+}
+
+static void check_way(const struct subject *s, const struct scene *scene,
+                      const struct way *way, const double *direct)
+{
+    static double xyz[3 * GRID_POINTS], again[3 * GRID_POINTS];
+    struct discretization d = net_of(s);
+    double off;
+
+    d.solver = way->solver, d.preconditioner = way->preconditioner;
+    omp_set_num_threads(1);
+    const struct counters work = move(s, scene, &d, xyz);
+    off = apart(xyz, direct) / scene->length;
+    if (!CHECK(off < SAME))
+        printf("%s %s, %s, %s: %g L\n", s->model, kinematics_name(s->kinematics),
+               solver_name(way->solver), preconditioner_name(way->preconditioner), off);
+    CHECK(!solver_iterates(way->solver) || s->kinematics == KINEMATICS_LINEAR ||
+          work.solves > work.steps);
+    if (way->preconditioner == PRECONDITIONER_FACTOR && way->solver == SOLVER_CG &&
+        kinematics_rebuilds(s->kinematics) && !scene->obstacle_count)
+        CHECK(work.factorisations < work.steps && work.factorisations > 0); /* kept */
+    omp_set_num_threads(4);
+    move(s, scene, &d, again);
+    CHECK(!memcmp(xyz, again, sizeof xyz));
+}
+
+/* Newton's method with every tangent new ends where it ends with those kept. */
+static void check_full(const struct subject *s, const struct scene *scene,
+                       const double *direct)
+{
+    static double xyz[3 * GRID_POINTS];
+    struct discretization d = net_of(s);
+
+    d.newton = NEWTON_FULL;
+    const struct counters full = move(s, scene, &d, xyz);
+    CHECK(apart(xyz, direct) / scene->length < SAME);
+    d.newton = NEWTON_CHORD;
+    const struct counters chord = move(s, scene, &d, xyz);
+    CHECK(full.factorisations == full.assemblies && full.solves == full.iterations);
+    CHECK(chord.factorisations < full.factorisations && chord.solves > chord.assemblies);
+}
+
+static void check_subject(const struct subject *s, bool obstacle)
+{
+    static double direct[3 * GRID_POINTS];
+    const struct discretization d = net_of(s);
+    struct scene scene;
+
+    fill_scene(&scene);
+    if (obstacle)
+        REQUIRE(scene_add_obstacle(&scene, &(struct scene_obstacle){.kind = OBSTACLE_PLANE,
+                                                                    .point = {0, 0, -0.01},
+                                                                    .normal = {0, 0, 1}}) ==
+                STATUS_OK);
+    move(s, &scene, &d, direct);
+    for (size_t w = 0; w < (obstacle ? 1 : sizeof ways / sizeof *ways); w++)
+        check_way(s, &scene, &ways[w], direct);
+    if (s->kinematics == KINEMATICS_NONLINEAR && strcmp(s->model, "mass_spring") &&
+        !obstacle)
+        check_full(s, &scene, direct);
+    scene_clear(&scene);
+}
+
+/* A sentence each. */
+static void check_refused(void)
+{
+    static const struct {
+        const char *model, *settings[2], *sentence;
+    } rows[] = {
+        {"projective_dynamics", {"discretization.solver=cg"}, "solver=cg"},
+        {"mass_spring",
+         {"discretization.solver=gmres", "discretization.integrator=leapfrog"},
+         "integrator=implicit only"},
+        {"mass_spring", {"discretization.newton=full"}, "newton: this model has no use"},
+        {"iga", {"discretization.preconditioner=ichol"}, "with solver=cg or gmres only"},
+        {"shell", {"discretization.preconditioner=jacobi"}, "with solver=cg or gmres only"},
+    };
+
+    for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
+        const struct contestant *c = NULL;
+        struct settings settings = {0};
+        struct message why = {""};
+        struct run run;
+        REQUIRE(contestant_find(rows[n].model, &c, NULL) == STATUS_OK);
+        settings_list(&settings, 2, rows[n].settings);
+        CHECK(
+            run_open(&run,
+                     &(struct run_plan){.path = SOURCE_DIR "/models/scenes/edge_drop.yaml",
+                                        .contestant = c,
+                                        .settings = &settings},
+                     &why) != STATUS_OK);
+        if (!CHECK(strstr(why.text, rows[n].sentence)))
+            printf("%s: '%s'\n", rows[n].model, why.text);
+        run_close(&run);
+        settings_clear(&settings);
+    }
+}
+
+/* More than double precision has to give: it ends, as a death with words. */
+static void check_death(enum solver solver, enum preconditioner preconditioner)
+{
+    const struct contestant *c = NULL;
+    struct discretization d = net_of(&subjects[0]);
+    struct counters work = {0};
+    struct scene scene;
+    void *state = NULL;
+
+    fill_scene(&scene);
+    d.solver = solver, d.preconditioner = preconditioner;
+    REQUIRE(contestant_find("iga", &c, NULL) == STATUS_OK);
+    REQUIRE(c->model->create(&scene, &d, &state, NULL) == STATUS_OK);
+    struct solid_motion *m = state; /* solid_model.h: a state begins with it */
+    system_tolerate(&m->system, 1e-30);
+    CHECK(c->model->advance(state, &work) == STATUS_UNSOLVED);
+    CHECK(status_is_death(STATUS_UNSOLVED) && work.solves > 1);
+    c->model->destroy(state);
+    scene_clear(&scene);
+}
+
+int main(void)
+{
+    for (size_t n = 0; n < sizeof subjects / sizeof *subjects; n++)
+        check_subject(&subjects[n], false);
+    for (size_t n = 0; n < sizeof subjects / sizeof *subjects; n++)
+        check_subject(&subjects[n], true);
+    check_refused();
+    check_death(SOLVER_GMRES, PRECONDITIONER_FACTOR);
+    check_death(SOLVER_GMRES, PRECONDITIONER_JACOBI);
+    return check_result();
+}

@@ -114,7 +114,7 @@ says out mesh
 good list cases
 says out map thin_5 spinning_bar
 refused "no case 'dance'" stress dance
-refused "no model 'ibm'" stress --models ibm
+refused "no model or contestant 'ibm'" stress --models ibm
 refused 'one of the two' stress --out a --from b
 good list checks
 says out elastica
@@ -156,7 +156,7 @@ for command in score advise report; do
     refused 'not built yet' "$command" edge_drop
     refused 'not built yet' help "$command"
 done
-refused "no model 'ibm'; models: iga, hex" run edge_drop --model ibm
+refused "no model or contestant 'ibm'; models: iga, hex" run edge_drop --model ibm
 refused "no scene 'nowhere'" run nowhere
 refused 'nowhere.yaml' run nowhere.yaml
 refused 'needs an argument' run
@@ -180,7 +180,7 @@ for values in '' 0 -1 x '1,' ',1' 2,1 1,1 nan 1e400 0.001x; do
     refused 'increasing positive numbers' study locking --values "$values"
 done
 refused "no check 'dance'; there are elastica" verify dance
-refused "no model 'ibm'" verify elastica --models iga,ibm
+refused "no model or contestant 'ibm'" verify elastica --models iga,ibm
 refused 'give one of the two' verify elastica --from a --out b
 refused 'are for a new run' verify elastica --from a --quick
 refused 'text, csv, markdown, latex or json' verify elastica --format html

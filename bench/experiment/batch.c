@@ -53,8 +53,10 @@ struct settings *batch_settings(struct batch *b)
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why)
 {
-    enum status st;
+    enum status st = STATUS_OK;
 
+    for (int n = 0; n < b->count; n++)
+        TRY(b->files[n] ? STATUS_OK : STATUS_MEMORY);
     TRY(folder_make(b->folder, why));
     TRY(measurement_run(options, b->count, b->cases, why));
 out:

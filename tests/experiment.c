@@ -60,7 +60,8 @@ static enum status measure(const struct experiment_options *o, struct message *w
     seen.bar = o->progress != NULL;
     seen.repeats = o->repeats;
     seen.count = o->value_count;
-    memcpy(seen.value, o->value, (size_t)o->value_count * sizeof *o->value);
+    if (o->value_count)
+        memcpy(seen.value, o->value, (size_t)o->value_count * sizeof *o->value);
     CHECK(sched_getaffinity(0, sizeof set, &set) == 0);
     seen.processors = CPU_COUNT(&set);
     if (showing)

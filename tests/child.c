@@ -126,8 +126,9 @@ static void start(struct child *c, enum status (*work)(void *, struct message *)
     REQUIRE(child_start(c, work, context, NULL) == STATUS_OK);
 }
 
-/* The system counts microseconds, four numbers of them. */
-static const double TOL_MICROSECONDS = 1e-5;
+/* The system counts ticks, scales them to what it measured, and rounds: some 20 us on a busy
+ * machine. */
+static const double TOL_COUNTED = 1e-4;
 
 /* What all children have used that were waited for [s]. */
 static double used_by_children(void)
@@ -147,7 +148,7 @@ static struct child_end end_of(struct child *c, double limit)
     while (!child_poll(c, limit, &end))
         nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
     CHECK(c->pid == 0);
-    CHECK_NEAR(end.seconds, used_by_children() - before, TOL_MICROSECONDS);
+    CHECK_NEAR(end.seconds, used_by_children() - before, TOL_COUNTED);
     child_clear(c);
     return end;
 }

@@ -301,7 +301,7 @@ static enum status check_remedy(const struct discretization *d, struct message *
         return status_fail(why, STATUS_INPUT, "remedy=%s has its own rule; leave gauss out",
                            name);
     if (d->remedy == REMEDY_SELECTIVE && (d->points[2] != 2 || d->weight_count))
-        return status_fail(why, STATUS_INPUT,
+        return status_fail(why, d->weight_count ? STATUS_INPUT : STATUS_UNSUPPORTED,
                            "remedy=selective is for one layer of degree 1 through the "
                            "thickness without weights; use reduced");
     return STATUS_OK;

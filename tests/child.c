@@ -126,8 +126,8 @@ static void start(struct child *c, enum status (*work)(void *, struct message *)
     REQUIRE(child_start(c, work, context, NULL) == STATUS_OK);
 }
 
-/* The system counts ticks, scales them to what it measured, and rounds: some 20 us on a busy
- * machine. */
+/* The system counts ticks, scales them to what it measured, and rounds: some 20 us on a
+ * busy machine. */
 static const double TOL_COUNTED = 1e-4;
 
 /* What all children have used that were waited for [s]. */

@@ -145,6 +145,38 @@ static const char *choose_folder(const struct call *call, const char *scene, cha
     return room;
 }
 
+static void clear(struct compare_job *j)
+{
+    contest_clear(&j->contest);
+    settings_clear(&j->user);
+    settings_clear(&j->truth);
+    truth_destroy(j->found);
+    scene_clear(&j->scene);
+    free(j->path);
+}
+
+/* Before anything is run: every scene can be read, and each has a name of its own. */
+static enum status check_scenes(const struct command_line *line, struct message *why)
+{
+    enum status st = STATUS_OK;
+    char name[MOST_SCENES][sizeof((struct league_scene *)NULL)->name];
+
+    for (int n = 0; n < line->word_count; n++) {
+        struct compare_job j = {0};
+        st = prepare(&j, line, line->words[n], why);
+        if (st == STATUS_OK)
+            snprintf(name[n], sizeof name[n], "%s", j.scene.name);
+        clear(&j);
+        TRY(st);
+        for (int k = 0; k < n; k++)
+            if (!strcmp(name[k], name[n]))
+                TRY(status_fail(why, STATUS_INPUT, "%s: two scenes of the name %s",
+                                line->words[n], name[n]));
+    }
+out:
+    return st;
+}
+
 static enum status run_scene(struct call *call, const char *word, struct message *why)
 {
     enum status st;
@@ -152,10 +184,6 @@ static enum status run_scene(struct call *call, const char *word, struct message
     char folder[4096];
 
     TRY(prepare(&j, call->line, word, why));
-    for (int n = 0; n < call->league.count; n++)
-        if (!strcmp(call->league.scene[n].name, j.scene.name))
-            TRY(status_fail(why, STATUS_INPUT, "%s: two scenes of the name %s", word,
-                            j.scene.name));
     j.folder = choose_folder(call, j.scene.name, folder, sizeof folder);
     j.read_only = call->from != NULL;
     TRY(compare_job_ladder(&j, command_value(call->line, "--models"), why));
@@ -170,12 +198,7 @@ static enum status run_scene(struct call *call, const char *word, struct message
     TRY(compare_print(&j.contest, j.folder, call->format, stdout, why));
     TRY(league_add(&call->league, &j.contest));
 out:
-    contest_clear(&j.contest);
-    settings_clear(&j.user);
-    settings_clear(&j.truth);
-    truth_destroy(j.found);
-    scene_clear(&j.scene);
-    free(j.path);
+    clear(&j);
     return st;
 }
 
@@ -193,6 +216,7 @@ static enum status run(const struct command_line *line, struct message *why)
         return status_fail(
             why, STATUS_INPUT,
             "--from reads result files and --out writes them; give one of the two");
+    TRY(check_scenes(line, why));
     for (int n = 0; n < line->word_count; n++)
         TRY(run_scene(&call, line->words[n], why));
     if (line->word_count > 1)

@@ -99,10 +99,16 @@ grep -q "Truth: stored" "$folder.txt" || fail "edge_drop has no stored truth"
 head -1 "$folder/stored/compare.csv" | grep -q ',rmse_over_length_0.1_s,.*_0.2_s,.*_0.3_s,.*_0.4_s,.*_0.5_s,worst' || fail "other times than the stored ones"
 [ -z "$(find "$folder/stored" -name 'truth_*')" ] || fail "edge_drop ran for its truth"
 
-"$program" compare cantilever_transient nowhere --quick --out "$folder.none" >/dev/null 2>"$folder.log"
-[ $? -eq 2 ] && [ ! -e "$folder.none" ] || fail "a scene that is not there is found out late"
-"$program" compare cantilever_transient cantilever_transient --out "$folder.none" >/dev/null 2>"$folder.log"
-[ $? -eq 2 ] && [ ! -e "$folder.none" ] && grep -q 'two scenes of the name' "$folder.log" || fail "the same scene twice"
+# Scenes are read before the first is run.
+refused_early() {
+    "$program" compare "${@:2}" --out "$folder.none" >/dev/null 2>"$folder.log"
+    local code=$?
+    if [ "$code" -ne 2 ] || [ -e "$folder.none" ] || ! grep -q "$1" "$folder.log"; then
+        fail "exit $code of compare ${*:2}"
+    fi
+}
+refused_early "no scene 'nowhere'" cantilever_transient nowhere --quick
+refused_early 'two scenes of the name' cantilever_transient cantilever_transient
 "$program" compare edge_drop --models nothing --out "$folder.none" >/dev/null 2>"$folder.log"
 [ $? = 2 ] || fail "an unknown model does not end with exit 2"
 [ ! -e "$folder.none" ] || fail "an unknown model leaves a folder"

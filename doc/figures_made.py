@@ -257,7 +257,7 @@ def compare_words():
 
 # --- truths ----------------------------------------------------------------------------------
 
-SCENES = ["edge_drop", "corners_patch", "flag", "sphere"]
+SCENES = ["edge_drop", "corners_patch", "flag", "sphere", "strip_swing", "thick", "stiff"]
 
 
 def bars(scene):

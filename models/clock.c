@@ -1,6 +1,7 @@
 #include "models/clock.h"
 
 #include <assert.h>
+#include <malloc.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,4 +68,11 @@ long clock_peak_memory(void)
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     return usage.ru_maxrss * 1024; /* Linux gives kilobytes */
+}
+
+double clock_allocated(void)
+{
+    const struct mallinfo2 books = mallinfo2();
+
+    return (double)books.uordblks + (double)books.hblkhd;
 }

@@ -21,4 +21,9 @@ struct clock_summary clock_summarise(const double *seconds, int count);
 /* Peak resident memory of the process so far [bytes]. */
 long clock_peak_memory(void);
 
+/* Bytes that malloc has given out and not got back, by its own books: all of a thread that
+ * works alone, and whatever is large. Freed blocks of up to a kilobyte may count still,
+ * some of each size. */
+double clock_allocated(void);
+
 #endif

@@ -56,6 +56,18 @@ done
 "$program" "${light[@]}" --from "$folder.none" >/dev/null 2>&1 && fail "--from of nothing"
 [ ! -e "$folder.none" ] || fail "--from makes a folder"
 
+# A budget that pays for little, and two threads: told, the same bits, and again from files.
+thrifty=("${light[@]}" --models "mass_spring_single,iga_selective_3" --budget 1e-6 --threads "1,2")
+"$program" "${thrifty[@]}" --out "$folder/thrifty" >"$folder.txt" 2>"$folder.log" || { cat "$folder.log"; fail "a budget"; }
+tr '\n' ' ' <"$folder.txt" | grep -q "Budget: 1e-06 s .*Left because of it (contestant, runs): iga_selective_3 1, mass_spring_single 1\." ||
+    fail "what the budget left is not told"
+awk -F, "$rows"' { n++; if ($at["model_bytes"] == "nan") bad++ } END { exit !(n == 2 && !bad) }' "$folder/thrifty/compare.csv" ||
+    fail "a budget that is not kept, or no memory"
+awk -F, 'NR > 1 { n++; if ($NF != "yes" || !($(NF - 2) > 0)) bad++ } END { exit !(n == 2 && !bad) }' \
+    "$folder/thrifty/compare_threads.csv" || fail "two threads"
+"$program" "${thrifty[@]}" --from "$folder/thrifty" >"$folder.again" 2>>"$folder.log" || fail "--from within a budget"
+cmp -s "$folder.txt" "$folder.again" || fail "--from prints something else of a budget"
+
 # A factor on the velocity is the paper's scheme's own: all others and the truth move undamped,
 # unless the user damps them.
 sed 's/^damping:.*/damping: {kind: velocity_scale, value: 0.5}/' "$CLOTHBENCH_SCENES/cantilever_transient.yaml" >"$folder/slowed.yaml"
@@ -122,6 +134,11 @@ refuses "a time in seconds" --until -1 --out "$folder.none"
 refuses "a time in seconds" --until 0.1s --out "$folder.none"
 refuses "at least 5 frames" --until 0.02 --out "$folder.none"
 refuses "give one of the two" --out "$folder.none" --from "$folder"
+refuses "seconds for a scene" --budget 0 --out "$folder.none"
+refuses "seconds for a scene" --budget 3m --out "$folder.none"
+refuses "different numbers" --threads 1,,2 --out "$folder.none"
+refuses "different numbers" --threads 2,2 --out "$folder.none"
+refuses "different numbers" --threads 0 --out "$folder.none"
 refuses "format" --format words --out "$folder.none"
 refuses "material.yung" --set material.yung=1 --out "$folder.none"
 exit $failed

@@ -71,8 +71,12 @@ static void fill(void)
     CHECK(row.worst == row.error[0]);
     CHECK_NEAR(row.seconds, 0.5 + 20 * 0.01, TOL_SUM);
     CHECK(!row.result.xyz && !row.result.time && row.result.steps == 20);
+    contest_fill_team(&c, 1, &r, &row);
+    CHECK(row.team_seconds[1] == row.seconds && !row.team_seconds[0] && !row.parted);
     double *swap = xyz[0];
     xyz[0] = xyz[1], xyz[1] = swap;
+    contest_fill_team(&c, 0, &r, &row); /* with other bits */
+    CHECK(row.parted);
     contest_fill(&c, &r, &row);
     CHECK(row.worst == row.error[1] && row.error[1] > row.error[0]);
 
@@ -126,6 +130,7 @@ static void add(struct contest *c, const char *who, const struct run_of *run)
     row->result.unknowns = 100 * run->side;
     row->result.steps = 50;
     row->result.create = (struct clock_summary){.median = run->seconds / 5, .count = 7};
+    row->result.bytes = 1e6 * run->seconds;
     row->result.step =
         (struct clock_summary){.median = run->seconds * 0.8 / 50, .count = 9};
     run_result_tell(&row->result, "would not");
@@ -322,22 +327,10 @@ static void choices(void)
     unmake(&c);
 }
 
-static char *read_file(const char *folder, const char *name)
-{
-    char path[4096], *text = calloc(1, 16384);
-
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "r");
-    REQUIRE(text && file);
-    REQUIRE(fread(text, 1, 16383, file) > 0);
-    fclose(file);
-    return text;
-}
-
 /* To the letter: which column a number stands in is what this is about. */
 static void is_as_kept(const char *name, const char *text)
 {
-    char *want = read_file(SOURCE_DIR "/tests/contest", name);
+    char *want = fresh_text(SOURCE_DIR "/tests/contest", name);
 
     if (!CHECK(!strcmp(text, want)))
         printf("  %s is\n%s\n  and should be\n%s\n", name, text, want);
@@ -380,33 +373,42 @@ static void charts(const char *folder)
     };
 
     for (int n = 0; n < LENGTH(all); n++) {
-        char *script = read_file(folder, all[n].file);
-        int bands = 0, panels = n ? 3 : 1, terminals = 0;
+        char *script = fresh_text(folder, all[n].file);
+        const int panels = n ? 3 : 1, terminals = fresh_count(script, "set terminal");
         for (const char *const *has = all[n].has; *has; has++)
             if (!CHECK(strstr(script, *has)))
                 printf("  %s has no '%s'\n", all[n].file, *has);
         CHECK(n || !strstr(script, "IGA, selective")); /* not the best of its model */
         CHECK(!strstr(script, "0.009\n"));             /* nor a probe */
-        for (char *at = script; (at = strstr(at, "set object rectangle")); at++)
-            bands++;
-        for (char *at = script; (at = strstr(at, "set terminal")); at++)
-            terminals++;
-        CHECK(bands == panels * terminals && terminals > 0);
+        CHECK(fresh_count(script, "set object rectangle") == panels * terminals);
+        CHECK(terminals > 0);
         free(script);
     }
+}
+
+/* A budget that was spent, and two and four threads: one row with other bits. */
+static void add_teams(struct contest *c)
+{
+    c->budget = 12, c->rows[3].parted = true;
+    snprintf(c->unsearched, sizeof c->unsearched, "mass_spring 2");
+    c->teams = 2, c->team[0] = 2, c->team[1] = 4;
+    for (int n = 0; n < c->count; n++)
+        for (int t = 0; t < c->teams; t++)
+            c->rows[n].team_seconds[t] = c->rows[n].seconds / c->team[t];
 }
 
 static void tables(const char *folder)
 {
     static const char *const csv[] = {"compare.csv", "compare_targets.csv",
-                                      "compare_limits.csv"};
+                                      "compare_limits.csv", "compare_threads.csv"};
     struct contest c = race();
     struct message why;
+    add_teams(&c);
     char *text = print(&c, folder);
 
     is_as_kept("printed.txt", text);
     for (int n = 0; n < LENGTH(csv); n++) {
-        char *table = read_file(folder, csv[n]);
+        char *table = fresh_text(folder, csv[n]);
         is_as_kept(csv[n], table);
         free(table);
     }

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "bench/compare/contest.h"
+#include "bench/harness/timing.h"
 #include "models/grid.h"
 #include "tests/run_fixture.h"
 
@@ -186,11 +187,130 @@ static void growth(void)
     contest_clear(&c);
 }
 
+/* --- a budget ----------------------------------------------------------------------------
+ */
+
+/* Two that follow rules, the second a hundred times as dear for the same size. */
+static const struct rule pair[] = {{"mass_spring_leapfrog", 0, 2, 0, 0, 1e-4},
+                                   {"iga_selective_3", 0, 2.5, 0.01, 0, 1e-4}};
+static const double DEAR = 100;
+
+struct market {
+    struct contest contest;
+    struct scene scene;
+    struct truth truth;
+    double time[1], bar[1], shape[3], *xyz[1];
+    bool ordered; /* rows of each round, from cheap to dear */
+};
+
+static void fill_by_rule(struct contest_row *row)
+{
+    const bool dear = row->at.contestant == named(pair[1].who);
+    const double seconds = seconds_of(row->at.size) * (dear ? DEAR : 1);
+
+    row->worst = row->error[0] = error_of(&pair[dear], row->at.size);
+    row->seconds = row->probe ? NAN : seconds;
+    row->result.create_seconds = 0.25 * seconds, row->result.step_seconds = 0.75 * seconds;
+    row->result.create.count = row->probe ? 1 : timing_repeats(seconds, false);
+}
+
+static enum status sell(void *context, int first, struct message *why)
+{
+    struct market *m = context;
+    struct contest_row *rows = m->contest.rows;
+
+    (void)why;
+    REQUIRE(m->contest.count < MOST_ROWS);
+    for (int n = first; n < m->contest.count; n++) {
+        fill_by_rule(&rows[n]);
+        if (n > first && !rows[n].probe)
+            m->ordered &= rows[n].seconds >= rows[n - 1].seconds * (1 - 1e-9);
+        for (int k = 0; k < n; k++)
+            CHECK(memcmp(&rows[k].at, &rows[n].at, sizeof rows[n].at));
+    }
+    return STATUS_OK;
+}
+
+static void open_market(struct market *m, double budget)
+{
+    struct contest_at at[CONTEST_RUNGS];
+    struct contest_row *row;
+
+    *m = (struct market){
+        .scene = {.length = 1, .step = 0.005}, .bar = {1e-4}, .ordered = true};
+    m->xyz[0] = m->shape;
+    m->truth = (struct truth){1, m->time, m->xyz, m->bar, "made up"};
+    m->contest = (struct contest){
+        .scene = &m->scene, .truth = &m->truth, .longest = LONGEST, .budget = budget};
+    for (int k = 0; k < 2; k++) {
+        REQUIRE(contest_ladder(&m->contest, named(pair[k].who), at) > 1);
+        REQUIRE(contest_add(&m->contest, &at[0], &row) == STATUS_OK);
+    }
+    sell(m, 0, NULL);
+    m->ordered = true;
+    REQUIRE(contest_search_all(&m->contest, sell, m, NULL) == STATUS_OK);
+    CHECK(m->ordered);
+}
+
+/* As near to the least seconds of each target as without a budget. */
+static bool is_whole(const struct market *m, int k)
+{
+    bool whole = true;
+
+    for (int t = 0; t < CONTEST_TARGETS; t++) {
+        const struct contest_row *found =
+            contest_cheapest(&m->contest, named(pair[k].who), contest_target[t]);
+        whole &= found && found->seconds <= WASTE * (k ? DEAR : 1) *
+                                                least_seconds(&pair[k], contest_target[t]);
+    }
+    return whole;
+}
+
+static void budget(void)
+{
+    static const double ample = 1e6, tight = 15;
+    struct market m, again;
+    int limits;
+
+    open_market(&m, ample);
+    const double all = contest_spent(&m.contest);
+    CHECK(is_whole(&m, 0) && !*m.contest.unsearched && all > 3 * tight);
+    contest_clear(&m.contest);
+
+    open_market(&m, tight); /* cuts the dear one, not the cheap one */
+    printf("budget: %g s in all, %g of %g s, left: %s\n", all, contest_spent(&m.contest),
+           tight, m.contest.unsearched);
+    CHECK(is_whole(&m, 0) && !is_whole(&m, 1));
+    CHECK(!strncmp(m.contest.unsearched, "iga_selective_3 ", 16) &&
+          !strchr(m.contest.unsearched, ','));
+    CHECK(contest_spent(&m.contest) <= tight && contest_spent(&m.contest) > tight / 4);
+
+    open_market(&again, tight); /* rows alone decide: the same once more */
+    CHECK(again.contest.count == m.contest.count);
+    for (int n = 0; n < m.contest.count; n++)
+        CHECK(!memcmp(&again.contest.rows[n].at, &m.contest.rows[n].at,
+                      sizeof m.contest.rows[n].at));
+    contest_clear(&again.contest);
+
+    limits = m.contest.count;
+    REQUIRE(contest_search_limits(&m.contest) == STATUS_OK);
+    CHECK(m.contest.count > limits && m.contest.rows[limits].probe);
+    sell(&m, limits, NULL);
+    CHECK(contest_spent(&m.contest) <= tight);
+    contest_clear(&m.contest);
+
+    open_market(&m, 1e-9); /* what was run before it was asked for is all there is */
+    CHECK(m.contest.count == 2 && strchr(m.contest.unsearched, ','));
+    REQUIRE(contest_search_limits(&m.contest) == STATUS_OK && m.contest.count == 2);
+    contest_clear(&m.contest);
+}
+
 int main(void)
 {
     for (int n = 0; n < LENGTH(rules); n++)
         searches(&rules[n]);
     nothing_to_do();
     growth();
+    budget();
     return check_result();
 }

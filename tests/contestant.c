@@ -4,6 +4,7 @@
 #include <ctype.h>
 
 #include "bench/harness/run.h"
+#include "models/grid.h"
 #include "tests/check.h"
 
 #define DROP SOURCE_DIR "/models/scenes/edge_drop.yaml"
@@ -70,6 +71,47 @@ static void test_rows(void)
                 CHECK(!ladders[i][n] || ladders[i][n] > ladders[i][n - 1]);
         CHECK(c->points[0] && c->divisors[0] == 1);
     }
+}
+
+/* Two frames of a contestant on its coarsest net, with a setting that is no physics. */
+static void two_frames(const struct contestant *c, const char *setting, double *xyz)
+{
+    const int points =
+        contestant_least(c) > c->points[0] ? contestant_least(c) : c->points[0];
+    struct settings s = {0};
+    struct counters work = {0};
+    struct run run;
+
+    contestant_points(c, points, points, &s);
+    settings_set(&s, setting);
+    REQUIRE(run_open(&run, &(struct run_plan){DROP, c, &s, 0}, NULL) == STATUS_OK);
+    for (int n = 0; n < 2; n++)
+        CHECK(run.model->advance(run.state, &work) == STATUS_OK);
+    run.model->sample(run.state, xyz);
+    run_close(&run);
+    settings_clear(&s);
+}
+
+/* Nobody is tuned to a scene: a contestant is made of discretization alone, and on a scene
+ * of another name, end and source that is the same for all else it does the same. */
+static void test_no_scene_is_known(void)
+{
+    double *here = malloc(3 * GRID_POINTS * sizeof *here);
+    double *there = malloc(3 * GRID_POINTS * sizeof *there);
+
+    REQUIRE(here && there);
+    for (const struct contestant *c = contestant_table; c->name; c++) {
+        for (int n = 0; n < CONTESTANT_SETTINGS && c->settings[n]; n++)
+            CHECK(!strncmp(c->settings[n], "discretization.", 15));
+        if (!(c->enters & CONTESTANT_COMPARE))
+            continue;
+        two_frames(c, "name=edge_drop", here);
+        two_frames(c, "name=corners_patch", there);
+        if (!CHECK(!memcmp(here, there, 3 * GRID_POINTS * sizeof *here)))
+            printf("  %s knows the scene by its name\n", c->name);
+    }
+    free(here);
+    free(there);
 }
 
 static int chosen(const char *choice, unsigned where)
@@ -175,6 +217,7 @@ int main(void)
     test_models();
     test_rows();
     test_settings();
+    test_no_scene_is_known();
     test_choice();
     test_check();
     return check_result();

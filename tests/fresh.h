@@ -1,5 +1,5 @@
 /* fresh.h - the folder of a test's results, without the files of an earlier run: what is no
- * longer made must not be found. */
+ * longer made must not be found; and what is in a file of it. */
 #ifndef FRESH_H
 #define FRESH_H
 
@@ -22,6 +22,30 @@ static inline void fresh_folder(const char *folder)
             remove(path); /* not what holds something */
         }
     closedir(directory);
+}
+
+/* All of FOLDER/NAME, freed by the caller. */
+static inline char *fresh_text(const char *folder, const char *name)
+{
+    enum { MOST = 1 << 16 };
+    char path[4096], *text = calloc(1, MOST);
+
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "r");
+    REQUIRE(text && file);
+    REQUIRE(fread(text, 1, MOST - 1, file) > 0);
+    fclose(file);
+    return text;
+}
+
+/* How often words stand in a text. */
+static inline int fresh_count(const char *text, const char *words)
+{
+    int count = 0;
+
+    while ((text = strstr(text, words)))
+        count++, text++;
+    return count;
 }
 
 #endif

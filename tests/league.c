@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "bench/files/folder.h"
+#include "tests/fresh.h"
 #include "tests/run_fixture.h"
 
 static void targets(void)
@@ -33,6 +33,7 @@ static const struct scene_of {
      0.002,
      0.5,
      {{"mass_spring", 20, 0.5, 0.009},
+      {"mass_spring", 16, 0.3, 0.0105},
       {"mass_spring", 30, 0.9, 0.004},
       {"mass_spring_single", 12, 0.004, 0.0099},
       {"mass_spring_single", 10, 0.002, 0.0101},
@@ -64,6 +65,7 @@ static void add(struct league *l, const struct scene_of *s)
         const struct contest_at at = {named(r->who), {r->side, 4, 0}};
         REQUIRE(contest_add(&c, &at, &row) == STATUS_OK);
         row->seconds = r->seconds;
+        row->result.bytes = 1e6 * r->seconds;
         row->worst = row->error[0] = r->worst < 0 ? NAN : r->worst;
         row->result.outcome = r->worst < 0 ? STATUS_INPUT : STATUS_OK;
     }
@@ -103,6 +105,26 @@ static bool is_winner(const struct league *l, int scene, const char *first,
     return same;
 }
 
+/* A panel a scene with the bar, a line a model with the best of its contestants alone. */
+static void chart(const char *folder)
+{
+    static const char *const lines[] = {"set title 'near'",
+                                        "set title 'unknown'",
+                                        "0.002 1.01\n0.004 0.99\n0.5 0.9\n0.9 0.4\nEOD",
+                                        "0.8 0.8\nEOD",
+                                        "title 'isogeometric Kirchhoff-Love shell'",
+                                        "first 0.2 fc"};
+    char *text = fresh_text(folder, "compare_scenes.gp");
+    const int terminals = fresh_count(text, "set terminal");
+
+    for (int n = 0; n < LENGTH(lines); n++)
+        has(text, lines[n]);
+    CHECK(!strstr(text, "0.3 1.05\n")); /* dearer than another spring net, and worse */
+    CHECK(terminals > 0);               /* one scene has no truth */
+    CHECK(fresh_count(text, "set object rectangle") == 4 * terminals);
+    free(text);
+}
+
 int main(int argc, char **argv)
 {
     struct league l = {0};
@@ -117,6 +139,7 @@ int main(int argc, char **argv)
     for (int n = 2; n < l.count; n++)
         CHECK(is_winner(&l, n, NULL, NULL));
 
+    setenv("PATH", "", 1); /* the chart's script is enough: nothing draws it */
     char *text = print(&l, argv[1], TABLE_TEXT);
     static const char *const rows[] = {
         "model                                     near    vague    blunt     far  "
@@ -146,16 +169,17 @@ int main(int argc, char **argv)
     text = print(&l, argv[1], TABLE_CSV);
     static const char *const cells[] = {
         ("scene,contestant,model,span_s,bar_over_length,target_rmse_over_length,seconds,"
-         "lowest_rmse_over_length,side,steps_a_frame,iterations,refused\n"),
+         "lowest_rmse_over_length,side,steps_a_frame,iterations,model_bytes,refused\n"),
         "near,mass_spring,mass_spring,0.5,0.002,0.01,0.5,0.0040000000000000001,20,4,nan,"
-        "0\n",
+        "500000,0\n",
         "vague,mass_spring_single,mass_spring,0.25,0.014999999999999999,0.02,nan,"
-        "0.021000000000000001,12,4,nan,0\n",
-        "blunt,shell_3,shell,1,0.050000000000000003,nan,nan,nan,nan,nan,nan,1\n"};
+        "0.021000000000000001,12,4,nan,4000,0\n",
+        "blunt,shell_3,shell,1,0.050000000000000003,nan,nan,nan,nan,nan,nan,nan,1\n"};
     for (int n = 0; n < LENGTH(cells); n++)
         has(text, cells[n]);
     CHECK(!strstr(text, "near,iga_paper")); /* it did not enter */
     free(text);
+    chart(argv[1]);
     league_clear(&l);
     return check_result();
 }

@@ -385,6 +385,25 @@ static void test_clock(void)
     CHECK(clock_peak_memory() > 100000 && clock_peak_memory() < 1L << 40);
 }
 
+/* Blocks of both kinds, told off when they come back; sanitizers keep other books.
+ */
+static void test_allocated(void)
+{
+#if !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__
+    enum { SIZES = 2 };
+    static const size_t size[SIZES] = {100000, 50000000};
+
+    for (int n = 0; n < SIZES; n++) {
+        const double before = clock_allocated();
+        void *volatile block = malloc(size[n]);
+        const double held = clock_allocated() - before;
+        CHECK(held >= (double)size[n] && held < (double)size[n] + 16384); /* pages */
+        free(block);
+        CHECK(clock_allocated() == before);
+    }
+#endif
+}
+
 int main(void)
 {
     REQUIRE(mkdtemp(scratch));
@@ -398,6 +417,7 @@ int main(void)
     test_phases();
     test_alone();
     test_clock();
+    test_allocated();
     CHECK(rmdir(scratch) == 0);
     return check_result();
 }

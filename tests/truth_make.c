@@ -405,6 +405,9 @@ static void check_stored_plans(void)
     check_plan("flag", false, "0.6 s, 0.8 s, 3: 12 18 27, 5 ms, 5: 10 14 18, 5 ms");
     check_plan("corners_patch", false, "0.3 s, 1 s, 3: 13 23 33, 5 ms, 3: 13 23 33, 5 ms");
     check_plan("sphere", false, "0.3 s, 0.3 s, 2: 8 11 15, 2.5 ms, 3: 9 12 16, 2.5 ms");
+    for (int n = 0; n < 3; n++)
+        check_plan((const char *[]){"strip_swing", "thick", "stiff"}[n], false,
+                   "0.5 s, 1 s, 3: 12 18 27, 2.5 ms, 3: 12 18 27, 2.5 ms");
     check_plan("mine", false, "0.5 s, 5 s, 3: 12 18 27, 2.5 ms, 4: 12 18 27, 2.5 ms");
     check_plan("flag", true, "0.2 s, 0.2 s, 3: 8 12 16, 2.5 ms, 3: 8 12 16, 2.5 ms");
 }

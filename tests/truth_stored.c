@@ -7,6 +7,8 @@
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_physics.h"
+#include "bench/truth/truth_table.h"
+#include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
@@ -143,6 +145,40 @@ static void made_anew(const char *scene)
     free(file);
 }
 
+/* An error that grows along the strip as s^2, as a bend at its clamp makes it, is at the
+ * tip so many times its rms. */
+static const double TIP = 2.2360679774997896;
+
+/* The strip is a beam that somebody else has solved. */
+static void strip_is_the_beam(void)
+{
+    struct truth_made made = {0};
+    char *file = NULL, *physics = NULL;
+    struct reference *beam = NULL;
+
+    REQUIRE(named_file_find(&truth_file_kind, "strip_swing", &file, NULL) == STATUS_OK);
+    REQUIRE(truth_file_read(file, &made, &physics, NULL) == STATUS_OK);
+    REQUIRE(reference_open(SOURCE_DIR "/tests/reference/pendulum_C0_E1e5_h5mm_undamped.csv",
+                           &beam, NULL) == STATUS_OK);
+    CHECK(made.claimed == 5);
+    for (int n = 0; n < made.claimed; n++) {
+        const int row = (int)lround(made.time[n] / 0.005);
+        const double *low = made.xyz[n] + 3 * (GRID_U - 1);
+        const double *high = low + 3 * GRID_U * GRID_V;
+        const double apart =
+            hypot((low[0] + high[0]) / 2 - reference_number(beam, row, "x1"),
+                  (low[2] + high[2]) / 2 - reference_number(beam, row, "z1"));
+        CHECK_NEAR(reference_number(beam, row, "t"), made.time[n], 1e-9);
+        if (!CHECK(apart <= TIP * made.value[n][TRUTH_ERROR]))
+            printf("strip_swing at %g s: %g m from the beam, bar %g m\n", made.time[n],
+                   apart, made.value[n][TRUTH_ERROR]);
+    }
+    reference_close(beam);
+    truth_made_clear(&made);
+    free(physics);
+    free(file);
+}
+
 /* Runs that an earlier call of this test left would say nothing on the models as they are.
  */
 static void clear_folder(void)
@@ -167,6 +203,7 @@ int main(int argc, char **argv)
     REQUIRE(folder_make(folder, NULL) == STATUS_OK);
     clear_folder();
     each_has_its_scene();
+    strip_is_the_beam();
     mid_size("edge_drop", TRUTH_SOLID, 2);
     mid_size("edge_drop", TRUTH_SHELL, 4);
     made_anew("edge_drop");

@@ -19,7 +19,7 @@ static const double UNTIL = 0.5;
 /* Seconds that a run which the search proposes may take. */
 static const double LONGEST = 3;
 
-enum { MOST_SCENES = 16 };
+enum { MOST_SCENES = 16, MOST_THREADS = 256 };
 
 /* Those given by --until; else those of the stored truth up to UNTIL; else up to UNTIL. */
 static enum status read_times(struct compare_job *j, const struct command_line *line,
@@ -50,17 +50,53 @@ static enum status read_times(struct compare_job *j, const struct command_line *
     return STATUS_OK;
 }
 
-static enum status read_longest(struct compare_job *j, const struct command_line *line,
+static enum status read_longest(struct contest *c, const struct command_line *line,
                                 struct message *why)
 {
     const char *word = command_value(line, "--longest");
     char *end = NULL;
 
-    j->longest = word ? strtod(word, &end) : j->quick ? 0 : LONGEST;
-    if (word && (end == word || *end || !(j->longest >= 0)))
+    c->longest = word ? strtod(word, &end) : c->quick ? 0 : LONGEST;
+    if (word && (end == word || *end || !(c->longest >= 0)))
         return status_fail(why, STATUS_INPUT,
                            "--longest %s: seconds, or 0 for no search beyond the ladder",
                            word);
+    return STATUS_OK;
+}
+
+static enum status read_budget(struct contest *c, const struct command_line *line,
+                               struct message *why)
+{
+    const char *word = command_value(line, "--budget");
+    char *end = NULL;
+
+    c->budget = word ? strtod(word, &end) : 0;
+    if (word && (end == word || *end || !(c->budget > 0 && isfinite(c->budget))))
+        return status_fail(why, STATUS_INPUT, "--budget %s: seconds for a scene, above 0",
+                           word);
+    return STATUS_OK;
+}
+
+/* "1,2,4": one is what all is timed with. */
+static enum status read_threads(struct contest *c, const struct command_line *line,
+                                struct message *why)
+{
+    const char *word = command_value(line, "--threads");
+    char *end = NULL;
+
+    for (const char *at = word; at; at = *end ? end + 1 : NULL) {
+        const long count = strtol(at, &end, 10);
+        bool good = end > at && (!*end || *end == ',') && count >= 1;
+        for (int t = 0; t < c->teams; t++)
+            good &= c->team[t] != count;
+        if (!good || count > MOST_THREADS || (count > 1 && c->teams == CONTEST_TEAMS))
+            return status_fail(why, STATUS_INPUT,
+                               "--threads %s: up to %d different numbers from 1 to %d, as "
+                               "1,2,4",
+                               word, CONTEST_TEAMS, MOST_THREADS);
+        if (count > 1)
+            c->team[c->teams++] = (int)count;
+    }
     return STATUS_OK;
 }
 
@@ -90,13 +126,15 @@ static enum status prepare(struct compare_job *j, const struct command_line *lin
     int given;
     const char *const *set = command_values(line, "--set", &given);
 
-    j->quick = command_given(line, "--quick");
+    j->contest.quick = command_given(line, "--quick");
     settings_set_all(&j->user, given, set);
     TRY(scene_file_find(scene, &j->path, why));
     TRY(settings_read_scene(&j->user, j->path, &j->scene, why));
     choose_damping(j);
     TRY(read_times(j, line, why));
-    TRY(read_longest(j, line, why));
+    TRY(read_longest(&j->contest, line, why));
+    TRY(read_budget(&j->contest, line, why));
+    TRY(read_threads(&j->contest, line, why));
     j->contest.scene = &j->scene;
 out:
     return st;
@@ -105,7 +143,7 @@ out:
 /* Where what was to be the truth refuses the scene or dies, the others run nevertheless. */
 static enum status find_truth(struct compare_job *j, struct message *why)
 {
-    const enum truth_effort effort = j->quick ? TRUTH_QUICK : TRUTH_FULL;
+    const enum truth_effort effort = j->contest.quick ? TRUTH_QUICK : TRUTH_FULL;
     struct message said = {""};
     enum status st = truth_find(j->path, &j->truth, j->times, j->time, j->folder, effort,
                                 &j->found, &said);
@@ -239,6 +277,10 @@ static const struct command_option options[] = {
     {"--longest", "SECONDS", false,
      "of a run that the search for the best net, step and\niterations may try (3; 0: no "
      "search)"},
+    {"--budget", "SECONDS", false,
+     "of all runs of a scene together (as long as it takes):\ncheap ones are tried first, "
+     "and what is left is told"},
+    {"--threads", "N,N,...", false, "times the best runs again with so many threads (1)"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false, "where result files, CSV and plot go (results/compare_SCENE)"},
     {"--from", "DIR", false, "tables and plot from result files of an earlier run"},

@@ -14,6 +14,11 @@ extern const struct command compare_command;
 enum status compare_print(const struct contest *c, const char *folder,
                           enum table_format format, FILE *file, struct message *why);
 
+/* The best rows with each number of threads, and compare_threads.csv; nothing where they
+ * were not asked for. */
+enum status compare_threads(const struct contest *c, const char *folder,
+                            enum table_format format, FILE *file, struct message *why);
+
 /* Seconds against error, of the table of all runs: the best of each model in compare.png,
  * all by model in compare_models.png. */
 enum status compare_chart(const struct contest *c, const struct table *runs,

@@ -4,37 +4,19 @@
 #include <unistd.h>
 
 #include "bench/experiment/batch.h"
+#include "bench/harness/timing.h"
 #include "bench/ui/progress.h"
 
-enum { MOST_ROUNDS = 20 };
-
-static int length(const int *list, int most)
+/* Of its ladder all, or where a budget has to do the least. */
+static enum status add_rows(struct contest *c, const struct contestant *who)
 {
-    int n = 0;
-
-    while (n < most && list[n])
-        n++;
-    return n;
-}
-
-/* Nets, time steps and iterations of a contestant, from cheap to dear; `quick` leaves out
- * the dear half. */
-static enum status add_rows(struct contest *c, const struct contestant *who, bool quick)
-{
-    const int sides = length(who->points, quick ? 2 : CONTESTANT_STEPS);
-    const int divisors = length(who->divisors, quick ? 1 : CONTESTANT_STEPS);
-    const int iterations = length(who->iterations, CONTESTANT_STEPS);
+    struct contest_at at[CONTEST_RUNGS];
+    const int count = contest_ladder(c, who, at);
     struct contest_row *unused;
     enum status st = STATUS_OK;
 
-    for (int s = 0; s < sides; s++)
-        for (int d = 0; d < divisors; d++)
-            for (int i = 0; i == 0 || i < iterations; i++)
-                TRY(contest_add(c,
-                                &(struct contest_at){who,
-                                                     {who->points[s], who->divisors[d],
-                                                      iterations ? who->iterations[i] : 0}},
-                                &unused));
+    for (int n = 0; n < (c->budget > 0 ? 1 : count); n++)
+        TRY(contest_add(c, &at[n], &unused));
 out:
     return st;
 }
@@ -50,32 +32,7 @@ enum status compare_job_ladder(struct compare_job *j, const char *models,
     for (int m = 0; (model = contestant_model(m)); m++)
         for (const struct contestant *who = contestant_table; who->name; who++)
             if (who->model == model && contestant_chosen(who, models, CONTESTANT_COMPARE))
-                TRY(add_rows(&j->contest, who, j->quick));
-out:
-    return st;
-}
-
-/* One more of each thing from the nearest of each contestant that may come nearer. */
-static enum status add_probes(struct compare_job *j)
-{
-    struct contest *c = &j->contest;
-    const struct contestant *who;
-    enum status st = STATUS_OK;
-
-    for (int k = 0; (who = contest_entrant(c, k)); k++) {
-        const struct contest_limit limit = contest_limit(c, who);
-        struct contest_at at[CONTEST_AXES];
-        struct contest_row *row;
-        int count = 0;
-        if (!limit.best || limit.kind == CONTEST_BY_TRUTH)
-            continue;
-        for (int axis = 0; axis < CONTEST_AXES; axis++)
-            count += contest_probe(c, limit.best, (enum contest_axis)axis, &at[count]);
-        for (int n = 0; n < count; n++) {
-            TRY(contest_add(c, &at[n], &row));
-            row->probe = true;
-        }
-    }
+                TRY(add_rows(&j->contest, who));
 out:
     return st;
 }
@@ -91,14 +48,15 @@ static void refine(const struct contest_at *at, double frame, struct settings *s
         settings_integer(s, "discretization.iterations", size[CONTEST_ITERATIONS]);
 }
 
-static void plan_row(struct compare_job *j, const struct contest_row *row,
+static void plan_row(struct compare_job *j, const struct contest_row *row, const char *tag,
                      struct batch *batch)
 {
     const struct contest_at *at = &row->at;
     char name[128];
 
-    snprintf(name, sizeof name, "%s_%d_%d_%d", at->contestant->name, at->size[CONTEST_NET],
-             at->size[CONTEST_STEP], at->size[CONTEST_ITERATIONS]);
+    snprintf(name, sizeof name, "%s_%d_%d_%d%s", at->contestant->name,
+             at->size[CONTEST_NET], at->size[CONTEST_STEP], at->size[CONTEST_ITERATIONS],
+             tag);
     struct measurement_case *c = batch_add(batch, j->path, at->contestant, name);
     c->plan.end = j->time[j->times - 1];
     c->keep.times = j->times;
@@ -124,7 +82,7 @@ static enum status run_batch(const struct compare_job *j, struct batch *batch,
 {
     struct progress bar = progress_start("compare", 1, false);
     const struct measurement_options options = {
-        .what = "compare", .quick = j->quick, .progress = show, .context = &bar};
+        .what = "compare", .quick = j->contest.quick, .progress = show, .context = &bar};
     const enum status st = batch_run(batch, &options, why);
 
     progress_end(&bar);
@@ -153,7 +111,7 @@ static enum status measure(struct compare_job *j, int first, bool needed,
 
     TRY(batch_init(&batch, j->folder, c->count - first));
     for (int n = first; n < c->count; n++)
-        plan_row(j, &c->rows[n], &batch);
+        plan_row(j, &c->rows[n], "", &batch);
     if (!j->read_only)
         TRY(run_batch(j, &batch, why));
     if (!needed)
@@ -169,52 +127,58 @@ out:
     return st;
 }
 
-static enum status add_proposals(struct compare_job *j)
+/* The best rows once more with a number of threads; the same bits, or it is told. */
+static enum status measure_team(struct compare_job *j, int team, struct message *why)
 {
     struct contest *c = &j->contest;
-    const struct contestant *who;
-    struct contest_at at[CONTEST_PROPOSALS];
-    struct contest_row *unused;
-    enum status st = STATUS_OK;
+    struct batch batch;
+    struct run_result r = {0};
+    char tag[16];
+    int at = 0;
+    enum status st;
 
-    for (int k = 0; (who = contest_entrant(c, k)); k++) {
-        const int count = contest_search(c, who, j->longest, at);
-        for (int n = 0; n < count; n++)
-            TRY(contest_add(c, &at[n], &unused));
+    snprintf(tag, sizeof tag, "_t%d", c->team[team]);
+    TRY(batch_init(&batch, j->folder, c->count));
+    for (int n = 0; n < c->count; n++)
+        if (contest_is_best(c, &c->rows[n]))
+            plan_row(j, &c->rows[n], tag, &batch);
+    timing_threads(c->team[team]);
+    if (!j->read_only)
+        TRY(run_batch(j, &batch, why));
+    for (int n = 0; n < c->count; n++) {
+        if (!contest_is_best(c, &c->rows[n]))
+            continue;
+        TRY(batch_read(&batch, at++, true, &r, why));
+        contest_fill_team(c, team, &r, &c->rows[n]);
+        run_result_clear(&r);
     }
 out:
+    run_result_clear(&r);
+    batch_clear(&batch);
     return st;
 }
 
-/* Each contestant's best for each target, from what its ladder showed. */
-static enum status search(struct compare_job *j, struct message *why)
+static enum status measure_searched(void *job, int first, struct message *why)
 {
-    enum status st = STATUS_OK;
-
-    for (int round = 0; round < MOST_ROUNDS && j->longest > 0; round++) {
-        const int first = j->contest.count;
-        TRY(add_proposals(j));
-        const int proposed = j->contest.count;
-        if (proposed > first)
-            TRY(measure(j, first, false, why));
-        if (proposed == first || j->contest.count < proposed)
-            break;
-    }
-out:
-    return st;
+    return measure(job, first, false, why);
 }
 
-/* The ladder, what it makes worth a try, and then what tells the limits of each. */
+/* The ladder, what it makes worth a try, what tells the limits of each, and the best of all
+ * with more threads. */
 enum status compare_job_measure(struct compare_job *j, struct message *why)
 {
+    struct contest *c = &j->contest;
     enum status st;
 
     TRY(measure(j, 0, true, why));
-    TRY(search(j, why));
-    const int searched = j->contest.count;
-    TRY(add_probes(j));
-    if (j->contest.count > searched)
+    TRY(contest_search_all(c, measure_searched, j, why));
+    const int searched = c->count;
+    TRY(contest_search_limits(c));
+    if (c->count > searched)
         TRY(measure(j, searched, true, why));
+    for (int t = 0; t < c->teams; t++)
+        TRY(measure_team(j, t, why));
 out:
+    timing_threads(1);
     return st;
 }

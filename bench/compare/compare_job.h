@@ -18,8 +18,7 @@ struct compare_job {
     struct settings truth; /* these, and how the truth is damped                       */
     struct truth *found;   /* owned                                                    */
     struct truth none;     /* stands in for a truth that could not be had              */
-    double longest; /* of the search [s]; 0: it is left out                            */
-    bool quick, read_only;
+    bool read_only;
 };
 
 /* The ladders of a choice of --models (contestant_chosen), model by model. */

@@ -4,7 +4,7 @@
 
 #include "bench/compare/compare.h"
 
-enum { FIXED = 13, MOST_COLUMNS = FIXED + CONTEST_TIMES + 3, SIZE_TEXT = 48 };
+enum { FIXED = 14, MOST_COLUMNS = FIXED + CONTEST_TIMES + 3, SIZE_TEXT = 48 };
 
 /* What a table borrows. */
 struct words {
@@ -26,6 +26,7 @@ static struct table *create_runs(const struct contest *c, struct words *w)
         {"set-up", "ms", .key = "setup_s", .key_unit = "s", .scale = 1e3},
         {"stepping", "s"},
         {"repeats"},
+        {"memory", "MB", .key = "model_bytes", .key_unit = "B", .scale = 1e-6},
         {"set-up and stepping", "s", .key = "seconds", .readers = TABLE_MACHINES}};
     const struct table_column more[] = {
         {"RMSE / L at the worst time", NULL, .key = "worst_rmse_over_length",
@@ -80,6 +81,7 @@ static void add_run(struct table *t, const struct contest *c, const struct conte
     table_number(t, timed ? r->result.create.median : NAN, 3);
     table_number(t, timed ? r->result.step.median * (double)r->result.steps : NAN, 3);
     table_fixed(t, timed ? r->result.step.count : NAN, 0);
+    table_number(t, timed ? r->result.bytes : NAN, 2);
     table_number(t, timed ? r->seconds : NAN, 3);
     for (int n = 0; n < c->truth->times; n++)
         table_number(t, r->error[n], 3);
@@ -104,6 +106,13 @@ static void add_bar(struct table *t, const struct contest *c)
     table_note(t, "Truth: %s. One thread; seconds are medians of the repeats%s.",
                c->truth->source,
                known ? "; runs without are not timed: they show what limits" : "");
+    table_note(t, "Memory: what the model holds after its last step, by malloc's books. %s",
+               contest_rule);
+    if (c->budget > 0)
+        table_note(t,
+                   "Budget: %g s of runs, cheap ones first; %.3g s were taken. Left "
+                   "because of it (contestant, runs): %s.",
+                   c->budget, contest_spent(c), *c->unsearched ? c->unsearched : "nothing");
 }
 
 static enum status print_runs(const struct contest *c, const char *folder,
@@ -303,6 +312,7 @@ enum status compare_print(const struct contest *c, const char *folder,
         return st;
     TRY(print_targets(c, folder, format, file, why));
     TRY(print_limits(c, folder, format, file, why));
+    TRY(compare_threads(c, folder, format, file, why));
 out:
     return st;
 }

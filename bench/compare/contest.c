@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/metric/metric.h"
 
@@ -20,6 +21,32 @@ enum status contest_add(struct contest *c, const struct contest_at *at,
     *row = &c->rows[c->count++];
     **row = (struct contest_row){.at = *at};
     return STATUS_OK;
+}
+
+static int length(const int *list, int most)
+{
+    int n = 0;
+
+    while (n < most && list[n])
+        n++;
+    return n;
+}
+
+int contest_ladder(const struct contest *c, const struct contestant *who,
+                   struct contest_at at[CONTEST_RUNGS])
+{
+    const int sides = length(who->points, c->quick ? 2 : CONTESTANT_STEPS);
+    const int divisors = length(who->divisors, c->quick ? 1 : CONTESTANT_STEPS);
+    const int iterations = length(who->iterations, CONTESTANT_STEPS);
+    int count = 0;
+
+    for (int s = 0; s < sides; s++)
+        for (int d = 0; d < divisors; d++)
+            for (int i = 0; i == 0 || i < iterations; i++)
+                at[count++] = (struct contest_at){who,
+                                                  {who->points[s], who->divisors[d],
+                                                   iterations ? who->iterations[i] : 0}};
+    return count;
 }
 
 void contest_clear(struct contest *c)
@@ -46,6 +73,16 @@ void contest_fill(const struct contest *c, const struct run_result *r,
     row->seconds = row->probe ? NAN : r->create.median + r->step.median * (double)r->steps;
     row->result = *r;
     row->result.xyz = NULL, row->result.time = NULL;
+}
+
+void contest_fill_team(const struct contest *c, int team, const struct run_result *r,
+                       struct contest_row *row)
+{
+    struct contest_row other = *row;
+
+    contest_fill(c, r, &other);
+    row->team_seconds[team] = other.seconds;
+    row->parted |= memcmp(other.error, row->error, sizeof row->error) != 0;
 }
 
 const struct contestant *contest_entrant(const struct contest *c, int k)
@@ -111,6 +148,16 @@ const struct contest_row *contest_real_time(const struct contest *c,
                                             const struct contestant *who)
 {
     return least(c, who, LEAST_ERROR, INFINITY, c->truth->time[c->truth->times - 1]);
+}
+
+bool contest_is_best(const struct contest *c, const struct contest_row *row)
+{
+    const struct contestant *who = row->at.contestant;
+    bool best = row == contest_nearest(c, who);
+
+    for (int n = 0; n < CONTEST_TARGETS; n++)
+        best |= row == contest_cheapest(c, who, contest_target[n]);
+    return best;
 }
 
 bool contest_on_front(const struct contest *c, const struct contest_row *row)

@@ -11,7 +11,12 @@
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth.h"
 
-enum { CONTEST_TIMES = 5, CONTEST_TARGETS = 5 };
+enum {
+    CONTEST_TIMES = 5,
+    CONTEST_TARGETS = 5,
+    CONTEST_TEAMS = 4,
+    CONTEST_UNSEARCHED = 2048
+};
 
 /* Errors over the length that are asked for, from large to small. */
 extern const double contest_target[CONTEST_TARGETS];
@@ -33,6 +38,8 @@ struct contest_row {
     double seconds; /* set-up and stepping, medians over the repeats; NaN: not timed   */
     double error[CONTEST_TIMES]; /* RMSE / L at each time; NaN after a death           */
     double worst;                /* the largest; NaN after a death                     */
+    double team_seconds[CONTEST_TEAMS]; /* with so many threads; 0: not timed with them */
+    bool parted;                        /* with one of these its errors were others     */
 };
 
 struct contest {
@@ -42,6 +49,13 @@ struct contest {
                                   `source` says why                           borrowed */
     int count, room;
     struct contest_row *rows; /* [count], in any order: more may be added         owned */
+
+    /* How it is searched, and timed again. */
+    bool quick;     /* the cheap half of each ladder                                   */
+    double longest; /* that a run which is searched for may take [s]; 0: none is       */
+    double budget;  /* of all runs together (contest_spent) [s]; 0: as long as it takes */
+    char unsearched[CONTEST_UNSEARCHED]; /* what the budget left, "" : nothing */
+    int teams, team[CONTEST_TEAMS];      /* numbers of threads beyond one */
 };
 
 /* One more row, all else zero; *row is valid until the next. STATUS_MEMORY. */
@@ -52,6 +66,11 @@ void contest_clear(struct contest *c); /* all-zero is allowed */
 /* Errors and seconds of a row from its run, of which it keeps all but the fields. */
 void contest_fill(const struct contest *c, const struct run_result *r,
                   struct contest_row *row);
+
+/* Its seconds from a run with the threads of a team, and whether its errors are the same.
+ */
+void contest_fill_team(const struct contest *c, int team, const struct run_result *r,
+                       struct contest_row *row);
 
 /* The k-th contestant in the order of the rows; NULL past the last. */
 const struct contestant *contest_entrant(const struct contest *c, int k);
@@ -68,6 +87,9 @@ const struct contest_row *contest_cheapest(const struct contest *c,
                                            const struct contestant *who, double target);
 const struct contest_row *contest_real_time(const struct contest *c,
                                             const struct contestant *who);
+
+/* Nearest of its contestant, or cheapest within one of contest_target. */
+bool contest_is_best(const struct contest *c, const struct contest_row *row);
 
 /* No timed row of its contestant is cheaper and as good: the line that a plot draws. */
 bool contest_on_front(const struct contest *c, const struct contest_row *row);
@@ -121,14 +143,41 @@ struct contest_limit contest_limit(const struct contest *c, const struct contest
  */
 enum { CONTEST_PROPOSALS = CONTEST_AXES * (CONTEST_TARGETS + 1) };
 
+/* The rungs of a contestant's ladder, from cheap to dear. */
+enum { CONTEST_RUNGS = CONTESTANT_STEPS * CONTESTANT_STEPS * CONTESTANT_STEPS };
+int contest_ladder(const struct contest *c, const struct contestant *who,
+                   struct contest_at at[CONTEST_RUNGS]);
+
 /* How many were proposed; none is expected to take longer than so many seconds. It depends
  * on the rows alone, so that the same rows are searched for the same. */
 int contest_search(const struct contest *c, const struct contestant *who, double longest,
                    struct contest_at at[CONTEST_PROPOSALS]);
 
+/* Seconds that the rows took so far: each was followed once, and then repeated as often as
+ * it was timed. As they stand in the rows, so that a budget can be kept to again. */
+double contest_spent(const struct contest *c);
+
+/* Runs the rows from `first` on and fills them; may cut the contest's count, which ends the
+ * search. */
+typedef enum status contest_measure(void *context, int first, struct message *why);
+
+/* Searches for all contestants of the rows, round by round. Within a budget the rest of
+ * their ladders is searched for, too, runs are tried cheap first, whoever's they are, and
+ * those that the budget cannot pay are left: c->unsearched has them. A part of the budget
+ * is kept for contest_search_limits. */
+enum status contest_search_all(struct contest *c, contest_measure *measure, void *context,
+                               struct message *why);
+
+/* Adds the rows that tell what limits each contestant (contest_probe), as far as the
+ * budget can pay. STATUS_MEMORY. */
+enum status contest_search_limits(struct contest *c);
+
 /* How seconds grow with accuracy: the power p of seconds ~ error^-p that fits the front
  * best; NaN: fewer than three rows on it. */
 double contest_growth(const struct contest *c, const struct contestant *who);
+
+/* A sentence for all tables: nobody is tuned to a scene. */
+extern const char *const contest_rule;
 
 /* For machines: "net", "step", ... Static storage. */
 const char *contest_kind_name(enum contest_kind kind);

@@ -9,6 +9,12 @@
 static const char *const kind_name[CONTEST_KINDS] = {
     "net", "step", "iterations", "truth", "model", "unknown", "died", "refused"};
 
+const char *const contest_rule = "Settings are the same on every scene: stiffnesses, "
+                                 "compliances and stable steps follow "
+                                 "from E, nu, rho, h and the net by each model's own rule; "
+                                 "net, step and iterations alone "
+                                 "are searched.";
+
 const char *contest_kind_name(enum contest_kind kind)
 {
     return kind_name[kind];

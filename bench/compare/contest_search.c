@@ -1,7 +1,10 @@
 /* Where a contestant is tried next (contest.h). */
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "bench/compare/contest.h"
+#include "bench/harness/timing.h"
 
 /* Nets that differ by less than this share of the finer are as good as one. */
 static const double CLOSE = 0.1;
@@ -39,6 +42,7 @@ static bool is_known(const struct search *s, const struct contest_at *at)
     return known;
 }
 
+/* Of a run, from what another one took. */
 static double expected(const struct contest_row *from, const struct contest_at *at)
 {
     double seconds = from->seconds;
@@ -123,4 +127,214 @@ int contest_search(const struct contest *c, const struct contestant *who, double
         cheapen(&s, who, contest_target[t]);
     sharpen(&s, who);
     return s.count;
+}
+
+/* --- all contestants, and a budget -------------------------------------------------------
+ */
+
+/* Share of a budget that is for the search; the rest tells what limits each. */
+static const double SHARE = 0.8;
+
+/* Runs within a budget are tried up to so much of the longest, then so many times more. */
+static const double FIRST = 1.0 / 256, DEARER = 4;
+
+enum { MOST_ROUNDS = 20 };
+
+/* A run that may be made. */
+struct contest_try {
+    struct contest_at at;
+    double seconds; /* expected of one repeat */
+    int order;
+};
+
+struct tries {
+    struct contest_try *list;
+    int count;
+};
+
+double contest_spent(const struct contest *c)
+{
+    double spent = 0;
+
+    for (int n = 0; n < c->count; n++) {
+        const struct run_result *r = &c->rows[n].result;
+        const int timed = c->rows[n].probe ? 0 : r->create.count;
+        spent += r->create_seconds + r->step_seconds + r->look_seconds;
+        if (timed)
+            spent += timed * c->rows[n].seconds;
+    }
+    return spent;
+}
+
+/* What a run takes by the run of its contestant that is least unlike it; all of them
+ * refused: nothing. */
+static double expected_of(const struct contest *c, const struct contest_at *at)
+{
+    double least = INFINITY, seconds = 0;
+
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
+        if (r->at.contestant != at->contestant || !(r->seconds > 0))
+            continue;
+        const double unlike = fabs(log(expected(r, at) / r->seconds));
+        if (unlike < least)
+            least = unlike, seconds = expected(r, at);
+    }
+    return seconds;
+}
+
+static void add_try(const struct contest *c, struct tries *t, const struct contest_at *at)
+{
+    t->list[t->count] = (struct contest_try){*at, expected_of(c, at), t->count};
+    t->count++;
+}
+
+/* All that a contestant may still try: rungs up to `dearest`, and what the search wants. */
+static void add_tries(const struct contest *c, const struct contestant *who, double longest,
+                      double dearest, struct tries *t)
+{
+    struct contest_at at[CONTEST_RUNGS + CONTEST_PROPOSALS];
+    const struct search known = {.contest = c};
+    const int rungs = contest_ladder(c, who, at);
+
+    for (int n = 0; n < rungs; n++)
+        if (!is_known(&known, &at[n]) && expected_of(c, &at[n]) <= dearest)
+            add_try(c, t, &at[n]);
+    const int count = contest_search(c, who, longest, at);
+    for (int n = 0; n < count; n++) {
+        bool twice = false;
+        for (int k = 0; k < t->count; k++)
+            twice |= is_at(&t->list[k].at, &at[n]);
+        if (!twice)
+            add_try(c, t, &at[n]);
+    }
+}
+
+static enum status find_tries(const struct contest *c, double longest, double dearest,
+                              struct tries *t)
+{
+    const struct contestant *who;
+    int entrants = 0;
+
+    while (contest_entrant(c, entrants))
+        entrants++;
+    *t = (struct tries){calloc((size_t)entrants * (CONTEST_RUNGS + CONTEST_PROPOSALS) + 1,
+                               sizeof *t->list)};
+    if (!t->list)
+        return STATUS_MEMORY;
+    for (int k = 0; (who = contest_entrant(c, k)); k++)
+        add_tries(c, who, longest, dearest, t);
+    return STATUS_OK;
+}
+
+static int cheaper(const void *a, const void *b)
+{
+    const struct contest_try *left = a, *right = b;
+
+    return left->seconds != right->seconds
+               ? (left->seconds > right->seconds) - (left->seconds < right->seconds)
+               : left->order - right->order;
+}
+
+/* Rows of those that can be paid, cheap first. */
+static enum status add_payable(struct contest *c, struct tries *t, double most, bool probe)
+{
+    double spent = contest_spent(c);
+    enum status st = STATUS_OK;
+    struct contest_row *row;
+
+    if (c->budget > 0)
+        qsort(t->list, (size_t)t->count, sizeof *t->list, cheaper);
+    for (int n = 0; n < t->count; n++) {
+        const double seconds = t->list[n].seconds;
+        spent += seconds * (1 + (probe ? 0 : timing_repeats(seconds, c->quick)));
+        if (c->budget > 0 && spent > most)
+            break;
+        TRY(contest_add(c, &t->list[n].at, &row));
+        row->probe = probe;
+    }
+out:
+    return st;
+}
+
+/* Rounds of runs up to `longest`; *cut: `measure` did not have all of them. */
+static enum status search_to(struct contest *c, double longest, double dearest,
+                             contest_measure *measure, void *context, bool *cut,
+                             struct message *why)
+{
+    struct tries t = {0};
+    enum status st = STATUS_OK;
+
+    for (int round = 0; round < MOST_ROUNDS && !*cut; round++) {
+        const int first = c->count;
+        free(t.list);
+        TRY(find_tries(c, longest, dearest, &t));
+        TRY(add_payable(c, &t, SHARE * c->budget, false));
+        const int wanted = c->count;
+        if (wanted == first)
+            break;
+        TRY(measure(context, first, why));
+        *cut = c->count < wanted;
+    }
+out:
+    free(t.list);
+    return st;
+}
+
+/* "iga_paper 3, hex 2": how many runs of whom. */
+static enum status tell_unsearched(struct contest *c)
+{
+    const struct contestant *who;
+    struct tries t;
+    size_t used = 0;
+    const enum status st = find_tries(c, c->longest, INFINITY, &t);
+
+    c->unsearched[0] = '\0';
+    for (int k = 0; st == STATUS_OK && (who = contest_entrant(c, k)); k++) {
+        int count = 0;
+        for (int n = 0; n < t.count; n++)
+            count += t.list[n].at.contestant == who;
+        if (count && used < sizeof c->unsearched)
+            used += (size_t)snprintf(c->unsearched + used, sizeof c->unsearched - used,
+                                     "%s%s %d", used ? ", " : "", who->name, count);
+    }
+    free(t.list);
+    return st;
+}
+
+enum status contest_search_all(struct contest *c, contest_measure *measure, void *context,
+                               struct message *why)
+{
+    double longest = c->budget > 0 ? FIRST * c->longest : c->longest;
+    bool cut = false;
+    enum status st = STATUS_OK;
+
+    for (; longest < c->longest && !cut; longest *= DEARER)
+        TRY(search_to(c, longest, longest, measure, context, &cut, why));
+    TRY(search_to(c, c->longest, INFINITY, measure, context, &cut, why));
+    if (c->budget > 0)
+        TRY(tell_unsearched(c));
+out:
+    return st;
+}
+
+enum status contest_search_limits(struct contest *c)
+{
+    const struct contestant *who;
+    struct tries t = {0};
+    enum status st;
+
+    TRY(find_tries(c, 0, 0, &t)); /* room */
+    t.count = 0;
+    for (int k = 0; (who = contest_entrant(c, k)); k++) {
+        const struct contest_limit limit = contest_limit(c, who);
+        struct contest_at at;
+        for (int axis = 0; limit.best && axis < CONTEST_AXES; axis++)
+            if (limit.kind != CONTEST_BY_TRUTH &&
+                contest_probe(c, limit.best, (enum contest_axis)axis, &at))
+                add_try(c, &t, &at);
+    }
+    TRY(add_payable(c, &t, c->budget, true));
+out:
+    free(t.list);
+    return st;
 }

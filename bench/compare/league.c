@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/ui/chart.h"
+
 /* What is asked for where the truth is known to it. */
 static const double USUAL = 0.01;
 
@@ -35,6 +37,7 @@ static void fill(const struct contest *c, const struct contestant *who, double t
     cell->refused = contest_limit(c, who).kind == CONTEST_REFUSED;
     cell->seconds = cheapest ? cheapest->seconds : NAN;
     cell->lowest = nearest ? nearest->worst : NAN;
+    cell->bytes = shown ? shown->result.bytes : NAN;
     if (shown)
         memcpy(cell->size, shown->at.size, sizeof cell->size);
 }
@@ -55,9 +58,15 @@ enum status league_add(struct league *l, const struct contest *c)
     scene->target = league_target(scene->bar);
     snprintf(scene->name, sizeof scene->name, "%s", c->scene->name);
     scene->cell = calloc((size_t)l->contestants + 1, sizeof *scene->cell);
-    if (!scene->cell)
-        return STATUS_MEMORY;
+    scene->point = calloc((size_t)c->count + 1, sizeof *scene->point);
     l->count++;
+    if (!scene->cell || !scene->point)
+        return STATUS_MEMORY;
+    for (int n = 0; n < c->count; n++)
+        if (contest_on_front(c, &c->rows[n]))
+            scene->point[scene->point_count++] =
+                (struct league_point){(int)(c->rows[n].at.contestant - contestant_table),
+                                      c->rows[n].seconds, c->rows[n].worst};
     for (int k = 0; (who = contest_entrant(c, k)); k++)
         fill(c, who, scene->target, &scene->cell[who - contestant_table]);
     return STATUS_OK;
@@ -65,8 +74,10 @@ enum status league_add(struct league *l, const struct contest *c)
 
 void league_clear(struct league *l)
 {
-    for (int n = 0; n < l->count; n++)
+    for (int n = 0; n < l->count; n++) {
         free(l->scene[n].cell);
+        free(l->scene[n].point);
+    }
     free(l->scene);
     *l = (struct league){0};
 }
@@ -189,6 +200,7 @@ static enum status print_people(const struct league *l, enum table_format format
         table_text(t, "%.3g", l->scene[s].span);
     for (int s = 0; s < l->count; s++)
         note_winner(t, l, s);
+    table_note(t, "%s", contest_rule);
     free(columns);
     return table_finish(t, format, file);
 }
@@ -210,8 +222,10 @@ static struct table *list_all(const struct league *l)
         {"side", NULL},
         {"steps", NULL, .key = "steps_a_frame"},
         {"iterations", NULL},
+        {"memory", "B", .key = "model_bytes"},
         {"refused", NULL}};
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
+    struct table *t =
+        table_create(sizeof columns / sizeof *columns, columns, "Contestants over scenes");
 
     for (int s = 0; s < l->count; s++)
         for (int n = 0; n < l->contestants; n++) {
@@ -230,9 +244,52 @@ static struct table *list_all(const struct league *l)
             table_number(t, cell->lowest, 3);
             for (int axis = 0; axis < CONTEST_AXES; axis++)
                 table_fixed(t, cell->size[axis] ? cell->size[axis] : NAN, 0);
+            table_number(t, cell->bytes, 3);
             table_integer(t, cell->refused);
         }
     return t;
+}
+
+/* --- the chart ---------------------------------------------------------------------------
+ */
+
+/* No contestant of the same model is cheaper and as good. */
+static bool leads(const struct league_scene *s, const struct league_point *p)
+{
+    const struct model *model = contestant_table[p->contestant].model;
+
+    for (const struct league_point *q = s->point; q < s->point + s->point_count; q++)
+        if (contestant_table[q->contestant].model == model && q->worst <= p->worst &&
+            q->seconds < p->seconds)
+            return false;
+    return true;
+}
+
+static void draw_model(struct chart *c, const struct league_scene *s,
+                       const struct model *model)
+{
+    chart_series(c, &(struct chart_series){model->title, .sorted = true});
+    for (const struct league_point *p = s->point; p < s->point + s->point_count; p++)
+        if (contestant_table[p->contestant].model == model && leads(s, p))
+            chart_point(c, p->seconds, 100 * p->worst);
+}
+
+enum status league_chart(const struct league *l, const char *folder, struct message *why)
+{
+    struct chart *c = chart_create("The best runs of each model on each scene");
+    const struct model *model;
+
+    chart_axes(c, &(struct chart_axis){"set-up and stepping", "s", .log = true},
+               &(struct chart_axis){"RMSE / L at the worst time", "%", .log = true});
+    for (int s = 0; s < l->count; s++) {
+        const struct league_scene *scene = &l->scene[s];
+        chart_panel(c, scene->name);
+        if (!isnan(scene->bar))
+            chart_band(c, "truth's error bar", 0, 100 * scene->bar);
+        for (int m = 0; (model = contestant_model(m)) && m < CHART_LINES_MOST; m++)
+            draw_model(c, scene, model);
+    }
+    return chart_save(c, folder, "compare_scenes", why);
 }
 
 enum status league_print(const struct league *l, const char *folder,
@@ -242,6 +299,7 @@ enum status league_print(const struct league *l, const char *folder,
     enum status st;
 
     TRY(table_save(t, folder, "compare_scenes", why));
+    TRY(league_chart(l, folder, why));
     if (!table_format_is_prose(format))
         return table_finish(t, format, file);
     st = print_people(l, format, file);

@@ -14,9 +14,17 @@ double league_target(double bar);
 /* What a contestant did on a scene. */
 struct league_cell {
     bool entered, refused;
-    double seconds;         /* least to the target; NaN: not reached                    */
-    double lowest;          /* RMSE / L at the worst time; NaN: none lived              */
+    double seconds; /* least to the target; NaN: not reached                    */
+    double lowest;  /* RMSE / L at the worst time; NaN: none lived              */
+    double bytes;   /* that the model holds, of what took the least seconds, else of the
+                       lowest */
     int size[CONTEST_AXES]; /* of what took the least seconds, else of the lowest       */
+};
+
+/* A point of a front (contest_on_front). */
+struct league_point {
+    int contestant; /* index into contestant_table                                      */
+    double seconds, worst;
 };
 
 struct league_scene {
@@ -24,6 +32,8 @@ struct league_scene {
     double bar, target;       /* over the length; target NaN: the truth is too blunt      */
     double span;              /* that was simulated [s]                                   */
     struct league_cell *cell; /* [contestants], in the order of contestant_table    owned */
+    int point_count;
+    struct league_point *point; /* [point_count] of all contestants' fronts       owned */
 };
 
 struct league {
@@ -39,6 +49,11 @@ void league_clear(struct league *l); /* all-zero is allowed */
  * contestant_table, -1: none. */
 int league_winner(const struct league *l, int scene);
 int league_second(const struct league *l, int scene);
+
+/* The least error of a model's contestants within so many seconds is what its front shows:
+ * a panel a scene, a line a model, and the truth's bar; compare_scenes.png in the folder.
+ */
+enum status league_chart(const struct league *l, const char *folder, struct message *why);
 
 /* For people a row a contestant and a column a scene; for machines, and as
  * compare_scenes.csv in the folder, a row for each of both. */

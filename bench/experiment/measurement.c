@@ -138,6 +138,7 @@ static enum status store_times(const struct measurement_options *options, struct
     TRY(run_file_seconds(j->file, "create", t->create, t->repeats, 0, why));
     TRY(run_file_seconds(j->file, t->rest ? "equilibrium" : "advance", t->advance,
                          t->repeats, t->frames, why));
+    TRY(run_file_bytes(j->file, t->bytes, why));
     TRY(run_file_seconds(j->file, "timed", &together[0], 1, 0, why));
     TRY(run_file_seconds(j->file, "processor", &together[1], 1, 0, why));
     if (j->asked->phases)

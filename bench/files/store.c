@@ -263,6 +263,12 @@ enum status store_text(struct store *s, const char *key, const char *text,
     return hdf5_file_put_text(s->file, key, text) < 0 ? fail(s, why) : STATUS_OK;
 }
 
+enum status store_number(struct store *s, const char *key, double value,
+                         struct message *why)
+{
+    return hdf5_file_put_double(s->file, key, value) < 0 ? fail(s, why) : STATUS_OK;
+}
+
 enum status store_note(struct store *s, const char *text, struct message *why)
 {
     return store_text(s, "note", text, why);

@@ -11,7 +11,7 @@
  *                     quick ("yes", of a quick run only), made_for (run_file.h),
  *                     warnings (a line each, if there are any: harness/warnings.h),
  *                     length, width, thickness [m], nodes, unknowns, factor_entries,
- *                     solver, unknown_basis
+ *                     solver, unknown_basis, model_bytes (of a run that was timed)
  *   provenance        a group whose attributes are provenance.h's keys
  *   time              [F]                          double [s]
  *   xyz               [K][w 2][v 100][u 100][3]    double [m] (or float, if asked for)
@@ -83,6 +83,10 @@ enum status store_note(struct store *store, const char *text, struct message *wh
 /* One more text attribute of /, [a-z_]+, that this list does not have. Once per key. */
 enum status store_text(struct store *store, const char *key, const char *text,
                        struct message *why);
+
+/* One more number, an attribute of /, likewise. */
+enum status store_number(struct store *store, const char *key, double value,
+                         struct message *why);
 
 /* The run died at t with this status: kept, and written by store_close. */
 void store_death(struct store *store, enum status death, double t);

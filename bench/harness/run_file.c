@@ -193,6 +193,11 @@ enum status run_file_seconds(struct run_file *f, const char *phase, const double
                     : STATUS_OK;
 }
 
+enum status run_file_bytes(struct run_file *f, double bytes, struct message *why)
+{
+    return f->store ? store_number(f->store, "model_bytes", bytes, why) : STATUS_OK;
+}
+
 /* The caller's numbers; `value` has room for one of all looks. */
 static enum status store_own(struct run_file *f, double *value, struct message *why)
 {

@@ -75,6 +75,9 @@ enum status run_file_seconds(struct run_file *file, const char *phase,
                              const double *seconds, int repeats, int columns,
                              struct message *why);
 
+/* What the model holds (timing.h). */
+enum status run_file_bytes(struct run_file *file, double bytes, struct message *why);
+
 /* Completes the file and fills *result (may be NULL), without fields. `m` is NULL for a
  * state that did not move. Frees in any case; on failure nothing is left of the file. */
 enum status run_file_close(struct run_file *file, const struct motion *m,

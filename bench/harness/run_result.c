@@ -237,6 +237,8 @@ enum status run_result_read(const char *path, bool fields, struct run_result *re
     TRY(read_end(file, path, &r, why));
     TRY(store_read_number(file, "unknowns", &r.unknowns, why));
     TRY(store_read_number(file, "factor_entries", &r.factor_entries, why));
+    if (store_read_number(file, "model_bytes", &r.bytes, NULL) != STATUS_OK)
+        r.bytes = NAN;
     TRY(store_scene(file, path, &scene, why));
     TRY(read_looks(file, path, &looks, why));
     TRY(read_times(file, &r, why));

@@ -21,6 +21,7 @@ struct run_result {
     /* Read from the file alone: */
     char made_for[128]; /* what run_keep has it made for; ""                            */
     double unknowns, factor_entries;
+    double bytes; /* that the model held after its last step (timing.h); NaN: not timed */
     struct clock_summary create; /* over the repeats [s]; count = 0: not timed          */
     struct clock_summary step;   /* likewise of their mean steps, or of the equilibrium */
     struct clock_summary phase[RUN_RESULT_PHASES];

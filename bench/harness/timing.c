@@ -22,10 +22,27 @@ int timing_pin(void)
     return sched_setaffinity(0, sizeof set, &set) == 0 ? cpu : -1;
 }
 
+/* Where this program may run, before it was kept on one of them. */
+static cpu_set_t everywhere;
+static bool everywhere_known;
+
 void timing_alone(void)
 {
     omp_set_num_threads(1);
+    if (!everywhere_known)
+        everywhere_known = sched_getaffinity(0, sizeof everywhere, &everywhere) == 0;
     timing_pin();
+}
+
+void timing_threads(int count)
+{
+    if (count == 1) {
+        timing_alone();
+        return;
+    }
+    omp_set_num_threads(count);
+    if (everywhere_known)
+        sched_setaffinity(0, sizeof everywhere, &everywhere);
 }
 
 void timing_clear(struct timing_case *c)
@@ -67,9 +84,10 @@ static enum status settle(struct run *fresh, double *seconds, struct message *wh
 }
 
 /* One repeat of one case: all of it is as before but for the state. */
-static enum status run_once(const struct timing_case *c, int repeat, struct message *why)
+static enum status run_once(struct timing_case *c, int repeat, struct message *why)
 {
     struct run fresh = *c->run;
+    const double before = clock_allocated();
     double *advance = c->advance + (size_t)repeat * (size_t)c->frames;
     enum status st;
 
@@ -79,6 +97,8 @@ static enum status run_once(const struct timing_case *c, int repeat, struct mess
     TRY(run_build(&fresh, why));
     c->create[repeat] = fresh.create_seconds;
     st = c->rest ? settle(&fresh, advance, why) : step(c, &fresh, advance, why);
+    if (repeat == 0) /* before what the libraries keep from run to run is told off */
+        c->bytes = clock_allocated() - before;
 out:
     fresh.model->destroy(fresh.state);
     return st;

@@ -20,6 +20,7 @@ struct timing_case {
     int repeats;           /* 0: by the rule above, from the first repeat's seconds      */
     double *create;        /* [repeats]           set-up                   [s]   owned   */
     double *advance; /* [repeats][frames]   one time step each; NaN after a death  owned */
+    double bytes;    /* that the model holds after the last step (clock_allocated)       */
 };
 
 struct timing_plan {
@@ -42,5 +43,8 @@ int timing_pin(void);
 
 /* One thread, on one processor: what is timed compares models, not schedulers. */
 void timing_alone(void);
+
+/* So many threads from here on, on any processor that there was before timing_alone. */
+void timing_threads(int count);
 
 #endif

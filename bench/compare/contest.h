@@ -121,9 +121,16 @@ struct contest_limit contest_limit(const struct contest *c, const struct contest
  */
 enum { CONTEST_PROPOSALS = CONTEST_AXES * (CONTEST_TARGETS + 1) };
 
-/* How many were proposed; none is expected to take longer than so many seconds. It depends
- * on the rows alone, so that the same rows are searched for the same. */
-int contest_search(const struct contest *c, const struct contestant *who, double longest,
+struct contest_wish {
+    int count;            /* CONTEST_TARGETS at most                                   */
+    const double *target; /* [count] from large to small                               */
+    double longest;       /* nothing is tried that is expected to take longer [s]      */
+};
+
+/* How many were proposed. It depends on the rows alone, so that the same rows are searched
+ * for the same. */
+int contest_search(const struct contest *c, const struct contestant *who,
+                   const struct contest_wish *wish,
                    struct contest_at at[CONTEST_PROPOSALS]);
 
 /* How seconds grow with accuracy: the power p of seconds ~ error^-p that fits the front

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "bench/advise/advise.h"
 #include "bench/speed/bench.h"
 #include "bench/compare/compare.h"
 #include "bench/run/run_command.h"
@@ -39,8 +40,10 @@ static void list_models(void)
     const struct model *model;
 
     for (int n = 0; (model = contestant_model(n)); n++) {
-        char text[256];
-        snprintf(text, sizeof text, "%s (%s)", model->title, model->source);
+        char text[512], not_served[256];
+        scene_needs_text(SCENE_NEED_ALL & ~model->serves, not_served, sizeof not_served);
+        snprintf(text, sizeof text, "%s; serves %s%s (%s)", model->title,
+                 *not_served ? "all but " : "every scene", not_served, model->source);
         print_item(model->name, text);
     }
 }
@@ -146,12 +149,12 @@ static const struct command list_command = {
 };
 
 const struct command *const commands[] = {
-    &list_command,  &run_command,   &compare_command, &tables_command, &studies_command,
-    &sweep_command, &truth_command, &verify_command,  &stress_command, &bench_command,
-    NULL,
+    &list_command,   &run_command,     &compare_command, &advise_command,
+    &tables_command, &studies_command, &sweep_command,   &truth_command,
+    &verify_command, &stress_command,  &bench_command,   NULL,
 };
 
-static const char *const planned[] = {"score", "advise", "report", NULL};
+static const char *const planned[] = {"score", "report", NULL};
 
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why)

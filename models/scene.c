@@ -17,6 +17,7 @@ void scene_clear(struct scene *scene)
     free(scene->snapshots);
     free(scene->name);
     free(scene->source);
+    free(scene->about);
     free(scene->text);
     memset(scene, 0, sizeof *scene);
 }

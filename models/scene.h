@@ -63,6 +63,7 @@ struct scene_obstacle {
 struct scene {
     char *name;   /* [a-z0-9_]+                                             owned     */
     char *source; /* where the numbers come from                            owned     */
+    char *about;  /* what happens, a line for lists; NULL: not told         owned     */
     char *text;   /* the file as read, with the settings applied below it   owned     */
 
     double length, width, thickness; /*                                       [m] > 0 */
@@ -115,6 +116,10 @@ enum scene_need {
     SCENE_NEED_LIST(SCENE_NEED_VALUE)
 #undef SCENE_NEED_VALUE
 };
+
+#define SCENE_NEED_ALL_OF(name, sentence) SCENE_NEED_##name |
+enum { SCENE_NEED_ALL = SCENE_NEED_LIST(SCENE_NEED_ALL_OF) 0 };
+#undef SCENE_NEED_ALL_OF
 
 unsigned scene_needs(const struct scene *scene);
 

@@ -107,6 +107,8 @@ static const struct rule rules[] = {
     {"iga_selective_3", 0, 1e-4, 0, 0, 1e-6}, /* less will do than the ladder */
 };
 
+static const struct contest_wish WISH = {CONTEST_TARGETS, contest_target, LONGEST};
+
 static void searches(const struct rule *r)
 {
     static double *xyz[1];
@@ -121,8 +123,7 @@ static void searches(const struct rule *r)
     xyz[0] = shape;
     add_ladder(&c, r);
     ladder = c.count;
-    while ((count = contest_search(&c, named(r->who), LONGEST, at)) &&
-           rounds++ < MOST_ROUNDS)
+    while ((count = contest_search(&c, named(r->who), &WISH, at)) && rounds++ < MOST_ROUNDS)
         for (int n = 0; n < count; n++)
             add(&c, r, &at[n]);
     CHECK(rounds < MOST_ROUNDS);
@@ -153,18 +154,19 @@ static void nothing_to_do(void)
     struct truth truth = {1, time, xyz, bar, "made up"};
     struct contest c = {.scene = &scene, .truth = &truth};
     const struct rule r = {"iga_selective_3", 0.04, 0, 0, 0, 0};
+    const struct contest_wish cheap = {CONTEST_TARGETS, contest_target, 1e-9};
 
     add(&c, &r, &(struct contest_at){named(r.who), {10, 1, 0}});
-    CHECK(contest_search(&c, named(r.who), LONGEST, at) == 0);
+    CHECK(contest_search(&c, named(r.who), &WISH, at) == 0);
     bar[0] = 0.03;
-    CHECK(contest_search(&c, named(r.who), LONGEST, at) == 2); /* a net, a step */
-    CHECK(contest_search(&c, named(r.who), 1e-9, at) == 0);
-    CHECK(contest_search(&c, named("mass_spring"), LONGEST, at) == 0);
+    CHECK(contest_search(&c, named(r.who), &WISH, at) == 2); /* a net, a step */
+    CHECK(contest_search(&c, named(r.who), &cheap, at) == 0);
+    CHECK(contest_search(&c, named("mass_spring"), &WISH, at) == 0);
     bar[0] = 0, c.rows[0].worst = c.rows[0].error[0] = 0.0019; /* near enough */
-    CHECK(contest_search(&c, named(r.who), LONGEST, at) == 1);
+    CHECK(contest_search(&c, named(r.who), &WISH, at) == 1);
     CHECK(at[0].size[CONTEST_NET] == 5 && at[0].size[CONTEST_STEP] == 1);
     c.rows[0].worst = c.rows[0].error[0] = NAN; /* it died */
-    CHECK(contest_search(&c, named(r.who), LONGEST, at) == 0);
+    CHECK(contest_search(&c, named(r.who), &WISH, at) == 0);
     contest_clear(&c);
 }
 

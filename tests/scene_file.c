@@ -242,7 +242,7 @@ static void check_shipped(void)
         CHECK(scene_file_find(entries[i].name, &path, &why) == STATUS_OK);
         if (path && CHECK(scene_file_read(path, 0, NULL, &s, &d, &why) == STATUS_OK)) {
             CHECK(!strcmp(s.name, entries[i].name));
-            CHECK(!strcmp(s.source, entries[i].text));
+            CHECK(!strcmp(s.about ? s.about : s.source, entries[i].text));
         } else
             printf("%s\n", why.text);
         scene_clear(&s);

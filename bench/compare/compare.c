@@ -9,44 +9,22 @@
 #include "bench/compare/league.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
-#include "bench/truth/truth_plan.h"
-#include "models/damping.h"
-#include "models/reader/scene_file.h"
-
-/* Half a second: an edge drop's first quarter swing, before motions part for good. */
-static const double UNTIL = 0.5;
 
 /* Seconds that a run which the search proposes may take. */
 static const double LONGEST = 3;
 
 enum { MOST_SCENES = 16, MOST_THREADS = 256 };
 
-/* Those given by --until; else those of the stored truth up to UNTIL; else up to UNTIL. */
-static enum status read_times(struct compare_job *j, const struct command_line *line,
+static enum status read_until(const struct command_line *line, double *until,
                               struct message *why)
 {
     const char *word = command_value(line, "--until");
     char *end = NULL;
-    double until = word ? strtod(word, &end) : fmin(UNTIL, j->scene.end);
 
-    if (word && (*end || !(until > 0)))
+    *until = word ? strtod(word, &end) : NAN;
+    if (word && (*end || !(*until > 0)))
         return status_fail(why, STATUS_INPUT, "--until %s: a time in seconds, above 0",
                            word);
-    if (!word) {
-        enum status st = truth_stored_times(j->path, &j->truth, until, CONTEST_TIMES,
-                                            j->time, &j->times, why);
-        if (st != STATUS_OK || j->times)
-            return st;
-    }
-    j->times = CONTEST_TIMES;
-    for (int n = 0; n < j->times; n++)
-        j->time[n] =
-            fmax(1, round((n + 1) * until / j->times / j->scene.step)) * j->scene.step;
-    for (int n = 1; n < j->times; n++)
-        if (j->time[n] <= j->time[n - 1])
-            return status_fail(why, STATUS_INPUT,
-                               "--until %g: at least %d frames of %g s are needed", until,
-                               j->times, j->scene.step);
     return STATUS_OK;
 }
 
@@ -100,42 +78,21 @@ static enum status read_threads(struct contest *c, const struct command_line *li
     return STATUS_OK;
 }
 
-/* All but the paper's own scheme move as the truth does (truth_plan.h). */
-static void choose_damping(struct compare_job *j)
-{
-    const char *truth = truth_plan_damping(&j->scene);
-
-    snprintf(j->contest.physics, sizeof j->contest.physics, "damping %s",
-             damping_name((int)j->scene.damping.kind));
-    settings_append(&j->truth, &j->user);
-    for (int n = 0; n < j->user.count; n++)
-        if (!strncmp(j->user.text[n], "damping", 7))
-            return;
-    if (!truth)
-        return;
-    settings_set(&j->truth, truth);
-    snprintf(j->contest.physics, sizeof j->contest.physics,
-             "undamped, but for the paper's own scheme with velocity_scale %g",
-             j->scene.damping.value);
-}
-
 static enum status prepare(struct compare_job *j, const struct command_line *line,
                            const char *scene, struct message *why)
 {
     enum status st;
     int given;
+    double until;
     const char *const *set = command_values(line, "--set", &given);
 
     j->contest.quick = command_given(line, "--quick");
     settings_set_all(&j->user, given, set);
-    TRY(scene_file_find(scene, &j->path, why));
-    TRY(settings_read_scene(&j->user, j->path, &j->scene, why));
-    choose_damping(j);
-    TRY(read_times(j, line, why));
+    TRY(read_until(line, &until, why));
+    TRY(compare_job_open(j, scene, until, why));
     TRY(read_longest(&j->contest, line, why));
     TRY(read_budget(&j->contest, line, why));
     TRY(read_threads(&j->contest, line, why));
-    j->contest.scene = &j->scene;
 out:
     return st;
 }
@@ -183,16 +140,6 @@ static const char *choose_folder(const struct call *call, const char *scene, cha
     return room;
 }
 
-static void clear(struct compare_job *j)
-{
-    contest_clear(&j->contest);
-    settings_clear(&j->user);
-    settings_clear(&j->truth);
-    truth_destroy(j->found);
-    scene_clear(&j->scene);
-    free(j->path);
-}
-
 /* Before anything is run: every scene can be read, and each has a name of its own. */
 static enum status check_scenes(const struct command_line *line, struct message *why)
 {
@@ -204,7 +151,7 @@ static enum status check_scenes(const struct command_line *line, struct message 
         st = prepare(&j, line, line->words[n], why);
         if (st == STATUS_OK)
             snprintf(name[n], sizeof name[n], "%s", j.scene.name);
-        clear(&j);
+        compare_job_close(&j);
         TRY(st);
         for (int k = 0; k < n; k++)
             if (!strcmp(name[k], name[n]))
@@ -236,7 +183,7 @@ static enum status run_scene(struct call *call, const char *word, struct message
     TRY(compare_print(&j.contest, j.folder, call->format, stdout, why));
     TRY(league_add(&call->league, &j.contest));
 out:
-    clear(&j);
+    compare_job_close(&j);
     return st;
 }
 

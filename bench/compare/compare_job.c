@@ -1,11 +1,91 @@
 #include "bench/compare/compare_job.h"
 
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "bench/experiment/batch.h"
 #include "bench/harness/timing.h"
+#include "bench/truth/truth_plan.h"
 #include "bench/ui/progress.h"
+#include "models/damping.h"
+#include "models/reader/scene_file.h"
+
+/* Half a second: an edge drop's first quarter swing, before motions part for good. */
+static const double UNTIL = 0.5;
+
+/* All but the paper's own scheme move as the truth does (truth_plan.h). */
+static void choose_damping(struct compare_job *j)
+{
+    const char *truth = truth_plan_damping(&j->scene);
+
+    snprintf(j->contest.physics, sizeof j->contest.physics, "damping %s",
+             damping_name((int)j->scene.damping.kind));
+    settings_append(&j->truth, &j->user);
+    for (int n = 0; n < j->user.count; n++)
+        if (!strncmp(j->user.text[n], "damping", 7))
+            return;
+    if (!truth)
+        return;
+    settings_set(&j->truth, truth);
+    snprintf(j->contest.physics, sizeof j->contest.physics,
+             "undamped, but for the paper's own scheme with velocity_scale %g",
+             j->scene.damping.value);
+}
+
+static enum status spread_times(struct compare_job *j, double until, struct message *why)
+{
+    j->times = CONTEST_TIMES;
+    for (int n = 0; n < j->times; n++)
+        j->time[n] =
+            fmax(1, round((n + 1) * until / j->times / j->scene.step)) * j->scene.step;
+    for (int n = 1; n < j->times; n++)
+        if (j->time[n] <= j->time[n - 1])
+            return status_fail(why, STATUS_INPUT,
+                               "--until %g: at least %d frames of %g s are needed", until,
+                               j->times, j->scene.step);
+    return STATUS_OK;
+}
+
+static enum status choose_times(struct compare_job *j, double until, struct message *why)
+{
+    const double most = fmin(UNTIL, j->scene.end);
+    enum status st;
+
+    if (!isnan(until))
+        return spread_times(j, until, why);
+    TRY(truth_stored_times(j->path, &j->truth, most, CONTEST_TIMES, j->time, &j->times,
+                           why));
+    return j->times ? STATUS_OK : spread_times(j, most, why);
+out:
+    return st;
+}
+
+enum status compare_job_open(struct compare_job *j, const char *scene, double until,
+                             struct message *why)
+{
+    enum status st;
+
+    TRY(scene_file_find(scene, &j->path, why));
+    TRY(settings_read_scene(&j->user, j->path, &j->scene, why));
+    j->contest.scene = &j->scene;
+    choose_damping(j);
+    TRY(choose_times(j, until, why));
+out:
+    return st;
+}
+
+void compare_job_close(struct compare_job *j)
+{
+    contest_clear(&j->contest);
+    settings_clear(&j->user);
+    settings_clear(&j->truth);
+    truth_destroy(j->found);
+    scene_clear(&j->scene);
+    free(j->path);
+}
 
 /* Of its ladder all, or where a budget has to do the least. */
 static enum status add_rows(struct contest *c, const struct contestant *who)
@@ -124,6 +204,28 @@ static enum status measure(struct compare_job *j, int first, bool needed,
     }
 out:
     batch_clear(&batch);
+    return st;
+}
+
+enum status compare_job_rows(struct compare_job *j, int first, struct message *why)
+{
+    return measure(j, first, true, why);
+}
+
+enum status compare_job_propose(struct compare_job *j, const struct contest_wish *wish)
+{
+    struct contest *c = &j->contest;
+    const struct contestant *who;
+    struct contest_at at[CONTEST_PROPOSALS];
+    struct contest_row *unused;
+    enum status st = STATUS_OK;
+
+    for (int k = 0; (who = contest_entrant(c, k)); k++) {
+        const int count = contest_search(c, who, wish, at);
+        for (int n = 0; n < count; n++)
+            TRY(contest_add(c, &at[n], &unused));
+    }
+out:
     return st;
 }
 

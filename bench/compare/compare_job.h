@@ -21,9 +21,24 @@ struct compare_job {
     bool read_only;
 };
 
+/* Reads a scene with a user's settings and chooses how it is damped and at which times it
+ * is held against its truth: five up to `until` [s] or, if that is NaN, those of a stored
+ * truth up to half a second, else five up to there. `quick` and `user` are set before; free
+ * with compare_job_close. */
+enum status compare_job_open(struct compare_job *j, const char *scene, double until,
+                             struct message *why);
+void compare_job_close(struct compare_job *j); /* all-zero is allowed */
+
 /* The ladders of a choice of --models (contestant_chosen), model by model. */
 enum status compare_job_ladder(struct compare_job *j, const char *models,
                                struct message *why);
+
+/* Runs and times all rows from `first` on that the folder has no file of, and fills them.
+ */
+enum status compare_job_rows(struct compare_job *j, int first, struct message *why);
+
+/* What is proposed by contest_search for any contestant becomes a row. */
+enum status compare_job_propose(struct compare_job *j, const struct contest_wish *wish);
 
 /* Runs and times the ladder, what it makes worth a try (contest_search), and then, untimed,
  * what tells the limits of each; read_only: fills them from the files of an earlier call.

@@ -148,9 +148,16 @@ enum { CONTEST_RUNGS = CONTESTANT_STEPS * CONTESTANT_STEPS * CONTESTANT_STEPS };
 int contest_ladder(const struct contest *c, const struct contestant *who,
                    struct contest_at at[CONTEST_RUNGS]);
 
-/* How many were proposed; none is expected to take longer than so many seconds. It depends
- * on the rows alone, so that the same rows are searched for the same. */
-int contest_search(const struct contest *c, const struct contestant *who, double longest,
+struct contest_wish {
+    int count;            /* CONTEST_TARGETS at most                                   */
+    const double *target; /* [count] from large to small                               */
+    double longest;       /* nothing is tried that is expected to take longer [s]      */
+};
+
+/* How many were proposed. It depends on the rows alone, so that the same rows are searched
+ * for the same. */
+int contest_search(const struct contest *c, const struct contestant *who,
+                   const struct contest_wish *wish,
                    struct contest_at at[CONTEST_PROPOSALS]);
 
 /* Seconds that the rows took so far: each was followed once, and then repeated as often as

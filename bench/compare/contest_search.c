@@ -17,7 +17,7 @@ static const double GROWTH = 3;
 
 struct search {
     const struct contest *contest;
-    double longest;
+    const struct contest_wish *wish;
     struct contest_at *at;
     int count;
 };
@@ -57,7 +57,7 @@ static double expected(const struct contest_row *from, const struct contest_at *
 static void propose(struct search *s, const struct contest_row *from,
                     const struct contest_at *at)
 {
-    if (!is_known(s, at) && expected(from, at) <= s->longest)
+    if (!is_known(s, at) && expected(from, at) <= s->wish->longest)
         s->at[s->count++] = *at;
 }
 
@@ -111,20 +111,20 @@ static void sharpen(struct search *s, const struct contestant *who)
     struct contest_at at;
 
     if (!limit.best || limit.kind == CONTEST_BY_TRUTH ||
-        limit.best->worst <= contest_target[CONTEST_TARGETS - 1])
+        limit.best->worst <= s->wish->target[s->wish->count - 1])
         return;
     for (int axis = 0; axis < CONTEST_AXES; axis++)
         if (contest_probe(c, limit.best, (enum contest_axis)axis, &at))
             propose(s, limit.best, &at);
 }
 
-int contest_search(const struct contest *c, const struct contestant *who, double longest,
-                   struct contest_at at[CONTEST_PROPOSALS])
+int contest_search(const struct contest *c, const struct contestant *who,
+                   const struct contest_wish *wish, struct contest_at at[CONTEST_PROPOSALS])
 {
-    struct search s = {c, longest, at, 0};
+    struct search s = {c, wish, at, 0};
 
-    for (int t = 0; t < CONTEST_TARGETS; t++)
-        cheapen(&s, who, contest_target[t]);
+    for (int t = 0; t < wish->count; t++)
+        cheapen(&s, who, wish->target[t]);
     sharpen(&s, who);
     return s.count;
 }
@@ -199,7 +199,8 @@ static void add_tries(const struct contest *c, const struct contestant *who, dou
     for (int n = 0; n < rungs; n++)
         if (!is_known(&known, &at[n]) && expected_of(c, &at[n]) <= dearest)
             add_try(c, t, &at[n]);
-    const int count = contest_search(c, who, longest, at);
+    const struct contest_wish wish = {CONTEST_TARGETS, contest_target, longest};
+    const int count = contest_search(c, who, &wish, at);
     for (int n = 0; n < count; n++) {
         bool twice = false;
         for (int k = 0; k < t->count; k++)

@@ -7,6 +7,7 @@
 
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_plate.h"
+#include "bench/truth/truth_sharp.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
@@ -100,6 +101,17 @@ static enum status find_shell(const struct truth_runs *runs, double step,
     return from_shell(runs, step, effort != TRUTH_FULL, read_only, t, why);
 }
 
+/* The shell again, cured, until its bar is as small as `wish` has it; without one by
+ * effort. */
+static enum status find_run(const struct truth_runs *runs, const struct scene *scene,
+                            enum truth_effort effort, const struct truth_wish *wish,
+                            struct truth *t, struct message *why)
+{
+    return wish ? truth_sharp_fields(runs, scene->step, scene->length, wish, t->xyz,
+                                     t->error, t->source, why)
+                : find_shell(runs, scene->step, effort, t, why);
+}
+
 /* Index of a stored time, -1 if it has none. */
 static int stored_index(const struct truth_made *made, double time)
 {
@@ -167,9 +179,10 @@ out:
     return st;
 }
 
-enum status truth_find(const char *path, const struct settings *settings, int times,
-                       const double *time, const char *folder, enum truth_effort effort,
-                       struct truth **truth, struct message *why)
+static enum status find(const char *path, const struct settings *settings, int times,
+                        const double *time, const char *folder, enum truth_effort effort,
+                        const struct truth_wish *wish, struct truth **truth,
+                        struct message *why)
 {
     enum status st;
     struct scene scene = {0};
@@ -189,7 +202,7 @@ enum status truth_find(const char *path, const struct settings *settings, int ti
         TRY(read_stored(&scene, &made, why));
         TRY(take(&scene, &made, t, &found, why));
         if (!found)
-            TRY(find_shell(&runs, scene.step, effort, t, why));
+            TRY(find_run(&runs, &scene, effort, wish, t, why));
     }
     *truth = t, t = NULL;
 out:
@@ -197,4 +210,19 @@ out:
     truth_made_clear(&made);
     scene_clear(&scene);
     return st;
+}
+
+enum status truth_find(const char *path, const struct settings *settings, int times,
+                       const double *time, const char *folder, enum truth_effort effort,
+                       struct truth **truth, struct message *why)
+{
+    return find(path, settings, times, time, folder, effort, NULL, truth, why);
+}
+
+enum status truth_find_sharp(const char *path, const struct settings *settings, int times,
+                             const double *time, const char *folder,
+                             const struct truth_wish *wish, struct truth **truth,
+                             struct message *why)
+{
+    return find(path, settings, times, time, folder, TRUTH_FULL, wish, truth, why);
 }

@@ -11,6 +11,7 @@
 #define TRUTH_H
 
 #include "bench/harness/settings.h"
+#include "bench/truth/truth_sharp.h"
 
 /* A cantilever's tip is off by 0.0125 Gamma^2 in linear theory (heavy elastica): 1e-4. */
 #define TRUTH_GAMMA 0.09
@@ -35,6 +36,13 @@ enum truth_effort {
 enum status truth_find(const char *path, const struct settings *settings, int times,
                        const double *time, const char *folder, enum truth_effort effort,
                        struct truth **truth, struct message *why);
+
+/* The same, but where nothing is stored the cured shell is run until its bar is as small as
+ * is asked for, or time is up (truth_sharp.h). */
+enum status truth_find_sharp(const char *path, const struct settings *settings, int times,
+                             const double *time, const char *folder,
+                             const struct truth_wish *wish, struct truth **truth,
+                             struct message *why);
 
 /* Times for which a truth with these physics is stored, up to `until`: the last ones, at
  * most `most` of them, into time[most]. *count is 0 if there is none. STATUS_INPUT: the

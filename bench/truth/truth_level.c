@@ -15,7 +15,7 @@ enum { PATH = 4096 };
 
 const struct contestant *truth_level_contestant(enum truth_model model)
 {
-    static const char *const name[TRUTH_MODELS] = {"iga_reduced", "shell_3"};
+    static const char *const name[] = {"iga_reduced", "shell_3", "shell_selective_3"};
     const struct contestant *c = NULL;
     const enum status st = contestant_find(name[model], &c, NULL);
 
@@ -147,8 +147,8 @@ enum status truth_level_find(const struct truth_runs *runs, const struct truth_l
 
     TRY(truth_level_settings(runs, level, &settings, why));
     snprintf(path, sizeof path, "%s/truth_%s_p%d_%d_%ldus%s.h5", runs->folder,
-             c->model->name, level->degree, level->side, lround(1e6 * level->step),
-             level->perturbed ? "_perturbed" : "");
+             level->model == TRUTH_CURED ? "cured" : c->model->name, level->degree,
+             level->side, lround(1e6 * level->step), level->perturbed ? "_perturbed" : "");
     if (!is_kept(path, &plan, runs, r)) {
         if (read_only)
             TRY(status_fail(why, STATUS_FILE, "%s is not there, or of another run", path));

@@ -10,8 +10,8 @@
 #define TRUTH_PERTURBATION 1e-6
 
 /* Whose runs truths are made of: the nonlinear solid, cured of locking, and the nonlinear
- * shell. */
-enum truth_model { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS };
+ * shell; truth_sharp.h takes the shell cured of locking. */
+enum truth_model { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS, TRUTH_CURED = TRUTH_MODELS };
 
 struct truth_level {
     enum truth_model model;

@@ -110,7 +110,7 @@ out:
     return st;
 }
 
-/* The source line of a scene, or what is wrong with the file. */
+/* What happens in a scene or, if it does not tell, its source; or what is wrong with it. */
 static char *describe(const char *path)
 {
     struct scene scene;
@@ -118,7 +118,9 @@ static char *describe(const char *path)
     struct message why;
     char *text;
 
-    if (scene_file_read(path, 0, NULL, &scene, &d, &why) == STATUS_OK)
+    if (scene_file_read(path, 0, NULL, &scene, &d, &why) == STATUS_OK && scene.about)
+        text = scene.about, scene.about = NULL;
+    else if (scene.source)
         text = scene.source, scene.source = NULL;
     else
         text = strdup(why.text);

@@ -164,6 +164,7 @@ static const struct schema_key SCENE[] = {
      .want = "1 to 64 of the characters a-z, 0-9 and _"},
     {"source", "where the numbers come from", SCHEMA_TEXT, .required = true,
      IN(scene, source)},
+    {"about", "what happens, a line for lists", SCHEMA_TEXT, IN(scene, about)},
     {"sheet", "the sheet", SCHEMA_SECTION, .required = true, .keys = SHEET},
     {"pose", "its rest pose", SCHEMA_SECTION, .keys = POSE},
     {"material", "isotropic, linear", SCHEMA_SECTION, .required = true, .keys = MATERIAL},

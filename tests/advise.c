@@ -1,0 +1,149 @@
+/* What `advise` reads off measured rows, on made-up ones: who serves, in which order,
+ * whether fast enough, what is said of the others; each way round. */
+#include "bench/advise/advise_print.h"
+
+#include "models/grid.h"
+#include "tests/fresh.h"
+#include "tests/check.h"
+
+static const double TOL_SUM = 1e-15; /* one division */
+
+enum { TEXT = 1 << 16 };
+
+static struct {
+    struct compare_job job;
+    struct truth truth;
+    double time[2], error[2], field[3 * GRID_POINTS], *xyz[2];
+    char folder[256];
+} world;
+
+/* 2 m of sheet, 0.5 s, a truth's bar of 0.4 % of L at its worst. */
+static struct advise_search make(const char *folder)
+{
+    struct compare_job *j = &world.job;
+
+    memset(&world, 0, sizeof world);
+    REQUIRE(scene_init(&j->scene) == STATUS_OK);
+    free(j->scene.name);
+    j->scene.name = strdup("made_up");
+    j->scene.length = 2, j->scene.step = 4e-3;
+    j->path = strdup("made_up.yaml");
+    j->times = 2, j->time[0] = world.time[0] = 0.2, j->time[1] = world.time[1] = 0.5;
+    j->folder = folder;
+    world.error[0] = 0.002, world.error[1] = 0.008;
+    world.xyz[0] = world.xyz[1] = world.field;
+    world.truth = (struct truth){2, world.time, world.xyz, world.error, "made up"};
+    j->contest =
+        (struct contest){.scene = &j->scene, .truth = &world.truth, .physics = "undamped"};
+    return (struct advise_search){.job = j,
+                                  .wish = {.error = 0.02, .rate = INFINITY, .budget = 60},
+                                  .target = 0.016,
+                                  .longest = 0.25};
+}
+
+static struct contest_row *add(const char *name, int side, double seconds, double worst)
+{
+    const struct contestant *who;
+    struct contest_row *row;
+
+    REQUIRE(contestant_find(name, &who, NULL) == STATUS_OK);
+    REQUIRE(contest_add(&world.job.contest, &(struct contest_at){who, {side, 4, 0}},
+                        &row) == STATUS_OK);
+    row->seconds = seconds, row->worst = row->error[1] = worst;
+    row->result.bytes = 2.5e6;
+    return row;
+}
+
+static char *printed(const struct advise_search *s, enum table_format format)
+{
+    static char text[TEXT];
+    FILE *file = tmpfile();
+
+    REQUIRE(file);
+    CHECK(advise_print(s, format, file, NULL) == STATUS_OK);
+    rewind(file);
+    text[fread(text, 1, TEXT - 1, file)] = '\0';
+    fclose(file);
+    for (char *c = text; format == TABLE_TEXT && *c; c++)
+        *c = *c == '\n' ? ' ' : *c; /* lines are wrapped anywhere */
+    return text;
+}
+
+/* `b` stands after `a`, and both do. */
+static bool in_order(const char *text, const char *a, const char *b)
+{
+    const char *first = strstr(text, a);
+
+    return first && strstr(first, b);
+}
+
+static void ranking(const char *folder)
+{
+    struct advise_search s = make(folder);
+    const struct contest_row *row[4];
+
+    CHECK(advise_search_ranking(&s, 4, row) == 0);
+    add("iga_selective_3", 10, 3, 0.015);
+    add("mass_spring", 10, 1, 0.0161); /* within the error, not for sure */
+    add("mass_spring", 20, 2, 0.016);
+    add("triangles", 10, 0.5, 0.01);
+    add("triangles", 8, 0.4, 0.012);
+    add("shell_3", 8, 0.1, NAN); /* it died */
+    CHECK(advise_search_ranking(&s, 4, row) == 3);
+    CHECK_NEAR(row[0]->seconds, 0.4, TOL_SUM);
+    CHECK_NEAR(row[1]->seconds, 2, TOL_SUM);
+    CHECK_NEAR(row[2]->seconds, 3, TOL_SUM);
+    CHECK(advise_search_ranking(&s, 1, row) == 1 && row[0]->seconds == 0.4);
+    CHECK_NEAR(advise_search_rate(&s, row[0]), 0.8, TOL_SUM); /* 0.4 s for 0.5 s */
+    world.job.found = NULL;
+    compare_job_close(&world.job);
+}
+
+static void words(const char *folder)
+{
+    struct advise_search s = make(folder);
+    const char *text;
+
+    add("mass_spring", 10, 1, 0.017);
+    text = printed(&s, TABLE_TEXT);
+    CHECK(strstr(text, "No contestant came within 1.6 % (2 % less the truth's error bar)"));
+    CHECK(!strstr(text, "clothbench run"));
+    add("iga_selective_3", 10, 3, 0.015);
+    add("triangles", 8, 0.4, 0.012);
+    struct contest_row *refused = add("hex_incompatible", 8, NAN, NAN);
+    refused->result.outcome = STATUS_UNSUPPORTED;
+    snprintf(refused->result.sentence.text, sizeof refused->result.sentence.text,
+             "holds no node");
+    text = printed(&s, TABLE_TEXT);
+    CHECK(strstr(text, "clothbench run made_up.yaml --model triangles "
+                       "--set 'discretization.points=[8,8]' --set 'time.step=0.001'"));
+    CHECK(strstr(text, "triangles: error 1.2 % of the length, of which the truth leaves "
+                       "0.4 %"));
+    CHECK(strstr(text, "0.8 s for a second of motion; 2.5 MB"));
+    CHECK(in_order(text, "triangles  ", "IGA, selective"));
+    CHECK(in_order(text, "IGA, selective", "mass-spring, matched"));
+    CHECK(strstr(text, "holds no node"));
+    CHECK(!strstr(text, "too slow") && !strstr(text, "None of those"));
+    CHECK(strstr(text, "far dearer ones") && !strstr(text, "the budget"));
+    s.wish.rate = 1, s.end = ADVISE_BUDGET;
+    text = printed(&s, TABLE_TEXT);
+    CHECK(strstr(text, "too slow") && !strstr(text, "None of those"));
+    CHECK(!strstr(text, "far dearer ones") && strstr(text, "the budget"));
+    s.wish.rate = 0.7;
+    text = printed(&s, TABLE_TEXT);
+    CHECK(strstr(text, "None of those within 2 % is as fast as was asked, 0.7 s"));
+    text = printed(&s, TABLE_CSV);
+    CHECK(strstr(text, "\ntriangles,triangles,too slow,8,0.001"));
+    CHECK(!strstr(text, "clothbench run"));
+    world.job.found = NULL;
+    compare_job_close(&world.job);
+}
+
+int main(int argc, char **argv)
+{
+    REQUIRE(argc == 2);
+    fresh_folder(argv[1]);
+    ranking(argv[1]);
+    words(argv[1]);
+    return check_result();
+}

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# `clothbench advise` as a user meets it: on a scene whose truth it has to make, the command
+# that it prints runs as it says; what cannot be decided is told; wrong options are refused.
+#   advise.sh PROGRAM SOURCE
+# shellcheck source=tests/fixture.sh
+. "$(dirname "$0")/fixture.sh"
+program=$1
+export CLOTHBENCH_SCENES=$2/models/scenes
+own_folder
+
+# E is twice the stored truth's: it does not hold here.
+ask=(advise edge_drop --set material.young=2e5 --until 0.1)
+"$program" "${ask[@]}" --error 3% --models mass_spring_single,shell_selective_2,hex \
+    --out kept >answer.txt 2>log.txt || { cat log.txt; fail "exit $?"; }
+grep -q "cured of locking" answer.txt || fail "the truth is not a shell run for it"
+grep -q "^mass-spring.* yes " answer.txt || fail "springs do not serve"
+
+# The command, pasted, with the folder's own program.
+command=$(sed -n 's/^    clothbench run/run/p' answer.txt)
+[[ $command == *"--model "*"discretization.points="*"material.young=2e5"* ]] || fail "command: $command"
+eval "\"$program\" $command --set time.end=0.1 --quiet --probe 1,0.5,0.5" >probe.csv 2>log.txt ||
+    { cat log.txt; fail "the command fails"; }
+[[ $(wc -l <probe.csv) -gt 20 ]] || fail "the command shows no motion"
+
+# Asked again it takes the files that it left and says the same of the truth.
+"$program" "${ask[@]}" --error 3% --models mass_spring_single --out kept >again.txt 2>log.txt ||
+    fail "a second time: exit $?"
+bar() { tr '\n' ' ' <"$1" | grep -o 'truth leaves [0-9.]* %'; }
+[[ $(bar again.txt) == $(bar answer.txt) && -n $(bar again.txt) ]] || fail "the truth's bar differs a second time"
+
+# A truth that is blunter than the question.
+"$program" "${ask[@]}" --error 0.0001% --budget 1 --out blunt >blunt.txt 2>log.txt
+[[ $? == 1 ]] || fail "blunt: not exit 1"
+tr '\n' ' ' <blunt.txt | grep -q "Cannot be decided: the truth is known to .* is asked for" ||
+    { cat blunt.txt; fail "blunt: not said"; }
+refuse() {
+    "$program" advise "$@" >out.txt 2>err.txt
+    [[ $? == 2 && ! -s out.txt ]] || fail "not refused: $*"
+}
+refuse edge_drop
+refuse edge_drop --error 0
+refuse edge_drop --error 120%
+refuse edge_drop --error 2%% --out none
+refuse edge_drop --error nan
+refuse edge_drop --error 2% --realtime --seconds 3
+refuse edge_drop --error 2% --budget -1
+refuse edge_drop --error 2% --models nobody --out none
+refuse no_scene --error 2%
+[[ ! -e none ]] || fail "a refusal left a folder"
+exit $((failures > 0))

@@ -1,5 +1,6 @@
-/* What a threshold can do at its best. */
-#include "bench/tables/table4.h"
+/* What a threshold can do at its best, and what one that was learnt from all rows but one
+ * says of that one. */
+#include "bench/tables/table4_learn.h"
 
 #include "tests/check.h"
 
@@ -12,9 +13,36 @@ static void expect(const double *value, const bool *yes, enum table4_bounds shap
     CHECK(best.low == low && best.high == high);
 }
 
+/* Bounds half way between values; what a lone row alone taught is not known without it. */
+static void learns(void)
+{
+    const double value[] = {2.5, 1, 2, 5, 4, 6};
+    const bool top[] = {false, false, false, true, true, true}; /* 4, 5, 6 */
+    const bool lone[] = {false, false, false, false, false, true};
+    const bool odd[] = {false, true, false, true, true, true}; /* 1 among those above 2.5 */
+    const double missing[] = {2.5, 1, NAN, 5, 4, 6};
+    struct table4_lesson l = table4_learn(6, value, top, TABLE4_ABOVE);
+
+    CHECK(l.bounds.low == 3.25 && l.bounds.high == INFINITY);
+    for (int n = 0; n < 6; n++)
+        CHECK(l.fitted[n] == top[n] && l.left_out[n] == top[n]);
+    l = table4_learn(6, value, lone, TABLE4_ANY);
+    CHECK(l.bounds.low == 5.5 && l.fitted[5] && !l.left_out[5]);
+    l = table4_learn(6, value, odd, TABLE4_ABOVE);
+    CHECK(!l.fitted[1] && !l.left_out[1] && l.fitted[4]);
+    l = table4_learn(6, missing, top, TABLE4_ABOVE);
+    CHECK(!l.fitted[2] && !l.left_out[2] && l.left_out[4]);
+    const double never[] = {INFINITY, INFINITY, INFINITY,
+                            0.3,      0.5,      0.4}; /* times that did not come */
+    l = table4_learn(6, never, top, TABLE4_BELOW);
+    CHECK(l.bounds.high == 0.5 && !l.fitted[0] && !l.left_out[0] && l.left_out[5]);
+    l = table4_learn(6, value, top, TABLE4_BELOW); /* nothing to be learnt: always no */
+    CHECK(l.bounds.agree == 3 && !l.fitted[0]);
+}
+
 int main(void)
 {
-    const double value[] = {3, 1, 2, 5, 4, 6};
+    const double value[] = {2.5, 1, 2, 5, 4, 6};
     const bool middle[] = {true, false, true, false, true, false}; /* 2, 3, 4 */
     const bool top[] = {false, false, false, true, true, true};    /* 4, 5, 6 */
     const bool none[] = {false, false, false, false, false, false};
@@ -28,5 +56,6 @@ int main(void)
     expect(value, none, TABLE4_ANY, INFINITY, -INFINITY, 6); /* always no */
     expect(odd, middle, TABLE4_ANY, 2, 4, 6);
     expect(odd, top, TABLE4_ABOVE, 4, INFINITY, 5); /* NaN lies in no interval */
+    learns();
     return check_result();
 }

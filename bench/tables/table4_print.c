@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bench/tables/table4.h"
+#include "bench/tables/table4_learn.h"
 #include "bench/ui/chart.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
@@ -371,6 +372,7 @@ enum status table4_print(const struct table4_data *d, const char *folder,
         return st;
     TRY(print_agreement(d, format, file));
     TRY(print_hindsight(d, format, file));
+    TRY(table4_learn_print(d, format, file));
     TRY(print_whose(d, format, file));
     TRY(draw(d, folder, why));
 out:

@@ -26,7 +26,7 @@ static struct contest make(void)
     REQUIRE(scene_init(&world.scene) == STATUS_OK);
     free(world.scene.name);
     world.scene.name = strdup("made_up");
-    world.scene.length = 2, world.scene.step = 4e-3;
+    world.scene.length = world.scene.width = 2, world.scene.step = 4e-3;
     for (int t = 0; t < TIMES; t++) {
         world.time[t] = 0.1 * (t + 1), world.error[t] = 0.02 * (t + 1);
         world.xyz[t] = calloc(3 * GRID_POINTS, sizeof **world.xyz);

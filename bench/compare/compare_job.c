@@ -37,13 +37,13 @@ out:
     return st;
 }
 
-static void refine(const struct contest_at *at, double frame, struct settings *s)
+static void refine(const struct contest *c, const struct contest_at *at, struct settings *s)
 {
     const int *size = at->size;
 
     contestant_settings(at->contestant, s); /* again: what the user set may not change it */
-    contestant_points(at->contestant, size[CONTEST_NET], size[CONTEST_NET], s);
-    settings_number(s, "time.step", frame / size[CONTEST_STEP]);
+    contestant_points(at->contestant, size[CONTEST_NET], contest_across(c, at), s);
+    settings_number(s, "time.step", c->scene->step / size[CONTEST_STEP]);
     if (size[CONTEST_ITERATIONS])
         settings_integer(s, "discretization.iterations", size[CONTEST_ITERATIONS]);
 }
@@ -65,7 +65,7 @@ static void plan_row(struct compare_job *j, const struct contest_row *row, const
     c->timed = row->probe ? MEASUREMENT_UNTIMED : MEASUREMENT_WHOLE;
     settings_append(batch_settings(batch),
                     contestant_is_paper_scheme(at->contestant) ? &j->user : &j->truth);
-    refine(at, j->scene.step, batch_settings(batch));
+    refine(&j->contest, at, batch_settings(batch));
 }
 
 static void show(void *context, const char *what, int done, int total)

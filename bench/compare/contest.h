@@ -21,14 +21,20 @@ enum {
 /* Errors over the length that are asked for, from large to small. */
 extern const double contest_target[CONTEST_TARGETS];
 
+struct contest;
+
 /* What can be refined. */
 enum contest_axis { CONTEST_NET, CONTEST_STEP, CONTEST_ITERATIONS, CONTEST_AXES };
 
 struct contest_at {
     const struct contestant *contestant;
-    int size[CONTEST_AXES]; /* points along u and v; steps that the scene's frame is divided
-                               into; local-global iterations, 0: the model has none       */
+    int size[CONTEST_AXES]; /* points along u; steps that the scene's frame is divided into;
+                               local-global iterations, 0: the model has none             */
 };
+
+/* Its points along v: for cells about as long as wide, but three at least, and no more
+ * points than along u. */
+int contest_across(const struct contest *c, const struct contest_at *at);
 
 /* A contestant, refined so far, with what came of it. */
 struct contest_row {

@@ -111,6 +111,11 @@ grep -q "Truth: stored" "$folder.txt" || fail "edge_drop has no stored truth"
 head -1 "$folder/stored/compare.csv" | grep -q ',rmse_over_length_0.1_s,.*_0.2_s,.*_0.3_s,.*_0.4_s,.*_0.5_s,worst' || fail "other times than the stored ones"
 [ -z "$(find "$folder/stored" -name 'truth_*')" ] || fail "edge_drop ran for its truth"
 
+# Times at which the truth is too blunt for any target are left, and that is said.
+"$program" compare flag --models mass_spring_single --quick --budget 1e-6 --out "$folder/flag" >"$folder.txt" 2>"$folder.log" || { cat "$folder.log"; fail "flag"; }
+tr '\n' ' ' <"$folder.txt" | grep -q "compared up to 0.2 s, as its error bar at 0.3 s is 4.4 % of L" || fail "blunt times are not told"
+head -1 "$folder/flag/compare.csv" | grep -q ',rmse_over_length_0.1_s,rmse_over_length_0.2_s,worst' || fail "blunt times are compared"
+
 # Scenes are read before the first is run.
 refused_early() {
     "$program" compare "${@:2}" --out "$folder.none" >/dev/null 2>"$folder.log"

@@ -389,7 +389,7 @@ static void charts(const char *folder)
 /* A budget that was spent, and two and four threads: one row with other bits. */
 static void add_teams(struct contest *c)
 {
-    c->budget = 12, c->rows[3].parted = true;
+    c->budget = 12, c->team_longest = 1, c->rows[3].parted = true;
     snprintf(c->unsearched, sizeof c->unsearched, "mass_spring 2");
     c->teams = 2, c->team[0] = 2, c->team[1] = 4;
     for (int n = 0; n < c->count; n++)

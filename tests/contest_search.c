@@ -292,6 +292,16 @@ static void budget(void)
                       sizeof m.contest.rows[n].at));
     contest_clear(&again.contest);
 
+    double again_seconds = 0;
+    contest_choose_best(&m.contest); /* a fifth of the budget times the cheap ones again */
+    for (int n = 0; n < m.contest.count; n++)
+        if (contest_is_best(&m.contest, &m.contest.rows[n]))
+            again_seconds += m.contest.rows[n].seconds *
+                             (1 + timing_repeats(m.contest.rows[n].seconds, false));
+    CHECK(again_seconds > 0 && again_seconds <= 0.2 * tight);
+    CHECK(contest_nearest(&m.contest, named(pair[1].who))->seconds >
+          m.contest.team_longest);
+
     limits = m.contest.count;
     REQUIRE(contest_search_limits(&m.contest) == STATUS_OK);
     CHECK(m.contest.count > limits && m.contest.rows[limits].probe);

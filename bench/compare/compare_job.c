@@ -176,6 +176,7 @@ enum status compare_job_measure(struct compare_job *j, struct message *why)
     TRY(contest_search_limits(c));
     if (c->count > searched)
         TRY(measure(j, searched, true, why));
+    contest_choose_best(c);
     for (int t = 0; t < c->teams; t++)
         TRY(measure_team(j, t, why));
 out:

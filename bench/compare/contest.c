@@ -167,6 +167,8 @@ bool contest_is_best(const struct contest *c, const struct contest_row *row)
     const struct contestant *who = row->at.contestant;
     bool best = row == contest_nearest(c, who);
 
+    if (!(row->seconds <= c->team_longest))
+        return false;
     for (int n = 0; n < CONTEST_TARGETS; n++)
         best |= row == contest_cheapest(c, who, contest_target[n]);
     return best;

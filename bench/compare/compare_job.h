@@ -21,12 +21,14 @@ struct compare_job {
     bool read_only;
 };
 
-/* The ladders of a choice of --models (contestant_chosen), model by model. */
+/* The ladders of a choice of --models (contestant_chosen), model by model; within a budget
+ * the least rung of each. */
 enum status compare_job_ladder(struct compare_job *j, const char *models,
                                struct message *why);
 
-/* Runs and times the ladder, what it makes worth a try (contest_search), and then, untimed,
- * what tells the limits of each; read_only: fills them from the files of an earlier call.
+/* Runs and times the ladder, what it makes worth a try (contest_search_all), then, untimed,
+ * what tells the limits of each, and the best again with more threads; read_only: fills
+ * them from the files of an earlier call.
  */
 enum status compare_job_measure(struct compare_job *j, struct message *why);
 

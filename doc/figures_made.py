@@ -5,8 +5,8 @@ A function a result; BLOCKS and WORDS at the end say which is which.
 import math
 import re
 
-from figures_read import (RESULTS, TOP, digits, markdown, part, percent, result, row, tables,
-                          whole)
+from figures_read import (RESULTS, TOP, digits, is_quick, markdown, part, percent, result, row,
+                          tables, whole)
 
 # --- the paper -------------------------------------------------------------------------------
 
@@ -255,6 +255,53 @@ def compare_words():
     }
 
 
+def scenes_titles():
+    """{contestant: title}, in the order of the tables."""
+    return {r["contestant"]: r["title"]
+            for caption, rows in result("compare_scenes") if "Least seconds" in caption
+            for r in rows}
+
+
+def won(scene):
+    """First and next model's first of [(seconds, contestant, model)] of a scene."""
+    rows = sorted((float(r["seconds"]), r["contestant"], r["model"]) for r in scene
+                  if r["seconds"] != "nan")
+    return rows[:1] + [r for r in rows if r[2] != rows[0][2]][:1]
+
+
+def compare_scenes():
+    cells = part("compare_scenes", "Contestants over scenes", "target_rmse_over_length")
+    by_scene = {}
+    for r in cells:
+        by_scene.setdefault(r["scene"], []).append(r)
+    titles = scenes_titles()
+
+    def shown(r):
+        if r["seconds"] != "nan":
+            return digits(r["seconds"], 2)
+        if r["lowest_rmse_over_length"] != "nan":
+            return f"({percent(100 * float(r['lowest_rmse_over_length']))})"
+        return "refused" if r["refused"] == "1" else "died"
+
+    rows = [[title] + [next((shown(r) for r in scene if r["contestant"] == name), "")
+                       for scene in by_scene.values()] for name, title in titles.items()]
+    firsts = [won(scene) for scene in by_scene.values()]
+    ends = [("**first**", lambda scene, first: titles[first[0][1]] if first else "nobody"),
+            ("**times less than the next model**",
+             lambda scene, first: digits(first[1][0] / first[0][0], 2) if len(first) > 1 else "-"),
+            ("error asked for",
+             lambda scene, first: percent(100 * float(scene[0]["target_rmse_over_length"]))
+             if scene[0]["target_rmse_over_length"] != "nan" else "-"),
+            ("truth's bar",
+             lambda scene, first: percent(100 * float(scene[0]["bar_over_length"]))),
+            ("seconds shown", lambda scene, first: f"{float(scene[0]['span_s']):g}")]
+    rows += [[title] + [say(scene, first) for scene, first in zip(by_scene.values(), firsts)]
+             for title, say in ends]
+    note = "Of a quick run: cheap halves of ladders, no search.\n\n" if is_quick(
+        RESULTS / "compare_scenes.csv") else ""
+    return note + markdown([""] + [f"`{name}`" for name in by_scene], rows)
+
+
 # --- truths ----------------------------------------------------------------------------------
 
 SCENES = ["edge_drop", "corners_patch", "flag", "sphere", "strip_swing", "thick", "stiff"]
@@ -431,7 +478,8 @@ def timestep_words():
 # --- which is which --------------------------------------------------------------------------
 
 BLOCKS = {"table1": table1, "table23": table23, "table4": table4, "verify": verify,
-          "compare": compare, "compare_models": compare_models, "truths": truths, "stress": stress, "stress_map": stress_map,
+          "compare": compare, "compare_models": compare_models, "compare_scenes": compare_scenes,
+          "truths": truths, "stress": stress, "stress_map": stress_map,
           "mesh": mesh, "cures": cures}
 WORDS = {
     paper_words: ["paper_rmse", "paper_iga_s", "paper_fem_s", "paper_ratio"],

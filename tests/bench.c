@@ -74,6 +74,14 @@ static void add_samples(struct samples *s)
     samples_add(s, "scene", "time", 0.25);
     samples_add(s, "10x10 Chebyshev", "radius", 0.9375);
     samples_add(s, "scene", "step", 0.005);
+    /* 90,000 points, 1000 steps and 4 ns: 12 GB/s; triads of 16 and of 8 GB/s */
+    add(s, "300x300 single", "frame", 0.36);
+    samples_add(s, "300x300 single", "steps", 1000);
+    add(s, "300x300 single", "triad", 1.5e-3);
+    samples_add(s, "300x300 single", "elements", 1e6);
+    add(s, "memory", "triad", 3e-3);
+    samples_add(s, "memory", "elements", 1e6);
+    samples_add(s, "memory", "cache", 32e6);
 }
 
 static void print_part(const struct bench_part *part, enum table_format format,
@@ -182,6 +190,10 @@ static void test_people(void)
           "\n| 20x20 | Chebyshev | - | - | - | - | - |",
           "\n| 10x10 | Chebyshev | - | 0.25 | - | - | - | 5.00 | 9 |", "dt = 5 ms;"}},
         {&bench_part_levers, {"| 1.00 | 2.00 | 0.500 | 9 |"}},
+        {&bench_part_bandwidth,
+         {"\n| 300x300 | single | 1000 | 3.24 | 4.00 | 48 | 12.0 | 16.0 | 75 | 1.5e+02 | 9 "
+          "|",
+          "a triad on 24 MB, 8 GB/s; the last cache has 32 MB."}},
         {&bench_part_baselines,
          {"| CHOLMOD | 8.00 | 1.00 | 8.00 | 4.00 | 2.00 | 2.00 | 9 |"}},
         {&bench_part_contestants, {"| 10x10 | 100 | 10.0 | 1.00 | 9 | 3.75 |"}},

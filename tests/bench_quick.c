@@ -137,6 +137,27 @@ static void test_projective(const char *folder)
     said_clear(&s);
 }
 
+/* Nets that the machine moves at a rate that it has: a node's bytes as told, and steps that
+ * grow with the points, which waves along the sheet ask for. */
+static void test_bandwidth(const char *folder)
+{
+    struct said s;
+
+    twice(&s, "bandwidth", folder);
+    said_lacks(&s, "bandwidth", "\n300x300,");
+    for (int n = 0; n < 2; n++) {
+        const char *large = n ? "100x100,double" : "100x100,single";
+        const char *small = n ? "16x16,double" : "16x16,single";
+        const double bytes = n ? 96 : 48;
+        CHECK_NEAR(cell(&s, large, 1), 1e-6 * 10000 * 9 / 12 * bytes, 1e-9);
+        CHECK(cell(&s, large, 3) == bytes && cell(&s, large, 8) == TIMING_REPEATS_QUICK);
+        CHECK_NEAR(cell(&s, large, 2) * cell(&s, large, 4), bytes, 1e-9);
+        CHECK_NEAR(cell(&s, large, 4) / cell(&s, large, 5) * 100, cell(&s, large, 6), 1e-9);
+        CHECK_NEAR(cell(&s, large, 0) / cell(&s, small, 0), 99. / 15, 0.5);
+    }
+    said_clear(&s);
+}
+
 /* Three nets by two libraries, each phase with its repeats. */
 static void test_libraries(const char *folder)
 {
@@ -236,6 +257,7 @@ int main(int argc, char **argv)
     test_batch(argv[1]);
     test_surfaces(argv[1]);
     test_projective(argv[1]);
+    test_bandwidth(argv[1]);
     test_libraries(argv[1]);
     test_runs(argv[1]);
     return check_result();

@@ -26,7 +26,7 @@ static struct contest make(void)
     REQUIRE(scene_init(&world.scene) == STATUS_OK);
     free(world.scene.name);
     world.scene.name = strdup("made_up");
-    world.scene.length = 2, world.scene.step = 4e-3;
+    world.scene.length = world.scene.width = 2, world.scene.step = 4e-3;
     for (int t = 0; t < TIMES; t++) {
         world.time[t] = 0.1 * (t + 1), world.error[t] = 0.02 * (t + 1);
         world.xyz[t] = calloc(3 * GRID_POINTS, sizeof **world.xyz);
@@ -389,7 +389,7 @@ static void charts(const char *folder)
 /* A budget that was spent, and two and four threads: one row with other bits. */
 static void add_teams(struct contest *c)
 {
-    c->budget = 12, c->rows[3].parted = true;
+    c->budget = 12, c->team_longest = 1, c->rows[3].parted = true;
     snprintf(c->unsearched, sizeof c->unsearched, "mass_spring 2");
     c->teams = 2, c->team[0] = 2, c->team[1] = 4;
     for (int n = 0; n < c->count; n++)

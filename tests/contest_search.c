@@ -294,6 +294,16 @@ static void budget(void)
                       sizeof m.contest.rows[n].at));
     contest_clear(&again.contest);
 
+    double again_seconds = 0;
+    contest_choose_best(&m.contest); /* a fifth of the budget times the cheap ones again */
+    for (int n = 0; n < m.contest.count; n++)
+        if (contest_is_best(&m.contest, &m.contest.rows[n]))
+            again_seconds += m.contest.rows[n].seconds *
+                             (1 + timing_repeats(m.contest.rows[n].seconds, false));
+    CHECK(again_seconds > 0 && again_seconds <= 0.2 * tight);
+    CHECK(contest_nearest(&m.contest, named(pair[1].who))->seconds >
+          m.contest.team_longest);
+
     limits = m.contest.count;
     REQUIRE(contest_search_limits(&m.contest) == STATUS_OK);
     CHECK(m.contest.count > limits && m.contest.rows[limits].probe);
@@ -307,6 +317,27 @@ static void budget(void)
     contest_clear(&m.contest);
 }
 
+/* Points across: as many as along a square, a strip's cells as long as wide, but three. */
+static void across(void)
+{
+    static const struct {
+        const char *who;
+        double width;
+        int side, across;
+    } all[] = {{"mass_spring", 2, 20, 20},  {"mass_spring", 0.4, 21, 5},
+               {"mass_spring", 0.4, 10, 4}, {"mass_spring", 0.4, 3, 3},
+               {"mass_spring", 8, 20, 20},  {"iga_selective_3", 0.4, 28, 8}};
+    struct scene scene = {.length = 2};
+    const struct contest c = {.scene = &scene};
+
+    for (int n = 0; n < LENGTH(all); n++) {
+        scene.width = all[n].width;
+        CHECK(contest_across(
+                  &c, &(struct contest_at){named(all[n].who), {all[n].side, 1, 0}}) ==
+              all[n].across);
+    }
+}
+
 int main(void)
 {
     for (int n = 0; n < LENGTH(rules); n++)
@@ -314,5 +345,6 @@ int main(void)
     nothing_to_do();
     growth();
     budget();
+    across();
     return check_result();
 }

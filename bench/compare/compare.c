@@ -97,8 +97,27 @@ out:
     return st;
 }
 
+/* Times that nobody asked for and at which the truth can tell none of the targets decide
+ * nothing: they are left, and that is said where the truth is named. */
+static void leave_blunt_times(struct compare_job *j)
+{
+    struct truth *t = j->found;
+    const double most = contest_target[0] * j->scene.length;
+    const size_t used = strlen(t->source);
+    const int all = t->times;
+
+    while (t->times > 1 && t->error[t->times - 1] > most)
+        t->times--;
+    if (t->times < all)
+        snprintf(t->source + used, sizeof t->source - used,
+                 "; compared up to %.3g s, as its error bar at %.3g s is %.2g %% of L",
+                 t->time[t->times - 1], t->time[t->times],
+                 100 * t->error[t->times] / j->scene.length);
+    j->times = t->times;
+}
+
 /* Where what was to be the truth refuses the scene or dies, the others run nevertheless. */
-static enum status find_truth(struct compare_job *j, struct message *why)
+static enum status find_truth(struct compare_job *j, bool all_times, struct message *why)
 {
     const enum truth_effort effort = j->contest.quick ? TRUTH_QUICK : TRUTH_FULL;
     struct message said = {""};
@@ -106,6 +125,8 @@ static enum status find_truth(struct compare_job *j, struct message *why)
                                 &j->found, &said);
 
     j->contest.truth = j->found;
+    if (st == STATUS_OK && !all_times)
+        leave_blunt_times(j);
     if (st == STATUS_OK)
         return st;
     if (st != STATUS_UNSUPPORTED && !status_is_death(st))
@@ -178,7 +199,7 @@ static enum status run_scene(struct call *call, const char *word, struct message
     if (!strcmp(j.scene.name, "corners_drop"))
         TRY(fig6_compare(j.path, &j.user, j.folder, j.read_only, call->format, stdout,
                          why));
-    TRY(find_truth(&j, why));
+    TRY(find_truth(&j, command_value(call->line, "--until"), why));
     TRY(compare_job_measure(&j, why));
     TRY(compare_print(&j.contest, j.folder, call->format, stdout, why));
     TRY(league_add(&call->league, &j.contest));
@@ -220,7 +241,9 @@ static const struct command_option options[] = {
      "which models or contestants (all that enter here;\nclothbench list contestants)"},
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
     {"--until", "SECONDS", false,
-     "compare five times up to this one (0.5, or those of\nthe stored truth before it)"},
+     "compare five times up to this one (0.5, or those of\nthe stored truth before it, "
+     "while "
+     "it is known to 3 %)"},
     {"--longest", "SECONDS", false,
      "of a run that the search for the best net, step and\niterations may try (3; 0: no "
      "search)"},

@@ -117,13 +117,13 @@ out:
     return st;
 }
 
-static void refine(const struct contest_at *at, double frame, struct settings *s)
+static void refine(const struct contest *c, const struct contest_at *at, struct settings *s)
 {
     const int *size = at->size;
 
     contestant_settings(at->contestant, s); /* again: what the user set may not change it */
-    contestant_points(at->contestant, size[CONTEST_NET], size[CONTEST_NET], s);
-    settings_number(s, "time.step", frame / size[CONTEST_STEP]);
+    contestant_points(at->contestant, size[CONTEST_NET], contest_across(c, at), s);
+    settings_number(s, "time.step", c->scene->step / size[CONTEST_STEP]);
     if (size[CONTEST_ITERATIONS])
         settings_integer(s, "discretization.iterations", size[CONTEST_ITERATIONS]);
 }
@@ -145,7 +145,7 @@ static void plan_row(struct compare_job *j, const struct contest_row *row, const
     c->timed = row->probe ? MEASUREMENT_UNTIMED : MEASUREMENT_WHOLE;
     settings_append(batch_settings(batch),
                     contestant_is_paper_scheme(at->contestant) ? &j->user : &j->truth);
-    refine(at, j->scene.step, batch_settings(batch));
+    refine(&j->contest, at, batch_settings(batch));
 }
 
 static void show(void *context, const char *what, int done, int total)
@@ -278,6 +278,7 @@ enum status compare_job_measure(struct compare_job *j, struct message *why)
     TRY(contest_search_limits(c));
     if (c->count > searched)
         TRY(measure(j, searched, true, why));
+    contest_choose_best(c);
     for (int t = 0; t < c->teams; t++)
         TRY(measure_team(j, t, why));
 out:

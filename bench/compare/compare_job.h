@@ -29,7 +29,8 @@ enum status compare_job_open(struct compare_job *j, const char *scene, double un
                              struct message *why);
 void compare_job_close(struct compare_job *j); /* all-zero is allowed */
 
-/* The ladders of a choice of --models (contestant_chosen), model by model. */
+/* The ladders of a choice of --models (contestant_chosen), model by model; within a budget
+ * the least rung of each. */
 enum status compare_job_ladder(struct compare_job *j, const char *models,
                                struct message *why);
 
@@ -40,8 +41,9 @@ enum status compare_job_rows(struct compare_job *j, int first, struct message *w
 /* What is proposed by contest_search for any contestant becomes a row. */
 enum status compare_job_propose(struct compare_job *j, const struct contest_wish *wish);
 
-/* Runs and times the ladder, what it makes worth a try (contest_search), and then, untimed,
- * what tells the limits of each; read_only: fills them from the files of an earlier call.
+/* Runs and times the ladder, what it makes worth a try (contest_search_all), then, untimed,
+ * what tells the limits of each, and the best again with more threads; read_only: fills
+ * them from the files of an earlier call.
  */
 enum status compare_job_measure(struct compare_job *j, struct message *why);
 

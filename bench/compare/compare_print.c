@@ -52,12 +52,12 @@ static struct table *create_runs(const struct contest *c, struct words *w)
 static void note_end(struct table *t, const struct contest *c, const struct contest_row *r)
 {
     const char *title = r->at.contestant->title;
-    const int side = r->at.size[CONTEST_NET];
+    const int side = r->at.size[CONTEST_NET], across = contest_across(c, &r->at);
 
     if (run_result_refused(&r->result))
-        table_note(t, "%s, %dx%d: %s.", title, side, side, r->result.sentence.text);
+        table_note(t, "%s, %dx%d: %s.", title, side, across, r->result.sentence.text);
     else if (r->result.outcome)
-        table_note(t, "%s, %dx%d, step %.3g ms: %s.", title, side, side,
+        table_note(t, "%s, %dx%d, step %.3g ms: %s.", title, side, across,
                    1e3 * c->scene->step / r->at.size[CONTEST_STEP],
                    r->result.sentence.text);
 }
@@ -74,7 +74,7 @@ static void add_run(struct table *t, const struct contest *c, const struct conte
     table_text(t, "%s", who->name);
     table_text(t, "%s", who->model->name);
     table_integer(t, size[CONTEST_NET]);
-    table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_NET]);
+    table_text(t, "%dx%d", size[CONTEST_NET], contest_across(c, &r->at));
     table_number(t, c->scene->step / size[CONTEST_STEP], 3);
     table_fixed(t, size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
     table_fixed(t, ran ? r->result.unknowns : NAN, 0);
@@ -166,10 +166,11 @@ static void add_size(struct table *t, const struct contest *c, const struct cont
 
 static void note_sizes(struct table *t, const struct contest *c)
 {
-    table_note(t,
-               "40/16: 40x40 points, 16 steps to the scene's frame of %.3g ms; a third "
-               "number: iterations.",
-               1e3 * c->scene->step);
+    table_note(
+        t,
+        "40/16: 40 points along u, cells about square, 16 steps to the scene's frame "
+        "of %.3g ms; a third number: iterations.",
+        1e3 * c->scene->step);
 }
 
 enum { WHO = 2, TARGET_COLUMNS = 5 };

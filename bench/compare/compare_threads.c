@@ -68,6 +68,9 @@ enum status compare_threads(const struct contest *c, const char *folder,
         for (int n = 0; n < c->count; n++)
             if (c->rows[n].at.contestant == who && contest_is_best(c, &c->rows[n]))
                 add_run(t, c, &c->rows[n]);
+    if (isfinite(c->team_longest))
+        table_note(t, "Those that take up to %.2g s, as far as the budget goes.",
+                   c->team_longest);
     table_note(t, "Times: of the seconds on one thread. Same bits: all errors are the same "
                   "numbers with every number of threads.");
     TRY(table_save(t, folder, "compare_threads", why));

@@ -23,6 +23,18 @@ enum status contest_add(struct contest *c, const struct contest_at *at,
     return STATUS_OK;
 }
 
+/* Fewer cells across a strip show nothing that varies there. */
+enum { LEAST_ACROSS = 3 };
+
+int contest_across(const struct contest *c, const struct contest_at *at)
+{
+    const int side = at->size[CONTEST_NET], degree = at->contestant->degree;
+    const double shape = c->scene->width / c->scene->length;
+    const long cells = lround((side - degree) * shape);
+
+    return (int)fmin(side, degree + fmax(LEAST_ACROSS, (double)cells));
+}
+
 static int length(const int *list, int most)
 {
     int n = 0;
@@ -155,6 +167,8 @@ bool contest_is_best(const struct contest *c, const struct contest_row *row)
     const struct contestant *who = row->at.contestant;
     bool best = row == contest_nearest(c, who);
 
+    if (!(row->seconds <= c->team_longest))
+        return false;
     for (int n = 0; n < CONTEST_TARGETS; n++)
         best |= row == contest_cheapest(c, who, contest_target[n]);
     return best;

@@ -21,14 +21,20 @@ enum {
 /* Errors over the length that are asked for, from large to small. */
 extern const double contest_target[CONTEST_TARGETS];
 
+struct contest;
+
 /* What can be refined. */
 enum contest_axis { CONTEST_NET, CONTEST_STEP, CONTEST_ITERATIONS, CONTEST_AXES };
 
 struct contest_at {
     const struct contestant *contestant;
-    int size[CONTEST_AXES]; /* points along u and v; steps that the scene's frame is divided
-                               into; local-global iterations, 0: the model has none       */
+    int size[CONTEST_AXES]; /* points along u; steps that the scene's frame is divided into;
+                               local-global iterations, 0: the model has none             */
 };
+
+/* Its points along v: for cells about as long as wide, but three at least, and no more
+ * points than along u. */
+int contest_across(const struct contest *c, const struct contest_at *at);
 
 /* A contestant, refined so far, with what came of it. */
 struct contest_row {
@@ -56,6 +62,7 @@ struct contest {
     double budget;  /* of all runs together (contest_spent) [s]; 0: as long as it takes */
     char unsearched[CONTEST_UNSEARCHED]; /* what the budget left, "" : nothing */
     int teams, team[CONTEST_TEAMS];      /* numbers of threads beyond one */
+    double team_longest;                 /* rows that take longer are not timed again [s] */
 };
 
 /* One more row, all else zero; *row is valid until the next. STATUS_MEMORY. */
@@ -88,7 +95,8 @@ const struct contest_row *contest_cheapest(const struct contest *c,
 const struct contest_row *contest_real_time(const struct contest *c,
                                             const struct contestant *who);
 
-/* Nearest of its contestant, or cheapest within one of contest_target. */
+/* Nearest of its contestant, or cheapest within one of contest_target, and no longer than
+ * team_longest: timed again with more threads. */
 bool contest_is_best(const struct contest *c, const struct contest_row *row);
 
 /* No timed row of its contestant is cheaper and as good: the line that a plot draws. */
@@ -178,6 +186,10 @@ enum status contest_search_all(struct contest *c, contest_measure *measure, void
 /* Adds the rows that tell what limits each contestant (contest_probe), as far as the
  * budget can pay. STATUS_MEMORY. */
 enum status contest_search_limits(struct contest *c);
+
+/* Sets team_longest: within a budget to as many of the best rows, the cheapest, as a fifth
+ * more of it pays for each number of threads; else to all. */
+void contest_choose_best(struct contest *c);
 
 /* How seconds grow with accuracy: the power p of seconds ~ error^-p that fits the front
  * best; NaN: fewer than three rows on it. */

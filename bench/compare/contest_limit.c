@@ -129,7 +129,7 @@ static void append_size(const struct contest *c, const struct contest_row *r,
     const int n = r->at.size[axis];
 
     if (axis == CONTEST_NET)
-        append(text, size, "%dx%d", n, n);
+        append(text, size, "%dx%d", n, contest_across(c, &r->at));
     else if (axis == CONTEST_STEP)
         append(text, size, "%.3g ms", 1e3 * c->scene->step / n);
     else

@@ -339,3 +339,40 @@ out:
     free(t.list);
     return st;
 }
+
+static int ascending(const void *a, const void *b)
+{
+    const double *left = a, *right = b;
+
+    return (*left > *right) - (*left < *right);
+}
+
+/* Seconds of the best rows, as many as fit. */
+static int list_best(const struct contest *c, int most, double *seconds)
+{
+    int count = 0;
+
+    for (int n = 0; n < c->count && count < most; n++)
+        if (contest_is_best(c, &c->rows[n]))
+            seconds[count++] = c->rows[n].seconds;
+    return count;
+}
+
+void contest_choose_best(struct contest *c)
+{
+    enum { MOST = 1024 };
+    double seconds[MOST], spent = 0, longest = 0;
+
+    c->team_longest = INFINITY;
+    if (!(c->budget > 0))
+        return;
+    const int count = list_best(c, MOST, seconds);
+    qsort(seconds, (size_t)count, sizeof *seconds, ascending);
+    for (int n = 0; n < count; n++) {
+        spent += seconds[n] * (1 + timing_repeats(seconds[n], c->quick));
+        if (spent > (1 - SHARE) * c->budget)
+            break;
+        longest = seconds[n];
+    }
+    c->team_longest = longest;
+}

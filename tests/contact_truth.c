@@ -121,8 +121,6 @@ static void make(struct fixture *f, const char *name)
     if (!strcmp(model, "mass_spring"))
         f->d.tolerance =
             1e-9; /* its 1e-6 of a cell is 1e-4 of what gravity moves in a step */
-    if (!strcmp(model, "position_based")) /* the substeps that it chooses leave springs 7 */
-        f->d.substeps = 4; /* times too soft: they store more than they push with */
     set_variant(f, dot ? dot + 1 : "");
     f->settling = f->d.points[2] > 1 ? 450 / f->pieces : 0;
     REQUIRE(scene_init(&f->scene) == STATUS_OK);

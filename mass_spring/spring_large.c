@@ -93,6 +93,13 @@ out:
     return st;
 }
 
+void spring_large_still(struct spring_large *l)
+{
+    memset(l->newmark.d, 0, 9 * (size_t)l->motion.graph->nodes * sizeof(double));
+    l->motion.started = false;
+    l->motion.factored = -1;
+}
+
 enum status spring_large_frame(struct spring_large *l, double t, struct counters *counters)
 {
     enum status st = STATUS_OK;

@@ -39,6 +39,9 @@ enum status spring_large_init(struct spring_large *l, const struct spring_large_
                               struct message *why);
 void spring_large_clear(struct spring_large *l);
 
+/* x is at rest: no velocity, and nothing is known of a step before. */
+void spring_large_still(struct spring_large *l);
+
 /* One step of scene->step from time t. */
 enum status spring_large_frame(struct spring_large *l, double t, struct counters *counters);
 

@@ -81,6 +81,8 @@ static void set_variant(struct fixture *f, const char *variant)
         d->integrator = INTEGRATOR_EXPLICIT, d->substeps = 16, f->gain = GAIN_EXPLICIT_16;
     else if (!strcmp(variant, "leapfrog"))
         d->integrator = INTEGRATOR_LEAPFROG, f->gain = GAIN_EXPLICIT;
+    else if (!strcmp(variant, "momentum"))
+        d->integrator = INTEGRATOR_MOMENTUM, d->tolerance = 0;
     else if (!strcmp(variant, "limited"))
         d->strain_limit = 0.05;
     else if (!strcmp(variant, "quarters"))

@@ -2,7 +2,6 @@
 #include <float.h>
 #include <omp.h>
 
-#include "mass_spring/spring_rest.h"
 #include "mass_spring/spring_stencil.h"
 #include "tests/mass_spring.h"
 
@@ -268,38 +267,6 @@ static void check_clamp(void)
     scene_clear(&scene);
 }
 
-/* Tip of a strip under a small load, at rest, against Kirchhoff's q L^4 / 8 B. */
-static double droop(int n)
-{
-    struct scene scene;
-    struct spring_motion m;
-    struct discretization d = leapfrog(n, 3);
-    struct counters counters = {0};
-    struct message why;
-
-    fill_scene(&scene, true);
-    scene.poisson = 0, scene.thickness = 0.02, scene.width = 0.2;
-    scene.gravity[0] = 0, scene.gravity[2] = -1e-4;
-    start(&m, &scene, &d);
-    REQUIRE(spring_rest_equilibrium(&m, &counters, &why) == STATUS_OK);
-    double tip = m.x[3 * (m.net.nodes - 1) + 2];
-    double want = scene.density * scene.thickness * scene.gravity[2] *
-                  pow(scene.length, 4) / 8 / scene_bending_stiffness(&scene);
-    spring_motion_clear(&m);
-    scene_clear(&scene);
-    return tip / want - 1;
-}
-
-/* Second order in the net, as of triangles and constraints, which have the same clamp. */
-static void check_order(void)
-{
-    const double ORDER = 0.25; /* seen between two nets; the weights 1/2 and 1 have 0.9 */
-    double coarse = droop(17), fine = droop(33);
-
-    printf("cantilever off by %.2e, with half the cells' size %.2e\n", coarse, fine);
-    CHECK_NEAR(log2(fabs(coarse / fine)), 2, ORDER);
-}
-
 /* Halved velocities only take energy; single precision goes where double does. */
 static void check_scaled(void)
 {
@@ -397,26 +364,19 @@ static void check_driven(void)
     }
 }
 
-static void check_refusals(void)
+/* Steps too small to be taken are refused. */
+static void check_refusal(void)
 {
-    static const struct {
-        int substeps;
-        double strain_limit, young;
-        const char *says;
-    } cases[] = {{0, 0.1, 1e5, "strain_limit"}, {0, 0, 1e20, "integrator=implicit"}};
+    struct scene scene;
+    struct spring_motion m;
+    struct discretization d = leapfrog(5, 5);
+    struct message why = {{0}};
 
-    for (int k = 0; k < 2; k++) {
-        struct scene scene;
-        struct spring_motion m;
-        struct discretization d = leapfrog(5, 5);
-        struct message why = {{0}};
-        fill_scene(&scene, true);
-        scene.young = cases[k].young;
-        d.substeps = cases[k].substeps, d.strain_limit = cases[k].strain_limit;
-        CHECK(spring_motion_init(&m, &scene, &d, &why) != STATUS_OK);
-        CHECK(strstr(why.text, cases[k].says));
-        scene_clear(&scene);
-    }
+    fill_scene(&scene, true);
+    scene.young = 1e20;
+    CHECK(spring_motion_init(&m, &scene, &d, &why) != STATUS_OK);
+    CHECK(strstr(why.text, "integrator=implicit"));
+    scene_clear(&scene);
 }
 
 /* A net so large that threads share its rows, unevenly; odd and even numbers of steps. */
@@ -463,10 +423,9 @@ int main(void)
     check_exchanged(8, 17);
     check_bending();
     check_clamp();
-    check_order();
     check_scaled();
     check_driven();
-    check_refusals();
+    check_refusal();
     check_threads(PRECISION_SINGLE, 9);
     check_threads(PRECISION_DOUBLE, 8);
     return check_result();

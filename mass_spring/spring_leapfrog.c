@@ -22,7 +22,6 @@ struct spring_leapfrog {
     struct spring_sweep *sweep;
     int asked, substeps;
     double limit, dt; /* [s] */
-    double rest_energy;
     long frame;
     void *room;
     double (*c)[SWEEP_COUNT];     /* [nodes]                                            */
@@ -132,11 +131,6 @@ void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
         v[n] = l->body.supports->free_index[n] < 0 ? old[n] : (old[n] + v[n]) / 2;
 }
 
-double spring_leapfrog_elastic(const struct spring_leapfrog *l, const double *x)
-{
-    return spring_stencil_energy(&l->stencil, x) - l->rest_energy;
-}
-
 const struct spring_stencil *spring_leapfrog_stencil(const struct spring_leapfrog *l)
 {
     return &l->stencil;
@@ -208,7 +202,6 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
     TRY(spring_sweep_make(points[0], points[1], precision, body->beta, body->cells,
                           &l->sweep));
     TRY(choose_step(l, K, why));
-    l->rest_energy = spring_stencil_energy(&l->stencil, body->net->rest);
     start(l, x, v);
     *leapfrog = l, l = NULL;
 out:

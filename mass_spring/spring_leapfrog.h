@@ -49,9 +49,8 @@ enum status spring_leapfrog_frame(struct spring_leapfrog *l, double factor, doub
 /* To positions x[nodes][3] at time t [s], a whole number of frames, at rest. */
 void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x);
 
-/* Velocities v[nodes][3] of now, and the elastic energy [J], without that of cells. */
+/* Velocities v[nodes][3] of now. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v);
-double spring_leapfrog_elastic(const struct spring_leapfrog *l, const double *x);
 
 /* Borrowed. */
 const struct spring_stencil *spring_leapfrog_stencil(const struct spring_leapfrog *l);

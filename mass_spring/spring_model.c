@@ -32,6 +32,30 @@ static void destroy(void *state)
     free(state);
 }
 
+static enum status refuse(const struct discretization *d, struct message *why)
+{
+    const bool momentum = d->integrator == INTEGRATOR_MOMENTUM;
+
+    if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "precision=single: with integrator=leapfrog only");
+    if (solver_iterates(d->solver) && d->integrator != INTEGRATOR_IMPLICIT && !momentum)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "solver=%s: with integrator=implicit or momentum only",
+                           solver_name(d->solver));
+    if (momentum && (d->iterations || d->tolerance > 0))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "iterations, tolerance: not with integrator=momentum");
+    if (momentum && d->parameters == PARAMETERS_PAPER)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "parameters=paper, which has a drag of points: not with "
+                           "integrator=momentum");
+    if (d->strain_limit > 0 && (momentum || d->integrator == INTEGRATOR_LEAPFROG))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "strain_limit: with integrator=implicit or explicit only");
+    return STATUS_OK;
+}
+
 static enum status create(const struct scene *scene, const struct discretization *d,
                           void **state, struct message *why)
 {
@@ -40,13 +64,7 @@ static enum status create(const struct scene *scene, const struct discretization
 
     TRY(model_refuse_net(scene, SERVES, why));
     TRY(discretization_refuse_net(d, USED, "mass_spring", why));
-    if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "precision=single: with integrator=leapfrog only");
-    if (solver_iterates(d->solver) && d->integrator != INTEGRATOR_IMPLICIT)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "solver=%s: with integrator=implicit only",
-                           solver_name(d->solver));
+    TRY(refuse(d, why));
     m = calloc(1, sizeof *m);
     if (!m)
         TRY(STATUS_MEMORY);
@@ -79,9 +97,12 @@ static void size(const void *state, struct model_size *size)
 {
     const struct spring_motion *m = state;
     const struct system none = {.held = &m->newton.supports};
-    bool implicit = m->integrator == INTEGRATOR_IMPLICIT && m->newton.system.graph;
+    const struct system *system =
+        m->integrator == INTEGRATOR_MOMENTUM ? &m->large.system : &m->newton.system;
+    bool implicit =
+        m->integrator == INTEGRATOR_IMPLICIT || m->integrator == INTEGRATOR_MOMENTUM;
 
-    *size = system_size(implicit ? &m->newton.system : &none, "mid-surface points");
+    *size = system_size(implicit && system->graph ? system : &none, "mid-surface points");
 }
 
 /* The misfit of springs to plane stress, and the explicit method's limit. */
@@ -91,7 +112,7 @@ static void describe(const void *state, struct message *line)
 
     spring_law_tell(&m->net.law, m->net.cell, m->scene, line);
     size_t end = strlen(line->text);
-    if (m->integrator != INTEGRATOR_IMPLICIT)
+    if (m->leapfrog || m->integrator == INTEGRATOR_EXPLICIT)
         snprintf(line->text + end, sizeof line->text - end,
                  "; explicit steps of %.3g s, stable below %.3g s about rest",
                  m->leapfrog ? spring_leapfrog_step(m->leapfrog) : m->dt,

@@ -79,17 +79,39 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
                                      m->points.mass, m->points.drag, m->points.load,
                                      m->points.beta};
 
-    if (m->strain_limit > 0)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "strain_limit: with integrator=implicit or explicit only");
     return spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, m->newton.K,
                                 &m->leapfrog, why);
+}
+
+static enum status make_large(struct spring_motion *m, const struct discretization *d,
+                              struct message *why)
+{
+    enum status st;
+    const struct spring_large_plan plan = {.scene = m->scene,
+                                           .net = &m->net,
+                                           .graph = &m->net.graph,
+                                           .body = &m->strips.body,
+                                           .load = &m->points,
+                                           .supports = &m->newton.supports,
+                                           .d = d,
+                                           .x = m->x};
+
+    m->dt = m->scene->step;
+    TRY(spring_stencil_init(&m->stencil, m->scene, &m->net));
+    TRY(spring_strips_init(&m->strips, &m->stencil));
+    TRY(spring_large_init(&m->large, &plan, why));
+    memcpy(m->large.newmark.v, m->v, 3 * (size_t)m->net.nodes * sizeof *m->v);
+out:
+    return st;
 }
 
 void spring_motion_clear(struct spring_motion *m)
 {
     if (!m)
         return;
+    spring_large_clear(&m->large);
+    spring_strips_clear(&m->strips);
+    spring_stencil_clear(&m->stencil);
     spring_leapfrog_free(m->leapfrog);
     spring_newton_clear(&m->newton);
     spring_net_clear(&m->net);
@@ -102,26 +124,29 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
                                const struct discretization *d, struct message *why)
 {
     enum status st;
+    bool squares =
+        d->integrator == INTEGRATOR_LEAPFROG || d->integrator == INTEGRATOR_MOMENTUM;
 
     *m = (struct spring_motion){
         .scene = scene, .integrator = d->integrator, .strain_limit = d->strain_limit};
-    TRY(spring_net_init(&m->net, scene, d->points, d->parameters,
-                        d->integrator == INTEGRATOR_LEAPFROG));
+    TRY(spring_net_init(&m->net, scene, d->points, d->parameters, squares));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
     TRY(spring_newton_init(&m->newton, scene, &m->net, d, why));
-    if (d->integrator != INTEGRATOR_LEAPFROG)
+    if (!squares)
         TRY(spring_newton_system(&m->newton));
     TRY(allocate(m));
     memcpy(m->x, m->net.rest, 3 * (size_t)m->net.nodes * sizeof *m->x);
-    m->rest_energy = spring_force_energy(&m->net, m->x);
     supports_initial_velocity(&m->newton.supports, scene, m->net.rest, NULL, m->v);
     m->limits.iterations = d->iterations;
     m->limits.tolerance =
         (d->tolerance > 0 ? d->tolerance : DEFAULT_TOLERANCE) * shortest_spring(&m->net);
     if (m->integrator == INTEGRATOR_LEAPFROG)
         TRY(make_leapfrog(m, d, why));
+    else if (m->integrator == INTEGRATOR_MOMENTUM)
+        TRY(make_large(m, d, why));
     else
         TRY(set_steps(m, d, why));
+    m->rest_energy = spring_motion_elastic(m);
 out:
     if (st != STATUS_OK)
         spring_motion_clear(m);
@@ -258,6 +283,10 @@ enum status spring_motion_step(struct spring_motion *m, struct counters *counter
         return spring_leapfrog_frame(m->leapfrog, m->points.keep, m->x, m->push, &m->pushed,
                                      counters);
     }
+    if (m->integrator == INTEGRATOR_MOMENTUM) {
+        counters->steps++;
+        return spring_large_frame(&m->large, (double)m->substep++ * m->dt, counters);
+    }
     for (int n = 0; n < m->substeps; n++)
         TRY(substep(m, counters));
     scale_velocity(m, m->points.keep);
@@ -269,16 +298,46 @@ out:
 
 void spring_motion_contact(const struct spring_motion *m, struct model_contact *contact)
 {
+    if (m->integrator == INTEGRATOR_MOMENTUM) {
+        large_motion_contact(&m->large.motion, contact);
+        return;
+    }
     *contact = (struct model_contact){
         .nodes = m->pushed, .least_gap = spring_contact_gap(m->scene, m->net.nodes, m->x)};
     memcpy(contact->force, m->push, sizeof contact->force);
 }
 
+const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m)
+{
+    return m->leapfrog                            ? spring_leapfrog_stencil(m->leapfrog)
+           : m->integrator == INTEGRATOR_MOMENTUM ? &m->stencil
+                                                  : NULL;
+}
+
+double spring_motion_elastic(const struct spring_motion *m)
+{
+    const struct spring_stencil *stencil = spring_motion_stencil(m);
+
+    return stencil ? spring_stencil_energy(stencil, m->x)
+                   : spring_force_energy(&m->net, m->x);
+}
+
+void spring_motion_place(struct spring_motion *m, double t)
+{
+    memset(m->v, 0, 3 * (size_t)m->net.nodes * sizeof *m->v);
+    m->substep = lround(t / m->dt);
+    if (m->leapfrog)
+        spring_leapfrog_place(m->leapfrog, t, m->x);
+    if (m->integrator == INTEGRATOR_MOMENTUM)
+        spring_large_still(&m->large);
+}
+
 void spring_motion_energy(const struct spring_motion *m, struct energy *energy)
 {
+    const double *v = m->integrator == INTEGRATOR_MOMENTUM ? m->large.newmark.v : m->v;
+
     if (m->leapfrog)
         spring_leapfrog_velocity(m->leapfrog, m->v);
-    spring_load_energy(&m->points, m->x, m->v, energy);
-    energy->elastic = m->leapfrog ? spring_leapfrog_elastic(m->leapfrog, m->x)
-                                  : spring_force_energy(&m->net, m->x) - m->rest_energy;
+    spring_load_energy(&m->points, m->x, v, energy);
+    energy->elastic = spring_motion_elastic(m) - m->rest_energy;
 }

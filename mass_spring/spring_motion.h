@@ -7,10 +7,15 @@
  *            steps it takes as many as keep LIMIT_SHARE of it; with one, it may blow up.
  * leapfrog   second order, fast, springs in squares of lengths and a quadratic bending
  *            (spring_leapfrog.h).
+ * momentum   implicit energy-momentum steps, second order, of the same springs and bending
+ *            as leapfrog (spring_large.h, spring_strips.h). On edge_drop, undamped, 16 x
+ * 16, steps of 5 ms are .018 % of L off those of leapfrog at .3 s, Euler's .8 %; 10 x 10 at
+ * Gamma = 7.7 loses less than a thousandth of its energy in 10 s. The membrane's viscosity
+ * takes what crumples: more than half of it at Gamma = 387.
  *
- * Obstacles: the implicit step is the minimum among the positions that they leave
- * (spring_newton.h); after an explicit one, and after limiting strains, points are set back
- * (spring_contact.h).
+ * Obstacles: Euler's implicit step is the minimum among the positions that they leave
+ * (spring_newton.h), momentum's as in contact_step.h; after an explicit one, and after
+ * limiting strains, points are set back (spring_contact.h).
  *
  * Damping: mass and alpha are c = alpha m; beta is beta K V with the clamped Jacobian at
  * the start of the step, which is positive semi-definite: it only takes energy.
@@ -21,9 +26,10 @@
 #ifndef SPRING_MOTION_H
 #define SPRING_MOTION_H
 
+#include "mass_spring/spring_large.h"
 #include "mass_spring/spring_leapfrog.h"
-#include "mass_spring/spring_load.h"
 #include "mass_spring/spring_newton.h"
+#include "mass_spring/spring_strips.h"
 
 struct spring_motion {
     const struct scene *scene; /* borrowed                                             */
@@ -44,7 +50,10 @@ struct spring_motion {
     double *shift;             /* [held_count] work                                       */
     double (*V)[9];            /* [pairs] with beta, else NULL                            */
     struct spring_leapfrog *leapfrog; /* of that integrator, else NULL         owned   */
-    long substep;   /* taken so far                                              */
+    struct spring_stencil stencil;    /* momentum only, as what follows                */
+    struct spring_strips strips;
+    struct spring_large large;
+    long substep;   /* taken so far; momentum: frames                            */
     double push[3]; /* of obstacles, mean over the last frame              [N]   */
     int pushed;     /* points that they bore in its last substep                 */
 };
@@ -56,6 +65,15 @@ void spring_motion_clear(struct spring_motion *m);
 
 /* One step of scene->step. */
 enum status spring_motion_step(struct spring_motion *m, struct counters *counters);
+
+/* Springs in squares of lengths, of leapfrog and momentum; NULL: the net's own law. */
+const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m);
+
+/* The elastic energy of x, with what round-off leaves of it at rest [J]. */
+double spring_motion_elastic(const struct spring_motion *m);
+
+/* x is where the net stands still at time t [s]. */
+void spring_motion_place(struct spring_motion *m, double t);
 
 /* Held points to where they are at time t. */
 void spring_motion_hold(struct spring_motion *m, double t);

@@ -6,6 +6,10 @@
 /* Of a node, at most: two curvatures, their sum, a twist; or four clamps and a twist. */
 enum { FORMS = 5 };
 
+/* Parts of a cell that a clamp's curvature stands for, and that of the point beside it on
+ * top of its own (spring_plate.h). With one free point in the line there is none beside. */
+static const double ROOT = 1. / 3, BESIDE = 1. / 6, ALONE = 1. / 2;
+
 struct plate {
     const struct spring_net *net;
     double stiffness, poisson; /* B [N m], nu                                          */
@@ -26,7 +30,13 @@ static void add(struct plate *p, const struct spring_plate_form *form)
         p->form[p->count++] = *form;
 }
 
-/* kappa a^2 at the clamped point (i, j) towards the free one next to it. */
+double spring_plate_beside(const struct spring_net *net, int before, int behind)
+{
+    return 1 + BESIDE * (net->clamped[before] + net->clamped[behind]);
+}
+
+/* kappa a^2 at the clamped point (i, j) towards the free one next to it; stiffness of a
+ * whole cell. */
 static void add_clamp(struct plate *p, int i, int j, int di, int dj, double stiffness)
 {
     const struct spring_net *net = p->net;
@@ -41,7 +51,8 @@ static void add_clamp(struct plate *p, int i, int j, int di, int dj, double stif
                                                  .weight = {-3.5, 4, -0.5}}
                     : (struct spring_plate_form){
                           .count = 2, .node = {root, next}, .weight = {-2, 2}};
-    form.kind = SPRING_PLATE_CLAMP, form.at = root, form.stiffness = stiffness;
+    form.kind = SPRING_PLATE_CLAMP, form.at = root;
+    form.stiffness = (second >= 0 ? ROOT : ALONE) * stiffness;
     for (int c = 0; c < 3; c++) {
         double edge = net->rest[3 * next + c] - net->rest[3 * root + c];
         form.shift[c] = (second >= 0 ? -3 : -2) * edge;
@@ -70,15 +81,16 @@ static void add_line(struct plate *p, int i, int j, int along, bool both)
     if (net->clamped[at]) {
         for (int side = -1; side <= 1; side += 2)
             add_clamp(p, i, j, along == 0 ? side : 0, along == 1 ? side : 0,
-                      B / (2 * a * a * a));
+                      B / (a * a * a));
     } else if (between(net, i, j, along, node)) {
+        double weight = spring_plate_beside(net, node[0], node[1]);
         const struct spring_plate_form form = {
             .kind = along == 0 ? SPRING_PLATE_U : SPRING_PLATE_V,
             .at = at,
             .count = 3,
             .node = {node[0], at, node[1]},
             .weight = {1, -2, 1},
-            .stiffness = B * (both ? 1 - fabs(nu) : 1) / (a * a * a)};
+            .stiffness = B * (weight - (both ? fabs(nu) : 0)) / (a * a * a)};
         add(p, &form);
     }
 }

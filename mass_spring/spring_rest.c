@@ -26,15 +26,9 @@ struct search {
     double move;          /* of the last step, INFINITY unless it was long       [m]   */
 };
 
-static const struct spring_stencil *stencil_of(const struct spring_motion *m)
-{
-    return m->leapfrog ? spring_leapfrog_stencil(m->leapfrog) : NULL;
-}
-
 static double total_energy(const struct spring_motion *m)
 {
-    double energy = m->leapfrog ? spring_stencil_energy(stencil_of(m), m->x)
-                                : spring_force_energy(&m->net, m->x);
+    double energy = spring_motion_elastic(m);
 
     for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++)
         energy -= m->points.load[n] * (m->x[n] - m->net.rest[n]);
@@ -50,8 +44,8 @@ static double residual(const struct search *s)
     double most = 0;
 
     memcpy(s->r, m->points.load, count * sizeof *s->r);
-    if (m->leapfrog)
-        spring_stencil_force_add(stencil_of(m), m->x, s->r);
+    if (spring_motion_stencil(m))
+        spring_stencil_force_add(spring_motion_stencil(m), m->x, s->r);
     else
         spring_force_add(&m->net, m->x, s->r);
     for (size_t n = 0; n < count; n++) {
@@ -85,8 +79,8 @@ static enum status factor(const struct search *s, bool clamped)
     const struct spring_net *net = &s->m->net;
     const struct blocks *g = &net->graph;
 
-    if (s->m->leapfrog)
-        spring_stencil_jacobian(stencil_of(s->m), s->m->x, clamped, newton->K);
+    if (spring_motion_stencil(s->m))
+        spring_stencil_jacobian(spring_motion_stencil(s->m), s->m->x, clamped, newton->K);
     else if (clamped)
         spring_force_clamped(net, s->m->x, (const double(*)[9])newton->hinges, newton->K);
     else
@@ -185,11 +179,7 @@ enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *co
         if (m->newton.supports.free_count)
             TRY(search(&s, counters, why));
     }
-    memset(m->v, 0, count * sizeof *m->v);
-    if (m->leapfrog)
-        spring_leapfrog_place(m->leapfrog, end, m->x);
-    else
-        m->substep = lround(end / m->dt);
+    spring_motion_place(m, end);
 out:
     system_forget(&m->newton.system); /* its matrix is not that of steps */
     free(s.from);

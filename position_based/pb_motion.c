@@ -8,9 +8,9 @@
 #include "models/mechanics/contact_set.h"
 #include "models/room.h"
 
-/* Softening that the choice of substeps bears, and a bending mode's phase in the substeps
- * from one bending to the next (pb_motion.h). */
-static const double SOFTENING = 10, BENDING = 0.4;
+/* Softening that the choice of substeps bears, without and with obstacles, and a bending
+ * mode's phase in the substeps from one bending to the next (pb_motion.h). */
+static const double SOFTENING = 10, SOFTENING_CONTACT = 0.4, BENDING = 0.4;
 
 static const double MOST_SUBSTEPS = 1e6;
 
@@ -205,7 +205,8 @@ static enum status set_steps(struct pb_motion *m, const struct discretization *d
 {
     double step = m->scene->step, most = stiffest(m);
     double bending = bending_frequency(m);
-    double least = fmax(sqrt(most / SOFTENING), bending / BENDING);
+    double borne = m->scene->obstacle_count ? SOFTENING_CONTACT : SOFTENING;
+    double least = fmax(sqrt(most / borne), bending / BENDING);
     double n = d->substeps ? d->substeps : fmax(1, ceil(step * least));
 
     if (!(n <= MOST_SUBSTEPS))

@@ -21,6 +21,7 @@ static const struct {
     {"triangles", "discretization.points=[6,5,1]", 0.1},   /* likewise */
     {"mass_spring", "discretization.points=[6,5,1]", 0.5}, /* implicit Euler damps */
     {"mass_spring_leapfrog", "discretization.points=[6,5,1]", 1e-3},
+    {"mass_spring_momentum", "discretization.points=[6,5,1]", 0.1}, /* as triangles */
     {"projective_dynamics", "discretization.points=[6,5,1]", 0.5},
 };
 

@@ -81,6 +81,8 @@ static void set_variant(struct fixture *f, const char *variant)
         d->integrator = INTEGRATOR_EXPLICIT, d->substeps = 16, f->gain = GAIN_EXPLICIT_16;
     else if (!strcmp(variant, "leapfrog"))
         d->integrator = INTEGRATOR_LEAPFROG, f->gain = GAIN_EXPLICIT;
+    else if (!strcmp(variant, "momentum"))
+        d->integrator = INTEGRATOR_MOMENTUM, d->tolerance = 0;
     else if (!strcmp(variant, "limited"))
         d->strain_limit = 0.05;
     else if (!strcmp(variant, "quarters"))
@@ -121,8 +123,6 @@ static void make(struct fixture *f, const char *name)
     if (!strcmp(model, "mass_spring"))
         f->d.tolerance =
             1e-9; /* its 1e-6 of a cell is 1e-4 of what gravity moves in a step */
-    if (!strcmp(model, "position_based")) /* the substeps that it chooses leave springs 7 */
-        f->d.substeps = 4; /* times too soft: they store more than they push with */
     set_variant(f, dot ? dot + 1 : "");
     f->settling = f->d.points[2] > 1 ? 450 / f->pieces : 0;
     REQUIRE(scene_init(&f->scene) == STATUS_OK);

@@ -238,7 +238,8 @@ static void check_bending(void)
     CHECK_RELATIVE(bending(8, (double[]){1, 0, 0}, 0), 7. / 8, 1e-6); /* no end rows */
 }
 
-/* The clamp bends as the cubic through its three points: exact for x_uu linear in u. */
+/* The clamp bends as the cubic through its three points, with the weights 1/3 and 7/6 of
+ * spring_plate.h: exact for x_uu linear in u. */
 static void check_clamp(void)
 {
     struct scene scene;
@@ -256,7 +257,7 @@ static void check_clamp(void)
     for (int n = 0; n < net.nodes; n++) /* curvature L - u, as of a load at the tip */
         x[3 * n + 2] = small * (L * x[3 * n] * x[3 * n] / 2 - pow(x[3 * n], 3) / 6);
     for (int i = 0; i < 8; i++)
-        want += (i ? a : a / 2) * pow(L - i * a, 2);
+        want += (i == 0 ? a / 3 : i == 1 ? 7 * a / 6 : a) * pow(L - i * a, 2);
     want *= scene_bending_stiffness(&scene) / 2 * scene.width;
     double energy =
         spring_stencil_energy(&stencil, x) - spring_stencil_energy(&stencil, net.rest);
@@ -363,26 +364,19 @@ static void check_driven(void)
     }
 }
 
-static void check_refusals(void)
+/* Steps too small to be taken are refused. */
+static void check_refusal(void)
 {
-    static const struct {
-        int substeps;
-        double strain_limit, young;
-        const char *says;
-    } cases[] = {{0, 0.1, 1e5, "strain_limit"}, {0, 0, 1e20, "integrator=implicit"}};
+    struct scene scene;
+    struct spring_motion m;
+    struct discretization d = leapfrog(5, 5);
+    struct message why = {{0}};
 
-    for (int k = 0; k < 2; k++) {
-        struct scene scene;
-        struct spring_motion m;
-        struct discretization d = leapfrog(5, 5);
-        struct message why = {{0}};
-        fill_scene(&scene, true);
-        scene.young = cases[k].young;
-        d.substeps = cases[k].substeps, d.strain_limit = cases[k].strain_limit;
-        CHECK(spring_motion_init(&m, &scene, &d, &why) != STATUS_OK);
-        CHECK(strstr(why.text, cases[k].says));
-        scene_clear(&scene);
-    }
+    fill_scene(&scene, true);
+    scene.young = 1e20;
+    CHECK(spring_motion_init(&m, &scene, &d, &why) != STATUS_OK);
+    CHECK(strstr(why.text, "integrator=implicit"));
+    scene_clear(&scene);
 }
 
 /* A net so large that threads share its rows, unevenly; odd and even numbers of steps. */
@@ -431,7 +425,7 @@ int main(void)
     check_clamp();
     check_scaled();
     check_driven();
-    check_refusals();
+    check_refusal();
     check_threads(PRECISION_SINGLE, 9);
     check_threads(PRECISION_DOUBLE, 8);
     return check_result();

@@ -143,7 +143,7 @@ static void check_refused(void)
         {"projective_dynamics", {"discretization.solver=cg"}, "solver=cg"},
         {"mass_spring",
          {"discretization.solver=gmres", "discretization.integrator=leapfrog"},
-         "integrator=implicit only"},
+         "integrator=implicit or momentum only"},
         {"mass_spring", {"discretization.newton=full"}, "newton: this model has no use"},
         {"iga", {"discretization.preconditioner=ichol"}, "with solver=cg or gmres only"},
         {"shell", {"discretization.preconditioner=jacobi"}, "with solver=cg or gmres only"},

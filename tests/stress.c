@@ -290,7 +290,7 @@ static void check_map(const char *folder)
               strstr(line, ",died,") || strstr(line, ",1e-3,reference,"));
     }
     fclose(csv);
-    CHECK(lines == 3 * 3 * 3 && references == 3 * 3 && degraded == 1);
+    CHECK(lines == 4 * 3 * 3 && references == 4 * 3 && degraded == 1);
 }
 
 int main(int argc, char **argv)

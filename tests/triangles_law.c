@@ -81,9 +81,9 @@ static void check_derivatives(enum membrane membrane, enum bending bending)
     CHECK(large_body_force(body, &statics, x, f[0]) == STATUS_OK);
     double force = product(count, f[0], d);
     double scale = sqrt(product(count, f[0], f[0]) * product(count, d, d));
-    CHECK(large_body_tangent(body, &statics, x, (struct large_foresight){0}, s.m->K) ==
-          STATUS_OK);
-    blocks_multiply(&s.m->net.graph, (const double(*)[9])s.m->K, d, want);
+    CHECK(large_body_tangent(body, &statics, x, (struct large_foresight){0},
+                             s.m->large.K) == STATUS_OK);
+    blocks_multiply(&s.m->net.graph, (const double(*)[9])s.m->large.K, d, want);
     for (double step = 1e-4; step > 1e-8; step /= 3) {
         double energy[2];
         for (int side = 0; side < 2; side++) {
@@ -159,8 +159,8 @@ static double quadratic(struct sheet *s, const double *d)
 
     REQUIRE(count_of(s) <= MOST);
     CHECK(large_body_tangent(&s->m->body.body, &statics, s->m->net.points.rest,
-                             (struct large_foresight){0}, s->m->K) == STATUS_OK);
-    blocks_multiply(&s->m->net.graph, (const double(*)[9])s->m->K, d, Kd);
+                             (struct large_foresight){0}, s->m->large.K) == STATUS_OK);
+    blocks_multiply(&s->m->net.graph, (const double(*)[9])s->m->large.K, d, Kd);
     return product(count_of(s), d, Kd) / 2;
 }
 
@@ -310,7 +310,7 @@ static void check_mass(void)
     start(&s, 6, 5, MEMBRANE_GREEN, BENDING_QUADRATIC, 0.3, true);
     const struct blocks *g = &s.m->net.graph;
     for (long n = 0; n < g->start[g->nodes]; n++)
-        mass += s.m->M[n];
+        mass += s.m->large.M[n];
     CHECK_RELATIVE(
         mass, s.scene.density * s.scene.length * s.scene.width * s.scene.thickness, SUM);
     CHECK(s.m->supports.free_count == 3 * 5 * 5);

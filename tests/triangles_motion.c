@@ -146,7 +146,7 @@ static void check_order(const struct scheme *by)
     for (int k = 0; k < 3; k++) {
         struct sheet s;
         swing(&s, by, by->substeps << k);
-        s.m->large.lag = 0;
+        s.m->large.motion.lag = 0;
         sheet_frames(&s, SWING);
         memcpy(x[k], s.m->x, sizeof x[k]);
         sheet_clear(&s);

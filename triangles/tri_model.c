@@ -96,7 +96,8 @@ static void size(const void *state, struct model_size *size)
     const struct tri_motion *m = state;
     const struct system none = {.held = &m->supports};
 
-    *size = system_size(m->system.factor ? &m->system : &none, "mid-surface points");
+    *size = system_size(m->large.system.factor ? &m->large.system : &none,
+                        "mid-surface points");
 }
 
 /* What is not the scene's law, and the explicit steps' limit. */

@@ -6,20 +6,11 @@
 
 #include "mass_spring/spring_contact.h"
 #include "mass_spring/spring_frequency.h"
-#include "models/damping.h"
-#include "models/linalg/order.h"
 #include "models/mechanics/large_rest.h"
 #include "models/mechanics/pencil.h"
 #include "models/room.h"
 
 static const struct large_path statics = {.s1 = 1, .g1 = 1};
-
-/* As of a shell's membrane: against its ringing in energy-momentum steps, which nothing
- * else damps, mean stress is taken from (1/2 + lag) of the step. */
-static const double MEMBRANE_LAG = 0.1;
-
-/* Rows that a form or hinge reaches. */
-enum { REACH = 2 };
 
 static size_t count_of(const struct tri_motion *m)
 {
@@ -29,70 +20,50 @@ static size_t count_of(const struct tri_motion *m)
 static enum status make_arrays(struct tri_motion *m)
 {
     bool explicit = m->integrator == INTEGRATOR_LEAPFROG;
-    size_t pairs = (size_t)m->net.graph.start[m->net.points.nodes];
-    enum status st = room_cut(&m->room, ROOM(m->x, count_of(m)), ROOM(m->M, pairs),
-                              ROOM(m->held, 4 * (size_t)m->supports.held_count),
-                              ROOM(m->K, pairs), ROOM(m->v, explicit ? count_of(m) : 0));
+    enum status st =
+        room_cut(&m->room, ROOM(m->x, count_of(m)), ROOM(m->v, explicit ? count_of(m) : 0));
 
     if (st != STATUS_OK)
         return st;
     memcpy(m->x, m->net.points.rest, count_of(m) * sizeof *m->x);
     m->rest_energy = tri_body_energy(&m->body, m->x);
-    for (int a = 0; a < m->net.points.nodes; a++)
-        m->M[m->net.graph.start[a]] = m->load.mass[a];
     return STATUS_OK;
 }
 
 /* What implicit steps, equilibrium and modes need; once. */
 static enum status make_large(struct tri_motion *m, struct message *why)
 {
-    enum status st = STATUS_OK;
-    const struct scene *scene = m->scene;
-    const int *points = m->net.points.points;
-    bool euler = m->integrator == INTEGRATOR_IMPLICIT;
-    int *order = NULL;
+    const struct spring_large_plan plan = {.scene = m->scene,
+                                           .net = &m->net.points,
+                                           .graph = &m->net.graph,
+                                           .body = &m->body.body,
+                                           .load = &m->load,
+                                           .supports = &m->supports,
+                                           .d = &m->asked,
+                                           .x = m->x};
 
-    if (m->large.x)
-        return STATUS_OK;
-    TRY(newmark_init(&m->newmark, m->net.points.nodes,
-                     scene->step / (m->substeps ? m->substeps : 1),
-                     damping_mass(scene) + damping_drag(scene), m->load.beta));
-    order = malloc((size_t)m->net.points.nodes * sizeof *order);
-    if (!order)
-        TRY(STATUS_MEMORY);
-    order_nested(points[0], points[1], 1, REACH, order);
-    TRY(system_init(&m->system, &m->net.graph, &m->supports, NULL, order, &m->linear));
-    TRY(contact_step_init(&m->contact, scene, &m->net.graph, &m->supports,
-                          m->net.points.rest, scene->thickness / 2, order, &m->linear,
-                          why));
-    m->large = (struct large_motion){
-        .body = m->body.body,
-        .scene = scene,
-        .graph = &m->net.graph,
-        .M = m->M,
-        .rest = m->net.points.rest,
-        .load = m->load.load,
-        .supports = &m->supports,
-        .system = &m->system,
-        .newmark = &m->newmark,
-        .K = m->K,
-        .x = m->x,
-        .held = m->held,
-        .lag = euler ? 0 : MEMBRANE_LAG,
-        .euler = euler,
-        .enough = m->iterations,
-        .contact = scene->obstacle_count ? &m->contact : NULL,
-    };
-    TRY(large_motion_init(&m->large));
-out:
-    free(order);
-    return st;
+    return m->large.motion.x ? STATUS_OK : spring_large_init(&m->large, &plan, why);
 }
 
-static enum status rest_stiffness(const struct tri_motion *m)
+static enum status rest_stiffness(const struct tri_motion *m, double (*K)[9])
 {
     return large_body_tangent(&m->body.body, &statics, m->net.points.rest,
-                              (struct large_foresight){0}, m->K);
+                              (struct large_foresight){0}, K);
+}
+
+static enum status rest_frequency(const struct tri_motion *m, double *omega)
+{
+    enum status st;
+    double(*K)[9] = calloc((size_t)m->body.body.pairs, sizeof *K);
+
+    if (!K)
+        return STATUS_MEMORY;
+    TRY(rest_stiffness(m, K));
+    st = spring_frequency_largest(&m->net.graph, &m->supports, m->load.mass,
+                                  (const double(*)[9])K, omega);
+out:
+    free(K);
+    return st;
 }
 
 static enum status make_leapfrog(struct tri_motion *m, const struct discretization *d,
@@ -115,9 +86,7 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
     m->cells.membrane = d->membrane;
     memcpy(m->cells.D, m->body.D, sizeof m->cells.D);
     memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
-    TRY(rest_stiffness(m));
-    TRY(spring_frequency_largest(&m->net.graph, &m->supports, m->load.mass,
-                                 (const double(*)[9])m->K, &body.omega));
+    TRY(rest_frequency(m, &body.omega));
     supports_initial_velocity(&m->supports, m->scene, points->rest, NULL, m->v);
     TRY(contact_set_init(&outside, m->scene, &m->supports, m->x, m->scene->thickness / 2,
                          why));
@@ -144,7 +113,8 @@ static enum status build(struct tri_motion *m, const struct discretization *d,
         TRY(make_leapfrog(m, d, why));
     } else {
         TRY(make_large(m, why));
-        supports_initial_velocity(&m->supports, scene, points->rest, NULL, m->newmark.v);
+        supports_initial_velocity(&m->supports, scene, points->rest, NULL,
+                                  m->large.newmark.v);
     }
 out:
     return st;
@@ -153,10 +123,7 @@ out:
 void tri_motion_clear(struct tri_motion *m)
 {
     spring_leapfrog_free(m->leapfrog);
-    large_motion_clear(&m->large);
-    contact_step_clear(&m->contact);
-    system_clear(&m->system);
-    newmark_clear(&m->newmark);
+    spring_large_clear(&m->large);
     supports_clear(&m->supports);
     spring_load_clear(&m->load);
     tri_body_clear(&m->body);
@@ -168,34 +135,17 @@ void tri_motion_clear(struct tri_motion *m)
 enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
                             const struct discretization *d, struct message *why)
 {
-    *m = (struct tri_motion){
-        .scene = scene,
-        .integrator = d->integrator,
-        .linear = {.solver = d->solver, .preconditioner = d->preconditioner},
-        .iterations = d->iterations,
-        .substeps = d->substeps};
+    *m = (struct tri_motion){.scene = scene,
+                             .integrator = d->integrator,
+                             .asked = {.integrator = d->integrator,
+                                       .solver = d->solver,
+                                       .preconditioner = d->preconditioner,
+                                       .iterations = d->iterations,
+                                       .substeps = d->substeps}};
     enum status st = build(m, d, why);
 
     if (st != STATUS_OK)
         tri_motion_clear(m);
-    return st;
-}
-
-static enum status step_implicit(struct tri_motion *m, struct counters *counters)
-{
-    enum status st = STATUS_OK;
-    int substeps = m->substeps ? m->substeps : 1;
-    double push[3] = {0, 0, 0}, start = (double)m->frame * m->scene->step;
-
-    for (int n = 0; n < substeps; n++) {
-        TRY(large_motion_step(&m->large, start + n * m->newmark.dt, counters));
-        for (int i = 0; i < 3; i++)
-            push[i] += m->large.push[i] / substeps;
-    }
-    memcpy(m->large.push, push, sizeof push);
-    for (size_t t = 0; m->load.keep != 1 && t < count_of(m); t++)
-        m->newmark.v[t] *= m->load.keep;
-out:
     return st;
 }
 
@@ -205,11 +155,11 @@ enum status tri_motion_step(struct tri_motion *m, struct counters *counters)
 
     if (m->leapfrog) {
         memset(m->push, 0, sizeof m->push);
-        m->large.rested = false;
+        m->large.motion.rested = false;
         TRY(spring_leapfrog_frame(m->leapfrog, m->load.keep, m->x, m->push, &m->pushed,
                                   counters));
     } else {
-        TRY(step_implicit(m, counters));
+        TRY(spring_large_frame(&m->large, (double)m->frame * m->scene->step, counters));
     }
     m->frame++;
     counters->steps++;
@@ -225,7 +175,7 @@ enum status tri_motion_rest(struct tri_motion *m, struct counters *counters,
 
     TRY(supports_allow_rest(&m->supports, m->scene, why));
     TRY(make_large(m, why));
-    TRY(large_rest_equilibrium(&m->large, counters, why));
+    TRY(large_rest_equilibrium(&m->large.motion, counters, why));
     m->frame = lround(end / m->scene->step);
     if (m->leapfrog)
         spring_leapfrog_place(m->leapfrog, end, m->x);
@@ -237,12 +187,14 @@ enum status tri_motion_modes(struct tri_motion *m, int count, double *omega,
                              struct message *why)
 {
     enum status st;
-    const struct pencil p = {&m->net.graph, (const double(*)[9])m->K, m->M, false};
 
-    if (m->large.rested)
-        return large_rest_modes(&m->large, count, omega, why);
-    m->large.factored = -1;
-    TRY(rest_stiffness(m));
+    if (m->large.motion.rested)
+        return large_rest_modes(&m->large.motion, count, omega, why);
+    TRY(make_large(m, why));
+    m->large.motion.factored = -1;
+    TRY(rest_stiffness(m, m->large.K));
+    const struct pencil p = {&m->net.graph, (const double(*)[9])m->large.K, m->large.M,
+                             false};
     TRY(pencil_modes(&p, &m->supports, NULL, count, omega, why));
 out:
     return st;
@@ -283,7 +235,7 @@ out:
 void tri_motion_contact(const struct tri_motion *m, struct model_contact *contact)
 {
     if (!m->leapfrog) {
-        large_motion_contact(&m->large, contact);
+        large_motion_contact(&m->large.motion, contact);
         return;
     }
     *contact = (struct model_contact){
@@ -296,6 +248,6 @@ void tri_motion_energy(const struct tri_motion *m, struct energy *energy)
 {
     if (m->leapfrog)
         spring_leapfrog_velocity(m->leapfrog, m->v);
-    spring_load_energy(&m->load, m->x, m->leapfrog ? m->v : m->newmark.v, energy);
+    spring_load_energy(&m->load, m->x, m->leapfrog ? m->v : m->large.newmark.v, energy);
     energy->elastic = tri_body_energy(&m->body, m->x) - m->rest_energy;
 }

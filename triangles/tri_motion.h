@@ -12,30 +12,22 @@
 #ifndef TRI_MOTION_H
 #define TRI_MOTION_H
 
+#include "mass_spring/spring_large.h"
 #include "mass_spring/spring_leapfrog.h"
-#include "mass_spring/spring_load.h"
-#include "models/mechanics/large_motion.h"
 #include "triangles/tri_body.h"
 
 struct tri_motion {
     const struct scene *scene; /* borrowed                                             */
     enum integrator integrator;
-    struct discretization linear; /* its solver and preconditioner                     */
-    int iterations, substeps; /* asked for; 0: as many as needed                       */
+    struct discretization asked; /* integrator, substeps, iterations, solver           */
     struct tri_net net;
     struct tri_body body;
     struct spring_load load;
     struct supports supports;
-    struct system system;
-    struct newmark newmark;
-    struct large_motion large;
-    struct contact_step contact; /* with obstacles only                                */
-    void *room;                  /* of the arrays                              owned   */
-    double *x;                   /* [nodes][3] present points                  [m]     */
-    double *M;                   /* [pairs] lumped mass                        [kg]    */
-    double *held;                /* [4][held_count] work                               */
-    double (*K)[9];              /* [pairs] work                               [N/m]   */
-    struct spring_cells cells;   /* leapfrog only, as what follows                     */
+    struct spring_large large; /* empty in explicit steps                              */
+    void *room;                /* of the arrays                                owned   */
+    double *x;                 /* [nodes][3] present points                    [m]     */
+    struct spring_cells cells; /* leapfrog only, as what follows                     */
     struct spring_leapfrog *leapfrog; /*                                       owned   */
     double push[3];                   /* of obstacles, mean over the last frame  [N]   */
     int pushed;                       /* points that they bore at its end              */

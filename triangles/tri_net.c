@@ -7,12 +7,6 @@
 
 enum { MOST = SPRING_PLATE_POINTS };
 
-/* spring_plate.h's clamp has the curvature of a cubic at the trapezoidal weight 1/2, which
- * bends the first cell under a constant moment: positions are then of first order. With 1/3
- * there and 7/6 at the next point it is at rest, and they are of second:
- *     y_1: 4 w_0 - 2 w_1 + 1 = 0,   y_2: -w_0 / 2 + w_1 - 2 + 1 = 0. */
-static const double ROOT_WEIGHT = 1. / 3, NEXT_WEIGHT = 7. / 6, PLATE_WEIGHT = 1. / 2;
-
 static int node_of(const struct tri_net *net, int i, int j)
 {
     return i * net->points.points[1] + j;
@@ -58,7 +52,7 @@ static void add_edge(struct tri_net *net, double D, int i, int j, int along)
         return;
     for (int k = 0; k < 2; k++) {
         int before = end[k] - step, behind = end[k] + step;
-        double weight = 1 + (NEXT_WEIGHT - 1) * (p->clamped[before] + p->clamped[behind]);
+        double weight = spring_plate_beside(p, before, behind);
         if (!p->clamped[end[k]])
             add_hinge(net, end[k], end[!k], before, behind,
                       weight * D / 2 * p->cell[along] / p->cell[across]);
@@ -108,33 +102,6 @@ static int strip_of(const struct tri_net *net, const struct spring_plate_form *f
     return least / net->points.points[1];
 }
 
-/* Clamps and what is next to them by these weights. */
-static enum status balance_clamps(const struct tri_net *net, int count,
-                                  struct spring_plate_form *forms)
-{
-    int m = net->points.points[1], *line[2]; /* the form at a node along u, along v     */
-    size_t nodes = (size_t)net->points.nodes;
-
-    line[0] = calloc(2 * nodes, sizeof *line[0]);
-    if (!line[0])
-        return STATUS_MEMORY;
-    line[1] = line[0] + nodes;
-    for (int k = 0; k < count; k++)
-        if (forms[k].kind == SPRING_PLATE_U || forms[k].kind == SPRING_PLATE_V)
-            line[forms[k].kind == SPRING_PLATE_V][forms[k].at] = k;
-    for (int k = 0; k < count; k++) {
-        struct spring_plate_form *clamp = &forms[k];
-        if (clamp->kind != SPRING_PLATE_CLAMP || clamp->count < 3)
-            continue;
-        int next = clamp->node[1], along = abs(next - clamp->node[0]) != m;
-        double whole = clamp->stiffness / PLATE_WEIGHT;
-        forms[line[along][next]].stiffness += (NEXT_WEIGHT - 1) * whole;
-        clamp->stiffness = ROOT_WEIGHT * whole;
-    }
-    free(line[0]);
-    return STATUS_OK;
-}
-
 /* The plate's forms by strips: all, or the clamps alone. */
 static enum status add_forms(struct tri_net *net, const struct scene *scene, bool all)
 {
@@ -143,7 +110,6 @@ static enum status add_forms(struct tri_net *net, const struct scene *scene, boo
     struct spring_plate_form *forms = NULL;
 
     TRY(spring_plate_make(scene, &net->points, &forms, &count));
-    TRY(balance_clamps(net, count, forms));
     net->forms = malloc(((size_t)count + 1) * sizeof *net->forms);
     if (!net->forms)
         TRY(STATUS_MEMORY);

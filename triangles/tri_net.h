@@ -23,7 +23,7 @@
  *              D under bending about any axis, and the Gaussian curvature of a plate with
  *              nu = 0. (On square cells that is a third of Grinspun et al.'s
  *              3 |e|^2 / (A_1 + A_2) of each edge, which is meant for irregular triangles.)
- * Clamps are those of spring_plate.h in both, at rest under a constant moment (tri_net.c).
+ * Clamps are those of spring_plate.h in both.
  */
 #ifndef TRI_NET_H
 #define TRI_NET_H

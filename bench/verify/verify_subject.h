@@ -35,6 +35,9 @@ struct verify_entry {
 /* The same but for the cured in their own nets, and those that only lock. */
 #define VERIFY_LOCKED "iga_nonlinear_3,iga_reduced_3,iga_selective,hex_nonlinear"
 
+/* At rest the same as another, mass_spring_leapfrog. */
+#define VERIFY_TWINS "mass_spring_momentum"
+
 /* Whom a check judges. */
 struct verify_field {
     const struct verify_entry *entry; /* contestant NULL ends; in this order              */

@@ -25,6 +25,7 @@ static const struct verify_entry entries[] = {
     {"shell_2", BALANCE},
     {"triangles", BALANCE},
     {"mass_spring", BALANCE, .settings = {"discretization.tolerance=1e-9"}},
+    {"mass_spring_momentum", BALANCE},
     {"position_based", BALANCE},
     {"projective_dynamics", BALANCE},
     {NULL}};

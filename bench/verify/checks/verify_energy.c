@@ -40,6 +40,7 @@ static const struct verify_entry entries[] = {
     {"shell_selective_3", KEPT, {10}, .mark = true},
     {"triangles", VISCOUS, {21}, .mark = true},
     {"mass_spring", 0, EULER, {21}},
+    {"mass_spring_momentum", VISCOUS, {21}, .mark = true},
     {"position_based", 0, EULER, {21}},
     {"projective_dynamics", 0, EULER, {21}},
     {NULL}};

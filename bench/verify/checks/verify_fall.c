@@ -33,6 +33,7 @@ static const struct verify_entry entries[] = {
     {"mass_spring", FIRST, "implicit Euler: dt / t", {5}},
     {"position_based", FIRST, "as implicit Euler: dt / t", {5}},
     {"mass_spring_leapfrog", EXACT, NULL, {5}},
+    {"mass_spring_momentum", EXACT, NULL, {5}},
     {"projective_dynamics", FIRST, "implicit Euler: dt / t", {5}},
     {NULL}};
 static const struct verify_field field = {

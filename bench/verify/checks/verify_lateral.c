@@ -32,7 +32,7 @@ static const struct verify_entry entries[] = {
     {"projective_dynamics", 0, NULL, {10, 20}, {6, 11}},
     {NULL}};
 static const struct verify_field field = {
-    entries, CONTESTANT_LARGE, VERIFY_LOCKED, {12, 24}, {6, 12}};
+    entries, CONTESTANT_LARGE, VERIFY_LOCKED "," VERIFY_TWINS, {12, 24}, {6, 12}};
 
 struct plate {
     double width, nu;     /* over the length; Poisson's ratio                          */

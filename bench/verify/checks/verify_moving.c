@@ -28,6 +28,7 @@ static const struct verify_entry entries[] = {
     {"shell_2", ITERATED, {8}, {6}},
     {"triangles", ITERATED, {11}},
     {"mass_spring", ITERATED, {11}, .settings = {CLOSE}, .mark = true},
+    {"mass_spring_momentum", ITERATED, {11}},
     {"projective_dynamics", ITERATED, {11}, .settings = {CLOSE, LONG}, .mark = true},
     {NULL}};
 static const struct verify_field field = {

@@ -29,7 +29,7 @@ static const struct verify_entry entries[] = {
     {"projective_dynamics", 0, NULL, {25, 49}, {3, 5}},
     {NULL}};
 static const struct verify_field field = {
-    entries, CONTESTANT_LARGE, VERIFY_LOCKED, {25, 49}};
+    entries, CONTESTANT_LARGE, VERIFY_LOCKED "," VERIFY_TWINS, {25, 49}};
 
 struct shape {
     double energy, elastic, deflection; /* [J], [J], of the middle [m]                 */

@@ -27,6 +27,7 @@ static const struct verify_entry entries[] = {
     {"mass_spring", SAME, {11}, {8}},
     {"position_based", SAME, {11}, {8}},
     {"mass_spring_leapfrog", SAME, {11}, {8}},
+    {"mass_spring_momentum", SAME, {11}, {8}},
     {"projective_dynamics", SAME, {11}, {8}},
     {NULL}};
 #define OTHERS                                                                             \

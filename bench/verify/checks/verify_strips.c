@@ -31,7 +31,8 @@ static const struct verify_entry entries[] = {
     {NULL}};
 /* clang-format on */
 
-const struct verify_field verify_strips = {entries, CONTESTANT_LARGE, .along = {20, 40}};
+const struct verify_field verify_strips = {
+    entries, CONTESTANT_LARGE, VERIFY_TWINS, {20, 40}};
 
 const struct verify_strips_load *
 verify_strips_worst(struct verify_trial *t, verify_strips_measure *measure, int count,

@@ -1,0 +1,48 @@
+/* spring_large.h - nets of points in implicit steps at large displacements: large_motion.h
+ * with lumped masses, for springs and for triangles. Energy-momentum steps, second order,
+ * or (integrator=implicit) Euler's.
+ */
+#ifndef SPRING_LARGE_H
+#define SPRING_LARGE_H
+
+#include "mass_spring/spring_load.h"
+#include "models/mechanics/large_motion.h"
+
+/* What it moves; all borrowed, and must outlive it. */
+struct spring_large_plan {
+    const struct scene *scene;
+    const struct spring_net *net;
+    const struct blocks *graph; /* of whom elements reach, 2 rows at most              */
+    const struct large_body *body;
+    const struct spring_load *load;
+    const struct supports *supports;
+    const struct discretization *d; /* integrator, substeps, iterations, solver        */
+    double *x;                      /* [nodes][3] present points                 [m]   */
+};
+
+struct spring_large {
+    const struct spring_load *load; /* borrowed                                        */
+    int substeps;
+    struct large_motion motion;
+    struct newmark newmark;
+    struct system system;
+    struct contact_step contact; /* with obstacles only                                */
+    void *room;                  /* of the arrays                              owned   */
+    double *M;                   /* [pairs] lumped mass                        [kg]    */
+    double *held;                /* [4][held_count] work                               */
+    double (*K)[9];              /* [pairs] room for tangents                  [N/m]   */
+};
+
+/* At rest. *l must stay where it is: it holds pointers into itself. STATUS_INPUT with a
+ * sentence if the sheet begins in an obstacle. */
+enum status spring_large_init(struct spring_large *l, const struct spring_large_plan *plan,
+                              struct message *why);
+void spring_large_clear(struct spring_large *l);
+
+/* x is at rest: no velocity, and nothing is known of a step before. */
+void spring_large_still(struct spring_large *l);
+
+/* One step of scene->step from time t. */
+enum status spring_large_frame(struct spring_large *l, double t, struct counters *counters);
+
+#endif

@@ -306,6 +306,9 @@ static void check_refused(void)
     } cases[] = {
         {"hex", {"discretization.points=[5,5,4]"}, "an odd number of layers"},
         {"iga_nonlinear_3", {"discretization.points=[6,6,4]"}, "an odd number of layers"},
+        {"hex",
+         {NET, "supports=[{at: {u: 0.1, w: 0.5}, fix: xyz}]"},
+         "more points or a larger region"},
         {"iga",
          {NET, "supports=[{at: {u: 0, w: 0.5}, fix: z}, {at: {u: 0, w: 1}, fix: x}]"},
          "support 1 holds a part of the thickness that support 0"},

@@ -77,7 +77,9 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
         int count = 0;
+        bool layered = false; /* nodes above and below */
         for (int a = 0; a < nodes; a++) {
+            layered |= middle_only(s) && holds(s, (double[]){uvw[a][0], uvw[a][1], 0.5});
             if (!holds(s, uvw[a]))
                 continue;
             if (uvw[a][2] < 0 && !full_thickness(s) && !middle_only(s))
@@ -94,10 +96,10 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
         if (!count)
             return status_fail(why, STATUS_INPUT,
                                "support %d holds no node of this discretization; use %s", n,
-                               middle_only(s) ? "one element through the thickness "
-                                                "without weights, or an odd number of "
-                                                "layers"
-                                              : "more points or a larger region");
+                               layered ? "one element through the thickness "
+                                         "without weights, or an odd number of "
+                                         "layers"
+                                       : "more points or a larger region");
     }
     return STATUS_OK;
 }

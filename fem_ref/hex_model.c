@@ -5,6 +5,7 @@
 
 #include "fem_ref/hex_space.h"
 #include "models/grid.h"
+#include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"
 
 struct hex {
@@ -103,6 +104,7 @@ static enum status add_loads(struct hex *h)
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct hex *h = state;
+    const double *x = solid_hinge_points(&h->sheet.space, h->sheet.motion.x);
 
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double weight[3][2], sum[3] = {0};
@@ -118,7 +120,7 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
             int node = ((at[0] + a) * h->points[1] + at[1] + b) * h->points[2] + at[2] + c;
             double N = weight[0][a] * weight[1][b] * weight[2][c];
             for (int i = 0; i < 3; i++)
-                sum[i] += N * h->sheet.motion.x[3 * (size_t)node + i];
+                sum[i] += N * x[3 * (size_t)node + i];
         }
         memcpy(xyz, sum, sizeof sum);
     }
@@ -134,6 +136,7 @@ static enum status create(const struct scene *scene, const struct discretization
 {
     enum status st;
     bool thickness;
+    const double middle[2] = {0.5, 0.5};
     double *x = NULL;
     struct hex *h = NULL;
 
@@ -151,7 +154,8 @@ static enum status create(const struct scene *scene, const struct discretization
     memcpy(h->points, d->points, sizeof h->points);
     TRY(hex_space_init(&h->sheet.space, &h->tables, d->points, x, thickness,
                        d->remedy == REMEDY_INCOMPATIBLE));
-    TRY(solid_model_init(&h->sheet, scene, d, d->points, why));
+    TRY(solid_model_init(&h->sheet, scene, d, d->points, d->points[2] == 2 ? middle : NULL,
+                         why));
     TRY(add_loads(h));
     TRY(solid_model_misfit(&h->sheet, sample));
     *state = h, h = NULL;

@@ -7,6 +7,7 @@
 #include "iga/cloak_net.h"
 #include "iga/plate_space.h"
 #include "models/grid.h"
+#include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"
 
 /* A direction of the material grid: spans and values at its samples, [count][order]. */
@@ -199,12 +200,18 @@ out:
     return st;
 }
 
+/* Present control points, or coefficients of the thickness basis. */
+static const double *points_of(const struct plate *p)
+{
+    return solid_hinge_points(&p->sheet.space, p->sheet.motion.x);
+}
+
 /* Position at one tensor-product point: sums over u, then v, then w, so that a grid point
  * comes out the same from wherever it is asked. Rational if the patch has weights; the sum
  * of the functions through the thickness is then that of all or, in the thickness basis,
  * the first. */
-static void evaluate(const struct plate *p, const int first[3], const double *const N[3],
-                     double *xyz)
+static void evaluate(const struct plate *p, const double *x, const int first[3],
+                     const double *const N[3], double *xyz)
 {
     const double *weight = p->patch.weight;
     int m = p->patch.basis[1].n, l = p->patch.basis[2].n;
@@ -221,7 +228,7 @@ static void evaluate(const struct plate *p, const int first[3], const double *co
                 double share = weight ? N[0][a] * weight[node] : N[0][a];
                 weight_u += share;
                 for (int i = 0; i < 3; i++)
-                    over_u[i] += share * p->sheet.motion.x[3 * (size_t)node + i];
+                    over_u[i] += share * x[3 * (size_t)node + i];
             }
             weight_v += N[1][b] * weight_u;
             for (int i = 0; i < 3; i++)
@@ -237,23 +244,25 @@ static void evaluate(const struct plate *p, const int first[3], const double *co
 }
 
 /* Position at parameters of the patch. */
-static void evaluate_at(const struct plate *p, const double uvw[3], double *xyz)
+static void evaluate_at(const struct plate *p, const double *x, const double uvw[3],
+                        double *xyz)
 {
     double N[3][BSPLINE_MAX_ORDER];
     int first[3];
 
     for (int i = 0; i < 3; i++)
         first[i] = alive(p, i, uvw[i], N[i]);
-    evaluate(p, first, (const double *const[3]){N[0], N[1], N[2]}, xyz);
+    evaluate(p, x, first, (const double *const[3]){N[0], N[1], N[2]}, xyz);
 }
 
 static void sample(const void *state, double *xyz)
 {
     const struct plate *p = state;
+    const double *x = points_of(p);
 
     if (p->uvw) {
         for (int n = 0; n < GRID_POINTS; n++)
-            evaluate_at(p, p->uvw[n], xyz + 3 * (size_t)n);
+            evaluate_at(p, x, p->uvw[n], xyz + 3 * (size_t)n);
         return;
     }
     for (int k = 0; k < GRID_W; k++)
@@ -264,7 +273,7 @@ static void sample(const void *state, double *xyz)
                 const double *const N[3] = {g[0].value + i * g[0].order,
                                             g[1].value + j * g[1].order,
                                             g[2].value + k * g[2].order};
-                evaluate(p, first, N, xyz);
+                evaluate(p, x, first, N, xyz);
             }
 }
 
@@ -328,7 +337,8 @@ static enum status create(const struct scene *scene, const struct discretization
                           void **state, struct message *why)
 {
     enum status st;
-    bool thickness;
+    bool thickness, one_element;
+    double middle[BSPLINE_MAX_ORDER];
     struct plate *p = NULL;
 
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
@@ -338,9 +348,8 @@ static enum status create(const struct scene *scene, const struct discretization
     if (!p)
         TRY(STATUS_MEMORY);
     TRY(make_patch(scene, d, &p->patch, why));
-    TRY(solid_model_basis(
-        scene, d, p->patch.basis[2].n == p->patch.basis[2].p + 1 && !d->weight_count,
-        &thickness, why));
+    one_element = p->patch.basis[2].n == p->patch.basis[2].p + 1 && !d->weight_count;
+    TRY(solid_model_basis(scene, d, one_element, &thickness, why));
     TRY(plate_space_init(&p->sheet.space, &p->tables, &p->patch, d->gauss, thickness));
     if (d->remedy == REMEDY_REDUCED)
         TRY(plate_space_reduce(&p->sheet.space, &p->tables, &p->patch));
@@ -348,7 +357,9 @@ static enum status create(const struct scene *scene, const struct discretization
         TRY(plate_space_select(&p->sheet.space, &p->tables, &p->patch));
     TRY(make_grid(p, scene));
     const struct bspline *b = p->patch.basis;
-    TRY(solid_model_init(&p->sheet, scene, d, (const int[]){b[0].n, b[1].n, b[2].n}, why));
+    plate_space_thickness(&p->patch, false, 0.5, middle);
+    TRY(solid_model_init(&p->sheet, scene, d, (const int[]){b[0].n, b[1].n, b[2].n},
+                         one_element ? middle : NULL, why));
     TRY(add_loads(p, why));
     TRY(solid_model_misfit(&p->sheet, sample));
     *state = p, p = NULL;
@@ -360,12 +371,13 @@ out:
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct plate *p = state;
+    const double *x = points_of(p);
 
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double at[1][3] = {{uvw[0], uvw[1], uvw[2]}};
         if (p->uvw && find_material_points(p, p->sheet.motion.scene, 1, uvw, at))
             at[0][0] = NAN; /* cannot be: the rest shape was inverted at create */
-        evaluate_at(p, at[0], xyz);
+        evaluate_at(p, x, at[0], xyz);
     }
 }
 

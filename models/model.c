@@ -58,58 +58,39 @@ static void fill(const struct discretization *usual, struct discretization *d)
         d->remedy = usual->remedy;
 }
 
-/* The first support that takes the middle of the thickness and neither face; -1: none. */
-static int middle_support(const struct scene *scene)
-{
-    for (int n = 0; n < scene->support_count; n++)
-        if (scene->supports[n].lo[2] > 0 && scene->supports[n].hi[2] < 1)
-            return n;
-    return -1;
-}
-
 /* What is not as usual, and why; *why has the model's reason. */
 static void tell(const struct discretization *usual, const struct discretization *d,
                  struct message *why)
 {
-    const bool points = d->points[2] != usual->points[2],
-               degree = memcmp(d->degree, usual->degree, sizeof d->degree),
+    const bool degree = memcmp(d->degree, usual->degree, sizeof d->degree),
                remedy = d->remedy != usual->remedy;
     const struct message reason = *why;
     char text[128] = "";
     size_t used = 0;
 
-    if (points)
-        used += (size_t)snprintf(text, sizeof text, "%d points through the thickness, ",
-                                 d->points[2]);
     if (degree)
-        used += (size_t)snprintf(text + used, sizeof text - used, "degree=[%d,%d,%d], ",
-                                 d->degree[0], d->degree[1], d->degree[2]);
+        used = (size_t)snprintf(text, sizeof text, "degree=[%d,%d,%d], ", d->degree[0],
+                                d->degree[1], d->degree[2]);
     if (remedy)
         snprintf(text + used, sizeof text - used, "remedy=%s, ", remedy_name(d->remedy));
-    if (points || degree || remedy)
+    if (degree || remedy)
         status_fail(why, STATUS_OK, "%snot the defaults: %s", text, reason.text);
     else
         why->text[0] = '\0';
 }
 
-void model_complete(const struct model *model, const struct scene *scene,
-                    struct discretization *d, struct message *told)
+void model_complete(const struct model *model, struct discretization *d,
+                    struct message *told)
 {
-    const int middle = middle_support(scene);
     struct discretization usual, all = *d;
 
     model->defaults(&usual);
     fill(&usual, &all);
-    if (middle >= 0 && !d->points[2] && usual.points[2] == 2)
-        d->points[2] = 3;
     for (int i = 0; i < 3; i++)
         d->points[i] = d->points[i] ? d->points[i] : usual.points[i];
     status_fail(told, STATUS_OK, "more does not fit the points or knots");
     if (model->adapt)
         model->adapt(d, told);
-    if (d->points[2] != all.points[2])
-        status_fail(told, STATUS_OK, "support %d takes the middle of the thickness",
-                    middle);
     fill(&usual, d);
     tell(&all, d, told);
 }

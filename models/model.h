@@ -58,13 +58,13 @@ enum status model_refuse_net(const struct scene *scene, unsigned serves,
 
 struct model;
 
-/* Points, degrees and the remedy hang on each other and on the scene: *d as the model has
+/* Points, degrees and the remedy hang on each other: *d as the model has
  * it by default, these left open; and, once settings were read into it, what they still
  * leave open: the defaults, or what serves the rest, with a sentence (else empty) in *told.
  */
 void model_open(const struct model *model, struct discretization *d);
-void model_complete(const struct model *model, const struct scene *scene,
-                    struct discretization *d, struct message *told);
+void model_complete(const struct model *model, struct discretization *d,
+                    struct message *told);
 
 struct model {
     const char *name;   /* key: command line, result file, test name                   */

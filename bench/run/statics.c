@@ -189,7 +189,13 @@ enum status statics_matrices(const char *folder, const struct run_plan *plan,
     settings_word(&settings, "discretization.unknowns", "points");
     points.settings = &settings;
     TRY(run_open(&run, &points, why));
-    TRY(run.model->matrices(run.state, &K, &M));
+    st = run.model->matrices(run.state, &K, &M);
+    if (st == STATUS_UNSUPPORTED)
+        status_fail(
+            why, st,
+            "a hinge takes the place of control points; K and M are of all of them, "
+            "whatever is held: leave the supports out (--set supports=[])");
+    TRY(st);
     if (mkdir(folder, 0777) != 0 && errno != EEXIST)
         TRY(status_fail(why, STATUS_FILE, "%s: the folder cannot be made: %s", folder,
                         strerror(errno)));

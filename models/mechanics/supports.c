@@ -18,18 +18,54 @@ static bool full_thickness(const struct scene_support *s)
     return s->lo[2] <= 0 && s->hi[2] >= 1;
 }
 
-bool supports_whole_columns(const struct scene *scene)
+/* The mid-surface and neither face: a hinge. */
+static bool middle_only(const struct scene_support *s)
 {
+    return s->lo[2] > 0 && s->hi[2] < 1 && inside(0.5, s->lo[2], s->hi[2]);
+}
+
+enum supports_columns supports_columns(const struct scene *scene)
+{
+    enum supports_columns kind = SUPPORTS_WHOLE;
+
     for (int n = 0; n < scene->support_count; n++)
-        if (!full_thickness(&scene->supports[n]))
-            return false;
-    return true;
+        if (middle_only(&scene->supports[n]))
+            kind = kind == SUPPORTS_WHOLE ? SUPPORTS_HINGED : kind;
+        else if (!full_thickness(&scene->supports[n]))
+            kind = SUPPORTS_LAYERED;
+    return kind;
 }
 
 static bool holds(const struct scene_support *s, const double uvw[3])
 {
     return inside(uvw[0], s->lo[0], s->hi[0]) && inside(uvw[1], s->lo[1], s->hi[1]) &&
-           (uvw[2] < 0 || inside(uvw[2], s->lo[2], s->hi[2]));
+           (uvw[2] == SUPPORTS_DIFFERENCE ? !middle_only(s)
+            : uvw[2] < 0                  ? true
+                                          : inside(uvw[2], s->lo[2], s->hi[2]));
+}
+
+enum status supports_hinge(const struct scene *scene, int layers, const double (*uvw)[3],
+                           int middle, bool *hinged, struct message *why)
+{
+    int hinge = -1;
+
+    for (int n = 0; n < scene->support_count; n++) {
+        int count = 0;
+        for (int k = 0; k < layers; k++)
+            count += holds(&scene->supports[n], uvw[k]);
+        if (middle_only(&scene->supports[n]) && count < 2 &&
+            holds(&scene->supports[n], (const double[3]){uvw[0][0], uvw[0][1], 0.5}))
+            hinge = n;
+    }
+    *hinged = hinge >= 0;
+    for (int n = 0; *hinged && n < scene->support_count; n++)
+        if (!full_thickness(&scene->supports[n]) && !middle_only(&scene->supports[n]) &&
+            holds(&scene->supports[n], uvw[middle]))
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "support %d holds a part of the thickness that support %d "
+                               "holds the middle of; use more layers",
+                               n, hinge);
+    return STATUS_OK;
 }
 
 /* owner[3 nodes]: the support holding each unknown, -1 if none; the first one wins. */
@@ -41,10 +77,12 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
         int count = 0;
+        bool layered = false; /* nodes above and below */
         for (int a = 0; a < nodes; a++) {
+            layered |= middle_only(s) && holds(s, (double[]){uvw[a][0], uvw[a][1], 0.5});
             if (!holds(s, uvw[a]))
                 continue;
-            if (uvw[a][2] < 0 && !full_thickness(s))
+            if (uvw[a][2] < 0 && !full_thickness(s) && !middle_only(s))
                 return status_fail(why, STATUS_UNSUPPORTED,
                                    "support %d holds part of the thickness, but the "
                                    "unknowns are whole columns; use "
@@ -57,9 +95,11 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
         }
         if (!count)
             return status_fail(why, STATUS_INPUT,
-                               "support %d holds no node of this discretization; use more "
-                               "points or a larger region",
-                               n);
+                               "support %d holds no node of this discretization; use %s", n,
+                               layered ? "one element through the thickness "
+                                         "without weights, or an odd number of "
+                                         "layers"
+                                       : "more points or a larger region");
     }
     return STATUS_OK;
 }

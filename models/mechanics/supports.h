@@ -1,7 +1,8 @@
 /* supports.h - which unknowns of a node model a scene's supports hold, and where.
  *
  * The paper's rule: a node is held if its parameters lie in the support's region, in all
- * layers the region covers (an edge: all control points of the edge, both layers).
+ * layers the region covers (an edge: all control points of the edge, both layers). Where it
+ * covers the mid-surface w = 1/2 alone, what is held is that surface: the sheet may turn.
  */
 #ifndef SUPPORTS_H
 #define SUPPORTS_H
@@ -22,8 +23,9 @@ struct supports {
 };
 
 /* uvw[nodes][3]: parameters of the nodes; w < 0 (above) belongs to a whole column, which
- * only a support through the full thickness may hold. STATUS_INPUT with a sentence if a
- * support holds no node, STATUS_UNSUPPORTED if it takes part of a column. */
+ * only a support through the full thickness may hold, or of its middle alone. STATUS_INPUT
+ * with a sentence if a support holds no node, STATUS_UNSUPPORTED if it takes part of a
+ * column. */
 enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
                           double (*uvw)[3], struct message *why);
 void supports_clear(struct supports *s);
@@ -39,8 +41,16 @@ enum status supports_allow_rest(const struct supports *s, const struct scene *sc
 void supports_initial_velocity(const struct supports *s, const struct scene *scene,
                                const double *rest, const double (*uvw)[3], double *v);
 
-/* True if every support takes the full thickness: columns may be unknowns. */
-bool supports_whole_columns(const struct scene *scene);
+/* What a scene's supports take of the columns: each the full thickness; or some of them the
+ * mid-surface and neither face, a hinge; or parts that columns as unknowns can't hold. */
+enum supports_columns { SUPPORTS_WHOLE, SUPPORTS_HINGED, SUPPORTS_LAYERED };
+enum supports_columns supports_columns(const struct scene *scene);
+
+/* Whether a support takes the middle of a column of nodes at uvw[layers][3], and at most
+ * one of them. If so, its mid-surface takes the place of node `middle`: STATUS_UNSUPPORTED
+ * with a sentence where a support takes that node with a part of the thickness. */
+enum status supports_hinge(const struct scene *scene, int layers, const double (*uvw)[3],
+                           int middle, bool *hinged, struct message *why);
 
 /* Shift of each held unknown from its rest position at time t into shift[held_count] [m].
  */

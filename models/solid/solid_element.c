@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/room.h"
+#include "models/solid/solid_hinge.h"
 #include "models/solid/solid_layer.h"
 #include "models/solid/solid_outer.h"
 
@@ -45,8 +46,9 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
     TRY(room_cut(
         &e->memory, ROOM(e->shape.N, gauss * row), ROOM(e->shape.G, gauss * 3 * row),
         ROOM(e->shape.weight, SOLID_PADDED(gauss)), ROOM(e->X, 4 * local),
-        ROOM(e->g, gauss * 3 * padded), ROOM(e->wg, gauss * 3 * padded),
-        ROOM(e->dV, SOLID_PADDED(gauss)), ROOM(e->n, plane * SOLID_PADDED(3 * gauss)),
+        ROOM(e->centre, space->modes ? 3 * row : 0), ROOM(e->g, gauss * 3 * padded),
+        ROOM(e->wg, gauss * 3 * padded), ROOM(e->dV, SOLID_PADDED(gauss)),
+        ROOM(e->n, plane * SOLID_PADDED(3 * gauss)),
         ROOM(e->y, plane * 2 * gauss * 3 * padded),
         ROOM(e->wy, plane * 2 * gauss * 3 * padded),
         ROOM(e->L, plane * padded * 9 * padded), ROOM(e->wN, gauss * row),
@@ -129,14 +131,15 @@ static enum status bad_jacobian(double det)
 
 /* Physical gradients at every Gauss point; internal modes behind the functions. */
 static enum status physical_gradients(struct solid_element *e,
-                                      const struct solid_space *space)
+                                      const struct solid_space *space, int element)
 {
     int width = e->modes ? e->local : e->row;
     double centre[3][3], centre_det = 0;
 
     if (e->modes) {
-        centre_det =
-            inverse_jacobian(e->local, e->row, e->X, space->centre_gradient, centre, NULL);
+        memcpy(e->centre, space->centre_gradient, 3 * (size_t)e->row * sizeof *e->centre);
+        solid_hinge_functions(space, element, 3, e->row, e->centre);
+        centre_det = inverse_jacobian(e->local, e->row, e->X, e->centre, centre, NULL);
         if (!(centre_det > 0))
             return bad_jacobian(centre_det);
     }
@@ -332,6 +335,13 @@ static enum status layer_stiffness(struct solid_element *e, const struct solid_s
     return STATUS_OK;
 }
 
+static void hinge(struct solid_element *e, const struct solid_space *space, int element,
+                  int points)
+{
+    solid_hinge_functions(space, element, points, e->row, e->shape.N);
+    solid_hinge_functions(space, element, 3 * points, e->row, e->shape.G);
+}
+
 enum status solid_element_compute(struct solid_element *e, const struct solid_space *space,
                                   int element, const struct solid_material *material,
                                   const double *x)
@@ -340,6 +350,7 @@ enum status solid_element_compute(struct solid_element *e, const struct solid_sp
     enum status st;
 
     space->functions(space, element, &e->shape);
+    hinge(e, space, element, e->gauss);
     for (int a = 0; a < e->local; a++)
         for (int i = 0; i < 3; i++)
             e->X[SOLID_LANES * a + i] = x[3 * (size_t)node[a] + (size_t)i];
@@ -351,8 +362,9 @@ enum status solid_element_compute(struct solid_element *e, const struct solid_sp
         if (space->layer)
             return layer_stiffness(e, space, element, material);
         e->points = space->reduced(space, element, &e->shape);
+        hinge(e, space, element, e->points);
     }
-    st = physical_gradients(e, space);
+    st = physical_gradients(e, space, element);
     if (st != STATUS_OK)
         return st;
     solid_outer(e->local + e->modes, e->padded, e->points, e->wg, e->g, e->H);

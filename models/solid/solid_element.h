@@ -26,6 +26,7 @@ struct solid_element {
     int points; /* of the stiffness; gauss unless the rule is reduced                  */
     struct solid_functions shape;
     double *X;      /* [local][4]          geometry, gathered; fourth zero       [m]   */
+    double *centre; /* [3][row]            the space's centre_gradient; with modes     */
     double *g;      /* [gauss][3][padded]  physical gradients                    [1/m] */
     double *wg;     /* same, times dV                                                  */
     double *dV;     /* [gauss]             weight det J                          [m^3] */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/room.h"
+#include "models/solid/solid_hinge.h"
 #include "models/solid/solid_outer.h"
 
 enum { VECTORS = SOLID_LAYER_VECTORS };
@@ -158,6 +159,7 @@ enum status solid_layer_place(struct solid_layer *s, const struct solid_space *s
     s->points[0] = space->layer(space, element, false, s->G, s->weight);
     s->points[1] = space->layer(space, element, true, s->G + 6 * row * (size_t)s->points[0],
                                 s->weight + s->points[0]);
+    solid_hinge_functions(space, element, 6 * (s->points[0] + s->points[1]), s->row, s->G);
     for (int n = 0; n < s->points[0] + s->points[1]; n++) {
         const double *G = s->G + (size_t)n * 6 * row;
         double *q = s->q + (size_t)n * VECTORS * row, *kept = s->t + n * VECTORS * 3;

@@ -7,6 +7,7 @@
 
 #include "models/grid.h"
 #include "models/linalg/order.h"
+#include "models/solid/solid_hinge.h"
 
 enum status solid_model_advance(void *state, struct counters *counters)
 {
@@ -27,7 +28,8 @@ void solid_model_net(const void *state, double *xyz)
 {
     const struct solid_motion *m = state;
 
-    memcpy(xyz, m->x, 3 * (size_t)m->space->nodes * sizeof *xyz);
+    memcpy(xyz, solid_hinge_points(m->space, m->x),
+           3 * (size_t)m->space->nodes * sizeof *xyz);
 }
 
 void solid_model_energy(const void *state, struct energy *energy)
@@ -50,7 +52,7 @@ enum status solid_model_matrices(const void *state, struct matrix *K, struct mat
 {
     const struct solid_motion *m = state;
 
-    if (m->space->thickness_basis)
+    if (m->space->thickness_basis || m->space->hinge.column)
         return STATUS_UNSUPPORTED;
     return solid_rest_matrices(m, K, M);
 }
@@ -58,7 +60,10 @@ enum status solid_model_matrices(const void *state, struct matrix *K, struct mat
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
                               bool possible, bool *thickness, struct message *why)
 {
-    bool can = possible && supports_whole_columns(scene) && !scene->obstacle_count;
+    const enum supports_columns columns = supports_columns(scene);
+    const bool served =
+        columns == SUPPORTS_WHOLE || (columns == SUPPORTS_HINGED && d->points[2] == 2);
+    const bool can = possible && served && !scene->obstacle_count;
 
     if (d->unknowns == UNKNOWNS_THICKNESS && scene->obstacle_count)
         return status_fail(why, STATUS_INPUT,
@@ -67,7 +72,8 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
     if (d->unknowns == UNKNOWNS_THICKNESS && !can)
         return status_fail(why, STATUS_INPUT,
                            "unknowns=thickness needs one element through the thickness, no "
-                           "weights, and supports that take the whole thickness");
+                           "weights, and supports that take the whole thickness or, of two "
+                           "layers, its middle");
     *thickness = can && d->unknowns != UNKNOWNS_POINTS;
     return STATUS_OK;
 }
@@ -98,11 +104,13 @@ static enum status find_parity(const struct scene *scene, int nodes, int layers,
 
 enum status solid_model_init(struct solid_sheet *s, const struct scene *scene,
                              const struct discretization *d, const int points[3],
-                             struct message *why)
+                             const double *middle, struct message *why)
 {
     int *order = NULL;
     enum status st;
 
+    if (middle && !s->space.thickness_basis)
+        TRY(solid_hinge_init(&s->space, scene, points[2], middle, why));
     TRY(order_wide(points[0], points[1], points[2], &order));
     if (s->space.thickness_basis)
         TRY(find_parity(scene, s->space.nodes, points[2], &s->space.parity));

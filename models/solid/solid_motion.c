@@ -9,6 +9,7 @@
 #include "models/mechanics/frames.h"
 #include "models/room.h"
 #include "models/solid/solid_contact.h"
+#include "models/solid/solid_hinge.h"
 #include "models/solid/solid_large.h"
 
 /* Body drag is C = (c / rho) M, but not under `printed`, whose v is not the sheet's
@@ -42,7 +43,13 @@ static void compute_load(struct solid_motion *m)
 enum status solid_motion_add_loads(struct solid_motion *m,
                                    const struct dead_load_line line[3])
 {
-    return dead_load_make(m->scene, line, &m->dead, m->load);
+    enum status st = dead_load_make(m->scene, line, &m->dead, m->load);
+
+    if (m->dead && m->space->hinge.column) {
+        solid_hinge_forces(m->space, m->dead);
+        compute_load(m);
+    }
+    return st;
 }
 
 /* `printed` knows velocity as d / dt (solid_motion.h). */

@@ -11,6 +11,7 @@ void solid_space_clear(struct solid_space *space)
     free(space->room);
     free(space->slab);
     free(space->parity);
+    free(space->hinge.room);
     memset(space, 0, sizeof *space);
 }
 

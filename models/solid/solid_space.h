@@ -26,6 +26,15 @@ struct solid_functions {
     double *weight; /* [gauss]            parametric quadrature weights                */
 };
 
+/* Columns of nodes whose mid-surface a support holds: solid_hinge.h. */
+struct solid_hinge {
+    int layers, at; /* nodes of a column; which of them stands for the mid-surface  */
+    void *room;     /* of the arrays                                        owned   */
+    unsigned char *column; /* [nodes / layers] it is such a one; NULL: none is */
+    double *middle; /* [layers] values of the functions through it at w = 1/2       */
+    double *points; /* [nodes][3] work                                              */
+};
+
 struct solid_space {
     int nodes, elements;
     int local;  /* functions per element                                                */
@@ -80,6 +89,8 @@ struct solid_space {
     int modes;
     const double *mode_gradient;
     const double *centre_gradient;
+
+    struct solid_hinge hinge; /* what is above knows nothing of it                        */
 };
 
 /* Frees what is marked owned, not `tables`. Accepts all-zero, leaves all-zero. */

@@ -155,6 +155,11 @@ static void add_tangent(const void *self, int thread, int element,
     }
 }
 
+static enum status energy_of(const void *self, const double *x, double *energy)
+{
+    return shell_assembly_energy(self, x, energy);
+}
+
 static struct large_body body_of(const struct shell_assembly *s)
 {
     return (struct large_body){.self = s,
@@ -168,7 +173,8 @@ static struct large_body body_of(const struct shell_assembly *s)
                                .strain = strain_of,
                                .geometry = set_geometry,
                                .force = add_force,
-                               .tangent = add_tangent};
+                               .tangent = add_tangent,
+                               .energy = energy_of};
 }
 
 void shell_assembly_clear(struct shell_assembly *s)

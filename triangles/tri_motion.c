@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_contact.h"
-#include "mass_spring/spring_frequency.h"
+#include "models/mechanics/contact_push.h"
+#include "models/mechanics/frequency.h"
 #include "models/damping.h"
 #include "models/linalg/order.h"
 #include "models/mechanics/large_rest.h"
@@ -116,8 +116,8 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
     memcpy(m->cells.D, m->body.D, sizeof m->cells.D);
     memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
     TRY(rest_stiffness(m));
-    TRY(spring_frequency_largest(&m->net.graph, &m->supports, m->load.mass,
-                                 (const double(*)[9])m->K, &body.omega));
+    TRY(frequency_largest(&m->net.graph, &m->supports, m->load.mass,
+                          (const double(*)[9])m->K, &body.omega));
     supports_initial_velocity(&m->supports, m->scene, points->rest, NULL, m->v);
     TRY(contact_set_init(&outside, m->scene, &m->supports, m->x, m->scene->thickness / 2,
                          why));
@@ -288,7 +288,7 @@ void tri_motion_contact(const struct tri_motion *m, struct model_contact *contac
     }
     *contact = (struct model_contact){
         .nodes = m->pushed,
-        .least_gap = spring_contact_gap(m->scene, m->net.points.nodes, m->x)};
+        .least_gap = contact_push_gap(m->scene, m->net.points.nodes, m->x)};
     memcpy(contact->force, m->push, sizeof contact->force);
 }
 

@@ -7,9 +7,10 @@
 
 #include "models/solid/solid_state.h"
 
-/* After the rest of *m is there and in its place. STATUS_MEMORY, STATUS_INVERTED. */
-enum status solid_large_create(struct solid_motion *m, enum newton_tangents newton,
-                               struct solid_large **large);
+/* After the rest of *m is there and in its place. STATUS_INVERTED; what
+ * large_leapfrog_make says. */
+enum status solid_large_create(struct solid_motion *m, const struct discretization *d,
+                               struct solid_large **large, struct message *why);
 void solid_large_destroy(struct solid_large *large); /* NULL is allowed */
 
 /* One step of the scene from m->time. */

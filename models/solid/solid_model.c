@@ -7,6 +7,7 @@
 
 #include "models/grid.h"
 #include "models/linalg/order.h"
+#include "models/mechanics/large_leapfrog.h"
 
 enum status solid_model_advance(void *state, struct counters *counters)
 {
@@ -58,12 +59,18 @@ enum status solid_model_matrices(const void *state, struct matrix *K, struct mat
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
                               bool possible, bool *thickness, struct message *why)
 {
-    bool can = possible && supports_whole_columns(scene) && !scene->obstacle_count;
+    bool lumped = large_leapfrog_lumps(d);
+    bool can =
+        possible && supports_whole_columns(scene) && !scene->obstacle_count && !lumped;
 
     if (d->unknowns == UNKNOWNS_THICKNESS && scene->obstacle_count)
         return status_fail(why, STATUS_INPUT,
                            "unknowns=thickness can't meet obstacles, which touch one face "
                            "of the sheet; use points");
+    if (d->unknowns == UNKNOWNS_THICKNESS && lumped)
+        return status_fail(why, STATUS_INPUT,
+                           "unknowns=thickness has no row sums, its functions don't sum to "
+                           "1; use points, or mass=consistent");
     if (d->unknowns == UNKNOWNS_THICKNESS && !can)
         return status_fail(why, STATUS_INPUT,
                            "unknowns=thickness needs one element through the thickness, no "

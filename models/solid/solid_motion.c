@@ -7,6 +7,7 @@
 
 #include "models/damping.h"
 #include "models/mechanics/frames.h"
+#include "models/mechanics/large_leapfrog.h"
 #include "models/room.h"
 #include "models/solid/solid_contact.h"
 #include "models/solid/solid_large.h"
@@ -120,6 +121,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
         status_fail(why, st, "the rest shape is folded: %s", status_text(st));
         goto out;
     }
+    TRY(large_leapfrog_lump(d, &new.assembly.graph, new.assembly.M, why));
     compute_load(&new);
     if (scene_needs(scene) & SCENE_NEED_INITIAL_MOTION)
         start_moving(&new);
@@ -129,11 +131,11 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                      d->kinematics == KINEMATICS_LINEAR ? space->parity : NULL, order, d);
     if (st == STATUS_OK)
         st = follow(m);
-    if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
-        st = solid_large_create(m, d->newton, &m->large);
     if (st == STATUS_OK)
         st = contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
                                0, order, d, why);
+    if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
+        st = solid_large_create(m, d, &m->large, why);
     if (st != STATUS_OK)
         solid_motion_clear(m);
 out:

@@ -1,0 +1,55 @@
+/* large_leapfrog.h - a body at large displacements in time by explicit leapfrog steps
+ * (central differences; Hughes 2000, The Finite Element Method, 9.1), second order:
+ *     v(n+1/2) = ((1 - alpha dt/2) v(n-1/2) + dt a(n)) / (1 + alpha dt/2),
+ *     x(n+1) = x(n) + dt v(n+1/2),   M a(n) = load - f(x(n)),
+ * whose first and last kicks in a frame are half ones: v belongs to x at its ends.
+ * Stiffness damping takes the rate of strain of half a step ago: first order in beta. No
+ * tangent is made in a step.
+ *
+ * Mass. Row sums: M is diagonal, and a step costs its forces. Consistent: one solve with a
+ * factor of M; obstacles and supports that move are refused.
+ *
+ * Steps. A frame has as many as keep 0.95 of the greatest stable step about rest,
+ * sqrt(beta^2 + 4 / omega^2) - beta, omega the largest frequency by Lanczos' method. A
+ * sheet that is stretched is stiffer: after every frame its energy is compared with the
+ * least it has had since, what supports that move have put in apart. A frame that has
+ * gained is done again in twice as many steps, which then stay; one that gains in 256 times
+ * as many, or in the number that was asked for, is a death.
+ *
+ * Obstacles set nodes back after each step (contact_push.h).
+ */
+#ifndef LARGE_LEAPFROG_H
+#define LARGE_LEAPFROG_H
+
+#include "models/mechanics/large_body.h"
+
+/* STATUS_INPUT or _UNSUPPORTED with a sentence for keys that shell and solids have no use
+ * for (discretization_refuse), and for an integrator, mass, kinematics and number of
+ * substeps that do not go together. */
+enum status large_leapfrog_refuse(const struct discretization *d, struct message *why);
+
+/* True if d wants row sums. */
+bool large_leapfrog_lumps(const struct discretization *d);
+
+/* Row sums in place of M[pairs] if d wants them, on the diagonal, zero elsewhere.
+ * STATUS_UNSUPPORTED with a sentence where one is not positive. */
+enum status large_leapfrog_lump(const struct discretization *d, const struct blocks *graph,
+                                double *M, struct message *why);
+
+/* Steps of *m, initialised and at rest, become explicit if d says so: m->leapfrog, which
+ * large_motion_clear frees. Overwrites m->K. STATUS_INPUT with a sentence if a frame needs
+ * more than a million steps. */
+enum status large_leapfrog_make(struct large_motion *m, const struct discretization *d,
+                                struct message *why);
+void large_leapfrog_free(struct large_leapfrog *l);
+
+/* What large_motion.h promises of its own. */
+enum status large_leapfrog_step(struct large_motion *m, double t,
+                                struct counters *counters);
+void large_leapfrog_contact(const struct large_motion *m, struct model_contact *contact);
+
+/* The greatest stable step about rest [s], and the steps of a frame. */
+double large_leapfrog_limit(const struct large_leapfrog *l);
+int large_leapfrog_substeps(const struct large_leapfrog *l);
+
+#endif

@@ -148,27 +148,22 @@ static enum status make_mass(struct large_leapfrog *l)
     if (!l->consistent)
         return STATUS_OK;
     TRY(system_init(&l->mass, m->graph, m->supports, l->component, NULL, NULL));
-    TRY(system_factor(&l->mass, 0, NULL, 1, m->M));
+    TRY(system_factor(&l->mass, 0, (const double(*)[9])m->K, 1, m->M));
 out:
     return st;
 }
 
-/* l->a is work. */
+/* Of m->K. l->a is work. */
 static enum status largest_frequency(struct large_leapfrog *l, double *omega)
 {
-    enum status st;
     struct large_motion *m = l->m;
-    const struct large_path statics = {.s1 = 1, .g1 = 1};
     const double(*K)[9] = (const double(*)[9])m->K;
 
-    m->factored = -1;
-    TRY(large_body_tangent(&m->body, &statics, m->rest, (struct large_foresight){0}, m->K));
+    if (l->consistent)
+        return frequency_consistent(&l->mass, m->M, K, omega);
     for (int a = 0; a < m->graph->nodes; a++)
         l->a[a] = m->M[m->graph->start[a]];
-    TRY(l->consistent ? frequency_consistent(&l->mass, m->M, K, omega)
-                      : frequency_largest(m->graph, m->supports, l->a, K, omega));
-out:
-    return st;
+    return frequency_largest(m->graph, m->supports, l->a, K, omega);
 }
 
 static enum status choose_step(struct large_leapfrog *l, struct message *why)
@@ -195,6 +190,7 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
     enum status st;
     struct large_leapfrog *l = NULL;
     size_t count = 3 * (size_t)m->graph->nodes;
+    const struct large_path statics = {.s1 = 1, .g1 = 1};
     bool obstacles = m->scene->obstacle_count > 0, moving = m->supports->moving;
     size_t held = moving ? (size_t)m->supports->held_count : 0;
 
@@ -214,6 +210,8 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
                  ROOM(l->before, obstacles ? count : 0),
                  ROOM(l->weight, obstacles ? count / 3 : 0), ROOM(l->pull, held),
                  ROOM(l->shift, held)));
+    m->factored = -1;
+    TRY(large_body_tangent(&m->body, &statics, m->rest, (struct large_foresight){0}, m->K));
     TRY(make_mass(l));
     TRY(choose_step(l, why));
     m->leapfrog = l, l = NULL;

@@ -115,7 +115,8 @@ static void set_geometry(const void *self, int thread, int element, const double
     struct shell_element *e = &s->work[thread];
 
     memcpy(e->X[1], e->X[0], 3 * (size_t)e->local * sizeof(double));
-    if (share == 1)
+    e->same = share == 1;
+    if (e->same)
         return;
     gather(s->space, element, x_old, e->X[1]);
     for (int n = 0; n < 3 * e->local; n++)

@@ -112,7 +112,7 @@ static inline void shell_frame_resultants(const struct shell_points *p, double s
     }
 }
 
-/* Surface, dual base and Christoffel symbols at four points. */
+/* Surface, dual base and Christoffel symbols at four points; of the geometry. */
 struct shell_frame {
     struct shell_surface s;
     shell_lanes inverse[3];  /* a^11, a^22, a^12  */
@@ -121,12 +121,16 @@ struct shell_frame {
     shell_lanes curvature[3];
 };
 
-static inline void shell_frame_frame(const struct shell_points *p, int local,
-                                     const double *X, int at, struct shell_frame *f)
+static inline void shell_frame_frame(const struct shell_element *e,
+                                     const struct shell_points *p, int at,
+                                     struct shell_frame *f)
 {
     shell_lanes metric[3], over;
 
-    shell_frame_surface(p, local, X, at, true, &f->s);
+    if (e->same)
+        f->s = p->surface[at / SHELL_LANES];
+    else
+        shell_frame_surface(p, e->local, e->X[1], at, true, &f->s);
     shell_frame_metric(f->s.a, metric);
     shell_frame_curvature(&f->s, f->curvature);
     for (int t = 0; t < SHELL_LANES; t++)

@@ -55,16 +55,6 @@ static double step_of(const struct large_leapfrog *l)
     return l->m->newmark->dt / l->substeps;
 }
 
-double large_leapfrog_limit(const struct large_leapfrog *l)
-{
-    return l->limit;
-}
-
-int large_leapfrog_substeps(const struct large_leapfrog *l)
-{
-    return l->substeps;
-}
-
 bool large_leapfrog_lumps(const struct discretization *d)
 {
     return d->integrator == INTEGRATOR_LEAPFROG && d->mass != MASS_CONSISTENT;
@@ -351,7 +341,10 @@ static enum status run(struct large_leapfrog *l, double t, struct counters *coun
 
     memset(m->push, 0, sizeof m->push);
     for (int n = 0; n < l->substeps; n++) {
-        kick(l, (n ? 1 - half : 1) / (1 + half), (n ? dt : dt / 2) / (1 + half));
+        if (n)
+            kick(l, (1 - half) / (1 + half), dt / (1 + half));
+        else
+            kick(l, 1 - half, dt / 2);
         if (l->before)
             memcpy(l->before, m->x, count_of(l) * sizeof *m->x);
         for (size_t k = 0; k < count_of(l); k++)
@@ -365,7 +358,7 @@ static enum status run(struct large_leapfrog *l, double t, struct counters *coun
             add_work(l);
         counters->substeps++;
     }
-    kick(l, 1 - half, dt / 2);
+    kick(l, 1 / (1 + half), dt / 2 / (1 + half));
 out:
     return st;
 }

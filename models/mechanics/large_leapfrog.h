@@ -2,7 +2,8 @@
  * (central differences; Hughes 2000, The Finite Element Method, 9.1), second order:
  *     v(n+1/2) = ((1 - alpha dt/2) v(n-1/2) + dt a(n)) / (1 + alpha dt/2),
  *     x(n+1) = x(n) + dt v(n+1/2),   M a(n) = load - f(x(n)),
- * whose first and last kicks in a frame are half ones: v belongs to x at its ends.
+ * whose first and last kicks in a frame are half ones, v(n) the mean of v(n-1/2) and
+ * v(n+1/2): v belongs to x at its ends.
  * Stiffness damping takes the rate of strain of half a step ago: first order in beta. No
  * tangent is made in a step.
  *
@@ -47,9 +48,5 @@ void large_leapfrog_free(struct large_leapfrog *l);
 enum status large_leapfrog_step(struct large_motion *m, double t,
                                 struct counters *counters);
 void large_leapfrog_contact(const struct large_motion *m, struct model_contact *contact);
-
-/* The greatest stable step about rest [s], and the steps of a frame. */
-double large_leapfrog_limit(const struct large_leapfrog *l);
-int large_leapfrog_substeps(const struct large_leapfrog *l);
 
 #endif

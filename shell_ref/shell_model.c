@@ -293,6 +293,13 @@ static enum status advance(void *state, struct counters *counters)
     return shell_motion_step(state, counters);
 }
 
+static void describe(const void *state, struct message *line)
+{
+    const struct shell *s = state;
+
+    large_leapfrog_describe(&s->motion.large, line);
+}
+
 static void size(const void *state, struct model_size *out)
 {
     shell_motion_size(state, out);
@@ -340,6 +347,7 @@ const struct model shell_model = {
     .sample = sample,
     .probe = probe,
     .size = size,
+    .describe = describe,
     .energy = energy,
     .contact = contact,
     .equilibrium = equilibrium,

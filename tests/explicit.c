@@ -1,6 +1,6 @@
 /* Explicit steps of shell and solids (large_leapfrog.h): falls, second order, energy, and
  * the motion that implicit steps give. */
-#include "models/mechanics/large_leapfrog.h"
+#include "models/mechanics/lumped_mass.h"
 #include "models/solid/solid_state.h"
 #include "shell_ref/shell_motion.h"
 #include "tests/explicit_sheet.h"
@@ -86,9 +86,9 @@ static void lump(struct run *r, const struct discretization *d)
     struct solid_motion *solid = r->state;
 
     REQUIRE((r->model == &shell_model
-                 ? large_leapfrog_lump(d, &shell->assembly.graph, shell->assembly.M, NULL)
-                 : large_leapfrog_lump(d, &solid->assembly.graph, solid->assembly.M,
-                                       NULL)) == STATUS_OK);
+                 ? lumped_mass_make(d, &shell->assembly.graph, shell->assembly.M, NULL)
+                 : lumped_mass_make(d, &solid->assembly.graph, solid->assembly.M, NULL)) ==
+            STATUS_OK);
 }
 
 /* The same body by implicit steps goes the same way, whatever damps and moves it. */

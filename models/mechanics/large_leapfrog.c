@@ -1,6 +1,7 @@
 #include "models/mechanics/large_leapfrog.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,11 +56,6 @@ static double step_of(const struct large_leapfrog *l)
     return l->m->newmark->dt / l->substeps;
 }
 
-bool large_leapfrog_lumps(const struct discretization *d)
-{
-    return d->integrator == INTEGRATOR_LEAPFROG && d->mass != MASS_CONSISTENT;
-}
-
 enum status large_leapfrog_refuse(const struct discretization *d, struct message *why)
 {
     if (d->integrator != INTEGRATOR_IMPLICIT && d->integrator != INTEGRATOR_LEAPFROG)
@@ -79,37 +75,6 @@ enum status large_leapfrog_refuse(const struct discretization *d, struct message
                                  DISCRETIZATION_NEWTON | DISCRETIZATION_INTEGRATOR |
                                      DISCRETIZATION_MASS | DISCRETIZATION_SUBSTEPS,
                                  why);
-}
-
-enum status large_leapfrog_lump(const struct discretization *d, const struct blocks *graph,
-                                double *M, struct message *why)
-{
-    enum status st = STATUS_OK;
-    double *sum = NULL;
-
-    if (!large_leapfrog_lumps(d))
-        return STATUS_OK;
-    sum = calloc((size_t)graph->nodes + 1, sizeof *sum);
-    if (!sum)
-        return STATUS_MEMORY;
-    for (int a = 0; a < graph->nodes; a++)
-        for (long n = graph->start[a]; n < graph->start[a + 1]; n++) {
-            sum[a] += M[n];
-            if (n > graph->start[a])
-                sum[graph->node[n]] += M[n];
-            M[n] = 0;
-        }
-    for (int a = 0; a < graph->nodes; a++) {
-        if (!(sum[a] > 0))
-            TRY(status_fail(why, STATUS_UNSUPPORTED,
-                            "mass=row_sum: the row of node %d sums to %g kg, and an "
-                            "explicit step needs masses > 0; use mass=consistent",
-                            a, sum[a]));
-        M[graph->start[a]] = sum[a];
-    }
-out:
-    free(sum);
-    return st;
 }
 
 void large_leapfrog_free(struct large_leapfrog *l)
@@ -389,6 +354,18 @@ static void restore(struct large_leapfrog *l, double work)
     memcpy(l->m->newmark->v, l->v_start, bytes);
     l->work = work;
     l->m->started = false;
+}
+
+void large_leapfrog_describe(const struct large_motion *m, struct message *line)
+{
+    const struct large_leapfrog *l = m->leapfrog;
+
+    *line->text = '\0';
+    if (l)
+        snprintf(line->text, sizeof line->text,
+                 "explicit steps of %.3g s, %d a frame; about rest %.3g s are stable; %s",
+                 step_of(l), l->substeps, l->limit,
+                 l->consistent ? "consistent mass" : "row sums of the mass");
 }
 
 enum status large_leapfrog_step(struct large_motion *m, double t, struct counters *counters)

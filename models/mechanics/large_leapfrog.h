@@ -29,20 +29,15 @@
  * substeps that do not go together. */
 enum status large_leapfrog_refuse(const struct discretization *d, struct message *why);
 
-/* True if d wants row sums. */
-bool large_leapfrog_lumps(const struct discretization *d);
-
-/* Row sums in place of M[pairs] if d wants them, on the diagonal, zero elsewhere.
- * STATUS_UNSUPPORTED with a sentence where one is not positive. */
-enum status large_leapfrog_lump(const struct discretization *d, const struct blocks *graph,
-                                double *M, struct message *why);
-
 /* Steps of *m, initialised and at rest, become explicit if d says so: m->leapfrog, which
  * large_motion_clear frees. Overwrites m->K. STATUS_INPUT with a sentence if a frame needs
  * more than a million steps. */
 enum status large_leapfrog_make(struct large_motion *m, const struct discretization *d,
                                 struct message *why);
 void large_leapfrog_free(struct large_leapfrog *l);
+
+/* Its steps and mass in a line; none if steps are implicit. */
+void large_leapfrog_describe(const struct large_motion *m, struct message *line);
 
 /* What large_motion.h promises of its own. */
 enum status large_leapfrog_step(struct large_motion *m, double t,

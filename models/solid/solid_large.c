@@ -65,6 +65,11 @@ enum status solid_large_step(struct solid_motion *m, struct counters *counters)
     return large_motion_step(&m->large->motion, m->time, counters);
 }
 
+void solid_large_describe(const struct solid_motion *m, struct message *line)
+{
+    large_leapfrog_describe(&m->large->motion, line);
+}
+
 enum status solid_large_equilibrium(struct solid_motion *m, struct counters *counters,
                                     struct message *why)
 {

@@ -19,6 +19,9 @@ enum status solid_large_step(struct solid_motion *m, struct counters *counters);
 /* In a scene with obstacles. */
 void solid_large_contact(const struct solid_motion *m, struct model_contact *contact);
 
+/* large_leapfrog.h */
+void solid_large_describe(const struct solid_motion *m, struct message *line);
+
 /* large_rest.h */
 enum status solid_large_equilibrium(struct solid_motion *m, struct counters *counters,
                                     struct message *why);

@@ -7,7 +7,8 @@
 
 #include "models/grid.h"
 #include "models/linalg/order.h"
-#include "models/mechanics/large_leapfrog.h"
+#include "models/mechanics/lumped_mass.h"
+#include "models/solid/solid_large.h"
 
 enum status solid_model_advance(void *state, struct counters *counters)
 {
@@ -59,7 +60,7 @@ enum status solid_model_matrices(const void *state, struct matrix *K, struct mat
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
                               bool possible, bool *thickness, struct message *why)
 {
-    bool lumped = large_leapfrog_lumps(d);
+    bool lumped = lumped_mass_wanted(d);
     bool can =
         possible && supports_whole_columns(scene) && !scene->obstacle_count && !lumped;
 
@@ -145,10 +146,12 @@ enum status solid_model_misfit(struct solid_sheet *s,
 
 void solid_model_describe(const void *state, struct message *line)
 {
-    const double misfit = ((const struct solid_sheet *)state)->misfit;
-    const double round_off = 1e-12; /* [m] */
+    const struct solid_sheet *s = state;
+    const double misfit = s->misfit, round_off = 1e-12; /* [m] */
 
     *line->text = '\0';
+    if (s->motion.large)
+        solid_large_describe(&s->motion, line);
     if (misfit > round_off)
         snprintf(line->text, sizeof line->text,
                  "the curved rest shape is met to %.2g m: straight pieces stand for arcs",

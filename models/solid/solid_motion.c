@@ -7,7 +7,7 @@
 
 #include "models/damping.h"
 #include "models/mechanics/frames.h"
-#include "models/mechanics/large_leapfrog.h"
+#include "models/mechanics/lumped_mass.h"
 #include "models/room.h"
 #include "models/solid/solid_contact.h"
 #include "models/solid/solid_large.h"
@@ -121,7 +121,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
         status_fail(why, st, "the rest shape is folded: %s", status_text(st));
         goto out;
     }
-    TRY(large_leapfrog_lump(d, &new.assembly.graph, new.assembly.M, why));
+    TRY(lumped_mass_make(d, &new.assembly.graph, new.assembly.M, why));
     compute_load(&new);
     if (scene_needs(scene) & SCENE_NEED_INITIAL_MOTION)
         start_moving(&new);

@@ -1,5 +1,5 @@
-/* Explicit steps of shell and solids (large_leapfrog.h): falls, second order, energy, and
- * the motion that implicit steps give. */
+/* Explicit steps of shell and solids (large_leapfrog.h): falls, second order, energy, rest,
+ * and the motion that implicit steps give. */
 #include "models/mechanics/lumped_mass.h"
 #include "models/solid/solid_state.h"
 #include "shell_ref/shell_motion.h"
@@ -135,6 +135,24 @@ static void check_moved(void)
                            IMPLICIT_MOVED);
 }
 
+/* Newton's tolerance in equilibrium sets the sheet moving by as much [m]. */
+static const double STILL = 1e-6;
+
+static void check_rest(const struct kind *k)
+{
+    struct run r;
+    double rest[3], at[3];
+
+    open_run(&r, k, NULL);
+    REQUIRE(r.model->equilibrium(r.state, &r.counters, &r.why) == STATUS_OK);
+    tip(&r, rest);
+    CHECK(rest[2] < -0.5);
+    CHECK(steps(&r, 20) == STATUS_OK);
+    tip(&r, at);
+    CHECK_NEAR(distance(rest, at), 0, STILL);
+    close_run(&r);
+}
+
 int main(void)
 {
     check_moved();
@@ -142,6 +160,7 @@ int main(void)
         check_fall(&kinds[n], 0, 0, 0);
         check_fall(&kinds[n], 2, 1e-4, 1);
         check_order(&kinds[n], 40);
+        check_rest(&kinds[n]);
         check_implicit(&kinds[n], NULL, IMPLICIT);
         check_implicit(&kinds[n], WITH("damping={kind: rayleigh, alpha: 2, beta: 1e-4}"),
                        IMPLICIT);

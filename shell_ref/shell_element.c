@@ -201,11 +201,27 @@ double shell_element_energy(const struct shell_element *e,
     return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 
+/* f[t] += the sum of s[t]'s lanes, (0 + 2) + (1 + 3), for four t at a time. */
+static void add_lanes(int count, const shell_lanes *s, double *f)
+{
+    for (int t = 0; t < count; t += SHELL_LANES, s += SHELL_LANES, f += SHELL_LANES) {
+        shell_lanes even = __builtin_shufflevector(s[0], s[1], 0, 4, 2, 6),
+                    odd = __builtin_shufflevector(s[0], s[1], 1, 5, 3, 7),
+                    even_2 = __builtin_shufflevector(s[2], s[3], 0, 4, 2, 6),
+                    odd_2 = __builtin_shufflevector(s[2], s[3], 1, 5, 3, 7);
+        *(shell_lanes *)f += (__builtin_shufflevector(even, even_2, 0, 1, 4, 5) +
+                              __builtin_shufflevector(even, even_2, 2, 3, 6, 7)) +
+                             (__builtin_shufflevector(odd, odd_2, 0, 1, 4, 5) +
+                              __builtin_shufflevector(odd, odd_2, 2, 3, 6, 7));
+    }
+}
+
 /* e->f += densities d[rows] times N_u, N_v, N_uu, N_vv, N_uv at four points. */
 static void add_densities(struct shell_element *e, const struct shell_points *p, int at,
                           int rows, shell_lanes d[][3])
 {
     size_t stride = (size_t)(e->local * p->padded);
+    shell_lanes sum[SHELL_PADDED(3 * SHELL_MAX_LOCAL)];
 
     for (int a = 0; a < e->local; a++) {
         const double *T = p->T + stride + a * p->padded + at;
@@ -213,9 +229,11 @@ static void add_densities(struct shell_element *e, const struct shell_points *p,
         for (int k = 0; k < rows; k++)
             for (int i = 0; i < 3; i++)
                 s[i] += *(const shell_lanes *)(T + (size_t)k * stride) * d[k][i];
-        for (int i = 0; i < 3; i++)
-            e->f[3 * a + i] += (s[i][0] + s[i][2]) + (s[i][1] + s[i][3]);
+        memcpy(sum + 3 * a, s, sizeof s);
     }
+    int count = 3 * e->local;
+    memset(sum + count, 0, (size_t)(SHELL_PADDED(count) - count) * sizeof *sum);
+    add_lanes(count, sum, e->f);
 }
 
 static void membrane_force(struct shell_element *e, double stiffness, const double *rest)
@@ -262,7 +280,7 @@ static void bending_force(struct shell_element *e, double stiffness, const doubl
 void shell_element_force(struct shell_element *e, const struct shell_material *material,
                          const double *const rest[])
 {
-    memset(e->f, 0, 3 * (size_t)e->local * sizeof *e->f);
+    memset(e->f, 0, (size_t)SHELL_PADDED(3 * e->local) * sizeof *e->f);
     membrane_force(e, shell_frame_stiffness(material, SHELL_MEMBRANE),
                    rest[SHELL_MEMBRANE]);
     bending_force(e, shell_frame_stiffness(material, SHELL_BENDING), rest[SHELL_BENDING]);

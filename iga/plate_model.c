@@ -7,6 +7,7 @@
 #include "iga/cloak_net.h"
 #include "iga/plate_space.h"
 #include "models/grid.h"
+#include "models/mechanics/large_leapfrog.h"
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"
 
@@ -342,7 +343,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct plate *p = NULL;
 
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
-    TRY(discretization_refuse(d, DISCRETIZATION_NEWTON, why));
+    TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
     p = calloc(1, sizeof *p);
     if (!p)

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_contact.h"
-#include "mass_spring/spring_frequency.h"
+#include "models/mechanics/contact_push.h"
+#include "models/mechanics/frequency.h"
 #include "models/room.h"
 
 /* Of the greatest stable step: what is chosen, and what is borne. */
@@ -162,8 +162,8 @@ static enum status choose_step(struct spring_leapfrog *l, double (*K)[9],
 
     if (!l->body.cells) {
         spring_stencil_jacobian(&l->stencil, l->body.net->rest, true, K);
-        TRY(spring_frequency_largest(&l->body.net->graph, l->body.supports, l->body.mass,
-                                     (const double(*)[9])K, &omega));
+        TRY(frequency_largest(&l->body.net->graph, l->body.supports, l->body.mass,
+                              (const double(*)[9])K, &omega));
     }
     l->limit = omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
     double n = l->asked ? l->asked : needed(l, CHOSEN, 1);
@@ -239,8 +239,9 @@ static int leave_obstacles(struct spring_leapfrog *l, double push[3])
     double force[3] = {0, 0, 0};
 
     get(l, l->x, l->v);
-    int pushed = spring_contact_push(l->body.scene, l->body.supports, l->weight, l->before,
-                                     l->x, force);
+    int pushed =
+        contact_push_out(l->body.scene, l->body.supports, l->body.scene->thickness / 2,
+                         l->weight, l->before, l->x, force);
     for (size_t n = 0; pushed && n < count(l); n++)
         if (l->body.supports->free_index[n] >= 0)
             l->v[n] = (l->x[n] - l->before[n]) / l->dt;

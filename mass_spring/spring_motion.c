@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_contact.h"
-#include "mass_spring/spring_frequency.h"
+#include "models/mechanics/contact_push.h"
+#include "models/mechanics/frequency.h"
 #include "mass_spring/spring_strain.h"
 #include "models/room.h"
 
@@ -48,8 +48,8 @@ static enum status set_steps(struct spring_motion *m, const struct discretizatio
     m->substeps = d->substeps > 0 ? d->substeps : 1;
     if (m->integrator == INTEGRATOR_EXPLICIT) {
         spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
-        TRY(spring_frequency_largest(&m->net.graph, &m->newton.supports, m->points.mass,
-                                     (const double(*)[9])m->newton.K, &omega));
+        TRY(frequency_largest(&m->net.graph, &m->newton.supports, m->points.mass,
+                              (const double(*)[9])m->newton.K, &omega));
         m->limit = limit_of(omega, m->points.beta);
         double needed = ceil(step / (LIMIT_SHARE * m->limit));
         if (!d->substeps && !(needed <= MOST_SUBSTEPS))
@@ -219,8 +219,8 @@ static void meet_obstacles(struct spring_motion *m)
     if (m->integrator == INTEGRATOR_IMPLICIT)
         contact_set_report(&m->newton.contact, m->x, 1, &c);
     if (m->integrator == INTEGRATOR_EXPLICIT || m->strain_limit > 0)
-        c.nodes += spring_contact_push(m->scene, &m->newton.supports, m->weight, m->start,
-                                       m->x, c.force);
+        c.nodes += contact_push_out(m->scene, &m->newton.supports, m->scene->thickness / 2,
+                                    m->weight, m->start, m->x, c.force);
     m->pushed = c.nodes;
     for (int i = 0; i < 3; i++)
         m->push[i] += c.force[i] / m->substeps;
@@ -303,7 +303,7 @@ void spring_motion_contact(const struct spring_motion *m, struct model_contact *
         return;
     }
     *contact = (struct model_contact){
-        .nodes = m->pushed, .least_gap = spring_contact_gap(m->scene, m->net.nodes, m->x)};
+        .nodes = m->pushed, .least_gap = contact_push_gap(m->scene, m->net.nodes, m->x)};
     memcpy(contact->force, m->push, sizeof contact->force);
 }
 

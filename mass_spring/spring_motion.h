@@ -15,7 +15,7 @@
  *
  * Obstacles: Euler's implicit step is the minimum among the positions that they leave
  * (spring_newton.h), momentum's as in contact_step.h; after an explicit one, and after
- * limiting strains, points are set back (spring_contact.h).
+ * limiting strains, points are set back (contact_push.h).
  *
  * Damping: mass and alpha are c = alpha m; beta is beta K V with the clamped Jacobian at
  * the start of the step, which is positive semi-definite: it only takes energy.

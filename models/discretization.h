@@ -54,10 +54,17 @@ enum parameters {
 };
 
 enum integrator {
-    INTEGRATOR_IMPLICIT, /* Euler                                                      */
+    INTEGRATOR_IMPLICIT, /* Euler; of shell and solids what their kinematics has       */
     INTEGRATOR_EXPLICIT, /* symplectic Euler                                           */
     INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
     INTEGRATOR_MOMENTUM, /* implicit, second order, keeps energy and momenta           */
+};
+
+/* Of leapfrog steps of shell and solids. */
+enum mass {
+    MASS_AUTO,       /* row sums in leapfrog steps, consistent in others                */
+    MASS_ROW_SUM,    /* lumped: a node has the sum of its row                           */
+    MASS_CONSISTENT, /* one solve a step, by a factor made once                         */
 };
 
 /* Of positions in leapfrog steps and in position_based. */
@@ -96,9 +103,10 @@ struct discretization {
 
     enum newton_tangents newton; /* nonlinear kinematics */
 
-    /* Of the models that are no solids; zero: the model's own. */
+    /* Of some models; zero: the model's own. */
     enum parameters parameters;
     enum integrator integrator;
+    enum mass mass;
     enum precision precision;
     int substeps;        /* of one frame; 0: as many as the model needs, mostly one    */
     int iterations;      /* at most, in a step; 0: until the tolerance is met          */
@@ -116,6 +124,7 @@ struct discretization {
     X(NEWTON, newton)                                                                      \
     X(PARAMETERS, parameters)                                                              \
     X(INTEGRATOR, integrator)                                                              \
+    X(MASS, mass)                                                                          \
     X(PRECISION, precision)                                                                \
     X(SUBSTEPS, substeps)                                                                  \
     X(ITERATIONS, iterations)                                                              \
@@ -173,6 +182,7 @@ const char *preconditioner_name(int preconditioner);
 const char *newton_tangents_name(int newton);
 const char *parameters_name(int parameters);
 const char *integrator_name(int integrator);
+const char *mass_name(int mass);
 const char *precision_name(int precision);
 const char *constraint_name(int constraint);
 const char *acceleration_name(int acceleration);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_contact.h"
+#include "models/mechanics/contact_push.h"
 #include "models/mechanics/contact_set.h"
 #include "models/room.h"
 
@@ -359,7 +359,8 @@ static void leave_obstacles(struct pb_motion *m)
     pb_sweep_get(m->sweep, PB_D, 3, x);
     for (size_t n = 0; n < count(m); n++)
         x[n] += start[n];
-    m->pushed = spring_contact_push(m->scene, &m->supports, m->weight, start, x, force);
+    m->pushed = contact_push_out(m->scene, &m->supports, m->scene->thickness / 2, m->weight,
+                                 start, x, force);
     for (size_t n = 0; m->pushed && n < count(m); n++)
         x[n] -= start[n];
     if (m->pushed)
@@ -420,6 +421,6 @@ void pb_motion_energy(const struct pb_motion *m, struct energy *energy)
 void pb_motion_contact(const struct pb_motion *m, struct model_contact *contact)
 {
     *contact = (struct model_contact){
-        .nodes = m->pushed, .least_gap = spring_contact_gap(m->scene, m->net.nodes, m->x)};
+        .nodes = m->pushed, .least_gap = contact_push_gap(m->scene, m->net.nodes, m->x)};
     memcpy(contact->force, m->push, sizeof contact->force);
 }

@@ -43,7 +43,7 @@
  * Damping: mass and alpha, and drag, are c; beta makes gamma = beta / dt of each constraint
  * (Macklin et al. 2016, eq. 26), its rate of change resisted, which turning is not. PBD has
  * none of that kind. velocity_scale and velocity_rate act once a frame. Obstacles: after
- * the projections points are set back (spring_contact.h).
+ * the projections points are set back (contact_push.h).
  *
  * Single precision: velocities as differences of positions of order L are wrong by 6e-8 L /
  * dt a step, a walk that after N steps has led N^1.5 / sqrt(3) * 6e-8 L away: edge_drop on

@@ -115,7 +115,8 @@ static void set_geometry(const void *self, int thread, int element, const double
     struct shell_element *e = &s->work[thread];
 
     memcpy(e->X[1], e->X[0], 3 * (size_t)e->local * sizeof(double));
-    if (share == 1)
+    e->same = share == 1;
+    if (e->same)
         return;
     gather(s->space, element, x_old, e->X[1]);
     for (int n = 0; n < 3 * e->local; n++)
@@ -155,6 +156,11 @@ static void add_tangent(const void *self, int thread, int element,
     }
 }
 
+static enum status energy_of(const void *self, const double *x, double *energy)
+{
+    return shell_assembly_energy(self, x, energy);
+}
+
 static struct large_body body_of(const struct shell_assembly *s)
 {
     return (struct large_body){.self = s,
@@ -168,7 +174,8 @@ static struct large_body body_of(const struct shell_assembly *s)
                                .strain = strain_of,
                                .geometry = set_geometry,
                                .force = add_force,
-                               .tangent = add_tangent};
+                               .tangent = add_tangent,
+                               .energy = energy_of};
 }
 
 void shell_assembly_clear(struct shell_assembly *s)

@@ -27,6 +27,8 @@ enum status shell_element_init(struct shell_element *e, const struct shell_space
         ROOM(e->at[1].T, SHELL_DERIVATIVES * local * points[1]),
         ROOM(e->at[2].T, SHELL_SLOPES * local * points[2]),
         ROOM(e->strain, shell_room_strains(space, SHELL_PARTS)),
+        ROOM(e->at[0].surface, points[0] / SHELL_LANES),
+        ROOM(e->at[1].surface, points[1] / SHELL_LANES),
         ROOM(e->X[0], SHELL_PADDED(3 * local)), ROOM(e->X[1], SHELL_PADDED(3 * local)),
         ROOM(e->X[2], SHELL_PADDED(3 * local)), ROOM(e->f, SHELL_PADDED(3 * local)),
         ROOM(e->left, shell_tangent_left(space) * row),
@@ -42,8 +44,15 @@ out:
 void shell_element_load(struct shell_element *e, const struct shell_space *space,
                         int element, int rules)
 {
-    for (int r = 0; r < rules; r++)
-        e->at[r].count = shell_space_functions(space, r, element, e->at[r].T);
+    for (int r = 0; r < rules; r++) {
+        struct shell_points *p = &e->at[r];
+        if (r < SHELL_PARTS && space->kept[r]) {
+            p->T = space->kept[r] + (size_t)element * shell_space_table(space, r);
+            p->count = shell_space_count(space, r, element);
+        } else {
+            p->count = shell_space_functions(space, r, element, p->T);
+        }
+    }
 }
 
 /* The plane-stress law in the metric A^ab = a, b, c (11, 22, 12). */
@@ -122,9 +131,10 @@ static void membrane_strain(const struct shell_points *p, int local, const doubl
                             const double *rest)
 {
     for (int at = 0; at < p->count; at += SHELL_LANES) {
-        shell_lanes a[2][3], metric[3];
-        shell_frame_derive(p, local, X, at, 2, a);
-        shell_frame_metric(a, metric);
+        struct shell_surface *s = &p->surface[at / SHELL_LANES];
+        shell_lanes metric[3];
+        shell_frame_derive(p, local, X, at, 2, s->a);
+        shell_frame_metric(s->a, metric);
         for (int k = 0; k < 3; k++)
             *(shell_lanes *)(p->strain + k * p->padded + at) =
                 (k < 2 ? 0.5 : 1.0) * (metric[k] - *form_of(rest, k, p->padded, at));
@@ -137,12 +147,12 @@ static bool bending_strain(const struct shell_points *p, int local, const double
     bool sound = true;
 
     for (int at = 0; at < p->count; at += SHELL_LANES) {
-        struct shell_surface s;
+        struct shell_surface *s = &p->surface[at / SHELL_LANES];
         shell_lanes curvature[3];
-        shell_frame_surface(p, local, X, at, true, &s);
-        shell_frame_curvature(&s, curvature);
+        shell_frame_surface(p, local, X, at, true, s);
+        shell_frame_curvature(s, curvature);
         for (int t = 0; t < SHELL_LANES && at + t < p->count; t++)
-            sound = sound && s.stretch[t] > 0 && isfinite(s.stretch[t]);
+            sound = sound && s->stretch[t] > 0 && isfinite(s->stretch[t]);
         for (int k = 0; k < 3; k++)
             *(shell_lanes *)(p->strain + k * p->padded + at) =
                 (k < 2 ? 1.0 : 2.0) * (*form_of(rest, k, p->padded, at) - curvature[k]);
@@ -191,11 +201,27 @@ double shell_element_energy(const struct shell_element *e,
     return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 
+/* f[t] += the sum of s[t]'s lanes, (0 + 2) + (1 + 3), for four t at a time. */
+static void add_lanes(int count, const shell_lanes *s, double *f)
+{
+    for (int t = 0; t < count; t += SHELL_LANES, s += SHELL_LANES, f += SHELL_LANES) {
+        shell_lanes even = __builtin_shufflevector(s[0], s[1], 0, 4, 2, 6),
+                    odd = __builtin_shufflevector(s[0], s[1], 1, 5, 3, 7),
+                    even_2 = __builtin_shufflevector(s[2], s[3], 0, 4, 2, 6),
+                    odd_2 = __builtin_shufflevector(s[2], s[3], 1, 5, 3, 7);
+        *(shell_lanes *)f += (__builtin_shufflevector(even, even_2, 0, 1, 4, 5) +
+                              __builtin_shufflevector(even, even_2, 2, 3, 6, 7)) +
+                             (__builtin_shufflevector(odd, odd_2, 0, 1, 4, 5) +
+                              __builtin_shufflevector(odd, odd_2, 2, 3, 6, 7));
+    }
+}
+
 /* e->f += densities d[rows] times N_u, N_v, N_uu, N_vv, N_uv at four points. */
 static void add_densities(struct shell_element *e, const struct shell_points *p, int at,
                           int rows, shell_lanes d[][3])
 {
     size_t stride = (size_t)(e->local * p->padded);
+    shell_lanes sum[SHELL_PADDED(3 * SHELL_MAX_LOCAL)];
 
     for (int a = 0; a < e->local; a++) {
         const double *T = p->T + stride + a * p->padded + at;
@@ -203,9 +229,11 @@ static void add_densities(struct shell_element *e, const struct shell_points *p,
         for (int k = 0; k < rows; k++)
             for (int i = 0; i < 3; i++)
                 s[i] += *(const shell_lanes *)(T + (size_t)k * stride) * d[k][i];
-        for (int i = 0; i < 3; i++)
-            e->f[3 * a + i] += (s[i][0] + s[i][2]) + (s[i][1] + s[i][3]);
+        memcpy(sum + 3 * a, s, sizeof s);
     }
+    int count = 3 * e->local;
+    memset(sum + count, 0, (size_t)(SHELL_PADDED(count) - count) * sizeof *sum);
+    add_lanes(count, sum, e->f);
 }
 
 static void membrane_force(struct shell_element *e, double stiffness, const double *rest)
@@ -213,10 +241,14 @@ static void membrane_force(struct shell_element *e, double stiffness, const doub
     const struct shell_points *p = &e->at[SHELL_MEMBRANE];
 
     for (int at = 0; at < p->count; at += SHELL_LANES) {
+        const struct shell_surface *s = &p->surface[at / SHELL_LANES];
         shell_lanes C[3][3], N[3], a[2][3], d[2][3];
         shell_frame_law(rest, p->padded, at, C);
         shell_frame_resultants(p, stiffness, C, at, N);
-        shell_frame_derive(p, e->local, e->X[1], at, 2, a);
+        if (e->same)
+            memcpy(a, s->a, sizeof a);
+        else
+            shell_frame_derive(p, e->local, e->X[1], at, 2, a);
         for (int k = 0; k < 2; k++)
             for (int i = 0; i < 3; i++)
                 d[k][i] = N[k] * a[k][i] + N[2] * a[1 - k][i];
@@ -233,7 +265,7 @@ static void bending_force(struct shell_element *e, double stiffness, const doubl
         shell_lanes C[3][3], m[3], d[5][3];
         shell_frame_law(rest, p->padded, at, C);
         shell_frame_resultants(p, stiffness, C, at, m);
-        shell_frame_frame(p, e->local, e->X[1], at, &f);
+        shell_frame_frame(e, p, at, &f);
         m[2] *= 2;
         for (int i = 0; i < 3; i++) {
             for (int k = 0; k < 2; k++)
@@ -248,7 +280,7 @@ static void bending_force(struct shell_element *e, double stiffness, const doubl
 void shell_element_force(struct shell_element *e, const struct shell_material *material,
                          const double *const rest[])
 {
-    memset(e->f, 0, 3 * (size_t)e->local * sizeof *e->f);
+    memset(e->f, 0, (size_t)SHELL_PADDED(3 * e->local) * sizeof *e->f);
     membrane_force(e, shell_frame_stiffness(material, SHELL_MEMBRANE),
                    rest[SHELL_MEMBRANE]);
     bending_force(e, shell_frame_stiffness(material, SHELL_BENDING), rest[SHELL_BENDING]);

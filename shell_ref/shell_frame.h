@@ -30,18 +30,20 @@ static inline void shell_frame_derive(const struct shell_points *p, int local,
                                       shell_lanes out[][3])
 {
     size_t stride = (size_t)(local * p->padded);
+    const double *T = p->T + stride + at;
+    shell_lanes sum[5][3] = {{{0}}};
 
-    for (int k = 0; k < rows; k++) {
-        const double *T = p->T + (size_t)(k + 1) * stride + at;
-        shell_lanes x = {0}, y = {0}, z = {0};
-        for (int a = 0; a < local; a++, T += p->padded) {
-            shell_lanes N = *(const shell_lanes *)T;
-            x += N * X[3 * a];
-            y += N * X[3 * a + 1];
-            z += N * X[3 * a + 2];
+    /* all sums at once: one alone waits for its last addition */
+    for (int a = 0; a < local; a++, T += p->padded)
+#pragma GCC unroll 5
+        for (int k = 0; k < rows; k++) {
+            shell_lanes N = *(const shell_lanes *)(T + (size_t)k * stride);
+            sum[k][0] += N * X[3 * a];
+            sum[k][1] += N * X[3 * a + 1];
+            sum[k][2] += N * X[3 * a + 2];
         }
-        out[k][0] = x, out[k][1] = y, out[k][2] = z;
-    }
+    for (int k = 0; k < rows; k++)
+        memcpy(out[k], sum[k], sizeof sum[k]);
 }
 
 /* second only if the rule has it: zero elsewhere. */
@@ -112,7 +114,7 @@ static inline void shell_frame_resultants(const struct shell_points *p, double s
     }
 }
 
-/* Surface, dual base and Christoffel symbols at four points. */
+/* Surface, dual base and Christoffel symbols at four points; of the geometry. */
 struct shell_frame {
     struct shell_surface s;
     shell_lanes inverse[3];  /* a^11, a^22, a^12  */
@@ -121,12 +123,16 @@ struct shell_frame {
     shell_lanes curvature[3];
 };
 
-static inline void shell_frame_frame(const struct shell_points *p, int local,
-                                     const double *X, int at, struct shell_frame *f)
+static inline void shell_frame_frame(const struct shell_element *e,
+                                     const struct shell_points *p, int at,
+                                     struct shell_frame *f)
 {
     shell_lanes metric[3], over;
 
-    shell_frame_surface(p, local, X, at, true, &f->s);
+    if (e->same)
+        f->s = p->surface[at / SHELL_LANES];
+    else
+        shell_frame_surface(p, e->local, e->X[1], at, true, &f->s);
     shell_frame_metric(f->s.a, metric);
     shell_frame_curvature(&f->s, f->curvature);
     for (int t = 0; t < SHELL_LANES; t++)

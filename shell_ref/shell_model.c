@@ -6,6 +6,7 @@
 
 #include "iga/cloak_net.h"
 #include "models/grid.h"
+#include "models/mechanics/large_leapfrog.h"
 #include "shell_ref/shell_rest.h"
 
 /* A direction of the material grid: values and slopes at its samples, [count][2][order]. */
@@ -78,7 +79,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
                            "shell takes no weights: a flat sheet has no use for them, and "
                            "a curved one brings its own");
     st = check_remedy(d, why);
-    return st == STATUS_OK ? discretization_refuse(d, DISCRETIZATION_NEWTON, why) : st;
+    return st == STATUS_OK ? large_leapfrog_refuse(d, why) : st;
 }
 
 /* The flat sheet: control points at Greville abscissae, so that parameter = coordinate. */
@@ -292,6 +293,13 @@ static enum status advance(void *state, struct counters *counters)
     return shell_motion_step(state, counters);
 }
 
+static void describe(const void *state, struct message *line)
+{
+    const struct shell *s = state;
+
+    large_leapfrog_describe(&s->motion.large, line);
+}
+
 static void size(const void *state, struct model_size *out)
 {
     shell_motion_size(state, out);
@@ -339,6 +347,7 @@ const struct model shell_model = {
     .sample = sample,
     .probe = probe,
     .size = size,
+    .describe = describe,
     .energy = energy,
     .contact = contact,
     .equilibrium = equilibrium,

@@ -7,6 +7,8 @@
 #include "models/damping.h"
 #include "models/linalg/order.h"
 #include "models/mechanics/dead_load.h"
+#include "models/mechanics/large_leapfrog.h"
+#include "models/mechanics/lumped_mass.h"
 #include "models/room.h"
 
 /* The membrane's mean stress is taken from (1/2 + lag) of the step: a viscosity lag dt
@@ -163,6 +165,7 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     enum status st;
 
     TRY(shell_assembly_init(&m->assembly, m->space, &material, why));
+    TRY(lumped_mass_make(d, &m->assembly.graph, m->assembly.M, why));
     TRY(hold(m, why));
     TRY(newmark_init(&m->newmark, m->space->nodes, scene->step,
                      damping_mass(scene) + damping_drag(scene), damping_stiffness(scene)));
@@ -180,6 +183,8 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order, d));
     TRY(contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
                           scene->thickness / 2, order, d, why));
+    if (m->kinematics == KINEMATICS_NONLINEAR)
+        TRY(large_leapfrog_make(&m->large, d, why));
 out:
     free(order);
     return st;

@@ -18,6 +18,7 @@ struct shell_points {
     int count, padded; /* points, and rows of them                                     */
     double *T;         /* [SHELL_DERIVATIVES or SHELL_SLOPES][local][padded]           */
     double *strain;    /* [3][padded]; the mass has none                               */
+    struct shell_surface *surface; /* [padded / SHELL_LANES] of the strain; likewise   */
 };
 
 /* Room for one element; one per thread. */
@@ -26,6 +27,7 @@ struct shell_element {
     void *memory;   /*                                                         owned   */
     struct shell_points at[SHELL_RULES];
     double *X[3];         /* [local][3]: present, geometry, last change                */
+    bool same;            /* the geometry is the present one                           */
     double *strain;       /* of membrane, then of bending                              */
     double *f;            /* [local][3]                                                */
     double *left, *right; /* rows of all points, see the kernel                        */

@@ -25,6 +25,8 @@ void shell_space_clear(struct shell_space *space)
             free(line->table);
         }
     }
+    for (int r = 0; r < SHELL_PARTS; r++)
+        free(space->kept[r]);
     free(space->room);
     free(space->slab);
     memset(space, 0, sizeof *space);
@@ -187,6 +189,31 @@ static void number_elements(struct shell_space *space)
     }
 }
 
+/* Functions that are kept may have this many bytes in all: beyond what lies near
+ * the cores they take as long to read as to make. */
+static const size_t MOST_KEPT = 16 << 20;
+
+/* Two fifths of a small net's forces are its functions, if they are made each time. */
+static enum status keep_functions(struct shell_space *space)
+{
+    size_t size[SHELL_PARTS], elements = (size_t)space->elements, bytes = 0;
+
+    for (int r = 0; r < SHELL_PARTS; r++)
+        bytes += (size[r] = shell_space_table(space, r)) * elements * sizeof(double);
+    if (bytes > MOST_KEPT)
+        return STATUS_OK;
+    for (int r = 0; r < SHELL_PARTS; r++) {
+        /* vectors of four doubles are read from them */
+        space->kept[r] =
+            aligned_alloc(64, (size[r] * elements * sizeof(double) + 63) / 64 * 64);
+        if (!space->kept[r])
+            return STATUS_MEMORY;
+        for (size_t e = 0; e < elements; e++)
+            shell_space_functions(space, r, (int)e, space->kept[r] + e * size[r]);
+    }
+    return STATUS_OK;
+}
+
 enum status shell_space_init(struct shell_space *space, const struct bspline basis[2],
                              const double *point, const double *weight, const int gauss[2],
                              bool selective, struct message *why)
@@ -211,6 +238,7 @@ enum status shell_space_init(struct shell_space *space, const struct bspline bas
     number_elements(&new);
     TRY(blocks_slabs(new.elements, new.direction[1].spans, new.direction[0].order,
                      &new.slabs, &new.slab));
+    TRY(keep_functions(&new));
     HAND_OVER(space, new);
 out:
     shell_space_clear(&new);
@@ -268,6 +296,25 @@ int shell_space_places(const struct shell_space *space, int rule, int element,
             }
     }
     return count;
+}
+
+int shell_space_count(const struct shell_space *space, int rule, int element)
+{
+    const struct shell_direction *d = space->direction;
+    const struct shell_rule *r = &space->rule[rule];
+    int count = 0;
+
+    for (int g = 0; g < r->grids; g++)
+        count += d[0].line[r->grid[g].line[0]].points[element / d[1].spans] *
+                 d[1].line[r->grid[g].line[1]].points[element % d[1].spans];
+    return count;
+}
+
+size_t shell_space_table(const struct shell_space *space, int rule)
+{
+    size_t derivatives = rule == SHELL_BENDING ? SHELL_DERIVATIVES : SHELL_SLOPES;
+
+    return derivatives * (size_t)(space->local * space->rule[rule].padded);
 }
 
 int shell_space_functions(const struct shell_space *space, int rule, int element, double *T)

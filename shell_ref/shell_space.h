@@ -69,7 +69,9 @@ struct shell_space {
     int local; /* functions per element, (p+1)(q+1)                                    */
     struct shell_direction direction[2];
     struct shell_rule rule[SHELL_RULES];
-    int *ien;         /* [elements][local] ascending                                   */
+    int *ien; /* [elements][local] ascending                                   */
+    double *kept[SHELL_PARTS]; /* [elements][derivatives][local][padded] functions of small
+                                  nets, made once; NULL of others              owned   */
     int slabs, *slab; /* elements slab[s] .. slab[s+1]; s and s+2 share no node owned  */
 };
 
@@ -108,6 +110,12 @@ struct shell_place {
 /* Returns how many; place[SHELL_MAX_POINTS]. */
 int shell_space_places(const struct shell_space *space, int rule, int element,
                        struct shell_place *place);
+
+/* Returns how many points an element has. */
+int shell_space_count(const struct shell_space *space, int rule, int element);
+
+/* Numbers in T, below. */
+size_t shell_space_table(const struct shell_space *space, int rule);
 
 /* T[SHELL_DERIVATIVES or SHELL_SLOPES][local][padded] of one element, the rule's points
  * running fastest; zeros in the padding up to a multiple of SHELL_LANES. Returns how many

@@ -199,7 +199,7 @@ static void fill_bending(struct shell_element *e, const struct shell_material *m
         if (t == 0) {
             shell_frame_law(rest, p->padded, q, C);
             shell_frame_resultants(p, stiffness, C, q, m);
-            shell_frame_frame(p, e->local, e->X[1], q, &f);
+            shell_frame_frame(e, p, q, &f);
         }
         pick(&f, C, m, t, &at);
         turn(e, p, q, 5, D);

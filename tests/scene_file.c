@@ -161,6 +161,7 @@ static void check_printed(void)
         "discretization.newton=full",
         "discretization.parameters=paper",
         "discretization.integrator=explicit",
+        "discretization.mass=consistent",
         "discretization.precision=single",
         "discretization.substeps=7",
         "discretization.iterations=8",

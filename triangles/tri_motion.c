@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_contact.h"
-#include "mass_spring/spring_frequency.h"
+#include "models/mechanics/contact_push.h"
+#include "models/mechanics/frequency.h"
 #include "models/mechanics/large_rest.h"
 #include "models/mechanics/pencil.h"
 #include "models/room.h"
@@ -59,8 +59,8 @@ static enum status rest_frequency(const struct tri_motion *m, double *omega)
     if (!K)
         return STATUS_MEMORY;
     TRY(rest_stiffness(m, K));
-    st = spring_frequency_largest(&m->net.graph, &m->supports, m->load.mass,
-                                  (const double(*)[9])K, omega);
+    st = frequency_largest(&m->net.graph, &m->supports, m->load.mass, (const double(*)[9])K,
+                           omega);
 out:
     free(K);
     return st;
@@ -240,7 +240,7 @@ void tri_motion_contact(const struct tri_motion *m, struct model_contact *contac
     }
     *contact = (struct model_contact){
         .nodes = m->pushed,
-        .least_gap = spring_contact_gap(m->scene, m->net.points.nodes, m->x)};
+        .least_gap = contact_push_gap(m->scene, m->net.points.nodes, m->x)};
     memcpy(contact->force, m->push, sizeof contact->force);
 }
 

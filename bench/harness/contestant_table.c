@@ -32,6 +32,8 @@
 #define CUBIC_THICK  "discretization.degree=[3,3,2]"
 #define QUADRATIC_2  "discretization.degree=[2,2]"
 #define CUBIC_2      "discretization.degree=[3,3]"
+#define LEAPFROG     "discretization.integrator=leapfrog"
+#define CONSISTENT   "discretization.mass=consistent"
 #define PAPER        "discretization.parameters=paper"
 #define MATCHED      "discretization.parameters=matched"
 
@@ -73,6 +75,8 @@ const struct contestant contestant_table[] = {
      {6, 10, 16}, {1, 4}, {0}},
     {"iga_selective_3", "IGA, selective, nonlinear, p = 3", "IGA sel. 3", &plate_model,
      COMPARE | SPEED, {NONLINEAR, SELECTIVE, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
+    {"iga_explicit_3", "IGA, selective, explicit, p = 3", "IGA expl. 3", &plate_model, 0,
+     {LEAPFROG, SELECTIVE, CUBIC}, 2, 3, {6, 10}, {1}, {0}},
 
     /* Trilinear hexahedra. */
     {"hex", "hexahedra", "hex def.", &hex_model, 0, {0}, 2, 1, {10, 20}, {1, 4}, {0}},
@@ -94,6 +98,8 @@ const struct contestant contestant_table[] = {
     {"hex_incompatible", "hexahedra, incompatible, nonlinear", "hex inc.", &hex_model,
      COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, INCOMPATIBLE}, 2, 1, {10, 20}, {1, 4},
      {0}},
+    {"hex_explicit", "hexahedra, incompatible, explicit", "hex expl.", &hex_model, 0,
+     {LEAPFROG, INCOMPATIBLE}, 2, 1, {6, 10}, {1}, {0}},
 
     /* The Kirchhoff-Love shell. */
     {"shell", "shell", "shell def.", &shell_model, 0, {0}, 0, 3, {6, 10, 16}, {1, 4}, {0}},
@@ -111,6 +117,13 @@ const struct contestant contestant_table[] = {
     {"shell_selective_3", "shell, selective, p = 3", "shell sel. 3", &shell_model,
      COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, SELECTIVE, CUBIC_2}, 0, 3, {6, 10, 16},
      {1, 4}, {0}},
+    {"shell_explicit_2", "shell, explicit, p = 2", "shell expl. 2", &shell_model,
+     COMPARE | SPEED, {LEAPFROG, SELECTIVE, QUADRATIC_2}, 0, 2, {6, 10, 16, 24}, {1}, {0}},
+    {"shell_explicit_3", "shell, explicit, p = 3", "shell expl. 3", &shell_model,
+     COMPARE | SPEED, {LEAPFROG, SELECTIVE, CUBIC_2}, 0, 3, {6, 10, 16, 24}, {1}, {0}},
+    {"shell_explicit_consistent_3", "shell, explicit, consistent mass, p = 3",
+     "shell cons. 3", &shell_model, COMPARE | SPEED,
+     {LEAPFROG, CONSISTENT, SELECTIVE, CUBIC_2}, 0, 3, {6, 10, 16}, {1}, {0}},
 
     /* Triangles. */
     {"triangles", "triangles", "triangles", &tri_model, CONTESTANT_EVERYWHERE, {0}, 0, 1,

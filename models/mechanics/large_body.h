@@ -49,6 +49,8 @@ struct large_body {
     void (*force)(const void *self, int thread, int element, double *force);
     void (*tangent)(const void *self, int thread, int element,
                     const struct large_path *path, double (*K)[9]);
+    /* Elastic energy at x [J]; for explicit steps. STATUS_NAN or _INVERTED. */
+    enum status (*energy)(const void *self, const double *x, double *energy);
 };
 
 /* Numbers in an array of strains. */
@@ -104,7 +106,8 @@ struct large_motion {
     bool started;       /* strain_old belongs to x                                     */
     bool rested;        /* x is an equilibrium (large_rest.h)                          */
     int halvings;       /* the present substep is step / 2^halvings                    */
-    double push[3];     /* of obstacles, mean over the last step                 [N]   */
+    struct large_leapfrog *leapfrog; /* explicit steps; NULL: implicit         owned   */
+    double push[3]; /* of obstacles, mean over the last step                 [N]   */
 };
 
 #endif

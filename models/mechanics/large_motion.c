@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/large_newton.h"
 
 /* A step of Newton's method with an old tangent is good enough if it is this much shorter
@@ -15,6 +16,7 @@ enum { HALVINGS = 8, FINEST = 1 << HALVINGS };
 
 void large_motion_clear(struct large_motion *m)
 {
+    large_leapfrog_free(m->leapfrog);
     free(m->room);
     free(m->strain_old);
     memset(m, 0, sizeof *m);
@@ -84,6 +86,10 @@ out:
 
 void large_motion_contact(const struct large_motion *m, struct model_contact *contact)
 {
+    if (m->leapfrog) {
+        large_leapfrog_contact(m, contact);
+        return;
+    }
     contact_set_report(&m->contact->set, m->x, 1, contact);
     memcpy(contact->force, m->push, sizeof contact->force);
 }
@@ -176,7 +182,8 @@ static enum status all_substeps(struct large_motion *m, double time,
 enum status large_motion_step(struct large_motion *m, double time,
                               struct counters *counters)
 {
-    enum status st = all_substeps(m, time, counters);
+    enum status st = m->leapfrog ? large_leapfrog_step(m, time, counters)
+                                 : all_substeps(m, time, counters);
 
     system_work(m->system, counters);
     return st;

@@ -15,6 +15,8 @@
  *   M (v_1 - v_0)/dt + alpha M v_1 + f(x_1) + beta rate = load,   v_1 = (x_1 - x_0)/dt;
  * one Newton iteration of it (enough = 1), from x_0, is the step of Baraff and Witkin 1998.
  *
+ * Explicit steps: large_leapfrog.h.
+ *
  * Obstacles add a force r that is constant over the step; contact_step.h has its work, and
  * the impact that ends the step. Newton's method meets them at the planes that touch at the
  * step's start, by contact_solve in each iteration.

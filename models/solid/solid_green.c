@@ -174,6 +174,11 @@ static void add_tangent(const void *self, int thread, int element,
         }
 }
 
+static enum status energy_of(const void *self, const double *x, double *energy)
+{
+    return solid_green_energy(self, x, energy);
+}
+
 static struct large_body body_of(const struct solid_green *s)
 {
     const struct solid_space *space = s->assembly->space;
@@ -192,7 +197,8 @@ static struct large_body body_of(const struct solid_green *s)
                                .strain = strain_of,
                                .geometry = set_geometry,
                                .force = add_force,
-                               .tangent = add_tangent};
+                               .tangent = add_tangent,
+                               .energy = energy_of};
 }
 
 void solid_green_clear(struct solid_green *s)

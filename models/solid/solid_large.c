@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/large_rest.h"
 #include "models/solid/solid_green.h"
 
@@ -22,8 +23,8 @@ void solid_large_destroy(struct solid_large *large)
     free(large);
 }
 
-enum status solid_large_create(struct solid_motion *m, enum newton_tangents newton,
-                               struct solid_large **large)
+enum status solid_large_create(struct solid_motion *m, const struct discretization *d,
+                               struct solid_large **large, struct message *why)
 {
     enum status st;
     const struct blocks *graph = &m->assembly.graph;
@@ -48,10 +49,11 @@ enum status solid_large_create(struct solid_motion *m, enum newton_tangents newt
         .K = new->K,
         .x = m->x,
         .held = m->held,
-        .full = newton == NEWTON_FULL,
+        .full = d->newton == NEWTON_FULL,
         .contact = m->scene->obstacle_count ? &m->contact : NULL,
     };
     TRY(large_motion_init(&new->motion));
+    TRY(large_leapfrog_make(&new->motion, d, why));
     *large = new, new = NULL;
 out:
     solid_large_destroy(new);
@@ -61,6 +63,11 @@ out:
 enum status solid_large_step(struct solid_motion *m, struct counters *counters)
 {
     return large_motion_step(&m->large->motion, m->time, counters);
+}
+
+void solid_large_describe(const struct solid_motion *m, struct message *line)
+{
+    large_leapfrog_describe(&m->large->motion, line);
 }
 
 enum status solid_large_equilibrium(struct solid_motion *m, struct counters *counters,

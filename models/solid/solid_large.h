@@ -7,9 +7,10 @@
 
 #include "models/solid/solid_state.h"
 
-/* After the rest of *m is there and in its place. STATUS_MEMORY, STATUS_INVERTED. */
-enum status solid_large_create(struct solid_motion *m, enum newton_tangents newton,
-                               struct solid_large **large);
+/* After the rest of *m is there and in its place. STATUS_INVERTED; what
+ * large_leapfrog_make says. */
+enum status solid_large_create(struct solid_motion *m, const struct discretization *d,
+                               struct solid_large **large, struct message *why);
 void solid_large_destroy(struct solid_large *large); /* NULL is allowed */
 
 /* One step of the scene from m->time. */
@@ -17,6 +18,9 @@ enum status solid_large_step(struct solid_motion *m, struct counters *counters);
 
 /* In a scene with obstacles. */
 void solid_large_contact(const struct solid_motion *m, struct model_contact *contact);
+
+/* large_leapfrog.h */
+void solid_large_describe(const struct solid_motion *m, struct message *line);
 
 /* large_rest.h */
 enum status solid_large_equilibrium(struct solid_motion *m, struct counters *counters,

@@ -7,7 +7,9 @@
 
 #include "models/grid.h"
 #include "models/linalg/order.h"
+#include "models/mechanics/lumped_mass.h"
 #include "models/solid/solid_hinge.h"
+#include "models/solid/solid_large.h"
 
 enum status solid_model_advance(void *state, struct counters *counters)
 {
@@ -63,12 +65,17 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
     const enum supports_columns columns = supports_columns(scene);
     const bool served =
         columns == SUPPORTS_WHOLE || (columns == SUPPORTS_HINGED && d->points[2] == 2);
-    const bool can = possible && served && !scene->obstacle_count;
+    const bool lumped = lumped_mass_wanted(d);
+    const bool can = possible && served && !scene->obstacle_count && !lumped;
 
     if (d->unknowns == UNKNOWNS_THICKNESS && scene->obstacle_count)
         return status_fail(why, STATUS_INPUT,
                            "unknowns=thickness can't meet obstacles, which touch one face "
                            "of the sheet; use points");
+    if (d->unknowns == UNKNOWNS_THICKNESS && lumped)
+        return status_fail(why, STATUS_INPUT,
+                           "unknowns=thickness has no row sums, its functions don't sum to "
+                           "1; use points, or mass=consistent");
     if (d->unknowns == UNKNOWNS_THICKNESS && !can)
         return status_fail(why, STATUS_INPUT,
                            "unknowns=thickness needs one element through the thickness, no "
@@ -146,10 +153,12 @@ enum status solid_model_misfit(struct solid_sheet *s,
 
 void solid_model_describe(const void *state, struct message *line)
 {
-    const double misfit = ((const struct solid_sheet *)state)->misfit;
-    const double round_off = 1e-12; /* [m] */
+    const struct solid_sheet *s = state;
+    const double misfit = s->misfit, round_off = 1e-12; /* [m] */
 
     *line->text = '\0';
+    if (s->motion.large)
+        solid_large_describe(&s->motion, line);
     if (misfit > round_off)
         snprintf(line->text, sizeof line->text,
                  "the curved rest shape is met to %.2g m: straight pieces stand for arcs",

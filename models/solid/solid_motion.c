@@ -7,6 +7,7 @@
 
 #include "models/damping.h"
 #include "models/mechanics/frames.h"
+#include "models/mechanics/lumped_mass.h"
 #include "models/room.h"
 #include "models/solid/solid_contact.h"
 #include "models/solid/solid_hinge.h"
@@ -127,6 +128,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
         status_fail(why, st, "the rest shape is folded: %s", status_text(st));
         goto out;
     }
+    TRY(lumped_mass_make(d, &new.assembly.graph, new.assembly.M, why));
     compute_load(&new);
     if (scene_needs(scene) & SCENE_NEED_INITIAL_MOTION)
         start_moving(&new);
@@ -136,11 +138,11 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                      d->kinematics == KINEMATICS_LINEAR ? space->parity : NULL, order, d);
     if (st == STATUS_OK)
         st = follow(m);
-    if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
-        st = solid_large_create(m, d->newton, &m->large);
     if (st == STATUS_OK)
         st = contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
                                0, order, d, why);
+    if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
+        st = solid_large_create(m, d, &m->large, why);
     if (st != STATUS_OK)
         solid_motion_clear(m);
 out:

@@ -1,4 +1,4 @@
-#include "mass_spring/spring_contact.h"
+#include "models/mechanics/contact_push.h"
 
 #include <math.h>
 #include <string.h>
@@ -37,10 +37,10 @@ static void rub(double mu, double push, const double normal[3], const int *place
 
 /* Out of one obstacle; false if x was out of it. */
 static bool push(const struct scene *scene, const struct scene_obstacle *obstacle,
-                 const int *place, const double *start, double *x)
+                 double offset, const int *place, const double *start, double *x)
 {
     double normal[3], free[3];
-    double gap = contact_gap(obstacle, x, normal) - scene->thickness / 2;
+    double gap = contact_gap(obstacle, x, normal) - offset;
 
     for (int i = 0; i < 3; i++)
         free[i] = place[i] < 0 ? 0 : normal[i];
@@ -54,9 +54,9 @@ static bool push(const struct scene *scene, const struct scene_obstacle *obstacl
     return true;
 }
 
-int spring_contact_push(const struct scene *scene, const struct supports *supports,
-                        const double *weight, const double *start, double *x,
-                        double force[3])
+int contact_push_out(const struct scene *scene, const struct supports *supports,
+                     double offset, const double *weight, const double *start, double *x,
+                     double force[3])
 {
     int pushed = 0;
 
@@ -68,7 +68,8 @@ int spring_contact_push(const struct scene *scene, const struct supports *suppor
         for (int sweep = 0; moved && sweep < MOST_SWEEPS; sweep++) {
             moved = false;
             for (int o = 0; o < scene->obstacle_count; o++)
-                moved |= push(scene, &scene->obstacles[o], place, start + 3 * a, at);
+                moved |=
+                    push(scene, &scene->obstacles[o], offset, place, start + 3 * a, at);
             touched |= moved;
         }
         pushed += touched;
@@ -78,7 +79,7 @@ int spring_contact_push(const struct scene *scene, const struct supports *suppor
     return pushed;
 }
 
-double spring_contact_gap(const struct scene *scene, long nodes, const double *x)
+double contact_push_gap(const struct scene *scene, long nodes, const double *x)
 {
     return contact_least_gap(scene, nodes, x) - scene->thickness / 2;
 }

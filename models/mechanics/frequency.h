@@ -1,0 +1,18 @@
+/* frequency.h - the largest natural frequency of a body, which limits explicit steps. By
+ * Lanczos' method, without reorthogonalisation (the extreme value does not need it), from
+ * below, in 200 steps at most.
+ */
+#ifndef FREQUENCY_H
+#define FREQUENCY_H
+
+#include "models/mechanics/system.h"
+
+/* With lumped mass[nodes]; K[pairs of graph][9]. 0 if nothing can move. */
+enum status frequency_largest(const struct blocks *graph, const struct supports *supports,
+                              const double *mass, const double (*K)[9], double *omega);
+
+/* With the mass M[pairs] that `mass` is the factor of. */
+enum status frequency_consistent(struct system *mass, const double *M, const double (*K)[9],
+                                 double *omega);
+
+#endif

@@ -1,0 +1,410 @@
+#include "models/mechanics/large_leapfrog.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/contact.h"
+#include "models/mechanics/contact_push.h"
+#include "models/mechanics/frequency.h"
+#include "models/room.h"
+
+/* Of the greatest stable step about rest. */
+static const double CHOSEN = 0.95;
+
+static const double MOST_SUBSTEPS = 1e6;
+
+/* How often the steps of a frame are doubled. */
+enum { DOUBLINGS = 8 };
+
+/* Energy that a frame may gain, of the most that moved or was stored so far. A stable step
+ * moves the energy of what it hardly resolves to and fro; one that is not stable gains this
+ * in a few frames from nothing. */
+static const double GAIN = 0.05;
+
+/* Strains that are round-off. */
+static const double ROUND_OFF = 1e-10;
+
+struct large_leapfrog {
+    struct large_motion *m;   /* borrowed                                              */
+    bool consistent;          /* mass                                                  */
+    struct system mass;       /* consistent: its factor                                */
+    unsigned char *component; /* [nodes][3] 0, 1, 2                                     */
+    void *room;               /* of the arrays                                 owned   */
+    int asked, substeps, doublings;
+    double limit;              /* greatest stable step about rest                   [s]   */
+    double least, most;        /* energy so far, see judge                          [J]   */
+    double work;               /* of supports that move                             [J]   */
+    double stored;             /* elastic and potential energy at x                 [J]   */
+    double *inverse;           /* [nodes][3] row sums: 1/mass, 0 of held unknowns         */
+    double *a;                 /* [nodes][3] acceleration at x, 0 of held unknowns        */
+    double *x_start, *v_start; /* [nodes][3] where the frame began                      */
+    double *before, *weight;   /* [nodes][3], [nodes] with obstacles                      */
+    double *pull, *shift;      /* [held_count] with supports that move: force less load,
+                                  and the step's way                                      */
+    int pushed;                /* nodes that obstacles bore at the end                    */
+};
+
+static size_t count_of(const struct large_leapfrog *l)
+{
+    return 3 * (size_t)l->m->graph->nodes;
+}
+
+static double step_of(const struct large_leapfrog *l)
+{
+    return l->m->newmark->dt / l->substeps;
+}
+
+enum status large_leapfrog_refuse(const struct discretization *d, struct message *why)
+{
+    if (d->integrator != INTEGRATOR_IMPLICIT && d->integrator != INTEGRATOR_LEAPFROG)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "this model has integrator=implicit or leapfrog, not %s",
+                           integrator_name(d->integrator));
+    if (d->integrator == INTEGRATOR_LEAPFROG && d->kinematics != KINEMATICS_NONLINEAR)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "integrator=leapfrog: with kinematics=nonlinear only, not %s",
+                           kinematics_name(d->kinematics));
+    if (d->integrator != INTEGRATOR_LEAPFROG && d->mass == MASS_ROW_SUM)
+        return status_fail(why, STATUS_INPUT,
+                           "mass=row_sum: with integrator=leapfrog only");
+    if (d->integrator != INTEGRATOR_LEAPFROG && d->substeps)
+        return status_fail(why, STATUS_INPUT, "substeps: with integrator=leapfrog only");
+    return discretization_refuse(d,
+                                 DISCRETIZATION_NEWTON | DISCRETIZATION_INTEGRATOR |
+                                     DISCRETIZATION_MASS | DISCRETIZATION_SUBSTEPS,
+                                 why);
+}
+
+void large_leapfrog_free(struct large_leapfrog *l)
+{
+    if (!l)
+        return;
+    system_clear(&l->mass);
+    free(l->room);
+    free(l);
+}
+
+static enum status make_mass(struct large_leapfrog *l)
+{
+    enum status st = STATUS_OK;
+    const struct large_motion *m = l->m;
+
+    for (size_t t = 0; t < count_of(l); t++) {
+        double mass = m->M[m->graph->start[t / 3]];
+        if (l->consistent)
+            l->component[t] = (unsigned char)(t % 3);
+        else
+            l->inverse[t] = m->supports->free_index[t] < 0 ? 0 : 1 / mass;
+        if (l->weight)
+            l->weight[t / 3] = mass;
+    }
+    if (!l->consistent)
+        return STATUS_OK;
+    TRY(system_init(&l->mass, m->graph, m->supports, l->component, NULL, NULL));
+    TRY(system_factor(&l->mass, 0, (const double(*)[9])m->K, 1, m->M));
+out:
+    return st;
+}
+
+/* Of m->K. l->a is work. */
+static enum status largest_frequency(struct large_leapfrog *l, double *omega)
+{
+    struct large_motion *m = l->m;
+    const double(*K)[9] = (const double(*)[9])m->K;
+
+    if (l->consistent)
+        return frequency_consistent(&l->mass, m->M, K, omega);
+    for (int a = 0; a < m->graph->nodes; a++)
+        l->a[a] = m->M[m->graph->start[a]];
+    return frequency_largest(m->graph, m->supports, l->a, K, omega);
+}
+
+static enum status choose_step(struct large_leapfrog *l, struct message *why)
+{
+    enum status st;
+    double omega, beta = l->m->newmark->beta;
+
+    TRY(largest_frequency(l, &omega));
+    l->limit = omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
+    double n = l->asked ? l->asked : fmax(1, ceil(l->m->newmark->dt / (CHOSEN * l->limit)));
+    if (!(n <= MOST_SUBSTEPS))
+        return status_fail(why, STATUS_INPUT,
+                           "explicit steps: %g substeps a frame are needed here (greatest "
+                           "stable step %g s); use integrator=implicit",
+                           n, l->limit);
+    l->substeps = (int)n;
+out:
+    return st;
+}
+
+enum status large_leapfrog_make(struct large_motion *m, const struct discretization *d,
+                                struct message *why)
+{
+    enum status st;
+    struct large_leapfrog *l = NULL;
+    size_t count = 3 * (size_t)m->graph->nodes;
+    const struct large_path statics = {.s1 = 1, .g1 = 1};
+    bool obstacles = m->scene->obstacle_count > 0, moving = m->supports->moving;
+    size_t held = moving ? (size_t)m->supports->held_count : 0;
+
+    if (d->integrator != INTEGRATOR_LEAPFROG)
+        return STATUS_OK;
+    if (d->mass == MASS_CONSISTENT && (obstacles || moving))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "mass=consistent: explicit steps meet no obstacles with it, and "
+                           "no supports that move; use mass=row_sum");
+    l = calloc(1, sizeof *l);
+    if (!l)
+        return STATUS_MEMORY;
+    l->m = m, l->asked = d->substeps, l->consistent = d->mass == MASS_CONSISTENT;
+    TRY(room_cut(&l->room, ROOM(l->a, count), ROOM(l->x_start, count),
+                 ROOM(l->v_start, count), ROOM(l->inverse, l->consistent ? 0 : count),
+                 ROOM(l->component, l->consistent ? count : 0),
+                 ROOM(l->before, obstacles ? count : 0),
+                 ROOM(l->weight, obstacles ? count / 3 : 0), ROOM(l->pull, held),
+                 ROOM(l->shift, held)));
+    m->factored = -1;
+    TRY(large_body_tangent(&m->body, &statics, m->rest, (struct large_foresight){0}, m->K));
+    TRY(make_mass(l));
+    TRY(choose_step(l, why));
+    m->leapfrog = l, l = NULL;
+out:
+    large_leapfrog_free(l);
+    return st;
+}
+
+/* a of x; what of the scene's is not there costs nothing. */
+static enum status accelerate(struct large_leapfrog *l, struct counters *counters)
+{
+    enum status st;
+    struct large_motion *m = l->m;
+    double *a = l->a, rate = m->newmark->beta / step_of(l);
+    const struct large_path path = {
+        .s0 = -rate, .s1 = 1 + rate, .g1 = 1, .strain_old = m->strain_old};
+
+    TRY(large_body_force(&m->body, &path, m->x, a));
+    if (rate > 0)
+        TRY(large_body_strain(&m->body, m->x, m->strain_old));
+    for (int h = 0; m->supports->moving && h < m->supports->held_count; h++)
+        l->pull[h] = a[m->supports->held[h]] - m->load[m->supports->held[h]];
+    counters->assemblies++;
+    if (!l->consistent) {
+        for (size_t t = 0; t < count_of(l); t++)
+            a[t] = l->inverse[t] * (m->load[t] - a[t]);
+        return STATUS_OK;
+    }
+    for (size_t t = 0; t < count_of(l); t++)
+        a[t] = m->load[t] - a[t];
+    TRY(system_solve(&l->mass, a));
+    counters->solves++;
+out:
+    return st;
+}
+
+/* Energy of what is free to move, and all that is stored, less the supports' work. */
+static double energy_now(const struct large_leapfrog *l)
+{
+    const struct large_motion *m = l->m;
+    double *y = m->newmark->work, *v = m->newmark->v, sum = l->stored - l->work;
+
+    blocks_multiply_mass(m->graph, m->M, v, y);
+    for (size_t t = 0; t < count_of(l); t++)
+        sum += m->supports->free_index[t] < 0 ? 0 : v[t] * y[t] / 2;
+    return sum;
+}
+
+static enum status store(struct large_leapfrog *l, double *elastic)
+{
+    const struct large_motion *m = l->m;
+    enum status st = m->body.energy(m->body.self, m->x, elastic);
+
+    l->stored = *elastic;
+    for (size_t t = 0; t < count_of(l); t++)
+        l->stored -= m->load[t] * (m->x[t] - m->rest[t]);
+    return st;
+}
+
+/* From x and v at time t, wherever they come from. */
+static enum status begin(struct large_leapfrog *l, double t, struct counters *counters)
+{
+    enum status st;
+    struct large_motion *m = l->m;
+    struct newmark *n = m->newmark;
+    double elastic, *x_before = m->room;
+
+    if (m->supports->moving) {
+        struct newmark_held held = newmark_follow(m->supports, m->scene, t, n->dt, m->held);
+        for (int h = 0; h < m->supports->held_count; h++)
+            n->v[m->supports->held[h]] = held.v[h];
+    }
+    for (size_t k = 0; n->beta > 0 && k < count_of(l); k++)
+        x_before[k] = m->x[k] - step_of(l) * n->v[k];
+    if (n->beta > 0)
+        TRY(large_body_strain(&m->body, x_before, m->strain_old));
+    TRY(accelerate(l, counters));
+    TRY(store(l, &elastic));
+    m->started = true;
+out:
+    return st;
+}
+
+/* Held unknowns to time t. */
+static void move_supports(struct large_leapfrog *l, double t, double dt)
+{
+    struct large_motion *m = l->m;
+    struct newmark_held held = newmark_follow(m->supports, m->scene, t, dt, m->held);
+
+    for (int h = 0; h < m->supports->held_count; h++) {
+        int u = m->supports->held[h];
+        double from = m->x[u] - dt * m->newmark->v[u]; /* before the drift */
+        m->x[u] = m->rest[u] + held.d[h];
+        m->newmark->v[u] = held.v[h];
+        l->shift[h] = m->x[u] - from;
+    }
+}
+
+static void add_work(struct large_leapfrog *l)
+{
+    for (int h = 0; h < l->m->supports->held_count; h++)
+        l->work += l->pull[h] * l->shift[h] / 2;
+}
+
+/* Nodes out of obstacles; those that were pushed come as they went. */
+static void leave_obstacles(struct large_leapfrog *l, double dt)
+{
+    struct large_motion *m = l->m;
+    double force[3] = {0, 0, 0};
+    double unit = (1 + m->newmark->alpha * dt / 2) / (dt * dt * l->substeps);
+
+    l->pushed = contact_push_out(m->scene, m->supports, m->contact->set.offset, l->weight,
+                                 l->before, m->x, force);
+    for (size_t t = 0; l->pushed && t < count_of(l); t++)
+        if (m->supports->free_index[t] >= 0)
+            m->newmark->v[t] = (m->x[t] - l->before[t]) / dt;
+    for (int i = 0; i < 3; i++)
+        m->push[i] += unit * force[i];
+}
+
+/* v <- keep v + push a. */
+static void kick(struct large_leapfrog *l, double keep, double push)
+{
+    double *v = l->m->newmark->v;
+
+    for (size_t t = 0; t < count_of(l); t++)
+        v[t] = keep * v[t] + push * l->a[t];
+}
+
+/* A frame from time t. */
+static enum status run(struct large_leapfrog *l, double t, struct counters *counters)
+{
+    enum status st = STATUS_OK;
+    struct large_motion *m = l->m;
+    double dt = step_of(l), half = m->newmark->alpha * dt / 2;
+    bool moving = m->supports->moving;
+
+    memset(m->push, 0, sizeof m->push);
+    for (int n = 0; n < l->substeps; n++) {
+        if (n)
+            kick(l, (1 - half) / (1 + half), dt / (1 + half));
+        else
+            kick(l, 1 - half, dt / 2);
+        if (l->before)
+            memcpy(l->before, m->x, count_of(l) * sizeof *m->x);
+        for (size_t k = 0; k < count_of(l); k++)
+            m->x[k] += dt * m->newmark->v[k];
+        if (moving)
+            move_supports(l, t + (n + 1) * dt, dt), add_work(l);
+        if (l->before)
+            leave_obstacles(l, dt);
+        TRY(accelerate(l, counters));
+        if (moving)
+            add_work(l);
+        counters->substeps++;
+    }
+    kick(l, 1 / (1 + half), dt / 2 / (1 + half));
+out:
+    return st;
+}
+
+/* A body that has gained energy is none. */
+static enum status judge(struct large_leapfrog *l)
+{
+    const struct scene *s = l->m->scene;
+    double elastic, round_off = s->young * s->length * s->width * s->thickness;
+    enum status st = store(l, &elastic);
+
+    if (st != STATUS_OK)
+        return st;
+    double now = energy_now(l), moved = now - (l->stored - l->work) + elastic;
+    l->most = fmax(l->most, moved);
+    if (!(now - l->least <= GAIN * l->most + ROUND_OFF * ROUND_OFF * round_off))
+        return STATUS_DIVERGED;
+    l->least = fmin(l->least, now);
+    return STATUS_OK;
+}
+
+/* Back to where the frame began. */
+static void restore(struct large_leapfrog *l, double work)
+{
+    size_t bytes = count_of(l) * sizeof *l->a;
+
+    memcpy(l->m->x, l->x_start, bytes);
+    memcpy(l->m->newmark->v, l->v_start, bytes);
+    l->work = work;
+    l->m->started = false;
+}
+
+void large_leapfrog_describe(const struct large_motion *m, struct message *line)
+{
+    const struct large_leapfrog *l = m->leapfrog;
+
+    *line->text = '\0';
+    if (l)
+        snprintf(line->text, sizeof line->text,
+                 "explicit steps of %.3g s, %d a frame; about rest %.3g s are stable; %s",
+                 step_of(l), l->substeps, l->limit,
+                 l->consistent ? "consistent mass" : "row sums of the mass");
+}
+
+enum status large_leapfrog_step(struct large_motion *m, double t, struct counters *counters)
+{
+    enum status st = STATUS_OK;
+    struct large_leapfrog *l = m->leapfrog;
+    size_t bytes = count_of(l) * sizeof *m->x;
+    bool first = !m->started;
+    double work = l->work;
+
+    m->rested = false;
+    memcpy(l->x_start, m->x, bytes);
+    memcpy(l->v_start, m->newmark->v, bytes);
+    for (;;) {
+        if (!m->started)
+            TRY(begin(l, t, counters));
+        l->least = first ? energy_now(l) : fmin(l->least, energy_now(l));
+        l->most = first ? 0 : l->most;
+        first = false;
+        st = run(l, t, counters);
+        if (st == STATUS_OK)
+            st = judge(l);
+        if (st == STATUS_OK)
+            return STATUS_OK;
+        restore(l, work);
+        if (!status_is_death(st) || l->asked || l->doublings == DOUBLINGS)
+            return st;
+        l->substeps *= 2;
+        l->doublings++;
+    }
+out:
+    return st;
+}
+
+void large_leapfrog_contact(const struct large_motion *m, struct model_contact *contact)
+{
+    *contact = (struct model_contact){
+        .nodes = m->leapfrog->pushed,
+        .least_gap =
+            contact_least_gap(m->scene, m->graph->nodes, m->x) - m->contact->set.offset};
+    memcpy(contact->force, m->push, sizeof contact->force);
+}

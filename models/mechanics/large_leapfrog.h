@@ -1,0 +1,47 @@
+/* large_leapfrog.h - a body at large displacements in time by explicit leapfrog steps
+ * (central differences; Hughes 2000, The Finite Element Method, 9.1), second order:
+ *     v(n+1/2) = ((1 - alpha dt/2) v(n-1/2) + dt a(n)) / (1 + alpha dt/2),
+ *     x(n+1) = x(n) + dt v(n+1/2),   M a(n) = load - f(x(n)),
+ * whose first and last kicks in a frame are half ones, v(n) the mean of v(n-1/2) and
+ * v(n+1/2): v belongs to x at its ends.
+ * Stiffness damping takes the rate of strain of half a step ago: first order in beta. No
+ * tangent is made in a step.
+ *
+ * Mass. Row sums: M is diagonal, and a step costs its forces. Consistent: one solve with a
+ * factor of M; obstacles and supports that move are refused.
+ *
+ * Steps. A frame has as many as keep 0.95 of the greatest stable step about rest,
+ * sqrt(beta^2 + 4 / omega^2) - beta, omega the largest frequency by Lanczos' method. A
+ * sheet that is stretched is stiffer: after every frame its energy is compared with the
+ * least it has had since, what supports that move have put in apart. A frame that has
+ * gained is done again in twice as many steps, which then stay; one that gains in 256 times
+ * as many, or in the number that was asked for, is a death.
+ *
+ * Obstacles set nodes back after each step (contact_push.h).
+ */
+#ifndef LARGE_LEAPFROG_H
+#define LARGE_LEAPFROG_H
+
+#include "models/mechanics/large_body.h"
+
+/* STATUS_INPUT or _UNSUPPORTED with a sentence for keys that shell and solids have no use
+ * for (discretization_refuse), and for an integrator, mass, kinematics and number of
+ * substeps that do not go together. */
+enum status large_leapfrog_refuse(const struct discretization *d, struct message *why);
+
+/* Steps of *m, initialised and at rest, become explicit if d says so: m->leapfrog, which
+ * large_motion_clear frees. Overwrites m->K. STATUS_INPUT with a sentence if a frame needs
+ * more than a million steps. */
+enum status large_leapfrog_make(struct large_motion *m, const struct discretization *d,
+                                struct message *why);
+void large_leapfrog_free(struct large_leapfrog *l);
+
+/* Its steps and mass in a line; none if steps are implicit. */
+void large_leapfrog_describe(const struct large_motion *m, struct message *line);
+
+/* What large_motion.h promises of its own. */
+enum status large_leapfrog_step(struct large_motion *m, double t,
+                                struct counters *counters);
+void large_leapfrog_contact(const struct large_motion *m, struct model_contact *contact);
+
+#endif

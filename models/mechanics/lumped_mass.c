@@ -1,0 +1,39 @@
+#include "models/mechanics/lumped_mass.h"
+
+#include <stdlib.h>
+
+bool lumped_mass_wanted(const struct discretization *d)
+{
+    return d->integrator == INTEGRATOR_LEAPFROG && d->mass != MASS_CONSISTENT;
+}
+
+enum status lumped_mass_make(const struct discretization *d, const struct blocks *graph,
+                             double *M, struct message *why)
+{
+    enum status st = STATUS_OK;
+    double *sum = NULL;
+
+    if (!lumped_mass_wanted(d))
+        return STATUS_OK;
+    sum = calloc((size_t)graph->nodes + 1, sizeof *sum);
+    if (!sum)
+        return STATUS_MEMORY;
+    for (int a = 0; a < graph->nodes; a++)
+        for (long n = graph->start[a]; n < graph->start[a + 1]; n++) {
+            sum[a] += M[n];
+            if (n > graph->start[a])
+                sum[graph->node[n]] += M[n];
+            M[n] = 0;
+        }
+    for (int a = 0; a < graph->nodes; a++) {
+        if (!(sum[a] > 0))
+            TRY(status_fail(why, STATUS_UNSUPPORTED,
+                            "mass=row_sum: the row of node %d sums to %g kg, and an "
+                            "explicit step needs masses > 0; use mass=consistent",
+                            a, sum[a]));
+        M[graph->start[a]] = sum[a];
+    }
+out:
+    free(sum);
+    return st;
+}

@@ -15,20 +15,18 @@ void shell_element_clear(struct shell_element *e)
 enum status shell_element_init(struct shell_element *e, const struct shell_space *space)
 {
     enum status st;
-    size_t local = (size_t)space->local, row = SHELL_PADDED(local), points[SHELL_RULES];
+    size_t local = (size_t)space->local, row = SHELL_PADDED(local);
 
     memset(e, 0, sizeof *e);
-    for (int r = 0; r < SHELL_RULES; r++) {
+    for (int r = 0; r < SHELL_RULES; r++)
         e->at[r].padded = space->rule[r].padded;
-        points[r] = (size_t)e->at[r].padded;
-    }
     TRY(room_cut(
-        &e->memory, ROOM(e->at[0].T, SHELL_SLOPES * local * points[0]),
-        ROOM(e->at[1].T, SHELL_DERIVATIVES * local * points[1]),
-        ROOM(e->at[2].T, SHELL_SLOPES * local * points[2]),
+        &e->memory, ROOM(e->at[0].room, shell_space_size(space, 0)),
+        ROOM(e->at[1].room, shell_space_size(space, 1)),
+        ROOM(e->at[2].room, shell_space_size(space, 2)),
         ROOM(e->strain, shell_room_strains(space, SHELL_PARTS)),
-        ROOM(e->at[0].surface, points[0] / SHELL_LANES),
-        ROOM(e->at[1].surface, points[1] / SHELL_LANES),
+        ROOM(e->at[0].surface, (size_t)e->at[0].padded / SHELL_LANES),
+        ROOM(e->at[1].surface, (size_t)e->at[1].padded / SHELL_LANES),
         ROOM(e->X[0], SHELL_PADDED(3 * local)), ROOM(e->X[1], SHELL_PADDED(3 * local)),
         ROOM(e->X[2], SHELL_PADDED(3 * local)), ROOM(e->f, SHELL_PADDED(3 * local)),
         ROOM(e->left, shell_tangent_left(space) * row),
@@ -44,15 +42,12 @@ out:
 void shell_element_load(struct shell_element *e, const struct shell_space *space,
                         int element, int rules)
 {
-    for (int r = 0; r < rules; r++) {
-        struct shell_points *p = &e->at[r];
-        if (r < SHELL_PARTS && space->kept[r]) {
-            p->T = space->kept[r] + (size_t)element * shell_space_table(space, r);
-            p->count = shell_space_count(space, r, element);
-        } else {
-            p->count = shell_space_functions(space, r, element, p->T);
-        }
-    }
+    for (int r = space->alike; r < rules; r++)
+        e->at[r].count =
+            shell_space_functions(space, r, element, e->at[r].room, &e->at[r].T);
+    if (space->alike)
+        e->at[SHELL_MEMBRANE].T = e->at[SHELL_BENDING].T,
+        e->at[SHELL_MEMBRANE].count = e->at[SHELL_BENDING].count;
 }
 
 /* The plane-stress law in the metric A^ab = a, b, c (11, 22, 12). */

@@ -25,8 +25,6 @@ void shell_space_clear(struct shell_space *space)
             free(line->table);
         }
     }
-    for (int r = 0; r < SHELL_PARTS; r++)
-        free(space->kept[r]);
     free(space->room);
     free(space->slab);
     memset(space, 0, sizeof *space);
@@ -163,6 +161,7 @@ static void make_rules(struct shell_space *space, bool selective)
     space->rule[SHELL_MEMBRANE] = selective ? membrane : full;
     space->rule[SHELL_BENDING] = selective ? bending : full;
     space->rule[SHELL_MASS] = full;
+    space->alike = !selective;
     for (int r = 0; r < SHELL_RULES; r++) {
         struct shell_rule *rule = &space->rule[r];
         int most = 0;
@@ -187,62 +186,6 @@ static void number_elements(struct shell_space *space)
             node[a] =
                 (ku - u->order + 1 + a / v->order) * m + kv - v->order + 1 + a % v->order;
     }
-}
-
-/* Functions that are kept may have this many bytes in all: beyond what lies near
- * the cores they take as long to read as to make. */
-static const size_t MOST_KEPT = 16 << 20;
-
-/* Two fifths of a small net's forces are its functions, if they are made each time. */
-static enum status keep_functions(struct shell_space *space)
-{
-    size_t size[SHELL_PARTS], elements = (size_t)space->elements, bytes = 0;
-
-    for (int r = 0; r < SHELL_PARTS; r++)
-        bytes += (size[r] = shell_space_table(space, r)) * elements * sizeof(double);
-    if (bytes > MOST_KEPT)
-        return STATUS_OK;
-    for (int r = 0; r < SHELL_PARTS; r++) {
-        /* vectors of four doubles are read from them */
-        space->kept[r] =
-            aligned_alloc(64, (size[r] * elements * sizeof(double) + 63) / 64 * 64);
-        if (!space->kept[r])
-            return STATUS_MEMORY;
-        for (size_t e = 0; e < elements; e++)
-            shell_space_functions(space, r, (int)e, space->kept[r] + e * size[r]);
-    }
-    return STATUS_OK;
-}
-
-enum status shell_space_init(struct shell_space *space, const struct bspline basis[2],
-                             const double *point, const double *weight, const int gauss[2],
-                             bool selective, struct message *why)
-{
-    enum status st;
-    struct shell_space new = {0};
-
-    TRY(check(basis, gauss, why));
-    for (int d = 0; d < 2; d++)
-        TRY(bspline_copy(&basis[d], &new.basis[d]));
-    new.nodes = basis[0].n *basis[1].n;
-    new.local = (basis[0].p + 1) * (basis[1].p + 1);
-    TRY(make_directions(&new, gauss, selective));
-    make_rules(&new, selective);
-    new.elements = new.direction[0].spans *new.direction[1].spans;
-    TRY(room_cut(&new.room, ROOM(new.ien, new.elements *(size_t) new.local),
-                 ROOM(new.rest, 3 * (size_t) new.nodes),
-                 ROOM(new.weight, weight ? new.nodes : 0)));
-    memcpy(new.rest, point, 3 * (size_t) new.nodes * sizeof *point);
-    if (weight)
-        memcpy(new.weight, weight, (size_t) new.nodes * sizeof *weight);
-    number_elements(&new);
-    TRY(blocks_slabs(new.elements, new.direction[1].spans, new.direction[0].order,
-                     &new.slabs, &new.slab));
-    TRY(keep_functions(&new));
-    HAND_OVER(space, new);
-out:
-    shell_space_clear(&new);
-    return st;
 }
 
 /* Turns B-spline functions into rational ones, R = w N / W, W = sum w N, by the quotient
@@ -298,29 +241,43 @@ int shell_space_places(const struct shell_space *space, int rule, int element,
     return count;
 }
 
-int shell_space_count(const struct shell_space *space, int rule, int element)
+static int derivatives_of(int rule)
+{
+    return rule == SHELL_BENDING ? SHELL_DERIVATIVES : SHELL_SLOPES;
+}
+
+size_t shell_space_size(const struct shell_space *space, int rule)
+{
+    return (size_t)(derivatives_of(rule) * space->local * space->rule[rule].padded);
+}
+
+static int points_of(const struct shell_space *space, int rule, int element)
 {
     const struct shell_direction *d = space->direction;
-    const struct shell_rule *r = &space->rule[rule];
     int count = 0;
 
-    for (int g = 0; g < r->grids; g++)
-        count += d[0].line[r->grid[g].line[0]].points[element / d[1].spans] *
-                 d[1].line[r->grid[g].line[1]].points[element % d[1].spans];
+    for (int g = 0; g < space->rule[rule].grids; g++) {
+        const int *line = space->rule[rule].grid[g].line;
+        count += d[0].line[line[0]].points[element / d[1].spans] *
+                 d[1].line[line[1]].points[element % d[1].spans];
+    }
     return count;
 }
 
-size_t shell_space_table(const struct shell_space *space, int rule)
+/* Where a kept table begins. Alike: one for both, the slopes where both have them. */
+static size_t place_of(const struct shell_space *space, int rule, int element)
 {
-    size_t derivatives = rule == SHELL_BENDING ? SHELL_DERIVATIVES : SHELL_SLOPES;
+    const size_t bending = shell_space_size(space, SHELL_BENDING),
+                 flat = space->alike ? 0 : shell_space_size(space, SHELL_MEMBRANE);
 
-    return derivatives * (size_t)(space->local * space->rule[rule].padded);
+    return (size_t)element * (bending + flat) +
+           (rule == SHELL_MEMBRANE && flat ? bending : 0);
 }
 
-int shell_space_functions(const struct shell_space *space, int rule, int element, double *T)
+static int make_functions(const struct shell_space *space, int rule, int element, double *T)
 {
     enum { ROOM = 3 * BSPLINE_MAX_ORDER * SHELL_MAX_POINTS };
-    const int derivatives = rule == SHELL_BENDING ? SHELL_DERIVATIVES : SHELL_SLOPES;
+    const int derivatives = derivatives_of(rule);
     const int first = rule < SHELL_PARTS && !space->weight; /* strains need no values */
     const int *order = (const int[]){space->direction[0].order, space->direction[1].order};
     struct shell_place place[SHELL_MAX_POINTS];
@@ -346,6 +303,56 @@ int shell_space_functions(const struct shell_space *space, int rule, int element
         make_rational(space, space->ien + (size_t)element * (size_t)space->local,
                       derivatives, row, count, T);
     return count;
+}
+
+int shell_space_functions(const struct shell_space *space, int rule, int element,
+                          double *room, const double **T)
+{
+    const bool kept = space->table && rule < SHELL_PARTS;
+
+    *T = kept ? space->table + place_of(space, rule, element) : room;
+    return kept ? points_of(space, rule, element)
+                : make_functions(space, rule, element, room);
+}
+
+/* Tables are kept up to so many numbers, 16 MB: that far from the processor, reading them
+ * takes as long as making them. */
+enum { TABLE = 1 << 21 };
+
+enum status shell_space_init(struct shell_space *space, const struct bspline basis[2],
+                             const double *point, const double *weight, const int gauss[2],
+                             bool selective, struct message *why)
+{
+    enum status st;
+    struct shell_space new = {0};
+    size_t table;
+
+    TRY(check(basis, gauss, why));
+    for (int d = 0; d < 2; d++)
+        TRY(bspline_copy(&basis[d], &new.basis[d]));
+    new.nodes = basis[0].n *basis[1].n;
+    new.local = (basis[0].p + 1) * (basis[1].p + 1);
+    TRY(make_directions(&new, gauss, selective));
+    make_rules(&new, selective);
+    new.elements = new.direction[0].spans *new.direction[1].spans;
+    table = place_of(&new, SHELL_BENDING, new.elements);
+    TRY(room_cut(&new.room, ROOM(new.ien, new.elements *(size_t) new.local),
+                 ROOM(new.rest, 3 * (size_t) new.nodes),
+                 ROOM(new.weight, weight ? new.nodes : 0),
+                 ROOM(new.table, table <= TABLE ? table : 0)));
+    memcpy(new.rest, point, 3 * (size_t) new.nodes * sizeof *point);
+    if (weight)
+        memcpy(new.weight, weight, (size_t) new.nodes * sizeof *weight);
+    number_elements(&new);
+    for (int n = 0; new.table &&n < new.elements; n++)
+        for (int r = new.alike; r < SHELL_PARTS; r++)
+            make_functions(&new, r, n, new.table + place_of(&new, r, n));
+    TRY(blocks_slabs(new.elements, new.direction[1].spans, new.direction[0].order,
+                     &new.slabs, &new.slab));
+    HAND_OVER(space, new);
+out:
+    shell_space_clear(&new);
+    return st;
 }
 
 void shell_space_at(const struct shell_space *space, double u, double v, int *node,

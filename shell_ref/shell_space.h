@@ -8,6 +8,9 @@
 #ifndef SHELL_SPACE_H
 #define SHELL_SPACE_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "iga/bspline.h"
 
 /* Rows of Gauss points and of functions are padded with zeros to a multiple of it, so that
@@ -62,16 +65,16 @@ struct shell_rule {
 
 struct shell_space {
     struct bspline basis[2]; /* u, v                                           owned   */
-    void *room;              /* of weight, rest and ien                        owned   */
+    void *room;              /* of weight, rest, ien and table                 owned   */
     double *weight;          /* [nodes] > 0; NULL: all 1                               */
     double *rest;            /* [nodes][3] control points at rest  [m]                 */
     int nodes, elements;
     int local; /* functions per element, (p+1)(q+1)                                    */
     struct shell_direction direction[2];
     struct shell_rule rule[SHELL_RULES];
-    int *ien; /* [elements][local] ascending                                   */
-    double *kept[SHELL_PARTS]; /* [elements][derivatives][local][padded] functions of small
-                                  nets, made once; NULL of others              owned   */
+    bool alike;       /* membrane and bending have the same points                     */
+    double *table;    /* [elements][SHELL_PARTS] of their functions; NULL: too many    */
+    int *ien;         /* [elements][local] ascending                                   */
     int slabs, *slab; /* elements slab[s] .. slab[s+1]; s and s+2 share no node owned  */
 };
 
@@ -111,18 +114,15 @@ struct shell_place {
 int shell_space_places(const struct shell_space *space, int rule, int element,
                        struct shell_place *place);
 
-/* Returns how many points an element has. */
-int shell_space_count(const struct shell_space *space, int rule, int element);
-
-/* Numbers in T, below. */
-size_t shell_space_table(const struct shell_space *space, int rule);
+/* Numbers of the next. */
+size_t shell_space_size(const struct shell_space *space, int rule);
 
 /* T[SHELL_DERIVATIVES or SHELL_SLOPES][local][padded] of one element, the rule's points
- * running fastest; zeros in the padding up to a multiple of SHELL_LANES. Returns how many
- * points. Values N are there for the mass and in a rational space alone. Pure: any thread.
- */
+ * running fastest; zeros in the padding up to a multiple of SHELL_LANES. Values N are there
+ * for the mass and in a rational space alone. *T is the space's own where it keeps them, or
+ * made in room[shell_space_size]. Returns how many points. Pure: any thread. */
 int shell_space_functions(const struct shell_space *space, int rule, int element,
-                          double *T);
+                          double *room, const double **T);
 
 /* The functions alive at (u,v): T[SHELL_DERIVATIVES][local] and their nodes node[local]. */
 void shell_space_at(const struct shell_space *space, double u, double v, int *node,

@@ -2,49 +2,79 @@
 
 #include "shell_ref/shell_frame.h"
 
-/* Rows over the functions at each point of the membrane: b, and a with factors and areas.
- */
+/* Functions go four at a time. What a point has of them stands as [group of four][what],
+ * so that all of it has its place at a fixed distance: with strides that are not known to
+ * the compiler, the kernel spends twice its time on addresses. */
+
+/* What each point of the membrane has of a function b; of a, factors and areas included. */
 enum { FLAT_RIGHT = 2 /* N_u, N_v */, FLAT_LEFT = 18 /* [2][3][3] P_d = N_c Q_cd */ };
 
-/* Rows over the functions b at each point of bending. */
+/* Of bending: phi_11, phi_22, 2 phi_12; of a, h^3/12 C phi. */
+enum { BENT = 3 };
+
+/* Of its moments: of b, and of a, factors and areas included. */
 enum {
     RIGHT_SLOPE = 0,   /* N_u, N_v                                                    */
-    RIGHT_BENDING = 2, /* phi_11, phi_22, 2 phi_12                                    */
-    RIGHT_MOMENT = 5,  /* M^ab phi_ab                                                 */
-    RIGHT_SURFACE = 6, /* [3] a^c N_c                                                 */
-    RIGHT = 9
+    RIGHT_MOMENT = 2,  /* M^ab phi_ab                                                 */
+    RIGHT_SURFACE = 3, /* [3] a^c N_c                                                 */
+    RIGHT = 6
 };
-/* Rows over the functions a there, factors and areas included. */
 enum {
-    LEFT_BENDING = 0, /* [3] h^3/12 C phi                                             */
-    LEFT_CURVED = 3,  /* [2] M^ab b_ab a^cd N_c                                       */
-    LEFT_SURFACE = 5, /* [3] a^c N_c                                                  */
-    LEFT_MOMENT = 8,  /* [3] M^ab phi_ab n                                            */
-    LEFT = 11
+    LEFT_CURVED = 0,  /* [2] M^ab b_ab a^cd N_c                                       */
+    LEFT_SURFACE = 2, /* [3] a^c N_c                                                  */
+    LEFT_MOMENT = 5,  /* [3] M^ab phi_ab n                                            */
+    LEFT = 8
 };
 
 size_t shell_tangent_left(const struct shell_space *space)
 {
     return (size_t)(FLAT_LEFT * space->rule[SHELL_MEMBRANE].padded +
-                    LEFT * space->rule[SHELL_BENDING].padded);
+                    (BENT + LEFT) * space->rule[SHELL_BENDING].padded);
 }
 
 size_t shell_tangent_right(const struct shell_space *space)
 {
     return (size_t)(FLAT_RIGHT * space->rule[SHELL_MEMBRANE].padded +
-                    RIGHT * space->rule[SHELL_BENDING].padded);
+                    (BENT + RIGHT) * space->rule[SHELL_BENDING].padded);
 }
 
-/* N_u, N_v, ... of one point, functions running fastest: D[rows][row]. */
+/* The same arrays by what they hold, [points][groups][what] each. */
+struct kernel {
+    int row, groups;
+    bool moments; /* whether the tangent has their part                                */
+    shell_lanes *flat[2], *bent[2], *moment[2]; /* of a, of b                          */
+    double (*normal)[3];                        /* [points of bending]                 */
+};
+
+static struct kernel kernel_of(struct shell_element *e, const struct large_path *path,
+                               double (*normal)[3])
+{
+    const int flat = e->at[SHELL_MEMBRANE].count * e->row / SHELL_LANES,
+              bent = e->at[SHELL_BENDING].count * e->row / SHELL_LANES;
+    struct kernel k = {.row = e->row,
+                       .groups = e->row / SHELL_LANES,
+                       .moments = path->g1 == 1,
+                       .flat = {(shell_lanes *)e->left, (shell_lanes *)e->right},
+                       .normal = normal};
+
+    k.bent[0] = k.flat[0] + FLAT_LEFT * flat, k.bent[1] = k.flat[1] + FLAT_RIGHT * flat;
+    for (int side = 0; side < 2; side++)
+        k.moment[side] = k.bent[side] + BENT * bent;
+    return k;
+}
+
+/* N_u, N_v, ... of one point: D[groups][SLOT]. */
 static void turn(const struct shell_element *e, const struct shell_points *p, int q,
-                 int rows, double *D)
+                 int rows, int slot, shell_lanes *D)
 {
     size_t stride = (size_t)(e->local * p->padded);
 
-    for (int k = 0; k < rows; k++)
-        for (int a = 0; a < e->local; a++)
-            D[k * e->row + a] =
-                p->T[(size_t)(k + 1) * stride + (size_t)(a * p->padded + q)];
+    for (int a = 0; a < e->local; a++) {
+        const double *T = p->T + stride + (size_t)(a * p->padded + q);
+        double *to = (double *)(D + a / SHELL_LANES * slot) + a % SHELL_LANES;
+        for (int k = 0; k < rows; k++)
+            to[k * SHELL_LANES] = T[(size_t)k * stride];
+    }
 }
 
 /* --- membrane ----------------------------------------------------------------------------
@@ -74,42 +104,36 @@ static void membrane_blocks(shell_lanes a[2][3], shell_lanes C[3][3], shell_lane
         }
 }
 
-static void fill_membrane(struct shell_element *e, const struct shell_material *material,
-                          const double *rest, const struct large_path *path)
+static void fill_membrane(const struct kernel *k, struct shell_element *e,
+                          const struct shell_material *material, const double *rest,
+                          const struct large_path *path)
 {
     const struct shell_points *p = &e->at[SHELL_MEMBRANE];
     double h = shell_frame_stiffness(material, SHELL_MEMBRANE);
-    shell_lanes C[3][3], N[3], a[2][3], Q[4][9];
-    int row = e->row;
+    shell_lanes C[3][3], N[3], a[2][3], Q[4][9], *L = k->flat[0], *R = k->flat[1];
 
     for (int q = 0; q < p->count; q++) {
         int t = q % SHELL_LANES;
-        double *R = e->right + q * FLAT_RIGHT * row, *L = e->left + q * FLAT_LEFT * row;
         if (t == 0) {
             shell_frame_law(rest, p->padded, q, C);
             shell_frame_resultants(p, h, C, q, N);
             shell_frame_derive(p, e->local, e->X[1], q, 2, a);
             membrane_blocks(a, C, N, (path->s1 + path->lag) * h, path->g1, Q);
         }
-        turn(e, p, q, 2, R);
-        for (int d = 0; d < 2; d++)
-            for (int k = 0; k < 9; k++) {
-                double u = Q[d][k][t], v = Q[2 + d][k][t];
-                for (int b = 0; b < row; b++)
-                    L[(9 * d + k) * row + b] = u * R[b] + v * R[row + b];
-            }
+        turn(e, p, q, 2, FLAT_RIGHT, R);
+        for (int g = 0; g < k->groups; g++, R += FLAT_RIGHT, L += FLAT_LEFT)
+            for (int d = 0; d < 2; d++)
+                for (int i = 0; i < 9; i++)
+                    L[9 * d + i] = Q[d][i][t] * R[0] + Q[2 + d][i][t] * R[1];
     }
 }
 
-/* s += the 3 x 3 blocks of functions a and four b at one point. l: rows at a; r: rows at
- * the four b; both `row` apart. */
-static inline void add_membrane(const double *restrict l, const double *restrict r, int row,
+/* s += the 3 x 3 blocks of one function a and four b at one point. */
+static inline void add_membrane(const double *restrict l, const shell_lanes *restrict r,
                                 shell_lanes s[9])
 {
-    shell_lanes u = *(const shell_lanes *)r, v = *(const shell_lanes *)(r + row);
-
-    for (int k = 0; k < 9; k++)
-        s[k] += l[k * row] * u + l[(9 + k) * row] * v;
+    for (int i = 0; i < 9; i++)
+        s[i] += l[i * SHELL_LANES] * r[0] + l[(9 + i) * SHELL_LANES] * r[1];
 }
 
 /* --- bending ----------------------------------------------------------------------------
@@ -139,61 +163,46 @@ static void pick(const struct shell_frame *f, shell_lanes C[3][3], const shell_l
                 2 * p->m[2] * f->curvature[2][t];
 }
 
-/* Rows over the functions of one point; the derivatives N_u .. N_uv in D[5][row]. */
-static void fill_right(const struct point *p, int row, const double *restrict D,
-                       double *restrict R)
+/* Of four functions; their derivatives N_u .. N_uv in D. */
+static void fill_bent(const struct point *p, double bending, const shell_lanes D[5],
+                      shell_lanes *L, shell_lanes *R)
 {
-    const double *u = D, *v = D + row, *uu = D + 2 * row, *vv = D + 3 * row,
-                 *uv = D + 4 * row;
+    for (int i = 0; i < BENT; i++)
+        R[i] = (i < 2 ? 1.0 : 2.0) *
+               (D[2 + i] - p->gamma[0][i] * D[0] - p->gamma[1][i] * D[1]);
+    for (int i = 0; i < BENT; i++)
+        L[i] = bending * (p->C[i][0] * R[0] + p->C[i][1] * R[1] + p->C[i][2] * R[2]);
+}
 
-    memcpy(R + RIGHT_SLOPE * row, D, 2 * (size_t)row * sizeof *R);
-    for (int j = 0; j < 3; j++)
-        for (int b = 0; b < row; b++)
-            R[(RIGHT_SURFACE + j) * row + b] = u[b] * p->dual[0][j] + v[b] * p->dual[1][j];
-    for (int b = 0; b < row; b++) {
-        double f0 = uu[b] - p->gamma[0][0] * u[b] - p->gamma[1][0] * v[b];
-        double f1 = vv[b] - p->gamma[0][1] * u[b] - p->gamma[1][1] * v[b];
-        double f2 = 2 * (uv[b] - p->gamma[0][2] * u[b] - p->gamma[1][2] * v[b]);
-        R[RIGHT_BENDING * row + b] = f0;
-        R[(RIGHT_BENDING + 1) * row + b] = f1;
-        R[(RIGHT_BENDING + 2) * row + b] = f2;
-        R[RIGHT_MOMENT * row + b] = p->m[0] * f0 + p->m[1] * f1 + p->m[2] * f2;
+/* phi: of the same functions, as in fill_bent. */
+static void fill_moment(const struct point *p, double geometric, const shell_lanes D[5],
+                        const shell_lanes *phi, shell_lanes *L, shell_lanes *R)
+{
+    const shell_lanes u = D[0], v = D[1];
+    const double *in = p->inverse, curved = geometric * p->curved;
+
+    R[RIGHT_SLOPE] = u, R[RIGHT_SLOPE + 1] = v;
+    R[RIGHT_MOMENT] = p->m[0] * phi[0] + p->m[1] * phi[1] + p->m[2] * phi[2];
+    L[LEFT_CURVED] = curved * (in[0] * u + in[2] * v);
+    L[LEFT_CURVED + 1] = curved * (in[2] * u + in[1] * v);
+    for (int i = 0; i < 3; i++) {
+        R[RIGHT_SURFACE + i] = u * p->dual[0][i] + v * p->dual[1][i];
+        L[LEFT_SURFACE + i] = geometric * R[RIGHT_SURFACE + i];
+        L[LEFT_MOMENT + i] = geometric * p->n[i] * R[RIGHT_MOMENT];
     }
 }
 
-static void fill_left(const struct point *p, double bending, double geometric, int row,
-                      const double *restrict R, double *restrict L)
-{
-    const double *u = R, *v = R + row, *phi = R + RIGHT_BENDING * row, *in = p->inverse;
-    double curved = geometric * p->curved;
-
-    for (int k = 0; k < 3; k++)
-        for (int b = 0; b < row; b++) {
-            L[(LEFT_BENDING + k) * row + b] =
-                bending * (p->C[k][0] * phi[b] + p->C[k][1] * phi[row + b] +
-                           p->C[k][2] * phi[2 * row + b]);
-            L[(LEFT_SURFACE + k) * row + b] = geometric * R[(RIGHT_SURFACE + k) * row + b];
-            L[(LEFT_MOMENT + k) * row + b] =
-                geometric * p->n[k] * R[RIGHT_MOMENT * row + b];
-        }
-    for (int b = 0; b < row; b++) {
-        L[LEFT_CURVED * row + b] = curved * (in[0] * u[b] + in[2] * v[b]);
-        L[(LEFT_CURVED + 1) * row + b] = curved * (in[2] * u[b] + in[1] * v[b]);
-    }
-}
-
-/* left, right: rows of the first point. normal[count][3]. */
-static void fill_bending(struct shell_element *e, const struct shell_material *material,
-                         const double *rest, const struct large_path *path, double *left,
-                         double *right, double (*normal)[3])
+static void fill_bending(const struct kernel *k, struct shell_element *e,
+                         const struct shell_material *material, const double *rest,
+                         const struct large_path *path)
 {
     const struct shell_points *p = &e->at[SHELL_BENDING];
-    double D[5 * SHELL_PADDED(SHELL_MAX_LOCAL)] = {0};
+    shell_lanes D[5 * SHELL_PADDED(SHELL_MAX_LOCAL) / SHELL_LANES] = {{0}};
     double stiffness = shell_frame_stiffness(material, SHELL_BENDING);
     struct shell_frame f;
     shell_lanes C[3][3], m[3];
 
-    for (int q = 0; q < p->count; q++) {
+    for (int q = 0, n = 0; q < p->count; q++) {
         int t = q % SHELL_LANES;
         struct point at;
         if (t == 0) {
@@ -202,63 +211,98 @@ static void fill_bending(struct shell_element *e, const struct shell_material *m
             shell_frame_frame(e, p, q, &f);
         }
         pick(&f, C, m, t, &at);
-        turn(e, p, q, 5, D);
-        fill_right(&at, e->row, D, right);
-        fill_left(&at, path->s1 * stiffness, path->g1, e->row, right, left);
-        memcpy(normal[q], at.n, sizeof at.n);
-        right += RIGHT * e->row, left += LEFT * e->row;
-    }
-}
-
-static inline void add_bending(const double *restrict l, const double *restrict r, int row,
-                               const double n[3], shell_lanes s[9])
-{
-#define AT_B(k) (*(const shell_lanes *)(r + (k)*row))
-#define AT_A(k) (l[(k)*row])
-    shell_lanes moment = AT_B(RIGHT_MOMENT);
-    shell_lanes t = AT_A(LEFT_CURVED) * AT_B(RIGHT_SLOPE) +
-                    AT_A(LEFT_CURVED + 1) * AT_B(RIGHT_SLOPE + 1);
-
-    for (int k = 0; k < 3; k++)
-        t += AT_A(LEFT_BENDING + k) * AT_B(RIGHT_BENDING + k);
-    for (int j = 0; j < 3; j++) {
-        shell_lanes along = n[j] * t + AT_A(LEFT_SURFACE + j) * moment;
-        for (int i = 0; i < 3; i++)
-            s[3 * i + j] += n[i] * along + AT_A(LEFT_MOMENT + j) * AT_B(RIGHT_SURFACE + i);
-    }
-#undef AT_B
-#undef AT_A
-}
-
-/* K[a][3 i + j][b] from the shell_lanes that hold b = a on. left, right: of bending. */
-static void sum_blocks(struct shell_element *e, const double *left, const double *right,
-                       double (*normal)[3])
-{
-    int row = e->row;
-
-    for (int a = 0; a < e->local; a++)
-        for (int c = a / SHELL_LANES * SHELL_LANES; c < row; c += SHELL_LANES) {
-            double *K = e->K + a * 9 * row + c;
-            shell_lanes s[9] = {{0}};
-            for (int q = 0; q < e->at[SHELL_MEMBRANE].count; q++)
-                add_membrane(e->left + a + q * FLAT_LEFT * row,
-                             e->right + c + q * FLAT_RIGHT * row, row, s);
-            for (int q = 0; q < e->at[SHELL_BENDING].count; q++)
-                add_bending(left + a + q * LEFT * row, right + c + q * RIGHT * row, row,
-                            normal[q], s);
-            for (int t = 0; t < 9; t++)
-                *(shell_lanes *)(K + t * row) = s[t];
+        turn(e, p, q, 5, 5, D);
+        memcpy(k->normal[q], at.n, sizeof at.n);
+        for (int g = 0; g < k->groups; g++, n++) {
+            shell_lanes *phi = k->bent[1] + BENT * n;
+            fill_bent(&at, path->s1 * stiffness, D + 5 * g, k->bent[0] + BENT * n, phi);
+            if (k->moments)
+                fill_moment(&at, path->g1, D + 5 * g, phi, k->moment[0] + LEFT * n,
+                            k->moment[1] + RIGHT * n);
         }
+    }
+}
+
+/* The six of n n^T, its lower triangle by rows. */
+static inline void add_bent(const double *restrict l, const shell_lanes *restrict r,
+                            const double n[3], shell_lanes s[6])
+{
+    shell_lanes t = l[0] * r[0] + l[SHELL_LANES] * r[1] + l[2 * SHELL_LANES] * r[2];
+
+    for (int i = 0, k = 0; i < 3; i++) {
+        shell_lanes along = n[i] * t;
+        for (int j = 0; j <= i; j++, k++)
+            s[k] += n[j] * along;
+    }
+}
+
+static inline void add_moment(const double *restrict l, const shell_lanes *restrict r,
+                              const double n[3], shell_lanes s[9])
+{
+    shell_lanes t = l[LEFT_CURVED * SHELL_LANES] * r[RIGHT_SLOPE] +
+                    l[(LEFT_CURVED + 1) * SHELL_LANES] * r[RIGHT_SLOPE + 1];
+
+    for (int j = 0; j < 3; j++) {
+        shell_lanes along =
+            n[j] * t + l[(LEFT_SURFACE + j) * SHELL_LANES] * r[RIGHT_MOMENT];
+        for (int i = 0; i < 3; i++)
+            s[3 * i + j] +=
+                n[i] * along + l[(LEFT_MOMENT + j) * SHELL_LANES] * r[RIGHT_SURFACE + i];
+    }
+}
+
+/* The blocks of function a and the g-th four b: K[3 i + j][b] of a. */
+static void sum_blocks(const struct kernel *k, const struct shell_element *e, int a, int g,
+                       double *K)
+{
+    const int own = a / SHELL_LANES, lane = a % SHELL_LANES, row = k->row;
+    shell_lanes s[9] = {{0}}, bent[6] = {{0}};
+#define LEFT_OF(array, what)  ((const double *)((array)[0] + own * (what)) + lane)
+#define RIGHT_OF(array, what) ((const double *)((array)[1] + g * (what)))
+    const double *l = LEFT_OF(k->flat, FLAT_LEFT), *r = RIGHT_OF(k->flat, FLAT_RIGHT);
+
+    for (int q = 0; q < e->at[SHELL_MEMBRANE].count; q++)
+        add_membrane(l + q * FLAT_LEFT * row,
+                     (const shell_lanes *)(r + q * FLAT_RIGHT * row), s);
+    l = LEFT_OF(k->bent, BENT), r = RIGHT_OF(k->bent, BENT);
+    for (int q = 0; q < e->at[SHELL_BENDING].count; q++)
+        add_bent(l + q * BENT * row, (const shell_lanes *)(r + q * BENT * row),
+                 k->normal[q], bent);
+    l = LEFT_OF(k->moment, LEFT), r = RIGHT_OF(k->moment, RIGHT);
+    for (int q = 0; k->moments && q < e->at[SHELL_BENDING].count; q++)
+        add_moment(l + q * LEFT * row, (const shell_lanes *)(r + q * RIGHT * row),
+                   k->normal[q], s);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            *(shell_lanes *)(K + (3 * i + j) * row) =
+                s[3 * i + j] + bent[i > j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i];
+#undef LEFT_OF
+#undef RIGHT_OF
+}
+
+/* Blocks b >= a. The functions behind the last whole group stand for a, not for a group of
+ * b of which most is padding: of 9, 15 groups for 21. */
+static void sum_all(const struct kernel *k, struct shell_element *e)
+{
+    const int row = k->row, whole = e->local / SHELL_LANES;
+
+    for (int a = 0; a < e->local; a++) {
+        const bool rest = a >= whole * SHELL_LANES;
+        for (int g = rest ? 0 : a / SHELL_LANES; g < (rest ? k->groups : whole); g++)
+            sum_blocks(k, e, a, g, e->K + a * 9 * row + g * SHELL_LANES);
+        for (int b = 0; rest && b < whole * SHELL_LANES; b++)
+            for (int i = 0; i < 9; i++)
+                e->K[(b * 9 + i) * row + a] = e->K[(a * 9 + i % 3 * 3 + i / 3) * row + b];
+    }
 }
 
 void shell_tangent_compute(struct shell_element *e, const struct shell_material *material,
                            const double *const rest[], const struct large_path *path)
 {
     double normal[SHELL_MAX_POINTS][3];
-    int flat = e->at[SHELL_MEMBRANE].count * e->row;
-    double *left = e->left + FLAT_LEFT * flat, *right = e->right + FLAT_RIGHT * flat;
+    const struct kernel k = kernel_of(e, path, normal);
 
-    fill_membrane(e, material, rest[SHELL_MEMBRANE], path);
-    fill_bending(e, material, rest[SHELL_BENDING], path, left, right, normal);
-    sum_blocks(e, left, right, normal);
+    fill_membrane(&k, e, material, rest[SHELL_MEMBRANE], path);
+    fill_bending(&k, e, material, rest[SHELL_BENDING], path);
+    sum_all(&k, e);
 }

@@ -10,17 +10,10 @@
 #include "models/reader/scene_file.h"
 
 static const struct command_item *const items[] = {
-    &bench_part_solids.item,
-    &bench_part_baselines.item,
-    &bench_part_levers.item,
-    &bench_part_growth.item,
-    &bench_part_intersection.item,
-    &bench_part_projective.item,
-    &bench_part_nonlinear.item,
-    &bench_part_swings.item,
-    &bench_part_bandwidth.item,
-    &bench_part_contestants.item,
-    NULL,
+    &bench_part_solids.item,    &bench_part_baselines.item,    &bench_part_levers.item,
+    &bench_part_growth.item,    &bench_part_intersection.item, &bench_part_projective.item,
+    &bench_part_nonlinear.item, &bench_part_swings.item,       &bench_part_bandwidth.item,
+    &bench_part_newton.item,    &bench_part_contestants.item,  NULL,
 };
 
 void bench_part_times(struct table *t, const struct clock_summary *s)

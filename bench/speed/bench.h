@@ -46,7 +46,7 @@ struct bench_part {
 };
 extern const struct bench_part bench_part_solids, bench_part_baselines, bench_part_levers,
     bench_part_growth, bench_part_intersection, bench_part_projective, bench_part_nonlinear,
-    bench_part_swings, bench_part_bandwidth, bench_part_contestants;
+    bench_part_swings, bench_part_newton, bench_part_bandwidth, bench_part_contestants;
 
 /* How far CHOLMOD and LAPACK are from solving the matrix of a run, relative: that they are
  * baselines for the same work. LAPACK is left out (0) where its band is too large. */

@@ -60,7 +60,8 @@ size_t large_body_strains(const struct large_body *b);
  * STATUS_NAN, or STATUS_INVERTED where x is no body; results are then of no use.
  *
  * K is symmetric: exact in statics without foresight; in time, where the derivative of the
- * force is not symmetric, with the geometry's strain variations on both sides. */
+ * force is not symmetric, with the geometry's strain variations on both sides, and without
+ * what is nothing beside the inertia (shell_tangent.h). */
 enum status large_body_strain(const struct large_body *b, const double *x, double *strain);
 enum status large_body_force(const struct large_body *b, const struct large_path *path,
                              const double *x, double *force);

@@ -5,6 +5,12 @@
 
 /* Steps below this part of the length end the iteration. */
 static const double STEP_TOLERANCE = 1e-7;
+/* The tangent at the predictor is kept after the first step, the longest by far, only if
+ * the second is this much shorter: it looks shorter than it is to a tangent whose membrane
+ * has not turned with the sheet, and goes astray. (edge_drop, undamped, to 0.4 s, with no
+ * more tangents: shell 10x10 selective p = 2, .81 of the iterations; p = 3, .87; IGA
+ * selective p = 3, .86.) */
+static const double FIRST_CHORD = 0.03;
 /* Halvings of a step that leads to a surface without normals or to numbers that are none.
  */
 enum { HALVINGS = 6 };
@@ -107,6 +113,7 @@ struct iteration {
     double *r, *next; /* right-hand side at x; the step from there                     */
     double *work;
     double tolerance; /* [m]                                                           */
+    double chord; /* the tangent serves on if it makes the next step so much shorter   */
     enum contact_friction friction;
 };
 
@@ -131,7 +138,8 @@ static enum status solve_contact(struct large_motion *m, const struct large_equa
 }
 
 /* i->next from i->r with the factored tangent. One that a solve finds not to be positive
- * definite, as conjugate gradients and contact do, is replaced by one without stress. */
+ * definite, as conjugate gradients and contact do, is replaced by one without stress; so is
+ * one that GMRES finds no solution for, which does not see why. */
 static enum status solve(struct large_motion *m, const struct large_equation *q,
                          struct iteration *i, double *size, struct counters *counters)
 {
@@ -145,7 +153,8 @@ static enum status solve(struct large_motion *m, const struct large_equation *q,
             st = system_solve(m->system, i->next);
             counters->solves++;
         }
-        if (st != STATUS_INDEFINITE || m->stressless || q->mass == 0)
+        const bool indefinite = st == STATUS_INDEFINITE || st == STATUS_UNSOLVED;
+        if (!indefinite || m->stressless || q->mass == 0)
             break;
         m->stressless = true;
         TRY(refresh(m, q, i->x, (struct large_foresight){.none = true}, counters));
@@ -187,13 +196,14 @@ static enum status next_step(struct large_motion *m, const struct large_equation
 
     if (q->chord > 0)
         TRY(solve(m, q, i, &size, counters));
-    if (!(size <= q->chord * i->size)) {
+    if (!(size <= i->chord * i->size)) {
         TRY(refresh(m, q, i->x, (struct large_foresight){.change = i->d}, counters));
         m->worn = true;
         TRY(solve(m, q, i, &size, counters));
     }
     swap = i->d;
     i->d = i->next, i->next = swap, i->size = size;
+    i->chord = q->chord;
 out:
     return st;
 }
@@ -220,12 +230,15 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                           .next = room + 2 * count,
                           .work = room + 3 * count,
                           .tolerance = STEP_TOLERANCE * m->scene->length,
+                          .chord = q->chord,
                           .friction = CONTACT_FRICTION_ONCE};
 
     m->stressless = false;
     TRY(residual(m, q, x, i.r, i.work));
-    if (q->chord == 0 || m->factored != q->mass || m->worn)
+    if (q->chord == 0 || m->factored != q->mass || m->worn) {
         TRY(refresh(m, q, x, (struct large_foresight){.strain = m->strain_old}, counters));
+        i.chord = fmin(q->chord, FIRST_CHORD);
+    }
     TRY(solve(m, q, &i, &i.size, counters));
     swap = i.d, i.d = i.next, i.next = swap;
     m->worn = false;

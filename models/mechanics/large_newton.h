@@ -9,7 +9,8 @@
  * line search on energy or residuals creeps: they judge a step by its spurious stress. The
  * cantilever of 32 cubic spans, h/L = 1e-3, at Gamma = 1000: 29 iterations in 4 increments
  * of the load; with a line search 478. Steps are halved only where the surface they lead to
- * is none. A factored tangent is kept while its steps shrink fast (chord), and for the next
+ * is none. A factored tangent is kept while its steps shrink fast (chord; much faster after
+ * a new equation's first step with its own, by far the longest), and for the next
  * equation, of the same mass, if this one did with it from its start: one that is too old
  * costs more in first steps astray than in assemblies (edge_drop, undamped, 5 ms, of
  * the time of keeping it always: shell 10x10, p = 2, .74; IGA selective p = 3, 16x16, .79).

@@ -41,8 +41,10 @@ struct spring_motion {
     double *weight;            /* [nodes] m / dt^2 + c / dt                     [N/m]     */
     double *x, *v;             /* [nodes][3]                                              */
     double *start, *target;    /* [nodes][3] work                                         */
-    double *shift;             /* [held_count] work                                       */
-    double (*V)[9];            /* [pairs] with beta, else NULL                            */
+    double *gain[2]; /* [nodes][3] of velocity in the last steps, the last first [m/s] */
+    int gains;       /* of those known                                                 */
+    double *shift;   /* [held_count] work                                       */
+    double (*V)[9];  /* [pairs] with beta, else NULL                            */
     struct spring_leapfrog *leapfrog; /* of that integrator, else NULL         owned   */
     long substep;   /* taken so far                                              */
     double push[3]; /* of obstacles, mean over the last frame              [N]   */

@@ -12,6 +12,15 @@ static double product(int n, const double *a, const double *b)
     return sum;
 }
 
+static double largest(int n, const double *a)
+{
+    double most = 0;
+
+    for (int t = 0; t < n; t++)
+        most = fmax(most, fabs(a[t]));
+    return most;
+}
+
 /* y += part x. */
 static void add(int n, double part, const double *x, double *y)
 {
@@ -68,7 +77,8 @@ enum status krylov_cg(struct krylov *k, const double *b, double *x, bool *done)
             return STATUS_INDEFINITE;
         if (k->iterations++ == 0)
             first = fmax(size, product(n, x, b));
-        *done = size <= k->tolerance * k->tolerance * first;
+        *done = size <= k->tolerance * k->tolerance * first ||
+                (k->near > 0 && largest(n, z) <= k->near);
         if (*done || k->iterations > k->most)
             break;
         for (int t = 0; t < n; t++)

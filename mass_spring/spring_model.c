@@ -40,6 +40,10 @@ static enum status create(const struct scene *scene, const struct discretization
 
     TRY(model_refuse_net(scene, SERVES, why));
     TRY(discretization_refuse_net(d, USED, "mass_spring", why));
+    if (d->integrator == INTEGRATOR_MOMENTUM || d->integrator == INTEGRATOR_BDF2)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "integrator=%s: mass_spring has implicit, explicit and leapfrog",
+                           integrator_name(d->integrator));
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");

@@ -58,6 +58,7 @@ enum integrator {
     INTEGRATOR_EXPLICIT, /* symplectic Euler                                           */
     INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
     INTEGRATOR_MOMENTUM, /* implicit, second order, keeps energy and momenta           */
+    INTEGRATOR_BDF2,     /* implicit, second order, backward differences               */
 };
 
 /* Of positions in leapfrog steps and in position_based. */

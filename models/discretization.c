@@ -155,7 +155,8 @@ WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "e
       [INTEGRATOR_BDF2] = "bdf2")
 WORDS(precision, [PRECISION_DOUBLE] = "double", [PRECISION_SINGLE] = "single")
 WORDS(constraint, [CONSTRAINT_TRIANGLES] = "triangles", [CONSTRAINT_EDGES] = "edges")
-WORDS(acceleration, [ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev")
+WORDS(acceleration, [ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev",
+      [ACCELERATION_ADMM] = "admm")
 WORDS(projection, [PROJECTION_XPBD] = "xpbd", [PROJECTION_PBD] = "pbd")
 WORDS(membrane, [MEMBRANE_GREEN] = "green", [MEMBRANE_COROTATIONAL] = "corotational",
       [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin")

@@ -79,7 +79,11 @@ enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 /* Tangents of Newton's method: kept while they serve, or new in each iteration. */
 enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
 
-enum acceleration { ACCELERATION_NONE, ACCELERATION_CHEBYSHEV };
+enum acceleration {
+    ACCELERATION_NONE,
+    ACCELERATION_CHEBYSHEV, /* Wang 2015                                               */
+    ACCELERATION_ADMM,      /* Overby et al. 2017, softly weighted                     */
+};
 
 struct discretization {
     int points[3]; /* control points or nodes along u, v, w; 0: left open, as AUTO     */

@@ -173,6 +173,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     enum status st;
     bool *clamped =
         calloc((size_t)options->points[0] * (size_t)options->points[1], sizeof *clamped);
+    double share = 0;
 
     *m = (struct pd_motion){.scene = scene, .options = *options};
     m->dt = scene->step / options->substeps;
@@ -184,9 +185,11 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     TRY(pd_energy_init(&m->energy, scene, options->points[0], options->points[1],
                        options->constraint, options->parameters, clamped));
     m->alpha = mass_damping(scene, &m->energy, options->parameters);
+    if (options->split)
+        share = pd_motion_find_share(m);
     TRY(pd_system_init(&m->system, &m->energy, &m->supports, 1 + m->alpha * m->span,
-                       m->span * m->span, options->solver));
-    TRY(pd_local_init(&m->local, &m->energy, m->span * m->span));
+                       m->span * m->span, share > 0 ? share : 1, options->solver));
+    TRY(pd_local_init(&m->local, &m->energy, m->span * m->span, share));
     if (scene->obstacle_count)
         TRY(pd_contact_init(&m->contact, scene, &m->system, m->energy.mass, m->energy.rest,
                             why));

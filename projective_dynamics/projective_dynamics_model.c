@@ -49,6 +49,7 @@ static struct pd_options options_of(const struct discretization *d)
         .iterations = d->iterations > 0 ? d->iterations : MOST_ITERATIONS,
         .tolerance = d->tolerance,
         .chebyshev = d->acceleration == ACCELERATION_CHEBYSHEV,
+        .split = d->acceleration == ACCELERATION_ADMM,
         .second = d->integrator == INTEGRATOR_BDF2,
         .solver = d->solver,
     };
@@ -79,6 +80,9 @@ static enum status create(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "integrator=%s: projective_dynamics has implicit and bdf2",
                            integrator_name(d->integrator));
+    if (d->acceleration == ACCELERATION_ADMM && d->constraint != CONSTRAINT_TRIANGLES)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "acceleration=admm: with constraint=triangles only");
     if (solver_iterates(d->solver))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "solver=%s: projective_dynamics factors its one matrix",

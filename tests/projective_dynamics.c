@@ -283,7 +283,7 @@ static double tip(const struct scene *scene, int n)
         for (int k = 0; k < net->nodes; k++)
             m.energy.edge[c][k] = 0;
     pd_system_clear(&m.system);
-    REQUIRE(pd_system_init(&m.system, &m.energy, &m.supports, 0, 1, SOLVER_AUTO) ==
+    REQUIRE(pd_system_init(&m.system, &m.energy, &m.supports, 0, 1, 1, SOLVER_AUTO) ==
             STATUS_OK);
     for (int k = 0; k < net->nodes; k++)
         up[k] = m.system.held[2 * net->nodes + k] ? 0 : m.energy.area[k] * load;

@@ -358,13 +358,13 @@ static bool finish_frame(struct pd_motion *m)
     const struct pd_net *net = &m->energy.net;
     double factor = velocity_factor(m), sum = 0;
 
+    if (m->options.second && factor != 1)
+        backward_scale(&m->backward, m->dt, factor, m->v);
     for (int c = 0; c < 3; c++) {
         double *v = m->v + c * pd_net_stride(net);
         for (int k = 0; k < net->nodes; k++)
             sum += fabs(v[k] *= factor);
     }
-    if (m->options.second && factor != 1)
-        backward_scale(&m->backward, factor, m->x);
     return isfinite(sum);
 }
 

@@ -38,11 +38,12 @@ void backward_begin(struct backward *b, const double *x, const double *v)
     }
 }
 
-void backward_scale(struct backward *b, double factor, const double *x)
+void backward_scale(struct backward *b, double dt, double factor, const double *v)
 {
     for (size_t n = 0; n < b->count; n++) {
-        b->v[n] *= factor;
-        b->x[n] = x[n] - factor * (x[n] - b->x[n]);
+        const double blow = (factor - 1) * v[n];
+        b->v[n] += blow;
+        b->x[n] -= dt * blow;
     }
 }
 

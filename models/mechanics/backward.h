@@ -30,8 +30,9 @@ void backward_start(struct backward *b, double dt, const double *x, const double
 /* origin and speed of the step from x, v, which then are the ones of a step ago. */
 void backward_begin(struct backward *b, const double *x, const double *v);
 
-/* To the history what v <- factor v at x is to v: as if it had moved so slowly. */
-void backward_scale(struct backward *b, double factor, const double *x);
+/* v <- factor v follows, a blow: a step ago it was as much slower, and the acceleration
+ * what it was. */
+void backward_scale(struct backward *b, double dt, double factor, const double *v);
 
 /* s [s]. */
 double backward_span(double dt);

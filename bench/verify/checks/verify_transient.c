@@ -51,9 +51,10 @@ static const struct verify_entry entries[] = {
     {"projective_dynamics", 0, EULER, {11, 21}, TO_THE_END, .dear = true},
     {"projective_dynamics_bdf2",
      SOLID,
-     {11, 21},
+     {21, 41},
      .more = "iterated to the end",
      .settings = {"discretization.iterations=100000", "discretization.tolerance=1e-13"},
+     .changed = "11x11 and 21x21 at first, whose net leaves 1.7 %",
      .dear = true},
     {NULL}};
 #define OTHERS "iga_linear_3,iga_reduced_linear_3,iga_selective_linear_3,shell_linear"

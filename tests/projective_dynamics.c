@@ -106,7 +106,7 @@ static void check_nearest_points(void)
  */
 
 /* A x - M x - local step - constant, over dt^2: dE/dx. */
-static void gradient(const struct pd_motion *m, const double *x, double *g)
+static void gradient(struct pd_motion *m, const double *x, double *g)
 {
     const struct pd_net *net = &m->energy.net;
     double *pulled = pd_net_fields(net, 3);

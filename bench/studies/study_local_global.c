@@ -31,7 +31,9 @@ static const int pieces[STEPS] = {1, 4}, counts[COUNTS] = {1, 5, 20, 50, 200};
 enum { TWENTY = 2, FIFTY = 3 }; /* of counts */
 
 static const double FRAME = 0.005, END = 0.3, QUICK_END = 0.1; /* [s] */
-static const char UNDAMPED[] = "damping={kind: none}";
+/* As their truths move. */
+static const char *const damping[SCENES] = {"damping={kind: none}",
+                                            "damping={kind: mass, value: 1}"};
 
 /* The iterations of what is iterated to its end: of what a step moves, 1e-8 and less. */
 static const char *const to_the_end[] = {"discretization.iterations=3000",
@@ -61,7 +63,7 @@ static enum status plan_case(struct batch *b, int scene, int scheme, int substep
     c->keep.times = 1;
     c->keep.time = end;
     contestant_points(contestant, SIDE, SIDE, s);
-    settings_set(s, UNDAMPED);
+    settings_set(s, damping[scene]);
     settings_number(s, "time.step", FRAME);
     settings_number(s, "discretization.substeps", substeps);
     snprintf(name, sizeof name, "discretization.integrator=%s", schemes[scheme].word);
@@ -165,7 +167,7 @@ static enum status read_net(int scene, const double *end, const char *folder,
     char *path = NULL;
     enum status st;
 
-    settings_set(&physics, UNDAMPED);
+    settings_set(&physics, damping[scene]);
     TRY(scene_file_find(scenes[scene], &path, why));
     TRY(truth_find(path, &physics, 1, end, folder, TRUTH_READ, &truth, why));
     if (!small->outcome && small->frames == 1) {
@@ -276,7 +278,7 @@ static struct table *fill(const struct study_local_global *s, bool quick)
             add_row(t, s, scene, scheme, step, method);
     }
     table_note(t,
-               "Projective dynamics, matched, %dx%d, undamped, rms at %g s. Under a number "
+               "Projective dynamics, matched, %dx%d, rms at %g s. Under a number "
                "of iterations: from the same motion iterated to its end. Step: of that "
                "from one in BDF2 steps of %.3g ms. Net: of that from the truth. Enough: "
                "the first number that leaves less than the worse of step and net, and what "

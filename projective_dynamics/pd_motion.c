@@ -121,33 +121,6 @@ static void start(struct pd_motion *m)
     }
 }
 
-/* Acceleration of a free node that no neighbour pulls on, less what damping takes. */
-static double fall(const struct pd_motion *m, int c, ptrdiff_t at)
-{
-    const struct scene *scene = m->scene;
-    double wind = scene->drag * scene->thickness * m->energy.area[0] / m->energy.mass[0];
-
-    return scene->gravity[c] + wind * scene->wind[c] + (m->dead ? m->dead[at] : 0);
-}
-
-/* At rest nothing pulls. */
-static enum status remember_start(struct pd_motion *m)
-{
-    const struct pd_net *net = &m->energy.net;
-    const ptrdiff_t stride = pd_net_stride(net);
-    enum status st;
-
-    TRY(backward_init(&m->backward, (size_t)(3 * stride - net->pad)));
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < net->nodes; k++)
-            if (!m->system.held[c * net->nodes + k])
-                m->next[c * stride + k] =
-                    fall(m, c, c * stride + k) - m->alpha * m->v[c * stride + k];
-    backward_start(&m->backward, m->dt, m->x, m->v, m->next);
-out:
-    return st;
-}
-
 void pd_motion_clear(struct pd_motion *m)
 {
     if (!m)
@@ -199,7 +172,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
         TRY(pd_motion_find_radius(m));
     start(m);
     if (options->second)
-        TRY(remember_start(m));
+        TRY(pd_motion_remember(m));
 out:
     free(clamped);
     if (st != STATUS_OK)
@@ -237,8 +210,8 @@ void pd_motion_begin(struct pd_motion *m)
         ptrdiff_t first = c * pd_net_stride(net);
         for (int k = 0; k < net->nodes; k++) {
             ptrdiff_t at = first + k;
-            double flight =
-                inert * m->origin[at] + span * m->speed[at] + span * span * fall(m, c, at);
+            double flight = inert * m->origin[at] + span * m->speed[at] +
+                            span * span * pd_motion_fall(m, c, at);
             m->base[at] = m->energy.mass[k] * flight + m->system.constant[at];
             m->x[at] = flight / inert;
         }
@@ -347,6 +320,8 @@ static enum status step(struct pd_motion *m, struct counters *counters)
         for (int k = 0; k < net->nodes; k++)
             m->v[at + k] = (m->x[at + k] - m->origin[at + k]) / m->span;
     }
+    if (m->options.second)
+        pd_motion_touch(m);
     m->time += m->dt;
 out:
     return st;
@@ -396,7 +371,7 @@ double pd_motion_objective(const struct pd_motion *m)
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < net->nodes; k++) {
             ptrdiff_t at = c * pd_net_stride(net) + k;
-            double flight = span * m->speed[at] + span * span * fall(m, c, at);
+            double flight = span * m->speed[at] + span * span * pd_motion_fall(m, c, at);
             double off = m->x[at] - m->origin[at] - flight / inert;
             if (!m->system.held[c * net->nodes + k])
                 sum += m->energy.mass[k] * off * off;

@@ -96,6 +96,15 @@ void pd_motion_overshoot(struct pd_motion *m, int number);
 bool pd_motion_is_due(int number, bool last);
 bool pd_motion_take_back(struct pd_motion *m, int *number, double *value);
 
+/* Acceleration of a free node on which no neighbour pulls, component c, its place `at` in
+ * three fields, less what damping takes [m/s^2]. pd_motion_history.c, as what BDF2 needs:
+ * the history before the start, where nothing pulls (work in m->next); and after a step:
+ * an obstacle gives no notice, so that what touches has Euler's velocity along the normal,
+ * and had it a step ago. */
+double pd_motion_fall(const struct pd_motion *m, int c, ptrdiff_t at);
+enum status pd_motion_remember(struct pd_motion *m);
+void pd_motion_touch(struct pd_motion *m);
+
 void pd_motion_contact(const struct pd_motion *m, struct model_contact *contact);
 
 #endif

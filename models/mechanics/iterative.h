@@ -50,7 +50,7 @@ enum status iterative_follow(struct iterative *it,
                              const void *body, bool guess);
 
 /* Of each solution of a system that may keep an earlier factor: relative, in the norm that
- * the preconditioner gives, or `near`, by conjugate gradients, no entry farther off; 1e-10
+ * the preconditioner gives, or `near`, by conjugate gradients, no node farther off; 1e-10
  * and 0 unless set, and of a system that stands alone. Before iterative_update. */
 void iterative_tolerate(struct iterative *it, double tolerance, double near);
 

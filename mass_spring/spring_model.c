@@ -36,6 +36,10 @@ static enum status refuse(const struct discretization *d, struct message *why)
 {
     const bool momentum = d->integrator == INTEGRATOR_MOMENTUM;
 
+    if (d->integrator == INTEGRATOR_BDF2)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "integrator=bdf2: mass_spring has implicit, explicit, leapfrog "
+                           "and momentum");
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");

@@ -47,8 +47,10 @@ struct spring_motion {
     double *weight;            /* [nodes] m / dt^2 + c / dt                     [N/m]     */
     double *x, *v;             /* [nodes][3]                                              */
     double *start, *target;    /* [nodes][3] work                                         */
-    double *shift;             /* [held_count] work                                       */
-    double (*V)[9];            /* [pairs] with beta, else NULL                            */
+    double *gain[2]; /* [nodes][3] of velocity in the last steps, the last first [m/s] */
+    int gains;       /* of those known                                                 */
+    double *shift;   /* [held_count] work                                       */
+    double (*V)[9];  /* [pairs] with beta, else NULL                            */
     struct spring_leapfrog *leapfrog; /* of that integrator, else NULL         owned   */
     struct spring_stencil stencil;    /* momentum only, as what follows                */
     struct spring_strips strips;

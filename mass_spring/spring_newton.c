@@ -18,6 +18,11 @@ enum { FRICTION_ITERATIONS = 50 };
 /* Of conjugate gradients: for a step that others follow, and for one that stands alone. */
 static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
 
+/* What they may lack at each point after the first, as a share of Newton's tolerance: the
+ * last step of all only shows that none is needed. The first follows movements below the
+ * tolerance, too, which short steps would lose. */
+static const double NEAR = 0.1;
+
 /* A step is accepted if the slope at its end is above minus this part of the one at its
  * start. */
 static const double LARGEST_RISE = 0.5;
@@ -128,15 +133,16 @@ static double product(size_t count, const double *a, const double *b)
     return sum;
 }
 
-/* d = K^-1 r. */
-static enum status solve(struct spring_newton *s, double tolerance, const double *x,
-                         const double *r, double *d, struct counters *counters)
+/* d = K^-1 r; near: see system_tolerate. */
+static enum status solve(struct spring_newton *s, double tolerance, double near,
+                         const double *x, const double *r, double *d,
+                         struct counters *counters)
 {
     enum status st;
     size_t count = 3 * (size_t)s->net->nodes;
 
     s->at = x;
-    system_tolerate(&s->system, tolerance);
+    system_tolerate(&s->system, tolerance, near);
     TRY(system_update(&s->system, 1, (const double(*)[9])s->K, 0, NULL));
     memcpy(d, r, count * sizeof *d);
     TRY(system_solve(&s->system, d));
@@ -250,7 +256,8 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         assemble(s, p, x);
         bool bears = obstacles && contact_set_any(&s->contact);
         if (!bears)
-            TRY(solve(s, most == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE, x, r, d, counters));
+            TRY(solve(s, most == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE,
+                      n ? NEAR * limits->tolerance : 0, x, r, d, counters));
         if (bears || (obstacles && meets(s, p->start, x, d)))
             TRY(solve_contact(s, p, x,
                               n < FRICTION_ITERATIONS ? CONTACT_FRICTION_ONCE

@@ -151,12 +151,14 @@ WORDS(preconditioner, [PRECONDITIONER_FACTOR] = "factor", [PRECONDITIONER_ICHOL]
 WORDS(newton_tangents, [NEWTON_CHORD] = "chord", [NEWTON_FULL] = "full")
 WORDS(parameters, [PARAMETERS_MATCHED] = "matched", [PARAMETERS_PAPER] = "paper")
 WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit",
-      [INTEGRATOR_LEAPFROG] = "leapfrog", [INTEGRATOR_MOMENTUM] = "momentum")
+      [INTEGRATOR_LEAPFROG] = "leapfrog", [INTEGRATOR_MOMENTUM] = "momentum",
+      [INTEGRATOR_BDF2] = "bdf2")
 WORDS(mass, [MASS_AUTO] = "auto", [MASS_ROW_SUM] = "row_sum",
       [MASS_CONSISTENT] = "consistent")
 WORDS(precision, [PRECISION_DOUBLE] = "double", [PRECISION_SINGLE] = "single")
 WORDS(constraint, [CONSTRAINT_TRIANGLES] = "triangles", [CONSTRAINT_EDGES] = "edges")
-WORDS(acceleration, [ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev")
+WORDS(acceleration, [ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev",
+      [ACCELERATION_ADMM] = "admm")
 WORDS(projection, [PROJECTION_XPBD] = "xpbd", [PROJECTION_PBD] = "pbd")
 WORDS(membrane, [MEMBRANE_GREEN] = "green", [MEMBRANE_COROTATIONAL] = "corotational",
       [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin")

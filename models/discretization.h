@@ -58,6 +58,7 @@ enum integrator {
     INTEGRATOR_EXPLICIT, /* symplectic Euler                                           */
     INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
     INTEGRATOR_MOMENTUM, /* implicit, second order, keeps energy and momenta           */
+    INTEGRATOR_BDF2,     /* implicit, second order, backward differences               */
 };
 
 /* Of leapfrog steps of shell and solids. */
@@ -85,7 +86,11 @@ enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 /* Tangents of Newton's method: kept while they serve, or new in each iteration. */
 enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
 
-enum acceleration { ACCELERATION_NONE, ACCELERATION_CHEBYSHEV };
+enum acceleration {
+    ACCELERATION_NONE,
+    ACCELERATION_CHEBYSHEV, /* Wang 2015                                               */
+    ACCELERATION_ADMM,      /* Overby et al. 2017, softly weighted                     */
+};
 
 struct discretization {
     int points[3]; /* control points or nodes along u, v, w; 0: left open, as AUTO     */

@@ -82,6 +82,47 @@ static void project_triangles(const struct triangle_law *law, const double *rest
     }
 }
 
+/* The same of V = F + u for the split: with a weight W, that lies with both distances
+ * between V and their points, z = P / W in the law's terms; out: 2 P - W V, and u for the
+ * next time V - z, unless `next` is NULL. u, next: six fields of `stride`. */
+static void split_triangles(const struct triangle_law *law, double weight,
+                            const double *restrict exists, const double *restrict x,
+                            ptrdiff_t stride, const int to_u[2], const int to_v[2],
+                            int count, const double *restrict u, double *restrict next,
+                            double *restrict out, ptrdiff_t out_stride)
+{
+    const double *u0 = x + to_u[0], *u1 = x + to_u[1], *v0 = x + to_v[0], *v1 = x + to_v[1];
+    const struct triangle_law l = *law;
+    const double over_weight = 1 / weight;
+
+#pragma omp simd
+    for (int t = 0; t < count; t++) {
+        double f[6], a = 0, b = 0, c = 0;
+        for (int i = 0; i < 3; i++) {
+            f[i] = (u1[i * stride + t] - u0[i * stride + t]) * l.over_u + u[i * stride + t];
+            f[3 + i] = (v1[i * stride + t] - v0[i * stride + t]) * l.over_v +
+                       u[(3 + i) * stride + t];
+            a += f[i] * f[i], b += f[3 + i] * f[3 + i], c += f[i] * f[3 + i];
+        }
+        double squared = a * b - c * c, least = FLAT * a * b + TINY;
+        double area = sqrt(squared > least ? squared : least);
+        double share = l.rotation / sqrt(a + b + 2 * area) + l.mean;
+        double over_area = share / area;
+        double uu = l.keep + share + b * over_area, vv = l.keep + share + a * over_area;
+        for (int i = 0; i < 3; i++) {
+            double pu = uu * f[i] - c * over_area * f[3 + i],
+                   pv = vv * f[3 + i] - c * over_area * f[i];
+            out[i * out_stride + t] = exists[t] * l.over_u * (2 * pu - weight * f[i]);
+            out[(3 + i) * out_stride + t] =
+                exists[t] * l.over_v * (2 * pv - weight * f[3 + i]);
+            if (next) {
+                next[i * stride + t] = exists[t] * (f[i] - pu * over_weight);
+                next[(3 + i) * stride + t] = exists[t] * (f[3 + i] - pv * over_weight);
+            }
+        }
+    }
+}
+
 /* --- gathering ---------------------------------------------------------------------------
  */
 
@@ -161,6 +202,33 @@ static void chunk_triangles(const struct pd_local *local, int from, int count,
     }
 }
 
+/* What lies before the chunk's own cells, `before` of them, is their chunk's to keep. */
+static void chunk_split(const struct pd_local *local, int first, int before, int nodes,
+                        const double *x, double *buffer)
+{
+    const struct pd_energy *e = local->energy;
+    const struct pd_net *net = &e->net;
+    ptrdiff_t length = buffer_length(local), stride = pd_net_stride(net);
+    const double dev = local->factor * e->deviator, trace = local->factor * e->trace,
+                 W = local->share * fmax(dev, trace), keep = W / (dev + W);
+    const struct triangle_law law = {.over_u = 1 / net->du,
+                                     .over_v = 1 / net->dv,
+                                     .keep = W * keep,
+                                     .rotation = W * trace / (trace + W),
+                                     .mean = W / 2 * (W / (trace + W) - keep)};
+
+    for (int part = 0; part < 4; part++) {
+        const int second = part / 2, own = part % 2, from = own ? first : first - before;
+        const int to_u[2] = {second, net->m + second};
+        const int to_v[2] = {second * net->m, second * net->m + 1};
+        const ptrdiff_t at = second * 6 * stride + from;
+        split_triangles(
+            &law, W, local->weight + from, x + from, stride, to_u, to_v,
+            own ? nodes : before, local->dual + at, own ? local->dual_next + at : NULL,
+            buffer + second * 2 * COMPONENTS * length + (own ? before : 0), length);
+    }
+}
+
 static void do_chunk(const struct pd_local *local, int first, const double *x,
                      const double *base, double *b, double *buffer)
 {
@@ -174,14 +242,17 @@ static void do_chunk(const struct pd_local *local, int first, const double *x,
         gather_edges(net->m, nodes, buffer + before, COMPONENTS * length, length,
                      base + first, stride, b + first);
     } else {
-        chunk_triangles(local, first - before, nodes + before, x, buffer);
+        if (local->share > 0)
+            chunk_split(local, first, before, nodes, x, buffer);
+        else
+            chunk_triangles(local, first - before, nodes + before, x, buffer);
         gather_triangles(net->m, nodes, buffer + before, COMPONENTS * length, length,
                          base + first, stride, b + first);
     }
 }
 
-void pd_local_step(const struct pd_local *local, const double *x, const double *base,
-                   double *b)
+static void do_chunks(const struct pd_local *local, const double *x, const double *base,
+                      double *b)
 {
     const struct pd_net *net = &local->energy->net;
     int chunks = (net->nodes + local->chunk - 1) / local->chunk;
@@ -196,6 +267,15 @@ void pd_local_step(const struct pd_local *local, const double *x, const double *
     for (int n = 0; n < chunks; n++)
         do_chunk(local, n * local->chunk, x, base, b,
                  local->buffer + omp_get_thread_num() * size);
+}
+
+void pd_local_step(struct pd_local *local, const double *x, const double *base, double *b)
+{
+    double *keep = local->dual;
+
+    do_chunks(local, x, base, b);
+    local->dual = local->dual_next;
+    local->dual_next = keep;
 }
 
 /* --- life --------------------------------------------------------------------------------
@@ -221,14 +301,19 @@ void pd_local_clear(struct pd_local *local)
 {
     if (local->energy)
         pd_net_free_fields(&local->energy->net, local->weight);
+    if (local->energy && local->share > 0) {
+        pd_net_free_fields(&local->energy->net, local->dual);
+        pd_net_free_fields(&local->energy->net, local->dual_next);
+    }
     free(local->buffer);
     memset(local, 0, sizeof *local);
 }
 
 enum status pd_local_init(struct pd_local *local, const struct pd_energy *energy,
-                          double factor)
+                          double factor, double share)
 {
-    struct pd_local new = {.energy = energy, .factor = factor, .chunk = CHUNK};
+    struct pd_local new = {
+        .energy = energy, .factor = factor, .chunk = CHUNK, .share = share};
 
     if (new.chunk < 8 * energy->net.m)
         new.chunk = 8 * energy->net.m;
@@ -240,8 +325,12 @@ enum status pd_local_init(struct pd_local *local, const struct pd_energy *energy
     new.buffer = aligned_alloc(LINE * sizeof(double), (size_t) new.threads *size);
     if (new.buffer)
         memset(new.buffer, 0, (size_t) new.threads *size);
+    if (share > 0) {
+        new.dual = pd_net_fields(&energy->net, 12);
+        new.dual_next = pd_net_fields(&energy->net, 12);
+    }
     *local = new;
-    if (!new.weight || !new.buffer) {
+    if (!new.weight || !new.buffer || (share > 0 && (!new.dual || !new.dual_next))) {
         pd_local_clear(local);
         return STATUS_MEMORY;
     }

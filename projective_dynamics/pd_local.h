@@ -16,15 +16,24 @@ struct pd_local {
                                        of triangles at k that exist (0 or 1)  owned     */
     int chunk, threads;
     double *buffer; /* [threads][fields of a chunk]                          owned     */
+    /* Split triangles: weight of the split over the larger one of the two that resist, and
+     * [12] fields, six of each triangle at k: what stretch its elastic force lets them lack
+     * at that weight, now and next; share 0 and NULL without                     owned  */
+    double share;
+    double *dual, *dual_next;
 };
 
 enum status pd_local_init(struct pd_local *local, const struct pd_energy *energy,
-                          double factor);
+                          double factor, double share);
 void pd_local_clear(struct pd_local *local);
 
 /* b = base + factor sum over the stretch constraints of w G^T p(G x), p the nearest point.
- * x, base and b: three fields each, of pd_net_stride. */
-void pd_local_step(const struct pd_local *local, const double *x, const double *base,
-                   double *b);
+ * x, base and b: three fields each, of pd_net_stride.
+ *
+ * Split, as ADMM has it (Overby, Brown, Li, Narain 2017), with a weight W of its own:
+ *     z = argmin U(z) + W/2 |G x + u - z|^2,  u <- u + G x - z,  w p becomes W (z - u).
+ * With W = w that takes as many iterations as above; with the geometric mean of w and of
+ * what inertia resists with, the root of that. u stays from step to step. */
+void pd_local_step(struct pd_local *local, const double *x, const double *base, double *b);
 
 #endif

@@ -131,6 +131,7 @@ void pd_motion_clear(struct pd_motion *m)
     for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
         pd_net_free_fields(net, fields[n]);
     free(m->shift);
+    backward_clear(&m->backward);
     pd_contact_clear(&m->contact);
     pd_local_clear(&m->local);
     pd_system_clear(&m->system);
@@ -145,9 +146,11 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     enum status st;
     bool *clamped =
         calloc((size_t)options->points[0] * (size_t)options->points[1], sizeof *clamped);
+    double share = 0;
 
     *m = (struct pd_motion){.scene = scene, .options = *options};
     m->dt = scene->step / options->substeps;
+    m->span = options->second ? backward_span(m->dt) : m->dt;
     if (!clamped)
         return STATUS_MEMORY;
     TRY(hold_nodes(m, why));
@@ -155,9 +158,11 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     TRY(pd_energy_init(&m->energy, scene, options->points[0], options->points[1],
                        options->constraint, options->parameters, clamped));
     m->alpha = mass_damping(scene, &m->energy, options->parameters);
-    TRY(pd_system_init(&m->system, &m->energy, &m->supports, 1 + m->alpha * m->dt,
-                       m->dt * m->dt, options->solver));
-    TRY(pd_local_init(&m->local, &m->energy, m->dt * m->dt));
+    if (options->split)
+        share = pd_motion_find_share(m);
+    TRY(pd_system_init(&m->system, &m->energy, &m->supports, 1 + m->alpha * m->span,
+                       m->span * m->span, share > 0 ? share : 1, options->solver));
+    TRY(pd_local_init(&m->local, &m->energy, m->span * m->span, share));
     if (scene->obstacle_count)
         TRY(pd_contact_init(&m->contact, scene, &m->system, m->energy.mass, m->energy.rest,
                             why));
@@ -166,6 +171,8 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     if (options->chebyshev)
         TRY(pd_motion_find_radius(m));
     start(m);
+    if (options->second)
+        TRY(pd_motion_remember(m));
 out:
     free(clamped);
     if (st != STATUS_OK)
@@ -191,28 +198,25 @@ static void exchange(double **a, double **b)
 void pd_motion_begin(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
-    const struct scene *scene = m->scene;
-    double dt = m->dt, inert = 1 + m->alpha * dt;
-    double wind = scene->drag * scene->thickness * m->energy.area[0] / m->energy.mass[0];
+    double span = m->span, inert = 1 + m->alpha * span;
 
     exchange(&m->x, &m->start);
+    m->origin = m->start, m->speed = m->v;
+    if (m->options.second) {
+        backward_begin(&m->backward, m->start, m->v);
+        m->origin = m->backward.origin, m->speed = m->backward.speed;
+    }
     for (int c = 0; c < 3; c++) {
-        ptrdiff_t at = c * pd_net_stride(net);
-        const double *start = m->start + at, *v = m->v + at, *mass = m->energy.mass,
-                     *constant = m->system.constant + at;
-        double *base = m->base + at, *x = m->x + at;
-        double fall = dt * dt * (scene->gravity[c] + wind * scene->wind[c]);
+        ptrdiff_t first = c * pd_net_stride(net);
         for (int k = 0; k < net->nodes; k++) {
-            double flight = inert * start[k] + dt * v[k] + fall;
-            base[k] = mass[k] * flight + constant[k];
-            x[k] = flight / inert;
-        }
-        for (int k = 0; m->dead && k < net->nodes; k++) {
-            base[k] += mass[k] * dt * dt * m->dead[at + k];
-            x[k] += dt * dt * m->dead[at + k] / inert;
+            ptrdiff_t at = first + k;
+            double flight = inert * m->origin[at] + span * m->speed[at] +
+                            span * span * pd_motion_fall(m, c, at);
+            m->base[at] = m->energy.mass[k] * flight + m->system.constant[at];
+            m->x[at] = flight / inert;
         }
     }
-    supports_shift(&m->supports, scene, m->time + dt, m->shift);
+    supports_shift(&m->supports, m->scene, m->time + m->dt, m->shift);
     for (int h = 0; h < m->supports.held_count; h++) {
         ptrdiff_t at = place(m, m->supports.held[h]);
         m->x[at] = m->base[at] = m->energy.rest[at] + m->shift[h];
@@ -267,7 +271,7 @@ out:
 static void add_push(struct pd_motion *m)
 {
     for (int c = 0; c < 3; c++)
-        m->push[c] += m->contact.force[c] / (m->dt * m->dt * m->options.substeps);
+        m->push[c] += m->contact.force[c] / (m->span * m->span * m->options.substeps);
 }
 
 /* From the last changes, `moved` and the one `before` it (INFINITY: not known), as of a
@@ -314,8 +318,10 @@ static enum status step(struct pd_motion *m, struct counters *counters)
     for (int c = 0; c < 3; c++) {
         ptrdiff_t at = c * pd_net_stride(net);
         for (int k = 0; k < net->nodes; k++)
-            m->v[at + k] = (m->x[at + k] - m->start[at + k]) / m->dt;
+            m->v[at + k] = (m->x[at + k] - m->origin[at + k]) / m->span;
     }
+    if (m->options.second)
+        pd_motion_touch(m);
     m->time += m->dt;
 out:
     return st;
@@ -327,6 +333,8 @@ static bool finish_frame(struct pd_motion *m)
     const struct pd_net *net = &m->energy.net;
     double factor = velocity_factor(m), sum = 0;
 
+    if (m->options.second && factor != 1)
+        backward_scale(&m->backward, m->dt, factor, m->v);
     for (int c = 0; c < 3; c++) {
         double *v = m->v + c * pd_net_stride(net);
         for (int k = 0; k < net->nodes; k++)
@@ -358,21 +366,17 @@ out:
 double pd_motion_objective(const struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
-    double dt = m->dt, inert = 1 + m->alpha * dt, sum = 0;
-    double wind =
-        m->scene->drag * m->scene->thickness * m->energy.area[0] / m->energy.mass[0];
+    double span = m->span, inert = 1 + m->alpha * span, sum = 0;
 
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < net->nodes; k++) {
             ptrdiff_t at = c * pd_net_stride(net) + k;
-            double fall = dt * dt * (m->scene->gravity[c] + wind * m->scene->wind[c]);
-            if (m->dead)
-                fall += dt * dt * m->dead[at];
-            double off = m->x[at] - m->start[at] - (dt * m->v[at] + fall) / inert;
+            double flight = span * m->speed[at] + span * span * pd_motion_fall(m, c, at);
+            double off = m->x[at] - m->origin[at] - flight / inert;
             if (!m->system.held[c * net->nodes + k])
                 sum += m->energy.mass[k] * off * off;
         }
-    return sum * inert / (2 * dt * dt) + pd_energy_value(&m->energy, m->x);
+    return sum * inert / (2 * span * span) + pd_energy_value(&m->energy, m->x);
 }
 
 void pd_motion_energy(const struct pd_motion *m, struct energy *energy)

@@ -1,5 +1,5 @@
-/* pd_motion.h - the sheet in time: implicit Euler by local and global steps in turn
- * (Bouaziz et al. 2014, algorithm 1).
+/* pd_motion.h - the sheet in time: implicit Euler, or BDF2 (backward.h), by local and
+ * global steps in turn (Bouaziz et al. 2014, algorithm 1).
  *
  * A step solves M (x - x_old - dt v) / dt^2 + alpha M (x - x_old) / dt = f - dE/dx: the
  * free flight is the first guess, then b = M (...) + dt^2 sum w G^T p(G x), A x = b, over
@@ -10,6 +10,7 @@
 #ifndef PD_MOTION_H
 #define PD_MOTION_H
 
+#include "models/mechanics/backward.h"
 #include "models/model.h"
 #include "projective_dynamics/pd_contact.h"
 #include "projective_dynamics/pd_local.h"
@@ -26,6 +27,8 @@ struct pd_options {
     int iterations;   /* a step: as many, or at most so many if tolerance > 0; >= 1    */
     double tolerance; /* stop where no node moves farther, as a share of the length    */
     bool chebyshev;   /* Wang 2015, and taken back where it does not descend           */
+    bool split;       /* ADMM; of triangles                                            */
+    bool second;      /* BDF2 for implicit Euler                                       */
     enum solver solver;
 };
 
@@ -39,9 +42,12 @@ struct pd_motion {
     struct pd_contact contact; /* all zero without obstacles                           */
     double push[3];            /* of obstacles, mean over the last frame         [N]   */
     double dt, alpha; /* [s], [1/s]                                                    */
-    double radius;    /* Chebyshev: of the iteration about the rest shape              */
-    double weight;    /* of the last iteration                                         */
-    double left; /* of a step's movement when its iteration ended, at most so far [1]  */
+    double span;      /* Euler's step [s]: dt, less with BDF2                          */
+    struct backward backward;     /* all zero without BDF2                             */
+    const double *origin, *speed; /* where and how fast the span begins, three fields  */
+    double radius; /* Chebyshev: of the iteration about the rest shape              */
+    double weight; /* of the last iteration                                         */
+    double left;   /* of a step's movement when its iteration ended, at most so far [1]  */
     double left_time; /* that step's [s]                                               */
     double *x, *v;    /* three fields each                                   owned    */
     double *base, *start, *next, *before; /* work, the same                  owned    */
@@ -67,8 +73,8 @@ enum status pd_motion_frame(struct pd_motion *m, struct counters *counters);
 void pd_motion_begin(struct pd_motion *m);
 enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved);
 
-/* What a step minimises, in J: 1/2 |x - free flight|^2_M (1 + alpha dt)/dt^2 + E(x), at
- * m->x, between pd_motion_begin and the end of the step. */
+/* What a step minimises, in J: 1/2 |x - free flight|^2_M (1 + alpha s)/s^2 + E(x), s the
+ * span, at m->x, between pd_motion_begin and the end of the step. */
 double pd_motion_objective(const struct pd_motion *m);
 
 void pd_motion_energy(const struct pd_motion *m, struct energy *energy);
@@ -80,9 +86,24 @@ void pd_motion_size(const struct pd_motion *m, struct model_size *size);
  * back: m->x is again what it was at the look before, and *number is 0. *value is the least
  * objective so far, INFINITY at first. */
 enum status pd_motion_find_radius(struct pd_motion *m);
+
+/* ADMM: the weight of the split over that of stretching, once span and energy are known:
+ * the geometric mean of what a net's shortest wave is resisted with by inertia, and by
+ * both. Less does better still where a sheet swings as one; where it folds it loses the
+ * motion (corners_patch at 5 ms, a tenth of it: by 2 to 4 % at 10 to 50 iterations). */
+double pd_motion_find_share(const struct pd_motion *m);
 void pd_motion_overshoot(struct pd_motion *m, int number);
 bool pd_motion_is_due(int number, bool last);
 bool pd_motion_take_back(struct pd_motion *m, int *number, double *value);
+
+/* Acceleration of a free node on which no neighbour pulls, component c, its place `at` in
+ * three fields, less what damping takes [m/s^2]. pd_motion_history.c, as what BDF2 needs:
+ * the history before the start, where nothing pulls (work in m->next); and after a step:
+ * an obstacle gives no notice, so that what touches has Euler's velocity along the normal,
+ * and had it a step ago. */
+double pd_motion_fall(const struct pd_motion *m, int c, ptrdiff_t at);
+enum status pd_motion_remember(struct pd_motion *m);
+void pd_motion_touch(struct pd_motion *m);
 
 void pd_motion_contact(const struct pd_motion *m, struct model_contact *contact);
 

@@ -219,7 +219,7 @@ void pd_system_clear(struct pd_system *s)
 
 enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
                            const struct supports *supports, double mass_factor,
-                           double factor, enum solver solver)
+                           double factor, double stretch, enum solver solver)
 {
     enum status st = STATUS_MEMORY;
     size_t nodes = (size_t)energy->net.nodes;
@@ -232,7 +232,7 @@ enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
         goto out;
     for (int k = 0; k < new.net->nodes; k++)
         add(&new, k, k, mass_factor * energy->mass[k]);
-    add_edges(&new, energy, factor);
+    add_edges(&new, energy, factor * stretch);
     add_rows(&new, energy, factor);
     for (int h = 0; h < supports->held_count; h++)
         new.held[supports->held[h] % 3 * nodes + (size_t)supports->held[h] / 3] = true;

@@ -31,10 +31,11 @@ struct pd_system {
     bool *held;       /* [3][nodes]                                         owned     */
 };
 
-/* Everything by dt^2: mass_factor = 1 + alpha dt, factor = dt^2. */
+/* Everything by dt^2: mass_factor = 1 + alpha dt, factor = dt^2; stretch edges by `stretch`
+ * besides. */
 enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
                            const struct supports *supports, double mass_factor,
-                           double factor, enum solver solver);
+                           double factor, double stretch, enum solver solver);
 void pd_system_clear(struct pd_system *s);
 
 /* base (three fields): at held nodes their positions, at others less what they are coupled

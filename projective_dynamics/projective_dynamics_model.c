@@ -36,7 +36,7 @@ static enum status refuse_damping(const struct scene *scene, struct message *why
 enum {
     USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
            DISCRETIZATION_TOLERANCE | DISCRETIZATION_CONSTRAINT |
-           DISCRETIZATION_ACCELERATION
+           DISCRETIZATION_ACCELERATION | DISCRETIZATION_INTEGRATOR
 };
 
 static struct pd_options options_of(const struct discretization *d)
@@ -49,6 +49,8 @@ static struct pd_options options_of(const struct discretization *d)
         .iterations = d->iterations > 0 ? d->iterations : MOST_ITERATIONS,
         .tolerance = d->tolerance,
         .chebyshev = d->acceleration == ACCELERATION_CHEBYSHEV,
+        .split = d->acceleration == ACCELERATION_ADMM,
+        .second = d->integrator == INTEGRATOR_BDF2,
         .solver = d->solver,
     };
 
@@ -74,6 +76,13 @@ static enum status create(const struct scene *scene, const struct discretization
     if (d->parameters == PARAMETERS_MATCHED)
         TRY(refuse_damping(scene, why));
     TRY(discretization_refuse_net(d, USED, "projective_dynamics", why));
+    if (d->integrator != INTEGRATOR_IMPLICIT && d->integrator != INTEGRATOR_BDF2)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "integrator=%s: projective_dynamics has implicit and bdf2",
+                           integrator_name(d->integrator));
+    if (d->acceleration == ACCELERATION_ADMM && d->constraint != CONSTRAINT_TRIANGLES)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "acceleration=admm: with constraint=triangles only");
     if (solver_iterates(d->solver))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "solver=%s: projective_dynamics factors its one matrix",

@@ -170,7 +170,7 @@ static const struct {
     {"discretization.tolerance=2", "a number from 0 to 1"},
     {"discretization.strain_limit=-0.1", "a number from 0 to 10"},
     {"discretization.constraint=faces", "one of triangles, edges"},
-    {"discretization.acceleration=magic", "one of none, chebyshev"},
+    {"discretization.acceleration=magic", "one of none, chebyshev, admm"},
     {"discretization[0]=1", "discretization is a section; it has no elements"},
 };
 

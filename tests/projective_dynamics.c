@@ -106,7 +106,7 @@ static void check_nearest_points(void)
  */
 
 /* A x - M x - local step - constant, over dt^2: dE/dx. */
-static void gradient(const struct pd_motion *m, const double *x, double *g)
+static void gradient(struct pd_motion *m, const double *x, double *g)
 {
     const struct pd_net *net = &m->energy.net;
     double *pulled = pd_net_fields(net, 3);
@@ -283,7 +283,7 @@ static double tip(const struct scene *scene, int n)
         for (int k = 0; k < net->nodes; k++)
             m.energy.edge[c][k] = 0;
     pd_system_clear(&m.system);
-    REQUIRE(pd_system_init(&m.system, &m.energy, &m.supports, 0, 1, SOLVER_AUTO) ==
+    REQUIRE(pd_system_init(&m.system, &m.energy, &m.supports, 0, 1, 1, SOLVER_AUTO) ==
             STATUS_OK);
     for (int k = 0; k < net->nodes; k++)
         up[k] = m.system.held[2 * net->nodes + k] ? 0 : m.energy.area[k] * load;

@@ -41,8 +41,8 @@ static void check_descent(enum constraint constraint, double nu, unsigned fix)
  */
 
 /* x_n = g dt^2 n (n + 1) / 2 exactly, whatever the iteration does inside; with drag
- * v_n = (v_n-1 + dt (g + c wind / rho)) / (1 + dt c / rho). */
-static void check_fall(enum constraint constraint, double drag, int substeps)
+ * v_n = (v_n-1 + dt (g + c wind / rho)) / (1 + dt c / rho). BDF2: g t^2 / 2. */
+static void check_fall(enum constraint constraint, double drag, int substeps, bool second)
 {
     enum { FRAMES = 100 };
     const double tol_fall = 1e-11; /* 100 steps of solves with positions about 1 m */
@@ -52,6 +52,7 @@ static void check_fall(enum constraint constraint, double drag, int substeps)
     double z = 0, v = 0, worst = 0;
 
     o.substeps = substeps;
+    o.second = second;
     pd_fixture_scene(&scene, 0.3);
     scene.gravity[2] = -9.81;
     scene.drag = drag;
@@ -63,6 +64,8 @@ static void check_fall(enum constraint constraint, double drag, int substeps)
         v = (v + dt * (scene.gravity[2] + c * scene.wind[2])) / (1 + dt * c);
         z += dt * v;
     }
+    if (second)
+        z = scene.gravity[2] * m.time * m.time / 2;
     for (int k = 0; k < m.energy.net.nodes; k++)
         for (int c = 0; c < 3; c++) {
             ptrdiff_t at = c * pd_net_stride(&m.energy.net) + k;
@@ -154,12 +157,13 @@ static void check_supports(void)
 /* --- threads -----------------------------------------------------------------------------
  */
 
-static void check_threads(enum constraint constraint)
+static void check_threads(enum constraint constraint, bool split)
 {
     struct scene scene;
     struct pd_motion m, one;
     struct pd_options o = pd_fixture_options(70, 61, constraint); /* five chunks */
 
+    o.split = split;
     pd_fixture_scene(&scene, 0.3);
     scene.gravity[2] = -9.81;
     pd_fixture_hold(&scene, 0, 0, 0, 0.1, FIX_XYZ);
@@ -228,6 +232,49 @@ static void check_chebyshev(enum constraint constraint)
     scene_clear(&scene);
 }
 
+/* The split's iterations end where the plain ones do, and sooner. */
+static void check_split(double nu)
+{
+    const double tol_end = 1e-9; /* of iterations that shrink by 0.999 until 1e-14 */
+    struct scene scene;
+    struct pd_motion m, plain;
+    struct pd_options o = pd_fixture_options(15, 15, CONSTRAINT_TRIANGLES);
+    double moved = 1;
+
+    pd_fixture_scene(&scene, nu);
+    scene.gravity[2] = -9.81;
+    pd_fixture_hold(&scene, 0, 0, 0, 0, FIX_XYZ);
+    pd_fixture_hold(&scene, 0, 0, 1, 1, FIX_XYZ);
+    pd_fixture_motion(&plain, &scene, &o);
+    pd_fixture_frames(&plain, 40);
+    o.split = true;
+    pd_fixture_motion(&m, &scene, &o);
+    const struct pd_net *net = &m.energy.net;
+    const size_t size = (size_t)(3 * pd_net_stride(net)) * sizeof *m.x;
+    memcpy(m.x - net->pad, plain.x - net->pad, size);
+    memcpy(m.v - net->pad, plain.v - net->pad, size);
+    m.time = plain.time;
+    pd_motion_begin(&m);
+    pd_motion_begin(&plain);
+    double *start = pd_net_fields(net, 3);
+    memcpy(start - net->pad, plain.x - net->pad, size);
+    for (int n = 0; n < 50000 && moved > 1e-14; n++)
+        REQUIRE(pd_motion_iterate(&plain, n, &moved) == STATUS_OK);
+    int split = iterations_to(&m, plain.x, m.x);
+    for (int n = 0; n < 20 * split; n++)
+        REQUIRE(pd_motion_iterate(&m, n, NULL) == STATUS_OK);
+    CHECK(pd_fixture_distance(net, m.x, plain.x) < tol_end);
+    memcpy(m.x - net->pad, plain.x - net->pad, size);
+    int usual = iterations_to(&plain, m.x, start);
+    printf("to 1e-6 of the length: %d iterations plain, %d split, nu = %g\n", usual, split,
+           nu);
+    CHECK(split < usual);
+    pd_net_free_fields(net, start);
+    pd_motion_clear(&m);
+    pd_motion_clear(&plain);
+    scene_clear(&scene);
+}
+
 /* A swing with few accelerated iterations stays a sheet: before they were held back, ten
  * and fifty of them stretched it to several lengths, and twenty threw it away. Plain ones
  * end within 2e-4 of its length, whatever their number. */
@@ -276,23 +323,71 @@ static void check_acceleration_holds(int iterations, double young)
     scene_clear(&scene);
 }
 
+/* --- order in time -----------------------------------------------------------------------
+ */
+
+/* A strip that swings from an edge, in drag, for 0.1 s; iterated to the end. */
+static void swing(struct pd_motion *m, struct scene *scene, bool second, int substeps)
+{
+    struct pd_options o = pd_fixture_options(5, 3, CONSTRAINT_TRIANGLES);
+
+    pd_fixture_scene(scene, 0.3);
+    scene->step = 0.02;
+    scene->gravity[2] = -9.81;
+    scene->drag = 5;
+    scene->wind[1] = 1;
+    scene->damping = (struct scene_damping){.kind = DAMPING_MASS, .value = 2};
+    pd_fixture_hold(scene, 0, 0, 0, 1, FIX_XYZ);
+    o.substeps = substeps, o.second = second;
+    o.iterations = 2000, o.tolerance = 1e-13;
+    pd_fixture_motion(m, scene, &o);
+    pd_fixture_frames(m, 5);
+}
+
+static void check_order(bool second, int order)
+{
+    enum { LEVELS = 3, COARSEST = 16 };
+    const double tol_order =
+        0.2; /* the coarsest step is a tenth of a membrane wave's way */
+    struct pd_motion m[LEVELS];
+    struct scene scene[LEVELS];
+
+    for (int n = 0; n < LEVELS; n++)
+        swing(&m[n], &scene[n], second, COARSEST << n);
+    const struct pd_net *net = &m[0].energy.net;
+    const double coarse = pd_fixture_distance(net, m[0].x, m[1].x),
+                 fine = pd_fixture_distance(net, m[1].x, m[2].x);
+    printf("order %d: %.2e, %.2e: %.2f\n", order, coarse, fine, log2(coarse / fine));
+    CHECK_NEAR(log2(coarse / fine), order, tol_order);
+    for (int n = 0; n < LEVELS; n++) {
+        pd_motion_clear(&m[n]);
+        scene_clear(&scene[n]);
+    }
+}
+
 int main(void)
 {
     for (enum constraint c = CONSTRAINT_TRIANGLES; c <= CONSTRAINT_EDGES; c++) {
         check_descent(c, 0.3, FIX_XYZ);
         check_descent(c, 0.45, FIX_Z);
         check_descent(c, -0.4, FIX_X | FIX_Z);
-        check_fall(c, 0, 1);
-        check_fall(c, 0, 3);
-        check_fall(c, 30, 2);
+        check_fall(c, 0, 1, false);
+        check_fall(c, 0, 3, false);
+        check_fall(c, 0, 2, true);
+        check_fall(c, 30, 2, false);
         check_momentum(c);
-        check_threads(c);
+        check_threads(c, false);
         check_chebyshev(c);
     }
     for (int n = 10; n <= 50; n += 5) {
         check_acceleration_holds(n, 1e5);
         check_acceleration_holds(n, 1e6);
     }
+    check_threads(CONSTRAINT_TRIANGLES, true);
+    check_split(0.3);
+    check_split(-0.3);
+    check_order(false, 1);
+    check_order(true, 2);
     check_supports();
     return check_result();
 }

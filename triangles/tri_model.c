@@ -36,6 +36,9 @@ static enum status refuse(const struct scene *scene, const struct discretization
     if (d->integrator == INTEGRATOR_EXPLICIT)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "triangles take explicit steps by integrator=leapfrog");
+    if (d->integrator == INTEGRATOR_BDF2)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "integrator=bdf2: triangles have momentum, implicit, leapfrog");
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");

@@ -13,6 +13,7 @@ static const struct command_item *const items[] = {
     &study_artefacts_experiment.item,
     &study_contact_experiment.item,
     &study_solvers_experiment.item,
+    &study_local_global_experiment.item,
     NULL,
 };
 

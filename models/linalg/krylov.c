@@ -12,6 +12,16 @@ static double product(int n, const double *a, const double *b)
     return sum;
 }
 
+/* Of the vectors of three that the numbers are: the same on whatever axes. */
+static double longest(int n, const double *a)
+{
+    double most = 0;
+
+    for (int t = 0; t + 2 < n; t += 3)
+        most = fmax(most, a[t] * a[t] + a[t + 1] * a[t + 1] + a[t + 2] * a[t + 2]);
+    return sqrt(most);
+}
+
 /* y += part x. */
 static void add(int n, double part, const double *x, double *y)
 {
@@ -68,7 +78,8 @@ enum status krylov_cg(struct krylov *k, const double *b, double *x, bool *done)
             return STATUS_INDEFINITE;
         if (k->iterations++ == 0)
             first = fmax(size, product(n, x, b));
-        *done = size <= k->tolerance * k->tolerance * first;
+        *done = size <= k->tolerance * k->tolerance * first ||
+                (k->near > 0 && longest(n, z) <= k->near);
         if (*done || k->iterations > k->most)
             break;
         for (int t = 0; t < n; t++)

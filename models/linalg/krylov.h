@@ -13,6 +13,7 @@ struct krylov {
     void (*multiply)(void *self, const double *x, double *y);            /* y = A x    */
     enum status (*precondition)(void *self, const double *x, double *y); /* y = P x    */
     double tolerance; /* relative, see below                                           */
+    double near;      /* conjugate gradients: see there; 0: not asked                  */
     int most;         /* iterations                                                    */
     double *work;     /* [krylov_work(n)]                                     borrowed */
     int iterations;   /* products of P that the last call took, written                */
@@ -24,8 +25,10 @@ size_t krylov_gmres_work(int n);
 
 /* Conjugate gradients (Hestenes, Stiefel 1952) from x[n], A symmetric positive definite.
  * Converged when the residual is below `tolerance` in the norm of P, of what x = 0 leaves
- * or, where the guess is so good that this is not known, of the guess's x b; *done tells.
- * STATUS_INDEFINITE where A or P turns out not to be positive definite, STATUS_NAN. */
+ * or, where the guess is so good that this is not known, of the guess's x b; or when no
+ * three entries in a row of what P makes of it, about what x still lacks, are a vector
+ * longer than `near`; *done tells. STATUS_INDEFINITE where A or P turns out not to be
+ * positive definite, STATUS_NAN. */
 enum status krylov_cg(struct krylov *k, const double *b, double *x, bool *done);
 
 /* GMRES (Saad, Schultz 1986; modified Gram-Schmidt, restarted after KRYLOV_RESTART

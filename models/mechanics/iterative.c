@@ -31,7 +31,7 @@ struct iterative {
     struct ichol *ichol;
     long *entry; /* [pairs][9] of ichol's values, -1: none                             */
     bool factored, fresh;
-    double tolerance; /* of systems in a row                                           */
+    double tolerance, near; /* of systems in a row                                     */
 
     void (*frames)(const void *body, double (*Q)[9]);
     const void *body;
@@ -287,9 +287,10 @@ out:
     return st;
 }
 
-void iterative_tolerate(struct iterative *it, double tolerance)
+void iterative_tolerate(struct iterative *it, double tolerance, double near)
 {
     it->tolerance = tolerance;
+    it->near = near;
 }
 
 void iterative_forget(struct iterative *it)
@@ -332,6 +333,7 @@ enum status iterative_update(struct iterative *it, bool keep)
 {
     clear_held(it);
     it->krylov.tolerance = keep ? it->tolerance : TOLERANCE;
+    it->krylov.near = keep ? it->near : 0;
     if (it->frames)
         it->frames(it->body, it->now);
     it->fresh = false;

@@ -49,10 +49,10 @@ enum status iterative_follow(struct iterative *it,
                              void (*frames)(const void *body, double (*Q)[9]),
                              const void *body, bool guess);
 
-/* Relative, of each solution of a system that may keep an earlier factor, in the norm that
- * the preconditioner gives; 1e-10 unless set, and of a system that stands alone. Before
- * iterative_update. */
-void iterative_tolerate(struct iterative *it, double tolerance);
+/* Of each solution of a system that may keep an earlier factor: relative, in the norm that
+ * the preconditioner gives, or `near`, by conjugate gradients, no node farther off; 1e-10
+ * and 0 unless set, and of a system that stands alone. Before iterative_update. */
+void iterative_tolerate(struct iterative *it, double tolerance, double near);
 
 /* The factor is of something else: the next iterative_update makes another. */
 void iterative_forget(struct iterative *it);

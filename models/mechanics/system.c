@@ -218,10 +218,10 @@ enum status system_follow(struct system *s,
     return s->iterative ? iterative_follow(s->iterative, frames, body, guess) : STATUS_OK;
 }
 
-void system_tolerate(struct system *s, double tolerance)
+void system_tolerate(struct system *s, double tolerance, double near)
 {
     if (s->iterative)
-        iterative_tolerate(s->iterative, tolerance);
+        iterative_tolerate(s->iterative, tolerance, near);
 }
 
 void system_forget(struct system *s)

@@ -49,7 +49,7 @@ enum status system_update(struct system *s, double k, const double (*K)[9], doub
 enum status system_follow(struct system *s,
                           void (*frames)(const void *body, double (*Q)[9]),
                           const void *body, bool guess);
-void system_tolerate(struct system *s, double tolerance);
+void system_tolerate(struct system *s, double tolerance, double near);
 void system_forget(struct system *s);
 
 /* Adds to *counters the factorisations of system_update and system_solve, and a solve for

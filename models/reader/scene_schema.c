@@ -218,7 +218,7 @@ static const struct schema_key DISCRETIZATION[] = {
      .word = newton_tangents_name, IN(discretization, newton)},
     {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_name,
      IN(discretization, parameters)},
-    {"integrator", "Euler's methods, leapfrog, or energy-momentum", SCHEMA_WORD,
+    {"integrator", "Euler's methods, leapfrog, energy-momentum, or bdf2", SCHEMA_WORD,
      .word = integrator_name, IN(discretization, integrator)},
     {"mass", "of leapfrog steps of shell and solids", SCHEMA_WORD, .word = mass_name,
      IN(discretization, mass)},

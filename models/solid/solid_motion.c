@@ -98,7 +98,7 @@ static enum status follow(struct solid_motion *m)
 
     if (m->kinematics == KINEMATICS_LINEAR)
         return STATUS_OK;
-    system_tolerate(&m->system, rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE);
+    system_tolerate(&m->system, rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE, 0);
     return system_follow(&m->system, frames, m, rebuilt);
 }
 

@@ -43,6 +43,10 @@ static const struct verify_entry entries[] = {
     {"mass_spring_momentum", VISCOUS, {21}, .mark = true},
     {"position_based", 0, EULER, {21}},
     {"projective_dynamics", 0, EULER, {21}},
+    {"projective_dynamics_bdf2",
+     0,
+     "backward differences: damps what the step does not resolve",
+     {21}},
     {NULL}};
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, "iga_nonlinear,iga_reduced_3,hex_nonlinear", {10}, {10}};

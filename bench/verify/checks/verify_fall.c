@@ -35,6 +35,7 @@ static const struct verify_entry entries[] = {
     {"mass_spring_leapfrog", EXACT, NULL, {5}},
     {"mass_spring_momentum", EXACT, NULL, {5}},
     {"projective_dynamics", FIRST, "implicit Euler: dt / t", {5}},
+    {"projective_dynamics_bdf2", EXACT, NULL, {5}},
     {NULL}};
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, VERIFY_REMEDIES, {5}, {5}};

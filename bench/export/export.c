@@ -118,8 +118,8 @@ out:
 }
 
 static const struct command_option options[] = {
-    {"--points", "N,M", false, "vertices along u and v"},
-    {"--out", "FOLDER", false, "a new folder for the files"},
+    {"--points", "N,M", false, "vertices along u and v, needed"},
+    {"--out", "FOLDER", false, "a new folder for the files, needed"},
     {"--format", "obj|ply|csv", false, "of the rest mesh (all three)"},
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
     {NULL, NULL, false, NULL},
@@ -128,7 +128,7 @@ static const struct command_option options[] = {
 const struct command export_command = {
     .name = "export",
     .summary = "a scene for somebody else's simulator",
-    .arguments = "SCENE --points N,M --out FOLDER [OPTION]...",
+    .arguments = "SCENE [OPTION]...",
     .text =
         "Writes what another simulator needs to run a scene: the rest mesh with u and v,\n"
         "what is held and the vertices outside the sheet that make a clamp of an edge, "

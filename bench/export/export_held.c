@@ -96,11 +96,11 @@ static enum status check_thickness(const struct scene *scene, struct message *wh
     return STATUS_OK;
 }
 
-/* The end of a support that lies between vertices, for people. */
+/* The first end of a support that lies between vertices, for people. */
 static void doubt_ends(const struct export_sheet *s, struct export_held *held)
 {
     for (int n = s->scene->support_count - 1; n >= 0; n--)
-        for (int k = 0; k < 4; k++) {
+        for (int k = 3; k >= 0; k--) {
             const struct scene_support *support = &s->scene->supports[n];
             const double at = k % 2 ? support->hi[k / 2] : support->lo[k / 2];
             const double cells = at * (s->points[k / 2] - 1);

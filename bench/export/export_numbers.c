@@ -6,6 +6,9 @@
 #include "mass_spring/spring_net.h"
 #include "models/mechanics/dead_load.h"
 
+/* What round-off leaves of a stiffness that long cells have no use for, over E h. */
+static const double NOTHING = 1e-12;
+
 static void put(struct output *out, const char *quantity, double value, const char *unit)
 {
     output_print(out, "%s,,,%.17g,%s,,\n", quantity, value, unit);
@@ -42,6 +45,8 @@ static enum status put_springs(const struct export_sheet *s, struct output *out,
     TRY(spring_net_init(&net, s->scene, s->points, PARAMETERS_MATCHED, false));
     for (int n = 0; n < net.spring_count; n++) {
         const struct spring *k = &net.springs[n];
+        if (!(k->stiffness > NOTHING * s->scene->young * s->scene->thickness))
+            continue;
         const int di = k->b / net.points[1] != k->a / net.points[1];
         const int dj = k->b % net.points[1] != k->a % net.points[1];
         output_print(out, "%s,%d,%d,%.17g,N/m,%.17g,%.17g\n",

@@ -9,21 +9,28 @@ static void put_title(const struct export_sheet *s, struct output *out)
     const struct scene *c = s->scene;
     const double *g = c->gravity;
 
-    output_print(out, "# %s for your simulator\n\n", c->name);
     output_print(
         out,
-        "A %s sheet, %g m (u) by %g m (v), %g m thick: E = %g Pa, nu = %g, rho = %g "
-        "kg/m^3;\ngravity %g %g %g m/s^2; Gamma = rho g h L^3 / D = %.4g. Source: "
-        "%s.\n\n",
-        scene_shape_name((int)c->shape), c->length, c->width, c->thickness, c->young,
-        c->poisson, c->density, g[0] + 0.0, g[1] + 0.0, g[2] + 0.0, scene_gamma(c),
-        c->source);
+        "# %s for your simulator\n\nA %s sheet, %g m (u) by %g m (v), %g m thick: E = "
+        "%g Pa, nu = %g, rho = %g kg/m^3; gravity\n%g %g %g m/s^2; Gamma = rho g h L^3 "
+        "/ D = %.4g.\nSource: %s.\n\n",
+        c->name, scene_shape_name((int)c->shape), c->length, c->width, c->thickness,
+        c->young, c->poisson, c->density, g[0] + 0.0, g[1] + 0.0, g[2] + 0.0,
+        scene_gamma(c), c->source);
+    output_print(out, "SI units; x, y, z right-handed.");
+    for (int n = 0; n < 3; n++) {
+        static const double corner[3][3] = {{0, 0, 0.5}, {1, 0, 0.5}, {0, 1, 0.5}};
+        double x[3];
+        scene_rest_point(c, corner[n], x);
+        output_print(out, "%s u = %g, v = %g is at (%.4g, %.4g, %.4g)",
+                     n ? "," : " At rest", corner[n][0], corner[n][1], x[0] + 0.0,
+                     x[1] + 0.0, x[2] + 0.0);
+    }
     output_print(
         out,
-        "SI units; axes x, y, z right-handed as in the files (x u-ward, z up in most "
-        "scenes: look at rest.csv).\nVertex j %d + i is at u = i/%d, v = j/%d. Files "
-        "count vertices from 0, OBJ from 1.\nTriangles are counter-clockwise seen "
-        "from u x v; the diagonals alternate.\n\n",
+        ".\nVertex j %d + i is at u = i/%d, v = j/%d. Files count vertices from 0, "
+        "OBJ from 1.\nTriangles are counter-clockwise seen from u x v; the diagonals "
+        "alternate.\n\n",
         s->points[0], s->points[0] - 1, s->points[1] - 1);
 }
 
@@ -154,7 +161,7 @@ static void put_score(const struct export_sheet *s, const struct truth_made *kno
     output_print(out, "%s.\n",
                  known->claimed ? " (times.csv, with its error bar [m])" : "");
     if (known->claimed)
-        output_print(out, "It is %s.\n", known->note);
+        output_print(out, "What it is: %s.\n", known->note);
     output_print(
         out, "Every point of a 100 x 100 grid over (u,v) is compared, yours bilinear "
              "between vertices:\n\n    clothbench score scene.yaml FRAMES\n\n"

@@ -33,7 +33,7 @@ static void held_rows(void)
         {"edge_drop", "supports=[{at: {u: [0, 0.05]}, fix: xyz}]", 11, 11, "xyz"},
         {"edge_drop", "supports=[{at: {u: [0.4, 0.6]}, fix: xyz}]", 33, 0, "xyz"},
         {"edge_drop", "supports=[{at: {u: 0.5, w: 0.5}, fix: xyz}]", 11, 0, "xyz"},
-        {"edge_drop", "supports=[{at: {u: [0, 1]}, fix: y}]", 121, 0, "y"},
+        {"edge_drop", "supports=[{at: {u: [0, 1], w: 0.5}, fix: y}]", 121, 0, "y"},
     };
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
@@ -97,6 +97,7 @@ static void what_vertices_cannot_say(void)
         {"supports=[{at: {u: 0, v: 0.5}, fix: xyz}]", STATUS_UNSUPPORTED, "both sides"},
         {"supports=[{at: {u: 0}, fix: xz}]", STATUS_UNSUPPORTED, "held in xz through"},
         {"supports=[{at: {u: 0}, fix: x}]", STATUS_UNSUPPORTED, "held in x through"},
+        {"supports=[{at: {u: [0, 1]}, fix: y}]", STATUS_UNSUPPORTED, "held in y through"},
         {"supports=[{at: {u: 0, w: 0}, fix: xyz}]", STATUS_UNSUPPORTED, "w from 0 to 0:"},
         {"supports=[{at: {u: 0, w: [0.5, 1]}, fix: xyz}]", STATUS_UNSUPPORTED, "0.5 to 1"},
         {"supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1, w: [0.2, 0.8]}, fix: z}]",

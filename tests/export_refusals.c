@@ -71,10 +71,11 @@ static void folders(void)
     CHECK(scratch_files("new") == 1);
 }
 
-/* A disk that is full after so many bytes: a sentence, and nothing of it is left. */
+/* A disk that is full after so many bytes, the last after some of the files: a sentence,
+ * and nothing of it is left. */
 static void full_disk(void)
 {
-    static const rlim_t room[] = {0, 100, 1000, 8000};
+    static const rlim_t room[] = {0, 100, 1000, 8000, 60000};
     const char *const words[] = {"edge_drop", "--points",  "21,21",
                                  "--out",     "full/disk", NULL};
     struct rlimit limit, all;

@@ -91,7 +91,7 @@ static double pull(const struct scene *s, const double axis[3])
 static bool rests(const struct scene *s)
 {
     return s->shape == SCENE_FLAT && s->poisson == 0 && scene_is_cantilever(s) &&
-           !s->load_count && !s->obstacle_count && s->drag == 0 && damping_mass(s) > 0;
+           !s->load_count && !s->obstacle_count && s->drag == 0;
 }
 
 /* How much of the motion is left at t of x'' + alpha x' + omega^2 x. */

@@ -5,6 +5,7 @@
 #include "bench/advise/advise.h"
 #include "bench/speed/bench.h"
 #include "bench/compare/compare.h"
+#include "bench/export/export.h"
 #include "bench/run/run_command.h"
 #include "bench/stress/stress.h"
 #include "bench/studies/studies.h"
@@ -149,9 +150,19 @@ static const struct command list_command = {
 };
 
 const struct command *const commands[] = {
-    &list_command,   &run_command,     &compare_command, &advise_command,
-    &tables_command, &studies_command, &sweep_command,   &truth_command,
-    &verify_command, &stress_command,  &bench_command,   NULL,
+    &list_command,
+    &run_command,
+    &compare_command,
+    &advise_command,
+    &tables_command,
+    &studies_command,
+    &sweep_command,
+    &truth_command,
+    &export_command,
+    &verify_command,
+    &stress_command,
+    &bench_command,
+    NULL,
 };
 
 static const char *const planned[] = {"score", "report", NULL};

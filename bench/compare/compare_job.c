@@ -56,8 +56,10 @@ static enum status choose_times(struct compare_job *j, double until, struct mess
 
     if (!isnan(until))
         return spread_times(j, until, why);
-    TRY(truth_stored_times(j->path, &j->truth, most, CONTEST_TIMES, j->time, &j->times,
-                           why));
+    /* late: known at rest, at the end */
+    for (int late = 0; late < 2 && !j->times; late++)
+        TRY(truth_stored_times(j->path, &j->truth, late ? j->scene.end : most,
+                               CONTEST_TIMES, j->time, &j->times, why));
     return j->times ? STATUS_OK : spread_times(j, most, why);
 out:
     return st;

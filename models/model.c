@@ -62,21 +62,31 @@ static void fill(const struct discretization *usual, struct discretization *d)
 static void tell(const struct discretization *usual, const struct discretization *d,
                  struct message *why)
 {
-    const bool degree = memcmp(d->degree, usual->degree, sizeof d->degree),
+    const bool points = memcmp(d->points, usual->points, sizeof d->points),
+               degree = memcmp(d->degree, usual->degree, sizeof d->degree),
                remedy = d->remedy != usual->remedy;
     const struct message reason = *why;
     char text[128] = "";
     size_t used = 0;
 
+    if (points)
+        used = (size_t)snprintf(text, sizeof text, "points=[%d,%d,%d], ", d->points[0],
+                                d->points[1], d->points[2]);
     if (degree)
-        used = (size_t)snprintf(text, sizeof text, "degree=[%d,%d,%d], ", d->degree[0],
-                                d->degree[1], d->degree[2]);
+        used += (size_t)snprintf(text + used, sizeof text - used, "degree=[%d,%d,%d], ",
+                                 d->degree[0], d->degree[1], d->degree[2]);
     if (remedy)
         snprintf(text + used, sizeof text - used, "remedy=%s, ", remedy_name(d->remedy));
-    if (degree || remedy)
+    if (points || degree || remedy)
         status_fail(why, STATUS_OK, "%snot the defaults: %s", text, reason.text);
     else
         why->text[0] = '\0';
+}
+
+/* A direction's points, if it is one; enough for a degree (0: any) that was given. */
+static int at_least(int points, int degree)
+{
+    return points > 1 && points <= degree ? degree + 1 : points;
 }
 
 void model_complete(const struct model *model, struct discretization *d,
@@ -87,10 +97,13 @@ void model_complete(const struct model *model, struct discretization *d,
     model->defaults(&usual);
     fill(&usual, &all);
     for (int i = 0; i < 3; i++)
-        d->points[i] = d->points[i] ? d->points[i] : usual.points[i];
+        if (!d->points[i])
+            d->points[i] = at_least(usual.points[i], d->degree[i]);
     status_fail(told, STATUS_OK, "more does not fit the points or knots");
     if (model->adapt)
         model->adapt(d, told);
+    if (memcmp(d->points, all.points, sizeof d->points))
+        status_fail(told, STATUS_OK, "the degree needs as many");
     fill(&usual, d);
     tell(&all, d, told);
 }

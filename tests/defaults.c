@@ -164,6 +164,23 @@ static const struct row {
      REMEDY_NONE,
      "remedy=none, not the defaults: remedy=selective has"},
 
+    {"iga",
+     "edge_drop",
+     {"discretization.degree=[3,3,2]"},
+     {10, 10, 3},
+     {3, 3, 2},
+     KINEMATICS_NONLINEAR,
+     REMEDY_NONE,
+     "points=[10,10,3], remedy=none, not the defaults: the degree needs"},
+    {"shell",
+     "edge_drop",
+     {"discretization.degree=[3,3]"},
+     {10, 10, 1},
+     {3, 3, 1},
+     KINEMATICS_NONLINEAR,
+     REMEDY_SELECTIVE,
+     NULL},
+
     /* A support in the middle of the thickness, or on part of it, asks for nothing else. */
     {"iga",
      "hinge",

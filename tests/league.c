@@ -119,6 +119,7 @@ static void chart(const char *folder)
 
     for (int n = 0; n < LENGTH(lines); n++)
         has(text, lines[n]);
+    CHECK(!strstr(text, "title 'projective dynamics'"));
     CHECK(!strstr(text, "0.3 1.05\n")); /* dearer than another spring net, and worse */
     CHECK(terminals > 0);               /* one scene has no truth */
     CHECK(fresh_count(text, "set object rectangle") == 4 * terminals);

@@ -268,10 +268,16 @@ static bool leads(const struct league_scene *s, const struct league_point *p)
 static void draw_model(struct chart *c, const struct league_scene *s,
                        const struct model *model)
 {
-    chart_series(c, &(struct chart_series){model->title, .sorted = true});
-    for (const struct league_point *p = s->point; p < s->point + s->point_count; p++)
-        if (contestant_table[p->contestant].model == model && leads(s, p))
-            chart_point(c, p->seconds, 100 * p->worst);
+    bool begun = false; /* who has nothing to show is not in the legend */
+
+    for (const struct league_point *p = s->point; p < s->point + s->point_count; p++) {
+        if (contestant_table[p->contestant].model != model || !leads(s, p))
+            continue;
+        if (!begun)
+            chart_series(c, &(struct chart_series){model->title, .sorted = true});
+        begun = true;
+        chart_point(c, p->seconds, 100 * p->worst);
+    }
 }
 
 enum status league_chart(const struct league *l, const char *folder, struct message *why)

@@ -93,19 +93,6 @@ static void as_the_paper(struct table4_data *d)
         set(d, TABLE4_PRINTED, s, ALL & ~papers(-1), MEASURE_STRETCH_MAX, 1.2);
 }
 
-/* Each label's measure sets its rows apart, on both scenes. */
-static void as_the_words(struct table4_data *d)
-{
-    for (int s = 0; s < TABLE4_SCENES; s++) {
-        set(d, TABLE4_PRINTED, s, ALL, MEASURE_STRETCH_MAX, 1.4);
-        set(d, TABLE4_PRINTED, s, papers(PAPER_OVER_STRETCHED), MEASURE_STRETCH_MAX, 1.6);
-        set(d, TABLE4_PRINTED, s, papers(PAPER_PENETRATION), MEASURE_INTERSECTIONS_MAX, 60);
-        set(d, TABLE4_PRINTED, s, papers(PAPER_TOO_LIGHT), MEASURE_ANGLE_MAX, 50);
-        set(d, TABLE4_PRINTED, s, papers(PAPER_CHAOTIC), MEASURE_BLOWUP_TIME, 1);
-        set(d, TABLE4_PRINTED, s, papers(PAPER_FINE_WRINKLES), MEASURE_ROUGHNESS_MAX, 90);
-    }
-}
-
 static void stretched_everywhere(struct table4_data *d)
 {
     set(d, TABLE4_PRINTED, FLAG, ALL, MEASURE_STRETCH_MAX, 1.2);
@@ -264,18 +251,6 @@ static const struct turn {
       "Boards, not cloth: Gamma, weight against bending, is 100 to 1.8e+03 in these rows "
       "and "
       "5e+04 or more"}},
-    {as_made,
-     {"Yes or no, of rows that were not learnt from: 2 of 18 at best from what the runs "
-      "show, "
-      "18 from E/rho alone, 16 by `no` to all: the runs teach nothing about the paper's "
-      "eye."}},
-    {as_the_words,
-     {"17 of 18 at best from what the runs show, 18 from E/rho alone, 16 by `no` to all: "
-      "the "
-      "runs teach something, the two parameters as much.",
-      "over-stretched: stretch_max above 1.5 on flag, above 1.5 on edge_drop; by the rule "
-      "above 1.1.",
-      "too light: angle_max below 67.5 on flag", "chaotic: blowup_time below 1 on flag"}},
     {as_the_paper,
      {"in 18 of 18 rows on flag and 18 on edge_drop, more than by `no` to all, 16; "
       "over-stretched are 16 and 16, the paper's 8.",

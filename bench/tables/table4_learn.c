@@ -1,4 +1,4 @@
-#include "bench/tables/table4_learn.h"
+#include "bench/tables/table4.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "bench/tables/table4.h"
-#include "bench/tables/table4_learn.h"
 #include "bench/ui/chart.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))

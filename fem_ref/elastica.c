@@ -49,12 +49,24 @@ static void step(struct state *a, double h)
     a->down += down * h;
 }
 
+/* The longest step from here. */
+static double reach_of(const struct state *a)
+{
+    return 0.25 / (1 + sqrt(a->tau));
+}
+
+static void march(struct state *a, double end)
+{
+    while (a->tau < end)
+        step(a, fmin(end - a->tau, reach_of(a)));
+}
+
 /* From the tip to tau = end, or until psi has passed pi/2 for good: true if it has. */
 static bool shoot(double log_psi, double end, struct state *a)
 {
     *a = (struct state){.psi = exp(log_psi)};
     while (a->tau < end) {
-        double h = 0.25 / (1 + sqrt(a->tau)), left = end - a->tau;
+        double h = reach_of(a), left = end - a->tau;
         if (a->psi > 2) /* psi grows as long as it is below pi */
             return true;
         step(a, left < 1.5 * h ? left : h);
@@ -64,25 +76,60 @@ static bool shoot(double log_psi, double end, struct state *a)
     return a->psi > acos(0);
 }
 
-enum status elastica_solve(double gamma, struct elastica *e)
+/* psi(0) by its logarithm, from below. */
+static double aim(double gamma)
 {
-    if (!(gamma >= ELASTICA_MIN && gamma <= ELASTICA_MAX))
-        return STATUS_INPUT;
-    const double end = cbrt(gamma), right_angle = acos(0);
-    double low = -sqrt(gamma) - 5, high = log(right_angle); /* brackets log psi(0) */
+    double low = -sqrt(gamma) - 5, high = log(acos(0)); /* brackets it */
     struct state a;
 
     for (double middle; middle = (low + high) / 2, low < middle && middle < high;) {
-        if (shoot(middle, end, &a))
+        if (shoot(middle, cbrt(gamma), &a))
             high = middle;
         else
             low = middle;
     }
-    shoot(low, end, &a);
-    e->tip_angle = right_angle - exp(low);
+    return low;
+}
+
+static bool is_known(double gamma)
+{
+    return gamma >= ELASTICA_MIN && gamma <= ELASTICA_MAX;
+}
+
+enum status elastica_solve(double gamma, struct elastica *e)
+{
+    const double end = cbrt(gamma), right_angle = acos(0);
+    struct state a;
+
+    if (!is_known(gamma))
+        return STATUS_INPUT;
+    const double log_psi = aim(gamma);
+    shoot(log_psi, end, &a);
+    e->tip_angle = right_angle - exp(log_psi);
     e->root_curvature = a.slope * end;
     e->drop = a.down / end;
     e->reach = a.across / end;
+    return STATUS_OK;
+}
+
+enum status elastica_curve(double gamma, int count, const double *s,
+                           struct elastica_point *point)
+{
+    const double end = cbrt(gamma);
+    struct state a;
+
+    if (!is_known(gamma))
+        return STATUS_INPUT;
+    a = (struct state){.psi = exp(aim(gamma))};
+    for (int n = count - 1; n >= 0; n--) {
+        march(&a, end * (1 - s[n]));
+        point[n] = (struct elastica_point){a.across, a.down, acos(0) - a.psi};
+    }
+    march(&a, end);
+    for (int n = 0; n < count; n++) {
+        point[n].reach = (a.across - point[n].reach) / end;
+        point[n].drop = (a.down - point[n].drop) / end;
+    }
     return STATUS_OK;
 }
 

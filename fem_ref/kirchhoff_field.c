@@ -8,12 +8,6 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static bool is_clamped_edge(const struct scene_support *s)
-{
-    return s->lo[0] == 0 && s->hi[0] == 0 && s->lo[1] == 0 && s->hi[1] == 1 &&
-           s->lo[2] == 0 && s->hi[2] == 1 && s->fix == FIX_XYZ && !s->path_count;
-}
-
 enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_plate *plate,
                                   struct message *why)
 {
@@ -23,7 +17,7 @@ enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_pl
     if (scene->shape != SCENE_FLAT)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth knows flat sheets only");
-    if (scene->support_count != 1 || !is_clamped_edge(&scene->supports[0]))
+    if (!scene_is_cantilever(scene))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth knows one support, the whole edge u = 0");
     if (fabs(dot(scene->gravity, scene->axis_u)) > in_plane ||

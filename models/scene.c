@@ -209,6 +209,15 @@ void scene_support_shift(const struct scene_support *support, double t, double s
         shift[i] = path[k - 1][i + 1] + part * (path[k][i + 1] - path[k - 1][i + 1]);
 }
 
+bool scene_is_cantilever(const struct scene *scene)
+{
+    const struct scene_support *s = scene->supports;
+
+    return scene->support_count == 1 && s->lo[0] == 0 && s->hi[0] == 0 && s->lo[1] == 0 &&
+           s->hi[1] == 1 && s->lo[2] == 0 && s->hi[2] == 1 && s->fix == FIX_XYZ &&
+           !s->path_count;
+}
+
 double scene_bending_stiffness(const struct scene *scene)
 {
     const double h = scene->thickness, nu = scene->poisson;

@@ -8,6 +8,8 @@
 #ifndef SCENE_H
 #define SCENE_H
 
+#include <stdbool.h>
+
 #include "models/status.h"
 
 /* Which components of a support are held; bits. */
@@ -184,6 +186,9 @@ void scene_initial_velocity(const struct scene *scene, const double xyz[3], doub
 
 /* Shift of a support at time t [m]. */
 void scene_support_shift(const struct scene_support *support, double t, double shift[3]);
+
+/* One support alone, the whole edge u = 0 held in x, y, z, which does not move. */
+bool scene_is_cantilever(const struct scene *scene);
 
 /* Bending stiffness D = E h^3 / 12 (1 - nu^2) [N m]. */
 double scene_bending_stiffness(const struct scene *scene);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/truth/truth_closed.h"
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
@@ -144,6 +145,26 @@ static enum status read_stored(const struct scene *scene, struct truth_made *mad
     return st == STATUS_FILE || st == STATUS_UNSUPPORTED ? STATUS_OK : st;
 }
 
+enum status truth_known(const struct scene *scene, struct truth_made *made,
+                        struct message *why)
+{
+    const enum status st = truth_closed_make(scene, made);
+
+    return st == STATUS_UNSUPPORTED ? read_stored(scene, made, why) : st;
+}
+
+/* STATUS_UNSUPPORTED: none, or not so early. */
+static enum status from_closed(const struct scene *scene, struct truth *t)
+{
+    char source[TRUTH_CLOSED_SOURCE];
+    const enum status st =
+        truth_closed_fields(scene, t->times, t->time, t->xyz, t->error, source);
+
+    if (st == STATUS_OK)
+        snprintf(t->source, sizeof t->source, "%s", source);
+    return st;
+}
+
 enum status truth_stored_times(const char *path, const struct settings *settings,
                                double until, int most, double *time, int *count,
                                struct message *why)
@@ -155,7 +176,7 @@ enum status truth_stored_times(const char *path, const struct settings *settings
 
     *count = 0;
     TRY(settings_read_scene(settings, path, &scene, why));
-    TRY(read_stored(&scene, &made, why));
+    TRY(truth_known(&scene, &made, why));
     while (last < made.claimed && made.time[last] <= until + 1e-9)
         last++;
     *count = last < most ? last : most;
@@ -182,8 +203,11 @@ enum status truth_find(const char *path, const struct settings *settings, int ti
     if (!t)
         return STATUS_MEMORY;
     TRY(settings_read_scene(settings, path, &scene, why));
-    if (scene_gamma(&scene) < TRUTH_GAMMA &&
-        kirchhoff_field_plate(&scene, &plate, NULL) == STATUS_OK) {
+    st = from_closed(&scene, t);
+    if (st != STATUS_UNSUPPORTED) {
+        TRY(st);
+    } else if (scene_gamma(&scene) < TRUTH_GAMMA &&
+               kirchhoff_field_plate(&scene, &plate, NULL) == STATUS_OK) {
         TRY(from_kirchhoff(&scene, t, why));
     } else {
         TRY(read_stored(&scene, &made, why));

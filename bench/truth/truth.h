@@ -1,6 +1,8 @@
 /* truth.h - what a scene's motion is held against, with its error bar.
  *
- * Three kinds. Where the load is so light that linear theory holds (Gamma < TRUTH_GAMMA)
+ * Four kinds. A closed form (truth_closed.h), where the scene is one and has come to rest
+ * if only its rest shape is. Where the load is so light that linear theory holds
+ * (Gamma < TRUTH_GAMMA)
  * and the sheet is a cantilever: the Kirchhoff plate, exact in time. Where a truth of this
  * scene, with these physics and at these times, is stored (truth_file.h, made by
  * truth_make.h): that. Elsewhere: the finest nonlinear Kirchhoff-Love shell, run now, its
@@ -11,6 +13,7 @@
 #define TRUTH_H
 
 #include "bench/harness/settings.h"
+#include "bench/truth/truth_make.h"
 
 /* A cantilever's tip is off by 0.0125 Gamma^2 in linear theory (heavy elastica): 1e-4. */
 #define TRUTH_GAMMA 0.09
@@ -36,9 +39,14 @@ enum status truth_find(const char *path, const struct settings *settings, int ti
                        const double *time, const char *folder, enum truth_effort effort,
                        struct truth **truth, struct message *why);
 
-/* Times for which a truth with these physics is stored, up to `until`: the last ones, at
- * most `most` of them, into time[most]. *count is 0 if there is none. STATUS_INPUT: the
- * scene is wrong, or the stored truth was changed. */
+/* What is known without a run, of a scene as its truth moves: a closed form, or what is
+ * stored; `made->times` is 0 where there is none. STATUS_INPUT: the stored one was changed.
+ * Free with truth_made_clear. */
+enum status truth_known(const struct scene *scene, struct truth_made *made,
+                        struct message *why);
+
+/* Its times up to `until`: the last ones, at most `most` of them, into time[most]. *count
+ * is 0 if there is none. STATUS_INPUT: the scene is wrong, or as above. */
 enum status truth_stored_times(const char *path, const struct settings *settings,
                                double until, int most, double *time, int *count,
                                struct message *why);

@@ -5,7 +5,9 @@
 
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
+#include "bench/truth/truth_closed.h"
 #include "bench/truth/truth_file.h"
+#include "bench/truth/truth_frames.h"
 #include "bench/ui/table.h"
 #include "models/reader/scene_file.h"
 
@@ -57,10 +59,29 @@ static void note_horizon(struct table *t, const struct truth_made *made, double 
     table_note(t, "Horizon: %s.", made->horizon);
 }
 
+/* What there is to say of truths that were made, and of all. */
+static void add_notes(struct table *t, const struct truth_made *made, double length)
+{
+    table_note(t, "The truth: %s.", made->note);
+    if (made->closed) {
+        table_note(t, "Horizon: %s.", made->horizon);
+        return;
+    }
+    table_note(
+        t, "Orders are of the rms over the material grid, over three nets and over "
+           "three steps; a dash: the differences do not shrink. A model's bar is what "
+           "its orders leave, with a factor of safety. Growth: rms change after gravity "
+           "was changed by 1e-6 in the direction (1,1,1), over 1e-6 of the length.");
+    note_horizon(t, made, length);
+    if (*made->commit)
+        table_note(t, "Made at commit %s with %s changed files.", made->commit,
+                   made->changed);
+}
+
 static enum status print(const struct job *j, const struct truth_made *made)
 {
     const double length = j->scene.length;
-    static const struct table_column columns[] = {
+    struct table_column columns[] = {
         {"time", "s"},
         {"solid: in space", .key = "solid_order_in_space"},
         {"in time", .key = "solid_order_in_time"},
@@ -75,21 +96,14 @@ static enum status print(const struct job *j, const struct truth_made *made)
     };
     char caption[128];
 
-    snprintf(caption, sizeof caption, "Truth of %s: observed orders and error bars",
-             j->scene.name);
+    snprintf(caption, sizeof caption, "Truth of %s: %serror bars", j->scene.name,
+             made->closed ? "" : "observed orders and ");
+    for (int n = 0; made->closed && n < TRUTH_ERROR; n++)
+        columns[1 + n].readers = TABLE_NOBODY; /* nobody's run */
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
     for (int n = 0; n < made->times; n++)
         add_row(t, made, n, length);
-    table_note(t, "The truth: %s.", made->note);
-    table_note(
-        t, "Orders are of the rms over the material grid, over three nets and over "
-           "three steps; a dash: the differences do not shrink. A model's bar is what "
-           "its orders leave, with a factor of safety. Growth: rms change after gravity "
-           "was changed by 1e-6 in the direction (1,1,1), over 1e-6 of the length.");
-    note_horizon(t, made, length);
-    if (*made->commit)
-        table_note(t, "Made at commit %s with %s changed files.", made->commit,
-                   made->changed);
+    add_notes(t, made, length);
     const enum status st = table_print(t, j->format, stdout);
     table_destroy(t);
     return st;
@@ -113,51 +127,67 @@ out:
     return st;
 }
 
-static enum status make_one(struct job *j, const char *out, struct message *why)
+/* By runs, which are kept in a folder of their own. */
+static enum status make_by_runs(struct job *j, struct truth_runs *runs,
+                                struct truth_made *made, struct message *why)
 {
     struct truth_plan plan = truth_plan_of(j->scene.name, j->quick);
-    struct truth_made made = {0};
+    char folder[PATH];
     double *time = NULL;
-    const char *all = j->quick ? "results/truths_quick" : "results/truths";
-    struct provenance provenance;
-    char folder[PATH], file[PATH];
     enum status st;
 
     snprintf(folder, sizeof folder, "results/truth_%s%s", j->scene.name,
              j->quick ? "_quick" : "");
+    TRY(folder_make(folder, why));
+    runs->folder = folder;
+    runs->times = truth_plan_times(&plan, &j->scene, &time);
+    runs->time = time;
+    if (runs->times < 0)
+        TRY(STATUS_MEMORY);
+    timing_alone();
+    TRY(truth_make(&plan, runs, &j->scene, false, made, why));
+    fprintf(stderr, "its runs are in %s\n", folder);
+out:
+    free(time);
+    return st;
+}
+
+static enum status make_one(struct job *j, const char *out, struct message *why)
+{
+    struct truth_runs runs = {.path = j->path, .settings = &j->settings, .ours = true};
+    struct truth_made made = {0};
+    const char *all = j->quick ? "results/truths_quick" : "results/truths";
+    struct provenance provenance;
+    char file[PATH];
+    enum status st;
+
     snprintf(file, sizeof file, "%s/%s.h5", all, j->scene.name);
     if (!out)
         TRY(folder_make(all, why));
     out = out ? out : file;
     provenance_collect(&provenance);
     TRY(truth_file_may_store(out, &provenance, why));
-    TRY(folder_make(folder, why));
-    struct truth_runs runs = {.path = j->path,
-                              .settings = &j->settings,
-                              .times = truth_plan_times(&plan, &j->scene, &time),
-                              .folder = folder,
-                              .ours = true};
-    runs.time = time;
-    if (runs.times < 0)
-        TRY(STATUS_MEMORY);
-    timing_alone();
-    TRY(truth_make(&plan, &runs, &j->scene, false, &made, why));
+    st = truth_closed_make(&j->scene, &made);
+    TRY(st == STATUS_UNSUPPORTED ? make_by_runs(j, &runs, &made, why) : st);
     TRY(truth_file_write(out, &runs, &made, why));
     TRY(print(j, &made));
-    fprintf(stderr, "truth in %s, its runs in %s\n", out, folder);
+    fprintf(stderr, "truth in %s\n", out);
 out:
     truth_made_clear(&made);
-    free(time);
     return st;
 }
 
-static enum status print_stored(const struct job *j, struct message *why)
+/* What is known without a run. */
+static enum status print_known(const struct job *j, const int points[2],
+                               struct message *why)
 {
     struct truth_made made;
-    enum status st = truth_file_find(j->scene.name, &j->scene, &made, why);
+    enum status st = truth_closed_make(&j->scene, &made);
 
+    if (st == STATUS_UNSUPPORTED)
+        st = truth_file_find(j->scene.name, &j->scene, &made, why);
     if (st == STATUS_OK)
-        st = print(j, &made);
+        st = *points ? truth_frames_print(&made, points, stdout) : print(j, &made);
     truth_made_clear(&made);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
 }
@@ -165,11 +195,17 @@ static enum status print_stored(const struct job *j, struct message *why)
 static enum status run(const struct command_line *line, struct message *why)
 {
     struct job j = {0};
+    int points[2] = {0, 0};
     enum status st;
 
     TRY(prepare(&j, line, why));
+    TRY(command_pair(line, "--points", 2, TRUTH_FRAMES_MOST, points, why));
+    if (*points && !command_given(line, "--stored"))
+        TRY(status_fail(
+            why, STATUS_INPUT,
+            "--points prints positions of a truth that is known: with --stored"));
     if (command_given(line, "--stored"))
-        TRY(print_stored(&j, why));
+        TRY(print_known(&j, points, why));
     else
         TRY(make_one(&j, command_value(line, "--out"), why));
 out:
@@ -182,7 +218,10 @@ out:
 static const struct command_option options[] = {
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
     {"--out", "FILE", false, "where the truth goes (results/truths/SCENE.h5)"},
-    {"--stored", NULL, false, "only print the table of the truth that is stored"},
+    {"--stored", NULL, false,
+     "run nothing: the table of the truth that is stored,\nor is a closed form"},
+    {"--points", "N,M", false,
+     "with --stored: its positions as CSV t,u,v,x,y,z on a net of so many points"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--quick", NULL, false, "coarse nets, 0.2 s: for trying out"},
     {NULL, NULL, false, NULL},
@@ -193,6 +232,9 @@ const struct command truth_command = {
     .summary = "what a scene's motion is, with an error bar, and until when",
     .arguments = "SCENE [OPTION]...",
     .text =
+        "A scene that is a closed form (a free fall; nu = 0, hanging or clamped level, "
+        "come\n"
+        "to rest under mass damping) is known at once. Else:\n"
         "Runs the nonlinear solid, cured of locking, and the nonlinear shell, each on\n"
         "three nets and with three time steps, prints the orders observed, what they\n"
         "leave as error bars, the difference of the two models, and until which time the\n"
@@ -201,7 +243,8 @@ const struct command truth_command = {
         "Truths of some scenes come with the program; `compare` and others use these and\n"
         "those in $CLOTHBENCH_TRUTHS. A scene damped by velocity_scale, which is no rate,\n"
         "has an undamped truth. Runs that this commit left are not made again.\n",
-    .examples = "truth edge_drop --stored\ntruth sphere --quick\n"
+    .examples = "truth edge_drop --stored\ntruth edge_drop --stored --points 21,21\n"
+                "truth sphere --quick\n"
                 "truth flag --set material.young=1e5 --out flag.h5\n",
     .least = 1,
     .most = 1,

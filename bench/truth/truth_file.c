@@ -88,25 +88,41 @@ out:
     return st;
 }
 
+/* The run that the field is from; of a closed form the scene alone. */
+static enum status read_run(const struct truth_runs *runs, const struct truth_made *made,
+                            struct run *run, struct message *why)
+{
+    struct settings settings = {0};
+    struct run_plan plan = {.path = runs->path, .settings = &settings};
+    enum status st;
+
+    if (made->closed)
+        return settings_read_scene(runs->settings, runs->path, &run->scene, why);
+    TRY(truth_level_settings(runs, &made->level, &settings, why));
+    plan.contestant = truth_level_contestant(made->level.model);
+    TRY(run_read(run, &plan, why));
+out:
+    settings_clear(&settings);
+    return st;
+}
+
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
                              const struct truth_made *made, struct message *why)
 {
-    struct settings settings = {0};
+    /* Nobody's model: the names that the file has of it. */
+    static const struct model none = {.name = "closed_form",
+                                      .title = "closed form",
+                                      .source = "bench/truth/truth_closed.h"};
     struct run run = {0};
     struct provenance provenance;
     struct store *store = NULL, *done;
     enum status st;
 
-    TRY(truth_level_settings(runs, &made->level, &settings, why));
-    TRY(run_read(&run,
-                 &(struct run_plan){.path = runs->path,
-                                    .contestant = truth_level_contestant(made->level.model),
-                                    .settings = &settings},
-                 why));
+    TRY(read_run(runs, made, &run, why));
     provenance_collect(&provenance);
     TRY(store_create(path,
                      &(struct store_run){.scene = &run.scene,
-                                         .model = run.model,
+                                         .model = made->closed ? &none : run.model,
                                          .discretization = &run.discretization,
                                          .provenance = &provenance,
                                          .single = true,
@@ -118,7 +134,6 @@ enum status truth_file_write(const char *path, const struct truth_runs *runs,
 out:
     store_discard(store);
     run_close(&run);
-    settings_clear(&settings);
     return st;
 }
 

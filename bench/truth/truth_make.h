@@ -47,6 +47,7 @@ struct truth_made {
     double *time;                   /* [times] [s]                                       */
     double (*value)[TRUTH_COLUMNS]; /* [times]                                           */
     struct truth_level level;       /* whose field it is                                 */
+    bool closed;                    /* nobody's: a closed form (truth_closed.h)          */
     char note[400];                 /* a sentence: source and error bar                  */
     char horizon[TRUTH_WATCH_TEXT]; /* until when it is predictable: gravity is
  changed a little, and the change watched as long as the scene lasts */

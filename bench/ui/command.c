@@ -147,6 +147,30 @@ enum status command_integer(const struct command_line *line, const char *option,
     return STATUS_OK;
 }
 
+enum status command_pair(const struct command_line *line, const char *option, int low,
+                         int high, int pair[2], struct message *why)
+{
+    const char *text = command_value(line, option), *from = text;
+    long value[2] = {0, 0};
+    bool good = true;
+
+    if (!text)
+        return STATUS_OK;
+    for (int n = 0; n < 2 && good; n++) {
+        char *end = NULL;
+        good = *from >= '0' && *from <= '9';          /* no signs, no blanks */
+        value[n] = good ? strtol(from, &end, 10) : 0; /* LONG_MAX if it is longer */
+        good = good && *end == (n ? '\0' : ',') && value[n] >= low && value[n] <= high;
+        from = good ? end + 1 : from;
+    }
+    if (!good)
+        return status_fail(why, STATUS_INPUT,
+                           "%s %s: must be two whole numbers from %d to %d, as in %s 21,21",
+                           option, text, low, high, option);
+    pair[0] = (int)value[0], pair[1] = (int)value[1];
+    return STATUS_OK;
+}
+
 /* Lines of `text`, each but the first after `indent` blanks, all after `before`. */
 static void print_lines(const char *text, int indent, const char *before, FILE *file)
 {

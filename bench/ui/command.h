@@ -71,6 +71,10 @@ const char *const *command_values(const struct command_line *line, const char *o
 enum status command_integer(const struct command_line *line, const char *option, long low,
                             long high, long *number, struct message *why);
 
+/* Two whole numbers, "21,21", each from low to high. */
+enum status command_pair(const struct command_line *line, const char *option, int low,
+                         int high, int pair[2], struct message *why);
+
 /* Usage, what it does, options, examples. */
 void command_help(const struct command *command, FILE *file);
 

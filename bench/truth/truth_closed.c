@@ -1,0 +1,302 @@
+#include "bench/truth/truth_closed.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fem_ref/elastica.h"
+#include "models/damping.h"
+#include "models/grid.h"
+#include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
+
+/* Of sums of a few terms, over what is summed. */
+static const double ROUND_OFF = 16 * DBL_EPSILON;
+
+/* What is left of a motion at rest: so many times exp(-rate t), the rate being that of the
+ * slowest mode as estimated; more than a thousandth is no rest. */
+static const double LEFT = 10, MOST_LEFT = 1e-3;
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static double size(const double a[3])
+{
+    return sqrt(dot(a, a));
+}
+
+/* --- fall ------------------------------------------------------------------------------
+ */
+
+static bool falls(const struct scene *s)
+{
+    const bool rate = s->damping.kind == DAMPING_NONE || s->damping.kind == DAMPING_MASS;
+
+    return rate && !s->support_count && !s->load_count && !s->obstacle_count &&
+           size(s->spin) == 0;
+}
+
+/* (exp(-x) - 1 + x) / x^2, x >= 0. */
+static double second(double x)
+{
+    double sum = 0, term = 0.5;
+
+    if (x > 1)
+        return (expm1(-x) + x) / (x * x);
+    for (int n = 3; n < 24; n++) {
+        sum += term;
+        term *= -x / n;
+    }
+    return sum;
+}
+
+/* x'' = a - k x', from the velocity of the scene: how far at t. */
+static void fall_shift(const struct scene *s, double t, double shift[3])
+{
+    const double drag = damping_drag(s), k = drag + damping_mass(s), x = k * t;
+    const double first = x > 0 ? -expm1(-x) / x : 1;
+
+    for (int c = 0; c < 3; c++) {
+        const double a = s->gravity[c] + drag * s->wind[c];
+        shift[c] = s->velocity[c] * t * first + a * t * t * second(x);
+    }
+}
+
+static void fall_field(const struct scene *s, const double *rest, double t, double *xyz,
+                       double *error)
+{
+    double shift[3];
+
+    fall_shift(s, t, shift);
+    for (int n = 0; n < 3 * GRID_POINTS; n++)
+        xyz[n] = rest[n] + shift[n % 3];
+    *error = ROUND_OFF * (size(s->origin) + s->length + s->width + size(shift));
+}
+
+/* --- at rest ---------------------------------------------------------------------------
+ */
+
+/* Along which axis gravity pulls, +1 or -1; 0: not along it alone. */
+static double pull(const struct scene *s, const double axis[3])
+{
+    const double along = dot(s->gravity, axis), all = size(s->gravity);
+
+    return all > 0 && fabs(along) >= (1 - 1e-12) * all ? copysign(1, along) : 0;
+}
+
+static bool rests(const struct scene *s)
+{
+    return s->shape == SCENE_FLAT && s->poisson == 0 && scene_is_cantilever(s) &&
+           !s->load_count && !s->obstacle_count && s->drag == 0 && damping_mass(s) > 0;
+}
+
+/* How much of the motion is left at t of x'' + alpha x' + omega^2 x. */
+static double left(double alpha, double omega, double t)
+{
+    const double half = alpha / 2, root = half * half - omega * omega;
+
+    return LEFT * exp(-(half - (root > 0 ? sqrt(root) : 0)) * t);
+}
+
+/* Weight against stiffness, rho g L / E. */
+static double strain(const struct scene *s)
+{
+    return s->density * size(s->gravity) * s->length / s->young;
+}
+
+/* Stretch under the nominal stress q E. */
+static double stretch(double q)
+{
+    double l = 1 + q;
+
+    for (int n = 0; n < 60; n++) /* Newton, convex: from above, to the last digit */
+        l -= (l * (l * l - 1) / 2 - q) / ((3 * l * l - 1) / 2);
+    return l;
+}
+
+/* Integral of l dq. */
+static double primitive(double l)
+{
+    return l * l * (3 * l * l / 8 - 0.25);
+}
+
+/* Along u over L, by St. Venant and Kirchhoff; by Hooke's law on lengths. */
+static double hang(double e, double s)
+{
+    return (primitive(stretch(e)) - primitive(stretch(e * (1 - s)))) / e;
+}
+
+static double hang_linear(double e, double s)
+{
+    return s + e * (s - s * s / 2);
+}
+
+static double hang_field(const struct scene *s, const double *rest, double *xyz)
+{
+    const double e = strain(s);
+    double sum = 0;
+
+    for (int i = 0; i < GRID_U; i++) {
+        const double u = (double)i / (GRID_U - 1), at = hang(e, u);
+        const double apart = at - hang_linear(e, u);
+        sum += apart * apart / GRID_U;
+        for (int n = i; n < GRID_POINTS; n += GRID_U)
+            for (int c = 0; c < 3; c++)
+                xyz[3 * n + c] = rest[3 * n + c] + s->length * (at - u) * s->axis_u[c];
+    }
+    return s->length * sqrt(sum);
+}
+
+/* Turned about e_v; a point beside the middle surface stays on its normal. */
+static double elastica_field(const struct scene *s, double down, double *xyz)
+{
+    const double slender = s->thickness / s->length;
+    struct elastica_point at[GRID_U];
+    double u[GRID_U], e_w[3];
+
+    for (int i = 0; i < GRID_U; i++)
+        u[i] = (double)i / (GRID_U - 1);
+    if (elastica_curve(scene_gamma(s), GRID_U, u, at) != STATUS_OK)
+        return INFINITY;
+    scene_normal(s, e_w);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        const struct elastica_point *p = &at[n % GRID_U];
+        double uvw[3];
+        grid_point(n, uvw);
+        const double z = (uvw[2] - 0.5) * s->thickness;
+        const double out = s->length * p->reach - down * z * sin(p->angle);
+        const double off = down * s->length * p->drop + z * cos(p->angle);
+        for (int c = 0; c < 3; c++)
+            xyz[3 * n + c] = s->origin[c] + out * s->axis_u[c] +
+                             uvw[1] * s->width * s->axis_v[c] + off * e_w[c];
+    }
+    /* The elastica neither stretches (weight rho g L: half of that strain at the tip) nor
+     * shears (6/5 of it). */
+    return s->length * (1e-10 + 0.2 * scene_gamma(s) * slender * slender);
+}
+
+struct rest_shape {
+    double bar;   /* of the shape [m]; INFINITY: it is none of these                   */
+    double omega; /* estimate of the lowest frequency there [rad/s]                    */
+    const char *source;
+};
+
+static struct rest_shape rest_shape(const struct scene *s, const double *rest, double *xyz)
+{
+    const double g = size(s->gravity), L = s->length;
+    double e_w[3];
+
+    scene_normal(s, e_w);
+    if (pull(s, s->axis_u) > 0)
+        return (struct rest_shape){
+            .bar = hang_field(s, rest, xyz),
+            .omega = acos(0) * sqrt(s->young / s->density) / L,
+            .source =
+                "at rest: a bar under its own weight, St. Venant-Kirchhoff, in closed "
+                "form; error bar: how far Hooke's law on lengths is from that"};
+    if (pull(s, e_w) !=
+        0) /* a strip that bends, and a chain that hangs (both: Southwell) */
+        return (struct rest_shape){
+            .bar = elastica_field(s, pull(s, e_w), xyz),
+            .omega = sqrt(12.36 * g / (scene_gamma(s) * L) + 1.446 * g / L),
+            .source = "at rest: the heavy elastica, solved to 1e-10; error bar: what it "
+                      "leaves out, stretch and shear, of the order of Gamma (h / L)^2"};
+    return (struct rest_shape){.bar = INFINITY};
+}
+
+/* ---------------------------------------------------------------------------------------
+ */
+
+static enum status at_rest(const struct scene *s, const double *rest, int times,
+                           const double *time, double *const *xyz, double *error,
+                           char source[TRUTH_CLOSED_SOURCE])
+{
+    const struct rest_shape shape = rest_shape(s, rest, xyz[0]);
+    const double way = metric_rmse(xyz[0], rest);
+
+    if (!(shape.bar <= TRUTH_MOST_ERROR * s->length))
+        return STATUS_UNSUPPORTED;
+    for (int n = 0; n < times; n++) {
+        const double share = left(damping_mass(s), shape.omega, time[n]);
+        if (!(share <= MOST_LEFT))
+            return STATUS_UNSUPPORTED;
+        error[n] = shape.bar + share * way;
+        if (n)
+            memcpy(xyz[n], xyz[0], 3 * GRID_POINTS * sizeof(double));
+    }
+    snprintf(source, TRUTH_CLOSED_SOURCE, "%s", shape.source);
+    return STATUS_OK;
+}
+
+enum status truth_closed_fields(const struct scene *scene, int times, const double *time,
+                                double *const *xyz, double *error,
+                                char source[TRUTH_CLOSED_SOURCE])
+{
+    enum status st = STATUS_OK;
+    double *rest = NULL;
+
+    if (times < 1 || (!falls(scene) && !rests(scene)))
+        return STATUS_UNSUPPORTED;
+    rest = metric_rest_field(scene);
+    if (!rest)
+        return STATUS_MEMORY;
+    if (rests(scene)) {
+        TRY(at_rest(scene, rest, times, time, xyz, error, source));
+    } else {
+        for (int n = 0; n < times; n++)
+            fall_field(scene, rest, time[n], xyz[n], &error[n]);
+        snprintf(source, TRUTH_CLOSED_SOURCE,
+                 "closed form: what nothing holds falls as one body; error bar: round-off");
+    }
+out:
+    free(rest);
+    return st;
+}
+
+/* Snapshots past t = 0 and the end, into time[snapshots + 1]; of what is known at rest
+ * alone, the end. */
+static int list_times(const struct scene *s, double *time)
+{
+    int count = 0;
+
+    for (int n = 0; n < s->snapshot_count && falls(s); n++)
+        if (s->snapshots[n] > 0)
+            time[count++] = s->snapshots[n];
+    if (!count || time[count - 1] < s->end)
+        time[count++] = s->end;
+    return count;
+}
+
+enum status truth_closed_make(const struct scene *scene, struct truth_made *made)
+{
+    const size_t most = (size_t)scene->snapshot_count + 1;
+    double *time = calloc(2 * most, sizeof *time), *error = time + most;
+    enum status st = STATUS_MEMORY;
+    int count;
+
+    *made = (struct truth_made){0};
+    if (!time)
+        goto out;
+    count = list_times(scene, time);
+    TRY(falls(scene) || rests(scene) ? STATUS_OK : STATUS_UNSUPPORTED);
+    TRY(truth_made_init(made, count, count, time));
+    TRY(truth_closed_fields(scene, count, time, made->xyz, error, made->note));
+    made->closed = true;
+    for (int n = 0; n < count; n++) {
+        for (int c = 0; c < TRUTH_COLUMNS; c++)
+            made->value[n][c] = NAN;
+        made->value[n][TRUTH_ERROR] = error[n];
+    }
+    snprintf(made->horizon, sizeof made->horizon, "%s",
+             falls(scene) ? "none: it is known for ever"
+                          : "it is known once it has come to rest, however it was damped");
+out:
+    if (st != STATUS_OK)
+        truth_made_clear(made);
+    free(time);
+    return st;
+}

@@ -5,6 +5,7 @@
 #include "bench/speed/bench.h"
 #include "bench/compare/compare.h"
 #include "bench/run/run_command.h"
+#include "bench/score/score_command.h"
 #include "bench/stress/stress.h"
 #include "bench/studies/studies.h"
 #include "bench/sweep/sweep.h"
@@ -146,12 +147,12 @@ static const struct command list_command = {
 };
 
 const struct command *const commands[] = {
-    &list_command,  &run_command,   &compare_command, &tables_command, &studies_command,
-    &sweep_command, &truth_command, &verify_command,  &stress_command, &bench_command,
-    NULL,
+    &list_command,    &run_command,   &compare_command, &tables_command,
+    &studies_command, &sweep_command, &truth_command,   &verify_command,
+    &stress_command,  &score_command, &bench_command,   NULL,
 };
 
-static const char *const planned[] = {"score", "advise", "report", NULL};
+static const char *const planned[] = {"advise", "report", NULL};
 
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why)

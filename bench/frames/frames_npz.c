@@ -41,37 +41,21 @@ static enum status next_npz(struct frames *f, double *t, bool *more, struct mess
 
 /* A small array of `rows` rows of `columns` (0: of one rank). *values stays NULL if there
  * is none. */
-static enum status take_small(struct frames *f, const char *name, unsigned long long rows,
+static enum status take_small(struct frames *f, const char *name, size_t rows,
                               unsigned columns, double **values, struct message *why)
 {
-    struct npz *n = f->state;
-    struct frames_zip_stream stream;
+    const struct npz *n = f->state;
+    const size_t count = rows * (columns ? columns : 1);
     struct frames_array a;
-    double *array = NULL;
-    const size_t count = (size_t)rows * (columns ? columns : 1);
-    enum status st = frames_zip_open(&n->bytes, name, &stream, why);
+    const enum status st = frames_array_load(&n->bytes, name, count, &a, values, why);
 
-    if (st != STATUS_OK) {
-        frames_zip_close(&stream);
+    if (st != STATUS_OK)
         return st == STATUS_UNSUPPORTED ? STATUS_OK : st;
-    }
-    TRY(frames_array_open(f->path, name, &stream, &a, why));
-    unsigned long long held = 1;
-    for (int k = 0; k < a.rank; k++)
-        held *= a.size[k];
-    if (held != count || (columns && a.size[a.rank - 1] != columns))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: %s: has %llu numbers; %zu, %llu rows of %u, would be right",
-                        f->path, name, held, count, rows, columns ? columns : 1));
-    array = malloc((count + 1) * sizeof *array);
-    TRY(array ? STATUS_OK : STATUS_MEMORY);
-    if (!frames_array_read(&stream, &a, count, array))
-        TRY(status_fail(why, STATUS_INPUT, "%s: %s: is cut off or damaged", f->path, name));
-    *values = array, array = NULL;
-out:
-    free(array);
-    frames_zip_close(&stream);
-    return st;
+    if (frames_array_count(&a) == count && (!columns || a.size[a.rank - 1] == columns))
+        return STATUS_OK;
+    return status_fail(
+        why, STATUS_INPUT, "%s: %s: has %zu numbers; %zu, %zu rows of %u, would be right",
+        f->path, name, frames_array_count(&a), count, rows, columns ? columns : 1);
 }
 
 /* An array that is the whole file. */
@@ -125,9 +109,8 @@ enum status frames_npz_open(struct frames *f, const char *path, struct message *
     const bool bare = n->bytes.size > 6 && !memcmp(n->bytes.byte, "\x93NUMPY", 6);
     TRY(take_xyz(f, bare, why));
     if (!bare) {
-        TRY(take_small(f, "uv.npy", (unsigned long long)f->net.vertices, 2, &f->net.uv,
-                       why));
-        TRY(take_small(f, "t.npy", n->xyz.size[0], 0, &n->t, why));
+        TRY(take_small(f, "uv.npy", (size_t)f->net.vertices, 2, &f->net.uv, why));
+        TRY(take_small(f, "t.npy", (size_t)n->xyz.size[0], 0, &n->t, why));
     }
     f->timed = n->t != NULL;
 out:

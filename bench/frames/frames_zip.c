@@ -1,6 +1,7 @@
 #include "bench/frames/frames_zip.h"
 
-#include <stdio.h>
+#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define MAX32 0xffffffffULL
@@ -79,7 +80,7 @@ static void take_large(const unsigned char *extra, const unsigned char *end,
 static enum status find_member(const struct frames_bytes *b, const char *name,
                                struct member *m, struct message *why)
 {
-    struct directory d;
+    struct directory d = {0};
     enum status st;
 
     TRY(find_directory(b, &d, why));
@@ -154,7 +155,7 @@ bool frames_zip_read(struct frames_zip_stream *s, void *room, size_t size)
     while (size) {
         const size_t in = (size_t)(s->end - s->at), part = in < 1 << 20 ? in : 1 << 20,
                      out = size < 1 << 20 ? size : 1 << 20;
-        s->z.next_in = (unsigned char *)(size_t)s->at;
+        s->z.next_in = (unsigned char *)(uintptr_t)s->at;
         s->z.avail_in = (unsigned)part;
         s->z.avail_out = (unsigned)out;
         const int state = inflate(&s->z, Z_NO_FLUSH);
@@ -237,4 +238,37 @@ bool frames_array_read(struct frames_zip_stream *stream, const struct frames_arr
     for (size_t n = 0; n < count; n++)
         values[n] = frames_bytes_float(at + n * (size_t)a->bytes, a->bytes, false);
     return true;
+}
+
+size_t frames_array_count(const struct frames_array *a)
+{
+    size_t count = 1;
+
+    for (int n = 0; n < a->rank; n++)
+        count *= (size_t)a->size[n];
+    return count;
+}
+
+enum status frames_array_load(const struct frames_bytes *b, const char *name, size_t most,
+                              struct frames_array *a, double **values, struct message *why)
+{
+    struct frames_zip_stream stream;
+    double *array = NULL;
+    enum status st;
+
+    TRY(frames_zip_open(b, name, &stream, why));
+    TRY(frames_array_open(b->path, name, &stream, a, why));
+    const size_t count = frames_array_count(a);
+    if (count > most)
+        TRY(status_fail(why, STATUS_INPUT, "%s: %s: has %zu numbers; %zu would be right",
+                        b->path, name, count, most));
+    array = malloc((count + 1) * sizeof *array);
+    TRY(array ? STATUS_OK : STATUS_MEMORY);
+    if (!frames_array_read(&stream, a, count, array))
+        TRY(status_fail(why, STATUS_INPUT, "%s: %s: is cut off or damaged", b->path, name));
+    *values = array, array = NULL;
+out:
+    free(array);
+    frames_zip_close(&stream);
+    return st;
 }

@@ -41,4 +41,14 @@ enum status frames_array_open(const char *path, const char *name,
 bool frames_array_read(struct frames_zip_stream *stream, const struct frames_array *array,
                        size_t count, double *values);
 
+/* All numbers of the array `name` of a ZIP file, at most `most`; *values is freed by the
+ * receiver. STATUS_UNSUPPORTED: there is none of that name; STATUS_INPUT with a sentence.
+ */
+enum status frames_array_load(const struct frames_bytes *b, const char *name, size_t most,
+                              struct frames_array *array, double **values,
+                              struct message *why);
+
+/* The product of its sizes. */
+size_t frames_array_count(const struct frames_array *array);
+
 #endif

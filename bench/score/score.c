@@ -1,0 +1,285 @@
+#include "bench/score/score.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A frame is at a time to this: a sheet at 10 m/s moves by 1e-5 m. */
+#define SAME_TIME 1e-6
+
+/* Between frames farther apart than this nothing is said: a parabola through three frames
+ * is off by jerk h^3 / 16, 0.05 % of 1 m where a sheet swings and h is 1/24 s. */
+#define MOST_GAP 0.05
+
+/* A floor that is no more than rounding is none. */
+#define ROUNDING 1e-12
+
+enum { WINDOW = 3 };
+
+struct window { /* the frames last read, the newest last */
+    int count;
+    double time[WINDOW], *xyz[WINDOW]; /* [vertices][3] [m] owned */
+};
+
+double score_rms(int points, const double *a, const double *b)
+{
+    double sum = 0;
+
+    for (int n = 0; n < 3 * points; n++)
+        sum += (a[n] - b[n]) * (a[n] - b[n]);
+    return sqrt(sum / points);
+}
+
+/* Into the scene's axes and metres: Blender's y-up (x, y, z) is (x, -z, y). */
+static void turn(const struct score_look *look, int vertices, const double *from,
+                 double *to)
+{
+    for (int n = 0; n < vertices; n++, from += 3, to += 3) {
+        const double x = from[0], y = from[1], z = from[2];
+        to[0] = look->scale * (look->up == 'x' ? -z : x);
+        to[1] = look->scale * (look->up == 'y' ? -z : y);
+        to[2] = look->scale * (look->up == 'x' ? x : look->up == 'y' ? y : z);
+    }
+}
+
+/* The weights of the window's frames at a time; false: they do not tell of it. */
+static bool weigh(const struct window *w, double time, double weight[WINDOW], bool *between)
+{
+    const double *t = w->time, newest = t[WINDOW - 1], before = t[WINDOW - 2];
+
+    *between = fabs(newest - time) > SAME_TIME;
+    weight[0] = weight[1] = 0;
+    weight[2] = 1;
+    if (!*between)
+        return true;
+    if (w->count < WINDOW || time > newest || time < before + SAME_TIME ||
+        newest - t[0] > 2 * MOST_GAP)
+        return false;
+    for (int a = 0; a < WINDOW; a++) {
+        weight[a] = 1;
+        for (int b = 0; b < WINDOW; b++)
+            weight[a] *= a == b ? 1 : (time - t[b]) / (t[a] - t[b]);
+    }
+    return true;
+}
+
+static void look_at(const struct window *w, const double *weight,
+                    const struct score_map *map, double *part, double *field)
+{
+    const int numbers = 3 * map->nu * map->nv;
+
+    memset(field, 0, (size_t)numbers * sizeof *field);
+    for (int a = 0; a < WINDOW; a++) {
+        if (weight[a] == 0)
+            continue;
+        score_map_apply(map, w->xyz[a], part);
+        for (int n = 0; n < numbers; n++)
+            field[n] += weight[a] * part[n];
+    }
+}
+
+/* What the newest frame tells of the times that are wanted. */
+static void take_times(struct score *s, const struct window *w, double *part)
+{
+    double weight[WINDOW];
+    bool between;
+
+    for (int n = 0; n < s->truth.times; n++)
+        if ((!s->row[n].known || s->row[n].between) &&
+            weigh(w, s->truth.time[n], weight, &between) && !(between && s->row[n].known)) {
+            look_at(w, weight, &s->grid, part, s->field + 3L * SCORE_POINTS * n);
+            s->row[n].known = true;
+            s->row[n].between = between;
+        }
+    for (int n = 0; n < s->ladder.times; n++)
+        if (weigh(w, s->ladder.time[n], weight, &between) &&
+            !(between && s->coarse_known[n])) {
+            look_at(w, weight, &s->coarse, part, s->coarse_field + 3L * LADDER_POINTS * n);
+            s->coarse_known[n] = true;
+        }
+}
+
+static void push(struct window *w, double t)
+{
+    double *oldest = w->xyz[0];
+
+    for (int a = 1; a < WINDOW; a++) {
+        w->xyz[a - 1] = w->xyz[a];
+        w->time[a - 1] = w->time[a];
+    }
+    w->xyz[WINDOW - 1] = oldest;
+    w->time[WINDOW - 1] = t;
+    w->count++;
+}
+
+static enum status make_net(struct score *s, const struct frames *frames,
+                            const struct score_look *look, const char *name,
+                            const double *xyz, struct message *why)
+{
+    const struct frames_net *net = frames_net(frames);
+    double *rest = NULL;
+    enum status st = STATUS_OK;
+
+    if (net->rest && !net->uv) {
+        rest = malloc((size_t)net->vertices * 3 * sizeof *rest);
+        TRY(rest ? STATUS_OK : STATUS_MEMORY);
+        turn(look, net->vertices, net->rest, rest);
+    }
+    TRY(score_net_make(net, &s->truth.scene, name, rest, xyz, &s->net, why));
+    TRY(score_net_map(&s->net, name, GRID_U, GRID_V, &s->grid, why));
+    TRY(score_net_map(&s->net, name, LADDER_U, LADDER_V, &s->coarse, why));
+out:
+    free(rest);
+    return st;
+}
+
+/* How far the first frame is from rest. */
+static void take_start(struct score *s, const struct window *w, double *part)
+{
+    double rest[3 * LADDER_POINTS];
+
+    for (int n = 0; n < LADDER_POINTS; n++) {
+        const double uv[2] = {n % LADDER_U / (LADDER_U - 1.),
+                              n / LADDER_U / (LADDER_V - 1.)};
+        score_net_sample(GRID_U, GRID_V, s->truth.rest, uv, rest + 3 * n);
+    }
+    score_map_apply(&s->coarse, w->xyz[WINDOW - 1], part);
+    s->start = fabs(s->first) <= SAME_TIME ? score_rms(LADDER_POINTS, part, rest) : NAN;
+}
+
+static enum status read_frames(struct score *s, struct frames *frames,
+                               const struct score_look *look, const char *name,
+                               struct window *w, struct message *why)
+{
+    const int vertices = frames_net(frames)->vertices;
+    double *part = malloc(3 * SCORE_POINTS * sizeof *part), t;
+    const double *xyz;
+    enum status st = part ? STATUS_OK : STATUS_MEMORY;
+
+    for (int a = 0; a < WINDOW; a++)
+        w->xyz[a] = malloc((size_t)vertices * 3 * sizeof *w->xyz[a]);
+    TRY(st != STATUS_OK || !w->xyz[0] || !w->xyz[1] || !w->xyz[2] ? STATUS_MEMORY
+                                                                  : STATUS_OK);
+    for (;; s->frames++) {
+        TRY(frames_next(frames, &t, &xyz, why));
+        if (!xyz)
+            break;
+        push(w, t);
+        turn(look, vertices, xyz, w->xyz[WINDOW - 1]);
+        if (!s->frames) {
+            s->first = t;
+            TRY(make_net(s, frames, look, name, w->xyz[WINDOW - 1], why));
+            take_start(s, w, part);
+        } else {
+            s->interval = fmin(s->interval, t - s->last);
+        }
+        s->last = t;
+        take_times(s, w, part);
+    }
+    if (!s->frames)
+        st = status_fail(why, STATUS_INPUT, "%s: has no frames", name);
+out:
+    free(part);
+    return st;
+}
+
+void score_seen(const struct score *s, int n, double *field)
+{
+    const double *truth = score_truth_field(&s->truth, n);
+
+    memset(field, 0, 3 * SCORE_POINTS * sizeof *field);
+    for (int p = 0; p < SCORE_POINTS; p++)
+        for (int k = 0; k < 4; k++) {
+            const double weight = s->grid.weight[p][k];
+            double x[3];
+            if (weight == 0)
+                continue;
+            score_net_sample(GRID_U, GRID_V, truth, s->net.uv + 2L * s->grid.vertex[p][k],
+                             x);
+            for (int c = 0; c < 3; c++)
+                field[3 * p + c] += weight * x[c];
+        }
+}
+
+static enum status judge(struct score *s)
+{
+    const double length = s->truth.scene.length;
+    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen);
+
+    for (int n = 0; seen && n < s->truth.times; n++) {
+        struct score_time *row = &s->row[n];
+        const double *truth = score_truth_field(&s->truth, n);
+        row->time = s->truth.time[n];
+        row->bar = s->truth.bar[n] / length;
+        if (!row->known)
+            continue;
+        score_seen(s, n, seen);
+        row->floor = score_rms(SCORE_POINTS, seen, truth) / length;
+        row->floor = row->floor < ROUNDING ? 0 : row->floor;
+        row->error =
+            score_rms(SCORE_POINTS, s->field + 3L * SCORE_POINTS * n, truth) / length;
+    }
+    free(seen);
+    return seen ? STATUS_OK : STATUS_MEMORY;
+}
+
+enum status score_read(const char *scene, int count, const char *const *paths,
+                       const struct score_look *look, struct score *s, struct message *why)
+{
+    struct frames *frames = NULL;
+    struct window window = {0};
+    enum status st;
+
+    memset(s, 0, sizeof *s);
+    s->interval = INFINITY;
+    TRY(score_truth_read(scene, &s->truth, why));
+    TRY(score_ladder_read(&s->truth.scene, &s->ladder, why));
+    const size_t times = (size_t)s->truth.times, steps = (size_t)s->ladder.times;
+    s->row = calloc(times, sizeof *s->row);
+    s->field = malloc(times * 3 * SCORE_POINTS * sizeof *s->field);
+    s->coarse_known = calloc(steps + 1, sizeof *s->coarse_known);
+    s->coarse_field = malloc((steps + 1) * 3 * LADDER_POINTS * sizeof *s->coarse_field);
+    if (!s->row || !s->field || !s->coarse_known || !s->coarse_field)
+        TRY(STATUS_MEMORY);
+    TRY(frames_open(count, paths, &look->frames, &frames, why));
+    TRY(read_frames(s, frames, look, paths[0], &window, why));
+    s->net.triangle = NULL; /* the frames' own */
+    if (s->truth.time[0] > s->last + SAME_TIME ||
+        s->truth.time[s->truth.times - 1] < s->first - SAME_TIME)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: its frames run from %g to %g s, the truth of %s from %g to %g "
+                        "s; frames at times of both would be right",
+                        paths[0], s->first, s->last, s->truth.scene.name, s->truth.time[0],
+                        s->truth.time[s->truth.times - 1]));
+    TRY(judge(s));
+out:
+    for (int a = 0; a < WINDOW; a++)
+        free(window.xyz[a]);
+    frames_close(frames);
+    if (st != STATUS_OK)
+        score_clear(s);
+    return st == STATUS_FILE ? STATUS_INPUT : st; /* a file that the user named */
+}
+
+void score_clear(struct score *s)
+{
+    score_truth_clear(&s->truth);
+    score_ladder_clear(&s->ladder);
+    score_net_clear(&s->net);
+    score_map_clear(&s->grid);
+    score_map_clear(&s->coarse);
+    free(s->row);
+    free(s->field);
+    free(s->coarse_known);
+    free(s->coarse_field);
+    memset(s, 0, sizeof *s);
+}
+
+int score_last(const struct score *s)
+{
+    int last = -1;
+
+    for (int n = 0; n < s->truth.times; n++)
+        last = s->row[n].known ? n : last;
+    return last;
+}

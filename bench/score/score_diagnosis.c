@@ -259,6 +259,7 @@ enum status score_diagnose(const struct score *s, struct score_diagnosis *d)
     TRY(score_fit_make(s, &fit));
     TRY(say_stretch(s, d));
     say_fit(s, &fit, d);
+    d->left = fit.after < fit.before ? fit.after / fit.before : 0;
     if (!d->count)
         say_sound(s, d);
 out:

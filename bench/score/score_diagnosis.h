@@ -34,6 +34,8 @@ struct score_finding {
 
 struct score_diagnosis {
     int count;
+    double
+        left; /* of the difference, with the flaws of the motion put right; 0: none are  */
     struct score_finding finding[SCORE_KINDS];
 };
 

@@ -30,8 +30,8 @@ static const int first_column[FIT_KINDS] = {LEAD, GRAVITY, DAMPING, HINGE, STRET
 /* Flaws are believed where they leave so much of the squared difference; one more of them
  * where without it so many times as much would be left. */
 #define LEFT_WELL   0.1
-#define LEFT_MOST   0.25
-#define MUST_MATTER 2
+#define LEFT_MOST   0.5
+#define MUST_MATTER 1.5
 
 /* Bending is looked for at so many stiffnesses between the ladder's ends. */
 enum { TRIES = 121, SET_MOST = 3 };

@@ -67,6 +67,11 @@ static void add_notes(struct table *t, const struct score_result *r, bool named)
     }
     for (int n = 0; n < r->diagnosis.count; n++)
         table_note(t, "%s%s%s", name, colon, r->diagnosis.finding[n].text);
+    if (r->diagnosis.left > 0)
+        table_note(t,
+                   "%s%sPut right, what is said of the motion leaves %.0f %% of the "
+                   "difference.",
+                   name, colon, 100 * r->diagnosis.left);
     if (!r->diagnosis.count)
         table_note(t, "%s%sNo flaw that is known here explains the difference.", name,
                    colon);

@@ -7,14 +7,18 @@
 /* A frame is at a time to this: a sheet at 10 m/s moves by 1e-5 m. */
 #define SAME_TIME 1e-6
 
-/* Between frames farther apart than this nothing is said: a parabola through three frames
- * is off by jerk h^3 / 16, 0.05 % of 1 m where a sheet swings and h is 1/24 s. */
-#define MOST_GAP 0.05
+/* Between frames farther apart than this, those of 24 a second, nothing is said: a cubic
+ * through four frames is off by h^4 / 43 times the fourth derivative, where a sheet whips
+ * 0.1 % of its length. */
+#define MOST_GAP 0.042
 
 /* A floor that is no more than rounding is none. */
 #define ROUNDING 1e-12
 
-enum { WINDOW = 3 };
+enum { WINDOW = 4 };
+
+/* How well frames tell of a time: not at all, from one side, from both, by one of them. */
+enum { TELLS_NOT, TELLS_BESIDE, TELLS_BETWEEN, TELLS_ITSELF };
 
 struct window { /* the frames last read, the newest last */
     int count;
@@ -42,25 +46,26 @@ static void turn(const struct score_look *look, int vertices, const double *from
     }
 }
 
-/* The weights of the window's frames at a time; false: they do not tell of it. */
-static bool weigh(const struct window *w, double time, double weight[WINDOW], bool *between)
+/* The weights of the window's frames at a time, and how well they tell of it. */
+static int weigh(const struct window *w, double time, double weight[WINDOW])
 {
-    const double *t = w->time, newest = t[WINDOW - 1], before = t[WINDOW - 2];
+    const double *t = w->time, newest = t[WINDOW - 1];
 
-    *between = fabs(newest - time) > SAME_TIME;
-    weight[0] = weight[1] = 0;
-    weight[2] = 1;
-    if (!*between)
-        return true;
-    if (w->count < WINDOW || time > newest || time < before + SAME_TIME ||
-        newest - t[0] > 2 * MOST_GAP)
-        return false;
+    for (int a = 0; a < WINDOW; a++)
+        weight[a] = a == WINDOW - 1;
+    if (fabs(newest - time) <= SAME_TIME)
+        return TELLS_ITSELF;
+    if (w->count < WINDOW || time > newest || time < t[0])
+        return TELLS_NOT;
+    for (int a = 1; a < WINDOW; a++)
+        if (t[a] - t[a - 1] > MOST_GAP)
+            return TELLS_NOT;
     for (int a = 0; a < WINDOW; a++) {
         weight[a] = 1;
         for (int b = 0; b < WINDOW; b++)
             weight[a] *= a == b ? 1 : (time - t[b]) / (t[a] - t[b]);
     }
-    return true;
+    return t[1] < time && time < t[2] ? TELLS_BETWEEN : TELLS_BESIDE;
 }
 
 static void look_at(const struct window *w, const double *weight,
@@ -78,25 +83,27 @@ static void look_at(const struct window *w, const double *weight,
     }
 }
 
-/* What the newest frame tells of the times that are wanted. */
+/* What the window tells of the times that are wanted, where it does so better. */
 static void take_times(struct score *s, const struct window *w, double *part)
 {
     double weight[WINDOW];
-    bool between;
 
-    for (int n = 0; n < s->truth.times; n++)
-        if ((!s->row[n].known || s->row[n].between) &&
-            weigh(w, s->truth.time[n], weight, &between) && !(between && s->row[n].known)) {
-            look_at(w, weight, &s->grid, part, s->field + 3L * SCORE_POINTS * n);
-            s->row[n].known = true;
-            s->row[n].between = between;
-        }
-    for (int n = 0; n < s->ladder.times; n++)
-        if (weigh(w, s->ladder.time[n], weight, &between) &&
-            !(between && s->coarse_known[n])) {
-            look_at(w, weight, &s->coarse, part, s->coarse_field + 3L * LADDER_POINTS * n);
-            s->coarse_known[n] = true;
-        }
+    for (int n = 0; n < s->truth.times; n++) {
+        const int tells = weigh(w, s->truth.time[n], weight);
+        if (tells <= s->tells[n])
+            continue;
+        look_at(w, weight, &s->grid, part, s->field + 3L * SCORE_POINTS * n);
+        s->tells[n] = tells;
+        s->row[n].known = true;
+        s->row[n].between = tells < TELLS_ITSELF;
+    }
+    for (int n = 0; n < s->ladder.times; n++) {
+        const int tells = weigh(w, s->ladder.time[n], weight);
+        if (tells <= s->coarse_tells[n])
+            continue;
+        look_at(w, weight, &s->coarse, part, s->coarse_field + 3L * LADDER_POINTS * n);
+        s->coarse_tells[n] = tells;
+    }
 }
 
 static void push(struct window *w, double t)
@@ -158,8 +165,9 @@ static enum status read_frames(struct score *s, struct frames *frames,
 
     for (int a = 0; a < WINDOW; a++)
         w->xyz[a] = malloc((size_t)vertices * 3 * sizeof *w->xyz[a]);
-    TRY(st != STATUS_OK || !w->xyz[0] || !w->xyz[1] || !w->xyz[2] ? STATUS_MEMORY
-                                                                  : STATUS_OK);
+    for (int a = 0; a < WINDOW; a++)
+        st = w->xyz[a] ? st : STATUS_MEMORY;
+    TRY(st);
     for (;; s->frames++) {
         TRY(frames_next(frames, &t, &xyz, why));
         if (!xyz)
@@ -237,9 +245,10 @@ enum status score_read(const char *scene, int count, const char *const *paths,
     const size_t times = (size_t)s->truth.times, steps = (size_t)s->ladder.times;
     s->row = calloc(times, sizeof *s->row);
     s->field = malloc(times * 3 * SCORE_POINTS * sizeof *s->field);
-    s->coarse_known = calloc(steps + 1, sizeof *s->coarse_known);
+    s->tells = calloc(times, sizeof *s->tells);
+    s->coarse_tells = calloc(steps + 1, sizeof *s->coarse_tells);
     s->coarse_field = malloc((steps + 1) * 3 * LADDER_POINTS * sizeof *s->coarse_field);
-    if (!s->row || !s->field || !s->coarse_known || !s->coarse_field)
+    if (!s->row || !s->field || !s->tells || !s->coarse_tells || !s->coarse_field)
         TRY(STATUS_MEMORY);
     TRY(frames_open(count, paths, &look->frames, &frames, why));
     TRY(read_frames(s, frames, look, paths[0], &window, why));
@@ -270,7 +279,8 @@ void score_clear(struct score *s)
     score_map_clear(&s->coarse);
     free(s->row);
     free(s->field);
-    free(s->coarse_known);
+    free(s->tells);
+    free(s->coarse_tells);
     free(s->coarse_field);
     memset(s, 0, sizeof *s);
 }

@@ -31,8 +31,8 @@ struct score {
     struct score_map grid, coarse; /* onto the material grid, and the ladder's           */
     struct score_time *row;        /* [truth.times]                              owned   */
     double *field;                 /* [truth.times][SCORE_POINTS][3], if known   owned   */
-    bool *coarse_known;            /* [ladder.times]                             owned   */
-    double *coarse_field;          /* [ladder.times][LADDER_POINTS][3] [m]       owned   */
+    int *tells, *coarse_tells; /* [truth.times], [ladder.times]: 0: no frame   owned   */
+    double *coarse_field;      /* [ladder.times][LADDER_POINTS][3] [m]       owned   */
     int frames;
     double first, last, interval; /* of the frames: times, shortest between two [s]      */
     double start; /* rms displacement at t = 0 [m]; NaN: no such frame                   */

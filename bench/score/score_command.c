@@ -77,7 +77,7 @@ static enum status score_one(const struct job *j, const char *scene, int count,
     if (score_last(&s) < 0)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: no frame is at a time of the truth, or near enough to go "
-                        "between (0.05 s); frames at the times of clothbench truth %s "
+                        "between (1/24 s); frames at the times of clothbench truth %s "
                         "--stored would be right",
                         paths[0], scene));
     TRY(score_diagnose(&s, &r->diagnosis));

@@ -12,9 +12,10 @@
 /* Frames that move by less than this share of what the truth does are still. */
 #define STILL_MOST 0.01
 
-/* Lines of the net longer than the truth's by this share are said: a sheet of 10 x 10
- * vertices that moves as the truth does is within a tenth of it. */
+/* Lines of the net longer, or shorter, than the truth's by this share are said: chords of a
+ * coarse net and what lies between two frames are too short, never too long. */
 #define STRETCH_LEAST 0.005
+#define SHRINK_LEAST  0.01
 
 /* A lead of half a step is a first-order step's. Frames come every step or more seldom. */
 #define HALF_STEP 0.55
@@ -149,11 +150,11 @@ static enum status say_stretch(const struct score *s, struct score_diagnosis *d)
     free(seen);
     if (!seen)
         return STATUS_MEMORY;
-    if (fabs(most) > STRETCH_LEAST)
+    if (most > STRETCH_LEAST || most < -SHRINK_LEAST)
         say(d, SCORE_STRETCH, most,
-            "%s by %.2g %% more than the truth (its lines, on average, at %g s): %s.",
+            "%s by %.2g %% more than the truth (its lines, on average, at %g s): %s",
             most > 0 ? "Stretches" : "Shrinks", 100 * fabs(most), when,
-            most > 0 ? "too soft in the plane, or too few iterations"
+            most > 0 ? "too soft in the plane, or too few iterations."
                      : "is the rest shape the sheet's?");
     return STATUS_OK;
 }
@@ -175,11 +176,11 @@ static void say_lead(const struct score *s, double lead, struct score_diagnosis 
             "half of it takes half of this away.",
             2e3 * lead);
     else
-        say(d, SCORE_LAG, -lead, "%s the truth by %.3g ms: %s.",
+        say(d, SCORE_LAG, -lead, "%s the truth by %.3g ms: %s",
             lead > 0 ? "Is ahead of" : "Lags behind", 1e3 * fabs(lead),
             lead > 0 ? "does frame 0 show the start?"
                      : "frames before the start, or a first-order step that begins at rest "
-                       "(explicit Euler)");
+                       "(explicit Euler).");
 }
 
 static void say_fit(const struct score *s, const struct score_fit *fit,

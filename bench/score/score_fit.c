@@ -157,7 +157,7 @@ static enum status sum_ladder(const struct score *s, struct sums *sums)
     }
     sums->ladder = true;
     for (int time = 0; time < s->ladder.times; time++)
-        if (s->coarse_known[time]) {
+        if (s->coarse_tells[time]) {
             fields_at(s, time, rest, field);
             add_time(s, time, rest, field, sums);
         }

@@ -46,9 +46,9 @@ static void range_text(const struct score_result *r, size_t size, char *text)
                  r->frames, r->vertices, r->first, r->last, r->times, r->row[0].time,
                  r->row[r->times - 1].time, both);
     if (between)
-        used += snprintf(text + used, size - (size_t)used,
-                         ", at %d of them between frames, by a parabola through three",
-                         between);
+        used +=
+            snprintf(text + used, size - (size_t)used,
+                     ", at %d of them between frames, by a cubic through four", between);
     if (r->by_position)
         used += snprintf(text + used, size - (size_t)used,
                          "; vertices were matched by their rest positions");

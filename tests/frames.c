@@ -9,7 +9,7 @@
 #include "bench/frames/frames_folder.h"
 #include "tests/frames_fixture.h"
 
-static const char *folder;
+const char *frames_folder;
 
 /* --- what is written --------------------------------------------------------------------
  */
@@ -18,7 +18,7 @@ static const char *folder;
 static void write_csv(const char *name, const char *header, const char *format,
                       bool shuffled)
 {
-    FILE *file = create(folder, name);
+    FILE *file = create(name);
 
     fputs(header, file);
     for (int m = 0; m < TIMES * VERTICES; m++) {
@@ -35,7 +35,7 @@ static void write_csv(const char *name, const char *header, const char *format,
 
 static void write_obj(const char *name, int k)
 {
-    FILE *file = create(folder, name);
+    FILE *file = create(name);
     double x[3];
 
     fprintf(file, "# a mesh\no cloth\n");
@@ -59,7 +59,7 @@ static void write_obj(const char *name, int k)
 
 static void write_ply(const char *name, int k, const char *format)
 {
-    FILE *file = create(folder, name);
+    FILE *file = create(name);
     const bool ascii = !strcmp(format, "ascii"), big = strstr(format, "big") != NULL;
 
     fprintf(
@@ -105,22 +105,13 @@ static void write_npz(const char *name, int bytes, bool deflated, const char *sh
     zip_add(&z, "uv.npy", room, sample_array(room, 'u', bytes, type, "(20, 2)"), deflated);
     zip_add(&z, "xyz.npy", room, sample_array(room, 'x', bytes, type, shape), deflated);
     zip_add(&z, "t.npy", room, sample_array(room, 't', 8, "<f8", "(12,)"), false);
-    zip_write(&z, folder, name);
-}
-
-static void write_npy(const char *name, const char *type, const char *shape, int bytes)
-{
-    unsigned char room[ZIP_ROOM];
-    FILE *file = create(folder, name);
-    const size_t size = sample_array(room, 'x', bytes, type, shape);
-
-    REQUIRE(fwrite(room, 1, size, file) == size && fclose(file) == 0);
+    zip_write(&z, name);
 }
 
 static void write_cache(const char *name, bool mdd)
 {
     unsigned char room[ZIP_ROOM], *p = room;
-    FILE *file = create(folder, name);
+    FILE *file = create(name);
 
     if (mdd) {
         put_whole(&p, TIMES, 4, true);
@@ -146,59 +137,6 @@ static void write_cache(const char *name, bool mdd)
     REQUIRE(fclose(file) == 0);
 }
 
-static void put_set(hid_t file, const char *name, int rank, const hsize_t *size,
-                    const double *values)
-{
-    hid_t space = H5Screate_simple(rank, size, NULL);
-    hid_t set = H5Dcreate2(file, name, H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT,
-                           H5P_DEFAULT);
-
-    REQUIRE(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
-    H5Dclose(set);
-    H5Sclose(space);
-}
-
-static void write_hdf5(const char *name, hsize_t rows)
-{
-    char path[4096];
-    double xyz[TIMES * VERTICES * 3], uv[2 * VERTICES], t[TIMES];
-
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    for (int k = 0; k < TIMES; k++) {
-        t[k] = sample_time(k);
-        for (int n = 0; n < VERTICES; n++) {
-            sample(k, n, xyz + 3 * (k * VERTICES + n));
-            sample_uv(n, uv + 2 * n);
-        }
-    }
-    hdf5_file_start();
-    hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    REQUIRE(file >= 0);
-    put_set(file, "xyz", 3, (hsize_t[]){TIMES, VERTICES, 3}, xyz);
-    put_set(file, "uv", 2, (hsize_t[]){rows, 2}, uv);
-    put_set(file, "t", 1, (hsize_t[]){TIMES}, t);
-    H5Fclose(file);
-}
-
-static void write_text(const char *name, const char *text)
-{
-    FILE *file = create(folder, name);
-
-    REQUIRE(fputs(text, file) >= 0 && fclose(file) == 0);
-}
-
-/* The first so many bytes of another file. */
-static void write_part(const char *name, const char *of, size_t size)
-{
-    char path[4096], room[ZIP_ROOM];
-
-    snprintf(path, sizeof path, "%s/%s", folder, of);
-    FILE *from = fopen(path, "rb"), *to = create(folder, name);
-    REQUIRE(from && fread(room, 1, size, from) == size);
-    REQUIRE(fwrite(room, 1, size, to) == size && fclose(to) == 0);
-    fclose(from);
-}
-
 /* --- what comes back ---------------------------------------------------------------------
  */
 
@@ -213,8 +151,8 @@ static void check_back(const char *name, double dt, const char *rest, bool has_u
     double t;
     int frames = 0;
 
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    snprintf(mesh, sizeof mesh, "%s/%s", folder, rest ? rest : "");
+    snprintf(path, sizeof path, "%s/%s", frames_folder, name);
+    snprintf(mesh, sizeof mesh, "%s/%s", frames_folder, rest ? rest : "");
     if (!CHECK(frames_open(1, paths, &(struct frames_look){dt, rest ? mesh : NULL}, &f,
                            &why) == STATUS_OK)) {
         printf("%s: %s\n", name, why.text);
@@ -255,7 +193,7 @@ static void round_trips(void)
     write_csv("columns.csv", "vertex,t,u,v,w,x,y,z,more\n",
               "name,%g,%.17g,%.17g,.5,%.17g,%.17g,%.17g,more\n", true);
     check_back("columns.csv", 0, NULL, true);
-    folder_make((snprintf(name, sizeof name, "%s/objs", folder), name), NULL);
+    folder_make((snprintf(name, sizeof name, "%s/objs", frames_folder), name), NULL);
     for (int k = 0; k < TIMES; k++) {
         snprintf(name, sizeof name, "objs/s%d.obj", k + 1); /* s1, s10, s11, s12, s2 */
         write_obj(name, k);
@@ -266,7 +204,7 @@ static void round_trips(void)
                                           "binary_big_endian"};
     for (int n = 0; n < 3; n++) {
         char path[128];
-        snprintf(path, sizeof path, "%s/%s", folder, formats[n]);
+        snprintf(path, sizeof path, "%s/%s", frames_folder, formats[n]);
         folder_make(path, NULL);
         for (int k = 0; k < TIMES; k++) {
             snprintf(path, sizeof path, "%s/f%03d.ply", formats[n], k);
@@ -289,146 +227,6 @@ static void round_trips(void)
     check_back("c.pc2", 0.125, "objs/s1.obj", true);
     write_hdf5("c.h5", VERTICES);
     check_back("c.h5", 0, NULL, true);
-}
-
-/* --- what is refused --------------------------------------------------------------------
- */
-
-/* Its sentence begins with the folder and has both parts. */
-static void check_refused(const char *name, double dt, const char *where, const char *what)
-{
-    char path[4096];
-    const char *paths[] = {path};
-    struct frames *f = NULL;
-    struct message why = {""};
-    const double *xyz = NULL;
-    double t;
-
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    enum status st = frames_open(1, paths, &(struct frames_look){dt, NULL}, &f, &why);
-    if (st == STATUS_OK)
-        do
-            st = frames_next(f, &t, &xyz, &why);
-        while (st == STATUS_OK && xyz);
-    if (!CHECK((st == STATUS_INPUT || st == STATUS_FILE) && strstr(why.text, where) &&
-               strstr(why.text, what) && !strncmp(why.text, folder, strlen(folder))))
-        printf("%s: %d, \"%s\" has not \"%s\" and \"%s\"\n", name, (int)st, why.text, where,
-               what);
-    frames_close(f);
-}
-
-static void bad_texts(void)
-{
-#define HEAD "ply\nformat ascii 1.0\n"
-#define XYZ  "property float x\nproperty float y\nproperty float z\n"
-    static const struct {
-        const char *name, *text, *where, *what;
-    } row[] = {
-        {"empty.csv", "", "empty.csv", "is empty"},
-        {"words.csv", "t,u,v,x,y,z\n0,0,0,0,0,0\n0,1,0,one,0,0\n", "line 3",
-         "row of numbers"},
-        {"short.csv", "0,0,0,0,0,0\n0,1,0,1,0\n", "line 2", "row of numbers"},
-        {"uv.csv", "t,x,y,z\n0,0,0,0\n", "line 1", "no column u"},
-        {"bare.csv", "t,u,v,x,y,z\n", "bare.csv", "no rows"},
-        {"nan.csv", "0,0,0,0,0,0\n0,1,0,nan,0,0\n", "frame 1 (t = 0 s)",
-         "vertex 2 has x = nan"},
-        {"inf.csv", "0,0,0,0,0,0\n1,0,0,0,0,-inf\n", "frame 2 (t = 1 s)", "z = -inf"},
-        {"t.csv", "0,0,0,0,0,0\nnan,0,0,0,0,0\n", "line 2", "row of numbers"},
-        {"more.csv", "0,0,0,0,0,0\n1,0,0,0,0,0\n1,1,0,0,0,0\n", "line 3: frame 2 (t = 1 s)",
-         "u = 1, v = 0 that the first frame has not"},
-        {"less.csv", "0,0,0,0,0,0\n0,1,0,0,0,0\n1,0,0,0,0,0\n", "frame 2 (t = 1 s)",
-         "has 1 vertices, the first frame 2"},
-        {"twice.csv", "0,0,0,0,0,0\n0,1,0,0,0,0\n1,0,0,0,0,0\n1,0,0,0,0,0\n",
-         "line 4: frame 2", "twice"},
-        {"none.obj", "# nothing\n", "none.obj", "has no vertices"},
-        {"v.obj", "v 1 2\n", "line 1", "no vertex"},
-        {"f.obj", "v 0 0 0\nf 1 2 3\n", "line 2", "not there"},
-        {"line.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3", "fewer than three"},
-        {"seam.obj",
-         "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/2 2 3\n", "line 7",
-         "second vt"},
-        {"no.ply", "plz\n", "line 1", "`ply`"},
-        {"end.ply", HEAD "element vertex 1\n" XYZ, "end.ply", "before end_header"},
-        {"huge.ply", HEAD "element vertex 4000000000\n" XYZ "end_header\n", "line 3",
-         "more than the file can hold"},
-        {"type.ply", HEAD "element vertex 1\nproperty quad x\n", "line 4", "type"},
-        {"xy.ply", HEAD "element vertex 1\nproperty float x\nend_header\n0\n", "line 5",
-         "x, y and z"},
-        {"few.ply", HEAD "element vertex 2\n" XYZ "end_header\n0 0 0\n0 0\n", "few.ply",
-         "fewer than its header counts"},
-        {"far.ply",
-         HEAD "element vertex 1\n" XYZ "element face 1\nproperty list uchar int "
-              "vertex_indices\nend_header\n0 0 0\n3 0 1 2\n",
-         "far.ply", "not there"},
-        {"no.npz", "not a zip file, but long enough", "no.npz", "no ZIP file"},
-        {"no.npy", "not an array", "no.npy", "no array of NumPy"},
-        {"no.mdd", "abcdefghij", "no.mdd", "as many as it counts"},
-        {"short.pc2", "POINTCACHE2", "short.pc2", "counts"},
-        {"no.h5", "not sealed, and no HDF5 of others", "no.h5", ""},
-        {"no.txt", "frames", "no.txt", "of no kind that is read"},
-    };
-
-    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
-        write_text(row[n].name, row[n].text);
-        check_refused(row[n].name, strstr(row[n].name, ".csv") ? 0 : 1, row[n].where,
-                      row[n].what);
-    }
-}
-
-static void bad_sequences(void)
-{
-    char path[4096];
-
-    for (int n = 0; n < 4; n++) {
-        static const char *const names[] = {"nothing", "remeshed", "mixed", "grown"};
-        snprintf(path, sizeof path, "%s/%s", folder, names[n]);
-        REQUIRE(folder_make(path, NULL) == STATUS_OK);
-    }
-    check_refused("nothing", 1, "nothing", "has no frames in it");
-    check_refused("absent", 1, "absent", "");
-    static const char square[] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-    char text[256];
-    snprintf(text, sizeof text, "%sf 1 2 3\nf 1 3 4\n", square);
-    write_text("remeshed/a1.obj", text);
-    write_text("grown/a1.obj", text);
-    write_text("mixed/a1.obj", text);
-    snprintf(text, sizeof text, "%sf 1 2 4\nf 2 3 4\n", square);
-    write_text("remeshed/a2.obj", text);
-    check_refused("remeshed", 1, "a2.obj: frame 2", "other faces");
-    snprintf(text, sizeof text, "%sv 2 2 2\nf 1 2 3\nf 1 3 4\n", square);
-    write_text("grown/a37.obj", text);
-    check_refused("grown", 1, "a37.obj: frame 2", "has 5 vertices, the first frame 4");
-    write_text("mixed/a2.ply", "ply\n");
-    check_refused("mixed", 1, "a2.ply", "another kind");
-    check_refused("objs", 0, "objs", "--dt");
-}
-
-static void bad_binaries(void)
-{
-    static const struct {
-        const char *name, *type, *shape, *what;
-    } array[] = {{"long.npy", "<f8", "(13, 20, 3)", "cut off"},
-                 {"vast.npy", "<f8", "(4000000, 4000000, 3)", "cut off"},
-                 {"wide.npy", "<f8", "(12, 15, 4)", "[frames][n][3]"},
-                 {"flat.npy", "<f8", "(720,)", "[frames][n][3]"},
-                 {"big.npy", ">f8", "(12, 20, 3)", "little-endian"},
-                 {"whole.npy", "<i8", "(12, 20, 3)", "little-endian"},
-                 {"deep.npy", "<f8", "(1, 1, 1, 1, 1, 1)", "little-endian"}};
-
-    for (size_t n = 0; n < sizeof array / sizeof *array; n++) {
-        write_npy(array[n].name, array[n].type, array[n].shape, 8);
-        check_refused(array[n].name, 1, array[n].name, array[n].what);
-    }
-    write_part("cut.npz", "n0.npz", 2000);
-    check_refused("cut.npz", 0, "cut.npz", "it is cut off or no ZIP file");
-    write_part("cut.npy", "bare.npy", 2000);
-    check_refused("cut.npy", 1, "cut.npy", "cut off");
-    write_part("cut.mdd", "c.mdd", 1000);
-    check_refused("cut.mdd", 1, "cut.mdd", "counts 12 frames of 20 points");
-    write_part("cut.h5", "c.h5", 1000);
-    check_refused("cut.h5", 0, "cut.h5", "");
-    write_hdf5("rows.h5", VERTICES - 1);
-    check_refused("rows.h5", 0, "rows.h5: uv", "has 38 numbers; 40");
 }
 
 /* --- small things ------------------------------------------------------------------------
@@ -480,13 +278,11 @@ int main(int argc, char **argv)
     struct message why = {""};
 
     REQUIRE(argc == 2);
-    folder = argv[1];
-    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    frames_folder = argv[1];
+    REQUIRE(folder_make(frames_folder, &why) == STATUS_OK);
     numbers();
     order_of_names();
     round_trips();
-    bad_texts();
-    bad_sequences();
-    bad_binaries();
-    return check_result();
+    const int bad = frames_bad();
+    return check_result() || bad;
 }

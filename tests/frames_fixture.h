@@ -33,11 +33,13 @@ static inline void sample(int k, int n, double xyz[3])
     xyz[2] = -k * k * (1 + uv[0]) / 128.;
 }
 
-static inline FILE *create(const char *folder, const char *name)
+extern const char *frames_folder; /* where files go */
+
+static inline FILE *create(const char *name)
 {
     char path[4096];
 
-    snprintf(path, sizeof path, "%s/%s", folder, name);
+    snprintf(path, sizeof path, "%s/%s", frames_folder, name);
     FILE *file = fopen(path, "wb");
     REQUIRE(file);
     return file;
@@ -130,11 +132,11 @@ static inline void zip_add(struct zip *z, const char *name, const unsigned char 
     z->members++;
 }
 
-static inline void zip_write(struct zip *z, const char *folder, const char *name)
+static inline void zip_write(struct zip *z, const char *name)
 {
     const size_t files = (size_t)(z->at - z->bytes), size = (size_t)(z->end - z->directory);
     unsigned char tail[22], *p = tail;
-    FILE *file = create(folder, name);
+    FILE *file = create(name);
 
     put_whole(&p, 0x06054b50, 4, false);
     put_whole(&p, 0, 4, false);
@@ -180,5 +182,71 @@ static inline size_t sample_array(unsigned char *room, char what, int bytes,
         }
     return (size_t)(p - room);
 }
+
+static inline void write_npy(const char *name, const char *type, const char *shape,
+                             int bytes)
+{
+    unsigned char room[ZIP_ROOM];
+    FILE *file = create(name);
+    const size_t size = sample_array(room, 'x', bytes, type, shape);
+
+    REQUIRE(fwrite(room, 1, size, file) == size && fclose(file) == 0);
+}
+
+static inline void put_set(hid_t file, const char *name, int rank, const hsize_t *size,
+                           const double *values)
+{
+    hid_t space = H5Screate_simple(rank, size, NULL);
+    hid_t set = H5Dcreate2(file, name, H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT,
+                           H5P_DEFAULT);
+
+    REQUIRE(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+    H5Dclose(set);
+    H5Sclose(space);
+}
+
+static inline void write_hdf5(const char *name, hsize_t rows)
+{
+    char path[4096];
+    double xyz[TIMES * VERTICES * 3], uv[2 * VERTICES], t[TIMES];
+
+    snprintf(path, sizeof path, "%s/%s", frames_folder, name);
+    for (int k = 0; k < TIMES; k++) {
+        t[k] = sample_time(k);
+        for (int n = 0; n < VERTICES; n++) {
+            sample(k, n, xyz + 3 * (k * VERTICES + n));
+            sample_uv(n, uv + 2 * n);
+        }
+    }
+    hdf5_file_start();
+    hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    REQUIRE(file >= 0);
+    put_set(file, "xyz", 3, (hsize_t[]){TIMES, VERTICES, 3}, xyz);
+    put_set(file, "uv", 2, (hsize_t[]){rows, 2}, uv);
+    put_set(file, "t", 1, (hsize_t[]){TIMES}, t);
+    H5Fclose(file);
+}
+
+static inline void write_text(const char *name, const char *text)
+{
+    FILE *file = create(name);
+
+    REQUIRE(fputs(text, file) >= 0 && fclose(file) == 0);
+}
+
+/* The first so many bytes of another file. */
+static inline void write_part(const char *name, const char *of, size_t size)
+{
+    char path[4096], room[ZIP_ROOM];
+
+    snprintf(path, sizeof path, "%s/%s", frames_folder, of);
+    FILE *from = fopen(path, "rb"), *to = create(name);
+    REQUIRE(from && fread(room, 1, size, from) == size);
+    REQUIRE(fwrite(room, 1, size, to) == size && fclose(to) == 0);
+    fclose(from);
+}
+
+/* Of frames_bad.c: what is refused; its check_result(). */
+int frames_bad(void);
 
 #endif

@@ -52,7 +52,7 @@ static void check_said(const char *scene, const char *name, const struct score_l
         printf("%s: %s\n", name, why.text);
         return;
     }
-    REQUIRE(score_diagnose(&s, &d) == STATUS_OK);
+    REQUIRE(score_diagnosis_make(&s, &d) == STATUS_OK);
     for (int n = 0; n < d.count; n++) {
         said = said || d.finding[n].kind == want;
         good = good ||

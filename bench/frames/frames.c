@@ -8,19 +8,6 @@
 #include "bench/frames/frames_folder.h"
 #include "bench/frames/frames_parts.h"
 
-void *frames_grow(void *array, int *room, int count, size_t size)
-{
-    const int next = *room < 1024 ? 1024 : *room + *room / 2;
-    void *more;
-
-    if (count < *room)
-        return array;
-    more = realloc(array, (size_t)next * size);
-    if (more)
-        *room = next;
-    return more;
-}
-
 enum status frames_room(struct frames *f, long vertices, struct message *why)
 {
     if (vertices < 1 || vertices > FRAMES_MOST_VERTICES)

@@ -70,6 +70,19 @@ void frames_bytes_forget(struct frames_bytes *b, size_t until)
     b->forgotten = whole;
 }
 
+void *frames_bytes_grow(void *array, int *room, int count, size_t size)
+{
+    const int next = *room < 1024 ? 1024 : *room + *room / 2;
+    void *more;
+
+    if (count < *room)
+        return array;
+    more = realloc(array, (size_t)next * size);
+    if (more)
+        *room = next;
+    return more;
+}
+
 unsigned long frames_bytes_whole(const unsigned char *p, int size, bool big)
 {
     unsigned long x = 0;

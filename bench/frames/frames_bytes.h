@@ -21,6 +21,10 @@ void frames_bytes_close(struct frames_bytes *b); /* all-zero is allowed, and lef
 /* What lies before `until` will not be read soon: its pages may go. */
 void frames_bytes_forget(struct frames_bytes *b, size_t until);
 
+/* The array of *room items of `size` bytes, grown if need be for one more than `count`.
+ * NULL: no memory, and the array is as it was. */
+void *frames_bytes_grow(void *array, int *room, int count, size_t size);
+
 /* Numbers of `size` bytes at p (4 or 8 of a float, 1, 2, 4 of a whole number). */
 double frames_bytes_float(const unsigned char *p, int size, bool big);
 unsigned long frames_bytes_whole(const unsigned char *p, int size, bool big);

@@ -250,7 +250,7 @@ static enum status take_net(struct frames *f, struct csv *c, struct message *why
             break;
         if (count == FRAMES_MOST_VERTICES)
             break;
-        uv = frames_grow(f->net.uv, &room, rows, 2 * sizeof *uv);
+        uv = frames_bytes_grow(f->net.uv, &room, rows, 2 * sizeof *uv);
         TRY(uv ? STATUS_OK : STATUS_MEMORY);
         f->net.uv = uv;
         uv[2 * rows] = row[U], uv[2 * rows + 1] = row[V];

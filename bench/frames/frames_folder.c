@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/frames/frames_parts.h"
+#include "bench/frames/frames_bytes.h"
 
 static size_t number_at(const char **p)
 {
@@ -51,7 +51,7 @@ static enum status add(struct frames_folder *folder, int *room, const char *path
 {
     const size_t size = strlen(path) + strlen(name) + 2;
     char *text = malloc(size);
-    char **more = frames_grow(folder->path, room, folder->count, sizeof *more);
+    char **more = frames_bytes_grow(folder->path, room, folder->count, sizeof *more);
 
     if (more)
         folder->path = more;

@@ -17,8 +17,8 @@ enum status frames_mesh_face(struct frames_mesh *mesh, int count, const long *ve
         mesh->corner =
             (mesh->corner ^ (unsigned long long)(vertex[n] + 1)) * 0x100000001b3ULL;
     for (int n = 2; n < count; n++) {
-        int(*more)[3] = frames_grow(mesh->triangle, &mesh->triangle_room, mesh->triangles,
-                                    sizeof *more);
+        int(*more)[3] = frames_bytes_grow(mesh->triangle, &mesh->triangle_room,
+                                          mesh->triangles, sizeof *more);
         if (!more)
             return STATUS_MEMORY;
         mesh->triangle = more;

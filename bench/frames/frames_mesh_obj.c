@@ -25,9 +25,9 @@ static enum status take_point(struct obj *o, const char *at, const char *end, in
                               long line, struct message *why)
 {
     struct frames_mesh *m = o->mesh;
-    double *more = count == 3
-                       ? frames_grow(m->xyz, &m->room, m->vertices, 3 * sizeof *more)
-                       : frames_grow(o->vt, &o->vt_room, o->vt_count, 2 * sizeof *more);
+    double *more =
+        count == 3 ? frames_bytes_grow(m->xyz, &m->room, m->vertices, 3 * sizeof *more)
+                   : frames_bytes_grow(o->vt, &o->vt_room, o->vt_count, 2 * sizeof *more);
 
     if (!more)
         return STATUS_MEMORY;

@@ -245,9 +245,10 @@ static enum status make_room(struct ply *p, const struct element *e, struct mess
 enum status frames_mesh_ply(const struct frames_bytes *b, struct frames_mesh *mesh,
                             struct message *why)
 {
-    struct ply p = {.b = b, .text = frames_text_of(b), .mesh = mesh};
+    struct ply p = {.b = b, .text = frames_text_of(b), .at = "", .mesh = mesh};
     enum status st;
 
+    p.end = p.at;
     TRY(take_header(&p, why));
     for (int n = 0; n < p.elements; n++) {
         const bool vertices = !strcmp(p.element[n].name, "vertex");

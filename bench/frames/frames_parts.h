@@ -29,10 +29,6 @@ struct frames {
 /* Room for the vertices of the net. STATUS_INPUT: too many, none. */
 enum status frames_room(struct frames *f, long vertices, struct message *why);
 
-/* The array of *room items of `size` bytes, grown if need be for one more than `count`.
- * NULL: no memory, and the array is as it was. */
-void *frames_grow(void *array, int *room, int count, size_t size);
-
 enum status frames_csv_open(struct frames *f, const char *path, struct message *why);
 enum status frames_npz_open(struct frames *f, const char *path, struct message *why);
 enum status frames_hdf5_open(struct frames *f, const char *path, struct message *why);

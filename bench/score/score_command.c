@@ -80,7 +80,7 @@ static enum status score_one(const struct job *j, const char *scene, int count,
                         "between (1/24 s); frames at the times of clothbench truth %s "
                         "--stored would be right",
                         paths[0], scene));
-    TRY(score_diagnose(&s, &r->diagnosis));
+    TRY(score_diagnosis_make(&s, &r->diagnosis));
     TRY(keep(&s, r));
 out:
     score_clear(&s);
@@ -183,7 +183,7 @@ static const struct command_option options[] = {
 const struct command score_command = {
     .name = "score",
     .summary = "anybody's frames against a scene's truth, with a diagnosis",
-    .arguments = "SCENE FRAMES... [OPTION]...",
+    .arguments = "SCENE [FRAMES]... [OPTION]...",
     .text =
         "Holds the frames of any simulator against what is known of the scene's motion,\n"
         "at the times at which both are: rms over the sheet, beside the truth's error bar\n"
@@ -203,7 +203,7 @@ const struct command score_command = {
         "score edge_drop cloth.mdd --rest rest.obj --scale 0.001\n"
         "score my_simulator            # my_simulator/edge_drop.csv, flag.npz, ...\n",
     .least = 1,
-    .most = 1000000,
+    .most = 100000,
     .options = options,
     .run = run,
 };

@@ -249,7 +249,7 @@ static void say_sound(const struct score *s, struct score_diagnosis *d)
             100 * error, 100 * floor);
 }
 
-enum status score_diagnose(const struct score *s, struct score_diagnosis *d)
+enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
 {
     struct score_fit fit;
     enum status st = STATUS_OK;

@@ -43,6 +43,7 @@ struct score_diagnosis {
 const char *score_diagnosis_name(enum score_kind kind);
 
 /* STATUS_MEMORY. */
-enum status score_diagnose(const struct score *score, struct score_diagnosis *diagnosis);
+enum status score_diagnosis_make(const struct score *score,
+                                 struct score_diagnosis *diagnosis);
 
 #endif

@@ -61,6 +61,7 @@ static void bad_texts(void)
         {"end.ply", HEAD "element vertex 1\n" XYZ, "end.ply", "before end_header"},
         {"huge.ply", HEAD "element vertex 4000000000\n" XYZ "end_header\n", "line 3",
          "more than the file can hold"},
+        {"lone.ply", HEAD "property float x\n", "line 3", "of no element"},
         {"type.ply", HEAD "element vertex 1\nproperty quad x\n", "line 4", "type"},
         {"xy.ply", HEAD "element vertex 1\nproperty float x\nend_header\n0\n", "line 5",
          "x, y and z"},

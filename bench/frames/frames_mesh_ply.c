@@ -87,14 +87,14 @@ static enum use use_of(const char *word, int size)
 static enum status take_property(struct ply *p, const char *at, const char *end,
                                  struct message *why)
 {
-    struct element *e = &p->element[p->elements - 1];
-    struct property *q = &e->property[e->properties];
+    struct element *e = p->elements ? &p->element[p->elements - 1] : NULL;
     const char *word;
     bool other;
     int size = frames_text_word(&at, end, &word);
 
-    if (!p->elements || e->properties == PROPERTIES)
+    if (!e || e->properties == PROPERTIES)
         return bad(p, "is a property of no element, or one too many", why);
+    struct property *q = &e->property[e->properties];
     *q = (struct property){0};
     if (is(word, size, "list")) {
         size = frames_text_word(&at, end, &word);

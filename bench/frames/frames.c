@@ -74,7 +74,9 @@ static enum status open_files(struct frames *f, int count, const char *const *pa
         return status_fail(why, STATUS_INPUT,
                            "%s: is one of %d files, and each %s has all frames; name one",
                            paths[0], count, kinds[kind].ending);
-    return kinds[kind].open(f, paths[0], why);
+    free(f->path); /* one of a folder */
+    f->path = strdup(paths[0]);
+    return f->path ? kinds[kind].open(f, paths[0], why) : STATUS_MEMORY;
 }
 
 /* A folder's files are a sequence. */
@@ -175,6 +177,11 @@ void frames_close(struct frames *f)
     free(f->net.triangle);
     free(f->xyz);
     free(f);
+}
+
+const char *frames_name(const struct frames *f)
+{
+    return f->path;
 }
 
 const struct frames_net *frames_net(const struct frames *f)

@@ -54,6 +54,9 @@ enum status frames_open(int count, const char *const *paths, const struct frames
                         struct frames **frames, struct message *why);
 void frames_close(struct frames *f); /* NULL is allowed */
 
+/* The file that they come from; of a sequence the first. */
+const char *frames_name(const struct frames *f);
+
 const struct frames_net *frames_net(const struct frames *f);
 
 /* The next frame: its time [s], later than the one before, and positions [vertices][3],

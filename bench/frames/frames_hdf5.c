@@ -196,11 +196,6 @@ enum status frames_hdf5_open(struct frames *f, const char *path, struct message 
     TRY(frames_bytes_open(path, &b, why));
     const bool foreign = b.size > 8 && !memcmp(b.byte, "\x89HDF\r\n\x1a\n", 8);
     frames_bytes_close(&b);
-    if (strcmp(f->path, path) != 0) { /* one of a folder */
-        free(f->path);
-        f->path = strdup(path);
-        TRY(f->path ? STATUS_OK : STATUS_MEMORY);
-    }
     hdf5_file_start();
     TRY(foreign ? open_foreign(f, why) : open_own(f, why));
 out:

@@ -120,9 +120,10 @@ static void push(struct window *w, double t)
 }
 
 static enum status make_net(struct score *s, const struct frames *frames,
-                            const struct score_look *look, const char *name,
-                            const double *xyz, struct message *why)
+                            const struct score_look *look, const double *xyz,
+                            struct message *why)
 {
+    const char *name = frames_name(frames);
     const struct frames_net *net = frames_net(frames);
     double *rest = NULL;
     enum status st = STATUS_OK;
@@ -155,8 +156,8 @@ static void take_start(struct score *s, const struct window *w, double *part)
 }
 
 static enum status read_frames(struct score *s, struct frames *frames,
-                               const struct score_look *look, const char *name,
-                               struct window *w, struct message *why)
+                               const struct score_look *look, struct window *w,
+                               struct message *why)
 {
     const int vertices = frames_net(frames)->vertices;
     double *part = malloc(3 * SCORE_POINTS * sizeof *part), t;
@@ -176,7 +177,7 @@ static enum status read_frames(struct score *s, struct frames *frames,
         turn(look, vertices, xyz, w->xyz[WINDOW - 1]);
         if (!s->frames) {
             s->first = t;
-            TRY(make_net(s, frames, look, name, w->xyz[WINDOW - 1], why));
+            TRY(make_net(s, frames, look, w->xyz[WINDOW - 1], why));
             take_start(s, w, part);
         } else {
             s->interval = fmin(s->interval, t - s->last);
@@ -185,7 +186,7 @@ static enum status read_frames(struct score *s, struct frames *frames,
         take_times(s, w, part);
     }
     if (!s->frames)
-        st = status_fail(why, STATUS_INPUT, "%s: has no frames", name);
+        st = status_fail(why, STATUS_INPUT, "%s: has no frames", frames_name(frames));
 out:
     free(part);
     return st;
@@ -251,7 +252,7 @@ enum status score_read(const char *scene, int count, const char *const *paths,
     if (!s->row || !s->field || !s->tells || !s->coarse_tells || !s->coarse_field)
         TRY(STATUS_MEMORY);
     TRY(frames_open(count, paths, &look->frames, &frames, why));
-    TRY(read_frames(s, frames, look, paths[0], &window, why));
+    TRY(read_frames(s, frames, look, &window, why));
     s->net.triangle = NULL; /* the frames' own */
     if (s->truth.time[0] > s->last + SAME_TIME ||
         s->truth.time[s->truth.times - 1] < s->first - SAME_TIME)

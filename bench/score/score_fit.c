@@ -27,11 +27,16 @@ static const int first_column[FIT_KINDS] = {LEAD, GRAVITY, DAMPING, HINGE, STRET
 #define TIMES_NOISE 2
 #define ROUNDING    1e-4
 
-/* Flaws are believed where they leave so much of the squared difference; one more of them
- * where without it so many times as much would be left. */
+/* Flaws are believed where they leave so much of the squared difference, of one that, of
+ * several that; each of them where without it so many times as much would be left. */
 #define LEFT_WELL   0.1
 #define LEFT_MOST   0.5
+#define LEFT_MORE   0.25
 #define MUST_MATTER 1.5
+
+/* An edge is no hinge where it is less of one than this, or far more. */
+#define HINGE_LEAST 0.3
+#define HINGE_MOST  2
 
 /* Bending is looked for at so many stiffnesses between the ladder's ends. */
 enum { TRIES = 121, SET_MOST = 3 };
@@ -311,9 +316,13 @@ static int size_of(unsigned set)
     return size;
 }
 
-/* Without any one of its flaws, much more would be left. */
-static bool all_matter(const struct sums *s, unsigned set, double left)
+/* Without any one of its flaws, much more would be left; and a hinge is one. */
+static bool all_matter(const struct sums *s, unsigned set, const struct trial *t)
 {
+    const double hinge = t->value[FIT_HINGE], left = t->left;
+
+    if ((set >> FIT_HINGE & 1) && !(hinge > HINGE_LEAST && hinge < HINGE_MOST))
+        return false;
     for (int k = 0; k < FIT_KINDS; k++)
         if ((set >> k & 1) &&
             best_of(s, set & ~(1U << k)).left < MUST_MATTER * left + TIMES_NOISE * s->noise)
@@ -335,12 +344,15 @@ static unsigned choose(const struct sums *s)
         for (unsigned set = 1; set < most; set++) {
             if (size_of(set) != size)
                 continue;
-            const double left = best_of(s, set).left;
-            if (left < least && all_matter(s, set, left)) {
-                least = left;
+            const struct trial t = best_of(s, set);
+            if (t.left < least && all_matter(s, set, &t)) {
+                least = t.left;
                 chosen = set;
             }
         }
+        if (size == 1)
+            least =
+                fmin(least, fmax(LEFT_MORE * all, TIMES_NOISE * TIMES_NOISE * s->noise));
         if (chosen && least <= fmax(LEFT_WELL * all, TIMES_NOISE * s->noise))
             break;
     }

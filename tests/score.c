@@ -211,6 +211,11 @@ static void transposed(int k, int n, double xyz[3])
     as_is(k, n % SIDE * SIDE + n / SIDE, xyz);
 }
 
+static void reversed(int k, int n, double xyz[3])
+{
+    as_is(k, n / SIDE * SIDE + SIDE - 1 - n % SIDE, xyz);
+}
+
 static void write_turned(const char *name, turn *make, int every, int until)
 {
     char path[4096];
@@ -259,6 +264,7 @@ static void frames_of_others(void)
         {"y_up.csv", NULL, 0, 0, {.up = 'y', .scale = 1}, SCORE_SOUND, 0, .01},
         {"x_up.csv", x_up, 20, 100, {.up = 'z', .scale = 1}, SCORE_AXES, 0, .01},
         {"x_up.csv", NULL, 0, 0, {.up = 'x', .scale = 1}, SCORE_SOUND, 0, .01},
+        {"reversed.csv", reversed, 20, 100, {.up = 'z', .scale = 1}, SCORE_ORDER, 0, .01},
         {"order.csv", transposed, 20, 100, {.up = 'z', .scale = 1}, SCORE_ORDER, 0, .01},
     };
 

@@ -20,6 +20,10 @@
 /* A lead of half a step is a first-order step's. Frames come every step or more seldom. */
 #define HALF_STEP 0.55
 
+/* A hinge by so much more than one: without bending no edge is clamped, and no sheet stiff.
+ */
+#define NO_BENDING 1.15
+
 /* Error within so many times floor or bar is theirs; what the sharper of our own
  * contestants reach is sound, too. */
 #define TIMES_FLOOR 2
@@ -202,11 +206,12 @@ static void say_fit(const struct score *s, const struct score_fit *fit,
             value[FIT_DAMPING]);
     if (fit->has[FIT_HINGE])
         say(d, SCORE_HINGE, value[FIT_HINGE],
-            "The edge is held as a hinge, not a clamp (%.0f %% of the way to a hinge): "
-            "where "
-            "bending is an angle between elements, a second row outside the sheet must be "
-            "held.",
-            100 * value[FIT_HINGE]);
+            "The edge is held as a hinge, not a clamp (%.0f %% of the way to a hinge%s): "
+            "where bending is an angle between elements, a second row outside the sheet "
+            "must "
+            "be held.",
+            100 * value[FIT_HINGE],
+            value[FIT_HINGE] > NO_BENDING ? ": hardly anything resists bending" : "");
     if (fit->has[FIT_BENDING])
         say(d, SCORE_BENDING, value[FIT_BENDING],
             "Bends like D x %.2f%s (D = E h^3 / 12 (1 - nu^2)).", value[FIT_BENDING],

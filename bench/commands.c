@@ -4,6 +4,7 @@
 
 #include "bench/speed/bench.h"
 #include "bench/compare/compare.h"
+#include "bench/export/export.h"
 #include "bench/run/run_command.h"
 #include "bench/score/score_command.h"
 #include "bench/stress/stress.h"
@@ -149,7 +150,7 @@ static const struct command list_command = {
 const struct command *const commands[] = {
     &list_command,    &run_command,   &compare_command, &tables_command,
     &studies_command, &sweep_command, &truth_command,   &verify_command,
-    &stress_command,  &score_command, &bench_command,   NULL,
+    &stress_command,  &score_command, &bench_command,   &export_command, NULL,
 };
 
 static const char *const planned[] = {"advise", "report", NULL};

@@ -35,7 +35,7 @@ if(NOT scenes)
   message(FATAL_ERROR "no scenes in ${SOURCE}/models/scenes")
 endif()
 list(TRANSFORM scenes PREPEND share/clothbench/scenes/)
-foreach(file bin/clothbench share/man/man1/clothbench.1 ${scenes}
+foreach(file bin/clothbench bin/clothbench.py share/man/man1/clothbench.1 ${scenes}
              share/clothbench/plans/feasibility.yaml ${libraries})
   if(NOT EXISTS ${PREFIX}/${file})
     message(SEND_ERROR "${file} was not installed")

@@ -9,6 +9,7 @@
 #include "bench/experiment/batch.h"
 #include "bench/experiment/plan_case.h"
 #include "bench/experiment/plan_read.h"
+#include "bench/files/folder.h"
 #include "bench/files/provenance.h"
 #include "bench/files/store_scene.h"
 #include "bench/harness/run_file.h"
@@ -272,6 +273,18 @@ out:
     return st;
 }
 
+/* The whole folder or nothing, which is then taken away again. */
+static enum status export_deed(const void *what, struct message *why)
+{
+    const enum status st = command_deed(what, why);
+    struct folder_aside done = {.temporary = strdup("exported")};
+
+    CHECK((access("exported", F_OK) == 0) == (st == STATUS_OK));
+    if (done.temporary)
+        folder_aside_discard(&done);
+    return st;
+}
+
 /* A sweep that is done, gone on with: no want of memory may make it take a case's file for
  * a damaged one, which would be removed and run again. */
 static const char SWEEP[] =
@@ -316,6 +329,7 @@ static void try_commands(const char *only)
          "--set discretization.points=[3,3,2]"),
         "run cantilever --static --modes 2 --model shell --set gravity=[0,-1,0]",
         "truth sphere --stored",
+        "truth rest_small --stored --points 2,2",
         "study small.yaml --quick --out small",
     };
 
@@ -325,6 +339,9 @@ static void try_commands(const char *only)
         if (!only || !strncmp(only, words[n], strlen(only)))
             try_all(&(struct deed){words[n], command_deed, words[n], true,
                                    !strncmp(words[n], "study", 5)});
+    static const char export[] = "export edge_drop --points 3,3 --out exported";
+    if (!only || !strncmp(only, "export", 6))
+        try_all(&(struct deed){export, export_deed, export, true});
     try_sweep(only);
 }
 

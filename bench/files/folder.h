@@ -7,4 +7,22 @@
 /* mkdir -p. STATUS_FILE with a sentence. */
 enum status folder_make(const char *path, struct message *why);
 
+/* A folder that is written aside under a temporary name beside its own: with all of its
+ * files, or not at all. */
+struct folder_aside {
+    char *path;      /* the wanted name                                        owned   */
+    char *temporary; /* where to put the files                                 owned   */
+};
+
+/* Makes it, and the folders that it is in. STATUS_INPUT with a sentence: there is something
+ * of that name which is no empty folder; STATUS_FILE. On failure *f is all-zero. */
+enum status folder_aside_open(const char *path, struct folder_aside *f,
+                              struct message *why);
+
+/* Gives it its name and clears *f. STATUS_FILE: it could not be, and is discarded. */
+enum status folder_aside_commit(struct folder_aside *f, struct message *why);
+
+/* Removes it with its files and clears *f; all-zero is allowed. */
+void folder_aside_discard(struct folder_aside *f);
+
 #endif

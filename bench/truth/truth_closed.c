@@ -91,7 +91,7 @@ static double pull(const struct scene *s, const double axis[3])
 static bool rests(const struct scene *s)
 {
     return s->shape == SCENE_FLAT && s->poisson == 0 && scene_is_cantilever(s) &&
-           !s->load_count && !s->obstacle_count && s->drag == 0 && damping_mass(s) > 0;
+           !s->load_count && !s->obstacle_count && s->drag == 0;
 }
 
 /* How much of the motion is left at t of x'' + alpha x' + omega^2 x. */
@@ -274,7 +274,7 @@ static int list_times(const struct scene *s, double *time)
 enum status truth_closed_make(const struct scene *scene, struct truth_made *made)
 {
     const size_t most = (size_t)scene->snapshot_count + 1;
-    double *time = calloc(2 * most, sizeof *time), *error = time + most;
+    double *time = calloc(2 * most, sizeof *time);
     enum status st = STATUS_MEMORY;
     int count;
 
@@ -284,6 +284,7 @@ enum status truth_closed_make(const struct scene *scene, struct truth_made *made
     count = list_times(scene, time);
     TRY(falls(scene) || rests(scene) ? STATUS_OK : STATUS_UNSUPPORTED);
     TRY(truth_made_init(made, count, count, time));
+    double *error = time + most;
     TRY(truth_closed_fields(scene, count, time, made->xyz, error, made->note));
     made->closed = true;
     for (int n = 0; n < count; n++) {

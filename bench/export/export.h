@@ -1,0 +1,9 @@
+/* export.h - the command `export`: a scene for somebody else's simulator. */
+#ifndef EXPORT_H
+#define EXPORT_H
+
+#include "bench/ui/command.h"
+
+extern const struct command export_command;
+
+#endif

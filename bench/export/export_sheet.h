@@ -1,0 +1,51 @@
+/* export_sheet.h - a scene's sheet as a net of vertices on its mid-surface, and the files
+ * of its rest mesh.
+ *
+ * Vertex j n + i of n x m is at (u,v) = (i/(n-1), j/(m-1)): u fastest. Files of vertices
+ * count from 0, OBJ from 1.
+ */
+#ifndef EXPORT_SHEET_H
+#define EXPORT_SHEET_H
+
+#include "bench/files/output.h"
+#include "models/scene.h"
+
+/* Points a direction: a quarter of a million vertices and a million springs. */
+enum { EXPORT_SHEET_MOST = 500 };
+
+enum {
+    EXPORT_SHEET_OBJ = 1,
+    EXPORT_SHEET_PLY = 2,
+    EXPORT_SHEET_CSV = 4,
+    EXPORT_SHEET_ALL = 7
+};
+
+struct export_sheet {
+    const struct scene *scene; /*                                             borrowed */
+    int points[2];             /* n, m; >= 2                                           */
+    const char *folder;        /* where its files go                          borrowed */
+};
+
+int export_sheet_vertices(const struct export_sheet *s);
+
+/* Parameters (u,v,1/2) of the point i, j, which may be outside the net, and its rest
+ * position [m]. */
+void export_sheet_point(const struct export_sheet *s, int i, int j, double uvw[3],
+                        double xyz[3]);
+
+/* The part of the sheet that is a vertex's own: half a cell to each side [m^2]. Exact on
+ * flat sheets and cones; all add up to the sheet. */
+double export_sheet_area(const struct export_sheet *s, int vertex);
+
+/* Starts a file of the folder; output_close ends it. */
+enum status export_sheet_open(const struct export_sheet *s, const char *name,
+                              struct output **out, struct message *why);
+
+/* rest.obj, rest.ply, rest.csv, those that `formats` has. */
+enum status export_sheet_write(const struct export_sheet *s, unsigned formats,
+                               struct message *why);
+
+/* Printing: the words x, y, z of FIX_X... bits, in this order. */
+const char *export_sheet_axes(unsigned fix);
+
+#endif

@@ -87,16 +87,16 @@ out:
     return st;
 }
 
-/* NAME of FOLDER/NAME.csv or FOLDER/NAME: a scene's? */
-static bool scene_of(const char *path, size_t size, char *name)
+/* NAME of FOLDER/NAME.csv or FOLDER/NAME, if it is a scene's. STATUS_INPUT: it is not. */
+static enum status scene_of(const char *path, size_t size, char *name)
 {
     const char *base = strrchr(path, '/') + 1;
     char *found = NULL;
 
     snprintf(name, size, "%.*s", (int)strcspn(base, "."), base);
-    const bool is = *name && scene_file_find(name, &found, NULL) == STATUS_OK;
+    const enum status st = *name ? scene_file_find(name, &found, NULL) : STATUS_INPUT;
     free(found);
-    return is;
+    return st;
 }
 
 /* A scene that is refused is a row, and its sentence the command's. */
@@ -112,10 +112,12 @@ static enum status score_folder(struct job *j, const char *path, struct message 
     TRY(j->result ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < folder.count; n++) {
         struct score_result *r = &j->result[j->count];
-        if (!scene_of(folder.path[n], sizeof name, name)) {
+        st = scene_of(folder.path[n], sizeof name, name);
+        if (st == STATUS_INPUT) {
             fprintf(stderr, "%s: is named like no scene, left out\n", folder.path[n]);
             continue;
         }
+        TRY(st);
         j->count++;
         st = score_one(j, name, 1, (const char *const *)&folder.path[n], r, &said);
         if (st == STATUS_INPUT) {

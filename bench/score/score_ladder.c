@@ -85,8 +85,12 @@ enum status score_ladder_read(const struct scene *scene, struct score_ladder *l,
 
     memset(l, 0, sizeof *l);
     TRY(serves(scene, &does));
-    if (!does || named_file_find(&kind, SCENE "_ladder", &path, NULL) != STATUS_OK)
+    if (does)
+        st = named_file_find(&kind, SCENE "_ladder", &path, NULL);
+    if (!does || st != STATUS_OK) { /* none is installed: nothing is fitted */
+        st = st == STATUS_MEMORY ? st : STATUS_OK;
         goto out;
+    }
     TRY(frames_bytes_open(path, &bytes, why));
     st = read_all(&bytes, l, why);
 out:

@@ -67,13 +67,16 @@ static enum status from_formula(const char *path, const struct settings *setting
 
     for (int n = 0; n < times; n++)
         time[n] = all < 1 ? t->scene.end : (n + 1) / 10.0;
-    if (truth_find(path, settings, times, time, "results/truths", TRUTH_READ, &truth,
-                   NULL) != STATUS_OK)
-        return status_fail(why, STATUS_INPUT,
-                           "nothing is known of the motion of %s without a run; clothbench "
-                           "list truths names the scenes that are, and clothbench truth %s "
-                           "makes its own",
-                           t->scene.name, t->scene.name);
+    st =
+        truth_find(path, settings, times, time, "results/truths", TRUTH_READ, &truth, NULL);
+    if (st != STATUS_OK && st != STATUS_MEMORY)
+        st = status_fail(
+            why, STATUS_INPUT,
+            "nothing is known of the motion of %s without a run; clothbench list "
+            "truths names the scenes that are, and clothbench truth %s makes its "
+            "own",
+            t->scene.name, t->scene.name);
+    TRY(st);
     TRY(make(t, times));
     snprintf(t->source, sizeof t->source, "%s", truth->source);
     for (int n = 0; n < times; n++) {

@@ -148,9 +148,19 @@ static const struct command list_command = {
 };
 
 const struct command *const commands[] = {
-    &list_command,    &run_command,   &compare_command, &tables_command,
-    &studies_command, &sweep_command, &truth_command,   &verify_command,
-    &stress_command,  &score_command, &bench_command,   &export_command, NULL,
+    &list_command,
+    &run_command,
+    &compare_command,
+    &tables_command,
+    &studies_command,
+    &sweep_command,
+    &truth_command,
+    &verify_command,
+    &stress_command,
+    &score_command,
+    &bench_command,
+    &export_command,
+    NULL,
 };
 
 static const char *const planned[] = {"advise", "report", NULL};

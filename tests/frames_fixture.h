@@ -62,7 +62,7 @@ static inline void put_number(unsigned char **at, double x, int size, bool big)
 static inline void put_whole(unsigned char **at, unsigned long long x, int size, bool big)
 {
     for (int n = 0; n < size; n++)
-        (*at)[big ? size - 1 - n : n] = (unsigned char)(x >> 8 * n);
+        (*at)[big ? size - 1 - n : n] = (unsigned char)(n < 8 ? x >> 8 * n : 0);
     *at += size;
 }
 

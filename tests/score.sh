@@ -45,6 +45,7 @@ says '|' edge_drop "$truths/edge_drop.h5" --format markdown
 mkdir "$scratch/all" "$scratch/all/sphere" "$scratch/none"
 cp "$truths/edge_drop.h5" "$truths/flag.h5" "$scratch/all"
 cp "$truths/sphere.h5" "$scratch/all/sphere/mine.h5"
+echo "beside it" >"$scratch/all/flag.xdmf"
 says "sphere: Nothing wrong was found" "$scratch/all"
 "$program" score "$scratch/all" --format csv | cut -d, -f1 | uniq | tr '\n' ' ' |
     grep -q "^scene edge_drop flag sphere " || fail "a folder's scenes are not all there"

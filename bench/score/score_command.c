@@ -87,14 +87,19 @@ out:
     return st;
 }
 
-/* NAME of FOLDER/NAME.csv or FOLDER/NAME, if it is a scene's. STATUS_INPUT: it is not. */
+/* NAME of FOLDER/NAME.csv or of the folder FOLDER/NAME, if it is a scene's. STATUS_INPUT:
+ * it is not, or nothing that has frames. */
 static enum status scene_of(const char *path, size_t size, char *name)
 {
     const char *base = strrchr(path, '/') + 1;
     char *found = NULL;
+    struct stat about;
 
     snprintf(name, size, "%.*s", (int)strcspn(base, "."), base);
-    const enum status st = *name ? scene_file_find(name, &found, NULL) : STATUS_INPUT;
+    const bool may =
+        frames_is_name(path) || (!stat(path, &about) && S_ISDIR(about.st_mode));
+    const enum status st =
+        *name && may ? scene_file_find(name, &found, NULL) : STATUS_INPUT;
     free(found);
     return st;
 }
@@ -114,7 +119,8 @@ static enum status score_folder(struct job *j, const char *path, struct message 
         struct score_result *r = &j->result[j->count];
         st = scene_of(folder.path[n], sizeof name, name);
         if (st == STATUS_INPUT) {
-            fprintf(stderr, "%s: is named like no scene, left out\n", folder.path[n]);
+            fprintf(stderr, "%s: has no scene's name or no frames, left out\n",
+                    folder.path[n]);
             continue;
         }
         TRY(st);

@@ -21,7 +21,8 @@ static const double LONGEST = 3;
 
 enum { MOST_SCENES = 16 };
 
-/* Those given by --until; else those of the stored truth up to UNTIL; else up to UNTIL. */
+/* Those given by --until; else those of the truth that is known up to UNTIL, or later; else
+ * up to UNTIL. */
 static enum status read_times(struct compare_job *j, const struct command_line *line,
                               struct message *why)
 {
@@ -32,9 +33,9 @@ static enum status read_times(struct compare_job *j, const struct command_line *
     if (word && (*end || !(until > 0)))
         return status_fail(why, STATUS_INPUT, "--until %s: a time in seconds, above 0",
                            word);
-    if (!word) {
-        enum status st = truth_stored_times(j->path, &j->truth, until, CONTEST_TIMES,
-                                            j->time, &j->times, why);
+    for (int late = 0; !word && late < 2; late++) { /* late: known at rest, at the end */
+        enum status st = truth_stored_times(j->path, &j->truth, late ? j->scene.end : until,
+                                            CONTEST_TIMES, j->time, &j->times, why);
         if (st != STATUS_OK || j->times)
             return st;
     }

@@ -7,6 +7,7 @@
 #include "bench/compare/compare.h"
 #include "bench/export/export.h"
 #include "bench/run/run_command.h"
+#include "bench/score/score_command.h"
 #include "bench/stress/stress.h"
 #include "bench/studies/studies.h"
 #include "bench/sweep/sweep.h"
@@ -150,22 +151,16 @@ static const struct command list_command = {
 };
 
 const struct command *const commands[] = {
-    &list_command,
-    &run_command,
-    &compare_command,
-    &advise_command,
-    &tables_command,
-    &studies_command,
-    &sweep_command,
-    &truth_command,
-    &export_command,
-    &verify_command,
-    &stress_command,
-    &bench_command,
-    NULL,
+    &list_command,    &run_command,
+    &compare_command, &advise_command,
+    &tables_command,  &studies_command,
+    &sweep_command,   &truth_command,
+    &verify_command,  &stress_command,
+    &score_command,   &bench_command,
+    &export_command,  NULL,
 };
 
-static const char *const planned[] = {"score", "report", NULL};
+static const char *const planned[] = {"report", NULL};
 
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why)

@@ -4,11 +4,13 @@ files, and a sentence for what is wrong. Ends with 77 where numpy is missing.
     clothbench_py.py PROGRAM FOLDER-OF-clothbench.py
 """
 
+import json
 import os
 import stat
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 try:
     import numpy
@@ -118,6 +120,28 @@ def truths():
         check("a bar a time", len(stored.bar) == len(stored.t) == 10)
 
 
+def scored():
+    """What is written here is read there; and doc/score.md's simulator is told what its page says."""
+    drop = clothbench.truth.read("edge_drop")
+    for path in ["drop.npz"] + ["drop.h5"] * bool(h5py):
+        clothbench.frames.write(path, drop.t, drop.uv, drop.xyz)
+        sheet = json.loads(run("score", "edge_drop", path, "--format", "json"))
+        check(path + " is sound", [d["kind"] for d in sheet["diagnosis"]] == ["sound"])
+        check(path + " fits", len(sheet["rows"]) == 10 and max(
+            row["error"] for row in sheet["rows"]) < 1e-12)
+    with open(os.path.join(folder, "../../doc/score.md")) as file:
+        page = file.read()
+    block = page[page.index("    import numpy"):]
+    exec(textwrap.dedent(block[:block.index("\n\n")]), {})
+    said = page[page.index("    scene       time"):]
+    said = textwrap.dedent(said[:said.index("\n\n## ")])
+    check("the page's simulator", said in run("score", "free_fall", "frames.npz"))
+    made = numpy.load("frames.npz")
+    numpy.savez_compressed("packed.npz", **{name: made[name].astype("f4") for name in made})
+    sheet = json.loads(run("score", "free_fall", "packed.npz", "--format", "json"))
+    check("the same, packed", [d["kind"] for d in sheet["diagnosis"]] == ["first_order_step"])
+
+
 def bad_truths():
     says("no scene", ValueError, "nobody", clothbench.truth.read, "nobody")
     says("none stored", ValueError, "hinge", clothbench.truth.read, "hinge")
@@ -148,6 +172,7 @@ with tempfile.TemporaryDirectory() as scratch:
     frames_come_back()
     bad_frames()
     truths()
+    scored()
     bad_truths()
     os.chdir("/")
 print("%d failed" % failures)

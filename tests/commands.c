@@ -21,13 +21,14 @@ static void read_usage(const char *usage, int *least, int *most)
 
 static enum status parse(const struct command *c, int count)
 {
-    char *words[128];
+    enum { MOST = 100001 };
+    static char *words[MOST];
     struct command_line line;
     struct message why = {""};
 
-    for (int n = 0; n < 128; n++)
+    for (int n = 0; n < MOST; n++)
         words[n] = "word";
-    REQUIRE(count >= 0 && count <= 128);
+    REQUIRE(count >= 0 && count <= MOST);
     const enum status st = command_parse(c, count, words, &line, &why);
     CHECK(st == STATUS_OK ? line.word_count == count : *why.text != '\0');
     command_line_clear(&line);

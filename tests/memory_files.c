@@ -13,6 +13,7 @@
 #include "bench/files/provenance.h"
 #include "bench/files/store_scene.h"
 #include "bench/harness/run_file.h"
+#include "bench/score/score_ladder.h"
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_table.h"
 #include "models/reader/scene_file.h"
@@ -221,10 +222,25 @@ out:
     return st;
 }
 
+static enum status ladder_deed(const void *what, struct message *why)
+{
+    struct score_ladder ladder;
+    const enum status st = score_ladder_read(what, &ladder, why);
+
+    CHECK((ladder.times > 0) == (st == STATUS_OK));
+    score_ladder_clear(&ladder);
+    return st;
+}
+
 static void try_files(const char *only)
 {
     const struct contestant *linear = NULL;
+    char damping[] = "damping={kind: none}";
     REQUIRE(contestant_find("mass_spring", &linear, NULL) == STATUS_OK);
+    struct scene edge_drop;
+    REQUIRE(settings_read_scene(&(struct settings){.count = 1, .text = (char *[]){damping}},
+                                SOURCE_DIR "/models/scenes/edge_drop.yaml", &edge_drop,
+                                NULL) == STATUS_OK);
     const struct deed deeds[] = {
         {"scene", scene_deed, SOURCE_DIR "/models/scenes/moving_edge.yaml"},
         {"list of scenes", list_deed, &scene_file_kind, .may_do_without = true},
@@ -238,6 +254,7 @@ static void try_files(const char *only)
         {"run, written", write_deed, linear, .may_do_without = true},
         {"batch", batch_deed, linear, .may_do_without = true},
         {"truth", truth_deed, SOURCE_DIR "/bench/truths/sphere.h5"},
+        {"ladder", ladder_deed, &edge_drop},
     };
 
     write_text(in_folder("plan.yaml"), PLAN);
@@ -248,6 +265,7 @@ static void try_files(const char *only)
     for (size_t n = 0; n < sizeof deeds / sizeof *deeds; n++)
         if (!only || !strcmp(only, deeds[n].name))
             try_all(&deeds[n]);
+    scene_clear(&edge_drop);
 }
 
 /* --- commands ---------------------------------------------------------------------------
@@ -321,6 +339,26 @@ static void try_sweep(const char *only)
     CHECK(starts() == before);
 }
 
+/* Rows that are out of order; and a folder of scenes, one of them a sequence of meshes. */
+static void write_frames(void)
+{
+    FILE *file = fopen("fall.csv", "w");
+
+    REQUIRE(file);
+    for (int n = 31; n >= 0; n--)
+        fprintf(file, "%g,%d,%d,%d,%d,0\n", n / 4 / 10., n % 2, n / 2 % 2, n % 2,
+                n / 2 % 2);
+    REQUIRE(fclose(file) == 0);
+    mkdir("scored", 0777);
+    mkdir("scored/free_fall", 0777);
+    static const char mesh[] =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\n"
+        "f 1/1 2/2 3/3\nf 2/2 4/4 3/3\n";
+    write_text("rest.obj", mesh);
+    write_text("scored/free_fall/f1.obj", mesh);
+    write_text("scored/free_fall/f2.obj", mesh);
+}
+
 static void try_commands(const char *only)
 {
     static const char *const words[] = {
@@ -331,10 +369,13 @@ static void try_commands(const char *only)
         "truth sphere --stored",
         "truth rest_small --stored --points 2,2",
         "study small.yaml --quick --out small",
+        "score free_fall fall.csv",
+        "score scored --dt 0.1 --rest rest.obj",
     };
 
     REQUIRE(chdir(folder) == 0);
     REQUIRE(setenv("PATH", "", 1) == 0); /* nothing is drawn */
+    write_frames();
     for (size_t n = 0; n < sizeof words / sizeof *words; n++)
         if (!only || !strncmp(only, words[n], strlen(only)))
             try_all(&(struct deed){words[n], command_deed, words[n], true,

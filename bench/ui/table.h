@@ -100,6 +100,9 @@ enum status table_print(const struct table *t, enum table_format format, FILE *f
  * "notes"}. */
 enum status table_finish(struct table *t, enum table_format format, FILE *file);
 
+/* A text as JSON has it, with its quotes. */
+void table_json_string(const char *text, FILE *file);
+
 /* FOLDER/NAME.csv: a line of keys, a line each row, as many cells in each; no caption and
  * no notes. Written aside (output.h). STATUS_FILE, STATUS_MEMORY. */
 enum status table_save(const struct table *t, const char *folder, const char *name,

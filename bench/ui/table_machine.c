@@ -151,7 +151,7 @@ out:
 
 /* --- JSON ----------------------------------------------------------------------------- */
 
-static void print_string(const char *text, FILE *file)
+void table_json_string(const char *text, FILE *file)
 {
     fputc('"', file);
     for (; *text; text++) {
@@ -168,19 +168,19 @@ static void print_string(const char *text, FILE *file)
 
 static void print_pair(const char *key, const char *text, FILE *file)
 {
-    print_string(key, file);
+    table_json_string(key, file);
     fputs(": ", file);
-    print_string(text, file);
+    table_json_string(text, file);
 }
 
 static void print_value(const struct table *t, int row, int column, FILE *file)
 {
     const struct table_cell *cell = table_cell(t, row, column);
 
-    print_string(t->columns[column].key, file);
+    table_json_string(t->columns[column].key, file);
     fputs(": ", file);
     if (cell->kind == TABLE_CELL_TEXT)
-        print_string(cell->text, file);
+        table_json_string(cell->text, file);
     else if (cell->kind == TABLE_CELL_MISSING || isnan(cell->value))
         fputs("null", file);
     else if (isinf(cell->value))
@@ -220,7 +220,7 @@ void table_machine_json(const struct table *t, FILE *file)
     fputs("], \"notes\": [", file);
     for (int n = 0; n < t->note_count; n++) {
         fputs(n ? ", " : "", file);
-        print_string(t->notes[n], file);
+        table_json_string(t->notes[n], file);
     }
     fputs("]}\n", file);
 }

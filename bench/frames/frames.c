@@ -1,0 +1,227 @@
+#include "bench/frames/frames.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "bench/frames/frames_folder.h"
+#include "bench/frames/frames_parts.h"
+
+enum status frames_room(struct frames *f, long vertices, struct message *why)
+{
+    if (vertices < 1 || vertices > FRAMES_MOST_VERTICES)
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has %ld vertices; 4 to %d would be right", f->path,
+                           vertices, FRAMES_MOST_VERTICES);
+    f->net.vertices = (int)vertices;
+    f->xyz = malloc((size_t)vertices * 3 * sizeof *f->xyz);
+    return f->xyz ? STATUS_OK : STATUS_MEMORY;
+}
+
+static bool ends(const char *name, const char *ending)
+{
+    const size_t length = strlen(name), tail = strlen(ending);
+
+    return length > tail && !strcmp(name + length - tail, ending);
+}
+
+static const struct {
+    const char *ending;
+    enum status (*open)(struct frames *f, const char *path, struct message *why);
+} kinds[] = {{".csv", frames_csv_open},
+             {".npz", frames_npz_open},
+             {".npy", frames_npz_open},
+             {".h5", frames_hdf5_open},
+             {".hdf5", frames_hdf5_open},
+             {".mdd", frames_cache_open},
+             {".pc2", frames_cache_open},
+             {".obj", NULL},
+             {".ply", NULL}};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+static int kind_of(const char *name)
+{
+    for (int n = 0; n < KINDS; n++)
+        if (ends(name, kinds[n].ending))
+            return n;
+    return -1;
+}
+
+bool frames_is_name(const char *name)
+{
+    return kind_of(name) >= 0;
+}
+
+static enum status open_files(struct frames *f, int count, const char *const *paths,
+                              struct message *why)
+{
+    const int kind = kind_of(paths[0]);
+
+    if (kind < 0)
+        return status_fail(why, STATUS_INPUT,
+                           "%s: is of no kind that is read: .csv, .npz, .npy, .h5, .hdf5, "
+                           ".obj, .ply, .mdd, .pc2",
+                           paths[0]);
+    for (int n = 1; n < count; n++)
+        if (kind_of(paths[n]) != kind)
+            return status_fail(why, STATUS_INPUT,
+                               "%s: is of another kind than %s; a sequence is of one",
+                               paths[n], paths[0]);
+    if (!kinds[kind].open)
+        return frames_sequence_open(f, count, paths, why);
+    if (count > 1)
+        return status_fail(why, STATUS_INPUT,
+                           "%s: is one of %d files, and each %s has all frames; name one",
+                           paths[0], count, kinds[kind].ending);
+    free(f->path); /* one of a folder */
+    f->path = strdup(paths[0]);
+    return f->path ? kinds[kind].open(f, paths[0], why) : STATUS_MEMORY;
+}
+
+/* A folder's files are a sequence. */
+static enum status open_folder(struct frames *f, const char *path, struct message *why)
+{
+    struct frames_folder folder;
+    enum status st;
+
+    TRY(frames_folder_read(path, &folder, why));
+    int kept = 0;
+    for (int n = 0; n < folder.count; n++)
+        if (frames_is_name(folder.path[n]))
+            folder.path[kept++] = folder.path[n];
+        else
+            free(folder.path[n]);
+    folder.count = kept;
+    st = kept ? open_files(f, kept, (const char *const *)folder.path, why)
+              : status_fail(why, STATUS_INPUT,
+                            "%s: has no frames in it; files that end in .obj, .ply, .csv, "
+                            ".npz or .h5 would be right",
+                            path);
+out:
+    frames_folder_clear(&folder);
+    return st;
+}
+
+/* What --rest tells of the net, vertex by vertex. */
+static enum status take_rest(struct frames *f, struct message *why)
+{
+    struct frames_mesh mesh;
+    enum status st;
+
+    TRY(frames_mesh_read(f->look.rest, &mesh, why));
+    if (mesh.vertices != f->net.vertices)
+        TRY(status_fail(why, STATUS_INPUT, "%s: has %d vertices, %s %d; the same is right",
+                        f->look.rest, mesh.vertices, f->path, f->net.vertices));
+    if (!f->net.uv)
+        f->net.uv = mesh.uv, mesh.uv = NULL;
+    f->net.rest = mesh.xyz, mesh.xyz = NULL;
+    if (!f->net.triangles) {
+        f->net.triangles = mesh.triangles;
+        f->net.triangle = mesh.triangle, mesh.triangle = NULL;
+    }
+out:
+    frames_mesh_clear(&mesh);
+    return st;
+}
+
+static enum status check_uv(const struct frames *f, struct message *why)
+{
+    for (int n = 0; f->net.uv && n < 2 * f->net.vertices; n++)
+        if (!isfinite(f->net.uv[n]))
+            return status_fail(why, STATUS_INPUT,
+                               "%s: %c of vertex %d is %g; a number would be right",
+                               f->path, "uv"[n % 2], n / 2 + 1, f->net.uv[n]);
+    return STATUS_OK;
+}
+
+enum status frames_open(int count, const char *const *paths, const struct frames_look *look,
+                        struct frames **frames, struct message *why)
+{
+    struct frames *f = calloc(1, sizeof *f);
+    struct stat about;
+    enum status st = STATUS_OK;
+
+    if (!f)
+        return STATUS_MEMORY;
+    f->look = *look;
+    f->path = strdup(paths[0]);
+    TRY(f->path ? STATUS_OK : STATUS_MEMORY);
+    if (count == 1 && !stat(paths[0], &about) && S_ISDIR(about.st_mode))
+        TRY(open_folder(f, paths[0], why));
+    else
+        TRY(open_files(f, count, paths, why));
+    if (look->rest)
+        TRY(take_rest(f, why));
+    TRY(check_uv(f, why));
+    if (!f->timed && !(look->dt > 0))
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: has no times; --dt S, the seconds from frame to frame, would "
+                        "be right",
+                        f->path));
+    *frames = f, f = NULL;
+out:
+    frames_close(f);
+    return st;
+}
+
+void frames_close(struct frames *f)
+{
+    if (!f)
+        return;
+    if (f->reader)
+        f->reader->close(f->state);
+    free(f->path);
+    free(f->net.uv);
+    free(f->net.rest);
+    free(f->net.triangle);
+    free(f->xyz);
+    free(f);
+}
+
+const char *frames_name(const struct frames *f)
+{
+    return f->path;
+}
+
+const struct frames_net *frames_net(const struct frames *f)
+{
+    return &f->net;
+}
+
+static enum status check_frame(struct frames *f, double t, struct message *why)
+{
+    if (!isfinite(t) || (f->number > 1 && !(t > f->time)))
+        return status_fail(
+            why, STATUS_INPUT,
+            "%s: frame %d is at t = %g s, the one before at %g s; times that "
+            "grow would be right",
+            f->path, f->number, t, f->time);
+    for (int n = 0; n < 3 * f->net.vertices; n++)
+        if (!isfinite(f->xyz[n]))
+            return status_fail(why, STATUS_INPUT,
+                               "%s: frame %d (t = %g s): vertex %d has %c = %g; a number "
+                               "would be right",
+                               f->path, f->number, t, n / 3 + 1, "xyz"[n % 3], f -> xyz[n]);
+    return STATUS_OK;
+}
+
+enum status frames_next(struct frames *f, double *t, const double **xyz,
+                        struct message *why)
+{
+    enum status st;
+    bool more = true;
+
+    f->number++;
+    *xyz = NULL;
+    TRY(f->reader->next(f, t, &more, why));
+    if (!more)
+        return STATUS_OK;
+    if (f->look.dt > 0)
+        *t = (f->number - 1) * f->look.dt;
+    TRY(check_frame(f, *t, why));
+    f->time = *t;
+    *xyz = f->xyz;
+out:
+    return st;
+}

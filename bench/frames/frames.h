@@ -1,0 +1,70 @@
+/* frames.h - somebody else's frames: where the vertices of a moving net are, frame by
+ * frame.
+ *
+ *     struct frames *f;
+ *     TRY(frames_open(1, &path, &(struct frames_look){.dt = 0.01}, &f, why));
+ *     do TRY(frames_next(f, &t, &xyz, why)); while (xyz);
+ *     out: frames_close(f);
+ *
+ * One frame is in memory at a time; files are mapped, and let go of behind the reader. What
+ * is read, by the end of the name:
+ *
+ *   .csv         lines t,u,v,x,y,z, or in the order of a line of these names (others are
+ *                passed over), rows in any order; lines that begin with # are comments
+ *   .obj .ply    a file a frame: a folder, or several files, in the order of the numbers in
+ *                their names. uv from `vt`, or from properties u,v, s,t, texture_u, ...
+ *   .npz         xyz [frames][n][3], uv [n][2], t [frames] (32 or 64-bit, C order, stored
+ *                or deflated); .npy: xyz alone
+ *   .h5 .hdf5    data sets of the same names; or the program's own result files and truths
+ *   .mdd .pc2    point caches
+ *
+ * Positions are as the file has them: units and axes are the caller's business. What is
+ * wrong is a sentence `file: frame or line: what, and what would be right`: STATUS_INPUT,
+ * or STATUS_FILE where it cannot be read.
+ */
+#ifndef FRAMES_H
+#define FRAMES_H
+
+#include <stdbool.h>
+
+#include "models/status.h"
+
+struct frames;
+
+struct frames_look {
+    double dt; /* between frames [s]; 0: not given. Beats times in the file      */
+    const char
+        *rest; /* a mesh (.obj, .ply) with the vertices' uv or rest positions; NULL */
+};
+
+/* The net that moves; owned by the frames. */
+struct frames_net {
+    int vertices;
+    double *uv;         /* [vertices][2] material coordinates; NULL: not told             */
+    double *rest;       /* [vertices][3] of --rest; NULL: none                            */
+    int triangles;      /* 0: no faces                                                    */
+    int (*triangle)[3]; /* [triangles] of vertices, from 0                                */
+};
+
+/* The most vertices of a net and values of a time: what is more is a damaged count. */
+enum { FRAMES_MOST_VERTICES = 4000000, FRAMES_MOST_TIMES = 10000000 };
+
+/* paths[count]: one file or folder, or several files, each a frame. */
+enum status frames_open(int count, const char *const *paths, const struct frames_look *look,
+                        struct frames **frames, struct message *why);
+void frames_close(struct frames *f); /* NULL is allowed */
+
+/* The file that they come from; of a sequence the first. */
+const char *frames_name(const struct frames *f);
+
+const struct frames_net *frames_net(const struct frames *f);
+
+/* The next frame: its time [s], later than the one before, and positions [vertices][3],
+ * all finite, borrowed until the next call; *xyz is NULL after the last. */
+enum status frames_next(struct frames *f, double *t, const double **xyz,
+                        struct message *why);
+
+/* Whether a name ends as one of the files above does. */
+bool frames_is_name(const char *name);
+
+#endif

@@ -1,0 +1,60 @@
+/* frames_parts.h - what the readers of frames.h share; no business of others.
+ *
+ * A reader's `open` fills net.vertices, uv and faces as far as the file has them, `reader`
+ * and `state`; its `next` fills xyz and *t, or says that there is no more. What all have in
+ * common (times, finite numbers, --rest) frames.c sees to. */
+#ifndef FRAMES_PARTS_H
+#define FRAMES_PARTS_H
+
+#include "bench/frames/frames.h"
+#include "bench/frames/frames_bytes.h"
+
+struct frames_reader {
+    enum status (*next)(struct frames *f, double *t, bool *more, struct message *why);
+    void (*close)(void *state);
+};
+
+struct frames {
+    char *path; /* for sentences                                                  owned */
+    struct frames_look look;
+    struct frames_net net;
+    double *xyz; /* [vertices][3]                                                 owned */
+    int number;  /* of the frame last read, from 1                                      */
+    double time; /* of it                                                               */
+    bool timed;  /* the file has times                                                  */
+    const struct frames_reader *reader;
+    void *state; /* owned by the reader */
+};
+
+/* Room for the vertices of the net. STATUS_INPUT: too many, none. */
+enum status frames_room(struct frames *f, long vertices, struct message *why);
+
+enum status frames_csv_open(struct frames *f, const char *path, struct message *why);
+enum status frames_npz_open(struct frames *f, const char *path, struct message *why);
+enum status frames_hdf5_open(struct frames *f, const char *path, struct message *why);
+enum status frames_cache_open(struct frames *f, const char *path, struct message *why);
+/* Files in the order given. */
+enum status frames_sequence_open(struct frames *f, int count, const char *const *paths,
+                                 struct message *why);
+
+/* One mesh: all of a net, and where it is. All-zero before; free with frames_mesh_clear. */
+struct frames_mesh {
+    int vertices, triangles, room, triangle_room;
+    double *xyz;               /* [vertices][3]                                   owned */
+    double *uv;                /* [vertices][2]; NULL: none                       owned */
+    int (*triangle)[3];        /* polygons are fans of them                       owned */
+    unsigned long long corner; /* of the faces' vertices, in order (FNV-1a): same faces,
+                                  same number */
+};
+enum status frames_mesh_read(const char *path, struct frames_mesh *mesh,
+                             struct message *why);
+void frames_mesh_clear(struct frames_mesh *mesh);
+enum status frames_mesh_obj(const struct frames_bytes *b, struct frames_mesh *mesh,
+                            struct message *why);
+enum status frames_mesh_ply(const struct frames_bytes *b, struct frames_mesh *mesh,
+                            struct message *why);
+
+/* A polygon's vertices [count], from 0, as triangles. */
+enum status frames_mesh_face(struct frames_mesh *mesh, int count, const long *vertex);
+
+#endif

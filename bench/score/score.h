@@ -1,0 +1,57 @@
+/* score.h - frames of anybody's held against the truth of a scene: how far off they are at
+ * each time at which the truth is known, and what is wrong with them (score_diagnosis.h).
+ */
+#ifndef SCORE_H
+#define SCORE_H
+
+#include "bench/score/score_ladder.h"
+#include "bench/score/score_net.h"
+#include "bench/score/score_truth.h"
+
+/* How to read frames. */
+struct score_look {
+    struct frames_look frames;
+    char up;      /* 'x', 'y', 'z': their axis that points up                            */
+    double scale; /* times their positions [m]                                           */
+};
+
+/* At a time of the truth; all over the length but the time. */
+struct score_time {
+    double time;         /* [s]                                                          */
+    bool known, between; /* frames tell of it; between two of them                       */
+    double error;        /* rms over the material grid                                   */
+    double bar;          /* of the truth                                                 */
+    double floor;        /* of the truth itself, bilinear between the net's vertices     */
+};
+
+struct score {
+    struct score_truth truth;
+    struct score_ladder ladder;
+    struct score_net net;
+    struct score_map grid, coarse; /* onto the material grid, and the ladder's           */
+    struct score_time *row;        /* [truth.times]                              owned   */
+    double *field;                 /* [truth.times][SCORE_POINTS][3], if known   owned   */
+    int *tells, *coarse_tells; /* [truth.times], [ladder.times]: 0: no frame   owned   */
+    double *coarse_field;      /* [ladder.times][LADDER_POINTS][3] [m]       owned   */
+    int frames;
+    double first, last, interval; /* of the frames: times, shortest between two [s]      */
+    double start; /* rms displacement at t = 0 [m]; NaN: no such frame                   */
+};
+
+/* Reads all frames of paths[count]. STATUS_INPUT with a sentence. Free with score_clear. */
+enum status score_read(const char *scene, int count, const char *const *paths,
+                       const struct score_look *look, struct score *score,
+                       struct message *why);
+void score_clear(struct score *score); /* all-zero is allowed, and left */
+
+/* The last time of the truth that frames tell of; -1: none. */
+int score_last(const struct score *score);
+
+/* The truth at its n-th time, bilinear between the net's vertices: field[SCORE_POINTS][3].
+ */
+void score_seen(const struct score *score, int n, double *field);
+
+/* sqrt(mean over points of |a - b|^2). */
+double score_rms(int points, const double *a, const double *b);
+
+#endif

@@ -1,0 +1,273 @@
+#include "bench/score/score_diagnosis.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/score/score_fit.h"
+#include "bench/score/score_turned.h"
+
+/* Frames that move by less than this share of what the truth does are still. */
+#define STILL_MOST 0.01
+
+/* Lines of the net longer, or shorter, than the truth's by this share are said: chords of a
+ * coarse net and what lies between two frames are too short, never too long. */
+#define STRETCH_LEAST 0.005
+#define SHRINK_LEAST  0.01
+
+/* A lead of half a step is a first-order step's. Frames come every step or more seldom. */
+#define HALF_STEP 0.55
+
+/* A hinge by so much more than one: without bending no edge is clamped, and no sheet stiff.
+ */
+#define NO_BENDING 1.15
+
+/* Error within so many times floor or bar is theirs; what the sharper of our own
+ * contestants reach is sound, too. */
+#define TIMES_FLOOR 2
+#define SOUND_MOST  0.005
+
+static const char *const names[SCORE_KINDS] = {
+#define SCORE_NAME(code, name) name,
+    SCORE_KIND_LIST(SCORE_NAME)
+#undef SCORE_NAME
+};
+
+const char *score_diagnosis_name(enum score_kind kind)
+{
+    return names[kind];
+}
+
+static void __attribute__((format(printf, 4, 5)))
+say(struct score_diagnosis *d, enum score_kind kind, double value, const char *format, ...)
+{
+    struct score_finding *f = &d->finding[d->count++];
+    va_list args;
+
+    f->kind = kind;
+    f->value = value;
+    va_start(args, format);
+    vsnprintf(f->text, sizeof f->text, format, args);
+    va_end(args);
+}
+
+/* --- before anything is fitted ----------------------------------------------------------
+ */
+
+static bool say_still(const struct score *s, struct score_diagnosis *d)
+{
+    const int last = score_last(s);
+    const double *truth = score_truth_field(&s->truth, last),
+                 *got = s->field + 3L * SCORE_POINTS * last, *rest = s->truth.rest;
+    const double moved = score_rms(SCORE_POINTS, truth, rest),
+                 theirs = score_rms(SCORE_POINTS, got, rest);
+
+    if (moved < STILL_MOST * s->truth.scene.length || theirs > STILL_MOST * moved)
+        return false;
+    say(d, SCORE_STILL, theirs / moved,
+        "Did not move: %.2g %% of the truth's way at %g s; are forces switched on, are all "
+        "vertices held, do the frames come from the start?",
+        100 * theirs / moved, s->row[last].time);
+    return true;
+}
+
+static void axes_text(const struct score_turned *t, char text[32])
+{
+    char *at = text;
+
+    for (int c = 0; c < 3; c++) {
+        if (c)
+            *at++ = ',', *at++ = ' ';
+        if (t->sign[c] < 0)
+            *at++ = '-';
+        *at++ = "xyz"[t->axis[c]];
+    }
+    *at = '\0';
+}
+
+static bool say_turned(const struct score *s, struct score_diagnosis *d)
+{
+    const struct score_turned t = score_turned_best(s);
+    const double now = 100 * t.as_is, then = 100 * t.error;
+    char axes[32];
+
+    axes_text(&t, axes);
+    if (t.scale != 1)
+        say(d, SCORE_UNITS, t.scale,
+            "Positions are in another unit: they fit to %.2g %% in place of %.2g %% with "
+            "--scale %g.",
+            then, now, t.scale);
+    if (strcmp(axes, "x, y, z") != 0)
+        say(d, SCORE_AXES, t.error,
+            "Axes are exchanged: frames fit to %.2g %% in place of %.2g %% if %s are taken "
+            "for x, y, z%s.",
+            then, now, axes,
+            !strcmp(axes, "x, -z, y")   ? " (--up y)"
+            : !strcmp(axes, "-z, y, x") ? " (--up x)"
+                                        : "");
+    if (t.order)
+        say(d, SCORE_ORDER, t.error,
+            "Vertices are in another order than their uv: frames fit to %.2g %% in place "
+            "of "
+            "%.2g %% with %s%s%s.",
+            then, now, t.order & 1 ? "rows and columns exchanged" : "the same rows",
+            t.order & 2 ? ", u reversed" : "", t.order & 4 ? ", v reversed" : "");
+    return d->count > 0;
+}
+
+/* All of a field's lines along u, and along v: their length. */
+static void lengths(const double *field, double sum[2])
+{
+    static const int step[2] = {1, GRID_U};
+
+    sum[0] = sum[1] = 0;
+    for (int j = 0; j < GRID_V; j++)
+        for (int i = 0; i < GRID_U; i++)
+            for (int d = 0; d < 2; d++) {
+                if (d ? j + 1 == GRID_V : i + 1 == GRID_U)
+                    continue;
+                const double *a = field + 3 * (j * GRID_U + i), *b = a + 3 * step[d];
+                const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+                sum[d] += sqrt(x * x + y * y + z * z);
+            }
+}
+
+static enum status say_stretch(const struct score *s, struct score_diagnosis *d)
+{
+    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), most = 0, when = 0;
+
+    for (int n = 0; seen && n < s->truth.times; n++) {
+        double truth[2], got[2];
+        if (!s->row[n].known)
+            continue;
+        score_seen(s, n, seen);
+        lengths(seen, truth);
+        lengths(s->field + 3L * SCORE_POINTS * n, got);
+        for (int k = 0; k < 2; k++)
+            if (fabs(got[k] / truth[k] - 1) > fabs(most)) {
+                most = got[k] / truth[k] - 1;
+                when = s->row[n].time;
+            }
+    }
+    free(seen);
+    if (!seen)
+        return STATUS_MEMORY;
+    if (most > STRETCH_LEAST || most < -SHRINK_LEAST)
+        say(d, SCORE_STRETCH, most,
+            "%s by %.2g %% more than the truth (its lines, on average, at %g s): %s",
+            most > 0 ? "Stretches" : "Shrinks", 100 * fabs(most), when,
+            most > 0 ? "too soft in the plane, or too few iterations."
+                     : "is the rest shape the sheet's?");
+    return STATUS_OK;
+}
+
+/* --- what was fitted ---------------------------------------------------------------------
+ */
+
+/* Frames that lead from their very first one show a later time; those that begin at rest
+ * and lead by half a step or less were begun with g dt for the first velocity. */
+static void say_lead(const struct score *s, double lead, struct score_diagnosis *d)
+{
+    const double *g = s->truth.scene.gravity,
+                 fall = .5 * lead * lead * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const bool ahead = s->start > .5 * fall; /* NaN, no frame at 0: not known */
+
+    if (lead > 0 && !ahead && lead < HALF_STEP * s->interval)
+        say(d, SCORE_FIRST_ORDER_STEP, 2 * lead,
+            "Falls as g t^2/2 (1 + dt/t) with dt = %.3g ms: the step is of first order; "
+            "half of it takes half of this away.",
+            2e3 * lead);
+    else
+        say(d, SCORE_LAG, -lead, "%s the truth by %.3g ms: %s",
+            lead > 0 ? "Is ahead of" : "Lags behind", 1e3 * fabs(lead),
+            lead > 0 ? "does frame 0 show the start?"
+                     : "frames before the start, or a first-order step that begins at rest "
+                       "(explicit Euler).");
+}
+
+static void say_fit(const struct score *s, const struct score_fit *fit,
+                    struct score_diagnosis *d)
+{
+    const double *value = fit->value;
+
+    if (fit->has[FIT_LEAD])
+        say_lead(s, value[FIT_LEAD], d);
+    if (fit->has[FIT_GRAVITY])
+        say(d, SCORE_GRAVITY, 1 + value[FIT_GRAVITY],
+            "Moves as under gravity x %.3f: is g the scene's?", 1 + value[FIT_GRAVITY]);
+    if (fit->has[FIT_DAMPING])
+        say(d, SCORE_DAMPING, value[FIT_DAMPING],
+            value[FIT_DAMPING] > 0
+                ? "Is damped like by %.2g 1/s of mass damping, which the truth has not: "
+                  "drag, or a step of first order."
+                : "Gains energy, like by %.2g 1/s of mass damping.",
+            value[FIT_DAMPING]);
+    if (fit->has[FIT_HINGE])
+        say(d, SCORE_HINGE, value[FIT_HINGE],
+            "The edge is held as a hinge, not a clamp (%.0f %% of the way to a hinge%s): "
+            "where bending is an angle between elements, a second row outside the sheet "
+            "must "
+            "be held.",
+            100 * value[FIT_HINGE],
+            value[FIT_HINGE] > NO_BENDING ? ": hardly anything resists bending" : "");
+    if (fit->has[FIT_BENDING])
+        say(d, SCORE_BENDING, value[FIT_BENDING],
+            "Bends like D x %.2f%s (D = E h^3 / 12 (1 - nu^2)).", value[FIT_BENDING],
+            fit->at_end ? ", or beyond: the ladder of truths ends there" : "");
+}
+
+static double largest(const struct score *s, bool floor)
+{
+    double most = 0;
+
+    for (int n = 0; n < s->truth.times; n++)
+        if (s->row[n].known)
+            most = fmax(most, floor ? s->row[n].floor : s->row[n].error);
+    return most;
+}
+
+static bool is_sound(const struct score *s)
+{
+    for (int n = 0; n < s->truth.times; n++)
+        if (s->row[n].known &&
+            s->row[n].error > SOUND_MOST + TIMES_FLOOR * (s->row[n].bar + s->row[n].floor))
+            return false;
+    return true;
+}
+
+static void say_sound(const struct score *s, struct score_diagnosis *d)
+{
+    const struct score_time *last = &s->row[score_last(s)];
+    const double error = largest(s, false), floor = largest(s, true);
+
+    if (last->floor > last->bar && last->error < TIMES_FLOOR * last->floor)
+        say(d, SCORE_FLOOR, last->floor,
+            "Is at its net's floor: the truth itself between these vertices is off by %.2g "
+            "%% at %g s; only a finer net can do better.",
+            100 * last->floor, last->time);
+    if (is_sound(s))
+        say(d, SCORE_SOUND, error,
+            "Nothing wrong was found: at most %.2g %% off, the net's floor at most %.2g "
+            "%%.",
+            100 * error, 100 * floor);
+}
+
+enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
+{
+    struct score_fit fit;
+    enum status st = STATUS_OK;
+
+    memset(d, 0, sizeof *d);
+    if (score_last(s) < 0 || say_still(s, d) || say_turned(s, d))
+        goto out;
+    TRY(score_fit_make(s, &fit));
+    TRY(say_stretch(s, d));
+    say_fit(s, &fit, d);
+    d->left = fit.after < fit.before ? fit.after / fit.before : 0;
+    if (!d->count)
+        say_sound(s, d);
+out:
+    return st;
+}

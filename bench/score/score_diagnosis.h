@@ -1,0 +1,49 @@
+/* score_diagnosis.h - what is wrong with frames, a sentence each with its number. */
+#ifndef SCORE_DIAGNOSIS_H
+#define SCORE_DIAGNOSIS_H
+
+#include "bench/score/score.h"
+
+#define SCORE_KIND_LIST(X)                                                                 \
+    X(FIRST_ORDER_STEP, "first_order_step") /* dt [s] */                                   \
+    X(DAMPING, "damping")                   /* mass damping [1/s] */                       \
+    X(GRAVITY, "gravity")                   /* g over the scene's */                       \
+    X(STRETCH, "stretch")                   /* longer by this share */                     \
+    X(BENDING, "bending")                   /* D over the scene's */                       \
+    X(HINGE, "hinge")                       /* 1: a hinge, 0: a clamp */                   \
+    X(LAG, "lag")                           /* behind by [s]; ahead: negative */           \
+    X(AXES, "axes")                         /* error with them set right [L] */            \
+    X(UNITS, "units")                       /* what positions are to be multiplied by */   \
+    X(ORDER, "order")                       /* error with them set right [L] */            \
+    X(STILL, "still")                       /* rms displacement over the truth's */        \
+    X(FLOOR, "floor")                       /* the floor [L] */                            \
+    X(SOUND, "sound")                       /* the error [L] */
+
+enum score_kind {
+#define SCORE_KIND(code, name) SCORE_##code,
+    SCORE_KIND_LIST(SCORE_KIND)
+#undef SCORE_KIND
+        SCORE_KINDS
+};
+
+struct score_finding {
+    enum score_kind kind;
+    double value;
+    char text[320];
+};
+
+struct score_diagnosis {
+    int count;
+    double
+        left; /* of the difference, with the flaws of the motion put right; 0: none are  */
+    struct score_finding finding[SCORE_KINDS];
+};
+
+/* "first_order_step", ... */
+const char *score_diagnosis_name(enum score_kind kind);
+
+/* STATUS_MEMORY. */
+enum status score_diagnosis_make(const struct score *score,
+                                 struct score_diagnosis *diagnosis);
+
+#endif

@@ -1,0 +1,351 @@
+#include "bench/score/score_net.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Lines of a net are one line to this; a sheet's edge is reached to EDGE. */
+#define SAME_LINE 1e-6
+#define EDGE      1e-3
+
+/* A vertex lies on the rest shape to this share of the length. */
+#define ON_REST 2e-3
+
+int score_net_cubic(int points, double x, double weight[4])
+{
+    const double s = x * (points - 1);
+    int first = (int)floor(s) - 1;
+
+    first = first < 0 ? 0 : first > points - 4 ? points - 4 : first;
+    const double r = s - first;
+    weight[0] = -(r - 1) * (r - 2) * (r - 3) / 6;
+    weight[1] = r * (r - 2) * (r - 3) / 2;
+    weight[2] = -r * (r - 1) * (r - 3) / 2;
+    weight[3] = r * (r - 1) * (r - 2) / 6;
+    return first;
+}
+
+void score_net_sample(int nu, int nv, const double *field, const double uv[2],
+                      double xyz[3])
+{
+    double a[4], b[4];
+    const int i = score_net_cubic(nu, fmin(fmax(uv[0], 0), 1), a),
+              j = score_net_cubic(nv, fmin(fmax(uv[1], 0), 1), b);
+
+    xyz[0] = xyz[1] = xyz[2] = 0;
+    for (int n = 0; n < 16; n++) {
+        const double *at = field + 3 * ((j + n / 4) * nu + i + n % 4);
+        for (int c = 0; c < 3; c++)
+            xyz[c] += b[n / 4] * a[n % 4] * at[c];
+    }
+}
+
+/* --- material coordinates ---------------------------------------------------------------
+ */
+
+/* Of a point on the flat rest shape: its distance from it. */
+static double place(const struct scene *s, const double xyz[3], double uv[2])
+{
+    double d[3], along[3] = {0}, normal[3];
+
+    scene_normal(s, normal);
+    for (int c = 0; c < 3; c++) {
+        d[c] = xyz[c] - s->origin[c];
+        along[0] += d[c] * s->axis_u[c];
+        along[1] += d[c] * s->axis_v[c];
+        along[2] += d[c] * normal[c];
+    }
+    uv[0] = along[0] / s->length;
+    uv[1] = along[1] / s->width;
+    const double over_u = fmax(0, fmax(-uv[0], uv[0] - 1)) * s->length,
+                 over_v = fmax(0, fmax(-uv[1], uv[1] - 1)) * s->width;
+    return sqrt(along[2] * along[2] + over_u * over_u + over_v * over_v);
+}
+
+static enum status by_position(const struct scene *scene, const char *name,
+                               const double *xyz, const char *whose, struct score_net *net,
+                               struct message *why)
+{
+    net->by_position = true;
+    for (int n = 0; n < net->vertices; n++) {
+        const double far = place(scene, xyz + 3 * n, net->uv + 2 * n);
+        if (scene->shape == SCENE_FLAT && far <= ON_REST * scene->length)
+            continue;
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has no uv, and vertex %d of %s lies %.3g m from the rest "
+                           "shape of %s; uv (vt in OBJ), --rest FILE, or --scale and --up "
+                           "would be right",
+                           name, n + 1, whose, far, scene->name);
+    }
+    return STATUS_OK;
+}
+
+enum status score_net_make(const struct frames_net *frames, const struct scene *scene,
+                           const char *name, const double *rest, const double *xyz,
+                           struct score_net *net, struct message *why)
+{
+    const size_t count = (size_t)frames->vertices;
+
+    *net = (struct score_net){.vertices = frames->vertices,
+                              .triangles = frames->triangles,
+                              .triangle = (const int(*)[3])frames->triangle,
+                              .uv = malloc(2 * count * sizeof *net->uv)};
+    if (!net->uv)
+        return STATUS_MEMORY;
+    if (!frames->uv)
+        return by_position(scene, name, rest ? rest : xyz,
+                           rest ? "the rest mesh" : "the first frame", net, why);
+    memcpy(net->uv, frames->uv, 2 * count * sizeof *net->uv);
+    return STATUS_OK;
+}
+
+void score_net_clear(struct score_net *net)
+{
+    free(net->uv);
+    *net = (struct score_net){0};
+}
+
+/* --- rows and columns -------------------------------------------------------------------
+ */
+
+static int compare(const void *a, const void *b)
+{
+    const double *left = a, *right = b;
+
+    return (*left > *right) - (*left < *right);
+}
+
+/* The different values of u or v, increasing. */
+static double *lines_of(const struct score_net *net, int which, int *count)
+{
+    double *line = malloc((size_t)net->vertices * sizeof *line);
+
+    for (int n = 0; line && n < net->vertices; n++)
+        line[n] = net->uv[2 * n + which];
+    if (!line)
+        return NULL;
+    qsort(line, (size_t)net->vertices, sizeof *line, compare);
+    *count = 1;
+    for (int n = 1; n < net->vertices; n++)
+        if (line[n] - line[*count - 1] > SAME_LINE)
+            line[(*count)++] = line[n];
+    return line;
+}
+
+/* The last line at or before x, at most the last but one. */
+static int cell_of(const double *line, int count, double x)
+{
+    int low = 0, high = count - 1;
+
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        if (line[middle] <= x + SAME_LINE)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+struct lattice {
+    int count[2];
+    double *line[2]; /* [count] owned */
+    int *vertex;     /* [count v][count u] owned */
+};
+
+static void lattice_clear(struct lattice *l)
+{
+    free(l->line[0]);
+    free(l->line[1]);
+    free(l->vertex);
+}
+
+/* *is: every crossing of a row and a column has its vertex. */
+static enum status lattice_make(const struct score_net *net, struct lattice *l, bool *is)
+{
+    *l = (struct lattice){0};
+    *is = false;
+    for (int d = 0; d < 2; d++) {
+        l->line[d] = lines_of(net, d, &l->count[d]);
+        if (!l->line[d])
+            return STATUS_MEMORY;
+    }
+    const long crossings = (long)l->count[0] * l->count[1];
+    if (crossings != net->vertices || l->count[0] < 2 || l->count[1] < 2)
+        return STATUS_OK;
+    l->vertex = malloc((size_t)crossings * sizeof *l->vertex);
+    if (!l->vertex)
+        return STATUS_MEMORY;
+    for (long n = 0; n < crossings; n++)
+        l->vertex[n] = -1;
+    for (int n = 0; n < net->vertices; n++) {
+        int at[2];
+        for (int d = 0; d < 2; d++) {
+            const double x = net->uv[2 * n + d];
+            at[d] = cell_of(l->line[d], l->count[d], x);
+            at[d] += x > l->line[d][at[d]] + 2 * SAME_LINE; /* the last line */
+        }
+        int *crossing = &l->vertex[(long)at[1] * l->count[0] + at[0]];
+        if (*crossing >= 0)
+            return STATUS_OK;
+        *crossing = n;
+    }
+    *is = true;
+    return STATUS_OK;
+}
+
+static void map_lattice(const struct lattice *l, struct score_map *map)
+{
+    for (int n = 0; n < map->nu * map->nv; n++) {
+        const double x[2] = {(double)(n % map->nu) / (map->nu - 1),
+                             (double)(n / map->nu) / (map->nv - 1)};
+        int cell[2];
+        double s[2];
+        for (int d = 0; d < 2; d++) {
+            const double *line = l->line[d];
+            cell[d] = cell_of(line, l->count[d], x[d]);
+            s[d] = (x[d] - line[cell[d]]) / (line[cell[d] + 1] - line[cell[d]]);
+        }
+        for (int k = 0; k < 4; k++) {
+            map->vertex[n][k] =
+                l->vertex[(long)(cell[1] + k / 2) * l->count[0] + cell[0] + k % 2];
+            map->weight[n][k] = (k % 2 ? s[0] : 1 - s[0]) * (k / 2 ? s[1] : 1 - s[1]);
+        }
+    }
+}
+
+/* --- triangles --------------------------------------------------------------------------
+ */
+
+static double cross(const double *a, const double *b, const double *c)
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/* Points of the map between the triangle's least and greatest u (d = 0) or v. */
+static void span(const double *const corner[3], int d, int count, int *from, int *to)
+{
+    const double low = fmin(corner[0][d], fmin(corner[1][d], corner[2][d])),
+                 high = fmax(corner[0][d], fmax(corner[1][d], corner[2][d]));
+
+    *from = (int)ceil(fmin(fmax(low, 0), 1) * (count - 1) - EDGE);
+    *to = (int)floor(fmin(fmax(high, 0), 1) * (count - 1) + EDGE);
+    *from = *from < 0 ? 0 : *from;
+    *to = *to > count - 1 ? count - 1 : *to;
+}
+
+/* Fills the points in the triangle, of those that no other was nearer to. */
+static void map_triangle(const struct score_net *net, const int *vertex, double *inside,
+                         struct score_map *map)
+{
+    const double *corner[3];
+    int i0, i1, j0, j1;
+
+    for (int k = 0; k < 3; k++)
+        corner[k] = net->uv + 2 * vertex[k];
+    const double area = cross(corner[0], corner[1], corner[2]);
+    if (fabs(area) < SAME_LINE * SAME_LINE)
+        return;
+    span(corner, 0, map->nu, &i0, &i1);
+    span(corner, 1, map->nv, &j0, &j1);
+    for (int j = j0; j <= j1; j++)
+        for (int i = i0; i <= i1; i++) {
+            const double x[2] = {(double)i / (map->nu - 1), (double)j / (map->nv - 1)};
+            const double w[3] = {cross(x, corner[1], corner[2]) / area,
+                                 cross(corner[0], x, corner[2]) / area,
+                                 cross(corner[0], corner[1], x) / area};
+            const double least = fmin(w[0], fmin(w[1], w[2]));
+            const int n = j * map->nu + i;
+            if (!(least > inside[n]))
+                continue;
+            inside[n] = least;
+            for (int k = 0; k < 4; k++) {
+                map->vertex[n][k] = vertex[k % 3];
+                map->weight[n][k] = k < 3 ? w[k] : 0;
+            }
+        }
+}
+
+static enum status map_triangles(const struct score_net *net, const char *name,
+                                 struct score_map *map, struct message *why)
+{
+    const int points = map->nu * map->nv;
+    double *inside = malloc((size_t)points * sizeof *inside);
+    int bare = -1;
+
+    if (!inside)
+        return STATUS_MEMORY;
+    for (int n = 0; n < points; n++)
+        inside[n] = -EDGE; /* a point may lie so far out of a triangle */
+    for (int n = 0; n < net->triangles; n++)
+        map_triangle(net, net->triangle[n], inside, map);
+    for (int n = 0; n < points && bare < 0; n++)
+        bare = inside[n] > -EDGE ? -1 : n;
+    free(inside);
+    if (bare < 0)
+        return STATUS_OK;
+    return status_fail(why, STATUS_INPUT,
+                       "%s: its faces leave u = %.3g, v = %.3g of the sheet bare; all of "
+                       "u and v from 0 to 1 would be right",
+                       name, (double)(bare % map->nu) / (map->nu - 1),
+                       (double)(bare / map->nu) / (map->nv - 1));
+}
+
+static enum status check_span(const struct lattice *l, const char *name,
+                              struct message *why)
+{
+    for (int d = 0; d < 2; d++) {
+        const double first = l->line[d][0], last = l->line[d][l->count[d] - 1];
+        if (first > EDGE || last < 1 - EDGE)
+            return status_fail(why, STATUS_INPUT,
+                               "%s: %c runs from %.6g to %.6g; from 0 to 1, from edge to "
+                               "edge of the sheet, would be right",
+                               name, "uv"[d], first, last);
+    }
+    return STATUS_OK;
+}
+
+enum status score_net_map(const struct score_net *net, const char *name, int nu, int nv,
+                          struct score_map *map, struct message *why)
+{
+    const size_t points = (size_t)nu * (size_t)nv;
+    struct lattice l = {0};
+    bool is;
+    enum status st;
+
+    *map = (struct score_map){nu, nv, malloc(points * sizeof *map->vertex),
+                              malloc(points * sizeof *map->weight)};
+    TRY(map->vertex && map->weight ? STATUS_OK : STATUS_MEMORY);
+    TRY(lattice_make(net, &l, &is));
+    TRY(check_span(&l, name, why));
+    if (is)
+        map_lattice(&l, map);
+    else if (net->triangles)
+        TRY(map_triangles(net, name, map, why));
+    else
+        st = status_fail(why, STATUS_INPUT,
+                         "%s: %d vertices are on %d lines u and %d lines v; one at each "
+                         "crossing, or faces (OBJ, PLY, --rest), would be right",
+                         name, net->vertices, l.count[0], l.count[1]);
+out:
+    lattice_clear(&l);
+    return st;
+}
+
+void score_map_clear(struct score_map *map)
+{
+    free(map->vertex);
+    free(map->weight);
+    *map = (struct score_map){0};
+}
+
+void score_map_apply(const struct score_map *map, const double *xyz, double *field)
+{
+    for (int n = 0; n < map->nu * map->nv; n++)
+        for (int c = 0; c < 3; c++) {
+            double sum = 0;
+            for (int k = 0; k < 4; k++)
+                sum += map->weight[n][k] * xyz[3L * map->vertex[n][k] + c];
+            field[3 * n + c] = sum;
+        }
+}

@@ -1,0 +1,26 @@
+/* score_print.h - scores as one sheet: a table, or JSON. */
+#ifndef SCORE_PRINT_H
+#define SCORE_PRINT_H
+
+#include "bench/score/score_diagnosis.h"
+#include "bench/ui/table.h"
+
+/* What is left of a score once its fields are let go of. */
+struct score_result {
+    char *scene;            /* its name                                        owned */
+    char source[512];       /* of the truth                                          */
+    struct message refused; /* why there is no score; empty: there is one            */
+    int times, frames, vertices;
+    struct score_time *row; /* [times]                                         owned */
+    bool undamped, by_position;
+    double first, last; /* of the frames [s]                                     */
+    struct score_diagnosis diagnosis;
+};
+
+void score_result_clear(struct score_result *result); /* all-zero is allowed */
+
+/* CSV has scene,time,error,bar,floor, in lengths; JSON an object a line and scene. */
+enum status score_print(const struct score_result *results, int count,
+                        enum table_format format, FILE *file);
+
+#endif

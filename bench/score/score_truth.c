@@ -1,0 +1,126 @@
+#include "bench/score/score_truth.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/truth/truth.h"
+#include "bench/truth/truth_plan.h"
+#include "models/metric/metric_rest.h"
+#include "models/reader/scene_file.h"
+
+enum { TENTHS_MOST = 100 };
+
+static void middle(const double *xyz, double *field)
+{
+    for (int n = 0; n < 3 * SCORE_POINTS; n++)
+        field[n] = .5 * (xyz[n] + xyz[3 * SCORE_POINTS + n]);
+}
+
+static enum status make(struct score_truth *t, int times)
+{
+    const size_t count = (size_t)times;
+    double *rest = metric_rest_field(&t->scene);
+
+    t->times = times;
+    t->time = malloc(count * sizeof *t->time);
+    t->bar = malloc(count * sizeof *t->bar);
+    t->xyz = malloc(count * 3 * SCORE_POINTS * sizeof *t->xyz);
+    t->rest = malloc(3 * SCORE_POINTS * sizeof *t->rest);
+    if (rest && t->rest)
+        middle(rest, t->rest);
+    free(rest);
+    return rest && t->time && t->bar && t->xyz && t->rest ? STATUS_OK : STATUS_MEMORY;
+}
+
+/* Closed forms and what is stored; t->times stays 0 where there is neither. */
+static enum status from_known(struct score_truth *t, struct message *why)
+{
+    struct truth_made made = {0};
+    enum status st;
+
+    TRY(truth_known(&t->scene, &made, why));
+    if (!made.claimed)
+        goto out;
+    TRY(make(t, made.claimed));
+    snprintf(t->source, sizeof t->source, "%s", made.note);
+    for (int n = 0; n < t->times; n++) {
+        t->time[n] = made.time[n];
+        t->bar[n] = made.value[n][TRUTH_ERROR];
+        middle(made.xyz[n], t->xyz + 3L * SCORE_POINTS * n);
+    }
+out:
+    truth_made_clear(&made);
+    return st;
+}
+
+/* What is exact at any time, every tenth of a second. */
+static enum status from_formula(const char *path, const struct settings *settings,
+                                struct score_truth *t, struct message *why)
+{
+    const int all = (int)floor(10 * t->scene.end + 1e-9);
+    const int times = all < 1 ? 1 : all < TENTHS_MOST ? all : TENTHS_MOST;
+    double time[TENTHS_MOST];
+    struct truth *truth = NULL;
+    enum status st;
+
+    for (int n = 0; n < times; n++)
+        time[n] = all < 1 ? t->scene.end : (n + 1) / 10.0;
+    st =
+        truth_find(path, settings, times, time, "results/truths", TRUTH_READ, &truth, NULL);
+    if (st != STATUS_OK && st != STATUS_MEMORY)
+        st = status_fail(
+            why, STATUS_INPUT,
+            "nothing is known of the motion of %s without a run; clothbench list "
+            "truths names the scenes that are, and clothbench truth %s makes its "
+            "own",
+            t->scene.name, t->scene.name);
+    TRY(st);
+    TRY(make(t, times));
+    snprintf(t->source, sizeof t->source, "%s", truth->source);
+    for (int n = 0; n < times; n++) {
+        t->time[n] = time[n];
+        t->bar[n] = truth->error[n];
+        middle(truth->xyz[n], t->xyz + 3L * SCORE_POINTS * n);
+    }
+out:
+    truth_destroy(truth);
+    return st;
+}
+
+enum status score_truth_read(const char *scene, struct score_truth *t, struct message *why)
+{
+    struct settings settings = {0};
+    char *path = NULL;
+    enum status st;
+
+    memset(t, 0, sizeof *t);
+    TRY(scene_file_find(scene, &path, why));
+    TRY(truth_plan_scene(path, &settings, &t->scene, why));
+    t->undamped = settings.count > 0;
+    TRY(from_known(t, why));
+    if (!t->times)
+        TRY(from_formula(path, &settings, t, why));
+out:
+    settings_clear(&settings);
+    free(path);
+    if (st != STATUS_OK)
+        score_truth_clear(t);
+    return st;
+}
+
+void score_truth_clear(struct score_truth *t)
+{
+    scene_clear(&t->scene);
+    free(t->time);
+    free(t->bar);
+    free(t->xyz);
+    free(t->rest);
+    memset(t, 0, sizeof *t);
+}
+
+const double *score_truth_field(const struct score_truth *t, int n)
+{
+    return t->xyz + 3L * SCORE_POINTS * n;
+}

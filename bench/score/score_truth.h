@@ -1,0 +1,31 @@
+/* score_truth.h - what frames are held against: the middle surface of a scene's truth at
+ * the times at which it is known. */
+#ifndef SCORE_TRUTH_H
+#define SCORE_TRUTH_H
+
+#include "models/grid.h"
+#include "models/scene.h"
+
+enum { SCORE_POINTS = GRID_U * GRID_V };
+
+struct score_truth {
+    struct scene scene; /* as the truth moves: undamped where damping is no rate        */
+    int times;
+    double *time;     /* [times] [s]                                       owned      */
+    double *bar;      /* [times] rms error bar [m]                         owned      */
+    double *xyz;      /* [times][SCORE_POINTS][3] [m]                      owned      */
+    double *rest;     /* [SCORE_POINTS][3]                                 owned      */
+    char source[512]; /* a sentence                                                   */
+    bool undamped;    /* the scene is damped, and its truth is not                    */
+};
+
+/* Of a scene by name or path: closed forms and stored truths; runs nothing. STATUS_INPUT:
+ * no such scene, or nothing is known of it. Free with score_truth_clear. */
+enum status score_truth_read(const char *scene, struct score_truth *truth,
+                             struct message *why);
+void score_truth_clear(struct score_truth *truth); /* all-zero is allowed, and left */
+
+/* The n-th field. */
+const double *score_truth_field(const struct score_truth *truth, int n);
+
+#endif

@@ -1,0 +1,116 @@
+/* Frames from any bytes, for libFuzzer or from files (fuzz.h). The first byte says as what
+ * kind the others are read: c .csv, o .obj, p .ply, z .npz, n .npy, m .mdd, 2 .pc2; lines
+ * that are `---` part the files of a sequence of meshes.
+ *
+ * HDF5 is left out: the library is not made for damaged files, ours are sealed
+ * (fuzz_store). Beyond crashes, leaks and undefined behaviour it stops at: a refusal
+ * without a printable sentence that names the file; frames with fewer numbers than they
+ * say, numbers that are none, times that do not grow. */
+#define _GNU_SOURCE /* memmem */
+#include <math.h>
+
+#include "bench/frames/frames.h"
+#include "bench/frames/frames_bytes.h"
+#include "tests/fuzz.h"
+
+static const uint8_t *file_bytes;
+static size_t file_size;
+
+enum status __wrap_frames_bytes_open(const char *path, struct frames_bytes *b,
+                                     struct message *why);
+void __wrap_frames_bytes_close(struct frames_bytes *b);
+void __wrap_frames_bytes_forget(struct frames_bytes *b, size_t until);
+
+/* fuzz1.obj is the first part. */
+enum status __wrap_frames_bytes_open(const char *path, struct frames_bytes *b,
+                                     struct message *why)
+{
+    const uint8_t *at = file_bytes, *end = at + file_size, *stop;
+
+    for (int part = path[4] - '1'; part > 0 && at; part--) {
+        at = memmem(at, (size_t)(end - at), "---\n", 4);
+        at = at ? at + 4 : NULL;
+    }
+    stop = at ? memmem(at, (size_t)(end - at), "---\n", 4) : NULL;
+    const size_t size = at ? (size_t)((stop ? stop : end) - at) : 0;
+    *b = (struct frames_bytes){.path = strdup(path)};
+    MUST(b->path);
+    if (!size) {
+        free(b->path);
+        *b = (struct frames_bytes){0};
+        return status_fail(why, STATUS_INPUT, "%s: is empty", path);
+    }
+    unsigned char *copy = malloc(size); /* exact, so that a byte too far is seen */
+    MUST(copy);
+    memcpy(copy, at, size);
+    b->byte = copy;
+    b->size = size;
+    return STATUS_OK;
+}
+
+void __wrap_frames_bytes_close(struct frames_bytes *b)
+{
+    free((void *)(uintptr_t)b->byte);
+    free(b->path);
+    *b = (struct frames_bytes){0};
+}
+
+void __wrap_frames_bytes_forget(struct frames_bytes *b, size_t until)
+{
+    MUST(until <= b->size);
+}
+
+static void check_net(const struct frames_net *net)
+{
+    MUST(net->vertices > 0 && net->vertices <= FRAMES_MOST_VERTICES);
+    for (int n = 0; net->uv && n < 2 * net->vertices; n++)
+        MUST(isfinite(net->uv[n]));
+    for (int n = 0; n < net->triangles; n++)
+        for (int c = 0; c < 3; c++)
+            MUST(net->triangle[n][c] >= 0 && net->triangle[n][c] < net->vertices);
+}
+
+/* Frames of a file are many, and short: enough of them are read. */
+enum { FRAMES_ENOUGH = 100 };
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static const char kinds[] = "copznm2";
+    static const char *const names[][2] = {{"fuzz1.csv"},
+                                           {"fuzz1.obj", "fuzz2.obj"},
+                                           {"fuzz1.ply", "fuzz2.ply"},
+                                           {"fuzz1.npz"},
+                                           {"fuzz1.npy"},
+                                           {"fuzz1.mdd"},
+                                           {"fuzz1.pc2"}};
+    const char *kind = size ? memchr(kinds, data[0], sizeof kinds - 1) : NULL;
+    struct frames *f = NULL;
+    struct message why = {""};
+    const double *xyz = NULL;
+    double t, before = -INFINITY;
+
+    if (!kind)
+        return 0;
+    file_bytes = data + 1, file_size = size - 1;
+    const char *const *paths = names[kind - kinds];
+    enum status st =
+        frames_open(paths[1] ? 2 : 1, paths,
+                    &(struct frames_look){strchr("opn2", *kind) ? 1 : 0, NULL}, &f, &why);
+    if (st == STATUS_OK)
+        check_net(frames_net(f));
+    for (int n = 0; st == STATUS_OK && n < FRAMES_ENOUGH; n++) {
+        st = frames_next(f, &t, &xyz, &why);
+        if (st != STATUS_OK || !xyz)
+            break;
+        MUST(t > before && isfinite(t));
+        before = t;
+        for (int k = 0; k < 3 * frames_net(f)->vertices; k++)
+            MUST(isfinite(xyz[k]));
+    }
+    if (st != STATUS_OK) {
+        MUST(st == STATUS_INPUT);
+        fuzz_check_sentence(&why, "fuzz");
+    }
+    frames_close(f);
+    return 0;
+}

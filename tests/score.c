@@ -1,0 +1,388 @@
+/* Diagnoses: frames made to have one flaw get its sentence with its number and no other
+ * flaw's; sound frames get none. The flaws of physics are runs of a model, the others are
+ * made of its sound run, of truths, or of closed forms.
+ *
+ *   score FOLDER
+ */
+#include "bench/files/folder.h"
+#include "bench/harness/run_file.h"
+#include "bench/score/score_diagnosis.h"
+#include "models/grid.h"
+#include "tests/check.h"
+
+enum { SIDE = 34, NET = SIDE * SIDE }; /* every third point of the grid */
+
+static const char *folder;
+
+/* Sound frames of edge_drop every 5 ms to 0.5 s: x[frame][point][3], the first at rest. */
+enum { FRAMES = 101 };
+static double (*sound)[NET][3];
+
+#define STEP 0.005
+
+/* --- judging ----------------------------------------------------------------------------
+ */
+
+static const struct score_look plain = {.up = 'z', .scale = 1};
+
+static void file_of(const char *name, char path[4096])
+{
+    snprintf(path, 4096, "%s/%s", folder, name);
+}
+
+static bool is_flaw(enum score_kind kind)
+{
+    return kind != SCORE_FLOOR && kind != SCORE_SOUND;
+}
+
+/* The sentence is there, its number too, and no other flaw's. `want` SCORE_SOUND: no flaw
+ * at all. */
+static void check_said(const char *scene, const char *name, const struct score_look *look,
+                       enum score_kind want, double value, double tolerance)
+{
+    char path[4096];
+    const char *paths[] = {path};
+    struct score s;
+    struct score_diagnosis d;
+    struct message why = {""};
+    bool said = false, others = false, good = false;
+
+    file_of(name, path);
+    if (!CHECK(score_read(scene, 1, paths, look, &s, &why) == STATUS_OK)) {
+        printf("%s: %s\n", name, why.text);
+        return;
+    }
+    REQUIRE(score_diagnosis_make(&s, &d) == STATUS_OK);
+    for (int n = 0; n < d.count; n++) {
+        said = said || d.finding[n].kind == want;
+        good = good ||
+               (d.finding[n].kind == want && fabs(d.finding[n].value - value) <= tolerance);
+        others = others || (is_flaw(d.finding[n].kind) && d.finding[n].kind != want);
+    }
+    if (!CHECK(said && good && !others)) {
+        printf("%s: wanted %s %g within %g\n", name, score_diagnosis_name(want), value,
+               tolerance);
+        for (int n = 0; n < d.count; n++)
+            printf("  %s %g: %s\n", score_diagnosis_name(d.finding[n].kind),
+                   d.finding[n].value, d.finding[n].text);
+        for (int n = 0; n < s.truth.times; n++)
+            printf("  %g s: %g\n", s.row[n].time, s.row[n].error);
+    }
+    score_clear(&s);
+}
+
+/* --- flaws of physics --------------------------------------------------------------------
+ */
+
+/* D x s with E h and rho h as they are. */
+#define D_047                                                                              \
+    "material.young=145864.99", "sheet.thickness=8.0690209e-4",                            \
+        "material.density=0.72932496"
+#define D_300                                                                              \
+    "material.young=57735.027", "sheet.thickness=2.0386238e-3",                            \
+        "material.density=0.28867513"
+/* E h x 0.003 with D as it is. */
+#define SOFT                                                                               \
+    "material.young=16.431677", "sheet.thickness=2.1488985e-2",                            \
+        "material.density=0.027386128"
+
+static void run_to(const char *name, int every, const char *const *given)
+{
+    const struct contestant *c;
+    struct settings settings = {0};
+    char path[4096];
+    struct message why = {""};
+
+    file_of(name, path);
+    settings_set(&settings, "discretization.points=[21,21]");
+    settings_set(&settings, "damping={kind: none}");
+    settings_set(&settings, "time.end=0.5");
+    settings_list(&settings, 3, given);
+    REQUIRE(contestant_find("triangles_explicit", &c, &why) == STATUS_OK);
+    const struct run_plan plan = {"edge_drop", c, &settings, 0};
+    if (run_file_write(
+            &plan,
+            &(struct run_keep){
+                .file = path, .every = every, .fields = RUN_FIELDS_ALL, .doubles = true},
+            NULL, &why) != STATUS_OK) {
+        printf("%s\n", why.text);
+        REQUIRE(false);
+    }
+    settings_clear(&settings);
+}
+
+static void physics(void)
+{
+    static const struct {
+        const char *name, *settings[4];
+        enum score_kind kind;
+        double value, tolerance; /* the net's own error is in the numbers, too */
+    } row[] = {
+        {"gravity.h5", {"gravity=[0,0,-10.0062]"}, SCORE_GRAVITY, 1.02, .003},
+        {"light.h5", {"gravity=[0,0,-9.32]"}, SCORE_GRAVITY, .95, .003},
+        {"damping.h5", {"damping={kind: mass, value: 0.2}"}, SCORE_DAMPING, .2, .02},
+        {"hinge.h5", {"supports=[{at: {u: 0, w: 0.5}, fix: xyz}]"}, SCORE_HINGE, 1, .1},
+        {"soft.h5", {D_047}, SCORE_BENDING, .47, .06},
+        {"stiff.h5", {D_300}, SCORE_BENDING, 3, .2},
+        {"stretch.h5", {SOFT}, SCORE_STRETCH, .02, .005},
+    };
+
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        run_to(row[n].name, 5, row[n].settings);
+        check_said("edge_drop", row[n].name, &plain, row[n].kind, row[n].value,
+                   row[n].tolerance);
+    }
+}
+
+/* --- flaws of time and space ------------------------------------------------------------
+ */
+
+static void read_sound(void)
+{
+    char path[4096];
+    struct run_result r = {0};
+
+    run_to("sound.h5", 1, (const char *const[]){NULL, NULL, NULL});
+    file_of("sound.h5", path);
+    REQUIRE(run_result_read(path, true, &r, NULL) == STATUS_OK && r.frames == FRAMES);
+    sound = malloc(FRAMES * sizeof *sound);
+    REQUIRE(sound);
+    for (int k = 0; k < FRAMES; k++)
+        for (int n = 0; n < NET; n++) {
+            const int at = 3 * (n / SIDE * 3 * GRID_U + n % SIDE * 3);
+            for (int c = 0; c < 3; c++)
+                sound[k][n][c] =
+                    .5 * (r.xyz[k][at + c] + r.xyz[k][3 * GRID_U * GRID_V + at + c]);
+        }
+    run_result_clear(&r);
+}
+
+/* What somebody made of frame k (every fifth is written) at vertex n. */
+typedef void turn(int k, int n, double xyz[3]);
+
+static void as_is(int k, int n, double xyz[3])
+{
+    memcpy(xyz, sound[k][n], 3 * sizeof *xyz);
+}
+
+/* The first velocity is g dt in place of g dt / 2, dt = 5 ms: on by half a step. */
+static void first_order(int k, int n, double xyz[3])
+{
+    for (int c = 0; c < 3; c++)
+        xyz[c] =
+            sound[k][n][c] + (k == 0 || k + 1 == FRAMES
+                                  ? k == 0 ? 0 : .5 * (sound[k][n][c] - sound[k - 1][n][c])
+                                  : .25 * (sound[k + 1][n][c] - sound[k - 1][n][c]));
+}
+
+static void late(int k, int n, double xyz[3])
+{
+    as_is(k < 2 ? 0 : k - 2, n, xyz);
+}
+
+static void early(int k, int n, double xyz[3])
+{
+    as_is(k + 3 < FRAMES ? k + 3 : FRAMES - 1, n, xyz);
+}
+
+static void still(int k, int n, double xyz[3])
+{
+    as_is(0 * k, n, xyz);
+}
+
+static void millimetres(int k, int n, double xyz[3])
+{
+    for (int c = 0; c < 3; c++)
+        xyz[c] = 1e3 * sound[k][n][c];
+}
+
+static void y_up(int k, int n, double xyz[3])
+{
+    xyz[0] = sound[k][n][0], xyz[1] = sound[k][n][2], xyz[2] = -sound[k][n][1];
+}
+
+static void x_up(int k, int n, double xyz[3])
+{
+    xyz[0] = sound[k][n][2], xyz[1] = sound[k][n][1], xyz[2] = -sound[k][n][0];
+}
+
+static void transposed(int k, int n, double xyz[3])
+{
+    as_is(k, n % SIDE * SIDE + n / SIDE, xyz);
+}
+
+static void reversed(int k, int n, double xyz[3])
+{
+    as_is(k, n / SIDE * SIDE + SIDE - 1 - n % SIDE, xyz);
+}
+
+static void write_turned(const char *name, turn *make, int every, int until)
+{
+    char path[4096];
+    double x[3];
+
+    file_of(name, path);
+    FILE *file = fopen(path, "w");
+    REQUIRE(file);
+    for (int k = 0; k <= until; k += every)
+        for (int n = 0; n < NET; n++) {
+            make(k, n, x);
+            fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", k * STEP,
+                    n % SIDE / (SIDE - 1.), n / SIDE / (SIDE - 1.), x[0], x[1], x[2]);
+        }
+    REQUIRE(fclose(file) == 0);
+}
+
+static void frames_of_others(void)
+{
+    static const struct {
+        const char *name;
+        turn *make;
+        int every, until;
+        struct score_look look;
+        enum score_kind kind;
+        double value, tolerance;
+    } row[] = {
+        {"as_is.csv", as_is, 5, 100, {.up = 'z', .scale = 1}, SCORE_SOUND, 0, .01},
+        {"seldom.csv", as_is, 20, 100, {.up = 'z', .scale = 1}, SCORE_SOUND, 0, .01},
+        {"short.csv", as_is, 5, 60, {.up = 'z', .scale = 1}, SCORE_SOUND, 0, .01},
+        {"odd.csv", as_is, 7, 98, {.up = 'z', .scale = 1}, SCORE_SOUND, 0, .01},
+        {"first.csv",
+         first_order,
+         5,
+         95,
+         {.up = 'z', .scale = 1},
+         SCORE_FIRST_ORDER_STEP,
+         STEP,
+         .001},
+        {"late.csv", late, 5, 100, {.up = 'z', .scale = 1}, SCORE_LAG, 2 * STEP, .001},
+        {"early.csv", early, 5, 95, {.up = 'z', .scale = 1}, SCORE_LAG, -3 * STEP, .002},
+        {"still.csv", still, 20, 100, {.up = 'z', .scale = 1}, SCORE_STILL, 0, 1e-3},
+        {"mm.csv", millimetres, 20, 100, {.up = 'z', .scale = 1}, SCORE_UNITS, 1e-3, 0},
+        {"mm.csv", NULL, 0, 0, {.up = 'z', .scale = 1e-3}, SCORE_SOUND, 0, .01},
+        {"y_up.csv", y_up, 20, 100, {.up = 'z', .scale = 1}, SCORE_AXES, 0, .01},
+        {"y_up.csv", NULL, 0, 0, {.up = 'y', .scale = 1}, SCORE_SOUND, 0, .01},
+        {"x_up.csv", x_up, 20, 100, {.up = 'z', .scale = 1}, SCORE_AXES, 0, .01},
+        {"x_up.csv", NULL, 0, 0, {.up = 'x', .scale = 1}, SCORE_SOUND, 0, .01},
+        {"reversed.csv", reversed, 20, 100, {.up = 'z', .scale = 1}, SCORE_ORDER, 0, .01},
+        {"order.csv", transposed, 20, 100, {.up = 'z', .scale = 1}, SCORE_ORDER, 0, .01},
+    };
+
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        if (row[n].make)
+            write_turned(row[n].name, row[n].make, row[n].every, row[n].until);
+        check_said("edge_drop", row[n].name, &row[n].look, row[n].kind, row[n].value,
+                   row[n].tolerance);
+    }
+}
+
+/* --- what falls free --------------------------------------------------------------------
+ */
+
+/* Of a sheet under g at frames 10 ms apart; the physics of the scene are g t^2 / 2. */
+struct fall {
+    double first_order, g, damping, late;
+};
+
+static double fallen(const struct fall *f, double t)
+{
+    t = t > f->late ? t - f->late : 0;
+    if (f->damping > 0)
+        return f->g * (f->damping * t - 1 + exp(-f->damping * t)) /
+               (f->damping * f->damping);
+    return .5 * f->g * t * (t + f->first_order);
+}
+
+static void falls(void)
+{
+    static const struct {
+        const char *name;
+        struct fall fall;
+        enum score_kind kind;
+        double value, tolerance;
+    } row[] = {{"fall.csv", {0, 9.81, 0, 0}, SCORE_SOUND, 0, 1e-4},
+               {"fall_1.csv", {.01, 9.81, 0, 0}, SCORE_FIRST_ORDER_STEP, .01, 1e-4},
+               {"fall_g.csv", {0, 1.02 * 9.81, 0, 0}, SCORE_GRAVITY, 1.02, 1e-4},
+               {"fall_c.csv", {0, 9.81, .3, 0}, SCORE_DAMPING, .3, .02},
+               {"fall_t.csv", {0, 9.81, 0, .004}, SCORE_LAG, .004, 1e-4}};
+
+    for (size_t r = 0; r < sizeof row / sizeof *row; r++) {
+        char path[4096];
+        file_of(row[r].name, path);
+        FILE *file = fopen(path, "w");
+        REQUIRE(file);
+        for (int k = 0; k <= 50; k++)
+            for (int n = 0; n < 16; n++)
+                fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", k / 100., n % 4 / 3.,
+                        n / 4 / 3., n % 4 / 3., n / 4 / 3.,
+                        -fallen(&row[r].fall, k / 100.));
+        REQUIRE(fclose(file) == 0);
+        check_said("free_fall", row[r].name, &plain, row[r].kind, row[r].value,
+                   row[r].tolerance);
+    }
+}
+
+/* --- truths as frames: sound, and on a coarse net at its floor --------------------------
+ */
+
+static void write_truth(const struct score_truth *t, const char *name, int side)
+{
+    char path[4096];
+
+    file_of(name, path);
+    FILE *file = fopen(path, "w");
+    REQUIRE(file);
+    for (int k = 0; k < t->times; k++)
+        for (int n = 0; n < side * side; n++) {
+            const double uv[2] = {n % side / (side - 1.), n / side / (side - 1.)};
+            double x[3];
+            score_net_sample(GRID_U, GRID_V, score_truth_field(t, k), uv, x);
+            fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", t->time[k], uv[0], uv[1], x[0],
+                    x[1], x[2]);
+        }
+    REQUIRE(fclose(file) == 0);
+}
+
+static void truths(void)
+{
+    static const char *const scene[] = {"edge_drop",  "flag",      "corners_patch",
+                                        "sphere",     "free_fall", "hanging",
+                                        "rest_small", "rest_large"};
+    struct score_truth t;
+    struct message why = {""};
+
+    for (size_t n = 0; n < sizeof scene / sizeof *scene; n++) {
+        char name[64];
+        snprintf(name, sizeof name, "truth_%s.csv", scene[n]);
+        if (!CHECK(score_truth_read(scene[n], &t, &why) == STATUS_OK)) {
+            printf("%s\n", why.text);
+            continue;
+        }
+        write_truth(&t, name, 20);
+        check_said(scene[n], name, &plain, SCORE_SOUND, 0, .02);
+        if (n == 0) {
+            write_truth(&t, "coarse.csv", 7);
+            check_said(scene[n], "coarse.csv", &plain, SCORE_FLOOR, .013, .002);
+        }
+        score_truth_clear(&t);
+    }
+    CHECK(score_truth_read("corners_drop", &t, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "nothing is known of the motion of corners_drop"));
+}
+
+int main(int argc, char **argv)
+{
+    struct message why = {""};
+
+    REQUIRE(argc == 2);
+    folder = argv[1];
+    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    read_sound();
+    check_said("edge_drop", "sound.h5", &plain, SCORE_SOUND, 0, .01);
+    physics();
+    frames_of_others();
+    falls();
+    truths();
+    free(sound);
+    return check_result();
+}

@@ -1,0 +1,80 @@
+#!/bin/sh
+# `clothbench score` as it is met: one scene, a folder of several, its formats; what is wrong
+# is a sentence, nothing on standard output, and exit 2.
+#   score.sh CLOTHBENCH SOURCE
+set -eu
+program=$1 truths=$2/bench/truths
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failed=0
+
+fail() {
+    echo "$*"
+    failed=1
+}
+
+# says WORDS ARGUMENT... : exit 0, the words on standard output
+says() {
+    words=$1
+    shift
+    "$program" score "$@" >"$scratch/out" 2>"$scratch/err" || fail "score $*: exit $?"
+    tr '\n' ' ' <"$scratch/out" | grep -qF -- "$words" || fail "score $*: does not say: $words"
+}
+
+# refuses WORDS ARGUMENT... : exit 2, the words on standard error, nothing printed
+refuses() {
+    words=$1
+    shift
+    code=0
+    "$program" score "$@" >"$scratch/out" 2>"$scratch/err" || code=$?
+    [ $code = 2 ] || fail "score $*: exit $code"
+    [ ! -s "$scratch/out" ] || fail "score $*: prints something"
+    tr '\n' ' ' <"$scratch/err" | grep -qF -- "$words" || {
+        fail "score $*: does not say: $words"
+        cat "$scratch/err"
+    }
+}
+
+says "Nothing wrong was found" edge_drop "$truths/edge_drop.h5"
+says "moves undamped here" edge_drop "$truths/edge_drop.h5"
+says "scene,time,error,bar,floor edge_drop,0.1" edge_drop "$truths/edge_drop.h5" --format csv
+says '"diagnosis": [{"kind": "sound", "value": 0, "text": "' \
+    edge_drop "$truths/edge_drop.h5" --format json
+says '|' edge_drop "$truths/edge_drop.h5" --format markdown
+
+mkdir "$scratch/all" "$scratch/all/sphere" "$scratch/none"
+cp "$truths/edge_drop.h5" "$truths/flag.h5" "$scratch/all"
+cp "$truths/sphere.h5" "$scratch/all/sphere/mine.h5"
+echo "beside it" >"$scratch/all/flag.xdmf"
+says "sphere: Nothing wrong was found" "$scratch/all"
+"$program" score "$scratch/all" --format csv 2>/dev/null | cut -d, -f1 | uniq | tr '\n' ' ' |
+    grep -q "^scene edge_drop flag sphere " || fail "a folder's scenes are not all there"
+
+# One that is refused is a row; the others are judged.
+echo "nothing" >"$scratch/all/hanging.csv"
+code=0
+"$program" score "$scratch/all" >"$scratch/out" 2>"$scratch/err" || code=$?
+[ $code = 2 ] || fail "a folder with bad frames: exit $code"
+grep -q "sphere: Nothing wrong" "$scratch/out" || fail "bad frames end the sheet"
+grep -q "hanging.*refused" "$scratch/out" || fail "bad frames are no row"
+
+echo "0,0,0,0,0,0" >"$scratch/one.csv"
+refuses "No such file" edge_drop "$scratch/absent.csv"
+refuses "no folder of several" "$scratch/one.csv"
+refuses "named like scenes" "$scratch/none"
+refuses "has no frames in it" edge_drop "$scratch/none"
+refuses "runs from 0 to 0" edge_drop "$scratch/one.csv"
+refuses "nothing is known of the motion" corners_drop "$scratch/one.csv"
+refuses "--up q" edge_drop "$scratch/one.csv" --up q
+refuses "--dt -1" edge_drop "$scratch/one.csv" --dt -1
+refuses "--scale no" edge_drop "$scratch/one.csv" --scale no
+awk 'BEGIN { for (k = 0; k < 40; k++) for (n = 0; n < 4; n++)
+    printf "%g,%d,%d,%g,0,0\n", k, n % 2, int(n / 2), k == 36 && n == 2 ? "nan" : 1
+    }' >"$scratch/nan.csv"
+refuses "frame 37 (t = 36 s): vertex 3 has x = nan" edge_drop "$scratch/nan.csv"
+awk 'BEGIN { for (k = 2; k < 4; k++) for (n = 0; n < 4; n++)
+    printf "%g,%d,%d,1,0,0\n", k, n % 2, int(n / 2) }' >"$scratch/late.csv"
+refuses "frames run from 2 to 3 s" edge_drop "$scratch/late.csv"
+printf '%%s%%n,0,0,0,0,0\n' >"$scratch/%s%n.csv"
+refuses "%s%n.csv: line 1" edge_drop "$scratch/%s%n.csv"
+exit $failed

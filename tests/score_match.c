@@ -1,0 +1,186 @@
+/* Vertices find their material points: by uv, vt, a rest mesh or their first positions, in
+ * any order, on uneven nets, in triangles, with a row outside the sheet; and what covers no
+ * sheet is refused in a sentence. Frames are the truth at vertices: what is off is the
+ * net's floor.
+ *
+ *   score_match FOLDER
+ */
+#include "bench/files/folder.h"
+#include "bench/score/score.h"
+#include "tests/check.h"
+
+enum { SIDE = 24, NET = SIDE * SIDE, FRAMES = 6 };
+
+/* Bilinear, the truth on 24 x 24 vertices is off by less than this at 0.5 s [L]; in
+ * triangles, of jittered vertices, by twice as much. */
+#define FLOOR 8e-4
+
+static const char *folder;
+static struct score_truth truth;
+
+struct net {
+    bool outside, jitter, shuffle, faces, told; /* told: uv stand in the file           */
+    double span;                                /* u runs to it; 0: 1                   */
+    int first;                                  /* of the frames                        */
+};
+
+/* Where vertex n is in the net: another one if shuffled. */
+static int place(const struct net *net, int n)
+{
+    return net->shuffle ? n * 7 % NET : n; /* 7 and 576 share no divisor */
+}
+
+static void uv_of(const struct net *net, int n, double uv[2])
+{
+    const int i = n % SIDE, j = n / SIDE;
+    const bool inner = i && j && i < SIDE - 1 && j < SIDE - 1;
+
+    uv[0] = net->outside ? (i - 1) / (SIDE - 2.) : pow(i / (SIDE - 1.), 1.2);
+    uv[1] = j / (SIDE - 1.);
+    if (net->jitter && inner) {
+        uv[0] += .3 / SIDE * sin(12.9898 * n);
+        uv[1] += .3 / SIDE * sin(78.233 * n);
+    }
+    uv[0] *= net->span > 0 ? net->span : 1;
+}
+
+static void position(int k, const double uv[2], double xyz[3])
+{
+    const double *field = k ? score_truth_field(&truth, k - 1) : truth.rest;
+
+    score_net_sample(GRID_U, GRID_V, field, uv, xyz);
+    xyz[0] += uv[0] < 0 ? uv[0] : 0;
+}
+
+static void write_mesh(const struct net *net, const char *name, int k)
+{
+    char path[4096];
+    int at[NET];
+
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "w");
+    REQUIRE(file);
+    for (int n = 0; n < NET; n++) {
+        double uv[2], x[3];
+        at[place(net, n)] = n + 1;
+        uv_of(net, place(net, n), uv);
+        position(k, uv, x);
+        fprintf(file, "v %.17g %.17g %.17g\n", x[0], x[1], x[2]);
+        if (net->told)
+            fprintf(file, "vt %.17g %.17g\n", uv[0], uv[1]);
+    }
+    for (int n = 0; net->faces && n < NET - SIDE; n++) {
+        const int corner[6] = {n, n + 1, n + SIDE, n + 1, n + SIDE + 1, n + SIDE};
+        if (n % SIDE == SIDE - 1)
+            continue;
+        for (int c = 0; c < 6; c++) {
+            const int v = at[corner[c]];
+            fprintf(file, "%s %d", c % 3 ? "" : "f", v);
+            if (net->told)
+                fprintf(file, "/%d", v);
+            fputs(c % 3 == 2 ? "\n" : "", file);
+        }
+    }
+    REQUIRE(fclose(file) == 0);
+}
+
+/* The net's frames in FOLDER/NAME/. */
+static enum status score_net_of(const struct net *net, const char *name, const char *rest,
+                                struct score *s, struct message *why)
+{
+    char path[4096], mesh[4096], file[128];
+    const char *paths[] = {path};
+    struct score_look look = {.frames = {.dt = .1}, .up = 'z', .scale = 1};
+
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    snprintf(mesh, sizeof mesh, "%s/%s", folder, rest ? rest : "");
+    look.frames.rest = rest ? mesh : NULL;
+    REQUIRE(folder_make(path, NULL) == STATUS_OK);
+    for (int k = net->first; k < FRAMES; k++) {
+        snprintf(file, sizeof file, "%s/f%d.obj", name, k);
+        write_mesh(net, file, k);
+    }
+    return score_read("edge_drop", 1, paths, &look, s, why);
+}
+
+static void found(void)
+{
+    static const struct {
+        const char *name, *rest;
+        struct net net;
+        double floors;
+    } row[] = {
+        {"vt", NULL, {.told = true}, 1},
+        {"vt_faces", NULL, {.told = true, .faces = true, .shuffle = true}, 1},
+        {"rest_positions", NULL, {.shuffle = true}, 1},
+        {"rest_mesh", "rest_positions/f0.obj", {.shuffle = true, .first = 0}, 1},
+        {"rest_vt", "vt/f0.obj", {.told = false}, 1},
+        {"outside", NULL, {.told = true, .outside = true}, 2},
+        {"triangles", NULL, {.told = true, .jitter = true, .faces = true}, 2},
+        {"triangles_shuffled", NULL, {.jitter = true, .faces = true, .shuffle = true}, 2},
+    };
+
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        struct score s = {.frames = 0};
+        struct message why = {""};
+        if (!CHECK(score_net_of(&row[n].net, row[n].name, row[n].rest, &s, &why) ==
+                   STATUS_OK)) {
+            printf("%s: %s\n", row[n].name, why.text);
+            continue;
+        }
+        CHECK(s.frames == FRAMES);
+        CHECK(s.net.by_position == !(row[n].net.told || n == 4));
+        for (int k = 0; k < FRAMES - 1; k++) {
+            const bool good = s.row[k].known && s.row[k].error > 0 &&
+                              s.row[k].error < row[n].floors * FLOOR &&
+                              fabs(s.row[k].error - s.row[k].floor) < 2e-4;
+            if (!CHECK(good))
+                printf("%s at %g s: %g, floor %g\n", row[n].name, s.row[k].time,
+                       s.row[k].error, s.row[k].floor);
+        }
+        CHECK(!s.row[FRAMES].known);
+        score_clear(&s);
+    }
+}
+
+static void refused(void)
+{
+    static const struct {
+        const char *name, *rest;
+        struct net net;
+        const char *words;
+    } row[] = {
+        {"late", NULL, {.first = 3}, "has no uv, and vertex "},
+        {"half", NULL, {.told = true, .span = .5}, "u runs from 0 to 0.5; from 0 to 1"},
+        {"loose", NULL, {.told = true, .jitter = true}, "one at each crossing, or faces"},
+        {"other", "grid.obj", {.told = true}, "has 3 vertices, "},
+    };
+    char path[4096];
+
+    snprintf(path, sizeof path, "%s/grid.obj", folder);
+    FILE *file = fopen(path, "w");
+    REQUIRE(file && fputs("v 0 0 0\nv 1 0 0\nv 1 1 0\n", file) >= 0 && fclose(file) == 0);
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        struct score s = {.frames = 0};
+        struct message why = {""};
+        const enum status st =
+            score_net_of(&row[n].net, row[n].name, row[n].rest, &s, &why);
+        if (!CHECK(st == STATUS_INPUT && strstr(why.text, row[n].words)))
+            printf("%s: %d, %s\n", row[n].name, (int)st, why.text);
+        score_clear(&s);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    struct message why = {""};
+
+    REQUIRE(argc == 2);
+    folder = argv[1];
+    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    REQUIRE(score_truth_read("edge_drop", &truth, &why) == STATUS_OK);
+    found();
+    refused();
+    score_truth_clear(&truth);
+    return check_result();
+}

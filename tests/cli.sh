@@ -150,10 +150,8 @@ refused 'one of the two' bench growth --from times --out more
 # --- bad usage --------------------------------------------------------------------------
 refused 'which command'
 refused "no command 'dance'" dance
-for command in report; do
-    refused 'not built yet' "$command" edge_drop
-    refused 'not built yet' help "$command"
-done
+refused 'not built yet' report edge_drop
+refused 'not built yet' help report
 refused "no model or contestant 'ibm'; models: iga, hex" run edge_drop --model ibm
 refused "no scene 'nowhere'" run nowhere
 refused 'nowhere.yaml' run nowhere.yaml

@@ -139,7 +139,7 @@ static const struct command_option options[] = {
 const struct command advise_command = {
     .name = "advise",
     .summary = "the cheapest model, net and step for a scene and an error",
-    .arguments = "SCENE --error PERCENT [OPTION]...",
+    .arguments = "SCENE [OPTION]...",
     .text =
         "Measures every contestant on your scene, from its coarsest net and longest step\n"
         "on, against the scene's truth: the stored one, or a shell refined until its\n"

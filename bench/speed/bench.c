@@ -207,7 +207,7 @@ const struct command bench_command = {
     .examples = "bench contestants\nbench solids growth --out times\n"
                 "bench solids growth --from times --format csv\n",
     .least = 0,
-    .most = 10,
+    .most = 16,
     .options = options,
     .section = "benchmarks",
     .items = items,

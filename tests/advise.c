@@ -116,7 +116,8 @@ static void words(const char *folder)
              "holds no node");
     text = printed(&s, TABLE_TEXT);
     CHECK(strstr(text, "clothbench run made_up.yaml --model triangles "
-                       "--set 'discretization.points=[8,8]' --set 'time.step=0.001'"));
+                       "--set 'discretization.points=[8,5]' --set 'time.step=0.001'"));
+    CHECK(strstr(text, "clothbench export made_up.yaml --points 8,5 --out DIR"));
     CHECK(strstr(text, "triangles: error 1.2 % of the length, of which the truth leaves "
                        "0.4 %"));
     CHECK(strstr(text, "0.8 s for a second of motion; 2.5 MB"));
@@ -133,7 +134,7 @@ static void words(const char *folder)
     text = printed(&s, TABLE_TEXT);
     CHECK(strstr(text, "None of those within 2 % is as fast as was asked, 0.7 s"));
     text = printed(&s, TABLE_CSV);
-    CHECK(strstr(text, "\ntriangles,triangles,too slow,8,0.001"));
+    CHECK(strstr(text, "\ntriangles,triangles,too slow,8x5,0.001"));
     CHECK(!strstr(text, "clothbench run"));
     world.job.found = NULL;
     compare_job_close(&world.job);

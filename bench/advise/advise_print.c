@@ -37,12 +37,15 @@ static bool is_fast(const struct advise_search *s, const struct contest_row *row
     return advise_search_rate(s, row) <= s->wish.rate;
 }
 
-static void add_size(struct table *t, const struct contest_row *r, double step)
+static void add_size(struct table *t, const struct contest *c, const struct contest_row *r)
 {
     const int *size = r ? r->at.size : NULL;
 
-    table_fixed(t, r ? size[CONTEST_NET] : NAN, 0);
-    table_number(t, r ? step / size[CONTEST_STEP] : NAN, 3);
+    if (r)
+        table_text(t, "%dx%d", size[CONTEST_NET], contest_across(c, &r->at));
+    else
+        table_dash(t);
+    table_number(t, r ? c->scene->step / size[CONTEST_STEP] : NAN, 3);
     table_fixed(t, r && size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
 }
 
@@ -56,7 +59,7 @@ static void add_row(struct table *t, const struct advise_search *s,
     table_text(t, "%s", who->title);
     table_text(t, "%s", who->name);
     table_text(t, "%s", !serves ? "no" : is_fast(s, r) ? "yes" : "too slow");
-    add_size(t, r, scene_of(s)->step);
+    add_size(t, &s->job->contest, r);
     table_number(t, r ? r->worst : NAN, 2);
     table_number(t, r ? advise_search_rate(s, r) : NAN, 2);
     table_number(t, r ? r->result.bytes : NAN, 2);
@@ -70,7 +73,7 @@ static struct table *create(const struct advise_search *s, char caption[TEXT])
         {"model", NULL, TABLE_LEFT, .key = "title"},
         {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
         {"serves", NULL, TABLE_LEFT},
-        {"points a side", .key = "side"},
+        {"net", NULL, TABLE_LEFT},
         {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
         {"iterations"},
         {"error", "% L", .key = "error_over_length", .key_unit = "L", .scale = 100},
@@ -129,7 +132,7 @@ static void say_needs(const struct advise_search *s, FILE *file)
     table_say(
         file,
         "%s: a sheet of %g x %g m, %g mm thick; Gamma = %.3g, weight against bending; "
-        "what it asks of a model beyond bending and stretching: %s. %s.",
+        "what it asks of a model beyond bending and stretching: %s. Motion: %s.",
         scene->name, scene->length, scene->width, 1e3 * scene->thickness,
         scene_gamma(scene), needs ? text : "nothing", s->job->contest.physics);
 }
@@ -140,8 +143,9 @@ static void say_command(const struct advise_search *s, const struct contest_row 
     const struct compare_job *j = s->job;
     const struct contestant *who = r->at.contestant;
     struct settings all = {0};
+    const int along = r->at.size[CONTEST_NET], across = contest_across(&j->contest, &r->at);
 
-    contestant_points(who, r->at.size[CONTEST_NET], r->at.size[CONTEST_NET], &all);
+    contestant_points(who, along, across, &all);
     settings_number(&all, "time.step", scene_of(s)->step / r->at.size[CONTEST_STEP]);
     if (r->at.size[CONTEST_ITERATIONS])
         settings_integer(&all, "discretization.iterations", r->at.size[CONTEST_ITERATIONS]);
@@ -150,6 +154,11 @@ static void say_command(const struct advise_search *s, const struct contest_row 
     for (int n = 0; n < all.count; n++)
         fprintf(file, " --set '%s'", all.text[n]);
     fputs("\n\n", file);
+    if (!who->layers && who->degree == 1)
+        fprintf(file,
+                "Masses, stiffnesses and compliances of that net, for an engine of your "
+                "own:\n\n    clothbench export %s --points %d,%d --out DIR\n\n",
+                j->path, along, across);
     settings_clear(&all);
 }
 

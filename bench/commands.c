@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "bench/advise/advise.h"
+#include "bench/report/report.h"
 #include "bench/speed/bench.h"
 #include "bench/compare/compare.h"
 #include "bench/run/run_command.h"
@@ -149,12 +150,22 @@ static const struct command list_command = {
 };
 
 const struct command *const commands[] = {
-    &list_command,   &run_command,     &compare_command, &advise_command,
-    &tables_command, &studies_command, &sweep_command,   &truth_command,
-    &verify_command, &stress_command,  &bench_command,   NULL,
+    &list_command,
+    &run_command,
+    &compare_command,
+    &advise_command,
+    &tables_command,
+    &studies_command,
+    &sweep_command,
+    &truth_command,
+    &verify_command,
+    &stress_command,
+    &bench_command,
+    &report_command,
+    NULL,
 };
 
-static const char *const planned[] = {"score", "report", NULL};
+static const char *const planned[] = {"score", NULL};
 
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why)

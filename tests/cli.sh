@@ -150,7 +150,7 @@ refused 'one of the two' bench growth --from times --out more
 # --- bad usage --------------------------------------------------------------------------
 refused 'which command'
 refused "no command 'dance'" dance
-for command in score report; do
+for command in score; do
     refused 'not built yet' "$command" edge_drop
     refused 'not built yet' help "$command"
 done

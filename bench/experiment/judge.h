@@ -46,6 +46,9 @@ void judge_print(FILE *file, const char *quote, enum judge turn, const char *for
  * NULL: no more. */
 void judge_keep(struct table *rows);
 
+/* Such a row alone, for a sentence that was printed in another way. */
+void judge_kept(const char *quote, const char *verdict, const char *sentence);
+
 /* `- SENTENCE`, likewise in lines that fit. */
 void judge_say(FILE *file, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

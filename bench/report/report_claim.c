@@ -164,11 +164,12 @@ static void milliseconds(const struct report_found *f, struct turn *turn)
 {
     const struct csv_table *t = report_part_table(f, "Table 2: milliseconds");
 
-    if (t)
-        snprintf(
-            turn->text, sizeof turn->text,
-            "%.2f ms here, on another machine: only ratios between rows are compared.",
-            at(t, row_of(t, "figure", "Fig. 7, edge fixed", NULL, NULL), "printed_ms"));
+    if (!t)
+        return;
+    turn->judge = JUDGE_OPEN;
+    snprintf(turn->text, sizeof turn->text,
+             "%.2f ms here, on another machine: only ratios between rows are compared.",
+             at(t, row_of(t, "figure", "Fig. 7, edge fixed", NULL, NULL), "printed_ms"));
 }
 
 static void degree(const struct report_found *f, const char *net, struct turn *turn)
@@ -319,7 +320,8 @@ static int write_judged(FILE *file, const char **comma, const struct report_part
     int count = 0;
 
     for (size_t n = 0; n < sizeof claims / sizeof *claims; n++) {
-        struct turn turn = {JUDGE_OPEN, "The table that has it is missing."};
+        struct turn turn = {found->quick ? JUDGE_QUICK : JUDGE_OPEN,
+                            "The table that has it is missing."};
         if (strcmp(claims[n].part, part->id))
             continue;
         claims[n].judge(found, &turn);

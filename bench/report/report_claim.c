@@ -46,8 +46,7 @@ static double at(const struct csv_table *t, int row, const char *key)
 /* --- Table 1 */
 
 #define PRINTED "Table 1, printed kinematics"
-#define IGA     "iga"
-#define HEX     "hex"
+enum { IGA, HEX, SHELL }; /* rows of paper_table1 */
 
 static void criterion(const struct report_found *f, struct turn *turn)
 {
@@ -58,10 +57,11 @@ static void criterion(const struct report_found *f, struct turn *turn)
         return;
     const int model = csv_column(t, "model"), net = csv_column(t, "net");
     const int within = csv_column(t, "within_0_04_m"),
-              there = row_of(t, "model", HEX, "net", "32x32x2");
+              there = row_of(t, "model", paper_table1[HEX].model, "net", "32x32x2");
     const double rmse = at(t, there, "rmse_0_4_s_m");
     for (int n = t->rows - 1; n >= 0; n--)
-        if (!strcmp(csv_words(t, n, model), HEX) && !strcmp(csv_words(t, n, within), "yes"))
+        if (!strcmp(csv_words(t, n, model), paper_table1[HEX].model) &&
+            !strcmp(csv_words(t, n, within), "yes"))
             first = csv_words(t, n, net);
     turn->judge = isnan(rmse)                 ? JUDGE_OPEN
                   : !strcmp(first, "32x32x2") ? JUDGE_HOLDS
@@ -77,8 +77,9 @@ static void ratio(const struct report_found *f, struct turn *turn)
 
     if (!t)
         return;
-    const double paper = paper_table1[1].seconds / paper_table1[0].seconds;
-    const double ours = at(t, row_of(t, "model", HEX, "net", "32x32x2"), "cost_over_iga");
+    const double paper = paper_table1[HEX].seconds / paper_table1[IGA].seconds;
+    const double ours = at(t, row_of(t, "model", paper_table1[HEX].model, "net", "32x32x2"),
+                           "cost_over_iga");
     turn->judge = judge_near(ours, paper);
     snprintf(turn->text, sizeof turn->text, "%.1f times here, %.0f in the paper.", ours,
              paper);
@@ -90,11 +91,12 @@ static void shell(const struct report_found *f, struct turn *turn)
 
     if (!t)
         return;
-    const double ours = at(t, row_of(t, "model", "shell", NULL, NULL), "cost_over_iga");
+    const double ours =
+        at(t, row_of(t, "model", paper_table1[SHELL].model, NULL, NULL), "cost_over_iga");
     turn->judge = judge_below(1, ours);
     snprintf(turn->text, sizeof turn->text,
              "The shell's frame costs %.2f times IGA's here, %.2f in the paper.", ours,
-             paper_table1[2].seconds / paper_table1[0].seconds);
+             paper_table1[SHELL].seconds / paper_table1[IGA].seconds);
 }
 
 static void equal_error(const struct report_found *f, struct turn *turn)
@@ -105,7 +107,8 @@ static void equal_error(const struct report_found *f, struct turn *turn)
     if (!t || !truth)
         return;
     const char *cured = "hex incompatible", *key = "static_rmse_percent";
-    const double iga = at(truth, row_of(truth, "model", IGA, NULL, NULL), key);
+    const double iga =
+        at(truth, row_of(truth, "model", paper_table1[IGA].model, NULL, NULL), key);
     const double hex = at(truth, row_of(truth, "model", cured, "net", "10x10x2"), key);
     const double cost = at(t, row_of(t, "model", cured, "net", "10x10x2"), "cost_over_iga");
     turn->judge = hex <= iga ? judge_below(1, cost) : JUDGE_OPEN;

@@ -150,10 +150,9 @@ refused 'one of the two' bench growth --from times --out more
 # --- bad usage --------------------------------------------------------------------------
 refused 'which command'
 refused "no command 'dance'" dance
-for command in score; do
-    refused 'not built yet' "$command" edge_drop
-    refused 'not built yet' help "$command"
-done
+refused 'not built yet' score edge_drop
+refused 'not built yet' help score
+refused 'no such folder of results' report nowhere
 refused "no model or contestant 'ibm'; models: iga, hex" run edge_drop --model ibm
 refused "no scene 'nowhere'" run nowhere
 refused 'nowhere.yaml' run nowhere.yaml

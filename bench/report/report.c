@@ -46,7 +46,7 @@ static const struct report_found *find(const struct report_found *found, const c
 {
     int n = 0;
 
-    while (strcmp(report_parts[n].id, id))
+    while (strcmp(report_part_list[n].id, id))
         n++;
     return &found[n];
 }
@@ -63,9 +63,9 @@ static enum status write_data(FILE *file, const char *folder,
     fputs("\"claims\":[", file);
     report_claim_write(file, found);
     fputs("],\"parts\":[", file);
-    for (int n = 0; report_parts[n].id; n++) {
+    for (int n = 0; report_part_list[n].id; n++) {
         fputs(n ? "," : "", file);
-        report_part_write(file, &report_parts[n], &found[n]);
+        report_part_write(file, &report_part_list[n], &found[n]);
     }
     fputs("],\"truths\":[", file);
     TRY(report_motion_truths(file));
@@ -103,8 +103,8 @@ static enum status find_all(const char *folder, struct report_found *found)
 {
     enum status st = STATUS_OK;
 
-    for (int n = 0; report_parts[n].id; n++)
-        TRY(report_part_find(folder, &report_parts[n], &found[n]));
+    for (int n = 0; report_part_list[n].id; n++)
+        TRY(report_part_find(folder, &report_part_list[n], &found[n]));
 out:
     return st;
 }
@@ -162,7 +162,7 @@ enum status report_write(const char *folder, const char *path, struct message *w
     if (st == STATUS_OK)
         printf("%s: one page, %zu kB\n", path, size / 1000);
 out:
-    for (int n = 0; found && report_parts[n].id; n++)
+    for (int n = 0; found && report_part_list[n].id; n++)
         report_part_clear(&found[n]);
     free(found);
     free(text);
@@ -189,7 +189,7 @@ const struct command report_command = {
     .name = "report",
     .summary =
         "one page of HTML from all results: what holds, what does not, what is missing",
-    .arguments = "[DIR] [--out FILE]",
+    .arguments = "[DIR] [OPTION]...",
     .text =
         "Writes one self-contained page from what the other commands left in DIR\n"
         "(results): the verdict on every claim of the paper, tables, pictures beside the\n"

@@ -353,8 +353,8 @@ void report_claim_write(FILE *file, const struct report_found *found)
     const char *comma = "";
     char text[128];
 
-    for (int n = 0; report_parts[n].id; n++) {
-        const struct report_part *part = &report_parts[n];
+    for (int n = 0; report_part_list[n].id; n++) {
+        const struct report_part *part = &report_part_list[n];
         const struct report_found *f = &found[n];
         if (!part->paper)
             continue;

@@ -7,8 +7,8 @@
 #include "bench/report/report_part.h"
 
 /* Members of an array of JSON, {"part", "claim", "verdict", "text", "quick"}, a line a
- * claim; `found` in the order of report_parts. A part that was not run, or cannot be read,
- * has one line that says so. */
+ * claim; `found` in the order of report_part_list. A part that was not run, or cannot be
+ * read, has one line that says so. */
 void report_claim_write(FILE *file, const struct report_found *found);
 
 #endif

@@ -37,7 +37,7 @@ enum { PATH = 4096, TABLE_MOST = 300000 }; /* bytes of a table's words */
     "Fig. 14, net and degree together: both add wrinkle detail, elevation makes "          \
     "the cloth smoother"
 
-const struct report_part report_parts[] = {
+const struct report_part report_part_list[] = {
     /* clang-format off */
     TABLE("1", "cost at comparable looks", {0}),
     TABLE("2", "milliseconds a frame", {"cost.png", NULL}),
@@ -252,7 +252,7 @@ void report_part_pictures(FILE *file, const char *folder, long room)
     const char *comma = "";
     char within[PATH], path[PATH];
 
-    for (const struct report_part *part = report_parts; part->id; part++)
+    for (const struct report_part *part = report_part_list; part->id; part++)
         for (int n = 0; part->folder && n < REPORT_PICTURES && part->picture[n].file; n++) {
             if (snprintf(within, sizeof within, "%s/%s", part->folder,
                          part->picture[n].file) >= (int)sizeof within)

@@ -29,7 +29,7 @@ struct report_part {
 };
 
 /* In the order of the page; ends with id NULL. */
-extern const struct report_part report_parts[];
+extern const struct report_part report_part_list[];
 enum { REPORT_PARTS_MOST = 48 };
 
 /* What was found of a part. */

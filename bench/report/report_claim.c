@@ -211,18 +211,19 @@ static int alike(const struct csv_table *t, size_t characters)
 }
 
 static void rows_of_table4(const struct report_found *f, size_t characters,
-                           const char *format, struct turn *turn)
+                           const char *words, struct turn *turn)
 {
     const struct csv_table *t = report_part_table(f, "Table 4 on flag, printed");
 
     if (!t)
         return;
     const int right = alike(t, characters);
-    turn->judge = f->quick || t->rows != PAPER_TABLE4_ROWS ? JUDGE_QUICK
-                  : right == PAPER_TABLE4_ROWS             ? JUDGE_HOLDS
-                                                           : JUDGE_FAILS;
+    turn->judge = f->quick                       ? JUDGE_QUICK
+                  : t->rows != PAPER_TABLE4_ROWS ? JUDGE_OPEN
+                  : right == PAPER_TABLE4_ROWS   ? JUDGE_HOLDS
+                                                 : JUDGE_FAILS;
     snprintf(turn->text, sizeof turn->text, "%d of %d rows %.200s", right,
-             PAPER_TABLE4_ROWS, format);
+             PAPER_TABLE4_ROWS, words);
 }
 
 static void feasible(const struct report_found *f, struct turn *turn)

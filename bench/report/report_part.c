@@ -71,8 +71,8 @@ const struct report_part report_part_list[] = {
      {"compare_edge_drop/compare.csv", "compare.csv"}, NULL, "speed", false,
      "|title|side|step_s|iterations|seconds|worst_rmse_over_length|front|outcome|", {{0}}},
     {"scenes", "Who wins where", "compare edge_drop corners_patch flag sphere strip_swing "
-     "thick stiff", {"compare_scenes.csv"}, ".", "tables", false,
-     "|scene|contestant|seconds|lowest_rmse_over_length|bar_over_length|refused|",
+     "thick stiff", {"compare_scenes.csv"}, ".", "scenes", false,
+     "|scene|contestant|seconds|target_rmse_over_length|lowest_rmse_over_length|refused|",
      {{"compare_scenes.png", NULL}}},
     {"verify", "Verification", "verify", {"verify/", "verify.csv"}, NULL, "verify", false,
      "|check|quantity|model|value|truth|error|tolerance|verdict|", {{0}}},
@@ -164,6 +164,8 @@ enum status report_part_find(const char *folder, const struct report_part *part,
             TRY(read_one(found->path, found));
     }
     found->quick = found->there && is_quick(found->path);
+    if (found->count && found->csv->count) /* or the command above it says so */
+        found->quick |= strstr(found->csv->table->caption, " --quick ") != NULL;
 out:
     return st;
 }

@@ -22,7 +22,7 @@ struct report_part {
     const char *file[REPORT_FILES]; /* in the report's folder: the first that is there;
                                        "FOLDER/": all *.csv of it                      */
     const char *folder;             /* with pictures; NULL: none                       */
-    const char *show;               /* how: "tables", "speed", "ends", "verify"        */
+    const char *show;               /* how: "tables", "speed", "scenes", ...        */
     bool paper;                     /* has claims of the paper                         */
     const char *keys;               /* columns that are shown, "|A|B|"; NULL: all      */
     struct report_picture picture[REPORT_PICTURES];

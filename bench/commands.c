@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "bench/advise/advise.h"
+#include "bench/report/report.h"
 #include "bench/speed/bench.h"
 #include "bench/compare/compare.h"
 #include "bench/export/export.h"
@@ -151,16 +152,10 @@ static const struct command list_command = {
 };
 
 const struct command *const commands[] = {
-    &list_command,    &run_command,
-    &compare_command, &advise_command,
-    &tables_command,  &studies_command,
-    &sweep_command,   &truth_command,
-    &verify_command,  &stress_command,
-    &score_command,   &bench_command,
-    &export_command,  NULL,
+    &list_command,    &run_command,    &compare_command, &advise_command, &tables_command,
+    &studies_command, &sweep_command,  &truth_command,   &export_command, &score_command,
+    &verify_command,  &stress_command, &bench_command,   &report_command, NULL,
 };
-
-static const char *const planned[] = {"report", NULL};
 
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why)
@@ -170,12 +165,6 @@ enum status commands_find(const char *name, const struct command **command,
             *command = commands[n];
             return STATUS_OK;
         }
-    for (int n = 0; planned[n]; n++)
-        if (!strcmp(planned[n], name))
-            return status_fail(why, STATUS_INPUT,
-                               "the command '%s' is planned but not built yet; clothbench "
-                               "help lists those that are",
-                               name);
     return status_fail(why, STATUS_INPUT,
                        "there is no command '%s'; clothbench help lists them", name);
 }

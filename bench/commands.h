@@ -7,7 +7,7 @@
 /* In the order of the help; ends with NULL. */
 extern const struct command *const commands[];
 
-/* STATUS_INPUT with a sentence: no such command, or one that is planned but not built. */
+/* STATUS_INPUT with a sentence: no such command. */
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why);
 

@@ -150,8 +150,7 @@ refused 'one of the two' bench growth --from times --out more
 # --- bad usage --------------------------------------------------------------------------
 refused 'which command'
 refused "no command 'dance'" dance
-refused 'not built yet' report edge_drop
-refused 'not built yet' help report
+refused 'no such folder of results' report nowhere
 refused "no model or contestant 'ibm'; models: iga, hex" run edge_drop --model ibm
 refused "no scene 'nowhere'" run nowhere
 refused 'nowhere.yaml' run nowhere.yaml

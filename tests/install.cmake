@@ -36,7 +36,8 @@ if(NOT scenes)
 endif()
 list(TRANSFORM scenes PREPEND share/clothbench/scenes/)
 foreach(file bin/clothbench bin/clothbench.py share/man/man1/clothbench.1 ${scenes}
-             share/clothbench/plans/feasibility.yaml ${libraries})
+             share/clothbench/plans/feasibility.yaml
+             share/clothbench/report/page.html ${libraries})
   if(NOT EXISTS ${PREFIX}/${file})
     message(SEND_ERROR "${file} was not installed")
   endif()

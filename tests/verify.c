@@ -245,7 +245,7 @@ static void check_refusals(const char *folder)
         "check,source,claimed_at_first\n1,2\n",
         "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,remark,"
         "check,source,claimed_at_first\na,b,1,1,0,0,0,nan,fine,0,,c,d,\n"};
-    static const char *const sentence[] = {"columns", "columns", "row 1 has not",
+    static const char *const sentence[] = {"columns", "columns", "2 cells below 14 keys",
                                            "'fine' is no verdict"};
     struct verify_sheet read;
     struct message why = {""};

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/judge.h"
 #include "models/metric/metric.h"
 
 enum { SETTINGS = 2 };
@@ -181,12 +182,13 @@ static const struct sentence {
 /* holds, does not hold, or holds for the paper's case and not for all of its variants. */
 static void judge(const struct sentence *s, const struct fig6_figures *figures, FILE *file)
 {
-    char others[512] = "";
+    char others[512] = "", words[640];
     bool paper;
 
     if (!figures[s->about].ran || !figures[PLATE].ran || !figures[SPRINGS].ran ||
         !figures[PROJECTIVE].ran) {
         fprintf(file, "- \"%s\": not to be judged, a model is missing.\n", s->says);
+        judge_kept(s->says, "cannot be judged", "A model is missing.");
         return;
     }
     paper = s->holds(figures, s->about);
@@ -197,13 +199,17 @@ static void judge(const struct sentence *s, const struct fig6_figures *figures, 
             snprintf(others + used, sizeof others - used, "%s%s", used ? "; " : "",
                      cases[n].title);
         }
+    const char *verdict = paper ? "holds" : "does not hold";
     if (!*others)
-        fprintf(file, "- \"%s\": %s, here and in all variants.\n", s->says,
-                paper ? "holds" : "does not hold");
+        snprintf(words, sizeof words, "Here and in all variants.");
     else
-        fprintf(file, "- \"%s\": depends. It %s with the paper's settings, but %s: %s.\n",
-                s->says, paper ? "holds" : "does not hold", paper ? "not so" : "so",
-                others);
+        snprintf(words, sizeof words, "It %s with the paper's settings, but %s: %s.",
+                 verdict, paper ? "not so" : "so", others);
+    judge_kept(s->says, *others ? "depends" : verdict, words);
+    if (!*others)
+        fprintf(file, "- \"%s\": %s, here and in all variants.\n", s->says, verdict);
+    else
+        fprintf(file, "- \"%s\": depends. %s\n", s->says, words);
 }
 
 enum status fig6_print(const struct fig6_figures figures[FIG6_CASES],

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bench/experiment/judge.h"
+#include "bench/experiment/kept.h"
 #include "bench/experiment/study.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
@@ -189,6 +190,30 @@ static enum status measure(const struct experiment *e, struct experiment_options
     return st;
 }
 
+/* To standard output, and what a report reads into the folder: always tables and sentences,
+ * though machines are printed no sentences. */
+static enum status print(const struct command_line *line, const struct experiment *e,
+                         const char *folder, enum table_format format, struct message *why)
+{
+    const bool prose = table_format_is_prose(format);
+    struct kept *kept = NULL;
+    FILE *nowhere = NULL;
+    enum status st;
+
+    kept_open(folder, line->command->name, line->words[0], &kept);
+    if (kept && !prose && (nowhere = fopen("/dev/null", "w"))) {
+        TRY(experiment_print(e, folder, TABLE_TEXT, nowhere, why));
+        TRY(kept_close(&kept, why));
+    }
+    TRY(experiment_print(e, folder, format, stdout, why));
+    TRY(kept_close(&kept, why));
+out:
+    if (nowhere)
+        fclose(nowhere);
+    kept_discard(&kept);
+    return st;
+}
+
 /* results/table1, results/study_mesh; of a plan somewhere else, by its name. */
 static enum status name_folder(const struct command_line *line, const struct experiment *e,
                                char usual[128], struct message *why)
@@ -259,7 +284,7 @@ enum status experiment_command(const struct command_line *line, bool plans,
         return status_fail(why, STATUS_INPUT, "--values is for a new run, not for --from");
     if (!from)
         TRY(measure(e, options, why));
-    TRY(experiment_print(e, options.folder, format, stdout, why));
+    TRY(print(line, e, options.folder, format, why));
 out:
     return st;
 }

@@ -50,6 +50,23 @@ const char *judge_words(enum judge turn, const char *holds, const char *fails,
     return turn == JUDGE_HOLDS ? holds : turn == JUDGE_FAILS ? fails : open;
 }
 
+static struct table *kept;
+
+void judge_keep(struct table *rows)
+{
+    kept = rows;
+}
+
+void judge_kept(const char *quote, const char *verdict, const char *sentence)
+{
+    if (!kept)
+        return;
+    table_row(kept);
+    table_text(kept, "%s", quote);
+    table_text(kept, "%s", verdict);
+    table_text(kept, "%s", sentence);
+}
+
 void judge_print(FILE *file, const char *quote, enum judge turn, const char *format, ...)
 {
     static const char *const word[] = {"does not hold", "holds", "cannot be judged",
@@ -62,6 +79,7 @@ void judge_print(FILE *file, const char *quote, enum judge turn, const char *for
     va_end(words);
     snprintf(text, sizeof text, "- \"%s\": %s. %s\n", quote, word[turn], sentence);
     table_print_wrapped(text, file);
+    judge_kept(quote, word[turn], sentence);
 }
 
 void judge_say(FILE *file, const char *format, ...)

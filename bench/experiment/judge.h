@@ -7,6 +7,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+struct table;
+
 enum judge {
     JUDGE_FAILS,
     JUDGE_HOLDS,
@@ -39,6 +41,13 @@ const char *judge_words(enum judge turn, const char *holds, const char *fails,
  * quick`; the sentence has the numbers. */
 void judge_print(FILE *file, const char *quote, enum judge turn, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
+
+/* What it prints from now on becomes rows of this table, too: quote, verdict, sentence;
+ * NULL: no more. */
+void judge_keep(struct table *rows);
+
+/* Such a row alone, for a sentence that was printed in another way. */
+void judge_kept(const char *quote, const char *verdict, const char *sentence);
 
 /* `- SENTENCE`, likewise in lines that fit. */
 void judge_say(FILE *file, const char *format, ...) __attribute__((format(printf, 2, 3)));

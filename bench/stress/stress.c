@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/kept.h"
 #include "bench/files/folder.h"
 #include "bench/harness/pool.h"
 #include "models/reader/scene_file.h"
@@ -195,6 +196,7 @@ static enum status run(const struct command_line *line, struct message *why)
                                    .quick = command_given(line, "--quick")}};
     enum table_format format = TABLE_TEXT;
     long jobs = omp_get_num_procs();
+    struct kept *kept = NULL;
     enum status st = STATUS_OK;
 
     if (from && out)
@@ -208,8 +210,12 @@ static enum status run(const struct command_line *line, struct message *why)
     o.jobs = (int)jobs;
     if (!from)
         TRY(measure(&o, why));
+    if (!o.choice.word_count)
+        kept_open(o.folder, "stress", "", &kept);
     TRY(stress_print(o.folder, &o.choice, format, stdout, why));
+    TRY(kept_close(&kept, why));
 out:
+    kept_discard(&kept);
     return st;
 }
 

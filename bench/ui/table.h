@@ -95,6 +95,10 @@ void table_note(struct table *t, const char *format, ...)
  */
 enum status table_print(const struct table *t, enum table_format format, FILE *file);
 
+/* From now on every table that is printed goes to this stream, too, as CSV with its caption
+ * and notes and an empty line below it, to be read back by csv.h; NULL: no more. */
+void table_keep(FILE *copy);
+
 /* table_print, an empty line after it, table_destroy: for one of several tables. JSON has a
  * table a line, an object {"caption", "units": {KEY: UNIT}, "rows": [{KEY: VALUE}],
  * "notes"}. */

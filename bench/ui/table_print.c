@@ -242,6 +242,13 @@ static void print_latex(const struct table *t, FILE *file)
     fputs("\\end{table}\n", file);
 }
 
+static FILE *kept;
+
+void table_keep(FILE *copy)
+{
+    kept = copy;
+}
+
 enum status table_print(const struct table *t, enum table_format format, FILE *file)
 {
     static void (*const print[])(const struct table *, FILE *) = {
@@ -253,6 +260,10 @@ enum status table_print(const struct table *t, enum table_format format, FILE *f
     if (!t || t->failed)
         return STATUS_MEMORY;
     print[format](t, file);
+    if (kept) {
+        table_machine_csv(t, kept);
+        fputc('\n', kept);
+    }
     return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 

@@ -1,13 +1,12 @@
 #include "bench/verify/verify_file.h"
 
-#include <errno.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/csv.h"
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
 
-enum { DIGITS = 6, CELL = 512, PATH = 4096 };
+enum { DIGITS = 6, PATH = 4096 };
 
 enum column {
     QUANTITY,
@@ -94,111 +93,59 @@ out:
     return st;
 }
 
-/* The next cell, cut at the room there is; returns what ended it: ',', a line end, EOF. */
-static int read_cell(FILE *file, char text[CELL])
-{
-    size_t used = 0;
-    bool quoted = false;
-    int c;
-
-    while ((c = getc(file)) != EOF && (quoted || (c != ',' && c != '\n'))) {
-        if (c == '"') {
-            const int after = quoted ? getc(file) : 0;
-            if (after != '"') { /* a quote begins or ends, no "" */
-                if (quoted)
-                    ungetc(after, file);
-                quoted = !quoted;
-                continue;
-            }
-        }
-        if (used + 1 < CELL)
-            text[used++] = (char)c;
-    }
-    text[used] = '\0';
-    return c;
-}
-
-/* The cells of the next line that is no comment; false if there are not as many. *end: the
- * file is. */
-static bool read_line(FILE *file, char cell[COLUMNS][CELL], bool *end)
-{
-    int c = getc(file), count = 0;
-
-    while (c == '#') {
-        while (c != '\n' && c != EOF)
-            c = getc(file);
-        c = getc(file);
-    }
-    *end = c == EOF;
-    if (*end)
-        return true;
-    for (ungetc(c, file), c = ','; c == ',' && count < COLUMNS; count++)
-        c = read_cell(file, cell[count]);
-    return count == COLUMNS && c != ',';
-}
-
-static double number_of(const char *cell)
-{
-    return strtod(*cell ? cell : "nan", NULL);
-}
-
 /* False for a verdict that is none. */
-static bool take_row(char cell[COLUMNS][CELL], struct verify_row *row)
+static bool take_row(const struct csv_table *t, int n, struct verify_row *row)
 {
-    *row = (struct verify_row){.value = number_of(cell[VALUE]),
-                               .truth = number_of(cell[TRUTH]),
-                               .bar = number_of(cell[BAR]),
-                               .error = number_of(cell[ERROR]),
-                               .tolerance = number_of(cell[TOLERANCE]),
-                               .order = number_of(cell[ORDER]),
-                               .seconds = number_of(cell[SECONDS])};
-    snprintf(row->quantity, VERIFY_TEXT, "%.*s", VERIFY_TEXT - 1, cell[QUANTITY]);
-    snprintf(row->subject, VERIFY_TEXT, "%.*s", VERIFY_TEXT - 1, cell[MODEL]);
-    snprintf(row->note, VERIFY_NOTE, "%.*s", VERIFY_NOTE - 1, cell[REMARK]);
-    snprintf(row->changed, VERIFY_CHANGED, "%.*s", VERIFY_CHANGED - 1, cell[CHANGED]);
-    for (int n = 0; n < VERIFY_VERDICTS; n++)
-        if (!strcmp(cell[VERDICT], verify_verdict_name(n))) {
-            row->verdict = (enum verify_verdict)n;
+    *row = (struct verify_row){.value = csv_number(t, n, VALUE),
+                               .truth = csv_number(t, n, TRUTH),
+                               .bar = csv_number(t, n, BAR),
+                               .error = csv_number(t, n, ERROR),
+                               .tolerance = csv_number(t, n, TOLERANCE),
+                               .order = csv_number(t, n, ORDER),
+                               .seconds = csv_number(t, n, SECONDS)};
+    snprintf(row->quantity, VERIFY_TEXT, "%.*s", VERIFY_TEXT - 1,
+             csv_words(t, n, QUANTITY));
+    snprintf(row->subject, VERIFY_TEXT, "%.*s", VERIFY_TEXT - 1, csv_words(t, n, MODEL));
+    snprintf(row->note, VERIFY_NOTE, "%.*s", VERIFY_NOTE - 1, csv_words(t, n, REMARK));
+    snprintf(row->changed, VERIFY_CHANGED, "%.*s", VERIFY_CHANGED - 1,
+             csv_words(t, n, CHANGED));
+    for (int v = 0; v < VERIFY_VERDICTS; v++)
+        if (!strcmp(csv_words(t, n, VERDICT), verify_verdict_name(v))) {
+            row->verdict = (enum verify_verdict)v;
             return true;
         }
     return false;
 }
 
-/* The line of keys, then the rows. */
-static enum status read_rows(FILE *file, const char *path, struct verify_sheet *sheet,
-                             struct message *why)
+static bool is_ours(const struct csv *csv)
 {
-    static char cell[COLUMNS][CELL];
-    bool end, ours = read_line(file, cell, &end) && !end;
+    bool ours = csv->count == 1 && csv->table->columns == COLUMNS;
 
     for (int n = 0; ours && n < COLUMNS; n++)
-        ours = !strcmp(cell[n], columns[n].key);
-    if (!ours)
-        return status_fail(why, STATUS_INPUT, "%s: its columns are not those of verify",
-                           path);
-    while (read_line(file, cell, &end)) {
-        if (end)
-            return sheet->status;
-        if (!take_row(cell, verify_sheet_grow(sheet)))
-            return status_fail(why, STATUS_INPUT, "%s: '%s' is no verdict", path,
-                               cell[VERDICT]);
-    }
-    return status_fail(why, STATUS_INPUT, "%s: row %d has not %d cells", path,
-                       sheet->count + 1, COLUMNS);
+        ours = !strcmp(csv->table->cell[n], columns[n].key);
+    return ours;
 }
 
 enum status verify_file_read(const struct verify_check *check, const char *folder,
                              struct verify_sheet *sheet, struct message *why)
 {
+    struct csv csv = {0};
     char path[PATH];
+    enum status st;
 
     *sheet = (struct verify_sheet){0};
     snprintf(path, PATH, "%s/%s.csv", folder, check->item.name);
-    FILE *file = fopen(path, "r");
-    if (!file)
-        return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
-    const enum status st = read_rows(file, path, sheet, why);
-    fclose(file);
+    TRY(csv_read(path, &csv, why));
+    if (!is_ours(&csv))
+        TRY(status_fail(why, STATUS_INPUT, "%s: its columns are not those of verify",
+                        path));
+    for (int n = 0; n < csv.table->rows; n++)
+        if (!take_row(csv.table, n, verify_sheet_grow(sheet)))
+            TRY(status_fail(why, STATUS_INPUT, "%s: '%s' is no verdict", path,
+                            csv_words(csv.table, n, VERDICT)));
+    st = sheet->status;
+out:
+    csv_clear(&csv);
     if (st != STATUS_OK)
         verify_sheet_clear(sheet);
     return st;

@@ -1,0 +1,220 @@
+#include "bench/files/csv.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST = 64 << 20 }; /* bytes of a file */
+
+/* A file on its way into tables: `at` reads, `to` writes what is kept behind it. */
+struct reader {
+    const char *path;
+    struct csv *csv;
+    struct csv_table *table; /* NULL: between two                                  */
+    char *at, *end;
+    char *caption; /* of the table to come                                         */
+    int line;
+    size_t cells; /* of the table so far */
+};
+
+static enum status read_bytes(const char *path, char **bytes, size_t *size,
+                              struct message *why)
+{
+    FILE *file = fopen(path, "rb");
+    size_t room = 1 << 16;
+    enum status st = STATUS_OK;
+    char *more = NULL;
+
+    *size = 0;
+    *bytes = NULL;
+    if (!file)
+        return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
+    do {
+        room *= 2;
+        more = realloc(*bytes, room + 1);
+        if (!more)
+            TRY(STATUS_MEMORY);
+        *bytes = more;
+        *size += fread(*bytes + *size, 1, room - *size, file);
+    } while (*size == room && room < MOST);
+    (*bytes)[*size] = '\0';
+    if (ferror(file))
+        TRY(status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno)));
+    if (*size == room)
+        TRY(status_fail(why, STATUS_INPUT, "%s: longer than 64 MB", path));
+    if (memchr(*bytes, '\0', *size))
+        TRY(status_fail(why, STATUS_INPUT, "%s: has a byte 0 and is no text", path));
+out:
+    fclose(file);
+    return st;
+}
+
+/* A `# ` line joined to `text` as one more line of it; both are in the bytes, the new one
+ * behind the old, so that it can be moved there. */
+static char *join(char *text, char *line)
+{
+    if (!*text)
+        return line;
+    char *end = text + strlen(text);
+    *end++ = '\n';
+    memmove(end, line, strlen(line) + 1);
+    return text;
+}
+
+static void take_comment(struct reader *r)
+{
+    char *line = r->at + 1 + (r->at[1] == ' ');
+    size_t length = strcspn(r->at, "\n");
+    const bool last = !r->at[length];
+
+    r->at[length] = '\0';
+    line = line > r->at + length ? r->at + length : line;
+    r->at += length + !last;
+    r->line++;
+    if (r->table)
+        r->table->notes = join(r->table->notes, line);
+    else
+        r->caption = join(r->caption, line);
+}
+
+/* The next cell, its quotes taken away in place; *after: what ended it. False: a quote
+ * without end. */
+static bool take_cell(struct reader *r, char **cell, char *after)
+{
+    char *to = r->at;
+    bool quoted = false;
+
+    *cell = to;
+    for (; *r->at && (quoted || !strchr(",\n", *r->at)); r->at++) {
+        r->line += *r->at == '\n';
+        if (*r->at != '"')
+            *to++ = *r->at;
+        else if (quoted && r->at[1] == '"')
+            *to++ = *r->at++;
+        else
+            quoted = !quoted;
+    }
+    *after = *r->at;
+    r->at += *after != '\0';
+    *to = '\0';
+    return !quoted;
+}
+
+static enum status keep_cell(struct reader *r, char *cell)
+{
+    struct csv_table *t = r->table;
+
+    if (r->cells == 0 || (r->cells >= 64 && !(r->cells & (r->cells - 1)))) {
+        const size_t room = r->cells ? 2 * r->cells : 64;
+        char **more = realloc(t->cell, room * sizeof *more);
+        if (!more)
+            return STATUS_MEMORY;
+        t->cell = more;
+    }
+    t->cell[r->cells++] = cell;
+    return STATUS_OK;
+}
+
+static enum status start_table(struct reader *r)
+{
+    struct csv *c = r->csv;
+    struct csv_table *more = realloc(c->table, (size_t)(c->count + 1) * sizeof *more);
+
+    if (!more)
+        return STATUS_MEMORY;
+    c->table = more;
+    r->table = &more[c->count++];
+    r->cells = 0;
+    *r->table = (struct csv_table){.caption = r->caption, .notes = r->end};
+    r->caption = r->end;
+    return STATUS_OK;
+}
+
+static enum status take_row(struct reader *r, struct message *why)
+{
+    const bool keys = !r->table;
+    const int line = r->line;
+    int count = 0;
+    char *cell, after;
+    enum status st = STATUS_OK;
+
+    if (keys)
+        TRY(start_table(r));
+    do {
+        if (!take_cell(r, &cell, &after))
+            TRY(status_fail(why, STATUS_INPUT, "%s, line %d: a quote has no end", r->path,
+                            line));
+        if (keys || count < r->table->columns)
+            TRY(keep_cell(r, cell));
+        count++;
+    } while (after == ',');
+    r->line++;
+    if (keys)
+        r->table->columns = count;
+    else if (count != r->table->columns)
+        TRY(status_fail(why, STATUS_INPUT, "%s, line %d: %d cells below %d keys", r->path,
+                        line, count, r->table->columns));
+    r->table->rows += !keys;
+out:
+    return st;
+}
+
+enum status csv_read(const char *path, struct csv *csv, struct message *why)
+{
+    struct reader r = {.path = path, .csv = csv, .line = 1};
+    size_t size;
+    enum status st;
+
+    *csv = (struct csv){0};
+    TRY(read_bytes(path, &csv->bytes, &size, why));
+    r.at = csv->bytes;
+    r.caption = r.end = csv->bytes + size;
+    while (*r.at)
+        if (*r.at == '\n') {
+            r.table = NULL;
+            r.at++, r.line++;
+        } else if (*r.at == '#') {
+            take_comment(&r);
+        } else {
+            TRY(take_row(&r, why));
+        }
+out:
+    if (st != STATUS_OK)
+        csv_clear(csv);
+    return st;
+}
+
+void csv_clear(struct csv *csv)
+{
+    for (int n = 0; n < csv->count; n++)
+        free(csv->table[n].cell);
+    free(csv->table);
+    free(csv->bytes);
+    *csv = (struct csv){0};
+}
+
+int csv_column(const struct csv_table *t, const char *key)
+{
+    for (int n = 0; n < t->columns; n++)
+        if (!strcmp(t->cell[n], key))
+            return n;
+    return -1;
+}
+
+const char *csv_words(const struct csv_table *t, int row, int column)
+{
+    if (row < 0 || row >= t->rows || column < 0 || column >= t->columns)
+        return "";
+    return t->cell[(size_t)(row + 1) * (size_t)t->columns + (size_t)column];
+}
+
+double csv_number(const struct csv_table *t, int row, int column)
+{
+    const char *words = csv_words(t, row, column);
+    char *end;
+    const double number = strtod(words, &end);
+
+    return end == words || *end ? NAN : number;
+}

@@ -1,0 +1,37 @@
+/* csv.h - reads back what table.h writes for machines: tables one below the other, an empty
+ * line between them. `# ` lines above a line of keys are its caption, those below its rows
+ * its notes. The only reader of CSV with words in it.
+ */
+#ifndef CSV_H
+#define CSV_H
+
+#include "models/status.h"
+
+struct csv_table {
+    char *caption;     /* lines; "": none                                            */
+    char *notes;       /* lines; "": none                                            */
+    int columns, rows; /* columns >= 1                                               */
+    char **cell;       /* [1 + rows][columns], the keys first                  owned */
+};
+
+struct csv {
+    char *bytes; /* what all strings point into                                owned */
+    int count;
+    struct csv_table *table; /* [count]                                        owned */
+};
+
+/* STATUS_FILE: it cannot be read; STATUS_INPUT: too long, a byte 0, a quote without end, a
+ * row with more or fewer cells than keys; each a sentence with file and line. *csv is then
+ * all-zero. Free with csv_clear. */
+enum status csv_read(const char *path, struct csv *csv, struct message *why);
+void csv_clear(struct csv *csv); /* all-zero is allowed */
+
+/* Index of a key, -1: there is none. */
+int csv_column(const struct csv_table *t, const char *key);
+
+/* Cells: as words ("" without such a column, and outside), as a number (NaN if it is
+ * none). */
+const char *csv_words(const struct csv_table *t, int row, int column);
+double csv_number(const struct csv_table *t, int row, int column);
+
+#endif

@@ -1,0 +1,204 @@
+#include "bench/report/report.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "bench/files/output.h"
+#include "bench/files/provenance.h"
+#include "bench/report/report_claim.h"
+#include "bench/report/report_json.h"
+#include "bench/report/report_motion.h"
+#include "bench/report/report_part.h"
+#include "models/reader/named_file.h"
+
+/* Pages have no line for lists. */
+static char *describe(const char *path)
+{
+    (void)path;
+    return calloc(1, 1);
+}
+
+static const struct named_file_kind page_kind = {
+    .what = "page",
+    .ending = ".html",
+    .environment = "CLOTHBENCH_REPORT",
+    .from_program = REPORT_FROM_PROGRAM,
+    .in_source = REPORT_IN_SOURCE,
+    .describe = describe,
+};
+
+/* Where the data go in the page. */
+static const char mark[] = "@DATA@";
+
+static void write_provenance(FILE *file)
+{
+    static struct provenance p;
+
+    provenance_collect(&p);
+    fputs("\"made\":{", file);
+    for (int n = 0; n < p.count; n++)
+        report_json_pair(file, p.entry[n].key, p.entry[n].value);
+    fputs("\"by\":\"clothbench report\"},", file);
+}
+
+static const struct report_found *find(const struct report_found *found, const char *id)
+{
+    int n = 0;
+
+    while (strcmp(report_part_list[n].id, id))
+        n++;
+    return &found[n];
+}
+
+/* All but the pictures, without the last brace. */
+static enum status write_data(FILE *file, const char *folder,
+                              const struct report_found *found)
+{
+    enum status st;
+
+    fputc('{', file);
+    report_json_pair(file, "folder", folder);
+    write_provenance(file);
+    fputs("\"claims\":[", file);
+    report_claim_write(file, found);
+    fputs("],\"parts\":[", file);
+    for (int n = 0; report_part_list[n].id; n++) {
+        fputs(n ? "," : "", file);
+        report_part_write(file, &report_part_list[n], &found[n]);
+    }
+    fputs("],\"truths\":[", file);
+    TRY(report_motion_truths(file));
+    fputs("],\"motions\":[", file);
+    TRY(report_motion_write(file, folder, find(found, "compare")));
+    fputs("],\"pictures\":[", file);
+out:
+    return st;
+}
+
+static enum status read_page(char **page, char **rest, struct message *why)
+{
+    char *path = NULL;
+    size_t size;
+    enum status st;
+
+    TRY(named_file_find(&page_kind, "page", &path, why));
+    TRY(named_file_read(&page_kind, path, page, &size, why));
+    char *text = realloc(*page, size + 1);
+    if (!text)
+        TRY(STATUS_MEMORY);
+    *page = text;
+    text[size] = '\0';
+    *rest = strstr(text, mark);
+    if (!*rest)
+        TRY(status_fail(why, STATUS_INPUT, "%s: the page has no %s", path, mark));
+    **rest = '\0';
+    *rest += strlen(mark);
+out:
+    free(path);
+    return st;
+}
+
+static enum status find_all(const char *folder, struct report_found *found)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; report_part_list[n].id; n++)
+        TRY(report_part_find(folder, &report_part_list[n], &found[n]));
+out:
+    return st;
+}
+
+/* Everything of the page in memory: so much of it is told before a file is begun. */
+static enum status compose(const char *folder, const struct report_found *found,
+                           char **text, size_t *size, struct message *why)
+{
+    char *page = NULL, *rest = NULL;
+    FILE *file = NULL;
+    enum status st;
+
+    TRY(read_page(&page, &rest, why));
+    file = open_memstream(text, size);
+    if (!file)
+        TRY(STATUS_MEMORY);
+    fputs(page, file);
+    TRY(write_data(file, folder, found));
+    const long room = REPORT_MOST - ftell(file) - (long)strlen(rest) - 64 * 1024;
+    if (room < 0)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: its tables alone make a page of more than %d bytes", folder,
+                        REPORT_MOST));
+    report_part_pictures(file, folder, room);
+    fputs("]}", file);
+    fputs(rest, file);
+out:
+    if (file && fclose(file) != 0 && st == STATUS_OK)
+        st = STATUS_MEMORY;
+    free(page);
+    return st;
+}
+
+enum status report_write(const char *folder, const char *path, struct message *why)
+{
+    struct report_found *found = calloc(REPORT_PARTS_MOST, sizeof *found);
+    struct output *out = NULL;
+    struct stat what;
+    char *text = NULL;
+    size_t size = 0;
+    enum status st = STATUS_OK;
+
+    if (!found)
+        TRY(STATUS_MEMORY);
+    if (stat(folder, &what) != 0 || !S_ISDIR(what.st_mode))
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: there is no such folder of results; clothbench table 1 makes "
+                        "the first of them in results/",
+                        folder));
+    TRY(find_all(folder, found));
+    TRY(compose(folder, found, &text, &size, why));
+    TRY(output_create(path, &out, why));
+    fwrite(text, 1, size, output_stream(out));
+    st = output_close(out, why);
+    if (st == STATUS_OK)
+        printf("%s: one page, %zu kB\n", path, size / 1000);
+out:
+    for (int n = 0; found && report_part_list[n].id; n++)
+        report_part_clear(&found[n]);
+    free(found);
+    free(text);
+    return st;
+}
+
+static enum status run(const struct command_line *line, struct message *why)
+{
+    const char *folder = line->word_count ? line->words[0] : "results";
+    const char *out = command_value(line, "--out");
+    char path[4096];
+
+    if (snprintf(path, sizeof path, "%s/report.html", folder) >= (int)sizeof path)
+        return status_fail(why, STATUS_INPUT, "%.60s...: the path is too long", folder);
+    return report_write(folder, out ? out : path, why);
+}
+
+static const struct command_option options[] = {
+    {"--out", "FILE", false, "where the page goes (DIR/report.html)"},
+    {NULL, NULL, false, NULL},
+};
+
+const struct command report_command = {
+    .name = "report",
+    .summary =
+        "one page of HTML from all results: what holds, what does not, what is missing",
+    .arguments = "[DIR] [OPTION]...",
+    .text =
+        "Writes one self-contained page from what the other commands left in DIR\n"
+        "(results): the verdict on every claim of the paper, tables, pictures beside the\n"
+        "paper's captions, speed against error, verification, hard cases, truths with\n"
+        "their error bars, and motions to play. It needs no network and no server, and\n"
+        "stays under 5 MB. What was not run is named with the command that makes it, what\n"
+        "is damaged with what is wrong.\n",
+    .examples = "report\nreport results --out page.html\n",
+    .most = 1,
+    .options = options,
+    .run = run,
+};

@@ -1,0 +1,129 @@
+#include "bench/report/report_json.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+/* Bytes of the character of UTF-8 at `c`; 0: none begins there. Overlong forms and halves
+ * of pairs, which no reader takes either, are told by their first two bytes. */
+static size_t character(const unsigned char *c)
+{
+    const size_t size = c[0] < 0x80                   ? 1
+                        : c[0] >= 0xc2 && c[0] < 0xe0 ? 2
+                        : c[0] >= 0xe0 && c[0] < 0xf0 ? 3
+                        : c[0] >= 0xf0 && c[0] < 0xf5 ? 4
+                                                      : 0;
+
+    for (size_t n = 1; n < size; n++)
+        if ((c[n] & 0xc0) != 0x80)
+            return 0;
+    if ((c[0] == 0xe0 && c[1] < 0xa0) || (c[0] == 0xed && c[1] > 0x9f) ||
+        (c[0] == 0xf0 && c[1] < 0x90) || (c[0] == 0xf4 && c[1] > 0x8f))
+        return 0;
+    return size;
+}
+
+void report_json_string(FILE *file, const char *text)
+{
+    const unsigned char *c = (const unsigned char *)text;
+
+    fputc('"', file);
+    while (*c) {
+        const size_t size = character(c);
+        if (size == 0)
+            fputs("\\ufffd", file);
+        else if (size == 1 && (*c < ' ' || *c == 127 || strchr("<>&\"\\'", *c)))
+            fprintf(file, "\\u%04x", *c);
+        else
+            fwrite(c, 1, size, file);
+        c += size ? size : 1;
+    }
+    fputc('"', file);
+}
+
+void report_json_pair(FILE *file, const char *key, const char *text)
+{
+    report_json_string(file, key);
+    fputc(':', file);
+    report_json_string(file, text);
+    fputc(',', file);
+}
+
+void report_json_number(FILE *file, double value)
+{
+    if (isfinite(value))
+        fprintf(file, "%.6g", value);
+    else
+        fputs("null", file);
+}
+
+void report_json_bytes(FILE *file, const void *bytes, size_t size)
+{
+    static const char digit[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const unsigned char *b = bytes;
+
+    fputc('"', file);
+    for (size_t n = 0; n < size; n += 3) {
+        const unsigned three = (unsigned)b[n] << 16 |
+                               (n + 1 < size ? (unsigned)b[n + 1] << 8 : 0) |
+                               (n + 2 < size ? b[n + 2] : 0);
+        fputc(digit[three >> 18], file);
+        fputc(digit[three >> 12 & 63], file);
+        fputc(n + 1 < size ? digit[three >> 6 & 63] : '=', file);
+        fputc(n + 2 < size ? digit[three & 63] : '=', file);
+    }
+    fputc('"', file);
+}
+
+static bool is_shown(const char *keys, const char *key)
+{
+    char word[128];
+
+    return !keys || (snprintf(word, sizeof word, "|%s|", key) < (int)sizeof word &&
+                     strstr(keys, word));
+}
+
+/* [CELL,...]; returns the bytes of its words. */
+static size_t write_row(FILE *file, const struct csv_table *t, const char *keys, int row)
+{
+    const char *comma = "";
+    size_t size = 0;
+
+    fputc('[', file);
+    for (int n = 0; n < t->columns; n++) {
+        const char *words = row < 0 ? t->cell[n] : csv_words(t, row, n);
+        const double number = csv_number(t, row, n);
+        char text[32];
+        if (!is_shown(keys, t->cell[n]))
+            continue;
+        if (isfinite(number) && strlen(words) > 8) {
+            snprintf(text, sizeof text, "%.6g", number);
+            words = text;
+        }
+        fputs(comma, file);
+        report_json_string(file, words);
+        size += strlen(words);
+        comma = ",";
+    }
+    fputc(']', file);
+    return size;
+}
+
+void report_json_table(FILE *file, const struct csv_table *t, const char *keys, size_t most)
+{
+    size_t size = 0;
+    int row = 0;
+
+    fputc('{', file);
+    report_json_pair(file, "caption", t->caption);
+    report_json_pair(file, "notes", t->notes);
+    fputs("\"keys\":", file);
+    write_row(file, t, keys, -1);
+    fputs(",\"rows\":[", file);
+    for (; row < t->rows && size < most; row++) {
+        fputs(row ? "," : "", file);
+        size += write_row(file, t, keys, row);
+    }
+    fprintf(file, "],\"left\":%d}", t->rows - row);
+}

@@ -1,0 +1,25 @@
+/* report_motion.h - motions of a scene that a page plays, over the ghost of its truth; and
+ * the truths that are stored, with their error bars.
+ */
+#ifndef REPORT_MOTION_H
+#define REPORT_MOTION_H
+
+#include <stdio.h>
+
+#include "bench/report/report_part.h"
+
+/* Points a side of a sheet that is played. */
+enum { REPORT_MOTION_SIDE = 20 };
+
+/* Members of an array of JSON: the stored truth of edge_drop, then the nearest run of every
+ * contestant of `compare` that left its file in `folder`. {"name", "side", "scale", "time",
+ * "data"}: int16 [times][side][side][3] of the mid-surface, little endian, in base64, times
+ * scale [m]. Nothing where no truth is stored. STATUS_MEMORY. */
+enum status report_motion_write(FILE *file, const char *folder,
+                                const struct report_found *compare);
+
+/* Members of an array: {"scene", "note", "horizon", "commit", "time", "bar", "claimed"} of
+ * each; or its "trouble". Bars are in metres. STATUS_MEMORY. */
+enum status report_motion_truths(FILE *file);
+
+#endif

@@ -1,0 +1,268 @@
+#include "bench/report/report_part.h"
+
+#include <dirent.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "bench/experiment/judge.h"
+#include "bench/experiment/kept.h"
+#include "bench/report/report_json.h"
+
+enum { PATH = 4096, TABLE_MOST = 300000 }; /* bytes of a table's words */
+
+#define TABLE(n, what, ...)                                                                \
+    {                                                                                      \
+        "table" n, "Table " n ": " what, "table " n,                                       \
+            {"table" n "/" KEPT_NAME, "table" n ".csv"}, "table" n, "tables", true, NULL,  \
+        {                                                                                  \
+            __VA_ARGS__                                                                    \
+        }                                                                                  \
+    }
+#define STUDY(name, what, of_paper, ...)                                                   \
+    {                                                                                      \
+        "study_" name, what, "study " name,                                                \
+            {"study_" name "/" KEPT_NAME, "study_" name ".csv"}, "study_" name, "tables",  \
+            of_paper, NULL,                                                                \
+        {                                                                                  \
+            __VA_ARGS__                                                                    \
+        }                                                                                  \
+    }
+
+#define FIG12                                                                              \
+    "Fig. 12, nets of 5, 10, 15 and 20 points at 1.025 s: the denser the control "         \
+    "net, the more wrinkles"
+#define FIG13 "Fig. 13, p = q = 2, 3, 4 at 1.7 s: more bending detail, smoother"
+#define FIG14                                                                              \
+    "Fig. 14, net and degree together: both add wrinkle detail, elevation makes "          \
+    "the cloth smoother"
+
+const struct report_part report_part_list[] = {
+    /* clang-format off */
+    TABLE("1", "cost at comparable looks", {0}),
+    TABLE("2", "milliseconds a frame", {"cost.png", NULL}),
+    TABLE("3", "cost of degree and net", {"cost.png", NULL}),
+    TABLE("4", "which E, rho and mu give cloth", {"table4.png", NULL}),
+    STUDY("mesh", "Denser nets (Fig. 12)", true, {"corners_sheets.png", FIG12},
+          {"edge_sheets.png", FIG12}),
+    STUDY("degree", "Higher degrees (Fig. 13)", true, {"corners_sheets.png", FIG13},
+          {"edge_sheets.png", FIG13}),
+    STUDY("mesh-degree", "Net and degree together (Fig. 14)", true,
+          {"corners_sheets.png", FIG14}, {"edge_sheets.png", FIG14}),
+    STUDY("thickness", "A thicker cloak (Fig. 10)", true,
+          {"thickness_sheets.png", "Fig. 10, leather cloak, 1 mm and 5 mm: the thinner one "
+           "swings more"}, {"thickness.png", NULL}),
+    STUDY("thickness-degree", "Degree through the thickness (Fig. 11)", true,
+          {"cloak_sheets.png", "Fig. 11, degree 1, 2 and 3 through the thickness: little "
+           "difference to the linear basis"}),
+    STUDY("contact", "Onto the ground (Fig. 9)", false,
+          {"contact_sheets.png", "Fig. 9, cloth onto the ground: collision and "
+           "self-contact are detected on the control net"}, {"contact_gap.png", NULL}),
+    STUDY("flag", "A falling flag (Fig. 15)", false,
+          {"flag.png", "Fig. 15, flag falling, at 0.75, 1.0 and 2.075 s"}),
+    STUDY("artefacts", "Artefacts (Fig. 16)", false,
+          {"artefacts.png", "Fig. 16: normal, super-elongation, floating, penetration"}),
+    {"fig6", "Three models side by side (Fig. 6)", "compare corners_drop",
+     {"compare_corners_drop/" KEPT_NAME}, NULL, "tables", true, NULL, {{0}}},
+    STUDY("locking", "Locking", false, {"locking.png", NULL}),
+    STUDY("cures", "Cures of locking", false, {"cures.png", NULL}),
+    STUDY("timestep", "Ever shorter steps", false, {"timestep.png", NULL}),
+    {"compare", "Speed against error: edge_drop", "compare edge_drop",
+     {"compare_edge_drop/compare.csv", "compare.csv"}, NULL, "speed", false,
+     "|title|side|step_s|iterations|seconds|worst_rmse_over_length|front|outcome|", {{0}}},
+    {"scenes", "Who wins where", "compare edge_drop corners_patch flag sphere strip_swing "
+     "thick stiff", {"compare_scenes.csv"}, ".", "scenes", false,
+     "|scene|contestant|seconds|target_rmse_over_length|lowest_rmse_over_length|refused|",
+     {{"compare_scenes.png", NULL}}},
+    {"verify", "Verification", "verify", {"verify/", "verify.csv"}, NULL, "verify", false,
+     "|check|quantity|model|value|truth|error|tolerance|verdict|", {{0}}},
+    {"stress", "Hard cases", "stress", {"stress/" KEPT_NAME, "stress.csv"}, NULL, "ends",
+     false, "|case|model|end|error|until_s|in_words|", {{0}}},
+    {"stability", "Largest stable steps", "stress map",
+     {"stress/map/stability.csv", "stress_map.csv"}, "stress/map", "tables", false, NULL,
+     {{"map.png", NULL}}},
+    {"feasibility", "Feasibility map: which sheets look like cloth", "sweep feasibility",
+     {"sweep_feasibility/table.csv", "sweep_feasibility.csv"}, "sweep_feasibility", "tables",
+     false, NULL, {{"map.png", NULL}}},
+    {"peers", "Other people's simulators", "peers/run all",
+     {"peers/baselines.csv", "../peers/baselines.csv"}, NULL, "tables", false, NULL, {{0}}},
+    /* clang-format on */
+    {0},
+};
+
+static void join(char path[PATH], const char *folder, const char *name)
+{
+    if (snprintf(path, PATH, "%s/%s", folder, name) >= PATH)
+        *path = '\0'; /* no file has such a name */
+}
+
+/* Whether the file's folder is marked as one of a quick run. */
+static bool is_quick(const char *path)
+{
+    char folder[PATH];
+
+    snprintf(folder, sizeof folder, "%s", path);
+    char *end = strrchr(folder, '/');
+    if (end)
+        *end = '\0';
+    return judge_marked(folder);
+}
+
+static enum status read_one(const char *path, struct report_found *found)
+{
+    struct csv *csv = &found->csv[found->count];
+    struct message why = {""};
+    enum status st = csv_read(path, csv, &why);
+
+    if (st == STATUS_OK && !csv->count)
+        snprintf(why.text, sizeof why.text, "%.900s has no table in it", path);
+    if (*why.text && !*found->trouble)
+        snprintf(found->trouble, sizeof found->trouble, "%s", why.text);
+    if (st == STATUS_OK)
+        found->count++;
+    return st == STATUS_MEMORY ? st : STATUS_OK;
+}
+
+static int is_csv(const struct dirent *entry)
+{
+    const size_t size = strlen(entry->d_name);
+
+    return size > 4 && !strcmp(entry->d_name + size - 4, ".csv");
+}
+
+/* All tables of a folder whose path ends in '/', by name. */
+static enum status read_folder(const char *folder, struct report_found *found)
+{
+    struct dirent **entry = NULL;
+    const int count = scandir(folder, &entry, is_csv, alphasort);
+    char path[PATH];
+    enum status st = STATUS_OK;
+
+    found->there = count > 0;
+    for (int n = 0; n < count; n++) {
+        if (st == STATUS_OK && found->count < REPORT_MANY &&
+            snprintf(path, sizeof path, "%s%s", folder, entry[n]->d_name) <
+                (int)sizeof path)
+            st = read_one(path, found);
+        free(entry[n]);
+    }
+    free(entry);
+    return st;
+}
+
+enum status report_part_find(const char *folder, const struct report_part *part,
+                             struct report_found *found)
+{
+    enum status st = STATUS_OK;
+
+    *found = (struct report_found){0};
+    for (int n = 0; n < REPORT_FILES && part->file[n] && !found->there; n++) {
+        join(found->path, folder, part->file[n]);
+        if (part->file[n][strlen(part->file[n]) - 1] == '/')
+            TRY(read_folder(found->path, found));
+        else if ((found->there = access(found->path, F_OK) == 0))
+            TRY(read_one(found->path, found));
+    }
+    found->quick = found->there && is_quick(found->path);
+    if (found->count && found->csv->count) /* or the command above it says so */
+        found->quick |= strstr(found->csv->table->caption, " --quick ") != NULL;
+out:
+    return st;
+}
+
+void report_part_clear(struct report_found *found)
+{
+    for (int n = 0; n < found->count; n++)
+        csv_clear(&found->csv[n]);
+    found->count = 0;
+}
+
+const struct csv_table *report_part_table(const struct report_found *found,
+                                          const char *words)
+{
+    for (int n = 0; n < found->count; n++)
+        for (int i = 0; i < found->csv[n].count; i++)
+            if (strstr(found->csv[n].table[i].caption, words))
+                return &found->csv[n].table[i];
+    return NULL;
+}
+
+void report_part_write(FILE *file, const struct report_part *part,
+                       const struct report_found *found)
+{
+    fputc('{', file);
+    report_json_pair(file, "id", part->id);
+    report_json_pair(file, "title", part->title);
+    report_json_pair(file, "command", part->command);
+    report_json_pair(file, "show", part->show);
+    report_json_pair(file, "trouble", found->trouble);
+    report_json_pair(file, "path", found->there ? found->path : "");
+    fprintf(file, "\"there\":%s,\"quick\":%s,\"tables\":[", found->there ? "true" : "false",
+            found->quick ? "true" : "false");
+    const char *comma = "";
+    for (int n = 0; n < found->count; n++)
+        for (int i = 0; i < found->csv[n].count; i++, comma = ",") {
+            fputs(comma, file);
+            report_json_table(file, &found->csv[n].table[i], part->keys, TABLE_MOST);
+        }
+    fputs("]}", file);
+}
+
+/* The bytes of a picture that is one, freed by the receiver; NULL: there is none. */
+static unsigned char *read_picture(const char *path, size_t *size)
+{
+    static const unsigned char sign[8] = "\x89PNG\r\n\x1a\n";
+    enum { MOST = 4 << 20 };
+    FILE *file = fopen(path, "rb");
+    unsigned char *bytes = file ? malloc(MOST) : NULL;
+
+    *size = bytes ? fread(bytes, 1, MOST, file) : 0;
+    if (file)
+        fclose(file);
+    if (*size > sizeof sign && !memcmp(bytes, sign, sizeof sign))
+        return bytes;
+    free(bytes);
+    return NULL;
+}
+
+static long write_picture(FILE *file, const struct report_part *part, const char *path,
+                          const struct report_picture *picture, const char *comma,
+                          long room)
+{
+    size_t size;
+    unsigned char *bytes = read_picture(path, &size);
+    const long most = bytes ? 4 * ((long)size + 2) / 3 + 2 : 0;
+
+    if (!bytes)
+        return 0;
+    fprintf(file, "%s{", comma);
+    report_json_pair(file, "part", part->id);
+    report_json_pair(file, "path", path);
+    report_json_pair(file, "paper", picture->paper ? picture->paper : "");
+    fputs("\"data\":", file);
+    if (most <= room)
+        report_json_bytes(file, bytes, size);
+    else
+        fputs("null", file);
+    fputc('}', file);
+    free(bytes);
+    return most <= room ? most : 1;
+}
+
+void report_part_pictures(FILE *file, const char *folder, long room)
+{
+    const char *comma = "";
+    char within[PATH], path[PATH];
+
+    for (const struct report_part *part = report_part_list; part->id; part++)
+        for (int n = 0; part->folder && n < REPORT_PICTURES && part->picture[n].file; n++) {
+            if (snprintf(within, sizeof within, "%s/%s", part->folder,
+                         part->picture[n].file) >= (int)sizeof within)
+                continue;
+            join(path, folder, within);
+            const long used =
+                write_picture(file, part, path, &part->picture[n], comma, room);
+            room -= used;
+            comma = used ? "," : comma;
+        }
+}

@@ -1,0 +1,63 @@
+/* report_part.h - the parts of a report: what each is made from, the command that makes it,
+ * and the paper's words on it.
+ */
+#ifndef REPORT_PART_H
+#define REPORT_PART_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "bench/files/csv.h"
+
+enum { REPORT_FILES = 2, REPORT_PICTURES = 4, REPORT_MANY = 64 };
+
+struct report_picture {
+    const char *file;  /* in the part's folder                                           */
+    const char *paper; /* the paper's caption; NULL: it has none                         */
+};
+
+struct report_part {
+    const char *id, *title;
+    const char *command;            /* that makes it, without the program's name       */
+    const char *file[REPORT_FILES]; /* in the report's folder: the first that is there;
+                                       "FOLDER/": all *.csv of it                      */
+    const char *folder;             /* with pictures; NULL: none                       */
+    const char *show;               /* how: "tables", "speed", "scenes", ...        */
+    bool paper;                     /* has claims of the paper                         */
+    const char *keys;               /* columns that are shown, "|A|B|"; NULL: all      */
+    struct report_picture picture[REPORT_PICTURES];
+};
+
+/* In the order of the page; ends with id NULL. */
+extern const struct report_part report_part_list[];
+enum { REPORT_PARTS_MOST = 48 };
+
+/* What was found of a part. */
+struct report_found {
+    bool there;         /* a file, damaged or not                                        */
+    bool quick;         /* of a run with --quick                                         */
+    char trouble[1024]; /* why it cannot be read; "": it can                             */
+    char path[4096];    /* of the file or the folder                                     */
+    int count;
+    struct csv csv[REPORT_MANY]; /* [count] owned                                        */
+};
+
+/* A damaged file is a finding; only STATUS_MEMORY is a failure. Free with
+ * report_part_clear. */
+enum status report_part_find(const char *folder, const struct report_part *part,
+                             struct report_found *found);
+void report_part_clear(struct report_found *found); /* all-zero is allowed */
+
+/* The table whose caption has these words; NULL: there is none. */
+const struct csv_table *report_part_table(const struct report_found *found,
+                                          const char *words);
+
+/* One object of JSON, no pictures in it. */
+void report_part_write(FILE *file, const struct report_part *part,
+                       const struct report_found *found);
+
+/* Pictures of all parts as members of an array, as many as fit into `room` bytes of JSON,
+ * the others by name alone. Names are in the same order. */
+void report_part_pictures(FILE *file, const char *folder, long room);
+
+#endif

@@ -1,0 +1,157 @@
+/* Tables that are read back: what is in them, what is refused and with which sentence, and
+ * that what is kept of a command comes back as it was printed. */
+#include "bench/files/csv.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "bench/experiment/judge.h"
+#include "bench/experiment/kept.h"
+#include "bench/ui/table.h"
+#include "tests/check.h"
+
+static char path[4096];
+
+static void put(const char *text, size_t size)
+{
+    FILE *file = fopen(path, "wb");
+
+    if (!CHECK(file != NULL))
+        return;
+    fwrite(text, 1, size, file);
+    fclose(file);
+}
+
+static void check_tables(void)
+{
+    static const char text[] = "# made by\n\n# first\n# table\na,b\n1,\"x, \"\"y\"\"\nz\"\n"
+                               "nan,\n# a note\n#another\n\nc\n-2.5e3\n3x";
+    struct csv csv = {0};
+    struct message why = {""};
+
+    put(text, sizeof text - 1);
+    if (!CHECK(csv_read(path, &csv, &why) == STATUS_OK) || !CHECK(csv.count == 2))
+        return;
+    const struct csv_table *t = &csv.table[0], *u = &csv.table[1];
+    CHECK(t->columns == 2 && t->rows == 2 && u->columns == 1 && u->rows == 2);
+    CHECK(!strcmp(t->caption, "made by\nfirst\ntable"));
+    CHECK(!strcmp(t->notes, "a note\nanother"));
+    CHECK(!*u->caption && !*u->notes);
+    CHECK(!strcmp(csv_words(t, 0, 1), "x, \"y\"\nz"));
+    CHECK(!strcmp(csv_words(t, 1, 1), ""));
+    CHECK(csv_number(t, 0, 0) == 1 && isnan(csv_number(t, 1, 0)));
+    CHECK(csv_number(u, 0, 0) == -2500 && isnan(csv_number(u, 1, 0)));
+    CHECK(csv_column(t, "b") == 1 && csv_column(t, "c") == -1);
+    CHECK(!*csv_words(t, 2, 0) && !*csv_words(t, -1, 0) && !*csv_words(t, 0, -1));
+    csv_clear(&csv);
+}
+
+/* More cells than the reader starts with, so that its arrays have to grow. */
+static void check_many(void)
+{
+    enum { ROWS = 1000 };
+    struct csv csv = {0};
+    FILE *file = fopen(path, "w");
+    int wrong = 0;
+
+    if (!CHECK(file != NULL))
+        return;
+    fputs("a,b,c\n", file);
+    for (int n = 0; n < ROWS; n++)
+        fprintf(file, "%d,%d,%d\n", n, 2 * n, 3 * n);
+    fclose(file);
+    if (!CHECK(csv_read(path, &csv, NULL) == STATUS_OK) || !CHECK(csv.count == 1))
+        return;
+    CHECK(csv.table->rows == ROWS);
+    for (int n = 0; n < csv.table->rows; n++)
+        for (int c = 0; c < 3; c++)
+            wrong += csv_number(csv.table, n, c) != (c + 1) * n;
+    CHECK(wrong == 0);
+    csv_clear(&csv);
+}
+
+static void check_refusals(void)
+{
+    static const struct {
+        const char *text;
+        size_t size; /* 0: that of the text */
+        const char *sentence;
+    } row[] = {
+        {"a,b\n1,2\n3\n", 0, ", line 3: 1 cells below 2 keys"},
+        {"a,b\n1,2,3\n", 0, ", line 2: 3 cells below 2 keys"},
+        {"# c\n\na\n\"1\n2\"\n3,4\n", 0, ", line 6: 2 cells below 1 keys"},
+        {"a\n\"1\n", 0, ", line 2: a quote has no end"},
+        {"a\n1\0\n", 5, "has a byte 0"},
+    };
+
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        struct csv csv = {.count = 7};
+        struct message why = {""};
+        put(row[n].text, row[n].size ? row[n].size : strlen(row[n].text));
+        CHECK(csv_read(path, &csv, &why) == STATUS_INPUT);
+        CHECK(!csv.count && !csv.table && !csv.bytes);
+        if (!CHECK(strstr(why.text, row[n].sentence)))
+            printf("%s\n", why.text);
+    }
+    struct csv csv;
+    CHECK(csv_read("/proc/nowhere", &csv, NULL) == STATUS_FILE);
+    put("", 0);
+    CHECK(csv_read(path, &csv, NULL) == STATUS_OK && csv.count == 0);
+    csv_clear(&csv);
+}
+
+/* A table and a sentence, both printed elsewhere, as the report finds them. */
+static void check_kept(const char *folder)
+{
+    static const struct table_column columns[] = {{"what", NULL, TABLE_LEFT}, {"x", "m"}};
+    struct kept *kept = NULL;
+    struct csv csv = {0};
+    FILE *nowhere = fopen("/dev/null", "w");
+    struct table *t = table_create(2, columns, "A, \"B\"");
+
+    if (!CHECK(nowhere != NULL))
+        return;
+    snprintf(path, sizeof path, "%s/" KEPT_NAME, folder);
+    kept_open(folder, "table", "1", &kept);
+    CHECK(kept != NULL);
+    table_row(t);
+    table_text(t, "a \"b\",\nc");
+    table_number(t, 0.1, 3);
+    table_note(t, "one\ntwo");
+    CHECK(table_finish(t, TABLE_TEXT, nowhere) == STATUS_OK);
+    judge_print(nowhere, "up, always", JUDGE_HOLDS, "By %d.", 2);
+    CHECK(kept_close(&kept, NULL) == STATUS_OK && !kept);
+    judge_print(nowhere, "later", JUDGE_FAILS, "Not kept.");
+    fclose(nowhere);
+    if (!CHECK(csv_read(path, &csv, NULL) == STATUS_OK) || !CHECK(csv.count == 2))
+        return;
+    CHECK(strstr(csv.table[0].caption, "clothbench table 1 | commit "));
+    CHECK(strstr(csv.table[0].caption, "\nA, \"B\""));
+    CHECK(!strcmp(csv.table[0].notes, "one\ntwo"));
+    CHECK(!strcmp(csv_words(&csv.table[0], 0, 0), "a \"b\",\nc"));
+    CHECK(csv_number(&csv.table[0], 0, 1) == 0.1);
+    CHECK(!strcmp(csv.table[1].caption, KEPT_SENTENCES) && csv.table[1].rows == 1);
+    CHECK(!strcmp(csv_words(&csv.table[1], 0, 0), "up, always"));
+    CHECK(!strcmp(csv_words(&csv.table[1], 0, 1), "holds"));
+    CHECK(!strcmp(csv_words(&csv.table[1], 0, 2), "By 2."));
+    csv_clear(&csv);
+    unlink(path);
+    kept_open("/proc/nowhere", "table", "1", &kept);
+    CHECK(!kept && kept_close(&kept, NULL) == STATUS_OK);
+}
+
+int main(int argc, char **argv)
+{
+    if (!CHECK(argc == 2))
+        return check_result();
+    mkdir(argv[1], 0777);
+    snprintf(path, sizeof path, "%s/table.csv", argv[1]);
+    check_tables();
+    check_many();
+    check_refusals();
+    check_kept(argv[1]);
+    return check_result();
+}

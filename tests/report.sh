@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# The page that `report` writes: verdicts that follow the numbers, what is missing or damaged
+# told, nothing of a file taken for markup, and a limit to its size. The results are those of
+# doc/results, changed row by row.
+#   report.sh PROGRAM SOURCE-FOLDER
+# shellcheck source=tests/fixture.sh
+. "$(dirname "$0")/fixture.sh"
+program=$1
+results=$2/doc/results
+skeleton=$2/bench/report/page.html
+own_folder
+
+page() { # FOLDER; page.html, $code
+    rm -f page.html
+    "$program" report "$1" --out page.html >out 2>err </dev/null
+    code=$?
+}
+
+good() { # FOLDER
+    page "$1"
+    [ "$code" -eq 0 ] || fail "report $1: exit $code: $(<err)"
+    [ "$(stat -c %s page.html)" -lt 5000000 ] || fail "report $1: the page has 5 MB"
+}
+
+has() { # TEXT; in the page
+    grep -qF -- "$1" page.html || fail "the page has no: $1"
+}
+
+verdict() { # CLAIM WANT
+    local is
+    is=$(tr '{' '\n' <page.html | grep -F -- "\"claim\":\"$1\"," | head -n 1 |
+        sed 's/.*"verdict":"\([^"]*\)".*/\1/')
+    [ "$is" = "$2" ] || fail "'$1' is '$is', want '$2'"
+}
+
+# --- nothing there
+mkdir empty
+good empty
+has '"verdict":"not run","text":"clothbench table 1"'
+has '"verdict":"not run","text":"clothbench study mesh"'
+has '"verdict":"not run","text":"clothbench compare corners_drop"'
+[ "$(grep -o '"there":true' page.html)" = '' ] || fail 'an empty folder has a part'
+page nowhere
+[ "$code" -eq 2 ] || fail "no folder: exit $code"
+[ "$(wc -l <err)" -eq 1 ] || fail "no folder: not one line: $(<err)"
+[ ! -e page.html ] || fail 'no folder, and a page'
+
+# --- verdicts: TABLE@what sed does to it@CLAIM@VERDICT. Numbers that a
+# new run changes are all set.
+while IFS=@ read -r table change claim want; do
+    rm -rf changed
+    mkdir changed
+    sed -E "$change" "$results/$table.csv" >"changed/$table.csv"
+    good changed
+    verdict "$claim" "$want"
+done <<'ROWS'
+table1@s/^(hex,[0-9x]*x2,.*),[a-z]*$/\1,no/@Hexahedra come within an RMSE of 0.04 of IGA at 32x32x2@does not hold
+table1@s/^(hex,[0-9x]*x2,.*),[a-z]*$/\1,no/;s/^(hex,32x32x2,.*),[a-z]*$/\1,yes/@Hexahedra come within an RMSE of 0.04 of IGA at 32x32x2@holds
+table1@s/^(hex,(24x24|32x32)x2,.*),[a-z]*$/\1,yes/@Hexahedra come within an RMSE of 0.04 of IGA at 32x32x2@does not hold
+table1@/^hex,32x32x2,/d@Hexahedra come within an RMSE of 0.04 of IGA at 32x32x2@cannot be judged
+table1@s/^(hex,32x32x2(,[^,]*){7}),[^,]*/\1,10/@That mesh costs 176 times IGA\u0027s frame@does not hold
+table1@s/^(hex,32x32x2(,[^,]*){7}),[^,]*/\1,170/@That mesh costs 176 times IGA\u0027s frame@holds
+table1@s/^(hex,32x32x2(,[^,]*){7}),[^,]*/\1,nan/@That mesh costs 176 times IGA\u0027s frame@cannot be judged
+table1@s/^(shell,10x10(,[^,]*){7}),[^,]*/\1,1.1/@IGA is cheaper than the shell@holds
+table1@s/^(shell,10x10(,[^,]*){7}),[^,]*/\1,0.9/@IGA is cheaper than the shell@does not hold
+table1@s/^(hex incompatible,10x10x2(,[^,]*){7}),[^,]*/\1,0.6/@Hexahedra of the same error are dearer than IGA@does not hold
+table1@s/^(hex incompatible,10x10x2(,[^,]*){7}),[^,]*/\1,3/@Hexahedra of the same error are dearer than IGA@holds
+table1@s/^(hex incompatible,10x10x2,[^,]*,0[.][^,]*),[^,]*/\1,90/@Hexahedra of the same error are dearer than IGA@cannot be judged
+table2@s/^("frame, printed",.*),[^,]*$/\1,1.5/@A frame grows as (control points)^2.0@does not hold
+table2@s/^("frame, printed",.*),[^,]*$/\1,1.9/@A frame grows as (control points)^2.0@holds
+table2@@A frame of Fig. 7 takes 89 ms@cannot be judged
+table2@s/^("?Fig. 13c"?(,[^,]*){11}),[^,]*/\1,1/;s/^("?Fig. 12b, 13a"?(,[^,]*){11}),[^,]*/\1,1/@Degree 4 costs 3.4 times degree 2@does not hold
+table2@s/^("?Fig. 13c"?(,[^,]*){11}),[^,]*/\1,3.4/;s/^("?Fig. 12b, 13a"?(,[^,]*){11}),[^,]*/\1,1/@Degree 4 costs 3.4 times degree 2@holds
+table2@s/^("?Fig. 9, ground contact"?(,[^,]*){11}),[^,]*/\1,5/;s/^("?Fig. 15, falling flag"?(,[^,]*){11}),[^,]*/\1,1/@Contact with the ground costs nothing beside the flag@does not hold
+table2@s/^("?Fig. 9, ground contact"?(,[^,]*){11}),[^,]*/\1,1/;s/^("?Fig. 15, falling flag"?(,[^,]*){11}),[^,]*/\1,1/@Contact with the ground costs nothing beside the flag@holds
+table3@s/^(10x10x2,2[.]08[0-9]*),[^,]*/\1,2.1/@Degree (1,3,3) costs 2.1 times (1,2,2) on 2x10x10@holds
+table3@s/^(10x10x2,2[.]08[0-9]*),[^,]*/\1,3/@Degree (1,3,3) costs 2.1 times (1,2,2) on 2x10x10@does not hold
+table3@s/^(15x15x2,1[.]66[0-9]*),[^,]*/\1,1.7/@Degree (1,3,3) costs 1.7 times (1,2,2) on 2x15x15@holds
+table3@s/^(15x15x2,1[.]66[0-9]*),[^,]*/\1,1/@Degree (1,3,3) costs 1.7 times (1,2,2) on 2x15x15@does not hold
+table4@@Rows 14 and 15 alone are feasible@does not hold
+table4@s/,"?no: [^"]*"?,/,yes,/@Rows 14 and 15 alone are feasible@does not hold
+table4@@What is wrong with each of the others@does not hold
+table4@s/^(over-stretched,8,18,18,.*)(,[0-9]*){6}$/\1,0,0,0,0,0,0/@Over-stretching comes from E, rho and mu@does not hold
+table4@s/^(over-stretched,8,18,18,.*)(,[0-9]*){6}$/\1,1,1,0,0,1,0/@Over-stretching comes from E, rho and mu@holds
+table4@s/^(over-stretched,8,18,18,.*)(,[0-9]*){6}$/\1,1,1,0,0,0,0/@Over-stretching comes from E, rho and mu@cannot be judged
+table4@s/^([0-9]+,.*),("[^"]*"|[^",]*),("[^"]*"|[^",]*)$/\1,\3,\3/@Rows 14 and 15 alone are feasible@holds
+table4@s/^([0-9]+,.*),("[^"]*"|[^",]*),("[^"]*"|[^",]*)$/\1,\3,\3/@What is wrong with each of the others@holds
+ROWS
+wrong='Over-stretching comes from E, rho and mu'
+touch changed/quick.txt
+good changed
+verdict "$wrong" 'not judged: quick'
+rm changed/quick.txt
+sed '1s/^.*$/# clothbench table 4 --format csv --quick | commit/' "$results/table4.csv" >changed/table4.csv
+good changed
+verdict "$wrong" 'not judged: quick'
+
+# --- damaged: told with file and line, and the other parts are there
+rm -rf changed
+mkdir changed
+cp "$results"/table[123].csv changed
+sed -i '5s/,[^,]*$//' changed/table1.csv
+good changed
+verdict 'Table 1: cost at comparable looks' damaged
+has 'changed/table1.csv, line 5: 14 cells below 15 keys'
+verdict 'A frame of Fig. 7 takes 89 ms' 'cannot be judged'
+printf 'no table\0' >changed/table1.csv
+good changed
+has 'changed/table1.csv: has a byte 0'
+: >changed/table1.csv
+good changed
+has 'changed/table1.csv has no table in it'
+
+# --- hostile names: the page has the tags of its skeleton, and no others
+hostile='</script><script>alert(1)</script><img src=x onerror=alert(2)><!--'
+odd="o\"dd<b>&'"
+mkdir -p "$odd/study_mesh" "$odd/compare_edge_drop" "$odd/table1"
+{
+    printf '# %s\n%s,"%s"\n"%s",\xff\xfe\n# %s\n\n' "$hostile" "$hostile" "$hostile" \
+        "$hostile" "$hostile"
+    printf '# Sentences of the paper\nclaim,verdict,sentence\n%s,holds,%s\n' "$hostile" "$hostile"
+} >"$odd/study_mesh/printed.csv"
+printf 'a\n%s,\n' "$hostile" >"$odd/table1/printed.csv" # damaged
+printf 'title,contestant,side,step_s,iterations,seconds,worst_rmse_over_length,front\n%s,%s,5,0.005,nan,1,0.1,1\n' \
+    "$hostile" ../../etc/passwd >"$odd/compare_edge_drop/compare.csv"
+good "$odd"
+for tag in '<script' '</script' '<img' '<b>' '<!--'; do
+    [ "$(grep -oF -- "$tag" page.html | wc -l)" -eq "$(grep -oF -- "$tag" "$skeleton" | wc -l)" ] ||
+        fail "a file's '$tag' is in the page as it stands"
+done
+has '\u003c/script\u003e\u003cscript\u003ealert(1)'
+has '\ufffd\ufffd'
+sed -n 's/.*id="data">\(.*\)<.script>/\1/p' page.html >data.json
+python3 -c 'import json; json.load(open("data.json", encoding="utf-8"))' ||
+    fail 'what the page holds is no JSON'
+
+# --- pictures: the bytes of a file; what would make the page too large is named
+mkdir -p large/study_flag large/study_mesh large/table2
+touch large/study_flag/flag.png
+printf '\x89PNG\r\n\x1a\n' | cat - "$program" | head -c 20001 >large/table2/cost.png
+good large
+grep -oP '"data":"\KiVBOR[^"]*' page.html | base64 -d | cmp - large/table2/cost.png ||
+    fail 'a picture is not that of its file'
+for name in study_flag/flag study_mesh/corners_sheets study_mesh/edge_sheets; do
+    { printf '\x89PNG\r\n\x1a\n' && head -c 1900000 /dev/zero; } >"large/$name.png"
+done
+good large
+has 'study_flag/flag.png","paper":"Fig. 15, flag falling, at 0.75, 1.0 and 2.075 s","data":null'
+[ "$(grep -oF '"data":null' page.html | wc -l)" -eq 2 ] || fail 'not one of three fits'
+exit $((failures > 0))

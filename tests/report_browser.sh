@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# The page in headless Chromium: it opens without a word on the console, a point shows its
+# numbers, motions play and follow the slider, a phone's width is kept.
+#   report_browser.sh PROGRAM SOURCE-FOLDER
+# shellcheck source=tests/fixture.sh
+. "$(dirname "$0")/fixture.sh"
+program=$1
+results=$2/doc/results
+browser=$(command -v chromium || command -v chromium-browser)
+if [ -z "$browser" ]; then
+    echo 'skipped: chromium is not installed'
+    exit 77
+fi
+own_folder
+
+# What a reader does, and what the page then shows, as attributes of its body.
+cat >reader.js <<'SCRIPT'
+const said = {}, seen = document.getElementById('tip'), when = document.getElementById('when');
+const point = document.querySelector('#speed circle'), slider = document.getElementById('frame');
+point.dispatchEvent(new PointerEvent('pointerenter', {clientX: 50, clientY: 50}));
+said.hover = seen.style.display + ' ' + seen.textContent;
+point.dispatchEvent(new PointerEvent('pointerleave'));
+said.left = seen.style.display;
+const picture = () => document.querySelector('#sheets canvas').toDataURL();
+const first = picture();
+said.start = when.textContent;
+slider.value = 4;
+slider.dispatchEvent(new Event('input'));
+said.slid = when.textContent;
+said.moved = picture() !== first;
+said.claims = document.querySelectorAll('.claims li').length;
+said.wide = document.documentElement.scrollWidth > innerWidth;
+document.getElementById('play').click();
+setTimeout(() => {
+  said.played = when.textContent;
+  document.body.setAttribute('data-said', Object.entries(said).map(x => x.join('=')).join(';'));
+}, 700);
+SCRIPT
+"$program" report "$results" --out page.html >/dev/null || fail "report: exit $?"
+{
+    sed '/<\/body>/,$d' page.html
+    printf '<script>%s</script></body></html>\n' "$(<reader.js)"
+} >read.html
+
+browse() { # FILE OPTION...; out, err
+    local file=$1
+    shift
+    timeout 60 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" \
+        --enable-logging=stderr --virtual-time-budget=3000 "$@" "file://$folder/$file" >out 2>err
+}
+said() { # KEY PATTERN
+    grep -oP "data-said=\"\K[^\"]*" out | tr ';' '\n' | grep -qP "^$1=$2" ||
+        fail "$1 is not '$2': $(grep -o 'data-said="[^"]*"' out)"
+}
+
+browse read.html --dump-dom --window-size=390,844
+! grep CONSOLE err || fail 'the console has something to say'
+said hover 'block .* points a side, step .* s: .* % in .* s'
+said left none
+said start '0[.]100 s'
+said slid '0[.]500 s'
+said moved true
+said played '0[.][67]00 s'
+said claims '[0-9]{2}'
+said wide false
+# the same with a fault planted, so that this test can fail
+sed 's/tip.textContent = text/undefined_name()/' read.html >broken.html
+browse broken.html --dump-dom
+grep -q CONSOLE err || fail 'an error of the page is not seen'
+exit $((failures > 0))

@@ -342,8 +342,10 @@ def truth_words():
 
 STRESS = [("IGA, paper's", "iga_paper"), ("IGA", "iga_nonlinear"), ("IGA, reduced", "iga_reduced"),
           ("IGA, selective", "iga_selective"), ("hex", "hex_nonlinear"),
-          ("hex, incompatible", "hex_incompatible"), ("shell, p = 2", "shell"),
-          ("mass-spring", "mass_spring"), ("leapfrog", "mass_spring_leapfrog"),
+          ("hex, incompatible", "hex_incompatible"), ("shell, p = 2", "shell_2"),
+          ("shell, cured, p = 3", "shell_selective_3"), ("triangles", "triangles"),
+          ("mass-spring", "mass_spring"), ("momentum", "mass_spring_momentum"),
+          ("leapfrog", "mass_spring_leapfrog"), ("XPBD", "position_based"),
           ("PD", "projective_dynamics"), ("PD, 1000", "projective_dynamics_1000")]
 UNITS = ["millimetres", "inches", "soft", "stiff"]
 CASES = [("tip, h/L = 1e-2", ["thin_2"]), ("h/L = 1e-5", ["thin_5"]),

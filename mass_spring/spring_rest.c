@@ -92,23 +92,43 @@ static enum status factor(const struct search *s, bool clamped)
     return system_factor(&newton->system, 1, (const double(*)[9])newton->K, 0, NULL);
 }
 
-/* One step of pseudo-time from s->from; x is there again if it leads up. */
+/* s->d = K^-1 r. */
+static enum status solve(const struct search *s, bool clamped, struct counters *counters)
+{
+    enum status st = factor(s, clamped);
+
+    counters->factorisations++;
+    memcpy(s->d, s->r, 3 * (size_t)s->m->net.nodes * sizeof *s->d);
+    if (st == STATUS_OK) {
+        counters->solves++;
+        st = system_solve(&s->m->newton.system, s->d);
+    }
+    return st;
+}
+
+static bool is_unsolved(enum status st)
+{
+    return st == STATUS_INDEFINITE || st == STATUS_UNSOLVED;
+}
+
+/* One step of pseudo-time from s->from; x is there again if it leads up. A step whose system
+ * round-off leaves without a solution, as of strips with cells a thousand times longer than
+ * wide, is a bad one. */
 static enum status advance(struct search *s, struct counters *counters)
 {
     enum status st;
     struct spring_motion *m = s->m;
     size_t count = 3 * (size_t)m->net.nodes;
 
-    memcpy(s->d, s->r, count * sizeof *s->d);
-    st = factor(s, false);
-    if (st == STATUS_INDEFINITE) {
-        counters->factorisations++;
-        st = factor(s, true);
+    counters->assemblies++, counters->iterations++;
+    st = solve(s, false, counters);
+    if (is_unsolved(st))
+        st = solve(s, true, counters);
+    if (is_unsolved(st)) {
+        s->step *= CUT;
+        s->move = INFINITY;
+        return STATUS_OK;
     }
-    if (st == STATUS_OK)
-        st = system_solve(&m->newton.system, s->d);
-    counters->assemblies++, counters->factorisations++;
-    counters->solves++, counters->iterations++;
     if (st != STATUS_OK)
         return st;
     double scale = fabs(s->energy) + 1e-300, move = 0;

@@ -37,6 +37,9 @@ cmp first out || fail 'printed again, it is another'
 run 0 two_corners --models odd,mass_spring --quick --out few --format csv
 grep -q "^two_corners,mass_spring,0.02,accurate,.*,the truth's error bar is 0.00" out || fail "$(<out)"
 grep -q "^two_corners,odd,0.02,degraded,.*,the truth's error bar is 0.00" out || fail "$(<out)"
+# a strip whose systems round-off leaves without a solution, at long steps towards rest
+run 0 narrow --models mass_spring --out narrow --format csv
+grep -q '^narrow,mass_spring,0.02,accurate,' out || fail "narrow: $(<out)"
 # a file that is damaged, one that is gone
 echo >>few/still.odd.txt
 rm few/still.mass_spring.txt

@@ -15,12 +15,13 @@ import sys
 # in s. A run that failed has one row without numbers, and its sentence as diagnosis.
 COLUMNS = ["simulator", "version", "scene", "net", "step", "time", "error", "bar", "floor",
            "seconds", "diagnosis", "date"]
+UNEXPLAINED = "No flaw that is known here explains the difference."
 JUDGED = ["time", "error", "bar", "floor"]
 
 
 def score_rows(about, score):
     """about: the other columns. The diagnosis stands at the last time, which it is about."""
-    said = " ".join(d["text"] for d in score["diagnosis"])
+    said = " ".join(d["text"] for d in score["diagnosis"]) or UNEXPLAINED
     about = {**about, "seconds": f"{float(about['seconds']):.4g}"}
     for k, judged in enumerate(score["rows"]):
         last = k == len(score["rows"]) - 1

@@ -14,8 +14,9 @@ function rows(path) {
 
 const place = (row) => [row.x, row.y, row.z].map(Number);
 
-// Triangles of the sheet, then those between vertices outside of it and the held row beside.
-function readTriangles(folder, held) {
+// Triangles of the sheet, and those between vertices outside of it and the held row beside, whose
+// cells have the diagonal (+u,+v).
+function readTriangles(folder, held, uv) {
   const faces = readFileSync(`${folder}/rest.obj`, 'utf8').split('\n')
     .filter((line) => line.startsWith('f '))
     .map((line) => line.slice(2).split(' ').map((corner) => parseInt(corner) - 1));
@@ -23,8 +24,10 @@ function readTriangles(folder, held) {
   const clamp = [];
   for (const [a, b, c] of faces)
     for (const [p, q] of [[a, b], [b, c], [c, a]])
-      if (outside.has(p) && outside.has(q))
-        clamp.push([q, p, outside.get(p)], [q, outside.get(p), outside.get(q)]);
+      if (outside.has(p) && outside.has(q)) {
+        const [s, t] = [outside.get(p), outside.get(q)];
+        clamp.push(...(uv[p][0] === uv[q][0] ? [[q, p, t], [p, s, t]] : [[q, p, s], [q, s, t]]));
+      }
   return [faces, clamp];
 }
 
@@ -46,7 +49,7 @@ function findHinges(triangles, x, inverseMass, D) {
       const slopes = [[a, (1 - p.s) / p.height + (1 - q.s) / q.height],
         [b, p.s / p.height + q.s / q.height], [c, 1 / p.height], [other, 1 / q.height]];
       hinges.push({ a, b, c, d: other,
-        stiffness: 3 * D * e2 / (Math.sqrt(e2) * (p.height + q.height) / 2),
+        stiffness: D * e2 / (Math.sqrt(e2) * (p.height + q.height) / 2),
         inverseMass: slopes.reduce((sum, [v, g]) => sum + g * g * inverseMass[v], 0) });
     }
   return hinges;
@@ -61,7 +64,7 @@ export function readScene(folder) {
   const scene = { count: rest.length, E: value('E'), nu: value('nu'), rho: value('rho'),
     h: value('h'), D: value('D'),
     gravity: JSON.parse(yaml.match(/^gravity: (.*)$/m)[1]),
-    uv: rest.map((r) => [r.u, r.v]),
+    uv: rest.map((r) => [r.u, r.v]), columns: new Set(rest.map((r) => r.u)).size,
     x: rest.map(place),
     mass: material.filter((r) => r.quantity === 'mass').map((r) => +r.value),
     springs: material.filter((r) => r.quantity.startsWith('spring')).map((r) => (
@@ -70,7 +73,8 @@ export function readScene(folder) {
   for (const r of held.filter((row) => row.beside)) { scene.x.push(place(r)); scene.mass.push(0); }
   scene.held = new Set(held.map((r) => +r.vertex));
   scene.inverseMass = scene.mass.map((m, v) => (scene.held.has(v) ? 0 : 1 / m));
-  const [faces, clamp] = readTriangles(folder, held);
+  const [faces, clamp] = readTriangles(folder, held, scene.uv);
+  scene.clamp = clamp;
   scene.triangles = faces.concat(clamp);
   scene.hinges = findHinges(scene.triangles, scene.x, scene.inverseMass, scene.D);
   return scene;

@@ -1,6 +1,6 @@
 // Jolt Physics (WebAssembly, positions in single precision): its soft body is XPBD, a step split
 // into `iterations` substeps. Its compliance is 1/k [m/N] of the exported springs; with bend=yes
-// every pair of triangles is a dihedral of 1/k [1/(N m)], k = 3 D |e|^2 / (A1 + A2), the pairs
+// every pair of triangles is a dihedral of 1/k [1/(N m)], k = D |e|^2 / (A1 + A2), the pairs
 // about the held edge with those outside the sheet among them: a clamp.
 import { readFileSync } from 'node:fs';
 import initJolt from 'jolt-physics';

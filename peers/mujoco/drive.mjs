@@ -1,18 +1,27 @@
-// MuJoCo (WebAssembly, double precision): a flex of dimension 2 on the exported triangles, those
-// outside the sheet among them: a clamp. E, nu and h are its own parameters, so E maps to itself.
+// MuJoCo (WebAssembly, double precision): a flex of dimension 2 on the exported vertices, those
+// outside the sheet among them: a clamp. Every cell has the same diagonal, as in flexcomp's own
+// grid; alternating ones run away (README.md), cut=alternating shows it. E, nu and h are its own
+// parameters, so E maps to itself.
 // flexcomp gives all vertices the same mass; the exported ones are set after compiling. Elasticity
 // of a flex is refused under the integrators implicit and implicitfast, hence `discrete`.
 import { fileURLToPath } from 'node:url';
 import load from '@mujoco/mujoco';
 import { drive } from '../lib.mjs';
 
+function cutAlike({ columns: n, count }) {
+  const cells = Array.from({ length: count - n }, (_, v) => v).filter((v) => (v + 1) % n);
+  return cells.flatMap((v) => [[v, v + 1, v + n + 1], [v, v + n + 1, v + n]]);
+}
+
 function describe(scene, set) {
+  const triangles = set.cut === 'alternating' ? scene.triangles
+    : cutAlike(scene).concat(scene.clamp);
   const area = scene.mass.reduce((sum, m) => sum + m, 0);
   const thin = Math.min(scene.h / 2, scene.springs[0].length / 5); // contacts are off
   return `<mujoco><option timestep="${set.step}" gravity="${scene.gravity.join(' ')}"
     integrator="discrete"/><worldbody>
     <flexcomp name="sheet" type="direct" dim="2" radius="${thin}" mass="${area}"
-      point="${scene.x.flat().join(' ')}" element="${scene.triangles.flat().join(' ')}">
+      point="${scene.x.flat().join(' ')}" element="${triangles.flat().join(' ')}">
       <elasticity young="${scene.E}" poisson="${scene.nu}"
         thickness="${scene.h}" damping="0" elastic2d="both"/>
       <contact selfcollide="none" internal="false" contype="0" conaffinity="0"/>

@@ -1,7 +1,7 @@
 // MuJoCo (WebAssembly, double precision): a flex of dimension 2 on the exported vertices, those
 // outside the sheet among them: a clamp. Every cell has the same diagonal, as in flexcomp's own
-// grid; alternating ones run away (README.md), cut=alternating shows it. E, nu and h are its own
-// parameters, so E maps to itself.
+// grid: with alternating ones it has forces at rest (README.md, cut=alternating). E, nu and h are
+// its own parameters, so E maps to itself.
 // flexcomp gives all vertices the same mass; the exported ones are set after compiling. Elasticity
 // of a flex is refused under the integrators implicit and implicitfast, hence `discrete`.
 import { fileURLToPath } from 'node:url';

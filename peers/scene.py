@@ -1,7 +1,7 @@
 """What the drivers in Python share: reading a folder of `clothbench export`, writing frames.
 
 A driver is run as  drive.py FOLDER FRAMES.csv step=0.005 until=0.5 [KEY=VALUE]...  and prints a
-line of JSON, {"version", "seconds"}.
+line of JSON, {"version", "seconds"}; seconds are the processor's.
 """
 import csv
 import json

@@ -76,13 +76,13 @@ def main():
     wanted = {round(t / step): t for t in scene.times if t <= settings["until"] + 1e-9}
     for range_of in world, cloth.point_cache:
         range_of.frame_start, range_of.frame_end = 1, max(wanted) + 1
-    frames, start = {}, time.perf_counter()
+    frames, start = {}, time.process_time()
     for k in range(max(wanted) + 1):
         world.frame_set(k + 1)
         if k in wanted:
             moved = sheet.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
             frames[wanted[k]] = [tuple(v.co) for v in moved[:scene.count]]
-    export.finish(scene, out, frames, bpy.app.version_string, time.perf_counter() - start)
+    export.finish(scene, out, frames, bpy.app.version_string, time.process_time() - start)
 
 
 if __name__ == "__main__":

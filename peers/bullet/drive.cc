@@ -17,10 +17,10 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <map>
 #include <set>
@@ -172,11 +172,10 @@ static void drive(const Scene &scene, World w, double step, double until, FILE *
         const double t = r.at("what") == "truth" ? std::stod(r.at("time")) : until + 1;
         if (t > until + 1e-9)
             continue;
-        const auto start = std::chrono::steady_clock::now();
+        const clock_t start = clock(); // of the processor
         for (; done < std::lround(t / step); done++)
             w.world->stepSimulation(step, 1, step);
-        seconds +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        seconds += (clock() - start) / (double)CLOCKS_PER_SEC;
         for (size_t v = 0; v < scene.rest.size(); v++) {
             const btVector3 x = w.sheet->m_nodes[v].m_x;
             fprintf(out, "%.12g,%s,%s,%.9g,%.9g,%.9g\n", t, scene.rest[v].at("u").c_str(),

@@ -338,6 +338,42 @@ def truth_words():
     return {"bar_half_second": digits(dict(bars("edge_drop"))[0.5], 1) + " %"}
 
 
+# --- other people's simulators ---------------------------------------------------------------
+
+
+def said(diagnosis):
+    """Its sentences up to the first explanation."""
+    sentences = re.split(r"(?<=[.?]) (?=[A-Z])", diagnosis)
+    short = [re.split(r"[:;(?]|[.]$", s)[0].strip() for s in sentences]
+    return "; ".join(s[0].lower() + s[1:] for s in short)
+
+
+def peers():
+    """A row a case on edge_drop; what it does in free_fall stands in its last columns."""
+    cases = {}
+    for r in tables(TOP / "peers" / "baselines.csv")[-1][1]:
+        case = r["simulator"], r["version"], r["net"], r["step"]
+        cases.setdefault(case, {}).setdefault(r["scene"], []).append(r)
+    judged = next(iter(cases.values()))["edge_drop"]
+    rows = [["truth: its error bar", "", "", "", " ".join(part_of(r["bar"]) for r in judged),
+             "", "", ""]]
+    for (simulator, version, net, step), scenes in cases.items():
+        drop, fall = scenes["edge_drop"], scenes["free_fall"]
+        errors = " ".join(part_of(r["error"]) for r in drop) if drop[0]["error"] else "failed"
+        rows.append([simulator, version, net, f"{1000 * float(step):g} ms", errors,
+                     part_of(fall[-1]["error"]) if fall[0]["error"] else "failed",
+                     digits(drop[0]["seconds"], 2) if drop[0]["seconds"] else "-",
+                     said(drop[-1]["diagnosis"])])
+    return markdown(["", "version", "points", "step",
+                     "error at 0.1, 0.2, ... 0.5 s, % of the length",
+                     "free fall, at 0.5 s", "seconds", "`score` says"], rows)
+
+
+def part_of(error):
+    """A fraction in per cent; of what is round-off, nought."""
+    return digits(100 * float(error), 2) if float(error) > 1e-9 else "0"
+
+
 # --- hard cases ------------------------------------------------------------------------------
 
 STRESS = [("IGA, paper's", "iga_paper"), ("IGA", "iga_nonlinear"), ("IGA, reduced", "iga_reduced"),
@@ -482,7 +518,7 @@ def timestep_words():
 BLOCKS = {"table1": table1, "table23": table23, "table4": table4, "verify": verify,
           "compare": compare, "compare_models": compare_models, "compare_scenes": compare_scenes,
           "truths": truths, "stress": stress, "stress_map": stress_map,
-          "mesh": mesh, "cures": cures}
+          "mesh": mesh, "cures": cures, "peers": peers}
 WORDS = {
     paper_words: ["paper_rmse", "paper_iga_s", "paper_fem_s", "paper_ratio"],
     table23_words: ["growth_paper", "growth_paper_3", "growth", "growth_assembly",

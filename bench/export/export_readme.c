@@ -133,8 +133,8 @@ static void put_parameters(const struct export_sheet *s, const char *misfit,
         output_print(out,
                      "- springs: none are told; the matched ones are for flat sheets;\n");
     output_print(out,
-                 "- bending by the angle between two triangles, k theta^2 / 2: k = 3 D "
-                 "|e|^2 / (A1 + A2) [N m],\n  e their edge, A1, A2 their areas.\n");
+                 "- bending by the angle between two triangles, k theta^2 / 2: k = D |e|^2 "
+                 "/ (A1 + A2) [N m],\n  e their edge, A1, A2 their areas.\n");
     if (*misfit)
         output_print(out, "\nSprings are no plane stress: %s.\n", misfit);
     output_print(out, "\n");

@@ -1,0 +1,89 @@
+"""Blender's cloth modifier (Debian blender), without a window:
+    blender -b --factory-startup --python-exit-code 1 -P drive.py -- FOLDER FRAMES.csv step=... \
+        until=... substeps=10
+
+It counts time in frames of 1/sqrt(1000) s whatever the scene's frames a second (its gravity is
+multiplied by 0.001), and its numbers turn into forces so:
+    tension, compression and shear   k = stiffness / mean length of all springs
+    bending (angular)                k = 0.1 stiffness x length of the edge
+so stiffnesses are those that make k the exported spring, and D for bending: its bending force has
+no lever arm, which no number makes good on every net. All vertices weigh the same, those of the
+rim too: the exported mass of one inside. Vertices outside the sheet are pinned: a clamp.
+"""
+import math
+import pathlib
+import sys
+import time
+
+import bpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import scene as export  # noqa: E402
+
+FRAME = math.sqrt(1e-3)  # s
+USUAL_MASS = 0.3         # of a vertex in Blender's presets; the unit of mass is free
+
+
+def quads(scene):
+    """Cells of the net, and those between the held row and the vertices outside."""
+    n, m = scene.columns, scene.count // scene.columns
+    cells = [(j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i)
+             for j in range(m - 1) for i in range(n - 1)]
+    outside = {vertex: beyond for beyond, vertex in scene.beside.items()}
+    clamp = [(a, outside[a], outside[b], b) for a in outside for b in (a + 1, a + n)
+             if b in outside and (b == a + n or b % n)]
+    return cells + clamp
+
+
+def make_sheet(scene):
+    mesh = bpy.data.meshes.new("sheet")
+    mesh.from_pydata([tuple(x) for x in scene.x], [], quads(scene))
+    sheet = bpy.data.objects.new("sheet", mesh)
+    bpy.context.scene.collection.objects.link(sheet)
+    if scene.held:
+        sheet.vertex_groups.new(name="held").add(sorted(scene.held), 1, "REPLACE")
+    return sheet
+
+
+def set_cloth(scene, cloth, settings):
+    s = cloth.settings
+    s.quality = int(settings["substeps"])
+    s.time_scale = settings["step"] / FRAME
+    if scene.held:
+        s.vertex_group_mass, s.pin_stiffness = "held", 1
+    s.air_damping = s.tension_damping = s.compression_damping = 0
+    s.shear_damping = s.bending_damping = 0
+    unit = USUAL_MASS / max(scene.mass) * FRAME ** 2
+    s.mass = USUAL_MASS
+    mean = sum(length for _, _, length in scene.springs) / len(scene.springs)
+    stiffest = {kind: k for k, kind in sorted((k, kind) for kind, k, _ in scene.springs)}
+    s.tension_stiffness = s.compression_stiffness = stiffest["spring u"] * mean * unit
+    s.shear_stiffness = stiffest["spring diagonal"] * mean * unit
+    s.bending_model = "ANGULAR"
+    edge = min(length for _, _, length in scene.springs)
+    s.bending_stiffness = scene.D / (0.1 * edge) * unit
+    cloth.collision_settings.use_collision = False
+
+
+def main():
+    scene, out, settings = export.words(sys.argv[sys.argv.index("--") + 1:])
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    world, step = bpy.context.scene, settings["step"]
+    world.gravity = scene.gravity
+    sheet = make_sheet(scene)
+    cloth = sheet.modifiers.new("cloth", "CLOTH")
+    set_cloth(scene, cloth, settings)
+    wanted = {round(t / step): t for t in scene.times if t <= settings["until"] + 1e-9}
+    for range_of in world, cloth.point_cache:
+        range_of.frame_start, range_of.frame_end = 1, max(wanted) + 1
+    frames, start = {}, time.process_time()
+    for k in range(max(wanted) + 1):
+        world.frame_set(k + 1)
+        if k in wanted:
+            moved = sheet.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
+            frames[wanted[k]] = [tuple(v.co) for v in moved[:scene.count]]
+    export.finish(scene, out, frames, bpy.app.version_string, time.process_time() - start)
+
+
+if __name__ == "__main__":
+    main()

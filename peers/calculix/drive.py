@@ -1,0 +1,101 @@
+"""CalculiX (Debian calculix-ccx): quadratic shells S8R, large displacements, implicit steps of
+Hilber, Hughes and Taylor with its default alpha, -0.05. E, nu, rho and h are its own parameters.
+
+An element covers two by two cells of the exported net, whose counts of cells are to be even. The
+vertex in its middle is no node of S8R: it is where the element's own shape functions have it.
+Rotations are held where the export has a vertex outside the sheet beside, which is not used.
+S4 and S8 lock here, S4R runs away by hourglassing.
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import scene as export  # noqa: E402
+
+
+def elements(scene):
+    """(corners and midsides in CalculiX's order, the vertex in the middle) of each."""
+    n, m = scene.columns, scene.count // scene.columns
+    if n % 2 == 0 or m % 2 == 0:
+        sys.exit(f"{n} x {m} points: an S8R needs two by two cells, so odd counts of points")
+    ring = [(0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1)]
+    return [([(b + j) * n + a + i for i, j in ring], (b + 1) * n + a + 1)
+            for b in range(0, m - 1, 2) for a in range(0, n - 1, 2)]
+
+
+def deck(scene, settings):
+    shells = elements(scene)
+    middles = {middle for _, middle in shells}
+    nodes = [v for v in range(scene.count) if v not in middles]
+    clamped = set(scene.beside.values())
+    g = sum(c * c for c in scene.gravity) ** 0.5
+    step, until = settings["step"], settings["until"]
+    times = [t for t in scene.times if t <= until + 1e-9]
+    return "\n".join(
+        ["*NODE, NSET=ALL"] +
+        ["%d, %.12g, %.12g, %.12g" % (v + 1, *scene.x[v]) for v in nodes] +
+        ["*ELEMENT, TYPE=S8R, ELSET=SHEET"] +
+        [", ".join(str(k) for k in [e + 1] + [v + 1 for v in ring])
+         for e, (ring, _) in enumerate(shells)] +
+        ["*MATERIAL, NAME=CLOTH", "*ELASTIC", f"{scene.E!r}, {scene.nu!r}", "*DENSITY",
+         repr(scene.rho), "*SHELL SECTION, ELSET=SHEET, MATERIAL=CLOTH", repr(scene.h)] +
+        (["*BOUNDARY"] if scene.held else []) +
+        ["%d, 1, %d" % (v + 1, 6 if v in clamped else 3) for v in nodes if v in scene.held] +
+        ["*TIME POINTS, NAME=TRUTH"] + ["%.12g" % t for t in times] +
+        ["*STEP, NLGEOM, INC=%d" % (100 * times[-1] / step), "*DYNAMIC, ALPHA=-0.05",
+         "%.12g, %.12g, 1e-8, %.12g" % (step, times[-1], step),
+         "*DLOAD", "SHEET, GRAV, %.12g, %.12g, %.12g, %.12g" % (g, *(c / g for c in scene.gravity)),
+         "*NODE FILE, NSET=ALL, OUTPUT=2D, TIME POINTS=TRUTH", "U", "*END STEP"]) + "\n"
+
+
+def displacements(path):
+    """{time: {vertex: displacement}} of a result file, whose columns are fixed."""
+    found, now, on = {}, None, False
+    with open(path) as file:
+        for line in file:
+            if line.startswith("  100CL"):
+                now = float(line[12:24])
+            elif line.startswith(" -4"):
+                on = line.split()[1] == "DISP"
+            elif line.startswith(" -3"):
+                on = False
+            elif on and line.startswith(" -1"):
+                found.setdefault(now, {})[int(line[3:13]) - 1] = [
+                    float(line[13 + 12 * c:25 + 12 * c]) for c in range(3)]
+    return found
+
+
+def positions(scene, moved):
+    x = [None] * scene.count
+    for v, d in moved.items():
+        if v < scene.count:
+            x[v] = [a + b for a, b in zip(scene.x[v], d)]
+    for ring, middle in elements(scene):
+        x[middle] = [sum(x[v][c] for v in ring[4:]) / 2 - sum(x[v][c] for v in ring[:4]) / 4
+                     for c in range(3)]
+    return x
+
+
+def main():
+    scene, out, settings = export.words(sys.argv[1:])
+    with tempfile.TemporaryDirectory() as folder:
+        job = pathlib.Path(folder) / "job"
+        job.with_suffix(".inp").write_text(deck(scene, settings))
+        start = os.times()
+        run = subprocess.run(["ccx", "job"], cwd=folder, capture_output=True, text=True)
+        end = os.times()
+        seconds = sum(end[2:4]) - sum(start[2:4])  # of the child
+        errors = [line.strip() for line in run.stdout.splitlines() if "*ERROR" in line]
+        if run.returncode or errors:
+            sys.exit("ccx stopped: " + (errors + run.stdout.strip().splitlines()[-1:])[0])
+        frames = {t: positions(scene, d)
+                  for t, d in displacements(job.with_suffix(".frd")).items()}
+    version = subprocess.run(["ccx", "-v"], capture_output=True, text=True).stdout.split()[-1]
+    export.finish(scene, out, frames, version, seconds)
+
+
+if __name__ == "__main__":
+    main()

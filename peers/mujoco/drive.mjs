@@ -1,0 +1,54 @@
+// MuJoCo (WebAssembly, double precision): a flex of dimension 2 on the exported vertices, those
+// outside the sheet among them: a clamp. Every cell has the same diagonal, as in flexcomp's own
+// grid: with alternating ones it has forces at rest (README.md, cut=alternating). E, nu and h are
+// its own parameters, so E maps to itself.
+// flexcomp gives all vertices the same mass; the exported ones are set after compiling. Elasticity
+// of a flex is refused under the integrators implicit and implicitfast, hence `discrete`.
+import { fileURLToPath } from 'node:url';
+import load from '@mujoco/mujoco';
+import { drive } from '../lib.mjs';
+
+function cutAlike({ columns: n, count }) {
+  const cells = Array.from({ length: count - n }, (_, v) => v).filter((v) => (v + 1) % n);
+  return cells.flatMap((v) => [[v, v + 1, v + n + 1], [v, v + n + 1, v + n]]);
+}
+
+function describe(scene, set) {
+  const triangles = set.cut === 'alternating' ? scene.triangles
+    : cutAlike(scene).concat(scene.clamp);
+  const area = scene.mass.reduce((sum, m) => sum + m, 0);
+  const thin = Math.min(scene.h / 2, scene.springs[0].length / 5); // contacts are off
+  return `<mujoco><option timestep="${set.step}" gravity="${scene.gravity.join(' ')}"
+    integrator="discrete"/><worldbody>
+    <flexcomp name="sheet" type="direct" dim="2" radius="${thin}" mass="${area}"
+      point="${scene.x.flat().join(' ')}" element="${triangles.flat().join(' ')}">
+      <elasticity young="${scene.E}" poisson="${scene.nu}"
+        thickness="${scene.h}" damping="0" elastic2d="both"/>
+      <contact selfcollide="none" internal="false" contype="0" conaffinity="0"/>
+      ${scene.held.size ? `<pin id="${[...scene.held].join(' ')}"/>` : ''}
+    </flexcomp></worldbody></mujoco>`;
+}
+
+const m = await load({ locateFile: (file) =>
+  fileURLToPath(new URL(`../node_modules/@mujoco/mujoco/${file}`, import.meta.url)) });
+await drive((scene, set) => {
+  const model = m.MjModel.from_xml_string(describe(scene, set)), data = new m.MjData(model);
+  for (let v = 0; v < scene.count; v++) {
+    const b = model.flex_vertbodyid[v];
+    if (!b) continue; // held: the world's
+    for (let i = 0; i < 3; i++) model.body_inertia[3 * b + i] *= scene.mass[v] / model.body_mass[b];
+    model.body_mass[b] = scene.mass[v];
+  }
+  m.mj_setConst(model, data);
+  m.mj_forward(model, data);
+  return { version: m.mj_versionString(),
+    step: () => {
+      m.mj_step(model, data);
+      // For statics: a drag of so many 1/s.
+      for (let i = 0; set.drag && i < model.nv; i++) data.qvel[i] *= 1 - set.drag * set.step;
+    },
+    position: (v) => {
+      if (v === 0) { m.mj_kinematics(model, data); m.mj_flex?.(model, data); }
+      return data.flexvert_xpos.slice(3 * v, 3 * v + 3);
+    } };
+});

@@ -169,6 +169,15 @@ static void check_texts(const struct store_read *file, const struct fixture *f)
                 {"/", "unknown_basis", "thickness"},
                 {"/", "outcome", status_text(STATUS_INVERTED)},
                 {"metrics/drop", "unit", "1"},
+                {"metrics/drop", "axes", "frame"},
+                {"xyz", "unit", "m"},
+                {"xyz", "axes", "frame of xyz, w, v, u, component"},
+                {"frame/0", "axes", "w, v, u, component"},
+                {"xyz_time", "axes", "frame of xyz"},
+                {"time", "unit", "s"},
+                {"energy/kinetic", "unit", "J"},
+                {"counters/solves", "unit", "1"},
+                {"seconds/advance", "axes", "repeat, step"},
                 {"provenance", "commit", provenance_value(&f->provenance, "commit")},
                 {"provenance", "flags", provenance_value(&f->provenance, "flags")}};
     const struct {

@@ -87,8 +87,15 @@ herr_t hdf5_file_put_double(hid_t object, const char *key, double value)
     return put_scalar(object, key, H5T_NATIVE_DOUBLE, sizeof value, &value);
 }
 
-herr_t hdf5_file_put_array(hid_t file, const char *name, const double *values, int rows,
-                           int columns)
+herr_t hdf5_file_put_meaning(hid_t set, struct hdf5_file_meaning meaning)
+{
+    return hdf5_file_put_text(set, "unit", meaning.unit) < 0
+               ? -1
+               : hdf5_file_put_text(set, "axes", meaning.axes);
+}
+
+herr_t hdf5_file_put_array(hid_t file, const char *name, struct hdf5_file_meaning meaning,
+                           const double *values, int rows, int columns)
 {
     hsize_t size[2] = {(hsize_t)rows, (hsize_t)columns};
     hid_t space = H5Screate_simple(columns ? 2 : 1, size, NULL);
@@ -96,9 +103,9 @@ herr_t hdf5_file_put_array(hid_t file, const char *name, const double *values, i
     H5Pset_create_intermediate_group(links, 1);
     hid_t set =
         H5Dcreate2(file, name, H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT);
-    herr_t result = set < 0 ? -1 : 0;
+    herr_t result = set < 0 ? -1 : hdf5_file_put_meaning(set, meaning);
 
-    if (set >= 0 && rows > 0)
+    if (result >= 0 && rows > 0)
         result = H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
     if (set >= 0 && H5Dclose(set) < 0)
         result = -1;

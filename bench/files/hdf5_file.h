@@ -22,9 +22,15 @@ herr_t hdf5_file_put_text(hid_t object, const char *key, const char *text);
 herr_t hdf5_file_put_long(hid_t object, const char *key, long value);
 herr_t hdf5_file_put_double(hid_t object, const char *key, double value);
 
+/* What the numbers of a dataset are: "m", "1", ...; and what its axes count, in order. */
+struct hdf5_file_meaning {
+    const char *unit, *axes;
+};
+herr_t hdf5_file_put_meaning(hid_t set, struct hdf5_file_meaning meaning);
+
 /* Dataset `name` of doubles [rows] (columns = 0) or [rows][columns]; missing groups on the
  * way are made. */
-herr_t hdf5_file_put_array(hid_t file, const char *name, const double *values, int rows,
-                           int columns);
+herr_t hdf5_file_put_array(hid_t file, const char *name, struct hdf5_file_meaning meaning,
+                           const double *values, int rows, int columns);
 
 #endif

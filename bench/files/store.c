@@ -20,20 +20,22 @@
 
 /* One number a frame, the order of store_frame's values; the first of those with a field.
  */
-static const char *const series_name[] = {
-    "xyz_time",
-    "time",
-    "energy/kinetic",
-    "energy/elastic",
-    "energy/potential",
-    "counters/steps",
-    "counters/assemblies",
-    "counters/factorisations",
-    "counters/solves",
-    "counters/iterations",
-    "counters/substeps",
+static const struct {
+    const char *name, *unit;
+} series[] = {
+    {"xyz_time", "s"},
+    {"time", "s"},
+    {"energy/kinetic", "J"},
+    {"energy/elastic", "J"},
+    {"energy/potential", "J"},
+    {"counters/steps", "1"},
+    {"counters/assemblies", "1"},
+    {"counters/factorisations", "1"},
+    {"counters/solves", "1"},
+    {"counters/iterations", "1"},
+    {"counters/substeps", "1"},
 };
-enum { SERIES = sizeof series_name / sizeof *series_name };
+enum { SERIES = sizeof series / sizeof *series };
 
 struct store {
     struct atomic_file target;
@@ -119,7 +121,12 @@ static enum status create_xyz(struct store *s, struct message *why)
     H5Pclose(access);
     H5Pclose(create);
     H5Sclose(space);
-    return s->xyz < 0 ? fail(s, why) : STATUS_OK;
+    return s->xyz < 0 ||
+                   hdf5_file_put_meaning(s->xyz,
+                                         (struct hdf5_file_meaning){
+                                             "m", "frame of xyz, w, v, u, component"}) < 0
+               ? fail(s, why)
+               : STATUS_OK;
 }
 
 enum status store_create(const char *path, const struct store_run *run,
@@ -226,8 +233,12 @@ enum status store_seconds(struct store *s, const char *phase, const double *seco
     char name[64] = "seconds/";
     assert(strlen(phase) < sizeof name - strlen(name));
     strcat(name, phase);
-    return hdf5_file_put_array(s->file, name, seconds, rows, columns) < 0 ? fail(s, why)
-                                                                          : STATUS_OK;
+    return hdf5_file_put_array(
+               s->file, name,
+               (struct hdf5_file_meaning){"s", columns ? "repeat, step" : "repeat"},
+               seconds, rows, columns) < 0
+               ? fail(s, why)
+               : STATUS_OK;
 }
 
 enum status store_metric(struct store *s, const char *name, const char *unit,
@@ -236,13 +247,10 @@ enum status store_metric(struct store *s, const char *name, const char *unit,
     char path[64] = "metrics/";
     assert(count == s->frames && strlen(name) < sizeof path - strlen(path));
     strcat(path, name);
-    if (hdf5_file_put_array(s->file, path, value, count, 0) < 0)
-        return fail(s, why);
-    hid_t set = H5Dopen2(s->file, path, H5P_DEFAULT);
-    bool good = set >= 0 && hdf5_file_put_text(set, "unit", unit) >= 0;
-    if (set >= 0 && H5Dclose(set) < 0)
-        good = false;
-    return good ? STATUS_OK : fail(s, why);
+    return hdf5_file_put_array(s->file, path, (struct hdf5_file_meaning){unit, "frame"},
+                               value, count, 0) < 0
+               ? fail(s, why)
+               : STATUS_OK;
 }
 
 enum status store_size(struct store *s, const struct model_size *size, struct message *why)
@@ -298,7 +306,10 @@ static bool put_view(hid_t group, int frame, int frames)
     if (H5Pset_virtual(create, view, ".", "/xyz", source) >= 0)
         set =
             H5Dcreate2(group, name, H5T_IEEE_F64LE, view, H5P_DEFAULT, create, H5P_DEFAULT);
-    bool good = set >= 0 && H5Dclose(set) >= 0;
+    bool good = set >= 0 && hdf5_file_put_meaning(set, (struct hdf5_file_meaning){
+                                                           "m", "w, v, u, component"}) >= 0;
+    if (set >= 0 && H5Dclose(set) < 0)
+        good = false;
     H5Pclose(create);
     H5Sclose(source);
     H5Sclose(view);
@@ -320,8 +331,10 @@ static enum status put_views(struct store *s, struct message *why)
 static enum status put_end(struct store *s, struct message *why)
 {
     for (int i = 0; i < SERIES; i++)
-        if (hdf5_file_put_array(s->file, series_name[i], s->series[i],
-                                i ? s->frames : s->fields, 0) < 0)
+        if (hdf5_file_put_array(
+                s->file, series[i].name,
+                (struct hdf5_file_meaning){series[i].unit, i ? "frame" : "frame of xyz"},
+                s->series[i], i ? s->frames : s->fields, 0) < 0)
             return fail(s, why);
     enum status st = put_views(s, why);
     if (st != STATUS_OK)

@@ -19,7 +19,7 @@
  *   frame/0, frame/1, ...                          views of xyz[0], xyz[1], for XDMF
  *   energy/kinetic, energy/elastic, energy/potential   [F]   double [J], NaN if not known
  *   counters/steps, ...                            [F]   work done up to the frame
- *   metrics/NAME      [F], attribute `unit`        double
+ *   metrics/NAME      [F]                          double
  *   seconds/create                                 [R]            raw, every repeat
  *   seconds/look                                   [1]            sampling and measuring
  *   seconds/advance                                [R][steps]     raw, every step
@@ -27,6 +27,9 @@
  *   seconds/timed, seconds/processor               [1]   all that was timed together with
  *                     this run; of that, with a processor: less where others want it too
  *   seconds/assemble, seconds/factor, seconds/solve  [R]          raw, phases of a step
+ *
+ * Every dataset has the attributes `unit` ("m", "s", "1", ...) and `axes` (what its axes
+ * count, in order: "frame of xyz, w, v, u, component").
  *
  * Beside FILE.h5 stands FILE.xdmf, if there are fields, which opens in ParaView (path with
  * a slash in it). Both are written aside and renamed (atomic_file.h): a run that fails

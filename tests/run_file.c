@@ -391,7 +391,8 @@ static void test_damaged(void)
     write_run(&(struct run_plan){DROP, &scripted, NULL, 0.1}, &keep, &r);
     hid_t id = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
     REQUIRE(id >= 0 && H5Ldelete(id, "xyz_time", H5P_DEFAULT) >= 0);
-    REQUIRE(hdf5_file_put_array(id, "xyz_time", (const double[]){0, 1}, 2, 0) >= 0);
+    REQUIRE(hdf5_file_put_array(id, "xyz_time", (struct hdf5_file_meaning){"s", "repeat"},
+                                (const double[]){0, 1}, 2, 0) >= 0);
     H5Fclose(id);
     REQUIRE(seal_write(file, NULL) == STATUS_OK);
     CHECK(run_result_read(file, true, &r, &why) == STATUS_INPUT);

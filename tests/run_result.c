@@ -34,8 +34,9 @@ static enum status read_with(int count, const struct array *arrays, const char *
     for (int n = 0; n < count; n++) {
         const struct array *a = &arrays[n];
         H5Ldelete(file, a->name, H5P_DEFAULT); /* if it is there */
-        REQUIRE(!a->rows ||
-                hdf5_file_put_array(file, a->name, a->value, a->rows, a->columns) >= 0);
+        REQUIRE(!a->rows || hdf5_file_put_array(file, a->name,
+                                                (struct hdf5_file_meaning){"s", "repeat"},
+                                                a->value, a->rows, a->columns) >= 0);
     }
     if (outcome) {
         H5Adelete(file, "outcome");

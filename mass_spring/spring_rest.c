@@ -111,9 +111,9 @@ static bool is_unsolved(enum status st)
     return st == STATUS_INDEFINITE || st == STATUS_UNSOLVED;
 }
 
-/* One step of pseudo-time from s->from; x is there again if it leads up. A step whose system
- * round-off leaves without a solution, as of strips with cells a thousand times longer than
- * wide, is a bad one. */
+/* One step of pseudo-time from s->from; x is there again if it leads up. A step whose
+ * system round-off leaves without a solution, as of strips with cells a thousand times
+ * longer than wide, is a bad one. */
 static enum status advance(struct search *s, struct counters *counters)
 {
     enum status st;

@@ -15,6 +15,14 @@ ask=(advise edge_drop --set material.young=2e5 --until 0.1)
 grep -q "cured of locking" answer.txt || fail "the truth is not a shell run for it"
 grep -q "^mass-spring.* yes " answer.txt || fail "springs do not serve"
 
+# What is asked of a run is the error less the truth's bar, not more.
+tr '\n' ' ' <answer.txt >line.txt
+asked=$(grep -o '[0-9.]* % is asked of a run' line.txt | cut -d' ' -f 1)
+bar=$(grep -o "error bar, [0-9.]* %" line.txt | cut -d' ' -f 3)
+awk -v asked="$asked" -v bar="$bar" \
+    'BEGIN { off = asked - (3 - bar); exit !(bar > 0 && off < 0.01 && off > -0.01) }' ||
+    fail "3 % less a bar of $bar % is not $asked %"
+
 # The command, pasted, with the folder's own program.
 command=$(sed -n 's/^    clothbench run/run/p' answer.txt)
 [[ $command == *"--model "*"discretization.points="*"material.young=2e5"* ]] || fail "command: $command"

@@ -108,6 +108,10 @@ static void words(const char *folder)
     text = printed(&s, TABLE_TEXT);
     CHECK(strstr(text, "No contestant came within 1.6 % (2 % less the truth's error bar)"));
     CHECK(!strstr(text, "clothbench run"));
+    CHECK(!strstr(text, "the budget ended with its coarsest run"));
+    s.longest = 0;
+    CHECK(strstr(printed(&s, TABLE_TEXT), "the budget ended with its coarsest run"));
+    s.longest = 0.25;
     add("iga_selective_3", 10, 3, 0.015);
     add("triangles", 8, 0.4, 0.012);
     struct contest_row *refused = add("hex_incompatible", 8, NAN, NAN);

@@ -25,7 +25,10 @@ static void tell_reason(const struct advise_search *s, const struct contestant *
             row++;
         snprintf(text, TEXT, "%.200s", row->result.sentence.text);
     } else if (limit.kind == CONTEST_BY_UNKNOWN) {
-        snprintf(text, TEXT, "runs of more than %.2g s were not tried", s->longest);
+        if (s->longest > 0)
+            snprintf(text, TEXT, "runs of more than %.2g s were not tried", s->longest);
+        else
+            snprintf(text, TEXT, "the budget ended with its coarsest run");
     } else {
         contest_tell(c, &limit, what, sizeof what);
         snprintf(text, TEXT, "limited by %s", what);

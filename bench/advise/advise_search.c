@@ -93,7 +93,7 @@ int advise_search_ranking(const struct advise_search *s, int most,
 static double most_seconds(const struct advise_search *s, double left)
 {
     const struct contest_row *best;
-    double most = SHARE * left;
+    double most = fmax(0, SHARE * left);
 
     if (advise_search_ranking(s, 1, &best))
         most = fmin(most, fmax(SHORT, DEARER * best->seconds));

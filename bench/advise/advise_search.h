@@ -21,7 +21,7 @@ struct advise_search {
     struct advise_wish wish;
     double
         target; /* error / L that runs must show to be sure: the truth's bar off `error` */
-    double longest; /* that was tried [s]                                              */
+    double longest; /* that was tried [s]; 0: none but the coarsest                    */
     enum advise_end end;
 };
 

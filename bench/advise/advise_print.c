@@ -45,7 +45,7 @@ static void add_size(struct table *t, const struct contest *c, const struct cont
     const int *size = r ? r->at.size : NULL;
 
     if (r)
-        table_text(t, "%dx%d", size[CONTEST_NET], contest_across(c, &r->at));
+        table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
     else
         table_dash(t);
     table_number(t, r ? c->scene->step / size[CONTEST_STEP] : NAN, 3);
@@ -146,7 +146,7 @@ static void say_command(const struct advise_search *s, const struct contest_row 
     const struct compare_job *j = s->job;
     const struct contestant *who = r->at.contestant;
     struct settings all = {0};
-    const int along = r->at.size[CONTEST_NET], across = contest_across(&j->contest, &r->at);
+    const int along = r->at.size[CONTEST_NET], across = r->at.size[CONTEST_ACROSS];
 
     contestant_points(who, along, across, &all);
     settings_number(&all, "time.step", scene_of(s)->step / r->at.size[CONTEST_STEP]);

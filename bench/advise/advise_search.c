@@ -46,14 +46,14 @@ static enum status add_cheapest(struct contest *c, const char *models)
     enum status st = STATUS_OK;
 
     for (int m = 0; (model = contestant_model(m)); m++)
-        for (const struct contestant *who = contestant_table; who->name; who++)
-            if (who->model == model && !contestant_is_paper_scheme(who) &&
-                contestant_chosen(who, models, CONTESTANT_COMPARE))
-                TRY(contest_add(
-                    c,
-                    &(struct contest_at){
-                        who, {who->points[0], who->divisors[0], who->iterations[0]}},
-                    &unused));
+        for (const struct contestant *who = contestant_table; who->name; who++) {
+            if (who->model != model || contestant_is_paper_scheme(who) ||
+                !contestant_chosen(who, models, CONTESTANT_COMPARE))
+                continue;
+            const struct contest_at at = contest_square(
+                c, who, who->points[0], who->divisors[0], who->iterations[0]);
+            TRY(contest_add(c, &at, &unused));
+        }
 out:
     return st;
 }

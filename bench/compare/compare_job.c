@@ -124,21 +124,25 @@ static void refine(const struct contest *c, const struct contest_at *at, struct 
     const int *size = at->size;
 
     contestant_settings(at->contestant, s); /* again: what the user set may not change it */
-    contestant_points(at->contestant, size[CONTEST_NET], contest_across(c, at), s);
+    contestant_points(at->contestant, size[CONTEST_NET], size[CONTEST_ACROSS], s);
     settings_number(s, "time.step", c->scene->step / size[CONTEST_STEP]);
     if (size[CONTEST_ITERATIONS])
         settings_integer(s, "discretization.iterations", size[CONTEST_ITERATIONS]);
 }
 
+/* Its file is called by the points along u, too by those across where cells are not about
+ * square: so they were called before the net was searched across. */
 static void plan_row(struct compare_job *j, const struct contest_row *row, const char *tag,
                      struct batch *batch)
 {
     const struct contest_at *at = &row->at;
-    char name[128];
+    const int along = at->size[CONTEST_NET], across = at->size[CONTEST_ACROSS];
+    char name[128], more[16] = "";
 
-    snprintf(name, sizeof name, "%s_%d_%d_%d%s", at->contestant->name,
-             at->size[CONTEST_NET], at->size[CONTEST_STEP], at->size[CONTEST_ITERATIONS],
-             tag);
+    if (across != contest_across(&j->contest, at->contestant, along))
+        snprintf(more, sizeof more, "x%d", across);
+    snprintf(name, sizeof name, "%s_%d%s_%d_%d%s", at->contestant->name, along, more,
+             at->size[CONTEST_STEP], at->size[CONTEST_ITERATIONS], tag);
     struct measurement_case *c = batch_add(batch, j->path, at->contestant, name);
     c->plan.end = j->time[j->times - 1];
     c->keep.times = j->times;
@@ -171,19 +175,9 @@ static enum status run_batch(const struct compare_job *j, struct batch *batch,
     return st;
 }
 
-/* Of rows that an earlier call may not have had those from the first one missing are not
- * read. */
-static int there(const struct compare_job *j, const struct batch *batch)
-{
-    int n = 0;
-
-    while (n < batch->count && (!j->read_only || access(batch->files[n], F_OK) == 0))
-        n++;
-    return n;
-}
-
 /* Runs all rows from the first one given on, unless an earlier call has left their files,
- * and fills them. If they are not `needed`, those that it did not leave go. */
+ * and fills them. If they are not `needed`, those that it did not leave are absent: it was
+ * cut short, or searched for less. */
 static enum status measure(struct compare_job *j, int first, bool needed,
                            struct message *why)
 {
@@ -196,10 +190,12 @@ static enum status measure(struct compare_job *j, int first, bool needed,
         plan_row(j, &c->rows[n], "", &batch);
     if (!j->read_only)
         TRY(run_batch(j, &batch, why));
-    if (!needed)
-        c->count = first + there(j, &batch);
     for (int n = first; n < c->count; n++) {
         struct run_result r = {0};
+        if (!needed && j->read_only && access(batch.files[n - first], F_OK) != 0) {
+            contest_set_absent(&c->rows[n]);
+            continue;
+        }
         TRY(batch_read(&batch, n - first, true, &r, why));
         contest_fill(c, &r, &c->rows[n]);
         run_result_clear(&r);
@@ -279,7 +275,8 @@ enum status compare_job_measure(struct compare_job *j, struct message *why)
     const int searched = c->count;
     TRY(contest_search_limits(c));
     if (c->count > searched)
-        TRY(measure(j, searched, true, why));
+        TRY(measure(j, searched, false, why));
+    contest_drop_absent(c);
     contest_choose_best(c);
     for (int t = 0; t < c->teams; t++)
         TRY(measure_team(j, t, why));

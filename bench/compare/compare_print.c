@@ -4,7 +4,7 @@
 
 #include "bench/compare/compare.h"
 
-enum { FIXED = 14, MOST_COLUMNS = FIXED + CONTEST_TIMES + 3, SIZE_TEXT = 48 };
+enum { FIXED = 15, MOST_COLUMNS = FIXED + CONTEST_TIMES + 3, SIZE_TEXT = 48 };
 
 /* What a table borrows. */
 struct words {
@@ -19,6 +19,7 @@ static struct table *create_runs(const struct contest *c, struct words *w)
         {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
         {"model", NULL, TABLE_LEFT, .key = "model", .readers = TABLE_MACHINES},
         {"side", .readers = TABLE_MACHINES},
+        {"across", .readers = TABLE_MACHINES},
         {"net", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
         {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
         {"iterations"},
@@ -52,7 +53,7 @@ static struct table *create_runs(const struct contest *c, struct words *w)
 static void note_end(struct table *t, const struct contest *c, const struct contest_row *r)
 {
     const char *title = r->at.contestant->title;
-    const int side = r->at.size[CONTEST_NET], across = contest_across(c, &r->at);
+    const int side = r->at.size[CONTEST_NET], across = r->at.size[CONTEST_ACROSS];
 
     if (run_result_refused(&r->result))
         table_note(t, "%s, %dx%d: %s.", title, side, across, r->result.sentence.text);
@@ -74,7 +75,8 @@ static void add_run(struct table *t, const struct contest *c, const struct conte
     table_text(t, "%s", who->name);
     table_text(t, "%s", who->model->name);
     table_integer(t, size[CONTEST_NET]);
-    table_text(t, "%dx%d", size[CONTEST_NET], contest_across(c, &r->at));
+    table_integer(t, size[CONTEST_ACROSS]);
+    table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
     table_number(t, c->scene->step / size[CONTEST_STEP], 3);
     table_fixed(t, size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
     table_fixed(t, ran ? r->result.unknowns : NAN, 0);
@@ -160,6 +162,7 @@ static void add_size(struct table *t, const struct contest *c, const struct cont
     const int *size = r ? r->at.size : NULL;
 
     table_fixed(t, r ? size[CONTEST_NET] : NAN, 0);
+    table_fixed(t, r ? size[CONTEST_ACROSS] : NAN, 0);
     table_number(t, r ? c->scene->step / size[CONTEST_STEP] : NAN, 3);
     table_fixed(t, r && size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
 }
@@ -168,12 +171,12 @@ static void note_sizes(struct table *t, const struct contest *c)
 {
     table_note(
         t,
-        "40/16: 40 points along u, cells about square, 16 steps to the scene's frame "
-        "of %.3g ms; a third number: iterations.",
+        "40x12/16: 40 points along u and 12 across, 16 steps to the scene's frame of %.3g "
+        "ms; a third number: iterations.",
         1e3 * c->scene->step);
 }
 
-enum { WHO = 2, TARGET_COLUMNS = 5 };
+enum { WHO = 2, TARGET_COLUMNS = 6 };
 
 /* The columns of a target: its seconds for people, and what a machine reads beside. */
 struct target_words {
@@ -182,7 +185,7 @@ struct target_words {
 
 static void add_columns(double error, struct target_words *w, struct table_column *column)
 {
-    static const char *const what[] = {"seconds", "side", "step_s", "iterations"};
+    static const char *const what[] = {"seconds", "side", "across", "step_s", "iterations"};
 
     snprintf(w->header, sizeof w->header, "%g %%", 100 * error);
     *column++ = (struct table_column){w->header, "s", .readers = TABLE_PEOPLE};
@@ -269,16 +272,19 @@ static enum status print_limits(const struct contest *c, const char *folder,
         {"in real time", "% L", .readers = TABLE_PEOPLE},
         MACHINES("real_time_rmse_over_length"),
         MACHINES("real_time_side"),
+        MACHINES("real_time_across"),
         MACHINES("real_time_step_s"),
         MACHINES("real_time_iterations"),
         {"lowest", "% L", .readers = TABLE_PEOPLE},
         MACHINES("lowest_rmse_over_length"),
         MACHINES("lowest_side"),
+        MACHINES("lowest_across"),
         MACHINES("lowest_step_s"),
         MACHINES("lowest_iterations"),
         {"limited by", NULL, TABLE_LEFT, .key = "sentence"},
         {"limit", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
         MACHINES("net_gain"),
+        MACHINES("across_gain"),
         MACHINES("step_gain"),
         MACHINES("iterations_gain")};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
@@ -292,7 +298,8 @@ static enum status print_limits(const struct contest *c, const char *folder,
         t,
         "In real time: of the runs that took no longer, set-up included, than the "
         "%.3g s that they show. Limited by: from the lowest, a net with half as many "
-        "points again, half the step, or twice the iterations, one at a time; less "
+        "points again (both ways, if its cells are about square, else along u), half as "
+        "many again across, half the step, or twice the iterations, one at a time; less "
         "than %.0f %% is nothing. The truth: up to its error bar, %.2g %% at most.",
         c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN,
         100 * contest_largest_bar(c));

@@ -4,7 +4,7 @@
 
 #include "bench/compare/compare.h"
 
-enum { FIXED = 7, MOST_COLUMNS = FIXED + 2 * CONTEST_TEAMS + 1 };
+enum { FIXED = 9, MOST_COLUMNS = FIXED + 2 * CONTEST_TEAMS + 1 };
 
 /* What a table borrows: of each number of threads seconds and their ratio to one. */
 struct words {
@@ -16,7 +16,9 @@ static struct table *create(const struct contest *c, struct words *w)
     struct table_column columns[MOST_COLUMNS] = {
         {"model", NULL, TABLE_LEFT, .key = "title"},
         {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
-        {"net", .key = "side"},
+        {"side", .readers = TABLE_MACHINES},
+        {"across", .readers = TABLE_MACHINES},
+        {"net", .readers = TABLE_PEOPLE},
         {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
         {"iterations"},
         {"error", "%", .key = "worst_rmse_over_length", .key_unit = "1", .scale = 100},
@@ -43,6 +45,8 @@ static void add_run(struct table *t, const struct contest *c, const struct conte
     table_text(t, "%s", r->at.contestant->title);
     table_text(t, "%s", r->at.contestant->name);
     table_integer(t, size[CONTEST_NET]);
+    table_integer(t, size[CONTEST_ACROSS]);
+    table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
     table_number(t, c->scene->step / size[CONTEST_STEP], 3);
     table_fixed(t, size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
     table_number(t, r->worst, 2);

@@ -26,13 +26,41 @@ enum status contest_add(struct contest *c, const struct contest_at *at,
 /* Fewer cells across a strip show nothing that varies there. */
 enum { LEAST_ACROSS = 3 };
 
-int contest_across(const struct contest *c, const struct contest_at *at)
+int contest_across(const struct contest *c, const struct contestant *who, int along)
 {
-    const int side = at->size[CONTEST_NET], degree = at->contestant->degree;
     const double shape = c->scene->width / c->scene->length;
-    const long cells = lround((side - degree) * shape);
+    const long cells = lround((along - who->degree) * shape);
 
-    return (int)fmin(side, degree + fmax(LEAST_ACROSS, (double)cells));
+    return (int)fmin(along, who->degree + fmax(LEAST_ACROSS, (double)cells));
+}
+
+struct contest_at contest_square(const struct contest *c, const struct contestant *who,
+                                 int along, int step, int iterations)
+{
+    return (struct contest_at){who,
+                               {along, contest_across(c, who, along), step, iterations}};
+}
+
+struct contest_at contest_moved(const struct contest *c, const struct contest_at *at,
+                                enum contest_axis axis, int size)
+{
+    struct contest_at moved = *at;
+    int *across = &moved.size[CONTEST_ACROSS];
+
+    moved.size[axis] = size;
+    if (axis != CONTEST_NET)
+        return moved;
+    const int here = contest_across(c, at->contestant, at->size[CONTEST_NET]);
+    const int there = contest_across(c, at->contestant, size);
+    *across = *across == here  ? there
+              : *across < here ? (int)fmin(*across, there)
+                               : (int)fmax(*across, there);
+    return moved;
+}
+
+bool contest_is_at(const struct contest_at *a, const struct contest_at *b)
+{
+    return a->contestant == b->contestant && !memcmp(a->size, b->size, sizeof a->size);
 }
 
 static int length(const int *list, int most)
@@ -55,9 +83,8 @@ int contest_ladder(const struct contest *c, const struct contestant *who,
     for (int s = 0; s < sides; s++)
         for (int d = 0; d < divisors; d++)
             for (int i = 0; i == 0 || i < iterations; i++)
-                at[count++] = (struct contest_at){who,
-                                                  {who->points[s], who->divisors[d],
-                                                   iterations ? who->iterations[i] : 0}};
+                at[count++] = contest_square(c, who, who->points[s], who->divisors[d],
+                                             iterations ? who->iterations[i] : 0);
     return count;
 }
 
@@ -66,6 +93,24 @@ void contest_clear(struct contest *c)
     free(c->rows);
     c->rows = NULL;
     c->count = c->room = 0;
+}
+
+void contest_set_absent(struct contest_row *row)
+{
+    row->absent = true;
+    row->seconds = row->worst = NAN;
+    for (int t = 0; t < CONTEST_TIMES; t++)
+        row->error[t] = NAN;
+}
+
+void contest_drop_absent(struct contest *c)
+{
+    int kept = 0;
+
+    for (int n = 0; n < c->count; n++)
+        if (!c->rows[n].absent)
+            c->rows[kept++] = c->rows[n];
+    c->count = kept;
 }
 
 void contest_fill(const struct contest *c, const struct run_result *r,

@@ -23,23 +23,44 @@ extern const double contest_target[CONTEST_TARGETS];
 
 struct contest;
 
-/* What can be refined. */
-enum contest_axis { CONTEST_NET, CONTEST_STEP, CONTEST_ITERATIONS, CONTEST_AXES };
+/* What can be refined. The net is both ways at once, across is v alone. */
+enum contest_axis {
+    CONTEST_NET,
+    CONTEST_ACROSS,
+    CONTEST_STEP,
+    CONTEST_ITERATIONS,
+    CONTEST_AXES
+};
 
 struct contest_at {
     const struct contestant *contestant;
-    int size[CONTEST_AXES]; /* points along u; steps that the scene's frame is divided into;
-                               local-global iterations, 0: the model has none             */
+    int size[CONTEST_AXES]; /* points along u; points along v; steps that the scene's frame
+                               is divided into; local-global iterations, 0: the model has
+                               none */
 };
 
-/* Its points along v: for cells about as long as wide, but three at least, and no more
- * points than along u. */
-int contest_across(const struct contest *c, const struct contest_at *at);
+/* Points along v that go with so many along u: for cells about as long as wide, but three
+ * at least, and no more points than along u. */
+int contest_across(const struct contest *c, const struct contestant *who, int along);
+
+/* With cells about as long as wide. */
+struct contest_at contest_square(const struct contest *c, const struct contestant *who,
+                                 int along, int step, int iterations);
+
+/* `at` with so many along one axis. With the net go the points across: cells about as long
+ * as wide stay so; fewer across than these need stay as many, but no more than they need,
+ * and more across stay as many, but no fewer. */
+struct contest_at contest_moved(const struct contest *c, const struct contest_at *at,
+                                enum contest_axis axis, int size);
+
+/* The same of the same contestant. */
+bool contest_is_at(const struct contest_at *a, const struct contest_at *b);
 
 /* A contestant, refined so far, with what came of it. */
 struct contest_row {
     struct contest_at at;
-    bool probe; /* run to see what limits, not timed: no more is read off it */
+    bool probe;  /* run to see what limits, not timed: no more is read off it */
+    bool absent; /* was not run, and does not stay (contest_drop_absent)     */
     struct run_result result; /* without fields                                        */
     double seconds; /* set-up and stepping, medians over the repeats; NaN: not timed   */
     double error[CONTEST_TIMES]; /* RMSE / L at each time; NaN after a death           */
@@ -69,6 +90,12 @@ struct contest {
 enum status contest_add(struct contest *c, const struct contest_at *at,
                         struct contest_row **row);
 void contest_clear(struct contest *c); /* all-zero is allowed */
+
+/* Rows that the files of an earlier call do not have are there while it is searched, so
+ * that they are not asked for again, and then no more. Sets that of a row; drops them all.
+ */
+void contest_set_absent(struct contest_row *row);
+void contest_drop_absent(struct contest *c);
 
 /* Errors and seconds of a row from its run, of which it keeps all but the fields. */
 void contest_fill(const struct contest *c, const struct run_result *r,
@@ -109,19 +136,21 @@ bool contest_on_front(const struct contest *c, const struct contest_row *row);
  */
 #define CONTEST_LEAST_GAIN 0.1
 
-/* The same contestant, refined further along this axis, equally along the others. */
-bool contest_is_finer(const struct contest_at *a, const struct contest_at *than,
-                      enum contest_axis axis);
+/* The same contestant, refined further along this axis, equally along the others: what
+ * `than` becomes when it is moved there. */
+bool contest_is_finer(const struct contest *c, const struct contest_at *a,
+                      const struct contest_at *than, enum contest_axis axis);
 
-/* The next row to try from `best` along an axis: net half as many points again, half the
- * step (of the pieces that the model itself divides steps into, if it does), twice the
- * iterations. False: there is a finer row already, or no such axis. */
+/* The next row to try from `best` along an axis: half as many points again of the net or
+ * across, half the step (of the pieces that the model itself divides steps into, if it
+ * does), twice the iterations. False: there is a finer row already, or no such axis. */
 bool contest_probe(const struct contest *c, const struct contest_row *best,
                    enum contest_axis axis, struct contest_at *at);
 
-/* The first three are axes. */
+/* The first four are axes. */
 enum contest_kind {
     CONTEST_BY_NET,
+    CONTEST_BY_ACROSS,
     CONTEST_BY_STEP,
     CONTEST_BY_ITERATIONS,
     CONTEST_BY_TRUTH,   /* at its worst time it is within the truth's error bar        */
@@ -145,9 +174,10 @@ struct contest_limit contest_limit(const struct contest *c, const struct contest
 /* --- where to look next ------------------------------------------------------------------
  *
  * Called again and again, with what it proposed added and filled in, it finds for each
- * target the least net, the longest step and the fewest iterations that meet it (bisection
- * along one axis at a time, to a tenth of a net and a factor of two), and refines the
- * nearest run until it meets the least target, is within the truth's bar or costs too much.
+ * target the least net, the fewest points across, the longest step and the fewest
+ * iterations that meet it (bisection along one axis at a time, to a tenth of the points and
+ * a factor of two), and refines the nearest run until it meets the least target, is within
+ * the truth's bar or costs too much. It begins with cells about as long as wide.
  */
 enum { CONTEST_PROPOSALS = CONTEST_AXES * (CONTEST_TARGETS + 1) };
 
@@ -172,8 +202,7 @@ int contest_search(const struct contest *c, const struct contestant *who,
  * it was timed. As they stand in the rows, so that a budget can be kept to again. */
 double contest_spent(const struct contest *c);
 
-/* Runs the rows from `first` on and fills them; may cut the contest's count, which ends the
- * search. */
+/* Runs the rows from `first` on and fills them, or sets them absent. */
 typedef enum status contest_measure(void *context, int first, struct message *why);
 
 /* Searches for all contestants of the rows, round by round. Within a budget the rest of
@@ -198,14 +227,14 @@ double contest_growth(const struct contest *c, const struct contestant *who);
 /* A sentence for all tables: nobody is tuned to a scene. */
 extern const char *const contest_rule;
 
-/* For machines: "net", "step", ... Static storage. */
+/* "net", "net across", "step", ... Static storage. */
 const char *contest_kind_name(enum contest_kind kind);
 
 /* For people, short: "the step: 23 % less at 0.156 ms". */
 void contest_tell(const struct contest *c, const struct contest_limit *limit, char *text,
                   size_t size);
 
-/* "40/16/100": points a side, steps to a frame, iterations if it has them. */
+/* "40x12/16/100": points along u and v, steps to a frame, iterations if it has them. */
 void contest_tell_size(const struct contest_row *row, char *text, size_t size);
 
 #endif

@@ -6,8 +6,9 @@
 
 #include "bench/compare/contest.h"
 
-static const char *const kind_name[CONTEST_KINDS] = {
-    "net", "step", "iterations", "truth", "model", "unknown", "died", "refused"};
+static const char *const kind_name[CONTEST_KINDS] = {"net",        "net across", "step",
+                                                     "iterations", "truth",      "model",
+                                                     "unknown",    "died",       "refused"};
 
 const char *const contest_rule = "Settings are the same on every scene: stiffnesses, "
                                  "compliances and stable steps follow "
@@ -20,13 +21,12 @@ const char *contest_kind_name(enum contest_kind kind)
     return kind_name[kind];
 }
 
-bool contest_is_finer(const struct contest_at *a, const struct contest_at *than,
-                      enum contest_axis axis)
+bool contest_is_finer(const struct contest *c, const struct contest_at *a,
+                      const struct contest_at *than, enum contest_axis axis)
 {
-    for (int i = 0; i < CONTEST_AXES; i++)
-        if (i != (int)axis && a->size[i] != than->size[i])
-            return false;
-    return a->contestant == than->contestant && a->size[axis] > than->size[axis];
+    const struct contest_at moved = contest_moved(c, than, axis, a->size[axis]);
+
+    return a->size[axis] > than->size[axis] && contest_is_at(a, &moved);
 }
 
 /* The least refined of those that are finer than `at` in this alone. */
@@ -36,8 +36,8 @@ find_finer(const struct contest *c, const struct contest_at *at, enum contest_ax
     const struct contest_row *next = NULL;
 
     for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++)
-        if (contest_is_finer(&r->at, at, axis) &&
-            (!next || contest_is_finer(&next->at, &r->at, axis)))
+        if (contest_is_finer(c, &r->at, at, axis) &&
+            (!next || r->at.size[axis] < next->at.size[axis]))
             next = r;
     return next;
 }
@@ -54,14 +54,13 @@ static int pieces(const struct run_result *r)
 bool contest_probe(const struct contest *c, const struct contest_row *best,
                    enum contest_axis axis, struct contest_at *at)
 {
-    *at = best->at;
-    if (!at->size[axis] || find_finer(c, at, axis))
-        return false;
-    if (axis == CONTEST_NET)
-        at->size[axis] += (at->size[axis] + 1) / 2;
-    else
-        at->size[axis] *= 2 * (axis == CONTEST_STEP ? pieces(&best->result) : 1);
-    return true;
+    const int size = best->at.size[axis];
+    const int finer = axis == CONTEST_NET || axis == CONTEST_ACROSS ? size + (size + 1) / 2
+                      : axis == CONTEST_STEP ? 2 * size * pieces(&best->result)
+                                             : 2 * size;
+
+    *at = contest_moved(c, &best->at, axis, finer);
+    return size && !find_finer(c, &best->at, axis);
 }
 
 static bool within_bar(const struct contest *c, const struct contest_row *r)
@@ -126,14 +125,14 @@ __attribute__((format(printf, 3, 4))) static void append(char *text, size_t size
 static void append_size(const struct contest *c, const struct contest_row *r,
                         enum contest_axis axis, char *text, size_t size)
 {
-    const int n = r->at.size[axis];
+    const int *n = r->at.size;
 
-    if (axis == CONTEST_NET)
-        append(text, size, "%dx%d", n, contest_across(c, &r->at));
+    if (axis == CONTEST_NET || axis == CONTEST_ACROSS)
+        append(text, size, "%dx%d", n[CONTEST_NET], n[CONTEST_ACROSS]);
     else if (axis == CONTEST_STEP)
-        append(text, size, "%.3g ms", 1e3 * c->scene->step / n);
+        append(text, size, "%.3g ms", 1e3 * c->scene->step / n[axis]);
     else
-        append(text, size, "%d", n);
+        append(text, size, "%d", n[axis]);
 }
 
 /* What could not be seen: "; step not tried", "; net 60x60 died". */
@@ -203,7 +202,7 @@ void contest_tell_size(const struct contest_row *row, char *text, size_t size)
     const int *n = row->at.size;
 
     *text = '\0';
-    append(text, size, "%d/%d", n[CONTEST_NET], n[CONTEST_STEP]);
+    append(text, size, "%dx%d/%d", n[CONTEST_NET], n[CONTEST_ACROSS], n[CONTEST_STEP]);
     if (n[CONTEST_ITERATIONS])
         append(text, size, "/%d", n[CONTEST_ITERATIONS]);
 }

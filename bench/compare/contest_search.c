@@ -6,14 +6,22 @@
 #include "bench/compare/contest.h"
 #include "bench/harness/timing.h"
 
-/* Nets that differ by less than this share of the finer are as good as one. */
+/* Points along or across that differ by less than this share of the more are as good as
+ * one.
+ */
 static const double CLOSE = 0.1;
 
 /* Steps and iterations that differ by a factor up to this are. */
 static const int NEAR = 2;
 
-/* Seconds grow with points a side: as many more points, and shorter steps for some. */
-static const double GROWTH = 3;
+/* Seconds grow with each size by itself: as many more points, iterations or steps; but with
+ * points along u by the square, as of shorter cells some have to take shorter steps. Both
+ * ways at once is the cube. */
+static const double growth[CONTEST_AXES] = {
+    [CONTEST_NET] = 2, [CONTEST_ACROSS] = 1, [CONTEST_STEP] = 1, [CONTEST_ITERATIONS] = 1};
+
+/* Of points across, fewer tell nothing of what varies there. */
+enum { LEAST_ACROSS = 3 };
 
 struct search {
     const struct contest *contest;
@@ -22,23 +30,14 @@ struct search {
     int count;
 };
 
-static bool is_at(const struct contest_at *a, const struct contest_at *b)
-{
-    bool same = a->contestant == b->contestant;
-
-    for (int axis = 0; axis < CONTEST_AXES; axis++)
-        same &= a->size[axis] == b->size[axis];
-    return same;
-}
-
 static bool is_known(const struct search *s, const struct contest_at *at)
 {
     bool known = false;
 
     for (int n = 0; n < s->contest->count; n++)
-        known |= is_at(&s->contest->rows[n].at, at);
+        known |= contest_is_at(&s->contest->rows[n].at, at);
     for (int n = 0; n < s->count; n++)
-        known |= is_at(&s->at[n], at);
+        known |= contest_is_at(&s->at[n], at);
     return known;
 }
 
@@ -49,8 +48,7 @@ static double expected(const struct contest_row *from, const struct contest_at *
 
     for (int axis = 0; axis < CONTEST_AXES; axis++)
         if (at->size[axis])
-            seconds *= pow((double)at->size[axis] / from->at.size[axis],
-                           axis == CONTEST_NET ? GROWTH : 1);
+            seconds *= pow((double)at->size[axis] / from->at.size[axis], growth[axis]);
     return seconds;
 }
 
@@ -61,27 +59,39 @@ static void propose(struct search *s, const struct contest_row *from,
         s->at[s->count++] = *at;
 }
 
-/* The finest of those that are coarser than `row` along an axis alone and miss the target;
- * NULL: none was tried. */
+/* The finest of those that `row` becomes when it is made coarser along an axis, and that
+ * miss the target; NULL: none was tried. */
 static const struct contest_row *coarser_miss(const struct contest *c,
                                               const struct contest_row *row,
                                               enum contest_axis axis, double target)
 {
     const struct contest_row *miss = NULL;
 
-    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++)
-        if (contest_is_finer(&row->at, &r->at, axis) && !(r->worst <= target) &&
-            (!miss || r->at.size[axis] > miss->at.size[axis]))
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
+        const struct contest_at moved = contest_moved(c, &row->at, axis, r->at.size[axis]);
+        if (r->at.size[axis] < row->at.size[axis] && contest_is_at(&r->at, &moved) &&
+            !(r->worst <= target) && (!miss || r->at.size[axis] > miss->at.size[axis]))
             miss = r;
+    }
     return miss;
 }
 
 /* Between a size that misses and one that meets; the latter where they are close enough. */
 static int between(enum contest_axis axis, int misses, int meets)
 {
-    if (axis == CONTEST_NET)
+    if (axis == CONTEST_NET || axis == CONTEST_ACROSS)
         return meets - misses > fmax(1, CLOSE * meets) ? (misses + meets) / 2 : meets;
     return meets > NEAR * misses ? (int)lround(sqrt((double)misses * meets)) : meets;
+}
+
+/* Of a contestant along an axis. */
+static int least_size(const struct contestant *who, enum contest_axis axis)
+{
+    const int span = contestant_least(who);
+
+    return axis == CONTEST_NET      ? span
+           : axis == CONTEST_ACROSS ? (int)fmax(span, LEAST_ACROSS)
+                                    : 1;
 }
 
 /* From the cheapest that meets a target towards what is coarser and may meet it, too. */
@@ -89,16 +99,14 @@ static void cheapen(struct search *s, const struct contestant *who, double targe
 {
     const struct contest_row *row = contest_cheapest(s->contest, who, target);
 
-    for (int axis = 0; row && axis < CONTEST_AXES; axis++) {
-        struct contest_at at = row->at;
-        const struct contest_row *miss =
-            coarser_miss(s->contest, row, (enum contest_axis)axis, target);
-        const int least = axis == CONTEST_NET ? contestant_least(who) : 1;
-        if (at.size[axis] <= least)
+    for (enum contest_axis axis = 0; row && axis < CONTEST_AXES; axis++) {
+        const struct contest_row *miss = coarser_miss(s->contest, row, axis, target);
+        const int size = row->at.size[axis], least = least_size(who, axis);
+        if (size <= least)
             continue;
-        at.size[axis] =
-            miss ? between((enum contest_axis)axis, miss->at.size[axis], at.size[axis])
-                 : (int)fmax(least, at.size[axis] / 2);
+        const struct contest_at at = contest_moved(
+            s->contest, &row->at, axis,
+            miss ? between(axis, miss->at.size[axis], size) : (int)fmax(least, size / 2));
         propose(s, row, &at);
     }
 }
@@ -204,7 +212,7 @@ static void add_tries(const struct contest *c, const struct contestant *who, dou
     for (int n = 0; n < count; n++) {
         bool twice = false;
         for (int k = 0; k < t->count; k++)
-            twice |= is_at(&t->list[k].at, &at[n]);
+            twice |= contest_is_at(&t->list[k].at, &at[n]);
         if (!twice)
             add_try(c, t, &at[n]);
     }
@@ -257,24 +265,21 @@ out:
     return st;
 }
 
-/* Rounds of runs up to `longest`; *cut: `measure` did not have all of them. */
+/* Rounds of runs up to `longest`. */
 static enum status search_to(struct contest *c, double longest, double dearest,
-                             contest_measure *measure, void *context, bool *cut,
-                             struct message *why)
+                             contest_measure *measure, void *context, struct message *why)
 {
     struct tries t = {0};
     enum status st = STATUS_OK;
 
-    for (int round = 0; round < MOST_ROUNDS && !*cut; round++) {
+    for (int round = 0; round < MOST_ROUNDS; round++) {
         const int first = c->count;
         free(t.list);
         TRY(find_tries(c, longest, dearest, &t));
         TRY(add_payable(c, &t, SHARE * c->budget, false));
-        const int wanted = c->count;
-        if (wanted == first)
+        if (c->count == first)
             break;
         TRY(measure(context, first, why));
-        *cut = c->count < wanted;
     }
 out:
     free(t.list);
@@ -306,12 +311,11 @@ enum status contest_search_all(struct contest *c, contest_measure *measure, void
                                struct message *why)
 {
     double longest = c->budget > 0 ? FIRST * c->longest : c->longest;
-    bool cut = false;
     enum status st = STATUS_OK;
 
-    for (; longest < c->longest && !cut; longest *= DEARER)
-        TRY(search_to(c, longest, longest, measure, context, &cut, why));
-    TRY(search_to(c, c->longest, INFINITY, measure, context, &cut, why));
+    for (; longest < c->longest; longest *= DEARER)
+        TRY(search_to(c, longest, longest, measure, context, why));
+    TRY(search_to(c, c->longest, INFINITY, measure, context, why));
     if (c->budget > 0)
         TRY(tell_unsearched(c));
 out:

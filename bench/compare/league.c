@@ -220,6 +220,7 @@ static struct table *list_all(const struct league *l)
         {"seconds", NULL, .key = "seconds"},
         {"lowest", NULL, .key = "lowest_rmse_over_length"},
         {"side", NULL},
+        {"across", NULL},
         {"steps", NULL, .key = "steps_a_frame"},
         {"iterations", NULL},
         {"memory", "B", .key = "model_bytes"},

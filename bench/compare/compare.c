@@ -251,7 +251,8 @@ static const struct command_option options[] = {
      "while "
      "it is known to 3 %)"},
     {"--longest", "SECONDS", false,
-     "of a run that the search for the best net, step and\niterations may try (3; 0: no "
+     "of a run that the search for the best net, points\nacross it, step and iterations "
+     "may try (3; 0: no "
      "search)"},
     {"--budget", "SECONDS", false,
      "of all runs of a scene together (as long as it takes):\ncheap ones are tried first, "
@@ -271,16 +272,17 @@ const struct command compare_command = {
     .text =
         "Runs each contestant over nets, time steps and iterations from cheap to dear,\n"
         "holds every run against the scene's truth on the material grid, times all in\n"
-        "turn, and searches from there: for the least net, the longest step and the\n"
-        "fewest iterations that reach 3, 2, 1, 0.5 and 0.2 %, and for what comes nearer.\n"
+        "turn, and searches from there: for the least net, the fewest points across it,\n"
+        "the longest step and the fewest iterations that reach 3, 2, 1, 0.5 and 0.2 %,\n"
+        "and for what comes nearer. Nets begin with cells about as long as wide.\n"
         "It prints the error beside the seconds; the least time for each of these; how\n"
         "seconds grow with accuracy; the least error in real time and the least of all,\n"
         "each with the net, the step and the iterations that reach it; and what limits\n"
-        "the last: from there net, step and iterations are refined once more, one at a\n"
-        "time, and what takes most off is named, or the truth, where the error is within\n"
-        "its bar. Seconds are set-up and stepping, medians of the repeats that stand "
-        "beside them. After several\n"
-        "scenes a table over all of them tells who wins where.\n",
+        "the last: from there the net, the net across, step and iterations are refined\n"
+        "once more, one at a time, and what takes most off is named, or the truth, where\n"
+        "the error is within its bar. Seconds are set-up and stepping, medians of the\n"
+        "repeats that stand beside them. After several scenes a table over all of them\n"
+        "tells who wins where.\n",
     .examples = "compare edge_drop\ncompare edge_drop corners_patch flag\ncompare "
                 "corners_drop --models iga,shell_3\n"
                 "compare edge_drop --from results/compare_edge_drop --format csv\n",

@@ -176,8 +176,9 @@ struct contest_limit contest_limit(const struct contest *c, const struct contest
  * Called again and again, with what it proposed added and filled in, it finds for each
  * target the least net, the fewest points across, the longest step and the fewest
  * iterations that meet it (bisection along one axis at a time, to a tenth of the points and
- * a factor of two), and refines the nearest run until it meets the least target, is within
- * the truth's bar or costs too much. It begins with cells about as long as wide.
+ * a factor of two), and refines the nearest run, or the cheapest that is as near but for
+ * CONTEST_LEAST_GAIN, with half the points across while that is as near, until it meets the
+ * least target, is within the truth's bar or costs too much.
  */
 enum { CONTEST_PROPOSALS = CONTEST_AXES * (CONTEST_TARGETS + 1) };
 

@@ -111,19 +111,47 @@ static void cheapen(struct search *s, const struct contestant *who, double targe
     }
 }
 
-/* From the nearest in every way, unless it is as near as anyone asks or can tell. */
+static void refine(struct search *s, const struct contest_row *row)
+{
+    struct contest_at at;
+
+    for (int axis = 0; axis < CONTEST_AXES; axis++)
+        if (contest_probe(s->contest, row, (enum contest_axis)axis, &at))
+            propose(s, row, &at);
+}
+
+/* With half the points across, unless that was found to be too few. */
+static void narrow(struct search *s, const struct contest_row *row, double target)
+{
+    const enum contest_axis across = CONTEST_ACROSS;
+    const int size = row->at.size[across], least = least_size(row->at.contestant, across);
+
+    if (size <= least || coarser_miss(s->contest, row, across, target))
+        return;
+    const struct contest_at at =
+        contest_moved(s->contest, &row->at, across, (int)fmax(least, size / 2));
+    propose(s, row, &at);
+}
+
+/* From the nearest in every way, unless it is as near as anyone asks or can tell: but first
+ * from the cheapest that is as near but for what counts as no gain, and before that with
+ * fewer points across, so that nobody pays for those on the way where they show nothing. */
 static void sharpen(struct search *s, const struct contestant *who)
 {
     const struct contest *c = s->contest;
     const struct contest_limit limit = contest_limit(c, who);
-    struct contest_at at;
+    const int before = s->count;
 
     if (!limit.best || limit.kind == CONTEST_BY_TRUTH ||
         limit.best->worst <= s->wish->target[s->wish->count - 1])
         return;
-    for (int axis = 0; axis < CONTEST_AXES; axis++)
-        if (contest_probe(c, limit.best, (enum contest_axis)axis, &at))
-            propose(s, limit.best, &at);
+    const double target = limit.best->worst / (1 - CONTEST_LEAST_GAIN);
+    const struct contest_row *cheap = contest_cheapest(c, who, target);
+    narrow(s, cheap, target);
+    if (s->count == before)
+        refine(s, cheap);
+    if (s->count == before)
+        refine(s, limit.best);
 }
 
 int contest_search(const struct contest *c, const struct contestant *who,
@@ -146,7 +174,7 @@ static const double SHARE = 0.8;
 /* Runs within a budget are tried up to so much of the longest, then so many times more. */
 static const double FIRST = 1.0 / 256, DEARER = 4;
 
-enum { MOST_ROUNDS = 20 };
+enum { MOST_ROUNDS = 60 };
 
 /* A run that may be made. */
 struct contest_try {

@@ -47,8 +47,8 @@ static struct contest_row *add(const char *name, int side, double seconds, doubl
     struct contest_row *row;
 
     REQUIRE(contestant_find(name, &who, NULL) == STATUS_OK);
-    REQUIRE(contest_add(&world.job.contest, &(struct contest_at){who, {side, 4, 0}},
-                        &row) == STATUS_OK);
+    const struct contest_at at = {who, {side, side - 2, 4, 0}};
+    REQUIRE(contest_add(&world.job.contest, &at, &row) == STATUS_OK);
     row->seconds = seconds, row->worst = row->error[1] = worst;
     row->result.bytes = 2.5e6;
     return row;
@@ -120,8 +120,8 @@ static void words(const char *folder)
              "holds no node");
     text = printed(&s, TABLE_TEXT);
     CHECK(strstr(text, "clothbench run made_up.yaml --model triangles "
-                       "--set 'discretization.points=[8,5]' --set 'time.step=0.001'"));
-    CHECK(strstr(text, "clothbench export made_up.yaml --points 8,5 --out DIR"));
+                       "--set 'discretization.points=[8,6]' --set 'time.step=0.001'"));
+    CHECK(strstr(text, "clothbench export made_up.yaml --points 8,6 --out DIR"));
     CHECK(strstr(text, "triangles: error 1.2 % of the length, of which the truth leaves "
                        "0.4 %"));
     CHECK(strstr(text, "0.8 s for a second of motion; 2.5 MB"));
@@ -138,7 +138,7 @@ static void words(const char *folder)
     text = printed(&s, TABLE_TEXT);
     CHECK(strstr(text, "None of those within 2 % is as fast as was asked, 0.7 s"));
     text = printed(&s, TABLE_CSV);
-    CHECK(strstr(text, "\ntriangles,triangles,too slow,8x5,0.001"));
+    CHECK(strstr(text, "\ntriangles,triangles,too slow,8x6,0.001"));
     CHECK(!strstr(text, "clothbench run"));
     world.job.found = NULL;
     compare_job_close(&world.job);

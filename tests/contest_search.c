@@ -12,28 +12,31 @@ enum { MOST_ROUNDS = 40, MOST_ROWS = 300 };
 
 static const double LONGEST = 3;
 
-/* What a run costs beyond the least possible: a tenth of a net more points, twice the
- * steps, twice the iterations, and as much again where one axis is searched after another.
- */
+/* What a run costs beyond the least possible: a tenth more points along and across, twice
+ * the steps, twice the iterations, and as much again where one axis is searched after
+ * another. */
 static const double WASTE = 1.1 * 1.1 * 1.1 * 2 * 2 * 1.5;
 
-/* error = floor + net / points^2 + step / steps + iteration / iterations */
+/* error = floor + net / along^2 + across / across^2 + step / steps + iteration / iterations
+ */
 struct rule {
     const char *who;
     double floor, net, step, iteration;
     double bar; /* of the truth */
+    double across;
 };
 
 static double error_of(const struct rule *r, const int *size)
 {
     return r->floor + r->net / (size[CONTEST_NET] * size[CONTEST_NET]) +
+           r->across / (size[CONTEST_ACROSS] * size[CONTEST_ACROSS]) +
            r->step / size[CONTEST_STEP] +
            (size[CONTEST_ITERATIONS] ? r->iteration / size[CONTEST_ITERATIONS] : 0);
 }
 
 static double seconds_of(const int *size)
 {
-    return 2e-6 * pow(size[CONTEST_NET], 3) * size[CONTEST_STEP] *
+    return 2e-6 * pow(size[CONTEST_NET], 2) * size[CONTEST_ACROSS] * size[CONTEST_STEP] *
            (size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : 1);
 }
 
@@ -56,8 +59,25 @@ static void add_ladder(struct contest *c, const struct rule *r)
         for (int d = 0; d < CONTESTANT_STEPS && who->divisors[d]; d++)
             for (int i = 0; i == 0 || (i < CONTESTANT_STEPS && who->iterations[i]); i++)
                 add(c, r,
-                    &(struct contest_at){
-                        who, {who->points[s], who->divisors[d], who->iterations[i]}});
+                    &(struct contest_at){who,
+                                         {who->points[s], who->points[s], who->divisors[d],
+                                          who->iterations[i]}});
+}
+
+/* Points across that the search goes down to. */
+static int least_across(const struct contestant *who)
+{
+    return contestant_least(who) > 3 ? contestant_least(who) : 3;
+}
+
+/* The fewest points along with which the target is met; 0: with none. */
+static int fewest(const struct rule *r, int *size, double target)
+{
+    for (size[CONTEST_NET] = contestant_least(named(r->who)); size[CONTEST_NET] < 400;
+         size[CONTEST_NET]++)
+        if (error_of(r, size) <= target)
+            return size[CONTEST_NET];
+    return 0;
 }
 
 /* The cheapest of all sizes that the search may reach. */
@@ -66,32 +86,37 @@ static double least_seconds(const struct rule *r, double target)
     const bool iterates = named(r->who)->iterations[0];
     double least = INFINITY;
 
-    for (int net = contestant_least(named(r->who)); net < 400; net++)
+    for (int across = least_across(named(r->who)); across < 100; across++)
         for (int step = 1; step <= 1024; step *= 2)
             for (int i = iterates; i <= (iterates ? 4096 : 0); i += i ? i : 1) {
-                const int size[] = {net, step, i};
-                if (error_of(r, size) <= target && seconds_of(size) < least)
+                int size[] = {0, across, step, i};
+                if (fewest(r, size, target) && seconds_of(size) < least)
                     least = seconds_of(size);
             }
     return least;
 }
 
-/* A net with a tenth fewer points, half the steps, half the iterations would miss, or is
- * dear itself: what the ladder had beyond the longest is not gone after. */
-static void is_least(const struct rule *r, const struct contest_row *found, double target)
+/* A net with a tenth fewer points, along with the across of square cells or across alone,
+ * half the steps, half the iterations would miss, or is dear itself: what the ladder had
+ * beyond the longest is not gone after. */
+static void is_least(const struct contest *c, const struct rule *r,
+                     const struct contest_row *found, double target)
 {
-    for (int axis = 0; axis < CONTEST_AXES; axis++) {
-        const int least = axis == CONTEST_NET ? contestant_least(named(r->who)) : 1;
-        int size[CONTEST_AXES];
-        memcpy(size, found->at.size, sizeof size);
-        if (size[axis] <= least)
+    for (enum contest_axis axis = 0; axis < CONTEST_AXES; axis++) {
+        const int least = axis == CONTEST_NET      ? contestant_least(named(r->who))
+                          : axis == CONTEST_ACROSS ? least_across(named(r->who))
+                                                   : 1;
+        const int size = found->at.size[axis];
+        const int less = axis == CONTEST_NET || axis == CONTEST_ACROSS
+                             ? (int)fmin(0.9 * size, size - 1)
+                             : size / 2;
+        if (size <= least || less < least)
             continue;
-        size[axis] = axis == CONTEST_NET ? (int)fmin(0.9 * size[axis], size[axis] - 1)
-                                         : size[axis] / 2;
-        if (!CHECK(size[axis] < least || error_of(r, size) > target ||
-                   seconds_of(size) > LONGEST))
-            printf("  %s, target %g: %d/%d/%d would do\n", r->who, target, size[0], size[1],
-                   size[2]);
+        const struct contest_at at = contest_moved(c, &found->at, axis, less);
+        const int *n = at.size;
+        if (!CHECK(error_of(r, n) > target || seconds_of(n) > LONGEST))
+            printf("  %s, target %g: %dx%d/%d/%d would do\n", r->who, target, n[0], n[1],
+                   n[2], n[3]);
     }
 }
 
@@ -104,7 +129,9 @@ static const struct rule rules[] = {
     {"iga_selective_3", 0.04, 2.5, 0.01, 0, 1e-4},  /* the model */
     {"iga_selective_3", 0, 2.5, 0, 0, 0.02},        /* a blunt truth */
     {"mass_spring_leapfrog", 0, 2, 0, 0, 1e-4},
-    {"iga_selective_3", 0, 1e-4, 0, 0, 1e-6}, /* less will do than the ladder */
+    {"iga_selective_3", 0, 1e-4, 0, 0, 1e-6},           /* less will do than the ladder */
+    {"mass_spring_leapfrog", 0, 1, 0, 0, 1e-4, 1},      /* as much across as along */
+    {"mass_spring_leapfrog", 0, 2, 0.015, 0, 1e-4, .1}, /* a good third of the points */
 };
 
 static const struct contest_wish WISH = {CONTEST_TARGETS, contest_target, LONGEST};
@@ -114,7 +141,7 @@ static void searches(const struct rule *r)
     static double *xyz[1];
     static double time[1] = {0.1};
     double bar[1] = {r->bar}, shape[3 * 4] = {0};
-    struct scene scene = {.length = 1, .step = 0.005};
+    struct scene scene = {.length = 1, .width = 1, .step = 0.005};
     struct truth truth = {1, time, xyz, bar, "made up"};
     struct contest c = {.scene = &scene, .truth = &truth};
     struct contest_at at[CONTEST_PROPOSALS];
@@ -133,38 +160,75 @@ static void searches(const struct rule *r)
         const struct contest_row *found =
             contest_cheapest(&c, named(r->who), contest_target[t]);
         const double least = least_seconds(r, contest_target[t]);
-        if (!CHECK(found ? found->seconds <= WASTE * least
-                         : !(least * WASTE <= LONGEST) || r->bar > contest_target[t]))
+        const bool dear = !(least * WASTE <= LONGEST); /* the ladder may have it, or not */
+        if (!CHECK(found && !(dear && found->seconds > LONGEST)
+                       ? found->seconds <= WASTE * least
+                       : dear || r->bar > contest_target[t]))
             printf("  %s, target %g: %g s, the least is %g s\n", r->who, contest_target[t],
                    found ? found->seconds : NAN, least);
         if (found)
-            is_least(r, found, contest_target[t]);
+            is_least(&c, r, found, contest_target[t]);
     }
     printf("%s: %d runs, %d of them searched for, %d rounds\n", r->who, c.count,
            c.count - ladder, rounds);
     contest_clear(&c);
 }
 
+/* All that is proposed is as listed, and is added. */
+static void proposes(struct contest *c, const struct rule *r, int count,
+                     const int size[][CONTEST_AXES])
+{
+    struct contest_at at[CONTEST_PROPOSALS];
+
+    REQUIRE(contest_search(c, named(r->who), &WISH, at) == count);
+    for (int n = 0; n < count; n++) {
+        CHECK(!memcmp(at[n].size, size[n], sizeof at[n].size));
+        add(c, r, &at[n]);
+    }
+}
+
+/* Of 10x10 points, of which nothing is nearer: fewer across first, then from there the net
+ * and the step, then from 10x10; and from there at once where fewer across are far worse.
+ */
+static void refines(struct contest *c, const struct rule *r)
+{
+    static const int strips[][CONTEST_AXES] = {{10, 5, 1, 0}, {10, 4, 1, 0}},
+                     strip[][CONTEST_AXES] = {{15, 4, 1, 0}, {10, 4, 2, 0}},
+                     square[][CONTEST_AXES] = {
+                         {15, 15, 1, 0}, {10, 15, 1, 0}, {10, 10, 2, 0}};
+    const double far = 0.04 / 0.89;
+
+    proposes(c, r, 1, &strips[0]);
+    proposes(c, r, 1, &strips[1]);
+    proposes(c, r, 2, strip);
+    proposes(c, r, 3, square);
+    c->count = 2;
+    c->rows[1].worst = c->rows[1].error[0] = far;
+    proposes(c, r, 3, square);
+}
+
 /* A blunt truth is not run after; a search that may cost nothing proposes nothing. */
 static void nothing_to_do(void)
 {
     struct contest_at at[CONTEST_PROPOSALS];
-    struct scene scene = {.length = 1, .step = 0.005};
+    struct scene scene = {.length = 1, .width = 1, .step = 0.005};
     double time[1] = {0.1}, bar[1] = {0.05}, shape[3] = {0}, *xyz[1] = {shape};
     struct truth truth = {1, time, xyz, bar, "made up"};
     struct contest c = {.scene = &scene, .truth = &truth};
     const struct rule r = {"iga_selective_3", 0.04, 0, 0, 0, 0};
     const struct contest_wish cheap = {CONTEST_TARGETS, contest_target, 1e-9};
 
-    add(&c, &r, &(struct contest_at){named(r.who), {10, 1, 0}});
+    add(&c, &r, &(struct contest_at){named(r.who), {10, 10, 1, 0}});
     CHECK(contest_search(&c, named(r.who), &WISH, at) == 0);
     bar[0] = 0.03;
-    CHECK(contest_search(&c, named(r.who), &WISH, at) == 2); /* a net, a step */
     CHECK(contest_search(&c, named(r.who), &cheap, at) == 0);
     CHECK(contest_search(&c, named("mass_spring"), &WISH, at) == 0);
+    refines(&c, &r);
+    c.count = 1;
     bar[0] = 0, c.rows[0].worst = c.rows[0].error[0] = 0.0019; /* near enough */
-    CHECK(contest_search(&c, named(r.who), &WISH, at) == 1);
-    CHECK(at[0].size[CONTEST_NET] == 5 && at[0].size[CONTEST_STEP] == 1);
+    CHECK(contest_search(&c, named(r.who), &WISH, at) == 2);
+    CHECK(contest_is_at(&at[0], &(struct contest_at){named(r.who), {5, 5, 1, 0}}));
+    CHECK(contest_is_at(&at[1], &(struct contest_at){named(r.who), {10, 5, 1, 0}}));
     c.rows[0].worst = c.rows[0].error[0] = NAN; /* it died */
     CHECK(contest_search(&c, named(r.who), &WISH, at) == 0);
     contest_clear(&c);
@@ -178,7 +242,7 @@ static void growth(void)
     static const double error[] = {0.1, 0.02, 0.005};
 
     for (int n = 0; n < 4; n++) {
-        const struct contest_at at = {named("mass_spring"), {10 + n, 1, 0}};
+        const struct contest_at at = {named("mass_spring"), {10 + n, 10, 1, 0}};
         REQUIRE(contest_add(&c, &at, &row) == STATUS_OK);
         row->worst = n < 3 ? error[n] : 0.05,
         row->seconds = n < 3 ? pow(error[n], -1.5) : 1e5;
@@ -239,7 +303,7 @@ static void open_market(struct market *m, double budget)
     struct contest_row *row;
 
     *m = (struct market){
-        .scene = {.length = 1, .step = 0.005}, .bar = {1e-4}, .ordered = true};
+        .scene = {.length = 1, .width = 1, .step = 0.005}, .bar = {1e-4}, .ordered = true};
     m->xyz[0] = m->shape;
     m->truth = (struct truth){1, m->time, m->xyz, m->bar, "made up"};
     m->contest = (struct contest){
@@ -332,14 +396,45 @@ static void across(void)
 
     for (int n = 0; n < LENGTH(all); n++) {
         scene.width = all[n].width;
-        CHECK(contest_across(
-                  &c, &(struct contest_at){named(all[n].who), {all[n].side, 1, 0}}) ==
-              all[n].across);
+        CHECK(contest_across(&c, named(all[n].who), all[n].side) == all[n].across);
+    }
+}
+
+/* What a net becomes when it is moved along u: square cells stay square, a strip keeps its
+ * points across and never has more than square cells, what has more never fewer. */
+static void moved(void)
+{
+    static const struct {
+        double width;
+        int net, across, to, then;
+    } all[] = {{2, 20, 20, 30, 30}, {2, 20, 20, 8, 8},  {2, 20, 10, 30, 10},
+               {2, 20, 10, 15, 10}, {2, 20, 10, 8, 8},  {2, 20, 30, 40, 40},
+               {2, 20, 30, 25, 30}, {2, 20, 30, 8, 30}, {0.4, 21, 5, 51, 11},
+               {0.4, 51, 5, 61, 5}, {0.4, 51, 5, 16, 4}};
+    struct scene scene = {.length = 2};
+    const struct contest c = {.scene = &scene};
+
+    for (int n = 0; n < LENGTH(all); n++) {
+        const struct contest_at at = {named("mass_spring"),
+                                      {all[n].net, all[n].across, 4, 7}};
+        scene.width = all[n].width;
+        const struct contest_at to = contest_moved(&c, &at, CONTEST_NET, all[n].to);
+        CHECK(to.contestant == at.contestant && to.size[CONTEST_NET] == all[n].to);
+        CHECK(to.size[CONTEST_STEP] == 4 && to.size[CONTEST_ITERATIONS] == 7);
+        if (!CHECK(to.size[CONTEST_ACROSS] == all[n].then))
+            printf("  %dx%d to %d: %d across\n", all[n].net, all[n].across, all[n].to,
+                   to.size[CONTEST_ACROSS]);
+        for (enum contest_axis axis = CONTEST_ACROSS; axis < CONTEST_AXES; axis++) {
+            const struct contest_at one = contest_moved(&c, &at, axis, 99);
+            for (enum contest_axis k = 0; k < CONTEST_AXES; k++)
+                CHECK(one.size[k] == (k == axis ? 99 : at.size[k]));
+        }
     }
 }
 
 int main(void)
 {
+    moved();
     for (int n = 0; n < LENGTH(rules); n++)
         searches(&rules[n]);
     nothing_to_do();

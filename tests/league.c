@@ -62,7 +62,7 @@ static void add(struct league *l, const struct scene_of *s)
 
     snprintf(name, sizeof name, "%s", s->name);
     for (const struct run_of *r = s->run; r < s->run + RUNS && r->who; r++) {
-        const struct contest_at at = {named(r->who), {r->side, 4, 0}};
+        const struct contest_at at = {named(r->who), {r->side, r->side - 2, 4, 0}};
         REQUIRE(contest_add(&c, &at, &row) == STATUS_OK);
         row->seconds = r->seconds;
         row->result.bytes = 1e6 * r->seconds;
@@ -170,12 +170,13 @@ int main(int argc, char **argv)
     text = print(&l, argv[1], TABLE_CSV);
     static const char *const cells[] = {
         ("scene,contestant,model,span_s,bar_over_length,target_rmse_over_length,seconds,"
-         "lowest_rmse_over_length,side,steps_a_frame,iterations,model_bytes,refused\n"),
-        "near,mass_spring,mass_spring,0.5,0.002,0.01,0.5,0.0040000000000000001,20,4,nan,"
+         "lowest_rmse_over_length,side,across,steps_a_frame,iterations,model_bytes,"
+         "refused\n"),
+        "near,mass_spring,mass_spring,0.5,0.002,0.01,0.5,0.0040000000000000001,20,18,4,nan,"
         "500000,0\n",
         "vague,mass_spring_single,mass_spring,0.25,0.014999999999999999,0.02,nan,"
-        "0.021000000000000001,12,4,nan,4000,0\n",
-        "blunt,shell_3,shell,1,0.050000000000000003,nan,nan,nan,nan,nan,nan,nan,1\n"};
+        "0.021000000000000001,12,10,4,nan,4000,0\n",
+        "blunt,shell_3,shell,1,0.050000000000000003,nan,nan,nan,nan,nan,nan,nan,nan,1\n"};
     for (int n = 0; n < LENGTH(cells); n++)
         has(text, cells[n]);
     CHECK(!strstr(text, "near,iga_paper")); /* it did not enter */

@@ -55,7 +55,7 @@ said() { # KEY PATTERN
 
 browse read.html --dump-dom --window-size=390,844
 ! grep CONSOLE err || fail 'the console has something to say'
-said hover 'block .* points a side, step .* s: .* % in .* s'
+said hover 'block .* points, step .* s: .* % in .* s'
 said left none
 said start '0[.]100 s'
 said slid '0[.]500 s'

@@ -123,7 +123,7 @@ out:
 }
 
 struct keys {
-    int title, contestant, side, step, iterations, worst;
+    int title, contestant, side, across, step, iterations, worst;
 };
 
 /* The row of row's contestant that is nearest to the truth; -1: none lived. */
@@ -153,25 +153,33 @@ static enum status write_run(FILE *file, const char *folder, const struct csv_ta
 {
     const double iterations = csv_number(t, row, k->iterations);
     const double steps = frame / csv_number(t, row, k->step);
-    char path[PATH], name[128];
+    const double side = csv_number(t, row, k->side), across = csv_number(t, row, k->across);
+    char path[PATH], name[128], net[32];
 
+    /* a table from before the net was searched across has none; the sheet is square, and so
+     * are cells that the file's name does not tell */
+    snprintf(net, sizeof net, isnan(across) || across == side ? "%.0f" : "%.0fx%.0f", side,
+             across);
     if (!is_plain(csv_words(t, row, k->contestant)) || !(steps < 1e6) ||
-        snprintf(path, sizeof path, "%s/compare_%s/%s_%.0f_%.0f_%.0f.h5", folder, scene,
-                 csv_words(t, row, k->contestant), csv_number(t, row, k->side), steps,
+        snprintf(path, sizeof path, "%s/compare_%s/%s_%s_%.0f_%.0f.h5", folder, scene,
+                 csv_words(t, row, k->contestant), net, steps,
                  iterations > 0 ? iterations : 0) >= (int)sizeof path)
         return STATUS_OK;
-    snprintf(name, sizeof name, "%.60s, %.8s points a side, %.3g %% off",
-             csv_words(t, row, k->title), csv_words(t, row, k->side),
+    snprintf(name, sizeof name, "%.60s, %.0fx%.0f points, %.3g %% off",
+             csv_words(t, row, k->title), side, isnan(across) ? side : across,
              100 * csv_number(t, row, k->worst));
     return write_file(file, path, name);
 }
 
 static enum status write_runs(FILE *file, const char *folder, const struct csv_table *t)
 {
-    const struct keys k = {
-        csv_column(t, "title"),      csv_column(t, "contestant"),
-        csv_column(t, "side"),       csv_column(t, "step_s"),
-        csv_column(t, "iterations"), csv_column(t, "worst_rmse_over_length")};
+    const struct keys k = {csv_column(t, "title"),
+                           csv_column(t, "contestant"),
+                           csv_column(t, "side"),
+                           csv_column(t, "across"),
+                           csv_column(t, "step_s"),
+                           csv_column(t, "iterations"),
+                           csv_column(t, "worst_rmse_over_length")};
     double frame = 0; /* the scene's, and the longest step */
     enum status st = STATUS_OK;
 

@@ -69,7 +69,8 @@ const struct report_part report_part_list[] = {
     STUDY("timestep", "Ever shorter steps", false, {"timestep.png", NULL}),
     {"compare", "Speed against error: edge_drop", "compare edge_drop",
      {"compare_edge_drop/compare.csv", "compare.csv"}, NULL, "speed", false,
-     "|title|side|step_s|iterations|seconds|worst_rmse_over_length|front|outcome|", {{0}}},
+     "|title|side|across|step_s|iterations|seconds|worst_rmse_over_length|front|outcome|",
+     {{0}}},
     {"scenes", "Who wins where", "compare edge_drop corners_patch flag sphere strip_swing "
      "thick stiff", {"compare_scenes.csv"}, ".", "scenes", false,
      "|scene|contestant|seconds|target_rmse_over_length|lowest_rmse_over_length|refused|",

@@ -4,11 +4,12 @@
  * damping beta takes edges between the points x + beta v, which are then what is kept in
  * place of x: springs resist where they will be, so that they resist how fast they change.
  *
- * Each point gathers from its neighbours, nothing is scattered: one pass, the compiler's
- * vectors along v, and the same bits in whatever order rows are done. Rows are padded to
- * whole vectors and have room around them, so that no neighbour needs to be asked for;
- * coefficients are zero where there is none. Rows with equal coefficients share them: a
- * plain net has five kinds, which stay in the first cache.
+ * Each point gathers from its neighbours, nothing is scattered: one pass, and the same bits
+ * in whatever order points are done. Rows lie one behind the other, and the compiler's
+ * vectors run on over their ends: coefficients are zero where there is no neighbour, and a
+ * net costs what its points cost, however narrow. A net of more than some hundred points is
+ * cut into strips of rows; strips with equal coefficients share them: a plain net has a few
+ * kinds, which stay near.
  */
 #ifndef SPRING_SWEEP_H
 #define SPRING_SWEEP_H

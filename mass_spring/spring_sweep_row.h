@@ -1,18 +1,19 @@
-/* spring_sweep_row.h - one row of the sweep for one kind of REAL: included once for each,
- * with NAME(x) giving its names. Arithmetic is contracted (a b + c in one rounding): see
- * CMakeLists.txt. */
+/* spring_sweep_row.h - one strip of rows of the sweep for one kind of REAL: included once
+ * for each, with NAME(x) giving its names. Arithmetic is contracted (a b + c in one
+ * rounding): see CMakeLists.txt. */
 
-/* x, v, y: positions, velocities, new positions of the row, by component; c: coefficients
- * [SWEEP_COUNT][count]; count a multiple of the padding; pitch from row to row; more: other
+/* x, v, y: positions, velocities, new positions of the strip, by component; c: coefficients
+ * [SWEEP_COUNT][wide]; count a multiple of the padding; pitch from row to row; more: other
  * forces on the points, [3][stride], in place of springs; NULL without. */
 static inline __attribute__((always_inline)) void
-NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lags,
-             const bool springs, const REAL *restrict more, ptrdiff_t stride,
-             const REAL *restrict c, const REAL *restrict x0, const REAL *restrict x1,
-             const REAL *restrict x2, REAL *restrict v0, REAL *restrict v1,
-             REAL *restrict v2, REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
+NAME(gather)(ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag,
+             const bool lags, const bool springs, const REAL *restrict more,
+             ptrdiff_t stride, const REAL *restrict c, const REAL *restrict x0,
+             const REAL *restrict x1, const REAL *restrict x2, REAL *restrict v0,
+             REAL *restrict v1, REAL *restrict v2, REAL *restrict y0, REAL *restrict y1,
+             REAL *restrict y2)
 {
-    const REAL *restrict far = c + SWEEP_FAR * count;
+    const REAL *restrict far = c + SWEEP_FAR * wide;
 
     count -= count % SWEEP_PAD; /* tells the compiler that no rest is left */
     for (ptrdiff_t j = 0; j < count; j++) {
@@ -21,14 +22,14 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lag
     {                                                                                      \
         REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],                 \
              e2 = x2[j + (offset)] - x2[j];                                                \
-        REAL pull = c[(SWEEP_A + (n)) * count + j];                                        \
+        REAL pull = c[(SWEEP_A + (n)) * wide + j];                                         \
         if (springs)                                                                       \
-            pull += c[(SWEEP_B + (n)) * count + j] * (e0 * e0 + e1 * e1 + e2 * e2);        \
+            pull += c[(SWEEP_B + (n)) * wide + j] * (e0 * e0 + e1 * e1 + e2 * e2);         \
         f0 += pull * e0, f1 += pull * e1, f2 += pull * e2;                                 \
     }
 #define FAR(n, offset)                                                                     \
     {                                                                                      \
-        REAL pull = far[(n)*count + j];                                                    \
+        REAL pull = far[(n)*wide + j];                                                     \
         f0 += pull * (x0[j + (offset)] - x0[j]);                                           \
         f1 += pull * (x1[j + (offset)] - x1[j]);                                           \
         f2 += pull * (x2[j + (offset)] - x2[j]);                                           \
@@ -48,15 +49,15 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lag
 #undef NEAR
 #undef FAR
         if (!springs) {
-            REAL push = c[SWEEP_PUSH * count + j];
+            REAL push = c[SWEEP_PUSH * wide + j];
             f0 += push * more[j], f1 += push * more[stride + j];
             f2 += push * more[2 * stride + j];
         }
-        REAL keep = c[SWEEP_KEEP * count + j];
-        const REAL *free = c + SWEEP_FREE * count + j, *kick = c + SWEEP_KICK * count + j;
+        REAL keep = c[SWEEP_KEEP * wide + j];
+        const REAL *free = c + SWEEP_FREE * wide + j, *kick = c + SWEEP_KICK * wide + j;
         REAL new0 = keep * v0[j] + (free[0] * f0 + kick[0]);
-        REAL new1 = keep * v1[j] + (free[count] * f1 + kick[count]);
-        REAL new2 = keep * v2[j] + (free[2 * count] * f2 + kick[2 * count]);
+        REAL new1 = keep * v1[j] + (free[wide] * f1 + kick[wide]);
+        REAL new2 = keep * v2[j] + (free[2 * wide] * f2 + kick[2 * wide]);
         y0[j] = x0[j] + dt * new0 + (lags ? lag * (new0 - v0[j]) : 0);
         y1[j] = x1[j] + dt * new1 + (lags ? lag * (new1 - v1[j]) : 0);
         y2[j] = x2[j] + dt * new2 + (lags ? lag * (new2 - v2[j]) : 0);
@@ -64,26 +65,26 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lag
     }
 }
 
-#define ROW(name, lags, springs)                                                           \
-    CLONES static void NAME(name)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag,     \
-                                  const REAL *restrict more, ptrdiff_t stride,             \
-                                  const REAL *restrict c, const REAL *restrict x0,         \
-                                  const REAL *restrict x1, const REAL *restrict x2,        \
-                                  REAL *restrict v0, REAL *restrict v1, REAL *restrict v2, \
-                                  REAL *restrict y0, REAL *restrict y1, REAL *restrict y2) \
+#define STRIP(name, lags, springs)                                                         \
+    CLONES static void NAME(name)(                                                         \
+        ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag,               \
+        const REAL *restrict more, ptrdiff_t stride, const REAL *restrict c,               \
+        const REAL *restrict x0, const REAL *restrict x1, const REAL *restrict x2,         \
+        REAL *restrict v0, REAL *restrict v1, REAL *restrict v2, REAL *restrict y0,        \
+        REAL *restrict y1, REAL *restrict y2)                                              \
     {                                                                                      \
         NAME(gather)                                                                       \
-        (count, pitch, dt, lag, lags, springs, more, stride, c, x0, x1, x2, v0, v1, v2,    \
-         y0, y1, y2);                                                                      \
+        (count, wide, pitch, dt, lag, lags, springs, more, stride, c, x0, x1, x2, v0, v1,  \
+         v2, y0, y1, y2);                                                                  \
     }
-ROW(row, false, true)
-ROW(lagging_row, true, true)
-ROW(cell_row, false, false)
-ROW(lagging_cell_row, true, false)
-#undef ROW
+STRIP(strip, false, true)
+STRIP(lagging_strip, true, true)
+STRIP(cell_strip, false, false)
+STRIP(lagging_cell_strip, true, false)
+#undef STRIP
 
-/* One step of rows [from, to), from set `now` of the positions into the other. */
-static void NAME(rows)(struct spring_sweep *s, double dt, int now, int from, int to)
+/* One step of strips [from, to), from set `now` of the positions into the other. */
+static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, int to)
 {
     const bool cells = s->cell_room, lags = s->lag > 0;
     struct NAME(law) law = {0};
@@ -91,7 +92,7 @@ static void NAME(rows)(struct spring_sweep *s, double dt, int now, int from, int
     if (cells)
         law = NAME(law_of)(&s->cells);
     for (int i = from; i < to; i++) {
-        ptrdiff_t at = s->first + i * s->pitch;
+        ptrdiff_t at = s->first + i * s->count;
         const REAL *x[3], *more = cells ? NAME(cells_force)(s, law, now, i) : NULL;
         REAL *v[3], *y[3];
         for (int k = 0; k < 3; k++) {
@@ -99,11 +100,11 @@ static void NAME(rows)(struct spring_sweep *s, double dt, int now, int from, int
             y[k] = (REAL *)s->field[!now][k] + at;
             v[k] = (REAL *)s->field[SWEEP_V][k] + at;
         }
-        (cells  ? lags ? NAME(lagging_cell_row) : NAME(cell_row)
-          : lags ? NAME(lagging_row)
-                : NAME(row))(s->pitch, s->pitch, (REAL)dt, (REAL)s->lag, more, s->stride,
-                             s->row[i], x[0], x[1], x[2], v[0], v[1], v[2], y[0], y[1],
-                             y[2]);
+        (cells  ? lags ? NAME(lagging_cell_strip) : NAME(cell_strip)
+          : lags ? NAME(lagging_strip)
+                : NAME(strip))(points_of(s, i), s->count, s->pitch, (REAL)dt, (REAL)s->lag,
+                               more, s->stride, s->strip[i], x[0], x[1], x[2], v[0], v[1],
+                               v[2], y[0], y[1], y[2]);
     }
 }
 
@@ -127,14 +128,17 @@ static void NAME(get)(const struct spring_sweep *s, int set, double *values)
     }
 }
 
-/* The coefficients of row i, transposed and padded. */
-static void NAME(coefficients)(const struct spring_sweep *s, const double (*c)[SWEEP_COUNT],
-                               void *row)
+/* The coefficients of strip i, transposed and padded. */
+static void NAME(coefficients)(const struct spring_sweep *s, int strip,
+                               const double (*c)[SWEEP_COUNT], void *coefficients)
 {
-    REAL *to = row;
+    REAL *to = coefficients;
 
-    memset(row, 0, s->row_bytes);
-    for (int n = 0; n < SWEEP_COUNT; n++)
-        for (int j = 0; j < s->m; j++)
-            to[n * s->pitch + j] = (REAL)c[j][n];
+    memset(to, 0, s->strip_bytes);
+    for (int i = 0; i < s->rows && strip * s->rows + i < s->n; i++, to += s->pitch)
+        for (int j = 0; j < s->m; j++) {
+            const double *from = c[(strip * s->rows + i) * s->m + j];
+            for (int n = 0; n < SWEEP_COUNT; n++)
+                to[n * s->count + j] = (REAL)from[n];
+        }
 }

@@ -421,6 +421,7 @@ int main(void)
     check_exchanged(2, 3);
     check_exchanged(5, 9);
     check_exchanged(8, 17);
+    check_exchanged(18, 35); /* strips of rows, lengthened ones of columns */
     check_bending();
     check_clamp();
     check_scaled();

@@ -103,6 +103,12 @@ static void get(const struct spring_leapfrog *l, double *x, double *v)
         x[n] -= l->body.beta * v[n];
 }
 
+/* A kick without a drift leaves positions, but x + beta v. */
+static bool moved_by_kick(const struct spring_leapfrog *l)
+{
+    return l->body.beta > 0;
+}
+
 /* From x and v of now: v half a step ago. */
 static void start(struct spring_leapfrog *l, const double *x, const double *now)
 {
@@ -112,9 +118,13 @@ static void start(struct spring_leapfrog *l, const double *x, const double *now)
     spring_sweep_get(l->sweep, NULL, l->kicked);
     for (size_t n = 0; n < count(l); n++) {
         bool held = l->body.supports->free_index[n] < 0;
-        l->v[n] = held ? now[n] : (2 * now[n] - l->kicked[n]) / (1 + kept(l, (int)(n / 3)));
+        l->v[n] =
+            held ? now[n] : (2 * now[n] - l->kicked[n]) / (1 + l->c[n / 3][SWEEP_KEEP]);
     }
-    put(l, x, l->v, l->v);
+    if (moved_by_kick(l))
+        put(l, x, l->v, l->v);
+    else
+        spring_sweep_put(l->sweep, NULL, l->v);
 }
 
 /* v of now: the mean of half a step ago and half a step on; of held points, that of the
@@ -123,10 +133,10 @@ void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
 {
     double *x = l->x, *old = l->v;
 
-    spring_sweep_get(l->sweep, x, old);
+    spring_sweep_get(l->sweep, moved_by_kick(l) ? x : NULL, old);
     spring_sweep_run(l->sweep, 0, 1);
     spring_sweep_get(l->sweep, NULL, v);
-    spring_sweep_put(l->sweep, x, old);
+    spring_sweep_put(l->sweep, moved_by_kick(l) ? x : NULL, old);
     for (size_t n = 0; n < count(l); n++)
         v[n] = l->body.supports->free_index[n] < 0 ? old[n] : (old[n] + v[n]) / 2;
 }

@@ -4,35 +4,43 @@
 
 /* x, v, y: positions, velocities, new positions of the strip, by component; c: coefficients
  * [SWEEP_COUNT][wide]; count a multiple of the padding; pitch from row to row; more: other
- * forces on the points, [3][stride], in place of springs; NULL without. */
+ * forces on the points, [3][stride], of cells; NULL without. */
 static inline __attribute__((always_inline)) void
-NAME(gather)(ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag,
-             const bool lags, const bool springs, const REAL *restrict more,
+NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
+             ptrdiff_t pitch, REAL dt, REAL lag, const bool lags, const REAL *restrict more,
              ptrdiff_t stride, const REAL *restrict c, const REAL *restrict x0,
              const REAL *restrict x1, const REAL *restrict x2, REAL *restrict v0,
              REAL *restrict v1, REAL *restrict v2, REAL *restrict y0, REAL *restrict y1,
              REAL *restrict y2)
 {
-    const REAL *restrict far = c + SWEEP_FAR * wide;
+    const REAL NOT_ZERO = (REAL)1e-30; /* m^2: where points meet, in padding, as 0 / 0 */
 
     count -= count % SWEEP_PAD; /* tells the compiler that no rest is left */
     for (ptrdiff_t j = 0; j < count; j++) {
         REAL f0 = 0, f1 = 0, f2 = 0;
+/* A neighbour `offset` behind: pull A e, (A + B |e|^2) e, (A + B / |e|) e. */
+#define EDGE(offset)                                                                       \
+    const REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],               \
+               e2 = x2[j + (offset)] - x2[j]
+#define SQUARE     (e0 * e0 + e1 * e1 + e2 * e2)
+#define OVER       (1 / ROOT(SQUARE + NOT_ZERO))
+#define ADD(pull)  f0 += (pull)*e0, f1 += (pull)*e1, f2 += (pull)*e2
+#define C(part, n) c[((part) + (n)) * wide + j]
 #define NEAR(n, offset)                                                                    \
     {                                                                                      \
-        REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],                 \
-             e2 = x2[j + (offset)] - x2[j];                                                \
-        REAL pull = c[(SWEEP_A + (n)) * wide + j];                                         \
-        if (springs)                                                                       \
-            pull += c[(SWEEP_B + (n)) * wide + j] * (e0 * e0 + e1 * e1 + e2 * e2);         \
-        f0 += pull * e0, f1 += pull * e1, f2 += pull * e2;                                 \
+        EDGE(offset);                                                                      \
+        REAL pull = C(SWEEP_A, n);                                                         \
+        if (law == SWEEP_SQUARES)                                                          \
+            pull += C(SWEEP_B, n) * SQUARE;                                                \
+        if (law >= SWEEP_LENGTHS)                                                          \
+            pull += C(SWEEP_B, n) * OVER;                                                  \
+        ADD(pull);                                                                         \
     }
-#define FAR(n, offset)                                                                     \
+#define FAR(part, n, offset)                                                               \
     {                                                                                      \
-        REAL pull = far[(n)*wide + j];                                                     \
-        f0 += pull * (x0[j + (offset)] - x0[j]);                                           \
-        f1 += pull * (x1[j + (offset)] - x1[j]);                                           \
-        f2 += pull * (x2[j + (offset)] - x2[j]);                                           \
+        EDGE(offset);                                                                      \
+        const REAL pull = C(part, n) * (law == SWEEP_STRUTS ? OVER : 1);                   \
+        ADD(pull);                                                                         \
     }
         NEAR(0, -pitch - 1)
         NEAR(1, -pitch)
@@ -42,13 +50,24 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag
         NEAR(5, pitch - 1)
         NEAR(6, pitch)
         NEAR(7, pitch + 1)
-        FAR(0, -2 * pitch)
-        FAR(1, -2)
-        FAR(2, 2)
-        FAR(3, 2 * pitch)
+        FAR(SWEEP_FAR, 0, -2 * pitch)
+        FAR(SWEEP_FAR, 1, -2)
+        FAR(SWEEP_FAR, 2, 2)
+        FAR(SWEEP_FAR, 3, 2 * pitch)
+        if (law == SWEEP_STRUTS) {
+            FAR(SWEEP_CORNER, 0, -2 * pitch - 2)
+            FAR(SWEEP_CORNER, 1, -2 * pitch + 2)
+            FAR(SWEEP_CORNER, 2, 2 * pitch - 2)
+            FAR(SWEEP_CORNER, 3, 2 * pitch + 2)
+        }
+#undef EDGE
+#undef SQUARE
+#undef OVER
+#undef ADD
+#undef C
 #undef NEAR
 #undef FAR
-        if (!springs) {
+        if (law == SWEEP_CELLS) {
             REAL push = c[SWEEP_PUSH * wide + j];
             f0 += push * more[j], f1 += push * more[stride + j];
             f2 += push * more[2 * stride + j];
@@ -65,7 +84,7 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag
     }
 }
 
-#define STRIP(name, lags, springs)                                                         \
+#define STRIP(name, law, lags)                                                             \
     CLONES static void NAME(name)(                                                         \
         ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag,               \
         const REAL *restrict more, ptrdiff_t stride, const REAL *restrict c,               \
@@ -74,19 +93,60 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag
         REAL *restrict y1, REAL *restrict y2)                                              \
     {                                                                                      \
         NAME(gather)                                                                       \
-        (count, wide, pitch, dt, lag, lags, springs, more, stride, c, x0, x1, x2, v0, v1,  \
-         v2, y0, y1, y2);                                                                  \
+        (law, count, wide, pitch, dt, lag, lags, more, stride, c, x0, x1, x2, v0, v1, v2,  \
+         y0, y1, y2);                                                                      \
     }
-STRIP(strip, false, true)
-STRIP(lagging_strip, true, true)
-STRIP(cell_strip, false, false)
-STRIP(lagging_cell_strip, true, false)
+STRIP(cell_strip, SWEEP_CELLS, false)
+STRIP(square_strip, SWEEP_SQUARES, false)
+STRIP(length_strip, SWEEP_LENGTHS, false)
+STRIP(strut_strip, SWEEP_STRUTS, false)
+STRIP(lagging_cell_strip, SWEEP_CELLS, true)
+STRIP(lagging_square_strip, SWEEP_SQUARES, true)
+STRIP(lagging_length_strip, SWEEP_LENGTHS, true)
+STRIP(lagging_strut_strip, SWEEP_STRUTS, true)
 #undef STRIP
+
+/* The struts of clamps at points of strip i, after all else: they are few. */
+static void NAME(clamps)(const struct spring_sweep *s, REAL dt, int now, int i)
+{
+    const REAL *c = (const REAL *)s->strip[i];
+    REAL *const *x = (REAL *const *)s->field[now], *const *y =
+                                                       (REAL *const *)s->field[!now];
+    REAL *const *v = (REAL *const *)s->field[SWEEP_V];
+
+    for (int k = s->clamps[i]; k < s->clamps[i + 1]; k++) {
+        const struct spring_sweep_clamp *clamp = &s->clamp[k];
+        const ptrdiff_t at = place_of(s, clamp->point), held = place_of(s, clamp->held);
+        const ptrdiff_t j = at - s->first - i * s->count;
+        REAL e[3], square = 0;
+        for (int n = 0; n < 3; n++) {
+            e[n] = x[n][at] - x[n][held] + (REAL)clamp->edge[n];
+            square += e[n] * e[n];
+        }
+        REAL push = square > 0
+                        ? c[SWEEP_PUSH * s->count + j] * (REAL)clamp->strut / ROOT(square)
+                        : 0;
+        for (int n = 0; n < 3; n++) {
+            REAL gain = c[(SWEEP_FREE + n) * s->count + j] * push * e[n];
+            v[n][at] += gain;
+            y[n][at] += (dt + (REAL)s->lag) * gain;
+        }
+    }
+}
 
 /* One step of strips [from, to), from set `now` of the positions into the other. */
 static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, int to)
 {
-    const bool cells = s->cell_room, lags = s->lag > 0;
+    static void (*const step[][2])(ptrdiff_t, ptrdiff_t, ptrdiff_t, REAL, REAL,
+                                   const REAL *, ptrdiff_t, const REAL *, const REAL *,
+                                   const REAL *, const REAL *, REAL *, REAL *, REAL *,
+                                   REAL *, REAL *, REAL *) = {
+        [SWEEP_CELLS] = {NAME(cell_strip), NAME(lagging_cell_strip)},
+        [SWEEP_SQUARES] = {NAME(square_strip), NAME(lagging_square_strip)},
+        [SWEEP_LENGTHS] = {NAME(length_strip), NAME(lagging_length_strip)},
+        [SWEEP_STRUTS] = {NAME(strut_strip), NAME(lagging_strut_strip)},
+    };
+    const bool cells = s->law == SWEEP_CELLS;
     struct NAME(law) law = {0};
 
     if (cells)
@@ -100,11 +160,10 @@ static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, i
             y[k] = (REAL *)s->field[!now][k] + at;
             v[k] = (REAL *)s->field[SWEEP_V][k] + at;
         }
-        (cells  ? lags ? NAME(lagging_cell_strip) : NAME(cell_strip)
-          : lags ? NAME(lagging_strip)
-                : NAME(strip))(points_of(s, i), s->count, s->pitch, (REAL)dt, (REAL)s->lag,
-                               more, s->stride, s->strip[i], x[0], x[1], x[2], v[0], v[1],
-                               v[2], y[0], y[1], y[2]);
+        step[s->law][s->lag > 0](points_of(s, i), s->count, s->pitch, (REAL)dt,
+                                 (REAL)s->lag, more, s->stride, s->strip[i], x[0], x[1],
+                                 x[2], v[0], v[1], v[2], y[0], y[1], y[2]);
+        NAME(clamps)(s, (REAL)dt, now, i);
     }
 }
 
@@ -138,7 +197,7 @@ static void NAME(coefficients)(const struct spring_sweep *s, int strip,
     for (int i = 0; i < s->rows && strip * s->rows + i < s->n; i++, to += s->pitch)
         for (int j = 0; j < s->m; j++) {
             const double *from = c[(strip * s->rows + i) * s->m + j];
-            for (int n = 0; n < SWEEP_COUNT; n++)
+            for (int n = 0; n < places(s); n++)
                 to[n * s->count + j] = (REAL)from[n];
         }
 }

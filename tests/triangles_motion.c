@@ -270,6 +270,7 @@ static void check_refusals(void)
         {{.integrator = INTEGRATOR_EXPLICIT}, 0, "integrator=leapfrog"},
         {{.integrator = INTEGRATOR_BDF2}, 0, "integrator=bdf2"},
         {{.integrator = INTEGRATOR_LEAPFROG, .bending = BENDING_HINGE}, 0, "bending=hinge"},
+        {{.integrator = INTEGRATOR_MOMENTUM, .bending = BENDING_STRUT}, 0, "bending=strut"},
         {{.integrator = INTEGRATOR_MOMENTUM, .iterations = 1}, 0, "iterations"},
         {{.integrator = INTEGRATOR_MOMENTUM}, PRECISION_SINGLE, "precision=single"}};
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mass_spring/spring_force.h"
 #include "models/mechanics/contact_push.h"
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
@@ -56,18 +57,31 @@ static double kept(const struct spring_leapfrog *l, int node)
     return (1 - half) / (1 + half);
 }
 
+static void set_neighbour(const struct spring_stencil *s, int a, int n, double push,
+                          double *c)
+{
+    double k = s->spring[a][n], r2 = s->square[n], strut = s->strut ? s->strut[a][n] : 0;
+
+    if (n >= SPRING_STENCIL_NEAR) {
+        c[SWEEP_FAR + n - SPRING_STENCIL_NEAR] = push * (s->strut ? strut : s->bend[a][n]);
+    } else if (s->springs == SPRINGS_SQUARES) {
+        c[SWEEP_A + n] = push * (s->bend[a][n] - k * r2);
+        c[SWEEP_B + n] = push * k;
+    } else {
+        c[SWEEP_A + n] = push * (s->bend[a][n] + 2 * k * r2);
+        c[SWEEP_B + n] = push * (strut - 2 * k * r2 * sqrt(r2));
+    }
+}
+
 static void set_point(struct spring_leapfrog *l, int a)
 {
     const struct spring_body *b = &l->body;
     double push = l->dt / (b->mass[a] + b->drag[a] * l->dt / 2), *c = l->c[a];
 
-    for (int n = 0; n < SPRING_STENCIL_NEAR; n++) {
-        double k = l->stencil.spring[a][n];
-        c[SWEEP_A + n] = push * (l->stencil.bend[a][n] - k * l->stencil.square[n]);
-        c[SWEEP_B + n] = push * k;
-    }
-    for (int n = SPRING_STENCIL_NEAR; n < SPRING_STENCIL_ALL; n++)
-        c[SWEEP_FAR + n - SPRING_STENCIL_NEAR] = push * l->stencil.bend[a][n];
+    for (int n = 0; n < SPRING_STENCIL_ALL; n++)
+        set_neighbour(&l->stencil, a, n, push, c);
+    for (int n = SPRING_STENCIL_ALL; l->stencil.strut && n < SPRING_STENCIL_STRUTS; n++)
+        c[SWEEP_CORNER + n - SPRING_STENCIL_ALL] = push * l->stencil.strut[a][n];
     c[SWEEP_KEEP] = kept(l, a);
     c[SWEEP_PUSH] = push;
     for (int i = 0; i < 3; i++) {
@@ -103,6 +117,12 @@ static void get(const struct spring_leapfrog *l, double *x, double *v)
         x[n] -= l->body.beta * v[n];
 }
 
+/* A kick without a drift leaves positions, but x + beta v. */
+static bool moved_by_kick(const struct spring_leapfrog *l)
+{
+    return l->body.beta > 0;
+}
+
 /* From x and v of now: v half a step ago. */
 static void start(struct spring_leapfrog *l, const double *x, const double *now)
 {
@@ -112,9 +132,13 @@ static void start(struct spring_leapfrog *l, const double *x, const double *now)
     spring_sweep_get(l->sweep, NULL, l->kicked);
     for (size_t n = 0; n < count(l); n++) {
         bool held = l->body.supports->free_index[n] < 0;
-        l->v[n] = held ? now[n] : (2 * now[n] - l->kicked[n]) / (1 + kept(l, (int)(n / 3)));
+        l->v[n] =
+            held ? now[n] : (2 * now[n] - l->kicked[n]) / (1 + l->c[n / 3][SWEEP_KEEP]);
     }
-    put(l, x, l->v, l->v);
+    if (moved_by_kick(l))
+        put(l, x, l->v, l->v);
+    else
+        spring_sweep_put(l->sweep, NULL, l->v);
 }
 
 /* v of now: the mean of half a step ago and half a step on; of held points, that of the
@@ -123,10 +147,10 @@ void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
 {
     double *x = l->x, *old = l->v;
 
-    spring_sweep_get(l->sweep, x, old);
+    spring_sweep_get(l->sweep, moved_by_kick(l) ? x : NULL, old);
     spring_sweep_run(l->sweep, 0, 1);
     spring_sweep_get(l->sweep, NULL, v);
-    spring_sweep_put(l->sweep, x, old);
+    spring_sweep_put(l->sweep, moved_by_kick(l) ? x : NULL, old);
     for (size_t n = 0; n < count(l); n++)
         v[n] = l->body.supports->free_index[n] < 0 ? old[n] : (old[n] + v[n]) / 2;
 }
@@ -146,12 +170,20 @@ double spring_leapfrog_limit(const struct spring_leapfrog *l)
     return l->limit;
 }
 
-/* Substeps that stay within a share of the limit where springs are sqrt(stretch2) times as
- * long as at rest. */
+/* How much stiffer a net is at most with springs sqrt(stretch2) times as long as at rest:
+ * in squares of lengths each along itself, in lengths each across, by 1 - r/l of what it is
+ * along. */
+static double stiffer(const struct spring_leapfrog *l, double stretch2)
+{
+    return l->body.springs == SPRINGS_LENGTHS ? 2 - 1 / sqrt(stretch2)
+                                              : (3 * stretch2 - 1) / 2;
+}
+
+/* Substeps that stay within a share of the limit where springs are so long. */
 static double needed(const struct spring_leapfrog *l, double share, double stretch2)
 {
     return fmax(
-        1, ceil(l->body.scene->step * sqrt((3 * stretch2 - 1) / 2) / (share * l->limit)));
+        1, ceil(l->body.scene->step * sqrt(stiffer(l, stretch2)) / (share * l->limit)));
 }
 
 static enum status choose_step(struct spring_leapfrog *l, double (*K)[9],
@@ -161,7 +193,10 @@ static enum status choose_step(struct spring_leapfrog *l, double (*K)[9],
     double omega = l->body.omega, beta = l->body.beta;
 
     if (!l->body.cells) {
-        spring_stencil_jacobian(&l->stencil, l->body.net->rest, true, K);
+        if (l->stencil.strut)
+            spring_force_jacobian(l->body.net, l->body.net->rest, K);
+        else
+            spring_stencil_jacobian(&l->stencil, l->body.net->rest, true, K);
         TRY(frequency_largest(&l->body.net->graph, l->body.supports, l->body.mass,
                               (const double(*)[9])K, &omega));
     }
@@ -177,6 +212,41 @@ out:
     return st;
 }
 
+static enum status make_sweep(struct spring_leapfrog *l, enum precision precision)
+{
+    enum status st;
+    const struct spring_body *b = &l->body;
+    const struct spring_net *net = b->net;
+    struct spring_sweep_plan plan = {.n = net->points[0],
+                                     .m = net->points[1],
+                                     .precision = precision,
+                                     .lag = b->beta,
+                                     .law = b->cells                        ? SWEEP_CELLS
+                                            : l->stencil.strut              ? SWEEP_STRUTS
+                                            : b->springs == SPRINGS_LENGTHS ? SWEEP_LENGTHS
+                                                                            : SWEEP_SQUARES,
+                                     .cells = b->cells};
+    struct spring_sweep_clamp *clamp = NULL;
+
+    if (l->stencil.strut && net->clamp_count) {
+        clamp = malloc((size_t)net->clamp_count * sizeof *clamp);
+        if (!clamp)
+            return STATUS_MEMORY;
+        for (int n = 0; n < net->clamp_count; n++) {
+            const struct clamp *from = &net->clamps[n];
+            clamp[n] =
+                (struct spring_sweep_clamp){from->b,
+                                            from->a,
+                                            {from->edge[0], from->edge[1], from->edge[2]},
+                                            from->strut};
+        }
+        plan.clamps = net->clamp_count, plan.clamp = clamp;
+    }
+    st = spring_sweep_make(&plan, &l->sweep);
+    free(clamp);
+    return st;
+}
+
 enum status spring_leapfrog_make(const struct spring_body *body, enum precision precision,
                                  int substeps, const double *x, const double *v,
                                  double (*K)[9], struct spring_leapfrog **leapfrog,
@@ -184,7 +254,6 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
 {
     enum status st;
     size_t nodes = (size_t)body->net->nodes;
-    const int *points = body->net->points;
     struct spring_leapfrog *l = calloc(1, sizeof *l);
 
     if (!l)
@@ -196,11 +265,11 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
                  ROOM(l->shift, body->supports->held_count),
                  ROOM(l->next, body->supports->held_count)));
     supports_shift(body->supports, body->scene, 0, l->shift);
-    TRY(spring_stencil_init(&l->stencil, body->scene, body->net));
+    TRY(spring_stencil_init(&l->stencil, body->scene, body->net, body->springs,
+                            body->bending));
     if (body->cells)
         spring_stencil_replace(&l->stencil, body->form_count, body->forms);
-    TRY(spring_sweep_make(points[0], points[1], precision, body->beta, body->cells,
-                          &l->sweep));
+    TRY(make_sweep(l, precision));
     TRY(choose_step(l, K, why));
     start(l, x, v);
     *leapfrog = l, l = NULL;

@@ -24,6 +24,8 @@ struct spring_body {
     const struct supports *supports;
     const double *mass, *drag, *load; /* [nodes] kg, N s/m; [nodes][3] N                */
     double beta;                      /* stiffness damping                      [s]   */
+    enum springs springs;
+    enum bending bending;             /* quadratic, or with lengths strut             */
     const struct spring_cells *cells; /* NULL: springs; else these and what follows   */
     int form_count;                   /* bending                                      */
     const struct spring_plate_form *forms;

@@ -23,7 +23,8 @@ static void defaults(struct discretization *d)
 enum {
     USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_INTEGRATOR | DISCRETIZATION_SUBSTEPS |
            DISCRETIZATION_ITERATIONS | DISCRETIZATION_TOLERANCE |
-           DISCRETIZATION_STRAIN_LIMIT | DISCRETIZATION_PRECISION
+           DISCRETIZATION_STRAIN_LIMIT | DISCRETIZATION_PRECISION | DISCRETIZATION_SPRINGS |
+           DISCRETIZATION_BENDING
 };
 
 static void destroy(void *state)
@@ -43,6 +44,16 @@ static enum status refuse(const struct discretization *d, struct message *why)
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");
+    if (d->bending == BENDING_HINGE)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "bending=hinge: of triangles; springs have quadratic, strut");
+    if ((d->springs || d->bending) && d->integrator != INTEGRATOR_LEAPFROG)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "springs, bending: with integrator=leapfrog only; implicit and "
+                           "explicit have lengths and struts, momentum has squares");
+    if (d->bending == BENDING_STRUT && d->springs == SPRINGS_SQUARES)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "bending=strut: with springs=lengths only");
     if (solver_iterates(d->solver) && d->integrator != INTEGRATOR_IMPLICIT && !momentum)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "solver=%s: with integrator=implicit or momentum only",

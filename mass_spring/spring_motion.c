@@ -75,9 +75,15 @@ static double shortest_spring(const struct spring_net *net)
 static enum status make_leapfrog(struct spring_motion *m, const struct discretization *d,
                                  struct message *why)
 {
-    const struct spring_body body = {m->scene,       &m->net,        &m->newton.supports,
-                                     m->points.mass, m->points.drag, m->points.load,
-                                     m->points.beta};
+    const struct spring_body body = {.scene = m->scene,
+                                     .net = &m->net,
+                                     .supports = &m->newton.supports,
+                                     .mass = m->points.mass,
+                                     .drag = m->points.drag,
+                                     .load = m->points.load,
+                                     .beta = m->points.beta,
+                                     .springs = d->springs,
+                                     .bending = d->bending};
 
     return spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, m->newton.K,
                                 &m->leapfrog, why);
@@ -97,7 +103,8 @@ static enum status make_large(struct spring_motion *m, const struct discretizati
                                            .x = m->x};
 
     m->dt = m->scene->step;
-    TRY(spring_stencil_init(&m->stencil, m->scene, &m->net));
+    TRY(spring_stencil_init(&m->stencil, m->scene, &m->net, SPRINGS_SQUARES,
+                            BENDING_QUADRATIC));
     TRY(spring_strips_init(&m->strips, &m->stencil));
     TRY(spring_large_init(&m->large, &plan, why));
     memcpy(m->large.newmark.v, m->v, 3 * (size_t)m->net.nodes * sizeof *m->v);
@@ -127,8 +134,10 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     bool squares =
         d->integrator == INTEGRATOR_LEAPFROG || d->integrator == INTEGRATOR_MOMENTUM;
 
-    *m = (struct spring_motion){
-        .scene = scene, .integrator = d->integrator, .strain_limit = d->strain_limit};
+    *m = (struct spring_motion){.scene = scene,
+                                .integrator = d->integrator,
+                                .strain_limit = d->strain_limit,
+                                .struts = d->bending == BENDING_STRUT};
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters, squares));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
     TRY(spring_newton_init(&m->newton, scene, &m->net, d, why));
@@ -340,7 +349,7 @@ void spring_motion_contact(const struct spring_motion *m, struct model_contact *
 
 const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m)
 {
-    return m->leapfrog                            ? spring_leapfrog_stencil(m->leapfrog)
+    return m->leapfrog && !m->struts              ? spring_leapfrog_stencil(m->leapfrog)
            : m->integrator == INTEGRATOR_MOMENTUM ? &m->stencil
                                                   : NULL;
 }

@@ -45,6 +45,7 @@ enum status spring_newton_system(struct spring_newton *s)
     int *order = malloc((size_t)s->net->nodes * sizeof *order);
     if (!order)
         return st;
+    spring_force_hinges(s->net, s->hinges);
     order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
     TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
     st = system_follow(&s->system, frames, s, false);
@@ -76,7 +77,6 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
     TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, why));
     TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->hinges, pairs),
                  ROOM(s->work, 18 * (size_t)net->nodes)));
-    spring_force_hinges(net, s->hinges);
     TRY(contact_set_init(&s->contact, scene, &s->supports, net->rest, scene->thickness / 2,
                          why));
 out:

@@ -32,7 +32,7 @@ struct spring_newton {
     struct contact_set contact;
     void *room;          /* of the arrays                                      owned   */
     double (*K)[9];      /* [pairs]                                                    */
-    double (*hinges)[9]; /* [pairs] spring_force_hinges                                */
+    double (*hinges)[9]; /* [pairs] spring_force_hinges, after spring_newton_system    */
     double *work;        /* [6][nodes][3]                                              */
     const double *at;    /* [nodes][3] where K is of                         borrowed  */
 };

@@ -8,9 +8,9 @@
 #include "mass_spring/spring_plate.h"
 #include "models/room.h"
 
-const int spring_stencil_step[SPRING_STENCIL_ALL][2] = {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1},
-                                                        {0, 1},   {1, -1}, {1, 0},  {1, 1},
-                                                        {-2, 0},  {0, -2}, {0, 2},  {2, 0}};
+const int spring_stencil_step[SPRING_STENCIL_STRUTS][2] = {
+    {-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1},   {1, -1}, {1, 0},  {1, 1},
+    {-2, 0},  {0, -2}, {0, 2},  {2, 0},  {-2, -2}, {-2, 2}, {2, -2}, {2, 2}};
 
 static int node_at(const struct spring_net *net, int i, int j)
 {
@@ -29,12 +29,16 @@ int spring_stencil_node(const struct spring_net *net, int node, int neighbour)
 /* Which neighbour of a is b. */
 static int place_of(const struct spring_net *net, int a, int b)
 {
-    int n = 0;
+    enum { NONE = -1 };
+    static const signed char place[5][5] = {{12, NONE, 8, NONE, 13},
+                                            {NONE, 0, 1, 2, NONE},
+                                            {9, 3, NONE, 4, 10},
+                                            {NONE, 5, 6, 7, NONE},
+                                            {14, NONE, 11, NONE, 15}};
+    const int m = net->points[1], i = b / m - a / m + 2, j = b % m - a % m + 2;
 
-    while (n < SPRING_STENCIL_ALL && spring_stencil_node(net, a, n) != b)
-        n++;
-    assert(n < SPRING_STENCIL_ALL);
-    return n;
+    assert(i >= 0 && i < 5 && j >= 0 && j < 5 && place[i][j] != NONE);
+    return place[i][j];
 }
 
 static void set_springs(struct spring_stencil *s)
@@ -46,6 +50,27 @@ static void set_springs(struct spring_stencil *s)
         double r2 = spring->length * spring->length;
         s->square[ab] = s->square[ba] = r2;
         s->spring[spring->a][ab] = s->spring[spring->b][ba] = spring->stiffness / (2 * r2);
+    }
+}
+
+/* A pull along the edge from a to b and back, a constant force [N]. */
+static void add_strut(struct spring_stencil *s, int a, int b, double pull)
+{
+    s->strut[a][place_of(s->net, a, b)] += pull;
+    s->strut[b][place_of(s->net, b, a)] += pull;
+}
+
+static void add_struts(struct spring_stencil *s)
+{
+    for (int n = 0; n < s->net->hinge_count; n++) {
+        const struct hinge *h = &s->net->hinges[n];
+        add_strut(s, h->a, h->b, h->strut);
+        add_strut(s, h->b, h->c, h->strut);
+        add_strut(s, h->a, h->c, -h->strut);
+    }
+    for (int n = 0; n < s->net->clamp_count; n++) {
+        const struct clamp *c = &s->net->clamps[n];
+        s->strut[c->b][place_of(s->net, c->b, c->a)] += c->strut;
     }
 }
 
@@ -70,18 +95,23 @@ void spring_stencil_clear(struct spring_stencil *s)
 }
 
 enum status spring_stencil_init(struct spring_stencil *s, const struct scene *scene,
-                                const struct spring_net *net)
+                                const struct spring_net *net, enum springs springs,
+                                enum bending bending)
 {
     enum status st;
     size_t nodes = (size_t)net->nodes;
     struct spring_plate_form *forms = NULL;
     int count = 0;
 
-    *s = (struct spring_stencil){.net = net};
+    *s = (struct spring_stencil){.net = net, .springs = springs};
     TRY(room_cut(&s->room, ROOM(s->spring, nodes), ROOM(s->bend, nodes),
-                 ROOM(s->clamp, nodes)));
+                 ROOM(s->clamp, nodes),
+                 ROOM(s->strut, bending == BENDING_STRUT ? nodes : 0)));
     set_springs(s);
-    TRY(spring_plate_make(scene, net, &forms, &count));
+    if (bending == BENDING_STRUT)
+        add_struts(s);
+    else
+        TRY(spring_plate_make(scene, net, &forms, &count));
     for (int n = 0; n < count; n++)
         add_form(s, &forms[n]);
 out:
@@ -112,6 +142,26 @@ static double square_of_edge(const double *x, int a, int b, double edge[3])
     return sum;
 }
 
+/* What a spring is under: its energy, its force along the edge over the edge's length, and
+ * the derivative of that over the length. */
+struct strain {
+    double energy, pull, gain;
+};
+
+/* q: square of the length. */
+static struct strain strain_of(const struct spring_stencil *s, int a, int n, double q)
+{
+    const double k = s->spring[a][n], r2 = s->square[n], more = q - r2;
+
+    if (s->springs == SPRINGS_SQUARES)
+        return (struct strain){k * more * more / 4, k * more, 2 * k};
+    if (!(k > 0 && q > 0))
+        return (struct strain){0};
+    const double l = sqrt(q), r = sqrt(r2), stiffness = 2 * k * r2;
+    return (struct strain){stiffness * (l - r) * (l - r) / 2, stiffness * (1 - r / l),
+                           stiffness * r / (l * q)};
+}
+
 /* Bending is that of the displacements: the rest shape has none, and what turns cancels. */
 double spring_stencil_energy(const struct spring_stencil *s, const double *x)
 {
@@ -122,12 +172,11 @@ double spring_stencil_energy(const struct spring_stencil *s, const double *x)
             int b = spring_stencil_node(s->net, a, n);
             if (b < a)
                 continue;
-            double more = square_of_edge(x, a, b, edge) - s->square[n];
-            double k = s->spring[a][n], moved = 0;
+            double q = square_of_edge(x, a, b, edge), moved = 0;
             square_of_edge(s->net->rest, a, b, rest);
             for (int c = 0; c < 3; c++)
                 moved += (edge[c] - rest[c]) * (edge[c] - rest[c]);
-            energy += k * more * more / 4 + s->bend[a][n] * moved / 2;
+            energy += strain_of(s, a, n, q).energy + s->bend[a][n] * moved / 2;
         }
     return energy;
 }
@@ -176,9 +225,9 @@ void spring_stencil_force_add(const struct spring_stencil *s, const double *x, d
             int b = spring_stencil_node(s->net, a, n);
             if (b < 0)
                 continue;
-            double more = square_of_edge(x, a, b, edge) - s->square[n];
+            double pull = strain_of(s, a, n, square_of_edge(x, a, b, edge)).pull;
             for (int c = 0; c < 3; c++)
-                f[3 * a + c] += (s->bend[a][n] + s->spring[a][n] * more) * edge[c];
+                f[3 * a + c] += (s->bend[a][n] + pull) * edge[c];
         }
     for (int t = 0; t < 3 * s->net->nodes; t++)
         f[t] += s->clamp[t / 3][t % 3];
@@ -196,11 +245,10 @@ void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bo
             int b = spring_stencil_node(s->net, a, n);
             if (b < a)
                 continue;
-            double more = square_of_edge(x, a, b, edge) - s->square[n];
-            double k = s->spring[a][n], all = s->bend[a][n];
-            all += k * (clamped ? fmax(more, 0) : more);
+            const struct strain e = strain_of(s, a, n, square_of_edge(x, a, b, edge));
+            double all = s->bend[a][n] + (clamped ? fmax(e.pull, 0) : e.pull);
             for (int t = 0; t < 9; t++)
-                block[t] = 2 * k * edge[t / 3] * edge[t % 3] + (t % 4 == 0 ? all : 0);
+                block[t] = e.gain * edge[t / 3] * edge[t % 3] + (t % 4 == 0 ? all : 0);
             add_block(graph, a, b, block, K);
         }
 }

@@ -4,31 +4,41 @@
  *     k (l^2 - r^2)^2 / 8 r^2,  force  k (l^2 - r^2) / 2 r^2  times the edge,
  * k (l - r)^2 / 2 for small strains, and stiffer by (3 (l/r)^2 - 1) / 2 when stretched.
  *
- * Bending and clamps: the quadratic plate of spring_plate.h.
+ * or of the net's own, in lengths: k (l - r)^2 / 2, force k (l - r) / l times the edge.
+ *
+ * Bending and clamps: the quadratic plate of spring_plate.h. Or the net's own struts
+ * (spring_force.h), which only steps know: with springs in lengths they are the net's own
+ * law, whose energy and derivatives are there. Of a hinge's force P (e1/|e1| - e/|e|) the
+ * first part is a pull of its edges, the second a push between points two away.
  */
 #ifndef SPRING_STENCIL_H
 #define SPRING_STENCIL_H
 
 #include "mass_spring/spring_plate.h"
 
-enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12 };
+enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12, SPRING_STENCIL_STRUTS = 16 };
 
-/* Steps (in i, in j) to the neighbours: those that share a cell first. */
-extern const int spring_stencil_step[SPRING_STENCIL_ALL][2];
+/* Steps (in i, in j) to the neighbours: those that share a cell first; struts alone reach
+ * the last four. */
+extern const int spring_stencil_step[SPRING_STENCIL_STRUTS][2];
 
 struct spring_stencil {
     const struct spring_net *net; /* borrowed                                          */
-    void *room;                   /* of the arrays                             owned   */
+    enum springs springs;
+    void *room; /* of the arrays                             owned   */
     double (*spring)[SPRING_STENCIL_ALL]; /* [nodes] k / 2 r^2; 0: none [N/m^3]  */
     double square[SPRING_STENCIL_ALL]; /* r^2                                      [m^2]  */
     double (*bend)[SPRING_STENCIL_ALL]; /* [nodes] force towards a neighbour, per metre of
                                     edge                                     [N/m]    */
+    double (*strut)[SPRING_STENCIL_STRUTS]; /* [nodes] P of edges, of struts; or NULL [N] */
     double (*clamp)[3]; /* [nodes] constant force of clamps          [N]     */
 };
 
-/* After spring_net_init; `net` must stay where it is. No bending where its law has none. */
+/* After spring_net_init; `net` must stay where it is. No bending where its law has none.
+ * bending: quadratic or strut, of which clamps are net->clamps. */
 enum status spring_stencil_init(struct spring_stencil *s, const struct scene *scene,
-                                const struct spring_net *net);
+                                const struct spring_net *net, enum springs springs,
+                                enum bending bending);
 void spring_stencil_clear(struct spring_stencil *s);
 
 /* These forms in place of all bending, and no springs: their squares of lengths stay. */
@@ -38,7 +48,8 @@ void spring_stencil_replace(struct spring_stencil *s, int count,
 /* The neighbour's node, or -1 beyond the rim. */
 int spring_stencil_node(const struct spring_net *net, int node, int neighbour);
 
-/* Elastic energy at x[nodes][3] [J], zero at rest up to round-off. */
+/* With quadratic bending, as what follows.
+ * Elastic energy at x[nodes][3] [J], zero at rest up to round-off. */
 double spring_stencil_energy(const struct spring_stencil *s, const double *x);
 
 /* f[nodes][3] -= its derivative [N]. */

@@ -10,12 +10,12 @@
 #include "models/clones.h"
 #include "models/room.h"
 
-/* Points that rows are padded to: a vector of single precision in AVX2, two or one of
- * double. */
-enum { SWEEP_PAD = 8 };
+/* Points of a vector at most: of single precision in AVX-512; rooms begin with one. */
+enum { SWEEP_PAD = 16 };
 
-/* Room in front of a part of the cells', so that all begin with a cache line. */
-enum { CELL_PAD = 16 };
+/* Points of a strip: coefficients of fewer are not worth a call, of more leave the first
+ * cache. */
+enum { STRIP_LEAST = 256, STRIP_MOST = 512 };
 
 /* Rows around the net that neighbours reach. */
 enum { SWEEP_REACH = 2 };
@@ -26,34 +26,63 @@ enum { SWEEP_V = 2, SWEEP_SETS = 3 };
  * they share it. */
 enum { SWEEP_SHARED = 3600 };
 
-/* Parts of the room for cells, a stride each: what they pull with, by edge and component,
- * of three rows and of none; the sum on a row of points; which cells there are. */
+/* Parts of the room for cells, a stride each: what they pull with, by edge and component;
+ * the sum on points; which cells there are, and which begin where four diagonals meet in
+ * strips that begin with an even row and with an odd one. */
 enum {
-    CELL_ROWS = 3,
     CELL_EDGES = 12,
-    CELL_NOTHING = CELL_ROWS * CELL_EDGES,
-    CELL_SUM = CELL_NOTHING + CELL_EDGES,
+    CELL_SUM = CELL_EDGES,
     CELL_THERE = CELL_SUM + 3,
+    CELL_LAST, /* those of the last strip, whose last row has none */
     CELL_EVEN,
     CELL_ODD,
     CELL_PARTS
 };
 
 struct spring_sweep {
-    int n, m, kinds; /* rows, points of a row, different rows                          */
+    int n, m;         /* rows, points of a row                                         */
+    int rows, strips; /* rows of a strip, strips                                       */
+    int kinds;        /* different strips                                              */
     enum precision precision;
-    ptrdiff_t pitch, first; /* from row to row, to point 0                             */
-    double lag;             /* beta                                              [s]   */
-    int now;                /* which of the sets 0 and 1 holds the positions           */
-    size_t row_bytes;
+    enum spring_sweep_law law;
+    ptrdiff_t pitch, count, first; /* from row to row, from strip to strip, to point 0 */
+    double lag;                    /* beta                                       [s]   */
+    int now; /* which of the sets 0 and 1 holds the positions                          */
+    size_t strip_bytes;
     void *field[SWEEP_SETS][3]; /* by component; positions, positions, velocities      */
-    void **row;                 /* [n] coefficients of a row                           */
-    char *table;                /* [n] of them, the first `kinds` in use               */
+    void **strip;               /* [strips] coefficients of a strip                    */
+    char *table;                /* [strips] of them, the first `kinds` in use          */
     void *room;
+    struct spring_sweep_clamp *clamp; /* by their points                               */
+    int *clamps;                      /* [strips + 1] where those of a strip begin     */
     struct spring_cells cells; /* with cells only, as what follows                     */
     ptrdiff_t stride;
     char *cell_room; /* [CELL_PARTS][stride]; NULL: springs                            */
 };
+
+static ptrdiff_t whole_vectors(ptrdiff_t points)
+{
+    return (points + SWEEP_PAD - 1) / SWEEP_PAD * SWEEP_PAD;
+}
+
+/* Points of strip i with the rest of their last vector; fewer in the last strip. */
+static ptrdiff_t points_of(const struct spring_sweep *s, int i)
+{
+    ptrdiff_t rows = s->n - i * s->rows;
+
+    return whole_vectors((rows < s->rows ? rows : s->rows) * s->pitch);
+}
+
+/* Coefficients of a point. */
+static int places(const struct spring_sweep *s)
+{
+    return s->law == SWEEP_STRUTS ? SWEEP_COUNT : SWEEP_CORNER;
+}
+
+static ptrdiff_t place_of(const struct spring_sweep *s, int node)
+{
+    return s->first + node / s->m * s->pitch + node % s->m;
+}
 
 #define REAL    float
 #define ROOT    sqrtf
@@ -82,40 +111,84 @@ void spring_sweep_free(struct spring_sweep *s)
     free(s);
 }
 
-static enum status allocate(struct spring_sweep *s, bool cells)
+/* Where rows lie: one behind the other without gaps, so that vectors run on from row to row
+ * and a narrow net costs what its points cost. A small net is one strip; strips of larger
+ * ones are whole vectors, to which rows are lengthened if it takes too many of them. */
+static void lay_out(struct spring_sweep *s)
+{
+    int rows = s->n;
+
+    s->pitch = s->m;
+    if (s->n * s->m > STRIP_MOST) {
+        for (;; s->pitch++) {
+            for (rows = 1; rows * s->pitch % SWEEP_PAD; rows++)
+                ;
+            if (rows == 1 || rows * s->pitch <= STRIP_MOST)
+                break;
+        }
+        rows *= (int)((STRIP_LEAST + rows * s->pitch - 1) / (rows * s->pitch));
+    }
+    s->rows = rows, s->strips = (s->n + rows - 1) / rows;
+    s->count = whole_vectors(rows * s->pitch);
+    s->first = whole_vectors(SWEEP_REACH * (s->pitch + 1));
+}
+
+static enum status allocate(struct spring_sweep *s, int clamps)
 {
     size_t size = s->precision == PRECISION_SINGLE ? sizeof(float) : sizeof(double);
-    size_t bytes = size * (size_t)(s->pitch * (s->n + 2 * SWEEP_REACH));
+    size_t bytes = size * (size_t)(2 * s->first + s->count * s->strips);
     char *field[SWEEP_SETS][3];
 
-    s->stride = (s->pitch + 2 * CELL_PAD - 1) / CELL_PAD * CELL_PAD;
-    s->row_bytes = size * SWEEP_COUNT * (size_t)s->pitch;
+    s->stride = 2 * SWEEP_PAD + whole_vectors(s->pitch) + s->count;
+    s->strip_bytes = size * (size_t)(places(s) * s->count);
     enum status st = room_cut(
         &s->room, ROOM(field[0][0], bytes), ROOM(field[0][1], bytes),
         ROOM(field[0][2], bytes), ROOM(field[1][0], bytes), ROOM(field[1][1], bytes),
         ROOM(field[1][2], bytes), ROOM(field[2][0], bytes), ROOM(field[2][1], bytes),
-        ROOM(field[2][2], bytes), ROOM(s->row, (size_t)s->n),
-        ROOM(s->table, (size_t)s->n * s->row_bytes),
-        ROOM(s->cell_room, cells ? size * CELL_PARTS * (size_t)s->stride : 0));
+        ROOM(field[2][2], bytes), ROOM(s->strip, (size_t)s->strips),
+        ROOM(s->table, (size_t)s->strips * s->strip_bytes), ROOM(s->clamp, (size_t)clamps),
+        ROOM(s->clamps, (size_t)s->strips + 1),
+        ROOM(s->cell_room,
+             s->law == SWEEP_CELLS ? size * CELL_PARTS * (size_t)s->stride : 0));
     for (int n = 0; st == STATUS_OK && n < 3 * SWEEP_SETS; n++)
         s->field[n / 3][n % 3] = field[n / 3][n % 3];
     return st;
 }
 
-enum status spring_sweep_make(int n, int m, enum precision precision, double lag,
-                              const struct spring_cells *cells, struct spring_sweep **sweep)
+static int by_point(const void *a, const void *b)
+{
+    const struct spring_sweep_clamp *p = a, *q = b;
+
+    return p->point != q->point ? p->point - q->point : p->held - q->held;
+}
+
+static void set_clamps(struct spring_sweep *s, const struct spring_sweep_plan *plan)
+{
+    if (!plan->clamps)
+        return;
+    memcpy(s->clamp, plan->clamp, (size_t)plan->clamps * sizeof *s->clamp);
+    qsort(s->clamp, (size_t)plan->clamps, sizeof *s->clamp, by_point);
+    for (int k = 0; k < plan->clamps; k++)
+        s->clamps[s->clamp[k].point / s->m / s->rows + 1]++;
+    for (int i = 0; i < s->strips; i++)
+        s->clamps[i + 1] += s->clamps[i];
+}
+
+enum status spring_sweep_make(const struct spring_sweep_plan *plan,
+                              struct spring_sweep **sweep)
 {
     enum status st;
     struct spring_sweep *s = calloc(1, sizeof *s);
 
     if (!s)
         return STATUS_MEMORY;
-    s->n = n, s->m = m, s->precision = precision, s->lag = lag;
-    s->pitch = (m + SWEEP_PAD - 1) / SWEEP_PAD * SWEEP_PAD;
-    s->first = SWEEP_REACH * s->pitch;
-    TRY(allocate(s, cells));
-    if (cells) {
-        s->cells = *cells;
+    s->n = plan->n, s->m = plan->m, s->precision = plan->precision, s->lag = plan->lag;
+    s->law = plan->law;
+    lay_out(s);
+    TRY(allocate(s, plan->clamps));
+    set_clamps(s, plan);
+    if (s->law == SWEEP_CELLS) {
+        s->cells = *plan->cells;
         BY_PRECISION(s, cells_set, s);
     }
     *sweep = s, s = NULL;
@@ -127,12 +200,12 @@ out:
 void spring_sweep_set(struct spring_sweep *s, const double (*c)[SWEEP_COUNT])
 {
     s->kinds = 0;
-    for (int i = 0; i < s->n; i++) {
-        char *new = s->table + (size_t)s->kinds * s->row_bytes, *same = s->table;
-        BY_PRECISION(s, coefficients, s, c + (ptrdiff_t)i * s->m, new);
-        while (memcmp(same, new, s->row_bytes))
-            same += s->row_bytes;
-        s->row[i] = same;
+    for (int i = 0; i < s->strips; i++) {
+        char *new = s->table + (size_t)s->kinds * s->strip_bytes, *same = s->table;
+        BY_PRECISION(s, coefficients, s, i, c, new);
+        while (memcmp(same, new, s->strip_bytes))
+            same += s->strip_bytes;
+        s->strip[i] = same;
         s->kinds += same == new;
     }
 }
@@ -155,7 +228,7 @@ void spring_sweep_get(const struct spring_sweep *s, double *x, double *v)
 
 void spring_sweep_hold(struct spring_sweep *s, int node, int component, double x, double v)
 {
-    ptrdiff_t at = s->first + node / s->m * s->pitch + node % s->m;
+    ptrdiff_t at = place_of(s, node);
     void *place = s->field[s->now][component], *velocity = s->field[SWEEP_V][component];
 
     if (s->precision == PRECISION_SINGLE)
@@ -164,23 +237,23 @@ void spring_sweep_hold(struct spring_sweep *s, int node, int component, double x
         ((double *)place)[at] = x, ((double *)velocity)[at] = v;
 }
 
-/* A share of the rows, step by step; all wait for each other after each. */
+/* A share of the strips, step by step; all wait for each other after each. */
 static void run_share(struct spring_sweep *s, double dt, int count, int share, int shares)
 {
-    const int from = s->n * share / shares, to = s->n * (share + 1) / shares;
+    const int from = s->strips * share / shares, to = s->strips * (share + 1) / shares;
 
     for (int n = 0; n < count; n++) {
-        BY_PRECISION(s, rows, s, dt, s->now ^ (n & 1), from, to);
+        BY_PRECISION(s, strips, s, dt, s->now ^ (n & 1), from, to);
         if (shares > 1) {
 #pragma omp barrier
         }
     }
 }
 
-/* Rows of cells are made one from the other, in one thread. */
+/* Strips of cells are made one from the other, in one thread. */
 void spring_sweep_run(struct spring_sweep *s, double dt, int count)
 {
-    if (s->n * s->m < SWEEP_SHARED || s->cell_room || omp_get_max_threads() == 1)
+    if (s->n * s->m < SWEEP_SHARED || s->law == SWEEP_CELLS || omp_get_max_threads() == 1)
         run_share(s, dt, count, 0, 1);
     else
 #pragma omp parallel

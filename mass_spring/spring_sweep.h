@@ -1,14 +1,16 @@
 /* spring_sweep.h - one explicit step of a whole net, on flat arrays: for every point
  *     v <- keep v + kick + sum over neighbours of (A + B |e|^2) e,    x <- x + dt v,
- * e the edge to the neighbour; all coefficients are per step and per mass. Stiffness
+ * e the edge to the neighbour; springs on lengths have A + B / |e|, and struts that for
+ * points two away. All coefficients are per step and per mass. Stiffness
  * damping beta takes edges between the points x + beta v, which are then what is kept in
  * place of x: springs resist where they will be, so that they resist how fast they change.
  *
- * Each point gathers from its neighbours, nothing is scattered: one pass, the compiler's
- * vectors along v, and the same bits in whatever order rows are done. Rows are padded to
- * whole vectors and have room around them, so that no neighbour needs to be asked for;
- * coefficients are zero where there is none. Rows with equal coefficients share them: a
- * plain net has five kinds, which stay in the first cache.
+ * Each point gathers from its neighbours, nothing is scattered: one pass, and the same bits
+ * in whatever order points are done. Rows lie one behind the other, and the compiler's
+ * vectors run on over their ends: coefficients are zero where there is no neighbour, and a
+ * net costs what its points cost, however narrow. A net of more than some hundred points is
+ * cut into strips of rows; strips with equal coefficients share them: a plain net has a few
+ * kinds, which stay near.
  */
 #ifndef SPRING_SWEEP_H
 #define SPRING_SWEEP_H
@@ -19,13 +21,26 @@
 /* The coefficients of a point, in the order of spring_stencil_step. */
 enum spring_sweep_place {
     SWEEP_A = 0,    /* [8] constant part, neighbours that share a cell   [1/s]          */
-    SWEEP_B = 8,    /* [8] part in squares of lengths                    [1/(s m^2)]     */
-    SWEEP_FAR = 16, /* [4] constant part, neighbours two points away     [1/s]           */
+    SWEEP_B = 8,    /* [8] part in squares of lengths, or over lengths [1/(s m^2) or m/s] */
+    SWEEP_FAR = 16, /* [4] constant part, neighbours two away, or over lengths
+                                                                       [1/s or m/s]      */
     SWEEP_KEEP = 20,
     SWEEP_FREE = 21, /* [3] 1, or 0 for held components                                 */
     SWEEP_KICK = 24, /* [3] of constant forces, zero where held          [m/s]           */
     SWEEP_PUSH = 27, /* velocity per force of cells                   [m/s/N]          */
-    SWEEP_COUNT = 28
+    SWEEP_CORNER = 28, /* [4] over lengths, two away along both, of struts [m/s]          */
+    SWEEP_COUNT = 32
+};
+
+/* What pulls: cells; springs on squares of lengths; on lengths; and with struts. */
+enum spring_sweep_law { SWEEP_CELLS, SWEEP_SQUARES, SWEEP_LENGTHS, SWEEP_STRUTS };
+
+/* A strut between a point and what a clamp's held edge makes of the point before it: a push
+ * along x_point - x_held + edge. */
+struct spring_sweep_clamp {
+    int point, held; /* nodes                                                           */
+    double edge[3];  /* [m]                                                             */
+    double strut;    /* [N]                                                             */
 };
 
 /* A membrane of triangles in place of springs: each cell cut along one diagonal, in turns
@@ -38,10 +53,19 @@ struct spring_cells {
 
 struct spring_sweep; /* opaque; positions, velocities and coefficients                  */
 
-/* n x m points, at rest at the origin; lag is beta [s]; cells: copied, NULL for springs.
- * *sweep is owned by the caller. */
-enum status spring_sweep_make(int n, int m, enum precision precision, double lag,
-                              const struct spring_cells *cells,
+/* n x m points. All but the arrays is copied. */
+struct spring_sweep_plan {
+    int n, m;
+    enum precision precision;
+    double lag; /* beta [s]                                                            */
+    enum spring_sweep_law law;
+    const struct spring_cells *cells; /* SWEEP_CELLS                                   */
+    int clamps;                       /* SWEEP_STRUTS                                  */
+    const struct spring_sweep_clamp *clamp;
+};
+
+/* At rest at the origin. *sweep is owned by the caller. */
+enum status spring_sweep_make(const struct spring_sweep_plan *plan,
                               struct spring_sweep **sweep);
 void spring_sweep_free(struct spring_sweep *sweep);
 

@@ -1,12 +1,13 @@
 /* spring_sweep_cell.h - the membrane of a net whose cells are cut into triangles of
- * constant strain, for one kind of REAL (spring_sweep_row.h): one row of cells at a time.
+ * constant strain, for one kind of REAL (spring_sweep_row.h): one strip of rows of cells at
+ * a time.
  *
  * A cell has edges `bottom`, `top` along u and `left`, `right` along v. Where four
  * diagonals meet at its first point, its right angles lie between bottom and right, and
  * between top and left; elsewhere between bottom and left, and between top and right
  * (tri_net.h). */
 
-/* What a row of cells pulls with, by component: along its edges [N]. */
+/* What cells pull with, by component: along its edges [N]. */
 enum NAME(cell_edge) { NAME(BOTTOM), NAME(TOP), NAME(LEFT), NAME(RIGHT), NAME(EDGES) };
 
 struct NAME(law) {
@@ -130,7 +131,7 @@ CELLS(cells_corotational, MEMBRANE_COROTATIONAL)
 CELLS(cells_conditions, MEMBRANE_BARAFF_WITKIN)
 #undef CELLS
 
-/* Forces on a row of points into sum[3][stride]: of the cells before and behind it. */
+/* Forces on points into sum[3][stride]: of the cells in the rows before and behind them. */
 CLONES static void NAME(points)(ptrdiff_t count, ptrdiff_t stride,
                                 const REAL *restrict before, const REAL *restrict behind,
                                 REAL *restrict sum)
@@ -150,18 +151,21 @@ CLONES static void NAME(points)(ptrdiff_t count, ptrdiff_t stride,
     }
 }
 
-/* The room's parts, each a stride whose beginning stays zero. */
+/* The room's parts, each a stride that begins with the row before the strip. */
 static REAL *NAME(cell_room)(const struct spring_sweep *s, int part)
 {
-    return (REAL *)s->cell_room + part * s->stride + CELL_PAD;
+    return (REAL *)s->cell_room + part * s->stride + SWEEP_PAD + whole_vectors(s->pitch);
 }
 
 static void NAME(cells_set)(struct spring_sweep *s)
 {
-    for (int j = 0; j < s->m - 1; j++) {
-        NAME(cell_room)(s, CELL_THERE)[j] = 1;
-        NAME(cell_room)(s, j % 2 == 0 ? CELL_EVEN : CELL_ODD)[j] = 1;
-    }
+    for (int i = 0; i < s->rows; i++)
+        for (int j = 0; j < s->m - 1; j++) {
+            ptrdiff_t at = i * s->pitch + j;
+            NAME(cell_room)(s, CELL_THERE)[at] = 1;
+            NAME(cell_room)(s, CELL_LAST)[at] = (s->strips - 1) * s->rows + i < s->n - 1;
+            NAME(cell_room)(s, (i + j) % 2 == 0 ? CELL_EVEN : CELL_ODD)[at] = 1;
+        }
 }
 
 static struct NAME(law) NAME(law_of)(const struct spring_cells *c)
@@ -173,42 +177,45 @@ static struct NAME(law) NAME(law_of)(const struct spring_cells *c)
                               (REAL)(area * c->D[1]),    (REAL)(area * c->D[2])};
 }
 
-/* What the cells of row i pull with. */
-static REAL *NAME(cells_of)(const struct spring_sweep *s, int i)
-{
-    return NAME(cell_room)(s, i < 0 || i >= s->n - 1 ? CELL_NOTHING
-                                                     : CELL_EDGES * (i % CELL_ROWS));
-}
-
-static void NAME(cells_row)(const struct spring_sweep *s, const struct NAME(law) law,
-                            int now, int i)
+/* What the cells of strip i pull with. */
+static void NAME(cells_strip)(const struct spring_sweep *s, const struct NAME(law) law,
+                              int now, int i)
 {
     const enum membrane membrane = s->cells.membrane;
-    const REAL *there = NAME(cell_room)(s, CELL_THERE), *x[3];
-    const REAL *hub = NAME(cell_room)(s, i % 2 ? CELL_ODD : CELL_EVEN);
+    const REAL *there = NAME(cell_room)(s, i == s->strips - 1 ? CELL_LAST : CELL_THERE);
+    const REAL *hub = NAME(cell_room)(s, i * s->rows % 2 ? CELL_ODD : CELL_EVEN), *x[3];
 
-    if (i >= s->n - 1)
-        return;
     for (int k = 0; k < 3; k++)
-        x[k] = (const REAL *)s->field[now][k] + s->first + i * s->pitch;
+        x[k] = (const REAL *)s->field[now][k] + s->first + i * s->count;
     (membrane == MEMBRANE_GREEN ? NAME(cells_green)
      : membrane == MEMBRANE_COROTATIONAL
          ? NAME(cells_corotational)
-         : NAME(cells_conditions))(law, s->pitch, s->pitch, s->stride, there, hub, x[0],
-                                   x[1], x[2], NAME(cells_of)(s, i));
+         : NAME(cells_conditions))(law, points_of(s, i), s->pitch, s->stride, there, hub,
+                                   x[0], x[1], x[2], NAME(cell_room)(s, 0));
 }
 
-/* Forces of the cells on the points of row i. The cells of the row after next are done
- * first: what was just written is slow to read a place farther on. */
+/* The last row of the strip before becomes the row before strip i; the first has none. */
+static void NAME(cells_pass)(const struct spring_sweep *s, int i)
+{
+    const size_t bytes = (size_t)s->pitch * sizeof(REAL);
+
+    for (int edge = 0; edge < CELL_EDGES; edge++) {
+        REAL *first = NAME(cell_room)(s, edge);
+        if (i)
+            memcpy(first - s->pitch, first + s->count - s->pitch, bytes);
+        else
+            memset(first - s->pitch, 0, bytes);
+    }
+}
+
+/* Forces of the cells on the points of strip i. */
 static const REAL *NAME(cells_force)(const struct spring_sweep *s,
                                      const struct NAME(law) law, int now, int i)
 {
-    REAL *sum = NAME(cell_room)(s, CELL_SUM);
+    REAL *pull = NAME(cell_room)(s, 0), *sum = NAME(cell_room)(s, CELL_SUM);
 
-    if (i == 0)
-        NAME(cells_row)(s, law, now, 0);
-    NAME(cells_row)(s, law, now, i + 1);
-    NAME(points)
-    (s->pitch, s->stride, NAME(cells_of)(s, i - 1), NAME(cells_of)(s, i), sum);
+    NAME(cells_pass)(s, i);
+    NAME(cells_strip)(s, law, now, i);
+    NAME(points)(points_of(s, i), s->stride, pull - s->pitch, pull, sum);
     return sum;
 }

@@ -1,37 +1,46 @@
-/* spring_sweep_row.h - one row of the sweep for one kind of REAL: included once for each,
- * with NAME(x) giving its names. Arithmetic is contracted (a b + c in one rounding): see
- * CMakeLists.txt. */
+/* spring_sweep_row.h - one strip of rows of the sweep for one kind of REAL: included once
+ * for each, with NAME(x) giving its names. Arithmetic is contracted (a b + c in one
+ * rounding): see CMakeLists.txt. */
 
-/* x, v, y: positions, velocities, new positions of the row, by component; c: coefficients
- * [SWEEP_COUNT][count]; count a multiple of the padding; pitch from row to row; more: other
- * forces on the points, [3][stride], in place of springs; NULL without. */
+/* x, v, y: positions, velocities, new positions of the strip, by component; c: coefficients
+ * [SWEEP_COUNT][wide]; count a multiple of the padding; pitch from row to row; more: other
+ * forces on the points, [3][stride], of cells; NULL without. */
 static inline __attribute__((always_inline)) void
-NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lags,
-             const bool springs, const REAL *restrict more, ptrdiff_t stride,
-             const REAL *restrict c, const REAL *restrict x0, const REAL *restrict x1,
-             const REAL *restrict x2, REAL *restrict v0, REAL *restrict v1,
-             REAL *restrict v2, REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
+NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
+             ptrdiff_t pitch, REAL dt, REAL lag, const bool lags, const REAL *restrict more,
+             ptrdiff_t stride, const REAL *restrict c, const REAL *restrict x0,
+             const REAL *restrict x1, const REAL *restrict x2, REAL *restrict v0,
+             REAL *restrict v1, REAL *restrict v2, REAL *restrict y0, REAL *restrict y1,
+             REAL *restrict y2)
 {
-    const REAL *restrict far = c + SWEEP_FAR * count;
+    const REAL NOT_ZERO = (REAL)1e-30; /* m^2: where points meet, in padding, as 0 / 0 */
 
     count -= count % SWEEP_PAD; /* tells the compiler that no rest is left */
     for (ptrdiff_t j = 0; j < count; j++) {
         REAL f0 = 0, f1 = 0, f2 = 0;
+/* A neighbour `offset` behind: pull A e, (A + B |e|^2) e, (A + B / |e|) e. */
+#define EDGE(offset)                                                                       \
+    const REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],               \
+               e2 = x2[j + (offset)] - x2[j]
+#define SQUARE     (e0 * e0 + e1 * e1 + e2 * e2)
+#define OVER       (1 / ROOT(SQUARE + NOT_ZERO))
+#define ADD(pull)  f0 += (pull)*e0, f1 += (pull)*e1, f2 += (pull)*e2
+#define C(part, n) c[((part) + (n)) * wide + j]
 #define NEAR(n, offset)                                                                    \
     {                                                                                      \
-        REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],                 \
-             e2 = x2[j + (offset)] - x2[j];                                                \
-        REAL pull = c[(SWEEP_A + (n)) * count + j];                                        \
-        if (springs)                                                                       \
-            pull += c[(SWEEP_B + (n)) * count + j] * (e0 * e0 + e1 * e1 + e2 * e2);        \
-        f0 += pull * e0, f1 += pull * e1, f2 += pull * e2;                                 \
+        EDGE(offset);                                                                      \
+        REAL pull = C(SWEEP_A, n);                                                         \
+        if (law == SWEEP_SQUARES)                                                          \
+            pull += C(SWEEP_B, n) * SQUARE;                                                \
+        if (law >= SWEEP_LENGTHS)                                                          \
+            pull += C(SWEEP_B, n) * OVER;                                                  \
+        ADD(pull);                                                                         \
     }
-#define FAR(n, offset)                                                                     \
+#define FAR(part, n, offset)                                                               \
     {                                                                                      \
-        REAL pull = far[(n)*count + j];                                                    \
-        f0 += pull * (x0[j + (offset)] - x0[j]);                                           \
-        f1 += pull * (x1[j + (offset)] - x1[j]);                                           \
-        f2 += pull * (x2[j + (offset)] - x2[j]);                                           \
+        EDGE(offset);                                                                      \
+        const REAL pull = C(part, n) * (law == SWEEP_STRUTS ? OVER : 1);                   \
+        ADD(pull);                                                                         \
     }
         NEAR(0, -pitch - 1)
         NEAR(1, -pitch)
@@ -41,22 +50,33 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lag
         NEAR(5, pitch - 1)
         NEAR(6, pitch)
         NEAR(7, pitch + 1)
-        FAR(0, -2 * pitch)
-        FAR(1, -2)
-        FAR(2, 2)
-        FAR(3, 2 * pitch)
+        FAR(SWEEP_FAR, 0, -2 * pitch)
+        FAR(SWEEP_FAR, 1, -2)
+        FAR(SWEEP_FAR, 2, 2)
+        FAR(SWEEP_FAR, 3, 2 * pitch)
+        if (law == SWEEP_STRUTS) {
+            FAR(SWEEP_CORNER, 0, -2 * pitch - 2)
+            FAR(SWEEP_CORNER, 1, -2 * pitch + 2)
+            FAR(SWEEP_CORNER, 2, 2 * pitch - 2)
+            FAR(SWEEP_CORNER, 3, 2 * pitch + 2)
+        }
+#undef EDGE
+#undef SQUARE
+#undef OVER
+#undef ADD
+#undef C
 #undef NEAR
 #undef FAR
-        if (!springs) {
-            REAL push = c[SWEEP_PUSH * count + j];
+        if (law == SWEEP_CELLS) {
+            REAL push = c[SWEEP_PUSH * wide + j];
             f0 += push * more[j], f1 += push * more[stride + j];
             f2 += push * more[2 * stride + j];
         }
-        REAL keep = c[SWEEP_KEEP * count + j];
-        const REAL *free = c + SWEEP_FREE * count + j, *kick = c + SWEEP_KICK * count + j;
+        REAL keep = c[SWEEP_KEEP * wide + j];
+        const REAL *free = c + SWEEP_FREE * wide + j, *kick = c + SWEEP_KICK * wide + j;
         REAL new0 = keep * v0[j] + (free[0] * f0 + kick[0]);
-        REAL new1 = keep * v1[j] + (free[count] * f1 + kick[count]);
-        REAL new2 = keep * v2[j] + (free[2 * count] * f2 + kick[2 * count]);
+        REAL new1 = keep * v1[j] + (free[wide] * f1 + kick[wide]);
+        REAL new2 = keep * v2[j] + (free[2 * wide] * f2 + kick[2 * wide]);
         y0[j] = x0[j] + dt * new0 + (lags ? lag * (new0 - v0[j]) : 0);
         y1[j] = x1[j] + dt * new1 + (lags ? lag * (new1 - v1[j]) : 0);
         y2[j] = x2[j] + dt * new2 + (lags ? lag * (new2 - v2[j]) : 0);
@@ -64,34 +84,75 @@ NAME(gather)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag, const bool lag
     }
 }
 
-#define ROW(name, lags, springs)                                                           \
-    CLONES static void NAME(name)(ptrdiff_t count, ptrdiff_t pitch, REAL dt, REAL lag,     \
-                                  const REAL *restrict more, ptrdiff_t stride,             \
-                                  const REAL *restrict c, const REAL *restrict x0,         \
-                                  const REAL *restrict x1, const REAL *restrict x2,        \
-                                  REAL *restrict v0, REAL *restrict v1, REAL *restrict v2, \
-                                  REAL *restrict y0, REAL *restrict y1, REAL *restrict y2) \
+#define STRIP(name, law, lags)                                                             \
+    CLONES static void NAME(name)(                                                         \
+        ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag,               \
+        const REAL *restrict more, ptrdiff_t stride, const REAL *restrict c,               \
+        const REAL *restrict x0, const REAL *restrict x1, const REAL *restrict x2,         \
+        REAL *restrict v0, REAL *restrict v1, REAL *restrict v2, REAL *restrict y0,        \
+        REAL *restrict y1, REAL *restrict y2)                                              \
     {                                                                                      \
         NAME(gather)                                                                       \
-        (count, pitch, dt, lag, lags, springs, more, stride, c, x0, x1, x2, v0, v1, v2,    \
+        (law, count, wide, pitch, dt, lag, lags, more, stride, c, x0, x1, x2, v0, v1, v2,  \
          y0, y1, y2);                                                                      \
     }
-ROW(row, false, true)
-ROW(lagging_row, true, true)
-ROW(cell_row, false, false)
-ROW(lagging_cell_row, true, false)
-#undef ROW
+STRIP(cell_strip, SWEEP_CELLS, false)
+STRIP(square_strip, SWEEP_SQUARES, false)
+STRIP(length_strip, SWEEP_LENGTHS, false)
+STRIP(strut_strip, SWEEP_STRUTS, false)
+STRIP(lagging_cell_strip, SWEEP_CELLS, true)
+STRIP(lagging_square_strip, SWEEP_SQUARES, true)
+STRIP(lagging_length_strip, SWEEP_LENGTHS, true)
+STRIP(lagging_strut_strip, SWEEP_STRUTS, true)
+#undef STRIP
 
-/* One step of rows [from, to), from set `now` of the positions into the other. */
-static void NAME(rows)(struct spring_sweep *s, double dt, int now, int from, int to)
+/* The struts of clamps at points of strip i, after all else: they are few. */
+static void NAME(clamps)(const struct spring_sweep *s, REAL dt, int now, int i)
 {
-    const bool cells = s->cell_room, lags = s->lag > 0;
+    const REAL *c = (const REAL *)s->strip[i];
+    REAL *const *x = (REAL *const *)s->field[now], *const *y =
+                                                       (REAL *const *)s->field[!now];
+    REAL *const *v = (REAL *const *)s->field[SWEEP_V];
+
+    for (int k = s->clamps[i]; k < s->clamps[i + 1]; k++) {
+        const struct spring_sweep_clamp *clamp = &s->clamp[k];
+        const ptrdiff_t at = place_of(s, clamp->point), held = place_of(s, clamp->held);
+        const ptrdiff_t j = at - s->first - i * s->count;
+        REAL e[3], square = 0;
+        for (int n = 0; n < 3; n++) {
+            e[n] = x[n][at] - x[n][held] + (REAL)clamp->edge[n];
+            square += e[n] * e[n];
+        }
+        REAL push = square > 0
+                        ? c[SWEEP_PUSH * s->count + j] * (REAL)clamp->strut / ROOT(square)
+                        : 0;
+        for (int n = 0; n < 3; n++) {
+            REAL gain = c[(SWEEP_FREE + n) * s->count + j] * push * e[n];
+            v[n][at] += gain;
+            y[n][at] += (dt + (REAL)s->lag) * gain;
+        }
+    }
+}
+
+/* One step of strips [from, to), from set `now` of the positions into the other. */
+static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, int to)
+{
+    static void (*const step[][2])(ptrdiff_t, ptrdiff_t, ptrdiff_t, REAL, REAL,
+                                   const REAL *, ptrdiff_t, const REAL *, const REAL *,
+                                   const REAL *, const REAL *, REAL *, REAL *, REAL *,
+                                   REAL *, REAL *, REAL *) = {
+        [SWEEP_CELLS] = {NAME(cell_strip), NAME(lagging_cell_strip)},
+        [SWEEP_SQUARES] = {NAME(square_strip), NAME(lagging_square_strip)},
+        [SWEEP_LENGTHS] = {NAME(length_strip), NAME(lagging_length_strip)},
+        [SWEEP_STRUTS] = {NAME(strut_strip), NAME(lagging_strut_strip)},
+    };
+    const bool cells = s->law == SWEEP_CELLS;
     struct NAME(law) law = {0};
 
     if (cells)
         law = NAME(law_of)(&s->cells);
     for (int i = from; i < to; i++) {
-        ptrdiff_t at = s->first + i * s->pitch;
+        ptrdiff_t at = s->first + i * s->count;
         const REAL *x[3], *more = cells ? NAME(cells_force)(s, law, now, i) : NULL;
         REAL *v[3], *y[3];
         for (int k = 0; k < 3; k++) {
@@ -99,11 +160,10 @@ static void NAME(rows)(struct spring_sweep *s, double dt, int now, int from, int
             y[k] = (REAL *)s->field[!now][k] + at;
             v[k] = (REAL *)s->field[SWEEP_V][k] + at;
         }
-        (cells  ? lags ? NAME(lagging_cell_row) : NAME(cell_row)
-          : lags ? NAME(lagging_row)
-                : NAME(row))(s->pitch, s->pitch, (REAL)dt, (REAL)s->lag, more, s->stride,
-                             s->row[i], x[0], x[1], x[2], v[0], v[1], v[2], y[0], y[1],
-                             y[2]);
+        step[s->law][s->lag > 0](points_of(s, i), s->count, s->pitch, (REAL)dt,
+                                 (REAL)s->lag, more, s->stride, s->strip[i], x[0], x[1],
+                                 x[2], v[0], v[1], v[2], y[0], y[1], y[2]);
+        NAME(clamps)(s, (REAL)dt, now, i);
     }
 }
 
@@ -127,14 +187,17 @@ static void NAME(get)(const struct spring_sweep *s, int set, double *values)
     }
 }
 
-/* The coefficients of row i, transposed and padded. */
-static void NAME(coefficients)(const struct spring_sweep *s, const double (*c)[SWEEP_COUNT],
-                               void *row)
+/* The coefficients of strip i, transposed and padded. */
+static void NAME(coefficients)(const struct spring_sweep *s, int strip,
+                               const double (*c)[SWEEP_COUNT], void *coefficients)
 {
-    REAL *to = row;
+    REAL *to = coefficients;
 
-    memset(row, 0, s->row_bytes);
-    for (int n = 0; n < SWEEP_COUNT; n++)
-        for (int j = 0; j < s->m; j++)
-            to[n * s->pitch + j] = (REAL)c[j][n];
+    memset(to, 0, s->strip_bytes);
+    for (int i = 0; i < s->rows && strip * s->rows + i < s->n; i++, to += s->pitch)
+        for (int j = 0; j < s->m; j++) {
+            const double *from = c[(strip * s->rows + i) * s->m + j];
+            for (int n = 0; n < places(s); n++)
+                to[n * s->count + j] = (REAL)from[n];
+        }
 }

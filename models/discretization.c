@@ -162,4 +162,6 @@ WORDS(acceleration, [ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "ch
 WORDS(projection, [PROJECTION_XPBD] = "xpbd", [PROJECTION_PBD] = "pbd")
 WORDS(membrane, [MEMBRANE_GREEN] = "green", [MEMBRANE_COROTATIONAL] = "corotational",
       [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin")
-WORDS(bending, [BENDING_QUADRATIC] = "quadratic", [BENDING_HINGE] = "hinge")
+WORDS(springs, [SPRINGS_SQUARES] = "squares", [SPRINGS_LENGTHS] = "lengths")
+WORDS(bending, [BENDING_QUADRATIC] = "quadratic", [BENDING_HINGE] = "hinge",
+      [BENDING_STRUT] = "strut")

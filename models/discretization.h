@@ -76,9 +76,12 @@ enum projection {
     PROJECTION_XPBD, /* by compliance (Macklin et al. 2016)                            */
     PROJECTION_PBD,  /* by a share of the way an iteration (Mueller et al. 2007)       */
 };
-/* What strain of a triangle is, and what bends a net of them (triangles). */
+/* What strain of a triangle is (triangles), what springs resist (mass_spring by leapfrog),
+ * and what bends a net: of triangles quadratic or hinges, of springs quadratic or struts.
+ */
 enum membrane { MEMBRANE_GREEN, MEMBRANE_COROTATIONAL, MEMBRANE_BARAFF_WITKIN };
-enum bending { BENDING_QUADRATIC, BENDING_HINGE };
+enum springs { SPRINGS_SQUARES, SPRINGS_LENGTHS };
+enum bending { BENDING_QUADRATIC, BENDING_HINGE, BENDING_STRUT };
 
 /* What resists stretching in projective_dynamics. */
 enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
@@ -121,6 +124,7 @@ struct discretization {
     enum acceleration acceleration;
     enum projection projection;
     enum membrane membrane;
+    enum springs springs;
     enum bending bending;
 };
 
@@ -139,6 +143,7 @@ struct discretization {
     X(ACCELERATION, acceleration)                                                          \
     X(PROJECTION, projection)                                                              \
     X(MEMBRANE, membrane)                                                                  \
+    X(SPRINGS, springs)                                                                    \
     X(BENDING, bending)
 
 enum discretization_place {
@@ -193,6 +198,7 @@ const char *constraint_name(int constraint);
 const char *acceleration_name(int acceleration);
 const char *projection_name(int projection);
 const char *membrane_name(int membrane);
+const char *springs_name(int springs);
 const char *bending_name(int bending);
 
 #endif

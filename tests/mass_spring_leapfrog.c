@@ -207,7 +207,8 @@ static double bending(int cells, const double c[3], double nu)
     fill_scene(&scene, false);
     scene.poisson = nu;
     REQUIRE(spring_net_init(&net, &scene, points, PARAMETERS_MATCHED, true) == STATUS_OK);
-    REQUIRE(spring_stencil_init(&stencil, &scene, &net) == STATUS_OK);
+    REQUIRE(spring_stencil_init(&stencil, &scene, &net, SPRINGS_SQUARES,
+                                BENDING_QUADRATIC) == STATUS_OK);
     memcpy(x, net.rest, 3 * (size_t)net.nodes * sizeof *x);
     for (int a = 0; a < net.nodes; a++) {
         double u = x[3 * a], v = x[3 * a + 1];
@@ -251,7 +252,8 @@ static void check_clamp(void)
     fill_scene(&scene, true);
     scene.poisson = 0;
     REQUIRE(spring_net_init(&net, &scene, points, PARAMETERS_MATCHED, true) == STATUS_OK);
-    REQUIRE(spring_stencil_init(&stencil, &scene, &net) == STATUS_OK);
+    REQUIRE(spring_stencil_init(&stencil, &scene, &net, SPRINGS_SQUARES,
+                                BENDING_QUADRATIC) == STATUS_OK);
     memcpy(x, net.rest, sizeof x);
     double L = scene.length, a = L / 8;
     for (int n = 0; n < net.nodes; n++) /* curvature L - u, as of a load at the tip */
@@ -421,6 +423,7 @@ int main(void)
     check_exchanged(2, 3);
     check_exchanged(5, 9);
     check_exchanged(8, 17);
+    check_exchanged(18, 35); /* strips of rows, lengthened ones of columns */
     check_bending();
     check_clamp();
     check_scaled();

@@ -256,7 +256,13 @@ static void check_refusals(void)
         {{.strain_limit = 0.1}, "strain_limit"},
         {{.parameters = PARAMETERS_PAPER}, "parameters=paper"},
         {{.precision = PRECISION_SINGLE}, "precision=single"},
-        {{.integrator = INTEGRATOR_LEAPFROG, .strain_limit = 0.1}, "strain_limit"}};
+        {{.integrator = INTEGRATOR_LEAPFROG, .strain_limit = 0.1}, "strain_limit"},
+        {{.springs = SPRINGS_LENGTHS}, "with integrator=leapfrog only"},
+        {{.integrator = INTEGRATOR_EXPLICIT, .bending = BENDING_STRUT},
+         "with integrator=leapfrog only"},
+        {{.integrator = INTEGRATOR_LEAPFROG, .bending = BENDING_STRUT},
+         "with springs=lengths only"},
+        {{.integrator = INTEGRATOR_LEAPFROG, .bending = BENDING_HINGE}, "bending=hinge"}};
 
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         struct scene scene;
@@ -268,6 +274,7 @@ static void check_refusals(void)
         d.iterations = cases[k].d.iterations, d.tolerance = cases[k].d.tolerance;
         d.strain_limit = cases[k].d.strain_limit, d.precision = cases[k].d.precision;
         d.parameters = cases[k].d.parameters;
+        d.springs = cases[k].d.springs, d.bending = cases[k].d.bending;
         CHECK(spring_model.create(&scene, &d, &state, &why) == STATUS_UNSUPPORTED);
         if (!CHECK(!state && strstr(why.text, cases[k].says)))
             printf("%s\n", why.text);

@@ -171,6 +171,7 @@ static void check_printed(void)
         "discretization.acceleration=chebyshev",
         "discretization.projection=pbd",
         "discretization.membrane=corotational",
+        "discretization.springs=lengths",
         "discretization.bending=hinge"};
     const int count = sizeof settings / sizeof *settings;
     struct scene s;

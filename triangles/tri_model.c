@@ -42,6 +42,9 @@ static enum status refuse(const struct scene *scene, const struct discretization
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");
+    if (d->bending == BENDING_STRUT)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "bending=strut: of springs; triangles have quadratic, hinge");
     if (d->bending == BENDING_HINGE && d->integrator == INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "bending=hinge: with integrator=momentum or implicit only");

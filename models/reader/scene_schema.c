@@ -240,7 +240,9 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, projection)},
     {"membrane", "strain of triangles", SCHEMA_WORD, .word = membrane_name,
      IN(discretization, membrane)},
-    {"bending", "of triangles", SCHEMA_WORD, .word = bending_name,
+    {"springs", "what springs resist in leapfrog steps", SCHEMA_WORD, .word = springs_name,
+     IN(discretization, springs)},
+    {"bending", "of triangles, or of springs in leapfrog steps", SCHEMA_WORD, .word = bending_name,
      IN(discretization, bending)},
     {NULL}};
 /* clang-format on */

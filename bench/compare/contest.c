@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/harness/net_fit.h"
 #include "models/metric/metric.h"
 
 const double contest_target[CONTEST_TARGETS] = {0.03, 0.02, 0.01, 0.005, 0.002};
@@ -35,6 +36,19 @@ int contest_across(const struct contest *c, const struct contest_at *at)
     return (int)fmin(side, degree + fmax(LEAST_ACROSS, (double)cells));
 }
 
+int contest_side(const struct contest *c, const struct contestant *who, int side)
+{
+    for (int n = side; n - who->degree <= 2 * (side - who->degree); n++) {
+        const int spans[] = {n - who->degree,
+                             contest_across(c, &(struct contest_at){who, {n}}) -
+                                 who->degree};
+        if (net_fit_spans(c->scene, 0, spans[0]) == spans[0] &&
+            net_fit_spans(c->scene, 1, spans[1]) == spans[1])
+            return n;
+    }
+    return side;
+}
+
 static int length(const int *list, int most)
 {
     int n = 0;
@@ -52,12 +66,14 @@ int contest_ladder(const struct contest *c, const struct contestant *who,
     const int iterations = length(who->iterations, CONTESTANT_STEPS);
     int count = 0;
 
-    for (int s = 0; s < sides; s++)
-        for (int d = 0; d < divisors; d++)
+    for (int s = 0, last = 0; s < sides; s++) {
+        const int side = contest_side(c, who, who->points[s]);
+        for (int d = 0; d < divisors && side != last; d++)
             for (int i = 0; i == 0 || i < iterations; i++)
-                at[count++] = (struct contest_at){who,
-                                                  {who->points[s], who->divisors[d],
-                                                   iterations ? who->iterations[i] : 0}};
+                at[count++] = (struct contest_at){
+                    who, {side, who->divisors[d], iterations ? who->iterations[i] : 0}};
+        last = side;
+    }
     return count;
 }
 

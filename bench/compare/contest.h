@@ -36,6 +36,10 @@ struct contest_at {
  * points than along u. */
 int contest_across(const struct contest *c, const struct contest_at *at);
 
+/* The least net of `side` points along u or more that has lines where the scene's supports
+ * begin and end (net_fit.h), up to twice the spans; `side` itself: there is none. */
+int contest_side(const struct contest *c, const struct contestant *who, int side);
+
 /* A contestant, refined so far, with what came of it. */
 struct contest_row {
     struct contest_at at;

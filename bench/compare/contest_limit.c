@@ -58,7 +58,8 @@ bool contest_probe(const struct contest *c, const struct contest_row *best,
     if (!at->size[axis] || find_finer(c, at, axis))
         return false;
     if (axis == CONTEST_NET)
-        at->size[axis] += (at->size[axis] + 1) / 2;
+        at->size[axis] =
+            contest_side(c, at->contestant, at->size[axis] + (at->size[axis] + 1) / 2);
     else
         at->size[axis] *= 2 * (axis == CONTEST_STEP ? pieces(&best->result) : 1);
     return true;

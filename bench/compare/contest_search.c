@@ -99,6 +99,8 @@ static void cheapen(struct search *s, const struct contestant *who, double targe
         at.size[axis] =
             miss ? between((enum contest_axis)axis, miss->at.size[axis], at.size[axis])
                  : (int)fmax(least, at.size[axis] / 2);
+        if (axis == CONTEST_NET)
+            at.size[axis] = contest_side(s->contest, who, at.size[axis]);
         propose(s, row, &at);
     }
 }

@@ -61,9 +61,11 @@ enum status spring_large_init(struct spring_large *l, const struct spring_large_
     enum status st;
     const struct scene *scene = plan->scene;
     bool euler = plan->d->integrator == INTEGRATOR_IMPLICIT;
+    bool explicit = plan->d->integrator == INTEGRATOR_LEAPFROG; /* divides by itself */
 
     *l = (struct spring_large){.load = plan->load,
-                               .substeps = plan->d->substeps ? plan->d->substeps : 1};
+                               .substeps =
+                                   plan->d->substeps && !explicit ? plan->d->substeps : 1};
     TRY(make_arrays(l, plan));
     TRY(newmark_init(&l->newmark, plan->net->nodes, scene->step / l->substeps,
                      damping_mass(scene) + damping_drag(scene), plan->load->beta));

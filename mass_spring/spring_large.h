@@ -1,6 +1,6 @@
 /* spring_large.h - nets of points in implicit steps at large displacements: large_motion.h
  * with lumped masses, for springs and for triangles. Energy-momentum steps, second order,
- * or (integrator=implicit) Euler's.
+ * or (integrator=implicit) Euler's; with large_leapfrog_make's explicit ones.
  */
 #ifndef SPRING_LARGE_H
 #define SPRING_LARGE_H

@@ -432,6 +432,58 @@ static void moved(void)
     }
 }
 
+/* Nets with lines where supports begin and end, which is where all are looked for. */
+static void supported(void)
+{
+    static const struct {
+        const char *who;
+        double lo[2], hi[2], width;
+        int side, fit;
+    } all[] = {{"mass_spring", {0, 0}, {0, 1}, 1, 16, 16}, /* an edge: any net */
+               {"mass_spring", {0, 0}, {0.1, 0.1}, 1, 10, 11},
+               {"mass_spring", {0, 0}, {0.1, 0.1}, 1, 16, 21},
+               {"mass_spring", {0, 0}, {0.1, 0.1}, 1, 21, 21},
+               {"mass_spring", {0, 0}, {0.1, 0.1}, 1, 5, 5}, /* none within twice */
+               {"mass_spring", {0, 0.9}, {0.1, 1}, 1, 22, 31},
+               {"mass_spring", {0, 0}, {0.1, 0.2}, 0.5, 16, 21},
+               {"mass_spring", {0, 0}, {0.1, 0.25}, 0.5, 16, 16}, /* 20 along, 8 across */
+               {"mass_spring", {0.25, 0}, {0.5, 1}, 1, 11, 13},
+               {"mass_spring", {0, 0}, {0.12345, 1}, 1, 16, 16},
+               {"iga_selective_3", {0, 0}, {0.1, 0.1}, 1, 10, 13},
+               {"iga_selective_3", {0, 0}, {0.1, 0.1}, 1, 16, 23}};
+
+    for (int n = 0; n < LENGTH(all); n++) {
+        struct scene_support support = {{all[n].lo[0], all[n].lo[1], 0},
+                                        {all[n].hi[0], all[n].hi[1], 1}};
+        const struct scene scene = {
+            .length = 1, .width = all[n].width, .support_count = 1, .supports = &support};
+        const struct contest c = {.scene = &scene};
+        if (!CHECK(contest_fit(&c, named(all[n].who), CONTEST_NET, all[n].side) ==
+                   all[n].fit))
+            printf("row %d: %d\n", n,
+                   contest_fit(&c, named(all[n].who), CONTEST_NET, all[n].side));
+    }
+}
+
+/* Its ladder and what is proposed are such nets, none twice. */
+static void supported_search(void)
+{
+    static const int sides[] = {11, 21, 41}, probe = 71;
+    struct scene_support support = {{0, 0, 0}, {0.1, 0.1, 1}};
+    const struct scene scene = {
+        .length = 1, .width = 1, .support_count = 1, .supports = &support};
+    const struct contest c = {.scene = &scene};
+    const struct contestant *who = named("mass_spring_leapfrog");
+    struct contest_at at[CONTEST_RUNGS], next;
+    struct contest_row row = {0};
+
+    CHECK(contest_ladder(&c, who, at) == LENGTH(sides));
+    for (int n = 0; n < LENGTH(sides); n++)
+        CHECK(at[n].size[CONTEST_NET] == sides[n]);
+    row.at = at[2];
+    CHECK(contest_probe(&c, &row, CONTEST_NET, &next) && next.size[CONTEST_NET] == probe);
+}
+
 int main(void)
 {
     moved();
@@ -441,5 +493,7 @@ int main(void)
     growth();
     budget();
     across();
+    supported();
+    supported_search();
     return check_result();
 }

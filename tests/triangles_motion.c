@@ -132,6 +132,7 @@ static const struct scheme SCHEMES[] = {
     {"leapfrog", INTEGRATOR_LEAPFROG, MEMBRANE_GREEN, BENDING_QUADRATIC, 0, 40, 2},
     {"leapfrog, corotational", INTEGRATOR_LEAPFROG, MEMBRANE_COROTATIONAL,
      BENDING_QUADRATIC, 0, 40, 2},
+    {"leapfrog, hinges", INTEGRATOR_LEAPFROG, MEMBRANE_GREEN, BENDING_HINGE, 0, 40, 2},
 };
 enum { SCHEME_COUNT = sizeof SCHEMES / sizeof *SCHEMES };
 
@@ -148,6 +149,7 @@ static void check_order(const struct scheme *by)
         swing(&s, by, by->substeps << k);
         s.m->large.motion.lag = 0;
         sheet_frames(&s, SWING);
+        CHECK(s.counters.substeps == SWING * (by->substeps << k));
         memcpy(x[k], s.m->x, sizeof x[k]);
         sheet_clear(&s);
     }
@@ -160,12 +162,12 @@ static void check_order(const struct scheme *by)
 }
 
 /* Explicit steps know the same forces as implicit ones, each law, in both precisions. */
-static void check_same(enum membrane membrane, enum precision precision)
+static void check_same(enum membrane membrane, enum bending bending,
+                       enum precision precision)
 {
     const struct scheme schemes[2] = {
-        {"", INTEGRATOR_MOMENTUM, membrane, BENDING_QUADRATIC, 0, 0, 2},
-        {"", INTEGRATOR_LEAPFROG, membrane, BENDING_QUADRATIC, 0, 0, 2,
-         .precision = precision}};
+        {"", INTEGRATOR_MOMENTUM, membrane, bending, 0, 0, 2},
+        {"", INTEGRATOR_LEAPFROG, membrane, bending, 0, 0, 2, .precision = precision}};
     const double SAME = 2e-3; /* m, of 0.5: momentum's steps; single precision 1e-4 */
     double x[2][3 * 24];
 
@@ -269,8 +271,10 @@ static void check_refusals(void)
     } cases[] = {
         {{.integrator = INTEGRATOR_EXPLICIT}, 0, "integrator=leapfrog"},
         {{.integrator = INTEGRATOR_BDF2}, 0, "integrator=bdf2"},
-        {{.integrator = INTEGRATOR_LEAPFROG, .bending = BENDING_HINGE}, 0, "bending=hinge"},
         {{.integrator = INTEGRATOR_MOMENTUM, .bending = BENDING_STRUT}, 0, "bending=strut"},
+        {{.integrator = INTEGRATOR_LEAPFROG, .bending = BENDING_HINGE},
+         PRECISION_SINGLE,
+         "bending=quadratic"},
         {{.integrator = INTEGRATOR_MOMENTUM, .iterations = 1}, 0, "iterations"},
         {{.integrator = INTEGRATOR_MOMENTUM}, PRECISION_SINGLE, "precision=single"}};
 
@@ -302,9 +306,11 @@ int main(void)
     }
     for (int k = 0; k < SCHEME_COUNT; k++)
         check_order(&SCHEMES[k]);
-    for (enum membrane law = MEMBRANE_GREEN; law <= MEMBRANE_BARAFF_WITKIN; law++)
+    for (enum membrane law = MEMBRANE_GREEN; law <= MEMBRANE_BARAFF_WITKIN; law++) {
         for (enum precision p = PRECISION_DOUBLE; p <= PRECISION_SINGLE; p++)
-            check_same(law, p);
+            check_same(law, BENDING_QUADRATIC, p);
+        check_same(law, BENDING_HINGE, PRECISION_DOUBLE);
+    }
     check_energy(&SCHEMES[0], 1e-3);
     check_energy(&SCHEMES[1], 1e-3);
     check_energy(&SCHEMES[4], 1e-4);
@@ -312,6 +318,7 @@ int main(void)
     check_slope(6, 5, MEMBRANE_GREEN);
     check_slope(33, 31, MEMBRANE_COROTATIONAL);
     check_slope(4, 260, MEMBRANE_GREEN);
+    check_energy(&SCHEMES[6], 1e-4);
     check_stiff();
     check_refusals();
     return check_result();

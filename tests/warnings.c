@@ -8,6 +8,7 @@
 enum { MOST = 4 };
 #define SHEET "sheet={length: 1, width: 1, thickness: 0.01}"
 #define LIGHT "material={young: 1e5, poisson: 0, density: 0.5}"
+#define CLAMP "supports=[{at: {u: [0,0.1], v: [0.9,1]}, fix: xyz}]"
 
 static const struct row {
     const char *rule, *contestant;
@@ -76,6 +77,12 @@ static const struct row {
     {"scale", "iga", {"damping={kind: velocity_scale, value: 1}"}, false},
     {"scale", "iga", {"damping={kind: velocity_rate, value: 1}"}, false},
     {"scale", "iga", {"damping={kind: mass, value: 1}"}, false},
+    {"between", "mass_spring", {CLAMP, "discretization.points=[20,21]"}, true},
+    {"between", "mass_spring", {CLAMP, "discretization.points=[21,20]"}, true},
+    {"between", "mass_spring", {CLAMP, "discretization.points=[21,11]"}, false},
+    {"between", "mass_spring", {"discretization.points=[20,20]"}, false},
+    {"between", "shell", {CLAMP, "discretization.points=[13,13]"}, false},
+    {"between", "shell", {CLAMP, "discretization.points=[11,13]"}, true},
     {"gravity", "iga", {"gravity=[0,0,0]"}, true},
     {"gravity", "iga", {"gravity=[0,0,1e-9]"}, false},
     {"gravity", "shell", {"gravity=[1,0,0]"}, false},
@@ -136,6 +143,8 @@ static void check_numbers(void)
         {{"", "iga_paper", {0}, 1}, "viscosity is E dt = 500 Pa s"},
         {{"", "mass_spring", {0}, 1}, "takes 3.7 % of a swing in every second"},
         {{"", "iga_linear", {"discretization.points=[18,12,2]"}, 1}, "here 85:"},
+        {{"", "shell", {CLAMP, "discretization.points=[20,13]"}, 1},
+         "; 23 x 13 points have lines there"},
     };
 
     for (int n = 0; n < LENGTH(said); n++) {

@@ -168,6 +168,12 @@ static void membrane_force(const struct tri_body *b, const struct tri_triangle *
     }
 }
 
+static enum status energy_of(const void *self, const double *x, double *energy)
+{
+    *energy = tri_body_energy(self, x);
+    return isfinite(*energy) ? STATUS_OK : STATUS_NAN;
+}
+
 static void add_force(const void *self, int thread, int strip, double *force)
 {
     const struct tri_body *b = self;
@@ -351,6 +357,7 @@ enum status tri_body_init(struct tri_body *b, const struct scene *scene,
                             .lagged = (size_t)b->forms_from,
                             .strain = strain_of,
                             .geometry = set_geometry,
+                            .energy = energy_of,
                             .force = add_force,
                             .tangent = add_tangent};
     TRY(blocks_slabs(n, 1, ROWS - 1, &b->body.slabs, &b->slab));

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "models/grid.h"
+#include "models/mechanics/large_leapfrog.h"
 #include "models/net.h"
 #include "triangles/tri_motion.h"
 
@@ -45,9 +46,9 @@ static enum status refuse(const struct scene *scene, const struct discretization
     if (d->bending == BENDING_STRUT)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "bending=strut: of springs; triangles have quadratic, hinge");
-    if (d->bending == BENDING_HINGE && d->integrator == INTEGRATOR_LEAPFROG)
+    if (d->precision == PRECISION_SINGLE && d->bending == BENDING_HINGE)
         return status_fail(why, STATUS_UNSUPPORTED,
-                           "bending=hinge: with integrator=momentum or implicit only");
+                           "precision=single: with bending=quadratic only");
     if (d->iterations && d->integrator != INTEGRATOR_IMPLICIT)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "iterations: with integrator=implicit only");
@@ -112,13 +113,14 @@ static void describe(const void *state, struct message *line)
     const struct tri_motion *m = state;
     const struct spring_leapfrog *l = m->leapfrog;
     const bool conditions = m->body.membrane == MEMBRANE_BARAFF_WITKIN;
-    char limit[96] = "";
+    struct message limit;
 
+    large_leapfrog_describe(&m->large.motion, &limit);
     if (l)
-        snprintf(limit, sizeof limit,
+        snprintf(limit.text, sizeof limit.text,
                  "explicit steps of %.3g s, stable below %.3g s about rest",
                  spring_leapfrog_step(l), spring_leapfrog_limit(l));
-    snprintf(line->text, sizeof line->text, "%s%s%s%s",
+    snprintf(line->text, sizeof line->text, "%s%s%s%s%.160s",
              conditions
                  ? "membrane by the conditions of Baraff and Witkin: the C11 and C33 "
                    "of plane stress, and no C12"
@@ -129,7 +131,7 @@ static void describe(const void *state, struct message *line)
                    "curvature of a plate of nu = 0: a narrow strip is 1 / (1 - nu^2) times "
                    "too stiff"
                  : "",
-             limit);
+             m->large.motion.leapfrog ? "; " : "", limit.text);
 }
 
 static void energy(const void *state, struct energy *energy)

@@ -6,6 +6,7 @@
 
 #include "models/mechanics/contact_push.h"
 #include "models/mechanics/frequency.h"
+#include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/large_rest.h"
 #include "models/mechanics/pencil.h"
 #include "models/room.h"
@@ -19,9 +20,8 @@ static size_t count_of(const struct tri_motion *m)
 
 static enum status make_arrays(struct tri_motion *m)
 {
-    bool explicit = m->integrator == INTEGRATOR_LEAPFROG;
     enum status st =
-        room_cut(&m->room, ROOM(m->x, count_of(m)), ROOM(m->v, explicit ? count_of(m) : 0));
+        room_cut(&m->room, ROOM(m->x, count_of(m)), ROOM(m->v, m->swept ? count_of(m) : 0));
 
     if (st != STATUS_OK)
         return st;
@@ -109,10 +109,11 @@ static enum status build(struct tri_motion *m, const struct discretization *d,
     TRY(spring_load_init(&m->load, scene, points, PARAMETERS_MATCHED));
     TRY(supports_init(&m->supports, scene, points->nodes, points->uvw, why));
     TRY(make_arrays(m));
-    if (d->integrator == INTEGRATOR_LEAPFROG) {
+    if (m->swept) {
         TRY(make_leapfrog(m, d, why));
     } else {
         TRY(make_large(m, why));
+        TRY(large_leapfrog_make(&m->large.motion, &m->asked, why));
         supports_initial_velocity(&m->supports, scene, points->rest, NULL,
                                   m->large.newmark.v);
     }
@@ -136,7 +137,8 @@ enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
                             const struct discretization *d, struct message *why)
 {
     *m = (struct tri_motion){.scene = scene,
-                             .integrator = d->integrator,
+                             .swept = d->integrator == INTEGRATOR_LEAPFROG &&
+                                      d->bending == BENDING_QUADRATIC,
                              .asked = {.integrator = d->integrator,
                                        .solver = d->solver,
                                        .preconditioner = d->preconditioner,

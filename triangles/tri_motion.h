@@ -3,7 +3,8 @@
  * momentum  large_motion.h: energy-momentum steps, second order, Newton's method.
  * implicit  Euler's implicit steps, Newton's method; iterations = 1: one linear solve a
  *           step (Baraff and Witkin 1998).
- * leapfrog  spring_leapfrog.h: explicit, second order.
+ * leapfrog  explicit, second order: spring_leapfrog.h's sweeps; with hinges, whose forces
+ *           no sweep knows, large_leapfrog.h's steps.
  *
  * Mass is lumped: every point has its part of the area. A point has no slope to hold: where
  * a column is held whole, clamps hold it (spring_plate.h); a support that takes the
@@ -17,17 +18,17 @@
 #include "triangles/tri_body.h"
 
 struct tri_motion {
-    const struct scene *scene; /* borrowed                                             */
-    enum integrator integrator;
+    const struct scene *scene;   /* borrowed                                             */
+    bool swept;                  /* steps of spring_leapfrog.h                           */
     struct discretization asked; /* integrator, substeps, iterations, solver           */
     struct tri_net net;
     struct tri_body body;
     struct spring_load load;
     struct supports supports;
-    struct spring_large large; /* empty in explicit steps                              */
+    struct spring_large large; /* empty in swept steps                                 */
     void *room;                /* of the arrays                                owned   */
     double *x;                 /* [nodes][3] present points                    [m]     */
-    struct spring_cells cells; /* leapfrog only, as what follows                     */
+    struct spring_cells cells; /* swept only, as what follows                        */
     struct spring_leapfrog *leapfrog; /*                                       owned   */
     double push[3];                   /* of obstacles, mean over the last frame  [N]   */
     int pushed;                       /* points that they bore at its end              */

@@ -42,18 +42,17 @@ enum status advise_search_truth(struct advise_search *s, struct message *said,
 static enum status add_cheapest(struct contest *c, const char *models)
 {
     const struct model *model;
+    struct contest_at at[CONTEST_RUNGS];
     struct contest_row *unused;
     enum status st = STATUS_OK;
 
     for (int m = 0; (model = contestant_model(m)); m++)
-        for (const struct contestant *who = contestant_table; who->name; who++) {
-            if (who->model != model || contestant_is_paper_scheme(who) ||
-                !contestant_chosen(who, models, CONTESTANT_COMPARE))
-                continue;
-            const struct contest_at at = contest_square(
-                c, who, who->points[0], who->divisors[0], who->iterations[0]);
-            TRY(contest_add(c, &at, &unused));
-        }
+        for (const struct contestant *who = contestant_table; who->name; who++)
+            if (who->model == model && !contestant_is_paper_scheme(who) &&
+                contestant_chosen(who, models, CONTESTANT_COMPARE)) {
+                contest_ladder(c, who, at);
+                TRY(contest_add(c, &at[0], &unused));
+            }
 out:
     return st;
 }

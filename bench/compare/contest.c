@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/harness/net_fit.h"
 #include "models/metric/metric.h"
 
 const double contest_target[CONTEST_TARGETS] = {0.03, 0.02, 0.01, 0.005, 0.002};
@@ -63,6 +64,28 @@ bool contest_is_at(const struct contest_at *a, const struct contest_at *b)
     return a->contestant == b->contestant && !memcmp(a->size, b->size, sizeof a->size);
 }
 
+/* The same along u, where the square net's points across fit, too. */
+static int fit_net(const struct contest *c, const struct contestant *who, int along)
+{
+    for (int n = along; n - who->degree <= 2 * (along - who->degree); n++) {
+        const int across = contest_across(c, who, n) - who->degree;
+        if (net_fit_spans(c->scene, 0, n - who->degree) == n - who->degree &&
+            net_fit_spans(c->scene, 1, across) == across)
+            return n;
+    }
+    return along;
+}
+
+int contest_fit(const struct contest *c, const struct contestant *who,
+                enum contest_axis axis, int size)
+{
+    if (axis == CONTEST_NET)
+        return fit_net(c, who, size);
+    const int spans =
+        axis == CONTEST_ACROSS ? net_fit_spans(c->scene, 1, size - who->degree) : 0;
+    return spans ? who->degree + spans : size;
+}
+
 static int length(const int *list, int most)
 {
     int n = 0;
@@ -80,11 +103,14 @@ int contest_ladder(const struct contest *c, const struct contestant *who,
     const int iterations = length(who->iterations, CONTESTANT_STEPS);
     int count = 0;
 
-    for (int s = 0; s < sides; s++)
-        for (int d = 0; d < divisors; d++)
+    for (int s = 0, last = 0; s < sides; s++) {
+        const int side = contest_fit(c, who, CONTEST_NET, who->points[s]);
+        for (int d = 0; d < divisors && side != last; d++)
             for (int i = 0; i == 0 || i < iterations; i++)
-                at[count++] = contest_square(c, who, who->points[s], who->divisors[d],
+                at[count++] = contest_square(c, who, side, who->divisors[d],
                                              iterations ? who->iterations[i] : 0);
+        last = side;
+    }
     return count;
 }
 

@@ -56,6 +56,12 @@ struct contest_at contest_moved(const struct contest *c, const struct contest_at
 /* The same of the same contestant. */
 bool contest_is_at(const struct contest_at *a, const struct contest_at *b);
 
+/* The least size along an axis, this one or more, with lines of the net where the scene's
+ * supports begin and end (net_fit.h), up to twice the spans; `size` itself where there is
+ * none. A net fits by its square cells, too. */
+int contest_fit(const struct contest *c, const struct contestant *who,
+                enum contest_axis axis, int size);
+
 /* A contestant, refined so far, with what came of it. */
 struct contest_row {
     struct contest_at at;

@@ -59,7 +59,8 @@ bool contest_probe(const struct contest *c, const struct contest_row *best,
                       : axis == CONTEST_STEP ? 2 * size * pieces(&best->result)
                                              : 2 * size;
 
-    *at = contest_moved(c, &best->at, axis, finer);
+    *at =
+        contest_moved(c, &best->at, axis, contest_fit(c, best->at.contestant, axis, finer));
     return size && !find_finer(c, &best->at, axis);
 }
 

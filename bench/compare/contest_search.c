@@ -104,9 +104,10 @@ static void cheapen(struct search *s, const struct contestant *who, double targe
         const int size = row->at.size[axis], least = least_size(who, axis);
         if (size <= least)
             continue;
+        const int less =
+            miss ? between(axis, miss->at.size[axis], size) : (int)fmax(least, size / 2);
         const struct contest_at at = contest_moved(
-            s->contest, &row->at, axis,
-            miss ? between(axis, miss->at.size[axis], size) : (int)fmax(least, size / 2));
+            s->contest, &row->at, axis, contest_fit(s->contest, who, axis, less));
         propose(s, row, &at);
     }
 }
@@ -128,8 +129,9 @@ static void narrow(struct search *s, const struct contest_row *row, double targe
 
     if (size <= least || coarser_miss(s->contest, row, across, target))
         return;
-    const struct contest_at at =
-        contest_moved(s->contest, &row->at, across, (int)fmax(least, size / 2));
+    const int less =
+        contest_fit(s->contest, row->at.contestant, across, (int)fmax(least, size / 2));
+    const struct contest_at at = contest_moved(s->contest, &row->at, across, less);
     propose(s, row, &at);
 }
 

@@ -26,13 +26,19 @@ enum { SWEEP_V = 2, SWEEP_SETS = 3 };
  * they share it. */
 enum { SWEEP_SHARED = 3600 };
 
-/* Parts of the room for cells, a stride each: what they pull with, by edge and component;
- * the sum on points; which cells there are, and which begin where four diagonals meet in
- * strips that begin with an even row and with an odd one. */
+/* Parts of the room for cells, a stride each: tensions along their sides and diagonals, of
+ * which the rising one begins at their first point, and only one is there; which cells
+ * there are, and which begin where four diagonals meet in strips that begin with an even
+ * row and with an odd one. */
 enum {
-    CELL_EDGES = 12,
-    CELL_SUM = CELL_EDGES,
-    CELL_THERE = CELL_SUM + 3,
+    CELL_BOTTOM,
+    CELL_TOP,
+    CELL_LEFT,
+    CELL_RIGHT,
+    CELL_RISING,
+    CELL_FALLING,
+    CELL_SIDES,
+    CELL_THERE = CELL_SIDES,
     CELL_LAST, /* those of the last strip, whose last row has none */
     CELL_EVEN,
     CELL_ODD,

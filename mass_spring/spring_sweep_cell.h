@@ -7,9 +7,6 @@
  * between top and left; elsewhere between bottom and left, and between top and right
  * (tri_net.h). */
 
-/* What cells pull with, by component: along its edges [N]. */
-enum NAME(cell_edge) { NAME(BOTTOM), NAME(TOP), NAME(LEFT), NAME(RIGHT), NAME(EDGES) };
-
 struct NAME(law) {
     REAL uu, vv, uv;    /* per metre of edge: 1 / a_u^2, 1 / a_v^2, 1 / (a_u a_v)      */
     REAL d11, d12, d33; /* times a triangle's area                                     */
@@ -31,31 +28,26 @@ static inline __attribute__((always_inline)) REAL NAME(dot)(struct NAME(three) a
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* p a + q b. */
-static inline __attribute__((always_inline)) struct NAME(three)
-    NAME(mix)(REAL p, struct NAME(three) a, REAL q, struct NAME(three) b)
-{
-    return (struct NAME(three)){p * a.x + q * b.x, p * a.y + q * b.y, p * a.z + q * b.z};
-}
-
 static inline __attribute__((always_inline)) struct NAME(three)
     NAME(choose)(bool first, struct NAME(three) a, struct NAME(three) b)
 {
     return (struct NAME(three)){first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
 }
 
-/* The pull of one triangle along its edges a (u) and b (v), by the derivatives of its
- * energy with respect to (C - I) / 2, times 1 / a_u^2, 1 / a_v^2, 1 / (a_u a_v). */
-struct NAME(pull) {
-    struct NAME(three) a, b;
+/* Tensions [N/m] of a triangle along its legs a (u) and b (v) and its third side c. */
+struct NAME(tension) {
+    REAL a, b, c;
 };
 
-static inline __attribute__((always_inline)) struct NAME(pull)
-    NAME(triangle)(const enum membrane membrane, const struct NAME(law) law,
-                   struct NAME(three) a, struct NAME(three) b)
+/* By the derivatives P, Q, R of its energy with respect to (C - I) / 2, from the squares of
+ * its sides: legs away from the right angle have a b = (a a + b b - c c) / 2. None where
+ * there is no triangle. */
+static inline __attribute__((always_inline)) struct NAME(tension)
+    NAME(triangle)(const enum membrane membrane, const struct NAME(law) law, bool is,
+                   REAL aa, REAL bb, REAL cc)
 {
-    REAL q = law.uu * NAME(dot)(a, a), r = law.vv * NAME(dot)(b, b);
-    REAL s = law.uv * NAME(dot)(a, b), P, Q, R;
+    REAL q = law.uu * aa, r = law.vv * bb;
+    REAL s = law.uv / 2 * (aa + bb - cc), P, Q, R;
 
     if (membrane == MEMBRANE_GREEN) {
         REAL e = (q - 1) / 2, f = (r - 1) / 2;
@@ -75,45 +67,44 @@ static inline __attribute__((always_inline)) struct NAME(pull)
         Q = law.d11 * (1 - 1 / ROOT(r));
         R = law.d33 * s;
     }
-    P *= law.uu, Q *= law.vv, R *= law.uv;
-    return (struct NAME(pull)){NAME(mix)(P, a, R, b), NAME(mix)(Q, b, R, a)};
+    R *= law.uv;
+    return (struct NAME(tension)){is ? law.uu * P + R : 0, is ? law.vv * Q + R : 0,
+                                  is ? -R : 0};
 }
 
-/* Pulls of `count` cells into to[edge][3][stride]; x: of their first points; there and
- * hub: 1 or 0. */
+/* Tensions of `count` cells into to[CELL_SIDES][stride]; x: of their first points; there
+ * and hub: 1 or 0. */
 static inline __attribute__((always_inline)) void
 NAME(cells_by)(const enum membrane membrane, const struct NAME(law) law, ptrdiff_t count,
                ptrdiff_t pitch, ptrdiff_t stride, const REAL *restrict there,
                const REAL *restrict hub, const REAL *restrict x0, const REAL *restrict x1,
                const REAL *restrict x2, REAL *restrict to)
 {
-    const struct NAME(three) none = {0, 0, 0};
-
     count -= count % SWEEP_PAD;
 #pragma omp simd
     for (ptrdiff_t j = 0; j < count; j++) {
-#define AT(k) ((struct NAME(three)){x0[j + (k)], x1[j + (k)], x2[j + (k)]})
-#define PUT(edge, f)                                                                       \
-    to[3 * NAME(edge) * stride + j] = (f).x,                                               \
-                                 to[(3 * NAME(edge) + 1) * stride + j] = (f).y,            \
-                                 to[(3 * NAME(edge) + 2) * stride + j] = (f).z
+#define AT(k)     ((struct NAME(three)){x0[j + (k)], x1[j + (k)], x2[j + (k)]})
+#define SQUARE(e) NAME(dot)(e, e)
         const struct NAME(three) p = AT(0), q = AT(1), r = AT(pitch), s = AT(pitch + 1);
+        const struct NAME(three) bottom = NAME(less)(r, p), top = NAME(less)(s, q);
         const struct NAME(three) left = NAME(less)(q, p), right = NAME(less)(s, r);
-        bool swap = hub[j] > 0, is = there[j] > 0;
-        struct NAME(pull) one = NAME(triangle)(membrane, law, NAME(less)(r, p),
-                                               NAME(choose)(swap, right, left));
-        struct NAME(pull) two = NAME(triangle)(membrane, law, NAME(less)(s, q),
-                                               NAME(choose)(swap, left, right));
-        one.a = NAME(choose)(is, one.a, none), one.b = NAME(choose)(is, one.b, none);
-        two.a = NAME(choose)(is, two.a, none), two.b = NAME(choose)(is, two.b, none);
-        const struct NAME(three) on_left = NAME(choose)(swap, two.b, one.b);
-        const struct NAME(three) on_right = NAME(choose)(swap, one.b, two.b);
-        PUT(BOTTOM, one.a);
-        PUT(TOP, two.a);
-        PUT(LEFT, on_left);
-        PUT(RIGHT, on_right);
+        const bool swap = hub[j] > 0, is = there[j] > 0;
+        const struct NAME(three) third =
+            NAME(choose)(swap, NAME(less)(s, p), NAME(less)(q, r));
+        const REAL ll = SQUARE(left), rr = SQUARE(right), cc = SQUARE(third);
+        const struct NAME(tension) one =
+            NAME(triangle)(membrane, law, is, SQUARE(bottom), swap ? rr : ll, cc);
+        const struct NAME(tension) two =
+            NAME(triangle)(membrane, law, is, SQUARE(top), swap ? ll : rr, cc);
+        const REAL c = one.c + two.c;
+        to[CELL_BOTTOM * stride + j] = one.a;
+        to[CELL_TOP * stride + j] = two.a;
+        to[CELL_LEFT * stride + j] = swap ? two.b : one.b;
+        to[CELL_RIGHT * stride + j] = swap ? one.b : two.b;
+        to[CELL_RISING * stride + j] = swap ? c : 0;
+        to[CELL_FALLING * stride + j] = swap ? 0 : c;
 #undef AT
-#undef PUT
+#undef SQUARE
     }
 }
 
@@ -130,26 +121,6 @@ CELLS(cells_green, MEMBRANE_GREEN)
 CELLS(cells_corotational, MEMBRANE_COROTATIONAL)
 CELLS(cells_conditions, MEMBRANE_BARAFF_WITKIN)
 #undef CELLS
-
-/* Forces on points into sum[3][stride]: of the cells in the rows before and behind them. */
-CLONES static void NAME(points)(ptrdiff_t count, ptrdiff_t stride,
-                                const REAL *restrict before, const REAL *restrict behind,
-                                REAL *restrict sum)
-{
-    count -= count % SWEEP_PAD;
-    for (int k = 0; k < 3; k++) {
-        const REAL *fb = behind + (3 * NAME(BOTTOM) + k) * stride;
-        const REAL *ft = behind + (3 * NAME(TOP) + k) * stride;
-        const REAL *fl = behind + (3 * NAME(LEFT) + k) * stride;
-        const REAL *gb = before + (3 * NAME(BOTTOM) + k) * stride;
-        const REAL *gt = before + (3 * NAME(TOP) + k) * stride;
-        const REAL *gr = before + (3 * NAME(RIGHT) + k) * stride;
-#pragma omp simd
-        for (ptrdiff_t j = 0; j < count; j++)
-            sum[k * stride + j] = fb[j] + ft[j - 1] - gb[j] - gt[j - 1] + fl[j] -
-                                  fl[j - 1] + gr[j] - gr[j - 1];
-    }
-}
 
 /* The room's parts, each a stride that begins with the row before the strip. */
 static REAL *NAME(cell_room)(const struct spring_sweep *s, int part)
@@ -177,7 +148,7 @@ static struct NAME(law) NAME(law_of)(const struct spring_cells *c)
                               (REAL)(area * c->D[1]),    (REAL)(area * c->D[2])};
 }
 
-/* What the cells of strip i pull with. */
+/* Tensions of the cells of strip i. */
 static void NAME(cells_strip)(const struct spring_sweep *s, const struct NAME(law) law,
                               int now, int i)
 {
@@ -199,8 +170,8 @@ static void NAME(cells_pass)(const struct spring_sweep *s, int i)
 {
     const size_t bytes = (size_t)s->pitch * sizeof(REAL);
 
-    for (int edge = 0; edge < CELL_EDGES; edge++) {
-        REAL *first = NAME(cell_room)(s, edge);
+    for (int side = 0; side < CELL_SIDES; side++) {
+        REAL *first = NAME(cell_room)(s, side);
         if (i)
             memcpy(first - s->pitch, first + s->count - s->pitch, bytes);
         else
@@ -208,14 +179,11 @@ static void NAME(cells_pass)(const struct spring_sweep *s, int i)
     }
 }
 
-/* Forces of the cells on the points of strip i. */
-static const REAL *NAME(cells_force)(const struct spring_sweep *s,
-                                     const struct NAME(law) law, int now, int i)
+/* Tensions of the cells of strip i and of the row before it. */
+static const REAL *NAME(cells_tension)(const struct spring_sweep *s,
+                                       const struct NAME(law) law, int now, int i)
 {
-    REAL *pull = NAME(cell_room)(s, 0), *sum = NAME(cell_room)(s, CELL_SUM);
-
     NAME(cells_pass)(s, i);
     NAME(cells_strip)(s, law, now, i);
-    NAME(points)(points_of(s, i), s->stride, pull - s->pitch, pull, sum);
-    return sum;
+    return NAME(cell_room)(s, 0);
 }

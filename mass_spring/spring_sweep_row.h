@@ -3,11 +3,11 @@
  * rounding): see CMakeLists.txt. */
 
 /* x, v, y: positions, velocities, new positions of the strip, by component; c: coefficients
- * [SWEEP_COUNT][wide]; count a multiple of the padding; pitch from row to row; more: other
- * forces on the points, [3][stride], of cells; NULL without. */
+ * [SWEEP_COUNT][wide]; count a multiple of the padding; pitch from row to row; t:
+ * tensions of cells, [CELL_SIDES][stride] and the row before; NULL without. */
 static inline __attribute__((always_inline)) void
 NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
-             ptrdiff_t pitch, REAL dt, REAL lag, const bool lags, const REAL *restrict more,
+             ptrdiff_t pitch, REAL dt, REAL lag, const bool lags, const REAL *restrict t,
              ptrdiff_t stride, const REAL *restrict c, const REAL *restrict x0,
              const REAL *restrict x1, const REAL *restrict x2, REAL *restrict v0,
              REAL *restrict v1, REAL *restrict v2, REAL *restrict y0, REAL *restrict y1,
@@ -17,19 +17,24 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
 
     count -= count % SWEEP_PAD; /* tells the compiler that no rest is left */
     for (ptrdiff_t j = 0; j < count; j++) {
+        const REAL push = law == SWEEP_CELLS ? c[SWEEP_PUSH * wide + j] : 0;
         REAL f0 = 0, f1 = 0, f2 = 0;
-/* A neighbour `offset` behind: pull A e, (A + B |e|^2) e, (A + B / |e|) e. */
+/* A neighbour `offset` behind: pull A e, (A + B |e|^2) e, (A + B / |e|) e, or of cells
+ * (A + tension) e. */
 #define EDGE(offset)                                                                       \
     const REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],               \
                e2 = x2[j + (offset)] - x2[j]
-#define SQUARE     (e0 * e0 + e1 * e1 + e2 * e2)
-#define OVER       (1 / ROOT(SQUARE + NOT_ZERO))
-#define ADD(pull)  f0 += (pull)*e0, f1 += (pull)*e1, f2 += (pull)*e2
-#define C(part, n) c[((part) + (n)) * wide + j]
-#define NEAR(n, offset)                                                                    \
+#define SQUARE          (e0 * e0 + e1 * e1 + e2 * e2)
+#define OVER            (1 / ROOT(SQUARE + NOT_ZERO))
+#define ADD(pull)       f0 += (pull)*e0, f1 += (pull)*e1, f2 += (pull)*e2
+#define C(part, n)      c[((part) + (n)) * wide + j]
+#define T(side, offset) t[(side)*stride + j + (offset)]
+#define NEAR(n, offset, tension)                                                           \
     {                                                                                      \
         EDGE(offset);                                                                      \
         REAL pull = C(SWEEP_A, n);                                                         \
+        if (law == SWEEP_CELLS)                                                            \
+            pull += push * (tension);                                                      \
         if (law == SWEEP_SQUARES)                                                          \
             pull += C(SWEEP_B, n) * SQUARE;                                                \
         if (law >= SWEEP_LENGTHS)                                                          \
@@ -42,14 +47,14 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
         const REAL pull = C(part, n) * (law == SWEEP_STRUTS ? OVER : 1);                   \
         ADD(pull);                                                                         \
     }
-        NEAR(0, -pitch - 1)
-        NEAR(1, -pitch)
-        NEAR(2, -pitch + 1)
-        NEAR(3, -1)
-        NEAR(4, 1)
-        NEAR(5, pitch - 1)
-        NEAR(6, pitch)
-        NEAR(7, pitch + 1)
+        NEAR(0, -pitch - 1, T(CELL_RISING, -pitch - 1))
+        NEAR(1, -pitch, T(CELL_BOTTOM, -pitch) + T(CELL_TOP, -pitch - 1))
+        NEAR(2, -pitch + 1, T(CELL_FALLING, -pitch))
+        NEAR(3, -1, T(CELL_LEFT, -1) + T(CELL_RIGHT, -pitch - 1))
+        NEAR(4, 1, T(CELL_LEFT, 0) + T(CELL_RIGHT, -pitch))
+        NEAR(5, pitch - 1, T(CELL_FALLING, -1))
+        NEAR(6, pitch, T(CELL_BOTTOM, 0) + T(CELL_TOP, -1))
+        NEAR(7, pitch + 1, T(CELL_RISING, 0))
         FAR(SWEEP_FAR, 0, -2 * pitch)
         FAR(SWEEP_FAR, 1, -2)
         FAR(SWEEP_FAR, 2, 2)
@@ -66,12 +71,8 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
 #undef ADD
 #undef C
 #undef NEAR
+#undef T
 #undef FAR
-        if (law == SWEEP_CELLS) {
-            REAL push = c[SWEEP_PUSH * wide + j];
-            f0 += push * more[j], f1 += push * more[stride + j];
-            f2 += push * more[2 * stride + j];
-        }
         REAL keep = c[SWEEP_KEEP * wide + j];
         const REAL *free = c + SWEEP_FREE * wide + j, *kick = c + SWEEP_KICK * wide + j;
         REAL new0 = keep * v0[j] + (free[0] * f0 + kick[0]);
@@ -87,14 +88,14 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
 #define STRIP(name, law, lags)                                                             \
     CLONES static void NAME(name)(                                                         \
         ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag,               \
-        const REAL *restrict more, ptrdiff_t stride, const REAL *restrict c,               \
+        const REAL *restrict t, ptrdiff_t stride, const REAL *restrict c,                  \
         const REAL *restrict x0, const REAL *restrict x1, const REAL *restrict x2,         \
         REAL *restrict v0, REAL *restrict v1, REAL *restrict v2, REAL *restrict y0,        \
         REAL *restrict y1, REAL *restrict y2)                                              \
     {                                                                                      \
         NAME(gather)                                                                       \
-        (law, count, wide, pitch, dt, lag, lags, more, stride, c, x0, x1, x2, v0, v1, v2,  \
-         y0, y1, y2);                                                                      \
+        (law, count, wide, pitch, dt, lag, lags, t, stride, c, x0, x1, x2, v0, v1, v2, y0, \
+         y1, y2);                                                                          \
     }
 STRIP(cell_strip, SWEEP_CELLS, false)
 STRIP(square_strip, SWEEP_SQUARES, false)
@@ -153,7 +154,7 @@ static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, i
         law = NAME(law_of)(&s->cells);
     for (int i = from; i < to; i++) {
         ptrdiff_t at = s->first + i * s->count;
-        const REAL *x[3], *more = cells ? NAME(cells_force)(s, law, now, i) : NULL;
+        const REAL *x[3], *t = cells ? NAME(cells_tension)(s, law, now, i) : NULL;
         REAL *v[3], *y[3];
         for (int k = 0; k < 3; k++) {
             x[k] = (const REAL *)s->field[now][k] + at;
@@ -161,8 +162,8 @@ static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, i
             v[k] = (REAL *)s->field[SWEEP_V][k] + at;
         }
         step[s->law][s->lag > 0](points_of(s, i), s->count, s->pitch, (REAL)dt,
-                                 (REAL)s->lag, more, s->stride, s->strip[i], x[0], x[1],
-                                 x[2], v[0], v[1], v[2], y[0], y[1], y[2]);
+                                 (REAL)s->lag, t, s->stride, s->strip[i], x[0], x[1], x[2],
+                                 v[0], v[1], v[2], y[0], y[1], y[2]);
         NAME(clamps)(s, (REAL)dt, now, i);
     }
 }

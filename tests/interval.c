@@ -80,7 +80,7 @@ int main(void)
     static struct table4_data d;
     struct message why = {""};
 
-    REQUIRE(table4_rules(&d.rules, &why) == STATUS_OK);
+    REQUIRE(table4_rules(&d.rules, &d.learnt, &why) == STATUS_OK);
     tells(
         &d, true,
         (const char *const[]){
@@ -88,6 +88,7 @@ int main(void)
             "all: the runs teach something, the two parameters as much.",
             "over-stretched: stretch_max above 1.5 on flag, above 1.5 on edge_drop; by the "
             "rule above 1.1.",
+            "they judge 9 of 18 rows as those above do; the plan's are of other runs.",
             "too light: angle_max below 67.5 on flag", "chaotic: blowup_time below 1 on",
             NULL});
     tells(
@@ -98,6 +99,7 @@ int main(void)
             "penetration: intersections_max never on flag, never on edge_drop; by the rule",
             NULL});
     verdict_clear(&d.rules);
+    verdict_clear(&d.learnt);
     const double value[] = {2.5, 1, 2, 5, 4, 6};
     const bool middle[] = {true, false, true, false, true, false}; /* 2, 3, 4 */
     const bool top[] = {false, false, false, true, true, true};    /* 4, 5, 6 */

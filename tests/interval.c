@@ -97,7 +97,7 @@ int main(void)
             "2 of 18 at best from what the runs show, 18 from E/rho alone, 16 by `no` to "
             "all: the runs teach nothing about the paper's eye.",
             "penetration: intersections_max never on flag, never on edge_drop; by the rule",
-            NULL});
+            "they judge 18 of 18 rows as those above do. ", NULL});
     verdict_clear(&d.rules);
     verdict_clear(&d.learnt);
     const double value[] = {2.5, 1, 2, 5, 4, 6};

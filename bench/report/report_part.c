@@ -43,6 +43,10 @@ const struct report_part report_part_list[] = {
     TABLE("2", "milliseconds a frame", {"cost.png", NULL}),
     TABLE("3", "cost of degree and net", {"cost.png", NULL}),
     TABLE("4", "which E, rho and mu give cloth", {"table4.png", NULL}),
+    STUDY("drops", "Falling sheets (Figs. 7 and 8)", true,
+          {"drops.png", "Fig. 7, top edge fixed, and Fig. 8, two top corners fixed, at 0.5, "
+           "1.5, 2.0, 3.25, 3.5 and 4.25 s: the sheet starts at rest, falls, swings through, "
+           "and back"}),
     STUDY("mesh", "Denser nets (Fig. 12)", true, {"corners_sheets.png", FIG12},
           {"edge_sheets.png", FIG12}),
     STUDY("degree", "Higher degrees (Fig. 13)", true, {"corners_sheets.png", FIG13},

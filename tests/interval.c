@@ -69,10 +69,7 @@ static void tells(struct table4_data *d, bool apart, const char *const *has)
     make(d, apart);
     said_open(&s);
     CHECK(table4_learn_print(d, TABLE_TEXT, s.file) == STATUS_OK);
-    said_close(&s, false);
-    for (; *has; has++)
-        said_has(&s, apart ? "apart" : "alike", *has);
-    said_clear(&s);
+    said_all(&s, apart ? "apart" : "alike", has);
 }
 
 int main(void)

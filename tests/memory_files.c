@@ -393,7 +393,7 @@ static void try_report(const char *only)
     CHECK(command_deed("run edge_drop --quiet --model mass_spring --set time.end=0.01 "
                        "--set discretization.points=[3,3] --out kept/run_edge_drop/good.h5",
                        NULL) == STATUS_OK);
-    try_all(&(struct deed){words, report_deed, words, true});
+    try_all(&(struct deed){words, report_deed, words, true, true});
     REQUIRE(unsetenv("CLOTHBENCH_TRUTHS") == 0);
 }
 

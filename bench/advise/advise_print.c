@@ -230,8 +230,7 @@ enum status advise_print(const struct advise_search *s, enum table_format format
         TRY(say_net(s, best, format, file, why));
     fill(t, s);
     note_method(t, s);
-    TRY(table_save(t, s->job->folder, "advise", why));
-    return table_finish(t, format, file);
+    return table_publish(t, s->job->folder, "advise", format, file, why);
 out:
     table_destroy(t);
     return st;

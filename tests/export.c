@@ -73,9 +73,13 @@ static void materials(void)
     CHECK_RELATIVE(sum_of(t, "spring u"), 20 * 20 * straight, TOL_SUM);
     CHECK_RELATIVE(sum_of(t, "spring v"), 20 * 20 * straight, TOL_SUM);
     CHECK_RELATIVE(sum_of(t, "spring diagonal"), 20 * 20 * 2 * diagonal, TOL_SUM);
+    CHECK_RELATIVE(number_of(t, "hinge u"), number_of(t, "D"), TOL_ONE); /* square cells */
+    CHECK_RELATIVE(number_of(t, "hinge diagonal"), 2 * number_of(t, "D"), TOL_ONE);
     check_springs(t, 21, 21);
     reference_close(t);
     t = table_of(exported("edge_drop", "9,7", NULL), "materials.csv");
+    CHECK_RELATIVE(number_of(t, "hinge u"), number_of(t, "D") * 6 / 8, TOL_ONE);
+    CHECK_RELATIVE(number_of(t, "hinge v"), number_of(t, "D") * 8 / 6, TOL_ONE);
     check_springs(t, 9, 7);
     reference_close(t);
     /* cells of 1 to 2 have no springs along their length; a cone has none at all */

@@ -134,17 +134,73 @@ sed -n 's/.*id="data">\(.*\)<.script>/\1/p' page.html >data.json
 python3 -c 'import json; json.load(open("data.json", encoding="utf-8"))' ||
     fail 'what the page holds is no JSON'
 
+# --- motions: all frames of a run's file; what cannot be read is told, the rest is there
+mkdir -p moves/run_edge_drop
+sheet=(--model mass_spring --set 'discretization.points=[4,4]' --set time.end=0.05 --quiet)
+"$program" run edge_drop "${sheet[@]}" --out moves/run_edge_drop/sound.h5 2>err || fail "run: $(<err)"
+"$program" run corners_drop "${sheet[@]}" --out moves/run_edge_drop/other.h5 2>err || fail "run: $(<err)"
+sound=moves/run_edge_drop/sound.h5
+size=$(stat -c %s "$sound")
+head -c $((size / 2)) "$sound" >moves/run_edge_drop/cut.h5
+{ head -c $((size - 1000)) "$sound" && printf x && tail -c 999 "$sound"; } >moves/run_edge_drop/changed.h5
+cp "$2/bench/truths/sphere.h5" moves/run_edge_drop/truth.h5
+printf 'no HDF5\n' >moves/run_edge_drop/words.h5
+mkdir -p moves/table2 moves/table3 moves/table4
+{ printf '\x89PNG\r\n\x1a\n' && head -c 100 /dev/zero; } >moves/table2/cost.png
+printf 'no PNG\n' >moves/table3/cost.png
+mkdir moves/table4/table4.png
+good moves
+sed -n 's/.*id="data">\(.*\)<.script>/\1/p' page.html >data.json
+python3 - <<'SCRIPT' || fail 'motions and pictures are not told as they are'
+import base64, json
+data = json.load(open("data.json", encoding="utf-8"))
+motion = {m["name"]: m for m in data["motions"]}
+assert motion["truth"]["truth"] and len(motion["truth"]["time"]) >= 10
+sound = motion["sound.h5"]
+assert len(sound["time"]) == 11 and abs(sound["time"][3] - 0.015) < 1e-6, sound["time"]
+assert len(base64.b64decode(sound["data"])) == 2 * 11 * 3 * sound["side"] ** 2
+for name, words in {"other": "of the scene corners_drop", "cut": "cut.h5", "changed": "changed.h5",
+                    "truth": "truth.h5", "words": "words.h5"}.items():
+    said = motion[name + ".h5"]
+    assert words in said["trouble"] and "data" not in said, said
+trouble = [p["trouble"] for p in data["pictures"]]
+assert len(trouble) == 3 and all(p["data"] is None for p in data["pictures"]), trouble
+assert trouble[0].endswith("table2/cost.png: is cut short"), trouble
+assert trouble[1].endswith("table3/cost.png: is no PNG"), trouble
+assert "table4.png: cannot be read" in trouble[2], trouble
+SCRIPT
+# more frames than there is room for: every so many of them, never beyond 5 MB
+for n in {1..20}; do cp "$sound" "moves/run_edge_drop/more_$n.h5"; done
+"$program" run edge_drop "${sheet[@]}" --set time.end=0.5 --out moves/run_edge_drop/long.h5 2>err
+good moves
+grep -q '"name":"long.h5","truth":false,"side":20,"stride":[2-9],' page.html || fail 'a long run has all its frames'
+
+# --- a stored truth that is damaged: told, and runs are played without it
+mkdir truths
+printf 'no truth\n' >truths/edge_drop.h5
+CLOTHBENCH_TRUTHS=$PWD/truths "$program" report moves --out page.html >out 2>err || fail "damaged truth: exit $?"
+grep -q '"name":"truth","trouble":"[^"]*truths/edge_drop.h5' page.html || fail 'a damaged truth is not told'
+has '"name":"sound.h5","truth":false'
+
+# --- no room on the disk: a sentence, exit 1, and the page of before is as it was
+cp page.html before.html
+(ulimit -f 100 && exec "$program" report moves --out page.html) >out 2>err
+code=$?
+[ "$code $(wc -l <err)" = '1 1' ] || fail "a full disk: exit $code: $(<err)"
+cmp -s page.html before.html || fail 'a full disk, and another page'
+[ "$(find . -name '*.part' | wc -l)" -eq 0 ] || fail 'a full disk, and half a page is left'
+
 # --- pictures: the bytes of a file; what would make the page too large is named
 mkdir -p large/study_flag large/study_mesh large/table2
-touch large/study_flag/flag.png
 printf '\x89PNG\r\n\x1a\n' | cat - "$program" | head -c 20001 >large/table2/cost.png
+printf 'IEND\xae\x42\x60\x82' >>large/table2/cost.png
 good large
 grep -oP '"data":"\KiVBOR[^"]*' page.html | base64 -d | cmp - large/table2/cost.png ||
     fail 'a picture is not that of its file'
 for name in study_flag/flag study_mesh/corners_sheets study_mesh/edge_sheets; do
-    { printf '\x89PNG\r\n\x1a\n' && head -c 1900000 /dev/zero; } >"large/$name.png"
+    { printf '\x89PNG\r\n\x1a\n' && head -c 1900000 /dev/zero && printf 'IEND\xae\x42\x60\x82'; } >"large/$name.png"
 done
 good large
-has 'study_flag/flag.png","paper":"Fig. 15, flag falling, at 0.75, 1.0 and 2.075 s","data":null'
+has 'study_flag/flag.png","paper":"Fig. 15, flag falling, at 0.75, 1.0 and 2.075 s","trouble":"","data":null'
 [ "$(grep -oF '"data":null' page.html | wc -l)" -eq 2 ] || fail 'not one of three fits'
 exit $((failures > 0))

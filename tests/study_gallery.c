@@ -12,8 +12,6 @@
 #include "tests/progress_seen.h"
 #include "tests/study_fixture.h"
 
-enum { TIMES = 3 };
-
 /* What a file must be of. */
 struct kept {
     const char *file, *label;
@@ -22,8 +20,14 @@ struct kept {
     bool undamped;
 };
 
-static const double flag_time[TIMES] = {0.75, 1, 2.075},
-                    artefact_time[TIMES] = {0.5, 1.5, 3};
+static const double flag_time[] = {0.75, 1, 2.075, 0}, artefact_time[] = {0.5, 1.5, 3, 0},
+                    drop_time[] = {0.5, 1.5, 2.0, 3.25, 3.5, 4.25, 0}; /* 0: no more */
+static const struct kept drops[] = {
+    {"drops_edge_printed", "\"Fig. 7, printed\"", 3 * 2 * 5 * 4, 0, false},
+    {"drops_edge_shell", "\"Fig. 7, undamped shell\"", 3 * 6 * 4, 0, true},
+    {"drops_corners_printed", "\"Fig. 8, printed\"", 3 * 2 * 23, 0, false},
+    {"drops_corners_shell", "\"Fig. 8, undamped shell\"", 3 * 34, 0, true},
+};
 static const struct kept flags[] = {
     {"flag_printed", "printed (the paper's)", 3 * 2 * 6 * 5, 0, false},
     {"flag_printed_coarse", "\"printed, coarser net\"", 3 * 2 * 5 * 4, 0, false},
@@ -67,7 +71,7 @@ static void check_file(const struct kept *k, const double *time, const char *csv
     REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
     REQUIRE(store_scene(file, path, &scene, NULL) == STATUS_OK);
     check_sheet(k, &scene);
-    CHECK(r.unknowns == k->unknowns && r.frames == TIMES);
+    CHECK(r.unknowns == k->unknowns && time[r.frames - 1] > 0 && time[r.frames] == 0);
     CHECK(!isnan(r.value[MEASURE_INTERSECTIONS_MAX]));
     for (int t = 0; t < r.frames; t++) {
         CHECK(r.time[t] == time[t]);
@@ -105,6 +109,8 @@ static void check(const struct experiment *e, int count, const struct kept *kept
 int main(int count, char **arguments)
 {
     study_begin(count, arguments);
+    check(&study_drops_experiment, sizeof drops / sizeof *drops, drops, drop_time,
+          "and back\": not judged: quick.");
     check(&study_flag_experiment, sizeof flags / sizeof *flags, flags, flag_time,
           "- Whose fall it is, and what nets do to it: not judged: quick.");
     check(&study_artefacts_experiment, sizeof artefacts / sizeof *artefacts, artefacts,

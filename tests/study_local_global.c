@@ -4,7 +4,7 @@
  */
 #include "bench/files/folder.h"
 #include "bench/studies/study_local_global.h"
-#include "tests/check.h"
+#include "tests/said.h"
 
 enum { COUNTS = STUDY_LOCAL_GLOBAL_COUNTS, METHODS = STUDY_LOCAL_GLOBAL_METHODS };
 
@@ -34,20 +34,13 @@ static struct study_local_global made(const double first[METHODS], double euler,
 static void check_said(const char *folder, const struct study_local_global *s, bool quick,
                        const char *const *sentence)
 {
-    static char text[1 << 16];
-    FILE *file = tmpfile();
     struct message why = {""};
+    struct said said;
 
-    REQUIRE(file);
-    CHECK(study_local_global_tell(s, quick, folder, TABLE_TEXT, file, &why) == STATUS_OK);
-    rewind(file);
-    text[fread(text, 1, sizeof text - 1, file)] = '\0';
-    fclose(file);
-    for (char *c = text; *c; c++) /* sentences are wrapped */
-        *c = *c == '\n' ? ' ' : *c;
-    for (; *sentence; sentence++)
-        if (!CHECK(strstr(text, *sentence)))
-            printf("not said: %s\n", *sentence);
+    said_open(&said);
+    CHECK(study_local_global_tell(s, quick, folder, TABLE_TEXT, said.file, &why) ==
+          STATUS_OK);
+    said_all(&said, "local_global", sentence);
 }
 
 int main(int argc, char **argv)

@@ -121,6 +121,58 @@ static void test_flag(void)
     free(text);
 }
 
+/* Figs. 7 and 8: swings of the printed scheme at six times, and what is said of them. */
+static const struct {
+    double angle[2][6];
+    bool quick;
+    const char *want[2];
+} drops[] = {
+    {{{95, 30, 60, 85, 40, 50}, {80, 70, 91, 95, 89.5, 92}},
+     false,
+     {"an edge held: the sheet falls, swings through, and back\": holds. At the paper's "
+      "six "
+      "times the printed scheme's sheet is inclined by 95 degrees at most, where 90 is "
+      "plumb, "
+      "by 30 at least after that, and in the end stretched by a factor of 1.5; an undamped "
+      "shell with the same E, nu, rho and thickness: 45 degrees, a factor of 1.25.",
+      "two corners held: the sheet falls, swings through, and back\": holds. At the "
+      "paper's "
+      "six times the printed scheme's sheet is inclined by 95 degrees at most, where 90 is "
+      "plumb, by 89.5 at least"}},
+    {{{85, 30, 60, 85, 40, 50}, {80, 70, 91, 95, 90.5, 92}},
+     false,
+     {"an edge held: the sheet falls, swings through, and back\": does not hold.",
+      "two corners held: the sheet falls, swings through, and back\": does not hold."}},
+    {{{95, 30, NAN, NAN, NAN, NAN}, {95, 30, 60, 85, 40, 50}},
+     true,
+     {"an edge held: the sheet falls, swings through, and back\": not judged: quick.",
+      "two corners held: the sheet falls, swings through, and back\": not judged: quick."}},
+    {{{95, 30, NAN, NAN, NAN, NAN}, {95, 30, 60, 85, 40, NAN}},
+     false,
+     {"an edge held: the sheet falls, swings through, and back\": cannot be judged.",
+      "two corners held: the sheet falls, swings through, and back\": cannot be judged."}},
+};
+
+static void test_drops(void)
+{
+    struct study_printed p;
+
+    for (size_t n = 0; n < ROWS(drops); n++) {
+        memset(&shown, 0, sizeof shown);
+        shown.quick = drops[n].quick;
+        for (int k = 0; k < 4; k++)
+            for (int t = 0; t < 6; t++)
+                shown.frame[k][t] =
+                    (struct gallery_frame){.angle = k % 2 ? 45 : drops[n].angle[k / 2][t],
+                                           .stretch = k % 2 ? 1.25 : 1.5};
+        for (int k = 0; k < 2; k++) {
+            REQUIRE(study_drops_tell(&shown, study_folder, TABLE_TEXT, study_print_to(&p),
+                                     NULL) == STATUS_OK);
+            study_printed_wants(&p, drops[n].want[k]);
+        }
+    }
+}
+
 /* Values of a run that no rule of Table 4 has a word for. */
 static void feasible(int n)
 {
@@ -346,6 +398,7 @@ int main(int count, char **arguments)
 {
     study_begin(count, arguments);
     test_flag();
+    test_drops();
     test_artefacts();
     test_contact();
     return check_result();

@@ -4,7 +4,7 @@
  */
 #include "bench/files/folder.h"
 #include "bench/studies/study_solvers.h"
-#include "tests/check.h"
+#include "tests/said.h"
 
 static const struct study_solvers_cost none = {NAN, NAN, NAN, NAN, NAN, NAN};
 
@@ -33,20 +33,12 @@ static struct study_solvers made(double times, double power, double apart)
 static void check_said(const char *folder, const struct study_solvers *s, bool quick,
                        const char *const *sentence)
 {
-    static char text[1 << 16];
-    FILE *file = tmpfile();
     struct message why = {""};
+    struct said said;
 
-    REQUIRE(file);
-    CHECK(study_solvers_tell(s, quick, folder, TABLE_TEXT, file, &why) == STATUS_OK);
-    rewind(file);
-    text[fread(text, 1, sizeof text - 1, file)] = '\0';
-    fclose(file);
-    for (char *c = text; *c; c++) /* sentences are wrapped */
-        *c = *c == '\n' ? ' ' : *c;
-    for (; *sentence; sentence++)
-        if (!CHECK(strstr(text, *sentence)))
-            printf("not said: %s\n", *sentence);
+    said_open(&said);
+    CHECK(study_solvers_tell(s, quick, folder, TABLE_TEXT, said.file, &why) == STATUS_OK);
+    said_all(&said, "solvers", sentence);
 }
 
 int main(int argc, char **argv)

@@ -13,7 +13,10 @@
 #define GAMMA   "  - {key: gamma, values: [10, 1000], scale: log}\n"
 #define TWO     "axes:\n" DAMPING GAMMA
 
-/* Measures of case n are n + 1; the cases' labels in turn: feasible, a, b. */
+#define LEARNT "learnt: [{label: c, measure: drop_max, above: 9, why: a test}]\n"
+
+/* Measures of case n are n + 1; the cases' labels in turn: feasible, a, b; the second
+ * opinion passes those that have b. */
 static const struct {
     const char *plan;
     const char *holds[8], *lacks[3];
@@ -28,12 +31,19 @@ static const struct {
       "set ylabel 'Gamma, weight against bending'\n", "set logscale y\n",
       "set xtics ('0.1' 0.1,'0.5' 0.5)\n", "set ytics ('10' 10,'1000' 1000)\n",
       "boxxyerror"},
-     {"\nset logscale x", "set title 'd"}},
+     {"\nset logscale x", "set title 'd", "learnt"}},
     {PLAN TWO "map: {x: gamma, y: damping.value}\n",
      {"10 0.1 1 100 -0.1 0.3\n", "1000 0.5 100 10000 0.3 0.7\n",
       "set xlabel 'Gamma, weight against bending'\n", "set ylabel 'damping'\n",
       "set logscale x\n", "set ytics ('0.1' 0.1,'0.5' 0.5)\n"},
      {"\nset logscale y"}},
+    /* a second opinion: hatched cells over the colours, dots where there are no cells */
+    {PLAN TWO LEARNT "map: {x: damping.value, y: gamma}\n",
+     {"$p0_3 << EOD\n0.5 10 0.3 0.7 1 100\nEOD", "transparent pattern 5 noborder",
+      "title 'feasible by bounds learnt from the paper'.\"'\".'s words: 1'"}},
+    {PLAN TWO LEARNT "map: {x: damping.value, y: speed_max}\n",
+     {"$p0_3 << EOD\n0.5 3\nEOD", "words: 1'"},
+     {"boxxyerror"}},
     /* a value alone, linear and logarithmic */
     {PLAN
      "axes: [{key: damping.value, values: [0.5]}, {key: gamma, values: [10], scale: log}]\n"
@@ -100,7 +110,7 @@ static void draw(const struct plan *plan, const char *const *labels, int count)
     for (long n = 0; n < plan_case_count(plan); n++) {
         const struct sweep_row row = sweep_fixture_ran((double)n + 1);
         REQUIRE(plan_case_given(plan, n, &c) == STATUS_OK);
-        REQUIRE(sweep_map_row(map, &c, &row, labels[n % count]) == STATUS_OK);
+        REQUIRE(sweep_map_row(map, &c, &row, labels[n % count], n % 3 == 2) == STATUS_OK);
         plan_case_clear(&c);
     }
     REQUIRE(sweep_map_chart(map, &chart, NULL) == STATUS_OK);
@@ -192,7 +202,7 @@ static void check_no_result(void)
                            &plan);
         REQUIRE(sweep_map_create(&map, &plan, "feasible") == STATUS_OK);
         REQUIRE(plan_case_given(&plan, 3, &c) == STATUS_OK);
-        REQUIRE(sweep_map_row(map, &c, &row, "no result") == STATUS_OK);
+        REQUIRE(sweep_map_row(map, &c, &row, "no result", false) == STATUS_OK);
         REQUIRE(sweep_map_chart(map, &chart, NULL) == STATUS_OK);
         chart_write(chart, ".", "map", NULL);
         char *text = sweep_fixture_text("map.gp");
@@ -215,7 +225,7 @@ static void check_no_map(void)
 
     sweep_fixture_plan(PLAN TWO, &plan);
     CHECK(sweep_map_create(&map, &plan, "feasible") == STATUS_OK && !map);
-    CHECK(sweep_map_row(map, NULL, NULL, NULL) == STATUS_OK);
+    CHECK(sweep_map_row(map, NULL, NULL, NULL, false) == STATUS_OK);
     CHECK(sweep_map_chart(map, &chart, NULL) == STATUS_OK && !chart);
     sweep_map_destroy(map);
     plan_clear(&plan);

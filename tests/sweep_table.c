@@ -259,6 +259,51 @@ static void check_print_rest(void)
     plan_clear(&plan);
 }
 
+/* A second opinion has a column, a count, and its bounds in the summary. */
+static void check_learnt(void)
+{
+    static const struct {
+        enum sweep_row_state state;
+        double value;
+        const char *ends; /* its line of table.csv                                     */
+    } cases[] = {{SWEEP_ROW_RAN, 0.4, ",feasible,feasible,done,feasible\n"},
+                 {SWEEP_ROW_RAN, 0.6, ",infeasible,big,done,feasible\n"},
+                 {SWEEP_ROW_RAN, 0.8, ",infeasible,big,done,long\n"},
+                 {SWEEP_ROW_FAILED, 0.4, ",none,no result,done,\n"}};
+    struct sweep_table table;
+    struct plan plan;
+    char text[1024], labels[64];
+
+    snprintf(text, sizeof text, "%s%s", plan_text,
+             "learnt: [{label: long, measure: drop_max, above: 0.7, why: a test}]\n");
+    sweep_fixture_plan(text, &plan);
+    REQUIRE(sweep_table_open(&table, &plan, &(struct sweep_folder){.path = "."}, NULL) ==
+            STATUS_OK);
+    for (int n = 0; n < 4; n++) {
+        struct sweep_row row = sweep_fixture_ran(cases[n].value);
+        struct plan_case c;
+
+        row.state = cases[n].state;
+        REQUIRE(plan_case_given(&plan, n, &c) == STATUS_OK);
+        CHECK(sweep_table_row(&table, &c, &row, labels, sizeof labels) == (n < 2));
+        plan_case_clear(&c);
+    }
+    CHECK(table.feasible == 1 && table.learnt == 2);
+    char *said = print(&plan, &(struct pool){0}, &table, "");
+    sweep_fixture_holds("learnt", said,
+                        "\n  feasible                     2   by bounds learnt "
+                        "from the paper's words:\n");
+    sweep_fixture_holds("learnt", said, " no long: drop_max above 0.7\n");
+    free(said);
+    REQUIRE(sweep_table_close(&table, NULL) == STATUS_OK);
+    char *is = sweep_fixture_text("table.csv");
+    sweep_fixture_holds("learnt", is, ",outcome,learnt\n");
+    for (int n = 0; n < 4; n++)
+        sweep_fixture_holds("learnt", is, cases[n].ends);
+    free(is);
+    plan_clear(&plan);
+}
+
 /* --- Sentences of cases. */
 
 static const struct sweep_folder here = {.path = ".", .plan = 0x12, .program = 0xabcd1234};
@@ -374,6 +419,7 @@ int main(int argc, char **argv)
     check_discard();
     check_print();
     check_print_rest();
+    check_learnt();
     check_rows();
     return check_result();
 }

@@ -26,9 +26,9 @@ static void set(struct table4_data *d, int reading, int scene, unsigned rows, in
 /* Sheets that no rule has a word against, each measure another number. */
 static void make(struct table4_data *d)
 {
-    const struct verdict_rules rules = d->rules;
+    const struct verdict_rules rules = d->rules, learnt = d->learnt;
 
-    *d = (struct table4_data){.rules = rules};
+    *d = (struct table4_data){.rules = rules, .learnt = learnt};
     for (int r = 0; r < TABLE4_READINGS; r++)
         for (int s = 0; s < TABLE4_SCENES; s++)
             for (int row = 0; row < ROWS; row++) {
@@ -414,7 +414,7 @@ int main(int argc, char **argv)
     folder = argv[1];
     fresh_folder(folder);
     REQUIRE(setenv("PATH", "", 1) == 0); /* charts are drawn elsewhere */
-    REQUIRE(table4_rules(&d.rules, &why) == STATUS_OK);
+    REQUIRE(table4_rules(&d.rules, &d.learnt, &why) == STATUS_OK);
     test_turns(&d);
     test_cells(
         &d, TABLE_CSV,

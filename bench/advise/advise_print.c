@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bench/export/export_numbers.h"
+
 enum { MOST = 64, TEXT = 256 };
 
 static const struct scene *scene_of(const struct advise_search *s)
@@ -157,20 +159,42 @@ static void say_command(const struct advise_search *s, const struct contest_row 
     for (int n = 0; n < all.count; n++)
         fprintf(file, " --set '%s'", all.text[n]);
     fputs("\n\n", file);
-    if (!who->layers && who->degree == 1)
-        fprintf(file,
-                "Masses, stiffnesses and compliances of that net, for an engine of your "
-                "own:\n\n    clothbench export %s --points %d,%d --out DIR\n\n",
-                j->path, along, across);
     settings_clear(&all);
 }
 
-static void say_answer(const struct advise_search *s, FILE *file)
+/* What the net is made of, if it is one of points; advise_net.csv in the folder. */
+static enum status say_net(const struct advise_search *s, const struct contest_row *r,
+                           enum table_format format, FILE *file, struct message *why)
+{
+    const struct contestant *who = r->at.contestant;
+    const struct export_sheet sheet = {
+        .scene = scene_of(s),
+        .points = {r->at.size[CONTEST_NET], r->at.size[CONTEST_ACROSS]}};
+    struct table *t = NULL;
+    enum status st = STATUS_OK;
+
+    if (who->layers || who->degree != 1)
+        return st;
+    TRY(export_numbers_table(&sheet, &t));
+    TRY(table_save(t, s->job->folder, "advise_net", why));
+    if (!table_format_is_prose(format))
+        goto out;
+    st = table_finish(t, format, file), t = NULL;
+    fprintf(file,
+            "Every vertex and spring of it:\n\n    clothbench export %s "
+            "--points %d,%d --out DIR\n\n",
+            s->job->path, sheet.points[0], sheet.points[1]);
+out:
+    table_destroy(t);
+    return st;
+}
+
+static void say_answer(const struct advise_search *s, const struct contest_row *best,
+                       FILE *file)
 {
     const double bar = contest_largest_bar(&s->job->contest);
-    const struct contest_row *best;
 
-    if (!advise_search_ranking(s, 1, &best)) {
+    if (!best) {
         table_say(file,
                   "No contestant came within %.3g %% (%.3g %% less the truth's error bar).",
                   100 * s->target, 100 * s->wish.error);
@@ -194,16 +218,19 @@ enum status advise_print(const struct advise_search *s, enum table_format format
 {
     char caption[TEXT];
     struct table *t = create(s, caption);
+    const struct contest_row *best = NULL;
     enum status st;
 
+    advise_search_ranking(s, 1, &best);
     if (table_format_is_prose(format)) {
         say_needs(s, file);
-        say_answer(s, file);
+        say_answer(s, best, file);
     }
+    if (best)
+        TRY(say_net(s, best, format, file, why));
     fill(t, s);
     note_method(t, s);
-    TRY(table_save(t, s->job->folder, "advise", why));
-    return table_finish(t, format, file);
+    return table_publish(t, s->job->folder, "advise", format, file, why);
 out:
     table_destroy(t);
     return st;

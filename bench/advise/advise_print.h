@@ -7,7 +7,8 @@
 #include "bench/ui/table.h"
 
 /* The table of all contestants, best first, to `file` and as advise.csv in the folder; in
- * prose formats with the answer above it. */
+ * prose formats with the answer above it, and the parameters of the best one's net, if that
+ * is one of points; they are advise_net.csv in the folder. */
 enum status advise_print(const struct advise_search *s, enum table_format format,
                          FILE *file, struct message *why);
 

@@ -13,6 +13,7 @@
 #ifndef BATCH_H
 #define BATCH_H
 
+#include "bench/experiment/experiment.h"
 #include "bench/experiment/measurement.h"
 
 struct batch {
@@ -35,9 +36,18 @@ struct measurement_case *batch_add(struct batch *b, const char *path,
 /* Settings of the case added last, on top of the contestant's. */
 struct settings *batch_settings(struct batch *b);
 
+/* The case runs to *end [s] and keeps its field there alone, in 64 bits; borrowed. */
+void batch_keep_end(struct measurement_case *c, const double *end);
+
 /* Makes the folder and measures all of them. Errors as measurement_run. */
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why);
+
+/* All of it for an experiment: what `plan` fills an all-zero batch with. */
+typedef enum status batch_plan(struct batch *b, const char *folder, bool quick,
+                               struct message *why);
+enum status batch_measure(batch_plan *plan, const struct experiment_options *options,
+                          const char *what, struct message *why);
 
 /* run_result_read of the n-th. STATUS_MEMORY: there was none for its file's name. */
 enum status batch_read(const struct batch *b, int n, bool fields, struct run_result *r,

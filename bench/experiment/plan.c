@@ -81,9 +81,9 @@ out:
     return st;
 }
 
-/* The rules of another plan. */
-static enum status read_others(const char *name, struct verdict_rules *rules,
-                               struct message *why)
+/* The rules that another plan has under the key. */
+static enum status read_others(const char *name, const char *key,
+                               struct verdict_rules *rules, struct message *why)
 {
     enum status st;
     char *path = NULL, *text = NULL;
@@ -92,9 +92,9 @@ static enum status read_others(const char *name, struct verdict_rules *rules,
     TRY(named_file_find(&plan_kind, name, &path, why));
     TRY(load(path, &text, &root, why));
     if (root->kind == YAML_TREE_MAP)
-        list = yaml_tree_find(root, "verdicts");
+        list = yaml_tree_find(root, key);
     if (!list)
-        TRY(yaml_tree_refuse(root, why, "this plan has no verdicts"));
+        TRY(yaml_tree_refuse(root, why, "this plan has no %s", key));
     TRY(verdict_read(list, rules, why));
 out:
     yaml_tree_free(root);
@@ -107,12 +107,12 @@ out:
 static enum status read_verdicts(const struct schema_key *key, const struct yaml_tree *node,
                                  void *target, struct message *why)
 {
-    struct plan *plan = target;
+    struct verdict_rules *rules = (void *)((char *)target + key->offset);
     struct message reason = {""};
 
     if (node->kind != YAML_TREE_SCALAR)
-        return verdict_read(node, &plan->verdicts, why);
-    const enum status st = read_others(node->text, &plan->verdicts, &reason);
+        return verdict_read(node, rules, why);
+    const enum status st = read_others(node->text, key->key, rules, &reason);
     if (st == STATUS_OK || st == STATUS_MEMORY)
         return st;
     return yaml_tree_refuse(node, why, "%s: %s", key->key, reason.text);
@@ -179,6 +179,11 @@ static const struct schema_key PLAN[] = {
     {"time_limit", "of a case on the clock [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
      IN(plan, time_limit)},
     {"verdicts", "when a case gets a label", SCHEMA_SPECIAL, .read = read_verdicts,
+     IN(plan, verdicts),
+     .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
+             "that has them"},
+    {"learnt", "a second opinion: bounds learnt from the paper's words",
+     SCHEMA_SPECIAL, .read = read_verdicts, IN(plan, learnt),
      .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
              "that has them"},
     {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
@@ -317,6 +322,7 @@ void plan_clear(struct plan *plan)
     plan_study_clear(&plan->base, &plan->base);
     plan_settings_clear(&plan->settings);
     verdict_clear(&plan->verdicts);
+    verdict_clear(&plan->learnt);
     free(plan->studies);
     free(plan->axes);
     free(plan->listed);

@@ -17,6 +17,7 @@
  *     keep: none                       # or snapshots: fields at the scene's snapshots
  *     time_limit: 60                   # [s] of a case; 600 unless told otherwise
  *     verdicts: [...]                  # verdict.h; or the name of the plan whose they are
+ *     learnt: [...]                    # a second opinion, of the same form
  *     map: {x: gamma, y: damping.value, panel: material.poisson}
  *
  * A key is any that --set takes, or `scene`, or `model`, or one of two that stand for
@@ -244,6 +245,8 @@ struct plan {
     enum plan_keep keep;
     double time_limit; /* of a case [s]                                                */
     struct verdict_rules verdicts;
+    struct verdict_rules learnt; /* a second opinion: bounds learnt from the paper's
+                                    words; the map hatches what they pass              */
     struct plan_map map;
     struct plan_study base; /* what its studies have unless they say otherwise         */
     int study_count;        /* 0: it is for sweeps                                     */

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "mass_spring/spring_net.h"
 #include "models/mechanics/dead_load.h"
@@ -9,24 +10,49 @@
 /* What round-off leaves of a stiffness that long cells have no use for, over E h. */
 static const double NOTHING = 1e-12;
 
-static void put(struct output *out, const char *quantity, double value, const char *unit)
+/* By how much less than that numbers differ which are one but for the way they came about:
+ * the mass of a vertex, a spring's length. */
+static const double SAME = 1e-9;
+
+/* Who takes the numbers. */
+struct taker {
+    export_numbers_take *take;
+    void *context;
+};
+
+static void put(const struct taker *t, const char *quantity, double value, const char *unit)
 {
-    output_print(out, "%s,,,%.17g,%s,,\n", quantity, value, unit);
+    t->take(t->context, &(struct export_number){quantity, -1, -1, value, unit, NAN, NAN});
 }
 
-static void put_material(const struct scene *scene, struct output *out)
+static void put_material(const struct scene *scene, const struct taker *t)
 {
     const struct spring_law_stiffness plane = spring_law_plane_stress(scene);
 
-    put(out, "E", scene->young, "Pa");
-    put(out, "nu", scene->poisson, "1");
-    put(out, "rho", scene->density, "kg/m^3");
-    put(out, "h", scene->thickness, "m");
-    put(out, "E h", scene->young * scene->thickness, "N/m");
-    put(out, "E h/(1-nu^2)", plane.c11, "N/m");
-    put(out, "G h", plane.c33, "N/m");
-    put(out, "D", scene_bending_stiffness(scene), "N m");
-    put(out, "areal mass", scene->density * scene->thickness, "kg/m^2");
+    put(t, "E", scene->young, "Pa");
+    put(t, "nu", scene->poisson, "1");
+    put(t, "rho", scene->density, "kg/m^3");
+    put(t, "h", scene->thickness, "m");
+    put(t, "E h", scene->young * scene->thickness, "N/m");
+    put(t, "E h/(1-nu^2)", plane.c11, "N/m");
+    put(t, "G h", plane.c33, "N/m");
+    put(t, "D", scene_bending_stiffness(scene), "N m");
+    put(t, "areal mass", scene->density * scene->thickness, "kg/m^2");
+}
+
+/* D |e|^2 / (A1 + A2) of an edge with triangles on both sides, which are half a cell each
+ * (Grinspun et al. 2003, their stiffness matched to a plate's). */
+static void put_hinges(const struct export_sheet *s, const struct taker *t)
+{
+    static const char *const name[] = {"hinge u", "hinge v", "hinge diagonal"};
+    const double a = s->scene->length / (s->points[0] - 1),
+                 b = s->scene->width / (s->points[1] - 1);
+    const double square[] = {a * a, b * b, a * a + b * b};
+
+    for (int n = 0; n < 3; n++) {
+        const double k = scene_bending_stiffness(s->scene) * square[n] / (a * b);
+        t->take(t->context, &(struct export_number){name[n], -1, -1, k, "N m", NAN, 1 / k});
+    }
 }
 
 /* Our number of a node of the springs' net, which counts along v first. */
@@ -35,7 +61,7 @@ static int vertex_of(const struct spring_net *net, int node)
     return node % net->points[1] * net->points[0] + node / net->points[1];
 }
 
-static enum status put_springs(const struct export_sheet *s, struct output *out,
+static enum status put_springs(const struct export_sheet *s, const struct taker *t,
                                struct message *misfit)
 {
     static const char *const name[] = {"spring u", "spring v", "spring diagonal"};
@@ -49,12 +75,12 @@ static enum status put_springs(const struct export_sheet *s, struct output *out,
             continue;
         const int di = k->b / net.points[1] != k->a / net.points[1];
         const int dj = k->b % net.points[1] != k->a % net.points[1];
-        output_print(out, "%s,%d,%d,%.17g,N/m,%.17g,%.17g\n",
-                     name[di && dj ? SPRING_DIAGONAL
-                          : di     ? SPRING_U
-                                   : SPRING_V],
-                     vertex_of(&net, k->a), vertex_of(&net, k->b), k->stiffness, k->length,
-                     1 / k->stiffness);
+        t->take(t->context,
+                &(struct export_number){name[di && dj ? SPRING_DIAGONAL
+                                             : di     ? SPRING_U
+                                                      : SPRING_V],
+                                        vertex_of(&net, k->a), vertex_of(&net, k->b),
+                                        k->stiffness, "N/m", k->length, 1 / k->stiffness});
     }
     spring_law_tell(&net.law, net.cell, s->scene, misfit);
 out:
@@ -62,20 +88,119 @@ out:
     return st;
 }
 
-enum status export_numbers_materials(const struct export_sheet *s, struct message *misfit,
-                                     struct message *why)
+enum status export_numbers_each(const struct export_sheet *s, export_numbers_take *take,
+                                void *context, struct message *misfit)
 {
     const double areal = s->scene->density * s->scene->thickness;
+    const struct taker t = {take, context};
+
+    put_material(s->scene, &t);
+    for (int n = 0; n < export_sheet_vertices(s); n++)
+        take(context, &(struct export_number){
+                          "mass", n, -1, areal * export_sheet_area(s, n), "kg", NAN, NAN});
+    if (s->scene->shape != SCENE_FLAT)
+        return STATUS_OK;
+    put_hinges(s, &t);
+    return put_springs(s, &t, misfit);
+}
+
+/* --- as a table: what is the same is a row ----------------------------------------------
+ */
+
+enum { KINDS = 32 };
+struct kinds {
+    int count;
+    long uses[KINDS];
+    struct export_number kind[KINDS];
+};
+
+static bool is_near(double a, double b)
+{
+    return (isnan(a) && isnan(b)) || fabs(a - b) <= SAME * fabs(b);
+}
+
+static void take_kind(void *context, const struct export_number *number)
+{
+    struct kinds *k = context;
+    int n = 0;
+
+    while (n < k->count && !(!strcmp(k->kind[n].quantity, number->quantity) &&
+                             is_near(k->kind[n].value, number->value) &&
+                             is_near(k->kind[n].length, number->length)))
+        n++;
+    if (n == KINDS) /* a flat net has fewer */
+        return;
+    k->kind[n] = *number;
+    k->uses[n]++;
+    k->count += n == k->count;
+}
+
+enum status export_numbers_table(const struct export_sheet *s, struct table **table)
+{
+    static const struct table_column columns[] = {{"quantity", NULL, TABLE_LEFT},
+                                                  {"value"},
+                                                  {"unit", NULL, TABLE_LEFT},
+                                                  {"rest length", "m"},
+                                                  {"compliance", "1/unit", .key_unit = "1"},
+                                                  {"how many"}};
+    struct kinds kinds = {0};
+    struct message misfit = {""};
+    enum status st;
+
+    *table = table_create(sizeof columns / sizeof *columns, columns,
+                          "Parameters of this net of points, for an engine of your own");
+    TRY(export_numbers_each(s, take_kind, &kinds, &misfit));
+    for (int n = 0; n < kinds.count; n++) {
+        const struct export_number *k = &kinds.kind[n];
+        table_row(*table);
+        table_text(*table, "%s", k->quantity);
+        table_number(*table, k->value, 6);
+        table_text(*table, "%s", k->unit);
+        table_number(*table, k->length, 6);
+        table_number(*table, k->compliance, 6);
+        table_fixed(*table, k->a < 0 ? NAN : (double)kinds.uses[n], 0);
+    }
+    table_note(
+        *table,
+        "mass: of a vertex - corner, rim, inside; springs: half as stiff on the rim; "
+        "hinge: bending by the angle theta between two triangles, k theta^2 / 2, over "
+        "an inner edge along u, v or a diagonal; compliance: of XPBD, with C = length "
+        "- rest length or C = theta.");
+    if (*misfit.text)
+        table_note(*table, "Springs are no plane stress: %s.", misfit.text);
+out:
+    if (st != STATUS_OK) {
+        table_destroy(*table);
+        *table = NULL;
+    }
+    return st;
+}
+
+/* --- as files ---------------------------------------------------------------------------
+ */
+
+/* What their rows are made from, as far as the file needs it. */
+struct numbers {
+    const struct export_sheet *sheet;
+    const struct export_held *held;
+    const struct truth_made *known;
+    struct message *misfit;
+};
+struct file {
+    unsigned need; /* of the scene, 0: none                                            */
+    const char *name, *header;
+    enum status (*rows)(const struct numbers *of, struct output *out);
+};
+
+static enum status write_file(const struct numbers *of, const struct file *file,
+                              struct message *why)
+{
     struct output *out = NULL, *done;
     enum status st;
 
-    TRY(export_sheet_open(s, "materials.csv", &out, why));
-    output_print(out, "quantity,a,b,value,unit,rest_length,compliance\n");
-    put_material(s->scene, out);
-    for (int n = 0; n < export_sheet_vertices(s); n++)
-        output_print(out, "mass,%d,,%.17g,kg,,\n", n, areal * export_sheet_area(s, n));
-    if (s->scene->shape == SCENE_FLAT)
-        TRY(put_springs(s, out, misfit));
+    TRY(export_sheet_open(of->sheet, file->name, &out, why));
+    output_print(out, "%s\n", file->header);
+    TRY(file->rows(of, out));
     done = out, out = NULL;
     TRY(output_close(done, why));
 out:
@@ -83,32 +208,48 @@ out:
     return st;
 }
 
-enum status export_numbers_times(const struct export_sheet *s,
-                                 const struct truth_made *known, struct message *why)
+/* A number that may be missing, behind a comma. */
+static void print_cell(struct output *out, double value)
 {
-    struct output *out = NULL;
-    enum status st;
+    output_print(out, ",");
+    if (!isnan(value))
+        output_print(out, "%.17g", value);
+}
 
-    TRY(export_sheet_open(s, "times.csv", &out, why));
-    output_print(out, "what,time,bar\nstep,%.17g,\nend,%.17g,\n", s->scene->step,
-                 s->scene->end);
+static void take_line(void *context, const struct export_number *n)
+{
+    struct output *out = context;
+
+    output_print(out, "%s", n->quantity);
+    print_cell(out, n->a < 0 ? NAN : n->a);
+    print_cell(out, n->b < 0 ? NAN : n->b);
+    output_print(out, ",%.17g,%s", n->value, n->unit);
+    print_cell(out, n->length);
+    print_cell(out, n->compliance);
+    output_print(out, "\n");
+}
+
+static enum status material_rows(const struct numbers *of, struct output *out)
+{
+    return export_numbers_each(of->sheet, take_line, out, of->misfit);
+}
+
+static enum status time_rows(const struct numbers *of, struct output *out)
+{
+    const struct truth_made *known = of->known;
+
+    output_print(out, "step,%.17g,\nend,%.17g,\n", of->sheet->scene->step,
+                 of->sheet->scene->end);
     for (int n = 0; n < known->claimed; n++)
         output_print(out, "truth,%.17g,%.17g\n", known->time[n],
                      known->value[n][TRUTH_ERROR]);
-    TRY(output_close(out, why));
-out:
-    return st;
+    return STATUS_OK;
 }
 
-static enum status write_obstacles(const struct export_sheet *s, struct message *why)
+static enum status obstacle_rows(const struct numbers *of, struct output *out)
 {
-    struct output *out = NULL;
-    enum status st;
-
-    TRY(export_sheet_open(s, "obstacles.csv", &out, why));
-    output_print(out, "kind,x,y,z,normal_x,normal_y,normal_z,radius,friction\n");
-    for (int n = 0; n < s->scene->obstacle_count; n++) {
-        const struct scene_obstacle *o = &s->scene->obstacles[n];
+    for (int n = 0; n < of->sheet->scene->obstacle_count; n++) {
+        const struct scene_obstacle *o = &of->sheet->scene->obstacles[n];
         const double *p = o->point, *m = o->normal;
         const double size = hypot(m[0], hypot(m[1], m[2]));
         if (o->kind == OBSTACLE_PLANE)
@@ -118,66 +259,49 @@ static enum status write_obstacles(const struct export_sheet *s, struct message 
             output_print(out, "sphere,%.17g,%.17g,%.17g,,,,%.17g,%.17g\n", p[0], p[1], p[2],
                          o->radius, o->friction);
     }
-    TRY(output_close(out, why));
-out:
-    return st;
+    return STATUS_OK;
 }
 
-static enum status write_paths(const struct export_sheet *s, struct message *why)
+static enum status path_rows(const struct numbers *of, struct output *out)
 {
-    struct output *out = NULL;
-    enum status st;
-
-    TRY(export_sheet_open(s, "paths.csv", &out, why));
-    output_print(out, "path,t,x,y,z\n");
-    for (int n = 0; n < s->scene->support_count; n++)
-        for (int k = 0; k < s->scene->supports[n].path_count; k++) {
-            const double *row = s->scene->supports[n].path[k];
+    for (int n = 0; n < of->sheet->scene->support_count; n++)
+        for (int k = 0; k < of->sheet->scene->supports[n].path_count; k++) {
+            const double *row = of->sheet->scene->supports[n].path[k];
             output_print(out, "%d,%.17g,%.17g,%.17g,%.17g\n", n, row[0], row[1], row[2],
                          row[3]);
         }
-    TRY(output_close(out, why));
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* As the nets of springs and triangles spread them: by the hats of the vertices. */
-static enum status write_loads(const struct export_sheet *s, struct message *why)
+static enum status load_rows(const struct numbers *of, struct output *out)
 {
+    const struct export_sheet *s = of->sheet;
     const struct dead_load_line line[3] = {
         {.n = s->points[0], .degree = 1}, {.n = s->points[1], .degree = 1}, {.n = 1}};
     double *force = calloc(3 * (size_t)export_sheet_vertices(s), sizeof *force);
-    struct output *out = NULL, *done;
     enum status st = STATUS_MEMORY;
 
     if (!force)
         return st;
     TRY(dead_load_add(s->scene, line, force));
-    TRY(export_sheet_open(s, "loads.csv", &out, why));
-    output_print(out, "vertex,x,y,z\n");
     for (int n = 0; n < export_sheet_vertices(s); n++) {
         const int i = n % s->points[0], j = n / s->points[0];
         const double *f = force + 3 * (i * s->points[1] + j);
         if (f[0] != 0 || f[1] != 0 || f[2] != 0)
             output_print(out, "%d,%.17g,%.17g,%.17g\n", n, f[0], f[1], f[2]);
     }
-    done = out, out = NULL;
-    TRY(output_close(done, why));
 out:
-    output_discard(out);
     free(force);
     return st;
 }
 
-static enum status write_velocities(const struct export_sheet *s,
-                                    const struct export_held *held, struct message *why)
+static enum status velocity_rows(const struct numbers *of, struct output *out)
 {
-    struct output *out = NULL;
-    enum status st;
+    const struct export_sheet *s = of->sheet;
+    const struct export_held *held = of->held;
     int next = 0; /* held vertices of the sheet come in their order */
 
-    TRY(export_sheet_open(s, "velocities.csv", &out, why));
-    output_print(out, "vertex,x,y,z\n");
     for (int n = 0; n < export_sheet_vertices(s); n++) {
         const bool is_held = next < held->count && held->vertex[next].vertex == n;
         const unsigned fix = is_held ? held->vertex[next++].fix : 0;
@@ -188,25 +312,42 @@ static enum status write_velocities(const struct export_sheet *s,
             v[c] = fix >> c & 1 ? 0 : v[c];
         output_print(out, "%d,%.17g,%.17g,%.17g\n", n, v[0], v[1], v[2]);
     }
-    TRY(output_close(out, why));
-out:
-    return st;
+    return STATUS_OK;
+}
+
+enum status export_numbers_materials(const struct export_sheet *s, struct message *misfit,
+                                     struct message *why)
+{
+    static const struct file file = {0, "materials.csv",
+                                     "quantity,a,b,value,unit,rest_length,compliance",
+                                     material_rows};
+
+    return write_file(&(struct numbers){.sheet = s, .misfit = misfit}, &file, why);
+}
+
+enum status export_numbers_times(const struct export_sheet *s,
+                                 const struct truth_made *known, struct message *why)
+{
+    static const struct file file = {0, "times.csv", "what,time,bar", time_rows};
+
+    return write_file(&(struct numbers){.sheet = s, .known = known}, &file, why);
 }
 
 enum status export_numbers_world(const struct export_sheet *s,
                                  const struct export_held *held, struct message *why)
 {
-    const unsigned needs = scene_needs(s->scene);
+    static const struct file files[] = {
+        {SCENE_NEED_CONTACT, "obstacles.csv",
+         "kind,x,y,z,normal_x,normal_y,normal_z,radius,friction", obstacle_rows},
+        {SCENE_NEED_MOVING_SUPPORTS, "paths.csv", "path,t,x,y,z", path_rows},
+        {SCENE_NEED_LOADS, "loads.csv", "vertex,x,y,z", load_rows},
+        {SCENE_NEED_INITIAL_MOTION, "velocities.csv", "vertex,x,y,z", velocity_rows}};
+    const struct numbers of = {.sheet = s, .held = held};
     enum status st = STATUS_OK;
 
-    if (needs & SCENE_NEED_CONTACT)
-        TRY(write_obstacles(s, why));
-    if (needs & SCENE_NEED_MOVING_SUPPORTS)
-        TRY(write_paths(s, why));
-    if (needs & SCENE_NEED_LOADS)
-        TRY(write_loads(s, why));
-    if (needs & SCENE_NEED_INITIAL_MOTION)
-        TRY(write_velocities(s, held, why));
+    for (size_t n = 0; n < sizeof files / sizeof *files; n++)
+        if (scene_needs(s->scene) & files[n].need)
+            TRY(write_file(&of, &files[n], why));
 out:
     return st;
 }

@@ -5,10 +5,30 @@
 
 #include "bench/export/export_held.h"
 #include "bench/truth/truth_make.h"
+#include "bench/ui/table.h"
 
-/* quantity,a,b,value,unit,rest_length,compliance: the material; the mass of each vertex a;
- * of a flat sheet each matched spring from a to b (mass_spring/spring_net.h), with
- * 1 / stiffness for XPBD. *misfit: what those springs are not, for people; empty: none. */
+struct export_number {
+    const char *quantity;
+    int a, b; /* vertices; -1: none                                                    */
+    double value;
+    const char *unit;
+    double length, compliance; /* at rest [m], 1/value; NaN: none                      */
+};
+typedef void export_numbers_take(void *context, const struct export_number *number);
+
+/* What a net of points is made of, one by one: the material; the mass of each vertex a; of
+ * a flat sheet the stiffness of a hinge between two triangles over an inner edge along u,
+ * along v and along a diagonal, D |e|^2 / (A1 + A2) (theta^2 / 2 times it is the energy;
+ * Grinspun et al. 2003), and each matched spring from a to b (mass_spring/spring_net.h).
+ * *misfit: what those springs are not, for people; empty: none. STATUS_MEMORY. */
+enum status export_numbers_each(const struct export_sheet *s, export_numbers_take *take,
+                                void *context, struct message *misfit);
+
+/* The same as a table, those that are alike in one row with their number; owned by the
+ * caller. STATUS_MEMORY. */
+enum status export_numbers_table(const struct export_sheet *s, struct table **table);
+
+/* The same as a file: quantity,a,b,value,unit,rest_length,compliance. */
 enum status export_numbers_materials(const struct export_sheet *s, struct message *misfit,
                                      struct message *why);
 

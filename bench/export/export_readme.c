@@ -134,7 +134,9 @@ static void put_parameters(const struct export_sheet *s, const char *misfit,
                      "- springs: none are told; the matched ones are for flat sheets;\n");
     output_print(out,
                  "- bending by the angle between two triangles, k theta^2 / 2: k = D |e|^2 "
-                 "/ (A1 + A2) [N m],\n  e their edge, A1, A2 their areas.\n");
+                 "/ (A1 + A2) [N m],\n  e their edge, A1, A2 their areas%s.\n",
+                 s->scene->shape == SCENE_FLAT ? " (`hinge u`, `hinge v`, `hinge diagonal`)"
+                                               : "");
     if (*misfit)
         output_print(out, "\nSprings are no plane stress: %s.\n", misfit);
     output_print(out, "\n");

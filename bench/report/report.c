@@ -128,9 +128,11 @@ static enum status compose(const char *folder, const struct report_found *found,
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: its tables alone make a page of more than %d bytes", folder,
                         REPORT_MOST));
-    report_part_pictures(file, folder, room);
+    TRY(report_part_pictures(file, folder, room));
     fputs("]}", file);
     fputs(rest, file);
+    if (ferror(file)) /* a page in memory */
+        TRY(STATUS_MEMORY);
 out:
     if (file && fclose(file) != 0 && st == STATUS_OK)
         st = STATUS_MEMORY;

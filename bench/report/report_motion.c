@@ -1,9 +1,11 @@
 #include "bench/report/report_motion.h"
 
+#include <dirent.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "bench/files/store_read.h"
 #include "bench/report/report_json.h"
@@ -15,8 +17,18 @@ static const char *const scene = "edge_drop";
 enum {
     SIDE = REPORT_MOTION_SIDE,
     NUMBERS = SIDE * SIDE * 3,
-    FRAMES_MOST = 100,
+    FRAMES_MOST = 400, /* of a truth                                                   */
+    FRAME = NUMBERS * 2 * 4 / 3 + 16, /* a frame in the page [bytes]                   */
+    ROOM = 2200000,                   /* of all runs there [bytes]                     */
     PATH = 4096
+};
+
+/* Runs on their way into the page. */
+struct player {
+    FILE *file;
+    int members; /* of the array so far                                                */
+    int runs;    /* that share the room left                                           */
+    long room;   /* [bytes]                                                            */
 };
 
 /* Every so many points of the mid-surface of a field. */
@@ -45,9 +57,24 @@ static void write_numbers(FILE *file, const char *key, const double *value, int 
     fputs("],", file);
 }
 
-/* Positions [frames][NUMBERS] as 16-bit integers. */
-static enum status write_motion(FILE *file, const char *name, int frames,
-                                const double *time, const double *xyz)
+static void begin_motion(struct player *p, const char *name)
+{
+    fputs(p->members++ ? ",{" : "{", p->file);
+    report_json_pair(p->file, "name", name);
+}
+
+/* One that is not played, with the reason. */
+static void write_trouble(struct player *p, const char *name, const struct message *why)
+{
+    begin_motion(p, name);
+    fputs("\"trouble\":", p->file);
+    report_json_string(p->file, why->text);
+    fputc('}', p->file);
+}
+
+/* Positions [frames][NUMBERS] as 16-bit integers; every `stride`-th of what there is. */
+static enum status write_motion(struct player *p, const char *name, bool truth, int stride,
+                                int frames, const double *time, const double *xyz)
 {
     const size_t count = (size_t)frames * NUMBERS;
     unsigned char *packed = malloc(2 * count + 1);
@@ -64,18 +91,18 @@ static enum status write_motion(FILE *file, const char *name, int frames,
         packed[2 * n] = bits & 255;
         packed[2 * n + 1] = (unsigned char)(bits >> 8);
     }
-    fputc('{', file);
-    report_json_pair(file, "name", name);
-    fprintf(file, "\"side\":%d,\"scale\":%.9g,", SIDE, scale);
-    write_numbers(file, "time", time, frames);
-    fputs("\"data\":", file);
-    report_json_bytes(file, packed, 2 * count);
-    fputc('}', file);
+    begin_motion(p, name);
+    fprintf(p->file, "\"truth\":%s,\"side\":%d,\"stride\":%d,\"scale\":%.9g,",
+            truth ? "true" : "false", SIDE, stride, scale);
+    write_numbers(p->file, "time", time, frames);
+    fputs("\"data\":", p->file);
+    report_json_bytes(p->file, packed, 2 * count);
+    fputc('}', p->file);
     free(packed);
     return STATUS_OK;
 }
 
-static enum status write_truth(FILE *file, const struct truth_made *made)
+static enum status write_truth(struct player *p, const struct truth_made *made)
 {
     const int frames = made->claimed < FRAMES_MOST ? made->claimed : FRAMES_MOST;
     double *xyz = calloc((size_t)frames + 1, NUMBERS * sizeof *xyz);
@@ -84,41 +111,88 @@ static enum status write_truth(FILE *file, const struct truth_made *made)
     if (xyz) {
         for (int n = 0; n < frames; n++)
             thin(made->xyz[n], xyz + (size_t)n * NUMBERS);
-        st = write_motion(file, "truth", frames, made->time, xyz);
+        st = write_motion(p, "truth", true, 1, frames, made->time, xyz);
     }
     free(xyz);
     return st;
 }
 
-/* What a result file has; one that is not there, or damaged, is none to play. */
-static enum status write_file(FILE *file, const char *path, const char *name)
+/* Whether the file is of the scene that is played. */
+static enum status check_scene(const struct store_read *store, const char *path,
+                               struct message *why)
 {
+    char *name = NULL;
+    enum status st;
+
+    TRY(store_read_text(store, "/", "scene_name", &name, why));
+    if (strcmp(name, scene) != 0)
+        TRY(status_fail(why, STATUS_INPUT, "%s: is of the scene %.60s, not of %s", path,
+                        name, scene));
+out:
+    free(name);
+    return st;
+}
+
+/* The fields of a run, as many as its share of the room has; times follow. */
+static enum status read_fields(const struct store_read *store, int stride, int frames,
+                               double *time, double **xyz, struct message *why)
+{
+    double *all = malloc(GRID_POINTS * 3 * sizeof *all);
+    enum status st = STATUS_OK;
+
+    *xyz = calloc((size_t)frames + 1, NUMBERS * sizeof **xyz);
+    if (!all || !*xyz)
+        TRY(STATUS_MEMORY);
+    for (int n = 0; n < frames; n++) {
+        TRY(store_read_frame(store, n * stride, all, why));
+        thin(all, *xyz + (size_t)n * NUMBERS);
+        time[n] = time[n * stride];
+    }
+out:
+    free(all);
+    return st;
+}
+
+static enum status play_file(struct player *p, const char *path, const char *name,
+                             struct message *why)
+{
+    const long share = p->room / (p->runs > 1 ? p->runs : 1) / FRAME;
+    const int most = share > 1 ? (int)share : 1;
     struct store_read *store = NULL;
-    double *time = NULL, *all = NULL, *xyz = NULL;
+    double *time = NULL, *xyz = NULL;
     int rows, columns;
     enum status st;
 
-    TRY(store_read_open(path, &store, NULL));
-    TRY(store_read_array(store, "xyz_time", &time, &rows, &columns, NULL));
-    rows = rows < store_read_frames(store) ? rows : store_read_frames(store);
-    rows = rows < FRAMES_MOST ? rows : FRAMES_MOST;
-    all = malloc(GRID_POINTS * 3 * sizeof *all);
-    xyz = calloc((size_t)rows + 1, NUMBERS * sizeof *xyz);
-    if (!all || !xyz)
-        TRY(STATUS_MEMORY);
-    for (int n = 0; n < rows; n++) {
-        TRY(store_read_frame(store, n, all, NULL));
-        thin(all, xyz + (size_t)n * NUMBERS);
-    }
-    if (rows && columns == 1) {
-        fputc(',', file);
-        TRY(write_motion(file, name, rows, time, xyz));
-    }
+    TRY(store_read_open(path, &store, why));
+    TRY(check_scene(store, path, why));
+    TRY(store_read_array(store, "xyz_time", &time, &rows, &columns, why));
+    if (columns != 1 || rows != store_read_frames(store))
+        TRY(status_fail(why, STATUS_INPUT, "%s: %d times of %d fields", path, rows,
+                        store_read_frames(store)));
+    const int stride = (rows + most - 1) / most > 1 ? (rows + most - 1) / most : 1;
+    const int frames = (rows + stride - 1) / stride;
+    TRY(read_fields(store, stride, frames, time, &xyz, why));
+    if (frames)
+        TRY(write_motion(p, name, false, stride, frames, time, xyz));
+    p->room -= (long)frames * FRAME;
 out:
     store_read_close(store);
     free(time);
-    free(all);
     free(xyz);
+    return st;
+}
+
+/* What a result file has. One that is not there is none to play; one that cannot be read is
+ * told. */
+static enum status write_file(struct player *p, const char *path, const char *name)
+{
+    struct message why = {""};
+    const enum status st =
+        access(path, F_OK) == 0 ? play_file(p, path, name, &why) : STATUS_OK;
+
+    p->runs--;
+    if (st != STATUS_OK && st != STATUS_MEMORY)
+        write_trouble(p, name, &why);
     return st == STATUS_MEMORY ? st : STATUS_OK;
 }
 
@@ -148,8 +222,9 @@ static bool is_plain(const char *name)
     return *name && strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(name);
 }
 
-static enum status write_run(FILE *file, const char *folder, const struct csv_table *t,
-                             const struct keys *k, int row, double frame)
+static enum status write_run(struct player *p, const char *folder,
+                             const struct csv_table *t, const struct keys *k, int row,
+                             double frame)
 {
     const double iterations = csv_number(t, row, k->iterations);
     const double steps = frame / csv_number(t, row, k->step);
@@ -168,10 +243,11 @@ static enum status write_run(FILE *file, const char *folder, const struct csv_ta
     snprintf(name, sizeof name, "%.60s, %.0fx%.0f points, %.3g %% off",
              csv_words(t, row, k->title), side, isnan(across) ? side : across,
              100 * csv_number(t, row, k->worst));
-    return write_file(file, path, name);
+    return write_file(p, path, name);
 }
 
-static enum status write_runs(FILE *file, const char *folder, const struct csv_table *t)
+static enum status write_runs(struct player *p, const char *folder,
+                              const struct csv_table *t)
 {
     const struct keys k = {csv_column(t, "title"),
                            csv_column(t, "contestant"),
@@ -183,35 +259,76 @@ static enum status write_runs(FILE *file, const char *folder, const struct csv_t
     double frame = 0; /* the scene's, and the longest step */
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < t->rows; n++)
+    for (int n = 0; n < t->rows; n++) {
         frame = fmax(frame, csv_number(t, n, k.step));
+        p->runs += nearest(t, &k, n) == n;
+    }
     for (int n = 0; n < t->rows; n++)
         if (nearest(t, &k, n) == n)
-            TRY(write_run(file, folder, t, &k, n, frame));
+            TRY(write_run(p, folder, t, &k, n, frame));
 out:
     return st;
+}
+
+static int is_run(const struct dirent *entry)
+{
+    const size_t size = strlen(entry->d_name);
+
+    return size > 3 && !strcmp(entry->d_name + size - 3, ".h5");
+}
+
+/* All result files of FOLDER/run_SCENE, by name. */
+static enum status write_own(struct player *p, const char *folder)
+{
+    struct dirent **entry = NULL;
+    char within[PATH], path[PATH];
+    enum status st = STATUS_OK;
+
+    snprintf(within, sizeof within, "%s/run_%s", folder, scene);
+    const int count = scandir(within, &entry, is_run, alphasort);
+    p->runs += count > 0 ? count : 0;
+    for (int n = 0; n < count; n++) {
+        if (st == STATUS_OK && snprintf(path, sizeof path, "%s/%s", within,
+                                        entry[n]->d_name) < (int)sizeof path)
+            st = write_file(p, path, entry[n]->d_name);
+        free(entry[n]);
+    }
+    free(entry);
+    return st;
+}
+
+/* The stored truth; where none is, or none that can be read, runs are played without. */
+static enum status play_truth(struct player *p)
+{
+    struct truth_made made = {0};
+    struct message why = {""};
+    char *path = NULL, *physics = NULL;
+    enum status st;
+
+    TRY(named_file_find(&truth_file_kind, scene, &path, NULL));
+    st = truth_file_read(path, &made, &physics, &why);
+    if (st == STATUS_OK)
+        TRY(write_truth(p, &made));
+    else if (st != STATUS_MEMORY)
+        write_trouble(p, "truth", &why);
+out:
+    truth_made_clear(&made);
+    free(physics);
+    free(path);
+    return st == STATUS_MEMORY ? st : STATUS_OK;
 }
 
 enum status report_motion_write(FILE *file, const char *folder,
                                 const struct report_found *compare)
 {
-    struct truth_made made = {0};
-    char *path = NULL, *physics = NULL;
-    enum status st = named_file_find(&truth_file_kind, scene, &path, NULL);
+    struct player p = {.file = file, .room = ROOM};
+    enum status st;
 
-    if (st == STATUS_OK)
-        st = truth_file_read(path, &made, &physics, NULL);
-    if (st != STATUS_OK) {
-        st = st == STATUS_MEMORY ? st : STATUS_OK;
-        goto out;
-    }
-    TRY(write_truth(file, &made));
+    TRY(play_truth(&p));
+    TRY(write_own(&p, folder));
     if (compare->count && compare->csv->count)
-        TRY(write_runs(file, folder, compare->csv->table));
+        TRY(write_runs(&p, folder, compare->csv->table));
 out:
-    truth_made_clear(&made);
-    free(physics);
-    free(path);
     return st;
 }
 

@@ -11,10 +11,12 @@
 /* Points a side of a sheet that is played. */
 enum { REPORT_MOTION_SIDE = 20 };
 
-/* Members of an array of JSON: the stored truth of edge_drop, then the nearest run of every
- * contestant of `compare` that left its file in `folder`. {"name", "side", "scale", "time",
- * "data"}: int16 [times][side][side][3] of the mid-surface, little endian, in base64, times
- * scale [m]. Nothing where no truth is stored. STATUS_MEMORY. */
+/* Members of an array of JSON: the stored truth of edge_drop, all its frames; every result
+ * file of FOLDER/run_edge_drop; then the nearest run of every contestant of `compare` that
+ * left its file in `folder`. {"name", "truth", "side", "stride", "scale", "time", "data"}:
+ * int16 [times][side][side][3] of the mid-surface, little endian, in base64, times scale
+ * [m]; of a run with more frames than there is room for every stride-th. Of a file that
+ * cannot be read {"name", "trouble"}. STATUS_MEMORY. */
 enum status report_motion_write(FILE *file, const char *folder,
                                 const struct report_found *compare);
 

@@ -1,6 +1,7 @@
 #include "bench/report/report_part.h"
 
 #include <dirent.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -9,7 +10,8 @@
 #include "bench/experiment/kept.h"
 #include "bench/report/report_json.h"
 
-enum { PATH = 4096, TABLE_MOST = 300000 }; /* bytes of a table's words */
+enum { PATH = 4096, TABLE_MOST = 300000 /* bytes of a table's words */ };
+enum { PICTURE_MOST = 4 << 20 };
 
 #define TABLE(n, what, ...)                                                                \
     {                                                                                      \
@@ -43,6 +45,10 @@ const struct report_part report_part_list[] = {
     TABLE("2", "milliseconds a frame", {"cost.png", NULL}),
     TABLE("3", "cost of degree and net", {"cost.png", NULL}),
     TABLE("4", "which E, rho and mu give cloth", {"table4.png", NULL}),
+    STUDY("drops", "Falling sheets (Figs. 7 and 8)", true,
+          {"drops.png", "Fig. 7, top edge fixed, and Fig. 8, two top corners fixed, at 0.5, "
+           "1.5, 2.0, 3.25, 3.5 and 4.25 s: the sheet starts at rest, falls, swings through, "
+           "and back"}),
     STUDY("mesh", "Denser nets (Fig. 12)", true, {"corners_sheets.png", FIG12},
           {"edge_sheets.png", FIG12}),
     STUDY("degree", "Higher degrees (Fig. 13)", true, {"corners_sheets.png", FIG13},
@@ -209,49 +215,72 @@ void report_part_write(FILE *file, const struct report_part *part,
     fputs("]}", file);
 }
 
-/* The bytes of a picture that is one, freed by the receiver; NULL: there is none. */
-static unsigned char *read_picture(const char *path, size_t *size)
+/* *bytes of a picture that is whole, freed by the receiver; NULL: there is none, or *why
+ * says what is wrong with it. */
+static enum status read_picture(const char *path, unsigned char **bytes, size_t *size,
+                                struct message *why)
 {
-    static const unsigned char sign[8] = "\x89PNG\r\n\x1a\n";
-    enum { MOST = 4 << 20 };
+    static const unsigned char sign[8] = "\x89PNG\r\n\x1a\n",
+                               end[8] = "IEND\xae\x42\x60\x82";
     FILE *file = fopen(path, "rb");
-    unsigned char *bytes = file ? malloc(MOST) : NULL;
+    enum status st = STATUS_OK;
 
-    *size = bytes ? fread(bytes, 1, MOST, file) : 0;
-    if (file)
-        fclose(file);
-    if (*size > sizeof sign && !memcmp(bytes, sign, sizeof sign))
-        return bytes;
-    free(bytes);
-    return NULL;
+    *bytes = NULL, *size = 0;
+    if (!file && errno == ENOENT)
+        return st;
+    if (!file)
+        return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
+    *bytes = malloc(PICTURE_MOST);
+    if (!*bytes)
+        TRY(STATUS_MEMORY);
+    *size = fread(*bytes, 1, PICTURE_MOST, file);
+    if (ferror(file))
+        TRY(status_fail(why, STATUS_FILE, "%s: cannot be read", path));
+    if (*size < sizeof sign + sizeof end || memcmp(*bytes, sign, sizeof sign) != 0)
+        TRY(status_fail(why, STATUS_INPUT, "%s: is no PNG", path));
+    if (*size < PICTURE_MOST && memcmp(*bytes + *size - sizeof end, end, sizeof end) != 0)
+        TRY(status_fail(why, STATUS_INPUT, "%s: is cut short", path));
+out:
+    fclose(file);
+    if (st != STATUS_OK) {
+        free(*bytes);
+        *bytes = NULL;
+    }
+    return st;
 }
 
-static long write_picture(FILE *file, const struct report_part *part, const char *path,
-                          const struct report_picture *picture, const char *comma,
-                          long room)
+static enum status write_picture(FILE *file, const struct report_part *part,
+                                 const char *path, const struct report_picture *picture,
+                                 const char *comma, long room, long *used)
 {
+    struct message why = {""};
+    unsigned char *bytes;
     size_t size;
-    unsigned char *bytes = read_picture(path, &size);
-    const long most = bytes ? 4 * ((long)size + 2) / 3 + 2 : 0;
+    const enum status st = read_picture(path, &bytes, &size, &why);
+    const long most = 4 * ((long)size + 2) / 3 + 2;
 
-    if (!bytes)
-        return 0;
+    *used = 0;
+    if (st == STATUS_MEMORY || (!bytes && !*why.text))
+        return st;
     fprintf(file, "%s{", comma);
     report_json_pair(file, "part", part->id);
     report_json_pair(file, "path", path);
     report_json_pair(file, "paper", picture->paper ? picture->paper : "");
+    report_json_pair(file, "trouble", why.text);
     fputs("\"data\":", file);
-    if (most <= room)
+    if (bytes && most <= room)
         report_json_bytes(file, bytes, size);
     else
         fputs("null", file);
     fputc('}', file);
+    *used = bytes && most <= room ? most : 1;
     free(bytes);
-    return most <= room ? most : 1;
+    return STATUS_OK;
 }
 
-void report_part_pictures(FILE *file, const char *folder, long room)
+enum status report_part_pictures(FILE *file, const char *folder, long room)
 {
+    enum status st = STATUS_OK;
     const char *comma = "";
     char within[PATH], path[PATH];
 
@@ -261,9 +290,11 @@ void report_part_pictures(FILE *file, const char *folder, long room)
                          part->picture[n].file) >= (int)sizeof within)
                 continue;
             join(path, folder, within);
-            const long used =
-                write_picture(file, part, path, &part->picture[n], comma, room);
+            long used;
+            TRY(write_picture(file, part, path, &part->picture[n], comma, room, &used));
             room -= used;
             comma = used ? "," : comma;
         }
+out:
+    return st;
 }

@@ -57,7 +57,8 @@ void report_part_write(FILE *file, const struct report_part *part,
                        const struct report_found *found);
 
 /* Pictures of all parts as members of an array, as many as fit into `room` bytes of JSON,
- * the others by name alone. Names are in the same order. */
-void report_part_pictures(FILE *file, const char *folder, long room);
+ * the others by name alone; of one that cannot be read what is wrong. Names are in the same
+ * order. STATUS_MEMORY. */
+enum status report_part_pictures(FILE *file, const char *folder, long room);
 
 #endif

@@ -251,7 +251,7 @@ static enum status add_case(struct map *m, int model, int stiffness, int step,
 
     TRY(judge(m, number, &row, end, &label, &error, why));
     TRY(plan_case_given(&m->plan, number, &c));
-    TRY(sweep_map_row(m->picture, &c, &row, label));
+    TRY(sweep_map_row(m->picture, &c, &row, label, false));
     table_row(m->spots);
     table_text(m->spots, "%s", m->plan.listed[model].name);
     table_text(m->spots, "%s", value_of(m, 0, stiffness));

@@ -9,6 +9,7 @@ static const struct command_item *const items[] = {
     &study_locking_experiment.item,
     &study_cures_experiment.item,
     &study_timestep_experiment.item,
+    &study_drops_experiment.item,
     &study_flag_experiment.item,
     &study_artefacts_experiment.item,
     &study_contact_experiment.item,

@@ -7,12 +7,15 @@
 
 extern const struct command studies_command;
 
-/* Ren et al. 2024, Fig. 15: a flag; Fig. 16: what can be wrong with a sheet, shown by runs
- * and found by the rules of Table 4. */
-extern const struct experiment study_flag_experiment, study_artefacts_experiment;
+/* Ren et al. 2024, Figs. 7 and 8: falling sheets; Fig. 15: a flag; Fig. 16: what can be
+ * wrong with a sheet, shown by runs and found by the rules of Table 4. */
+extern const struct experiment study_drops_experiment, study_flag_experiment,
+    study_artefacts_experiment;
 
 /* What they print of runs that were read. */
 struct gallery_result; /* gallery.h */
+enum status study_drops_tell(const struct gallery_result *r, const char *folder,
+                             enum table_format format, FILE *file, struct message *why);
 enum status study_flag_tell(const struct gallery_result *r, const char *folder,
                             enum table_format format, FILE *file, struct message *why);
 enum status study_artefacts_tell(const struct gallery_result *r, const char *folder,

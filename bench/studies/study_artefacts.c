@@ -117,7 +117,7 @@ enum status study_artefacts_tell(const struct gallery_result *r, const char *fol
     struct verdict_rules rules = {0};
     enum status st;
 
-    TRY(table4_rules(&rules, why));
+    TRY(table4_rules(&rules, NULL, why));
     TRY(print_found(r, &rules, format, file));
     TRY(gallery_print(&gallery, r, "The same runs at three times", folder, format, file,
                       why));

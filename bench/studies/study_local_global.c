@@ -55,13 +55,9 @@ static enum status plan_case(struct batch *b, int scene, int scheme, int substep
              substeps, methods[method].word, count < 0 ? 0 : counts[count]);
     struct measurement_case *c = batch_add(b, scenes[scene], contestant, name);
     struct settings *s = batch_settings(b);
-    c->plan.end = *end;
     c->timed = count < 0 ? MEASUREMENT_UNTIMED : MEASUREMENT_SOME;
     c->repeats = REPEATS;
-    c->keep.fields = RUN_FIELDS_TIMES;
-    c->keep.doubles = true;
-    c->keep.times = 1;
-    c->keep.time = end;
+    batch_keep_end(c, end);
     contestant_points(contestant, SIDE, SIDE, s);
     settings_set(s, damping[scene]);
     settings_number(s, "time.step", FRAME);
@@ -114,15 +110,7 @@ out:
 
 static enum status measure(const struct experiment_options *options, struct message *why)
 {
-    struct measurement_options how = experiment_measurement(options, "iterations");
-    struct batch b = {0};
-    enum status st;
-
-    TRY(plan(&b, options->folder, options->quick, why));
-    TRY(batch_run(&b, &how, why));
-out:
-    batch_clear(&b);
-    return st;
+    return batch_measure(plan, options, "iterations", why);
 }
 
 static double apart(const struct run_result *a, const struct run_result *b)
@@ -325,13 +313,8 @@ enum status study_local_global_tell(const struct study_local_global *s, bool qui
                                     FILE *file, struct message *why)
 {
     struct table *t = fill(s, quick);
-    enum status st = table_save(t, folder, "local_global", why);
+    const enum status st = table_publish(t, folder, "local_global", format, file, why);
 
-    if (st != STATUS_OK) {
-        table_destroy(t);
-        return st;
-    }
-    st = table_finish(t, format, file);
     for (int n = 0; n < (quick ? 1 : SCENES); n++)
         if (st == STATUS_OK && table_format_is_prose(format))
             judge_scene(s, n, quick, file);

@@ -74,11 +74,7 @@ static enum status plan_case(struct batch *b, int kind, int method, int net,
              side[net]);
     struct measurement_case *c = batch_add(b, "edge_drop", contestant, name);
     c->timed = MEASUREMENT_WHOLE;
-    c->plan.end = *end;
-    c->keep.fields = RUN_FIELDS_TIMES;
-    c->keep.doubles = true;
-    c->keep.times = 1;
-    c->keep.time = end;
+    batch_keep_end(c, end);
     contestant_points(contestant, side[net], side[net], batch_settings(b));
     if (kind == STUDY_SOLVERS_NONLINEAR)
         settings_set(batch_settings(b), "damping={kind: none}");
@@ -103,19 +99,7 @@ static enum status plan(struct batch *b, const char *folder, bool quick,
 
 static enum status measure(const struct experiment_options *options, struct message *why)
 {
-    const struct measurement_options how = {.what = "solvers",
-                                            .quick = options->quick,
-                                            .repeats = options->repeats,
-                                            .progress = options->progress,
-                                            .context = options->context};
-    struct batch b = {0};
-    enum status st;
-
-    TRY(plan(&b, options->folder, options->quick, why));
-    TRY(batch_run(&b, &how, why));
-out:
-    batch_clear(&b);
-    return st;
+    return batch_measure(plan, options, "solvers", why);
 }
 
 static struct study_solvers_cost cost_of(const struct run_result *r,
@@ -334,13 +318,8 @@ enum status study_solvers_tell(const struct study_solvers *s, bool quick,
                                struct message *why)
 {
     struct table *t = fill(s, quick);
-    enum status st = table_save(t, folder, "solvers", why);
+    const enum status st = table_publish(t, folder, "solvers", format, file, why);
 
-    if (st != STATUS_OK) {
-        table_destroy(t);
-        return st;
-    }
-    st = table_finish(t, format, file);
     if (st == STATUS_OK && table_format_is_prose(format))
         tell(s, quick, file);
     return st;

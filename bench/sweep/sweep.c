@@ -146,8 +146,8 @@ static enum status collect(const struct sweep *s, struct sweep_table *t,
     for (long n = 0; n < plan_case_count(s->plan); n++) {
         TRY(read_row(s, n, &row, why));
         TRY(plan_case_given(s->plan, n, &c));
-        sweep_table_row(t, &c, &row, labels, sizeof labels);
-        st = sweep_map_row(map, &c, &row, labels);
+        const bool learnt = sweep_table_row(t, &c, &row, labels, sizeof labels);
+        st = sweep_map_row(map, &c, &row, labels, learnt);
         plan_case_clear(&c);
         run_result_clear(&row.result);
         TRY(st);

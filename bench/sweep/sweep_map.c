@@ -27,6 +27,7 @@ struct names {
 /* A case on the map. */
 struct spot {
     int panel, label;
+    bool learnt;
     double x, y;
 };
 
@@ -34,7 +35,7 @@ struct sweep_map {
     const struct plan *plan;
     struct dimension x, y, panel;
     struct names panels, labels;
-    long count;
+    long count, learnt;
     struct spot *spot; /* [count], with room for all cases                        owned */
 };
 
@@ -182,7 +183,7 @@ static bool has_cells(const struct sweep_map *m)
 }
 
 enum status sweep_map_row(struct sweep_map *m, const struct plan_case *c,
-                          const struct sweep_row *row, const char *labels)
+                          const struct sweep_row *row, const char *labels, bool learnt)
 {
     char panel[64];
 
@@ -196,6 +197,8 @@ enum status sweep_map_row(struct sweep_map *m, const struct plan_case *c,
     spot.label = add_name(&m->labels, labels);
     if (spot.panel < 0 || spot.label < 0)
         return STATUS_MEMORY;
+    spot.learnt = learnt;
+    m->learnt += learnt;
     m->spot[m->count++] = spot;
     return STATUS_OK;
 }
@@ -257,6 +260,20 @@ static struct chart_axis axis_of(const struct dimension *d, struct chart_tic *ti
     return axis;
 }
 
+/* A spot of the series started last. */
+static void draw_spot(const struct sweep_map *m, struct chart *c, const struct spot *s)
+{
+    double x[2], y[2];
+
+    if (!has_cells(m)) {
+        chart_point(c, s->x, s->y);
+        return;
+    }
+    find_cell(&m->x, s->x, x);
+    find_cell(&m->y, s->y, y);
+    chart_cell(c, s->x, s->y, x, y);
+}
+
 /* The spots of a panel and a label. */
 static void draw_label(const struct sweep_map *m, struct chart *c, int panel, int label)
 {
@@ -268,19 +285,28 @@ static void draw_label(const struct sweep_map *m, struct chart *c, int panel, in
                  &(struct chart_series){.label = text,
                                         .style = has_cells(m) ? CHART_CELLS : CHART_SQUARES,
                                         .rgb = colour_of(name, label)});
-    for (long n = 0; n < m->count; n++) {
-        const struct spot *s = &m->spot[n];
-        double x[2], y[2];
-        if (s->panel != panel || s->label != label)
-            continue;
-        if (!has_cells(m)) {
-            chart_point(c, s->x, s->y);
-            continue;
-        }
-        find_cell(&m->x, s->x, x);
-        find_cell(&m->y, s->y, y);
-        chart_cell(c, s->x, s->y, x, y);
-    }
+    for (long n = 0; n < m->count; n++)
+        if (m->spot[n].panel == panel && m->spot[n].label == label)
+            draw_spot(m, c, &m->spot[n]);
+}
+
+/* Over the colours: where the second opinion has nothing against a sheet. */
+static void draw_learnt(const struct sweep_map *m, struct chart *c, int panel)
+{
+    char text[128];
+
+    if (!m->plan->learnt.count)
+        return;
+    snprintf(text, sizeof text, "feasible by bounds learnt from the paper's words: %ld",
+             m->learnt);
+    chart_series(c, &(struct chart_series){.label = text,
+                                           .style = has_cells(m) ? CHART_HATCHED_CELLS
+                                                                 : CHART_POINTS,
+                                           .second = true,
+                                           .rgb = "#000000"});
+    for (long n = 0; n < m->count; n++)
+        if (m->spot[n].panel == panel && m->spot[n].learnt)
+            draw_spot(m, c, &m->spot[n]);
 }
 
 /* Where a mark lies in a direction. */
@@ -364,6 +390,7 @@ enum status sweep_map_chart(const struct sweep_map *m, struct chart **chart,
         name_panel(m, c, panel);
         for (int label = 0; label < m->labels.count; label++)
             draw_label(m, c, panel, label);
+        draw_learnt(m, c, panel);
         TRY(draw_marks(m, c, panel, why));
     }
     *chart = c, c = NULL;

@@ -42,6 +42,21 @@ static void print_label(const struct verdict_rules *rules, int n,
         fprintf(file, "  %-24s%6ld\n", label, t->labels[n]);
 }
 
+/* The second opinion: how many, and its bounds. */
+static void print_learnt(const struct verdict_rules *rules, long feasible, FILE *file)
+{
+    if (!rules->count)
+        return;
+    fprintf(file, "  %-24s%6ld   by bounds learnt from the paper's words:", "feasible",
+            feasible);
+    for (int n = 0; n < rules->count; n++) {
+        const struct verdict_rule *r = &rules->rule[n];
+        fprintf(file, "%s\n  %30s   no %s: %s %s %g", n ? "," : "", "", r->label,
+                measure_name(r->measure), r->above ? "above" : "below", r->bound);
+    }
+    fprintf(file, "\n");
+}
+
 /* Those of which there are none are not worth a line, but for labels. */
 static void print_verdicts(const struct plan *plan, const struct sweep_table *t, FILE *file)
 {
@@ -65,6 +80,7 @@ static void print_verdicts(const struct plan *plan, const struct sweep_table *t,
     for (size_t n = 0; n < sizeof ends / sizeof *ends; n++)
         if (ends[n].count)
             fprintf(file, "  %-24s%6ld   %s\n", ends[n].end, ends[n].count, ends[n].why);
+    print_learnt(&plan->learnt, t->learnt, file);
     fprintf(file, "\n");
 }
 

@@ -8,7 +8,7 @@
 /* Every key and measure; a key that has another column's name gets one of its own. */
 static struct table *create_table(const struct plan *plan)
 {
-    const int count = 2 + plan->key_count + MEASURES + 3;
+    const int count = 2 + plan->key_count + MEASURES + 3 + (plan->learnt.count > 0);
     struct table_column *columns = calloc((size_t)count, sizeof *columns), *c = columns;
     struct table *t = NULL;
 
@@ -30,6 +30,8 @@ static struct table *create_table(const struct plan *plan)
     *c++ = (struct table_column){"verdict"};
     *c++ = (struct table_column){"labels"};
     *c++ = (struct table_column){"outcome"};
+    if (plan->learnt.count)
+        *c++ = (struct table_column){"learnt"};
     t = table_create(count, columns, NULL);
     free(columns);
     return t;
@@ -81,7 +83,25 @@ static void count(struct sweep_table *t, const struct sweep_row *row,
     }
 }
 
-void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
+/* What the second opinion says, if there is one. */
+static bool add_learnt(struct sweep_table *t, const struct sweep_row *row)
+{
+    const struct verdict_rules *rules = &t->plan->learnt;
+    struct verdict verdict = {.kind = VERDICT_NONE};
+    char labels[1024] = "";
+
+    if (!rules->count)
+        return false;
+    if (row->state == SWEEP_ROW_RAN) {
+        verdict = verdict_of(rules, &row->result);
+        verdict_text(rules, verdict, labels, sizeof labels);
+    }
+    table_text(t->table[0], "%s", labels);
+    t->learnt += verdict.kind == VERDICT_FEASIBLE;
+    return verdict.kind == VERDICT_FEASIBLE;
+}
+
+bool sweep_table_row(struct sweep_table *t, const struct plan_case *c,
                      const struct sweep_row *row, char *labels, int size)
 {
     const struct verdict_rules *rules = &t->plan->verdicts;
@@ -106,15 +126,17 @@ void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
     table_text(table, "%s", verdict_kind_word[verdict.kind]);
     table_text(table, "%s", labels);
     table_text(table, "%s", row->why.text);
+    const bool learnt = add_learnt(t, row);
     table_flush(table, output_stream(t->file[0]));
     if (!ran)
-        return;
+        return learnt;
     table_row(seconds);
     table_integer(seconds, c->number + 1);
     table_number(seconds, r->create_seconds, 6);
     table_number(seconds, r->step_seconds, 6);
     table_number(seconds, r->look_seconds, 6);
     table_flush(seconds, output_stream(t->file[1]));
+    return learnt;
 }
 
 enum status sweep_table_close(struct sweep_table *t, struct message *why)

@@ -19,6 +19,7 @@ struct sweep_table {
 
     /* counted row by row */
     long died, unsupported, failed, open, feasible, unjudged;
+    long learnt; /* feasible by the plan's second opinion                              */
     long judged; /* cases that rules were applied to                                   */
     long labels[VERDICT_MOST];  /* cases with the label of this rule                   */
     long lacking[VERDICT_MOST]; /* cases of which nobody can say whether they have it  */
@@ -29,8 +30,8 @@ enum status sweep_table_open(struct sweep_table *t, const struct plan *plan,
                              const struct sweep_folder *folder, struct message *why);
 
 /* A case. Its labels (verdict_text), "no result" or "run again" also go into labels[size].
- */
-void sweep_table_row(struct sweep_table *t, const struct plan_case *c,
+ * Returns whether it is feasible by the plan's second opinion. */
+bool sweep_table_row(struct sweep_table *t, const struct plan_case *c,
                      const struct sweep_row *row, char *labels, int size);
 enum status sweep_table_close(struct sweep_table *t, struct message *why);
 void sweep_table_discard(struct sweep_table *t); /* all-zero is allowed */

@@ -68,13 +68,18 @@ out:
     return st;
 }
 
-enum status table4_rules(struct verdict_rules *rules, struct message *why)
+enum status table4_rules(struct verdict_rules *rules, struct verdict_rules *learnt,
+                         struct message *why)
 {
     struct plan plan = {0};
     const enum status st = read_plan(&plan, why);
 
     *rules = plan.verdicts;
     plan.verdicts = (struct verdict_rules){0};
+    if (learnt) {
+        *learnt = plan.learnt;
+        plan.learnt = (struct verdict_rules){0};
+    }
     plan_clear(&plan);
     return st;
 }
@@ -188,6 +193,7 @@ void table4_clear(struct table4_data *d)
     for (int n = 0; n < TABLE4_SCALED; n++)
         run_result_clear(&d->scaled[n]);
     verdict_clear(&d->rules);
+    verdict_clear(&d->learnt);
     free(d);
 }
 
@@ -222,7 +228,7 @@ enum status table4_load(const char *folder, struct table4_data **d, struct messa
     char path[PATH];
 
     TRY(st);
-    TRY(table4_rules(&new->rules, why));
+    TRY(table4_rules(&new->rules, &new->learnt, why));
     for (int r = 0; r < TABLE4_READINGS; r++)
         for (int s = 0; s < TABLE4_SCENES; s++)
             for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {

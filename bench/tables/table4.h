@@ -63,14 +63,16 @@ struct table4_run {
     unsigned labels; /* as paper.h's; an infeasible one without died without a rule     */
 };
 struct table4_data {
-    struct verdict_rules rules;
+    struct verdict_rules rules, learnt;
     bool quick; /* a run is: what is said of all rows is not said                       */
     struct table4_run run[TABLE4_READINGS][TABLE4_SCENES][PAPER_TABLE4_ROWS];
     struct run_result scaled[TABLE4_SCALED];
 };
 
-/* The rules of the plan `table4`, as it is now; free with verdict_clear. */
-enum status table4_rules(struct verdict_rules *rules, struct message *why);
+/* The rules of the plan `table4`, as it is now, and the bounds that maps take from it
+ * (learnt: NULL is allowed); free each with verdict_clear. */
+enum status table4_rules(struct verdict_rules *rules, struct verdict_rules *learnt,
+                         struct message *why);
 
 /* Fills in what the rules make of the results, all of *d but which is there. */
 void table4_judge(struct table4_data *d);

@@ -161,6 +161,27 @@ static void note_bounds(struct table *t, const struct table4_data *d,
     }
 }
 
+/* Of the bounds that maps draw, whether they still say what these runs teach. */
+static void note_kept(struct table *t, const struct table4_data *d,
+                      const struct lessons *flag)
+{
+    int same = 0;
+
+    for (int row = 0; row < ROWS; row++) {
+        const struct verdict v =
+            verdict_of(&d->learnt, &d->run[TABLE4_PRINTED][TABLE4_FLAG][row].result);
+        bool is = true;
+        for (int label = 0; label < PAPER_LABELS; label++)
+            is &= verdict_has(&d->learnt, v, paper_label[label]) ==
+                  flag->answer[label + 1].fitted[row];
+        same += is;
+    }
+    table_note(t,
+               "Maps draw the bounds of flag as the plan table4 has them under `learnt`: "
+               "they judge %d of 18 rows as those above do%s.",
+               same, same == ROWS ? "" : "; the plan's are of other runs");
+}
+
 static void note_worth(struct table *t, const struct lessons scene[TABLE4_SCENES],
                        const struct lessons *ratio)
 {
@@ -214,6 +235,7 @@ enum status table4_learn_print(const struct table4_data *d, enum table_format fo
                "Left out: each row judged by bounds learnt from the 17 others. Feasible: "
                "no label; of E/rho, two bounds of its own.");
     note_bounds(t, d, scene);
+    note_kept(t, d, &scene[TABLE4_FLAG]);
     note_worth(t, scene, &ratio);
     return table_finish(t, format, file);
 }

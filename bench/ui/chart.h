@@ -65,7 +65,8 @@ enum chart_style {
     CHART_STEPS,
     CHART_BAND,    /* filled from low to high of chart_bar                             */
     CHART_SQUARES, /* for classes                                                      */
-    CHART_CELLS    /* boxes of chart_cell, for classes                                 */
+    CHART_CELLS,   /* boxes of chart_cell, for classes                                 */
+    CHART_HATCHED_CELLS /* the same with lines across: what lies below is seen         */
 };
 
 struct chart_series {

@@ -59,10 +59,15 @@ void chart_look_write(struct output *out, const struct chart_item *item, bool le
         break;
     case CHART_BAND:
     case CHART_CELLS:
-        if (legend)
+    case CHART_HATCHED_CELLS:
+        if (legend && item->as.style == CHART_HATCHED_CELLS)
+            output_print(out, " with boxes fs transparent pattern 5");
+        else if (legend)
             output_print(out, " with points pt 5 ps scale*2");
         else if (item->as.style == CHART_BAND)
             output_print(out, " with filledcurves fs transparent solid 0.3 noborder");
+        else if (item->as.style == CHART_HATCHED_CELLS)
+            output_print(out, " with boxxyerror fs transparent pattern 5 noborder");
         else
             output_print(out, " with boxxyerror fs solid 1 border lc rgb '%s'", rgb);
     }

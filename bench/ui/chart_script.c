@@ -199,13 +199,13 @@ static void write_series(struct output *out, const struct chart_pane *p, int pan
 
     if (!drawn_of(p, item))
         return;
-    if (item->barred && style != CHART_CELLS && style != CHART_BAND)
+    if (item->barred && !item->celled && style != CHART_BAND)
         output_print(
             out,
             "$p%d_%d using 1:2:3:4 with yerrorbars pt 0 lw 1 lc rgb '%s' notitle, \\\n",
             pane, n, chart_look_rgb(item));
     output_print(out, "$p%d_%d using %s", pane, n,
-                 style == CHART_CELLS  ? "1:2:3:4:5:6"
+                 item->celled          ? "1:2:3:4:5:6"
                  : style == CHART_BAND ? "1:3:4"
                                        : "1:2");
     chart_look_write(out, item, false);

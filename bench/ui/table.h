@@ -112,6 +112,10 @@ void table_json_string(const char *text, FILE *file);
 enum status table_save(const struct table *t, const char *folder, const char *name,
                        struct message *why);
 
+/* table_save, then table_finish; the table is gone whatever comes of it. */
+enum status table_publish(struct table *t, const char *folder, const char *name,
+                          enum table_format format, FILE *file, struct message *why);
+
 /* Prints the rows so far as table_save has them, the line of keys before the first, and
  * forgets them: for tables longer than memory. Status as table_print. */
 enum status table_flush(struct table *t, FILE *file);

@@ -276,3 +276,14 @@ enum status table_finish(struct table *t, enum table_format format, FILE *file)
         fputc('\n', file);
     return st;
 }
+
+enum status table_publish(struct table *t, const char *folder, const char *name,
+                          enum table_format format, FILE *file, struct message *why)
+{
+    const enum status st = table_save(t, folder, name, why);
+
+    if (st == STATUS_OK)
+        return table_finish(t, format, file);
+    table_destroy(t);
+    return st;
+}

@@ -5,6 +5,7 @@
 #include "bench/files/folder.h"
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
+#include "bench/truth/truth_bar.h"
 #include "bench/truth/truth_file.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"

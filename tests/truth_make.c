@@ -5,7 +5,9 @@
 
 #include "bench/files/folder.h"
 #include "bench/files/store_read.h"
+#include "bench/truth/truth_bar.h"
 #include "bench/truth/truth_file.h"
+#include "bench/truth/truth_make.h"
 #include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
@@ -370,18 +372,26 @@ static void check_shell(void)
 
 /* --- Plans. */
 
+/* Frames and snapshots that all steps meet; of these, those that are judged. */
 static void check_plans(void)
 {
     double snapshots[] = {0, 0.05, 0.06, 0.1, 0.14, 0.3, 0.32};
     const struct scene scene = {.snapshot_count = 7, .snapshots = snapshots};
-    const double want[] = {0.06, 0.1, 0.14, 0.2, 0.3};
+    const double judged[] = {0.06, 0.1, 0.14, 0.2, 0.3};
     struct truth_plan plan = {NULL, 0.3, 1, {{2, {5}, 5e-3}, {2, {5}, 2.5e-3}}};
     double *time = NULL;
-    const int count = truth_plan_times(&plan, &scene, &time);
+    const int count = truth_plan_times(0.31, truth_plan_longest(&plan), &scene, &time);
+    int found = 0;
 
-    CHECK(count == 5);
-    for (int n = 0; n < 5 && n < count; n++)
-        CHECK_NEAR(time[n], want[n], SUM);
+    CHECK(count == 15);
+    for (int n = 0; n < count; n++) {
+        CHECK_NEAR(time[n], 0.02 * (n + 1), SUM);
+        if (truth_plan_judges(&scene, time[n]) && CHECK(found < 5))
+            CHECK_NEAR(time[n], judged[found++], SUM);
+    }
+    CHECK(found == 5);
+    free(time);
+    CHECK(truth_plan_times(0.31, 0.01, &scene, &time) == 16); /* 0.05, too */
     free(time);
 }
 

@@ -20,7 +20,7 @@ static struct truth *made(const char *folder, double error, double seconds)
     settings_set(&s, "material.young=2e5"); /* no stored truth is of this */
     settings_set(&s, "damping={kind: none}");
     if (!CHECK(truth_find_sharp(path, &s, TIMES, TIME, folder,
-                                &(struct truth_wish){error, seconds}, &t,
+                                &(struct truth_wish){error, seconds, false}, &t,
                                 &why) == STATUS_OK))
         printf("%s\n", why.text);
     REQUIRE(t);
@@ -33,7 +33,7 @@ int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     fresh_folder(argv[1]);
-    struct truth *hasty = made(argv[1], 1e-9, 0); /* two runs are always made */
+    struct truth *hasty = made(argv[1], 1e-9, 0); /* two runs are always made, of each */
     struct truth *blunt = made(argv[1], 5e-3, 60);
     struct truth *sharp = made(argv[1], 5e-4, 60);
 

@@ -4,7 +4,7 @@
 #define EXPORT_NUMBERS_H
 
 #include "bench/export/export_held.h"
-#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_made.h"
 
 /* quantity,a,b,value,unit,rest_length,compliance: the material; the mass of each vertex a;
  * of a flat sheet each matched spring from a to b (mass_spring/spring_net.h), with

@@ -284,6 +284,7 @@ static void kept_runs(void)
     static const double early[] = {0.01}, later[] = {0.02};
     struct truth_level level = {TRUTH_SHELL, 2, 6, 0.005, false};
     struct settings first = settings_of(1, undamped), other = settings_of(2, stiffer);
+    struct settings numerics = settings_of(2, undamped);
     struct run_result run = {0}, pushed = {0};
     char *path = NULL, file[4096];
 
@@ -302,12 +303,15 @@ static void kept_runs(void)
     level.perturbed = false;
     runs.time = later;
     CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
+    runs = (struct truth_runs){path, &numerics, 1, early, folder};
+    CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
     runs = (struct truth_runs){path, &other, 1, early, folder};
     CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
     run_result_clear(&run);
     run_result_clear(&pushed);
     settings_clear(&first);
     settings_clear(&other);
+    settings_clear(&numerics);
     free(path);
 }
 

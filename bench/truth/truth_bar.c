@@ -190,11 +190,11 @@ void truth_bar_horizon(const struct truth_push *push, int count, const double *t
         most = fmax(most, growth(push, n, length));
     const bool lost = most > TRUTH_MOST_GROWTH;
     snprintf(text, TRUTH_WATCH_TEXT,
-             "a change of gravity by %g %s %.2g-fold %s %.3g s: %s predicted (%s, "
+             "a change of gravity by %g %s %.2g-fold %s %.3g s: %s predicted (%s "
              "%dx%d, step %.3g ms)",
              TRUTH_PERTURBATION, lost ? "has grown" : "grows at most", most,
              lost ? "at" : "up to", time[n - 1],
              lost ? "from there on the motion cannot be" : "so long the motion can be",
-             level->model == TRUTH_SOLID ? "solid" : "shell", level->side, level->side,
+             level->model == TRUTH_SOLID ? "solid," : "shell,", level->side, level->side,
              1e3 * level->step);
 }

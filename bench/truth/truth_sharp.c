@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "bench/truth/truth_bar.h"
 #include "bench/truth/truth_plan.h"
 
 /* Steps, unknowns, bandwidth: between the assembly alone and the factors alone. Two runs
@@ -25,10 +24,10 @@ static double seconds_of(const struct run_result *r)
     return r->create_seconds + r->step_seconds;
 }
 
-static bool rung_of(const struct sharp *s, int model, int k, struct truth_level *level)
+static bool rung_of(const struct scene *scene, double frame, int model, int k,
+                    struct truth_level *level)
 {
-    const bool there =
-        k < TRUTH_FAMILY_MOST && truth_plan_rung(s->scene, s->frame, k, level);
+    const bool there = k < TRUTH_FAMILY_MOST && truth_plan_rung(scene, frame, k, level);
 
     level->model = model == TRUTH_SOLID ? TRUTH_SOLID : TRUTH_CURED;
     return there;
@@ -41,7 +40,7 @@ static enum status add_run(struct sharp *s, int model, struct message *why)
     const int k = f->count;
     enum status st;
 
-    rung_of(s, model, k, &f->level[k]);
+    rung_of(s->scene, s->frame, model, k, &f->level[k]);
     TRY(truth_level_find(s->runs, &f->level[k], false, &f->run[k], why));
     f->count++;
     s->spent += seconds_of(&f->run[k]);
@@ -90,39 +89,53 @@ static int columns_of(int model)
     return model == TRUTH_SOLID ? TRUTH_SOLID_SPACE : TRUTH_SHELL_SPACE;
 }
 
-static struct truth_seen see(const struct sharp *s, int model,
-                             const struct truth_made *made)
+static double spans_of(const struct truth_level *level)
 {
-    const struct truth_family *f = &s->family[model];
-    const int bar = columns_of(model) + 2, last = f->count - 1;
-    struct truth_seen seen = {.runs = f->count, .bar = -1};
-    struct truth_level next;
-
-    if (!f->count)
-        return (struct truth_seen){0};
-    for (int n = 0; n < made->times; n++)
-        if (made->value[n][bar] > seen.bar * s->scene->length) {
-            seen.bar = made->value[n][bar] / s->scene->length;
-            seen.order = made->value[n][columns_of(model)];
-        }
-    const double finer = (double)(f->level[last - 1].side - f->level[last].degree) /
-                         (f->level[last].side - f->level[last].degree);
-    const double seconds = seconds_of(&f->run[last]);
-    const double dearer = -log(seconds / seconds_of(&f->run[last - 1])) / log(finer);
-    seen.seconds = seconds;
-    seen.dearer = fmin(DEARER_MOST, fmax(DEARER_LEAST, dearer));
-    if (rung_of(s, model, f->count, &next))
-        seen.next = (double)(f->level[last].side - next.degree) / (next.side - next.degree);
-    return seen;
+    return level->side - level->degree;
 }
 
-static struct truth_outlook look(const struct sharp *s, const struct truth_made *made)
+/* The largest bar of a model, and the order seen there. */
+static void see_bar(const struct truth_made *made, int model, double length,
+                    struct truth_seen *seen)
 {
-    const double length = s->scene->length;
-    struct truth_outlook o = {.lost = INFINITY, .spent = s->spent};
+    const int order = columns_of(model), bar = order + 2;
 
-    for (int m = 0; m < TRUTH_MODELS; m++)
-        o.model[m] = see(s, m, made);
+    for (int n = 0; n < made->times; n++)
+        if (n == 0 || made->value[n][bar] > seen->bar * length) {
+            seen->bar = made->value[n][bar] / length;
+            seen->order = made->value[n][order];
+        }
+}
+
+/* What its last two runs took. */
+static void see_cost(const struct truth_family *f, struct truth_seen *seen)
+{
+    const int last = f->count - 1;
+    const double finer = spans_of(&f->level[last]) / spans_of(&f->level[last - 1]);
+
+    seen->seconds = seconds_of(&f->run[last]);
+    seen->dearer = log(seen->seconds / seconds_of(&f->run[last - 1])) / log(finer);
+    seen->dearer = fmin(DEARER_MOST, fmax(DEARER_LEAST, seen->dearer));
+}
+
+struct truth_outlook truth_sharp_look(const struct truth_family family[TRUTH_MODELS],
+                                      const struct scene *scene, double frame,
+                                      const struct truth_made *made, double error)
+{
+    const double length = scene->length;
+    struct truth_outlook o = {.lost = INFINITY};
+    struct truth_level next;
+
+    for (int m = 0; m < TRUTH_MODELS; m++) {
+        const struct truth_family *f = &family[m];
+        o.model[m].runs = f->count;
+        if (!f->count)
+            continue;
+        see_bar(made, m, length, &o.model[m]);
+        see_cost(f, &o.model[m]);
+        if (rung_of(scene, frame, m, f->count, &next))
+            o.model[m].next = spans_of(&f->level[f->count - 1]) / spans_of(&next);
+    }
     for (int n = 0; n < made->times; n++) {
         const double *v = made->value[n];
         o.error = fmax(o.error, v[TRUTH_ERROR] / length);
@@ -132,7 +145,7 @@ static struct truth_outlook look(const struct sharp *s, const struct truth_made 
             o.growth = v[TRUTH_GROWTH];
         }
     }
-    o.known = truth_wish_known(made, s->wish->error * length);
+    o.known = truth_wish_known(made, error * length);
     o.until = made->time[made->times - 1];
     return o;
 }
@@ -146,7 +159,8 @@ static struct truth_verdict judge(struct sharp *s, struct truth_made *made,
     for (int n = 0; n < made->times; n++)
         truth_bar_compare(s->family, &s->push, s->scene->length, n, made->value[n]);
     truth_made_choose(made, s->scene->length);
-    o = look(s, made);
+    o = truth_sharp_look(s->family, s->scene, s->frame, made, s->wish->error);
+    o.spent = s->spent;
     v = truth_wish_judge(s->wish, &o);
     truth_wish_tell(s->wish, &o, &v, text);
     return v;

@@ -9,6 +9,7 @@
 
 #include <stdio.h>
 
+#include "bench/truth/truth_bar.h"
 #include "bench/truth/truth_wish.h"
 
 struct truth_sharp {
@@ -24,5 +25,11 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
                              const struct truth_sharp *how, const struct truth_wish *wish,
                              struct truth_made *made, struct truth_verdict *verdict,
                              char text[TRUTH_WISH_TEXT], struct message *why);
+
+/* What joint families of two runs at least (or none) show, with the error wished for over
+ * the length; `spent` is left 0. */
+struct truth_outlook truth_sharp_look(const struct truth_family family[TRUTH_MODELS],
+                                      const struct scene *scene, double frame,
+                                      const struct truth_made *made, double error);
 
 #endif

@@ -140,7 +140,7 @@ static void tell_known(const struct truth_wish *wish, const struct truth_outlook
 void truth_wish_tell(const struct truth_wish *wish, const struct truth_outlook *o,
                      const struct truth_verdict *v, char text[TRUTH_WISH_TEXT])
 {
-    static const char *const names[] = {"solid", "shell"};
+    static const char *const names[] = {"the solid", "the shell"};
     const double wanted = 100 * wish->error, found = 100 * o->error;
     char known[96], needed[96], other[24], run[24];
 
@@ -154,7 +154,7 @@ void truth_wish_tell(const struct truth_wish *wish, const struct truth_outlook *
         break;
     case TRUTH_GO:
         snprintf(text, TRUTH_WISH_TEXT,
-                 "after %s the bar is %.2g %%; %.3g %% will take %s; next: the %s, %s",
+                 "after %s the bar is %.2g %%; %.3g %% will take %s; next: %s, %s",
                  lasting(o->spent, other), found, wanted, needed, names[v->next], run);
         break;
     case TRUTH_LOST:

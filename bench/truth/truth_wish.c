@@ -31,18 +31,44 @@ static double needed(const struct truth_seen *m, double order, double wish)
     return all;
 }
 
-/* Both models', and the next run at the least. */
-static double foresee(const struct truth_wish *wish, const struct truth_outlook *o,
-                      double run, bool best)
+static bool has_order(const struct truth_seen *m)
+{
+    return m->runs >= SEEN && m->order >= LEAST;
+}
+
+/* Both models', at the orders seen, and the next run at the least. */
+static double likely(const struct truth_wish *wish, const struct truth_outlook *o,
+                     double run)
 {
     double all = 0;
 
     for (int m = 0; m < TRUTH_MODELS; m++) {
         const struct truth_seen *s = &o->model[m];
         if (s->runs)
-            all += needed(s, best ? PROMISED : fmin(s->order, PROMISED), wish->error);
+            all += has_order(s) ? needed(s, fmin(s->order, PROMISED), wish->error) : NAN;
     }
-    return fmax(all, run);
+    return isnan(all) ? NAN : fmax(all, run);
+}
+
+/* At the promised order. A bar without an order may fall by far with the next run. */
+static double needed_least(const struct truth_wish *wish, const struct truth_seen *m)
+{
+    return has_order(m) ? needed(m, PROMISED, wish->error) : next_run(m);
+}
+
+/* Until one of them is within the wish or, where one is, the other: there is no less. */
+static double least(const struct truth_wish *wish, const struct truth_outlook *o,
+                    double run)
+{
+    const struct truth_seen *solid = &o->model[TRUTH_SOLID],
+                            *shell = &o->model[TRUTH_SHELL];
+    const double a = needed_least(wish, solid), b = needed_least(wish, shell);
+
+    if (!solid->runs || !shell->runs)
+        return fmax(solid->runs ? a : b, run);
+    if (solid->bar > wish->error && shell->bar > wish->error)
+        return fmax(fmin(a, b), run);
+    return fmax(solid->bar > shell->bar ? a : b, run);
 }
 
 /* Both models' own bars leave no room for their difference. */
@@ -54,39 +80,31 @@ static bool are_apart(const struct truth_wish *wish, const struct truth_outlook 
            m[0].bar + m[1].bar <= wish->error;
 }
 
-/* The model that is farther from its limit. */
-static enum truth_model blunter(const struct truth_outlook *o)
+/* Where both are too blunt, the one whose next run is the shorter; else the blunter one. */
+static enum truth_model choose(const struct truth_wish *wish, const struct truth_outlook *o)
 {
     const struct truth_seen *solid = &o->model[TRUTH_SOLID],
                             *shell = &o->model[TRUTH_SHELL];
+    const bool both = solid->next > 0 && shell->next > 0 && solid->bar > wish->error &&
+                      shell->bar > wish->error;
 
     if (!solid->runs || !shell->runs)
         return solid->runs ? TRUTH_SOLID : TRUTH_SHELL;
+    if (both)
+        return next_run(solid) < next_run(shell) ? TRUTH_SOLID : TRUTH_SHELL;
     return solid->bar > shell->bar ? TRUTH_SOLID : TRUTH_SHELL;
-}
-
-static bool have_shown(const struct truth_outlook *o)
-{
-    for (int m = 0; m < TRUTH_MODELS; m++)
-        if (o->model[m].runs && o->model[m].runs < SEEN)
-            return false;
-    return true;
 }
 
 struct truth_verdict truth_wish_judge(const struct truth_wish *wish,
                                       const struct truth_outlook *o)
 {
-    struct truth_verdict v = {.next = blunter(o)};
+    struct truth_verdict v = {.next = choose(wish, o)};
     const struct truth_seen *next = &o->model[v.next];
-    const bool shown = have_shown(o);
     const double left = wish->seconds - o->spent;
 
     v.run = next_run(next);
-    v.least = foresee(wish, o, v.run, true);
-    v.likely = shown ? foresee(wish, o, v.run, false) : NAN;
-    for (int m = 0; m < TRUTH_MODELS; m++)
-        if (o->model[m].runs && !(o->model[m].order >= LEAST))
-            v.likely = NAN;
+    v.least = least(wish, o, v.run);
+    v.likely = likely(wish, o, v.run);
     if (isfinite(o->lost))
         v.answer = TRUTH_LOST;
     else if (o->error <= wish->error)
@@ -95,7 +113,7 @@ struct truth_verdict truth_wish_judge(const struct truth_wish *wish,
         v.answer = TRUTH_APART;
     else if (!(next->next > 0))
         v.answer = TRUTH_FINEST;
-    else if (v.run > left || (shown && v.least > left))
+    else if (v.least > left)
         v.answer = TRUTH_DEAR;
     else
         v.answer = TRUTH_GO;

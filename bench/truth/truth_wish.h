@@ -47,8 +47,8 @@ struct truth_verdict {
     enum truth_answer answer;
     enum truth_model next;
     double run;    /* seconds that the next run will take                              */
-    double likely; /* seconds that are still needed, at the orders seen; NaN: none seen */
-    double least;  /* at the order that theory promises                                */
+    double likely; /* seconds that both need still, at the orders seen; NaN: none seen  */
+    double least;  /* that one needs, at the order that theory promises, or the next run */
 };
 
 /* Needs two runs at least of each model that serves. Three runs first show an order; no is

@@ -57,8 +57,7 @@ static void compare(const struct truth_family family[2], double pushed,
     const struct truth_push push = {{TRUTH_SOLID, 3, 12, 0.0025}, &plain, &apart};
 
     REQUIRE(truth_made_init(made, TIMES, TIMES, times) == STATUS_OK);
-    for (int t = 0; t < TIMES; t++)
-        truth_bar_compare(family, &push, LENGTH, t, made->value[t]);
+    truth_bar_compare(family, &push, LENGTH, made);
     truth_bar_choose(family, LENGTH, made);
 }
 
@@ -136,8 +135,33 @@ static void two_and_none(void)
     truth_made_clear(&made);
 }
 
+/* Three that cross at the second time, where they would show no error at all: what they
+ * differed by before counts, in the mean square. */
+static void crossing(void)
+{
+    struct truth_family family[2];
+    struct truth_made made;
+    const struct scene scene = {.length = LENGTH};
+
+    used = 0;
+    fill(&family[TRUTH_SOLID], TRUTH_SOLID, 3, 1, 0.3, 1);
+    fill(&family[TRUTH_SHELL], TRUTH_CURED, 0, 0, 0, 1);
+    for (int n = 0; n < 3; n++)
+        for (int k = 0; k < GRID_POINTS; k++)
+            family[TRUTH_SOLID].run[n].xyz[1][3 * k] = 1;
+    compare(family, 0, &made);
+    CHECK_NEAR(made.value[1][TRUTH_SOLID_SPACE], 1, ORDER);
+    CHECK_RELATIVE(made.value[1][TRUTH_SOLID_BAR],
+                   sqrt(.5) * made.value[0][TRUTH_SOLID_BAR], ORDER);
+    /* the largest bar is the first one */
+    const struct truth_outlook o = truth_sharp_look(family, &scene, 0.005, &made, 0.02);
+    CHECK_RELATIVE(o.model[TRUTH_SOLID].bar, made.value[0][TRUTH_SOLID_BAR] / LENGTH, SUM);
+    truth_made_clear(&made);
+}
+
 int main(void)
 {
+    crossing();
     three();
     two_and_none();
     return check_result();

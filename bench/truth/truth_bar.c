@@ -68,12 +68,28 @@ static double between(const struct truth_family *f, int a, int b, int time)
     return metric_rmse(f->run[a].xyz[time], f->run[b].xyz[time]);
 }
 
-/* By runs a, b, c of sizes that shrink. */
-static struct truth_order chain(const struct truth_family *f, const int run[3],
-                                const double size[3], double promised, int time)
+/* Of three runs, from time to time: sums of squares of both differences. */
+struct chain {
+    double first, second;
+};
+
+/* By runs a, b, c of sizes that shrink. Differences that cross zero would show any order,
+ * and none of an error: the order is that of their rms up to now, and no difference counts
+ * for less than that. */
+static struct truth_order judge(const struct truth_family *f, const int run[3],
+                                const double size[3], double promised, int time,
+                                struct chain *up_to_now)
 {
-    return truth_order(size, between(f, run[0], run[1], time),
-                       between(f, run[1], run[2], time), promised);
+    const double first = between(f, run[0], run[1], time);
+    const double second = between(f, run[1], run[2], time);
+
+    up_to_now->first += first * first;
+    up_to_now->second += second * second;
+    const double rms = sqrt(up_to_now->second / (time + 1));
+    struct truth_order o =
+        truth_order(size, sqrt(up_to_now->first), sqrt(up_to_now->second), promised);
+    o.bar *= rms > 0 ? fmax(second, rms) / sqrt(up_to_now->second) : 1;
+    return o;
 }
 
 static double span_of(const struct truth_level *level)
@@ -82,7 +98,8 @@ static double span_of(const struct truth_level *level)
 }
 
 /* Nets and steps apart: three of each. */
-static void judge_cross(const struct truth_family *f, int time, double *value)
+static void judge_cross(const struct truth_family *f, int time, struct chain chain[2],
+                        double *value)
 {
     static const int nets[3] = {TRUTH_BAR_COARSE, TRUTH_BAR_MIDDLE, TRUTH_BAR_FINE},
                      steps[3] = {TRUTH_BAR_FOUR, TRUTH_BAR_TWICE, TRUTH_BAR_MIDDLE};
@@ -93,14 +110,15 @@ static void judge_cross(const struct truth_family *f, int time, double *value)
         step[n] = f->level[steps[n]].step;
     }
     const struct truth_order space =
-        chain(f, nets, h, promised_order(f->level[TRUTH_BAR_FINE].degree), time);
-    const struct truth_order in_time = chain(f, steps, step, STEP_ORDER, time);
+        judge(f, nets, h, promised_order(f->level[TRUTH_BAR_FINE].degree), time, &chain[0]);
+    const struct truth_order in_time = judge(f, steps, step, STEP_ORDER, time, &chain[1]);
     value[0] = space.order;
     value[1] = in_time.order;
     value[2] = space.bar + in_time.bar;
 }
 
-static void judge_joint(const struct truth_family *f, int time, double *value)
+static void judge_joint(const struct truth_family *f, int time, struct chain chain[2],
+                        double *value)
 {
     const int n = f->count;
     const int run[3] = {n - 3, n - 2, n - 1};
@@ -115,7 +133,8 @@ static void judge_joint(const struct truth_family *f, int time, double *value)
     for (int k = 0; k < 3; k++)
         h[k] = span_of(&f->level[run[k]]);
     const struct truth_order both =
-        chain(f, run, h, fmin(promised_order(f->level[n - 1].degree), STEP_ORDER), time);
+        judge(f, run, h, fmin(promised_order(f->level[n - 1].degree), STEP_ORDER), time,
+              &chain[0]);
     value[0] = value[1] = both.order;
     value[2] = both.bar;
 }
@@ -132,18 +151,24 @@ static double growth(const struct truth_push *p, int time, double length)
 }
 
 void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
-                       const struct truth_push *push, double length, int time,
-                       double value[TRUTH_COLUMNS])
+                       const struct truth_push *push, double length,
+                       struct truth_made *made)
 {
     const struct truth_family *solid = &family[TRUTH_SOLID], *shell = &family[TRUTH_SHELL];
+    struct chain chain[TRUTH_MODELS][2] = {{{0}}};
 
-    (solid->joint ? judge_joint : judge_cross)(solid, time, value + TRUTH_SOLID_SPACE);
-    (shell->joint ? judge_joint : judge_cross)(shell, time, value + TRUTH_SHELL_SPACE);
-    value[TRUTH_DIFFERENCE] =
-        solid->count && shell->count
-            ? metric_rmse(finest(solid)->xyz[time], finest(shell)->xyz[time])
-            : 0;
-    value[TRUTH_GROWTH] = growth(push, time, length);
+    for (int n = 0; n < made->times; n++) {
+        double *v = made->value[n];
+        (solid->joint ? judge_joint : judge_cross)(solid, n, chain[TRUTH_SOLID],
+                                                   v + TRUTH_SOLID_SPACE);
+        (shell->joint ? judge_joint : judge_cross)(shell, n, chain[TRUTH_SHELL],
+                                                   v + TRUTH_SHELL_SPACE);
+        v[TRUTH_DIFFERENCE] =
+            solid->count && shell->count
+                ? metric_rmse(finest(solid)->xyz[n], finest(shell)->xyz[n])
+                : 0;
+        v[TRUTH_GROWTH] = growth(push, n, length);
+    }
 }
 
 /* Whose field it is, and whose difference from it. */

@@ -50,12 +50,13 @@ struct truth_push {
     const struct run_result *plain, *pushed;
 };
 
-/* All numbers of a time but the error bar, into value. Of a joint family both orders are
- * the one that is seen, NaN of two runs alone, whose difference counts three times. A model
- * that would not has an endless bar. */
+/* All numbers of made's times but the error bars, into its values. Orders are of the rms
+ * of the differences up to each time. Of a joint family both orders are the one that is
+ * seen, NaN of two runs alone, whose difference counts three times. A model that would not
+ * has an endless bar. */
 void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
-                       const struct truth_push *push, double length, int time,
-                       double value[TRUTH_COLUMNS]);
+                       const struct truth_push *push, double length,
+                       struct truth_made *made);
 
 /* Whose field is the truth (truth_made_choose): field, level and note. */
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,

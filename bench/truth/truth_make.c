@@ -103,8 +103,7 @@ enum status truth_make(const struct truth_plan *plan, const struct truth_runs *r
     TRY(truth_made_init(made, runs->times, runs->times, runs->time));
     TRY(find_all(family, runs, quiet, &pushed, why));
     push.level = solid->level[TRUTH_BAR_TWICE];
-    for (int n = 0; n < runs->times; n++)
-        truth_bar_compare(family, &push, scene->length, n, made->value[n]);
+    truth_bar_compare(family, &push, scene->length, made);
     truth_bar_choose(family, scene->length, made);
     TRY(watch(plan, runs, scene, made->horizon, why));
 out:

@@ -51,7 +51,8 @@ static void add_notes(struct table *t, const struct truth_made *made, double len
         return;
     }
     table_note(
-        t, "Orders are of the rms over the material grid, over three nets and over "
+        t, "Orders are of the rms over the material grid up to each time, over three nets "
+           "and over "
            "three steps, or over three runs of which both shrink; a dash: the differences "
            "do not shrink. A model's bar is what "
            "its orders leave, with a factor of safety. Growth: rms change after gravity "

@@ -156,8 +156,7 @@ static struct truth_verdict judge(struct sharp *s, struct truth_made *made,
     struct truth_verdict v;
     struct truth_outlook o;
 
-    for (int n = 0; n < made->times; n++)
-        truth_bar_compare(s->family, &s->push, s->scene->length, n, made->value[n]);
+    truth_bar_compare(s->family, &s->push, s->scene->length, made);
     truth_made_choose(made, s->scene->length);
     o = truth_sharp_look(s->family, s->scene, s->frame, made, s->wish->error);
     o.spent = s->spent;

@@ -2,6 +2,8 @@
  * gets them. (truth_stored.c: whether those stored hold.) */
 #include "bench/truth/truth.h"
 
+#include <unistd.h>
+
 #include "bench/files/folder.h"
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
@@ -372,6 +374,33 @@ static void levels(void)
     free(path);
 }
 
+/* Knots dense at the clamp, in a file of its own name; it runs. */
+static void graded(void)
+{
+    static const double early[] = {0.01};
+    struct truth_level level = {TRUTH_CURED, 2, 5, 0.005, false, 2};
+    struct settings given = settings_of(1, undamped), s = {0};
+    struct run_result run = {0};
+    char *path = NULL, file[4096];
+
+    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
+    const struct truth_runs runs = {path, &given, 1, early, folder, false};
+    REQUIRE(truth_level_settings(&runs, &level, &s, NULL) == STATUS_OK);
+    double x = 0, y = 0;
+    CHECK(sscanf(settings_value(&s, "discretization.knots_u"), "[0,0,0,%lf,%lf,1,1,1]", &x,
+                 &y) == 2);
+    CHECK_RELATIVE(x, 1 / 9.0, 1e-15);
+    CHECK_RELATIVE(y, 4 / 9.0, 1e-15);
+    snprintf(file, sizeof file, "%s/truth_cured_p2_5_g2_5000us.h5", folder);
+    remove(file);
+    CHECK(truth_level_find(&runs, &level, false, &run, NULL) == STATUS_OK &&
+          access(file, F_OK) == 0);
+    run_result_clear(&run);
+    settings_clear(&given);
+    settings_clear(&s);
+    free(path);
+}
+
 /* Claims end at the first time that passes a bound, and do not begin again. */
 static void horizon(void)
 {
@@ -400,6 +429,7 @@ int main(int argc, char **argv)
     kept_runs();
     kept_by_whom();
     levels();
+    graded();
     make_up(&made);
     const char *file = write_made_up(&made);
     file_comes_back(&made, file);

@@ -151,7 +151,8 @@ static void make(const struct truth_runs *runs, struct truth_made *made)
     struct message why = {""};
 
     REQUIRE(settings_read_scene(runs->settings, runs->path, &scene, NULL) == STATUS_OK);
-    if (!CHECK(truth_make(&tiny, runs, &scene, true, made, &why) == STATUS_OK))
+    if (!CHECK(truth_make(&tiny, runs, &scene, &(struct truth_make_how){0}, made, &why) ==
+               STATUS_OK))
         printf("%s\n", why.text);
     scene_clear(&scene);
 }
@@ -174,6 +175,22 @@ static double watched(const struct truth_runs *runs)
     run_result_clear(&run[0]);
     run_result_clear(&run[1]);
     return most;
+}
+
+/* A budget that ends between the runs: what was made is kept, and the next is named. */
+static void check_budget(const struct truth_runs *runs)
+{
+    struct scene scene = {0};
+    struct truth_made made;
+    struct message why = {""};
+    const struct truth_make_how how = {NULL, 1e-9};
+
+    REQUIRE(settings_read_scene(runs->settings, runs->path, &scene, NULL) == STATUS_OK);
+    CHECK(truth_make(&tiny, runs, &scene, &how, &made, &why) == STATUS_FAILED && !made.xyz);
+    if (!CHECK(strstr(why.text, "no: after 2 of 10 runs in ") &&
+               strstr(why.text, "p = 2, 6x6, 10 ms, takes some ")))
+        printf("%s\n", why.text);
+    scene_clear(&scene);
 }
 
 static void check_made(const struct truth_runs *runs)
@@ -458,6 +475,7 @@ int main(int argc, char **argv)
     check_plans();
     check_stored_plans();
     check_choices();
+    check_budget(&runs);
     check_made(&runs);
     check_bits(&runs);
     check_lost(&runs);

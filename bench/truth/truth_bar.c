@@ -171,16 +171,16 @@ void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
     }
 }
 
-/* Whose field it is, and whose difference from it. */
-static void tell_level(const struct truth_level *l, bool own, char text[128])
+void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL])
 {
     static const char *const first[] = {"solid, cured of locking", "Kirchhoff-Love shell",
                                         "Kirchhoff-Love shell, cured of locking"},
                              *const other[] = {"cured solid", "Kirchhoff-Love shell",
                                                "cured Kirchhoff-Love shell"};
 
-    snprintf(text, 128, "%s, p = %d, %dx%d, %s%.4g ms", (own ? first : other)[l->model],
-             l->degree, l->side, l->side, own ? "step " : "", 1e3 * l->step);
+    snprintf(text, TRUTH_BAR_LEVEL, "%s, p = %d, %dx%d, %s%.4g ms",
+             (own ? first : other)[l->model], l->degree, l->side, l->side,
+             own ? "step " : "", 1e3 * l->step);
 }
 
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
@@ -188,12 +188,12 @@ void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double len
 {
     const enum truth_model best = truth_made_choose(made, length);
     const struct truth_family *f = &family[best], *other = &family[!best];
-    char own[128], against[128];
+    char own[TRUTH_BAR_LEVEL], against[TRUTH_BAR_LEVEL];
 
     made->level = f->level[finest(f) - f->run];
-    tell_level(&made->level, true, own);
+    truth_bar_level(&made->level, true, own);
     if (other->count)
-        tell_level(&other->level[finest(other) - other->run], false, against);
+        truth_bar_level(&other->level[finest(other) - other->run], false, against);
     for (int n = 0; n < made->times; n++)
         memcpy(made->xyz[n], finest(f)->xyz[n], 3 * GRID_POINTS * sizeof(double));
     snprintf(made->note, sizeof made->note, "nonlinear %s; error bar: its own by %s%s%s",

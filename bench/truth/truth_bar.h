@@ -58,6 +58,11 @@ void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
                        const struct truth_push *push, double length,
                        struct truth_made *made);
 
+enum { TRUTH_BAR_LEVEL = 128 };
+
+/* A run in words: `own`, the truth's; else one beside it. */
+void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL]);
+
 /* Whose field is the truth (truth_made_choose): field, level and note. */
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
                       struct truth_made *made);

@@ -43,9 +43,8 @@ static enum status read_wish(struct job *j, const struct command_line *line,
         TRY(status_fail(why, STATUS_INPUT,
                         "--error: below %g%%, what a truth is claimed to",
                         100 * TRUTH_MOST_ERROR));
-    if (command_given(line, "--budget") && isnan(j->wish.error))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "--budget is for a truth as sharp as asked: with --error"));
+    if (isnan(j->wish.error) && !command_given(line, "--budget"))
+        j->wish.seconds = 0; /* a plan has its end */
     if (j->quick && !isnan(j->wish.error))
         TRY(status_fail(why, STATUS_INPUT, "--quick or --error, one of the two"));
 out:
@@ -93,7 +92,8 @@ static enum status make_at_times(struct job *j, const struct truth_plan *plan,
     timing_alone();
     TRY(sharp ? truth_sharp_make(runs, &j->scene, &(struct truth_sharp){frame, stderr},
                                  &j->wish, made, &j->verdict, j->text, why)
-              : truth_make(plan, runs, &j->scene, false, made, why));
+              : truth_make(plan, runs, &j->scene,
+                           &(struct truth_make_how){stderr, j->wish.seconds}, made, why));
 out:
     free(time);
     return st;
@@ -211,7 +211,7 @@ static const struct command_option options[] = {
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
     {"--error", "PERCENT", false,
      "as sharp as this, of the length, below 5%: more runs\nuntil the bar is within it"},
-    {"--budget", "SECONDS", false, "with --error: that all runs together may take (3600)"},
+    {"--budget", "SECONDS", false, "that all runs together may take (with --error 3600)"},
     {"--until", "SECONDS", false, "how much of the motion (the plan's; with --error all)"},
     {"--out", "FILE", false, "where the truth goes (results/truths/SCENE.h5)"},
     {"--store", NULL, false, "among those that come with the program"},

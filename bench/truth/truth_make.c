@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "bench/truth/truth_bar.h"
-#include "bench/ui/progress.h"
 
 static void plan_family(const struct truth_ladder *ladder, enum truth_model model,
                         struct truth_family *f)
@@ -22,25 +21,69 @@ static void plan_family(const struct truth_ladder *ladder, enum truth_model mode
     f->level[TRUTH_BAR_FOUR].step *= 4;
 }
 
+/* Cheap ones first: what they take foretells the others. */
+static const enum truth_bar_at order[TRUTH_BAR_RUNS] = {
+    TRUTH_BAR_FOUR, TRUTH_BAR_TWICE, TRUTH_BAR_COARSE, TRUTH_BAR_MIDDLE, TRUTH_BAR_FINE};
+
+static double seconds_of(const struct run_result *r)
+{
+    return r->create_seconds + r->step_seconds;
+}
+
+/* Unknowns, bandwidth, steps. */
+static double work_of(const struct truth_level *level)
+{
+    return pow(level->side, 3) / level->step;
+}
+
+/* The n-th in this order, by the one before; 0: there is none. */
+static double foresee(const struct truth_family *f, int n)
+{
+    if (n == 0)
+        return 0;
+    const enum truth_bar_at now = order[n], last = order[n - 1];
+    return seconds_of(&f->run[last]) * work_of(&f->level[now]) / work_of(&f->level[last]);
+}
+
+/* What comes next, unless the budget forbids it. */
+static enum status announce(const struct truth_make_how *how, const struct truth_family *f,
+                            int n, int made, double spent, struct message *why)
+{
+    const double seconds = foresee(f, n);
+    char text[TRUTH_BAR_LEVEL];
+
+    truth_bar_level(&f->level[order[n]], false, text);
+    if (how->seconds > 0 && seconds > 0 && spent + seconds > how->seconds)
+        return status_fail(why, STATUS_FAILED,
+                           "no: after %d of %d runs in %.3g s the next, the %s, takes some "
+                           "%.2g s more, and the budget is %.3g s (a larger --budget goes "
+                           "on from here)",
+                           made, TRUTH_MODELS * TRUTH_BAR_RUNS, spent, text, seconds,
+                           how->seconds);
+    if (how->say && seconds > 0)
+        fprintf(how->say, "truth: %d of %d runs, %.3g s; next: the %s, some %.2g s\n", made,
+                TRUTH_MODELS * TRUTH_BAR_RUNS, spent, text, seconds);
+    return STATUS_OK;
+}
+
 static enum status find_all(struct truth_family family[TRUTH_MODELS],
-                            const struct truth_runs *runs, bool quiet,
+                            const struct truth_runs *runs, const struct truth_make_how *how,
                             struct run_result *pushed, struct message *why)
 {
-    enum { TOTAL = TRUTH_MODELS * TRUTH_BAR_RUNS + 1 };
-    struct progress bar = progress_start("truth", TOTAL, quiet);
     struct truth_level push = family[TRUTH_SOLID].level[TRUTH_BAR_TWICE];
+    double spent = 0;
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < TOTAL - 1; n++) {
-        struct truth_family *f = &family[n / TRUTH_BAR_RUNS];
-        progress_update(&bar, n);
-        TRY(truth_level_find(runs, &f->level[n % TRUTH_BAR_RUNS], false,
-                             &f->run[n % TRUTH_BAR_RUNS], why));
+    for (int n = 0; n < TRUTH_MODELS * TRUTH_BAR_RUNS; n++) {
+        struct truth_family *f = &family[n % TRUTH_MODELS];
+        const int k = n / TRUTH_MODELS, at = order[k];
+        TRY(announce(how, f, k, n, spent, why));
+        TRY(truth_level_find(runs, &f->level[at], false, &f->run[at], why));
+        spent += seconds_of(&f->run[at]);
     }
     push.perturbed = true;
     TRY(truth_level_find(runs, &push, false, pushed, why));
 out:
-    progress_end(&bar);
     return st;
 }
 
@@ -89,8 +132,8 @@ static enum status watch(const struct truth_plan *plan, const struct truth_runs 
 }
 
 enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
-                       const struct scene *scene, bool quiet, struct truth_made *made,
-                       struct message *why)
+                       const struct scene *scene, const struct truth_make_how *how,
+                       struct truth_made *made, struct message *why)
 {
     struct truth_family family[TRUTH_MODELS] = {0};
     const struct truth_family *solid = &family[TRUTH_SOLID];
@@ -101,7 +144,7 @@ enum status truth_make(const struct truth_plan *plan, const struct truth_runs *r
     for (int m = 0; m < TRUTH_MODELS; m++)
         plan_family(&plan->ladder[m], (enum truth_model)m, &family[m]);
     TRY(truth_made_init(made, runs->times, runs->times, runs->time));
-    TRY(find_all(family, runs, quiet, &pushed, why));
+    TRY(find_all(family, runs, how, &pushed, why));
     push.level = solid->level[TRUTH_BAR_TWICE];
     truth_bar_compare(family, &push, scene->length, made);
     truth_bar_choose(family, scene->length, made);

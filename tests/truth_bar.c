@@ -159,9 +159,56 @@ static void crossing(void)
     truth_made_clear(&made);
 }
 
+/* --- Made-up tables: who is chosen, and until when it is claimed. */
+
+static const struct choice {
+    double solid[3], shell[3], difference[3], growth[3];
+    enum truth_model model;
+    int claimed;
+} choices[] = {
+    {{.01, .02, .03}, {.01, .02, .04}, {0}, {0}, TRUTH_SOLID, 3},
+    {{.01, .02, .04}, {.01, .02, .03}, {0}, {0}, TRUTH_SHELL, 3},
+    {{.02, .02, .03}, {.01, .01, .03}, {0}, {0}, TRUTH_SOLID, 3}, /* the last counts */
+    {{.01, .02, .11}, {.09, .09, .09}, {0}, {0}, TRUTH_SHELL, 3}, /* more claimed    */
+    {{.09, .09, .09}, {.01, .02, .11}, {0}, {0}, TRUTH_SOLID, 3},
+    {{.01, .03, .2}, {.01, .02, .3}, {0}, {0}, TRUTH_SHELL, 2}, /* last claimed */
+    {{.01, .01, .01}, {.02, .02, .02}, {0, .11, 0}, {0}, TRUTH_SOLID, 1},
+    {{.01, .01, .01}, {.02, .02, .02}, {0, .09, 0}, {0}, TRUTH_SOLID, 3},
+    {{.01, .01, .01}, {.02, .02, .02}, {0}, {0, 0, 1001}, TRUTH_SOLID, 2},
+    {{.01, .01, .01}, {.02, .02, .02}, {0}, {0, 0, 999}, TRUTH_SOLID, 3},
+    {{.3, .3, .3}, {.2, .2, .2}, {0}, {0}, TRUTH_SHELL, 0},
+};
+
+/* Of a sheet of 2 m: 5 % are 0.1 m. */
+static void check_choices(void)
+{
+    static const double three[3] = {0.1, 0.2, 0.3};
+
+    for (size_t n = 0; n < sizeof choices / sizeof *choices; n++) {
+        const struct choice *c = &choices[n];
+        struct truth_made made;
+        REQUIRE(truth_made_init(&made, 3, 0, three) == STATUS_OK);
+        for (int t = 0; t < 3; t++) {
+            made.value[t][TRUTH_SOLID_BAR] = c->solid[t];
+            made.value[t][TRUTH_SHELL_BAR] = c->shell[t];
+            made.value[t][TRUTH_DIFFERENCE] = c->difference[t];
+            made.value[t][TRUTH_GROWTH] = c->growth[t];
+        }
+        if (!CHECK(truth_made_choose(&made, LENGTH) == c->model &&
+                   made.claimed == c->claimed))
+            printf("choice %zu: %d claimed\n", n, made.claimed);
+        for (int t = 0; t < 3; t++)
+            CHECK(made.value[t][TRUTH_ERROR] ==
+                  fmax(c->model == TRUTH_SOLID ? c->solid[t] : c->shell[t],
+                       c->difference[t]));
+        truth_made_clear(&made);
+    }
+}
+
 int main(void)
 {
     crossing();
+    check_choices();
     three();
     two_and_none();
     return check_result();

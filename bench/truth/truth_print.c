@@ -51,12 +51,12 @@ static void add_notes(struct table *t, const struct truth_made *made, double len
         return;
     }
     table_note(
-        t, "Orders are of the rms over the material grid up to each time, over three nets "
-           "and over "
-           "three steps, or over three runs of which both shrink; a dash: the differences "
-           "do not shrink. A model's bar is what "
-           "its orders leave, with a factor of safety. Growth: rms change after gravity "
-           "was changed by 1e-6 in the direction (1,1,1), over 1e-6 of the length.");
+        t,
+        "Orders are of the rms over the material grid, over three nets and over three "
+        "steps, or over three runs of which both shrink; a dash: the differences do not "
+        "shrink. A model's bar is what its orders leave, with a factor of safety. Growth: "
+        "rms change after gravity was changed by 1e-6 in the direction (1,1,1), over 1e-6 "
+        "of the length.");
     note_horizon(t, made, length);
     if (*made->commit)
         table_note(t, "Made at commit %s with %s changed files.", made->commit,

@@ -121,7 +121,7 @@ const struct command advise_command = {
     .arguments = "SCENE [OPTION]...",
     .text =
         "Measures every contestant on your scene, from its coarsest net and longest step\n"
-        "on, against the scene's truth: the stored one, or a shell refined until its\n"
+        "on, against the scene's truth: the stored one, or runs refined until its\n"
         "error bar is small beside the error that is asked for. Prints the `run` command\n"
         "to use, its error and its seconds for a second of motion, then everybody else:\n"
         "those that serve too, from cheap to dear, and those that do not, with the\n"

@@ -107,7 +107,6 @@ static enum status make_by_runs(struct job *j, const char *own, struct truth_run
     char folder[PATH];
     enum status st;
 
-    TRY(truth_plan_check(&j->scene, why));
     snprintf(folder, sizeof folder, "results/truth_%s%s", j->scene.name,
              j->quick ? "_quick" : "");
     runs->folder = own ? own : folder;
@@ -151,6 +150,7 @@ static enum status make_one(struct job *j, const struct command_line *line,
     char file[PATH];
     enum status st;
 
+    TRY(truth_plan_check(&j->scene, why));
     TRY(choose_file(j, line, file, why));
     st = truth_closed_make(&j->scene, &made);
     TRY(st == STATUS_UNSUPPORTED

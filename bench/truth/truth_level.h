@@ -10,7 +10,7 @@
 #define TRUTH_PERTURBATION 1e-6
 
 /* Whose runs truths are made of: the nonlinear solid, cured of locking, and the nonlinear
- * shell; truth_sharp.h takes the shell cured of locking. */
+ * shell; truth_sharp.h takes that cured of locking, too. */
 enum truth_model { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS, TRUTH_CURED = TRUTH_MODELS };
 
 struct truth_level {

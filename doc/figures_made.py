@@ -304,7 +304,7 @@ def compare_scenes():
 
 # --- truths ----------------------------------------------------------------------------------
 
-SCENES = ["edge_drop", "corners_patch", "flag", "sphere", "strip_swing", "thick", "stiff"]
+SCENES = ["edge_drop", "corners_patch", "flag", "sphere", "flap", "ground", "strip_swing", "thick", "stiff"]
 
 
 def bars(scene):

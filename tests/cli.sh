@@ -107,6 +107,22 @@ good truth sphere --stored
 says out 'Nothing is claimed from 0.3 s on: the growth there, ' ', is above 1000.'
 refused 'of other physics: material 100000 0.3 0.5, not material 1000000 0.3 0.5' \
     truth edge_drop --stored --set material.young=1e6
+refused 'support 0 holds a point' truth corners_drop --error 1%
+refused '--error: below 5%' truth edge_drop --error 5%
+refused '--error 0: a number above 0' truth edge_drop --error 0
+refused 'one of the two' truth edge_drop --error 1% --quick
+refused 'one of the two' truth edge_drop --error 1% --store --out t.h5
+refused '--budget -1' truth edge_drop --error 1% --budget -1
+refused '--until 0.01: a frame is 0.02 s' truth stiff --error 1% --until 0.01 --runs t --out t.h5
+# a budget that holds no more than the first runs: a truth as it is, no, and until when it would do
+run truth stiff --error 0.0001% --until 0.04 --budget 1e-6 --runs t --out t.h5
+[ "$code" -eq 1 ] || fail "truth without a budget: exit $code: $err"
+says err 'no: the bar is' '0.0001 % up to 0.04 s will take' 'more at best' 'the budget leaves 0 s' \
+    'known to 0.0001 % at none of its times'
+says out '0.040' 'own by the difference of two'
+[ "$(find t -name '*.h5' | wc -l)" -eq 5 ] || fail "its runs: $(ls t)"
+CLOTHBENCH_TRUTHS=. good list truths
+says out 't  ' 'cured of locking, p = 3, 12x12'
 good list studies
 says out mesh
 good list cases

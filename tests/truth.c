@@ -2,9 +2,12 @@
  * gets them. (truth_stored.c: whether those stored hold.) */
 #include "bench/truth/truth.h"
 
+#include <unistd.h>
+
 #include "bench/files/folder.h"
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
+#include "bench/truth/truth_bar.h"
 #include "bench/truth/truth_file.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -283,6 +286,7 @@ static void kept_runs(void)
     static const double early[] = {0.01}, later[] = {0.02};
     struct truth_level level = {TRUTH_SHELL, 2, 6, 0.005, false};
     struct settings first = settings_of(1, undamped), other = settings_of(2, stiffer);
+    struct settings numerics = settings_of(2, undamped);
     struct run_result run = {0}, pushed = {0};
     char *path = NULL, file[4096];
 
@@ -301,12 +305,15 @@ static void kept_runs(void)
     level.perturbed = false;
     runs.time = later;
     CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
+    runs = (struct truth_runs){path, &numerics, 1, early, folder};
+    CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
     runs = (struct truth_runs){path, &other, 1, early, folder};
     CHECK(truth_level_find(&runs, &level, true, &run, NULL) == STATUS_FILE);
     run_result_clear(&run);
     run_result_clear(&pushed);
     settings_clear(&first);
     settings_clear(&other);
+    settings_clear(&numerics);
     free(path);
 }
 
@@ -367,6 +374,33 @@ static void levels(void)
     free(path);
 }
 
+/* Knots dense at the clamp, in a file of its own name; it runs. */
+static void graded(void)
+{
+    static const double early[] = {0.01};
+    struct truth_level level = {TRUTH_CURED, 2, 5, 0.005, false, 2};
+    struct settings given = settings_of(1, undamped), s = {0};
+    struct run_result run = {0};
+    char *path = NULL, file[4096];
+
+    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
+    const struct truth_runs runs = {path, &given, 1, early, folder, false};
+    REQUIRE(truth_level_settings(&runs, &level, &s, NULL) == STATUS_OK);
+    double x = 0, y = 0;
+    CHECK(sscanf(settings_value(&s, "discretization.knots_u"), "[0,0,0,%lf,%lf,1,1,1]", &x,
+                 &y) == 2);
+    CHECK_RELATIVE(x, 1 / 9.0, 1e-15);
+    CHECK_RELATIVE(y, 4 / 9.0, 1e-15);
+    snprintf(file, sizeof file, "%s/truth_cured_p2_5_g2_5000us.h5", folder);
+    remove(file);
+    CHECK(truth_level_find(&runs, &level, false, &run, NULL) == STATUS_OK &&
+          access(file, F_OK) == 0);
+    run_result_clear(&run);
+    settings_clear(&given);
+    settings_clear(&s);
+    free(path);
+}
+
 /* Claims end at the first time that passes a bound, and do not begin again. */
 static void horizon(void)
 {
@@ -395,6 +429,7 @@ int main(int argc, char **argv)
     kept_runs();
     kept_by_whom();
     levels();
+    graded();
     make_up(&made);
     const char *file = write_made_up(&made);
     file_comes_back(&made, file);

@@ -7,6 +7,7 @@
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_frames.h"
+#include "bench/truth/truth_plan.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/opened_run.h"

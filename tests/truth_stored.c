@@ -6,6 +6,7 @@
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_file.h"
+#include "bench/truth/truth_make.h"
 #include "bench/truth/truth_physics.h"
 #include "bench/truth/truth_table.h"
 #include "models/grid.h"
@@ -121,7 +122,9 @@ static void made_anew(const char *scene)
     struct truth_runs runs = {path, &settings, TIMES, times, folder};
     REQUIRE(named_file_find(&truth_file_kind, scene, &file, NULL) == STATUS_OK);
     REQUIRE(truth_file_read(file, &stored, &physics, NULL) == STATUS_OK);
-    if (!CHECK(truth_make(&plan, &runs, &s, true, &made, &why) == STATUS_OK))
+    truth_made_thin(&stored, &s);
+    if (!CHECK(truth_make(&plan, &runs, &s, &(struct truth_make_how){0}, &made, &why) ==
+               STATUS_OK))
         printf("%s\n", why.text);
     CHECK(made.claimed == TIMES && strstr(made.horizon, "can be predicted"));
     for (int n = 0; n < made.claimed; n++) {

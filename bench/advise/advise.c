@@ -2,8 +2,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "bench/advise/advise_print.h"
 #include "bench/files/folder.h"
@@ -13,25 +11,6 @@ enum { FOLDER = 4096 };
 
 static const double BUDGET = 240;
 
-/* A number above 0, with a unit if `percent`: "2%", "0.02". *value is as it was if the
- * option was not given. */
-static enum status read_number(const struct command_line *line, const char *option,
-                               bool percent, double *value, struct message *why)
-{
-    const char *word = command_value(line, option);
-    char *end;
-
-    if (!word)
-        return STATUS_OK;
-    *value = strtod(word, &end);
-    const bool is_percent = percent && !strcmp(end, "%");
-    if (end == word || (*end && !is_percent) || !(*value > 0) || isinf(*value))
-        return status_fail(why, STATUS_INPUT, "%s %s: a number above 0%s", option, word,
-                           percent ? ", as 2% or 0.02" : "");
-    *value /= is_percent ? 100 : 1;
-    return STATUS_OK;
-}
-
 static enum status read_rate(const struct command_line *line, double *rate,
                              struct message *why)
 {
@@ -39,7 +18,7 @@ static enum status read_rate(const struct command_line *line, double *rate,
     if (command_given(line, "--realtime") && command_given(line, "--seconds"))
         return status_fail(why, STATUS_INPUT,
                            "--realtime is --seconds 1; give one of the two");
-    return read_number(line, "--seconds", false, rate, why);
+    return command_number(line, "--seconds", false, rate, why);
 }
 
 static enum status read_wish(const struct command_line *line, struct advise_wish *wish,
@@ -48,11 +27,11 @@ static enum status read_wish(const struct command_line *line, struct advise_wish
     enum status st;
 
     *wish = (struct advise_wish){.error = NAN, .budget = BUDGET};
-    TRY(read_number(line, "--error", true, &wish->error, why));
+    TRY(command_number(line, "--error", true, &wish->error, why));
     if (!(wish->error < 1))
         return status_fail(why, STATUS_INPUT,
                            "advise needs --error, below 100%%, as in --error 2%%");
-    TRY(read_number(line, "--budget", false, &wish->budget, why));
+    TRY(command_number(line, "--budget", false, &wish->budget, why));
     TRY(read_rate(line, &wish->rate, why));
 out:
     return st;
@@ -109,7 +88,7 @@ static enum status run(const struct command_line *line, struct message *why)
         TRY(table_format_parse(word, &format, why));
     TRY(contestant_check(command_value(line, "--models"), why));
     TRY(read_wish(line, &s.wish, why));
-    TRY(read_number(line, "--until", false, &until, why));
+    TRY(command_number(line, "--until", false, &until, why));
     const char *const *set = command_values(line, "--set", &given);
     settings_set_all(&job.user, given, set);
     TRY(compare_job_open(&job, line->words[0], until, why));
@@ -142,7 +121,7 @@ const struct command advise_command = {
     .arguments = "SCENE [OPTION]...",
     .text =
         "Measures every contestant on your scene, from its coarsest net and longest step\n"
-        "on, against the scene's truth: the stored one, or a shell refined until its\n"
+        "on, against the scene's truth: the stored one, or runs refined until its\n"
         "error bar is small beside the error that is asked for. Prints the `run` command\n"
         "to use, its error and its seconds for a second of motion, then everybody else:\n"
         "those that serve too, from cheap to dear, and those that do not, with the\n"

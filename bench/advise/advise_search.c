@@ -27,7 +27,8 @@ enum status advise_search_truth(struct advise_search *s, struct message *said,
                                 struct message *why)
 {
     struct compare_job *j = s->job;
-    const struct truth_wish wish = {s->wish.error / SHARPER, FOR_TRUTH * s->wish.budget};
+    const struct truth_wish wish = {s->wish.error / SHARPER, FOR_TRUTH * s->wish.budget,
+                                    true};
     const enum status st = truth_find_sharp(j->path, &j->truth, j->times, j->time,
                                             j->folder, &wish, &j->found, said);
 

@@ -4,7 +4,7 @@
 #define EXPORT_NUMBERS_H
 
 #include "bench/export/export_held.h"
-#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_made.h"
 #include "bench/ui/table.h"
 
 struct export_number {

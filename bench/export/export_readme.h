@@ -3,7 +3,7 @@
 #define EXPORT_README_H
 
 #include "bench/export/export_held.h"
-#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_made.h"
 
 struct export_readme {
     const struct export_held *held;

@@ -97,12 +97,13 @@ static enum status put_provenance(struct store *s, const struct provenance *p,
     return good ? STATUS_OK : fail(s, why);
 }
 
-/* [frame][w][v][u][3], a chunk a frame, grows along frames. */
+/* [frame][w][v][u][3], grows along frames; a chunk a frame, or, packed, a component of it:
+ * neighbours are then alike, which packs to a third of the three together. */
 static enum status create_xyz(struct store *s, struct message *why)
 {
     hsize_t none[5] = {0, GRID_W, GRID_V, GRID_U, 3};
     hsize_t limit[5] = {H5S_UNLIMITED, GRID_W, GRID_V, GRID_U, 3};
-    hsize_t chunk[5] = {1, GRID_W, GRID_V, GRID_U, 3};
+    hsize_t chunk[5] = {1, GRID_W, GRID_V, GRID_U, s->packed ? 1 : 3};
     hid_t space = H5Screate_simple(5, none, limit);
     hid_t create = H5Pcreate(H5P_DATASET_CREATE), access = H5Pcreate(H5P_DATASET_ACCESS);
 

@@ -52,7 +52,7 @@ struct store_run {
     const struct discretization *discretization;
     const struct provenance *provenance;
     bool single; /* positions as 32-bit floats: 1e-8 m on a 1 m sheet, half the file */
-    bool packed; /* shuffled and deflated: a fifth smaller at 20 times the writing time */
+    bool packed; /* shuffled and deflated: a quarter of a smooth field's bytes */
 };
 
 /* Opens the file aside. STATUS_FILE with a sentence; *store is then untouched. Call

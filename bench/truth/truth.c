@@ -102,14 +102,36 @@ static enum status find_shell(const struct truth_runs *runs, double step,
     return from_shell(runs, step, effort != TRUTH_FULL, read_only, t, why);
 }
 
-/* The shell again, cured, until its bar is as small as `wish` has it; without one by
- * effort. */
+/* As sharp as is wished. */
+static enum status from_sharp(const struct truth_runs *runs, const struct scene *scene,
+                              const struct truth_wish *wish, struct truth *t,
+                              struct message *why)
+{
+    struct truth_made made = {0};
+    struct truth_verdict verdict;
+    char text[TRUTH_WISH_TEXT];
+    enum status st;
+
+    TRY(truth_sharp_make(runs, scene, &(struct truth_sharp){.frame = scene->step}, wish,
+                         &made, &verdict, text, why));
+    if (verdict.answer == TRUTH_LOST)
+        TRY(status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name, text));
+    for (int n = 0; n < t->times; n++) {
+        memcpy(t->xyz[n], made.xyz[n], 3 * GRID_POINTS * sizeof(double));
+        t->error[n] = made.value[n][TRUTH_ERROR];
+    }
+    snprintf(t->source, sizeof t->source, "%s", made.note);
+out:
+    truth_made_clear(&made);
+    return st;
+}
+
+/* With a wish; without one, the shell by effort. */
 static enum status find_run(const struct truth_runs *runs, const struct scene *scene,
                             enum truth_effort effort, const struct truth_wish *wish,
                             struct truth *t, struct message *why)
 {
-    return wish ? truth_sharp_fields(runs, scene->step, scene->length, wish, t->xyz,
-                                     t->error, t->source, why)
+    return wish ? from_sharp(runs, scene, wish, t, why)
                 : find_shell(runs, scene->step, effort, t, why);
 }
 
@@ -160,9 +182,14 @@ static enum status read_stored(const struct scene *scene, struct truth_made *mad
 enum status truth_known(const struct scene *scene, struct truth_made *made,
                         struct message *why)
 {
-    const enum status st = truth_closed_make(scene, made);
+    enum status st = truth_closed_make(scene, made);
 
-    return st == STATUS_UNSUPPORTED ? read_stored(scene, made, why) : st;
+    if (st != STATUS_UNSUPPORTED)
+        return st;
+    st = read_stored(scene, made, why);
+    if (st == STATUS_OK)
+        truth_made_thin(made, scene);
+    return st;
 }
 
 /* STATUS_UNSUPPORTED: none, or not so early. */

@@ -13,7 +13,7 @@
 #define TRUTH_H
 
 #include "bench/harness/settings.h"
-#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_made.h"
 #include "bench/truth/truth_sharp.h"
 
 /* A cantilever's tip is off by 0.0125 Gamma^2 in linear theory (heavy elastica): 1e-4. */
@@ -40,16 +40,16 @@ enum status truth_find(const char *path, const struct settings *settings, int ti
                        const double *time, const char *folder, enum truth_effort effort,
                        struct truth **truth, struct message *why);
 
-/* The same, but where nothing is stored the cured shell is run until its bar is as small as
- * is asked for, or time is up (truth_sharp.h). */
+/* The same, but where nothing is stored runs are made until the bar is as small as is asked
+ * for, or time is up (truth_sharp.h). */
 enum status truth_find_sharp(const char *path, const struct settings *settings, int times,
                              const double *time, const char *folder,
                              const struct truth_wish *wish, struct truth **truth,
                              struct message *why);
 
 /* What is known without a run, of a scene as its truth moves: a closed form, or what is
- * stored; `made->times` is 0 where there is none. STATUS_INPUT: the stored one was changed.
- * Free with truth_made_clear. */
+ * stored, at the times at which tables judge (truth_made_thin); `made->times` is 0 where
+ * there is none. STATUS_INPUT: the stored one was changed. Free with truth_made_clear. */
 enum status truth_known(const struct scene *scene, struct truth_made *made,
                         struct message *why);
 

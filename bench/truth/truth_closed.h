@@ -13,7 +13,7 @@
 #ifndef TRUTH_CLOSED_H
 #define TRUTH_CLOSED_H
 
-#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_made.h"
 
 enum { TRUTH_CLOSED_SOURCE = 400 };
 

@@ -8,10 +8,14 @@
 #include "bench/truth/truth_closed.h"
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_frames.h"
-#include "bench/ui/table.h"
+#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_print.h"
+#include "bench/truth/truth_sharp.h"
 #include "models/reader/scene_file.h"
 
 enum { PATH = 4096 };
+
+static const double BUDGET = 3600;
 
 struct job {
     char *path;
@@ -19,93 +23,31 @@ struct job {
     bool quick;
     struct settings settings;
     enum table_format format;
+    double until; /* NAN: the plan's, or with a wish the scene's end                   */
+    struct truth_wish wish; /* error NAN: none, but the plan                           */
+    struct truth_verdict verdict;
+    char text[TRUTH_WISH_TEXT];
 };
 
-static void add_row(struct table *t, const struct truth_made *made, int n, double length)
+static enum status read_wish(struct job *j, const struct command_line *line,
+                             struct message *why)
 {
-    const double *v = made->value[n];
+    enum status st;
 
-    table_row(t);
-    table_number(t, made->time[n], 3);
-    for (int c = 0; c < TRUTH_COLUMNS; c++)
-        if (c == TRUTH_ERROR && n >= made->claimed)
-            table_missing(t, "no claim");
-        else if (c == TRUTH_GROWTH)
-            table_number(t, v[c], 2);
-        else if (c < TRUTH_DIFFERENCE && c % 3 != TRUTH_SOLID_BAR)
-            table_fixed(t, v[c], 1);
-        else
-            table_number(t, v[c] / length, 2);
-}
-
-/* Until when it is claimed, and what ends it. */
-static void note_horizon(struct table *t, const struct truth_made *made, double length)
-{
-    const int n = made->claimed;
-    const double time = n < made->times ? made->time[n] : NAN, *v = made->value[n];
-
-    if (n == made->times)
-        table_note(t, "All of it is claimed.");
-    else if (v[TRUTH_GROWTH] > TRUTH_MOST_GROWTH)
-        table_note(t,
-                   "Nothing is claimed from %.3g s on: the growth there, %.2g, is above "
-                   "%g.",
-                   time, v[TRUTH_GROWTH], TRUTH_MOST_GROWTH);
-    else
-        table_note(t,
-                   "Nothing is claimed from %.3g s on: the error bar there, %.2g %%, is "
-                   "above %g %%.",
-                   time, 100 * v[TRUTH_ERROR] / length, 100 * TRUTH_MOST_ERROR);
-    table_note(t, "Horizon: %s.", made->horizon);
-}
-
-/* What there is to say of truths that were made, and of all. */
-static void add_notes(struct table *t, const struct truth_made *made, double length)
-{
-    table_note(t, "The truth: %s.", made->note);
-    if (made->closed) {
-        table_note(t, "Horizon: %s.", made->horizon);
-        return;
-    }
-    table_note(
-        t, "Orders are of the rms over the material grid, over three nets and over "
-           "three steps; a dash: the differences do not shrink. A model's bar is what "
-           "its orders leave, with a factor of safety. Growth: rms change after gravity "
-           "was changed by 1e-6 in the direction (1,1,1), over 1e-6 of the length.");
-    note_horizon(t, made, length);
-    if (*made->commit)
-        table_note(t, "Made at commit %s with %s changed files.", made->commit,
-                   made->changed);
-}
-
-static enum status print(const struct job *j, const struct truth_made *made)
-{
-    const double length = j->scene.length;
-    struct table_column columns[] = {
-        {"time", "s"},
-        {"solid: in space", .key = "solid_order_in_space"},
-        {"in time", .key = "solid_order_in_time"},
-        {"bar", "% L", .key = "solid_bar_over_length", .scale = 100, .key_unit = "L"},
-        {"shell: in space", .key = "shell_order_in_space"},
-        {"in time", .key = "shell_order_in_time"},
-        {"bar", "% L", .key = "shell_bar_over_length", .scale = 100, .key_unit = "L"},
-        {"difference", "% L", .key = "difference_over_length", .scale = 100,
-         .key_unit = "L"},
-        {"growth", "1"},
-        {"error bar", "% L", .key = "error_bar_over_length", .scale = 100, .key_unit = "L"},
-    };
-    char caption[128];
-
-    snprintf(caption, sizeof caption, "Truth of %s: %serror bars", j->scene.name,
-             made->closed ? "" : "observed orders and ");
-    for (int n = 0; made->closed && n < TRUTH_ERROR; n++)
-        columns[1 + n].readers = TABLE_NOBODY; /* nobody's run */
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
-    for (int n = 0; n < made->times; n++)
-        add_row(t, made, n, length);
-    add_notes(t, made, length);
-    const enum status st = table_print(t, j->format, stdout);
-    table_destroy(t);
+    j->wish = (struct truth_wish){.error = NAN, .seconds = BUDGET};
+    j->until = NAN;
+    TRY(command_number(line, "--error", true, &j->wish.error, why));
+    TRY(command_number(line, "--budget", false, &j->wish.seconds, why));
+    TRY(command_number(line, "--until", false, &j->until, why));
+    if (j->wish.error >= TRUTH_MOST_ERROR)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "--error: below %g%%, what a truth is claimed to",
+                        100 * TRUTH_MOST_ERROR));
+    if (isnan(j->wish.error) && !command_given(line, "--budget"))
+        j->wish.seconds = 0; /* a plan has its end */
+    if (j->quick && !isnan(j->wish.error))
+        TRY(status_fail(why, STATUS_INPUT, "--quick or --error, one of the two"));
+out:
     return st;
 }
 
@@ -121,57 +63,106 @@ static enum status prepare(struct job *j, const struct command_line *line,
     if (word)
         TRY(table_format_parse(word, &j->format, why));
     settings_set_all(&j->settings, count, given);
+    TRY(read_wish(j, line, why));
     TRY(scene_file_find(line->words[0], &j->path, why));
     TRY(truth_plan_scene(j->path, &j->settings, &j->scene, why));
 out:
     return st;
 }
 
-/* By runs, which are kept in a folder of their own. */
-static enum status make_by_runs(struct job *j, struct truth_runs *runs,
-                                struct truth_made *made, struct message *why)
+/* The nets and steps of the plan, or as many as it takes. */
+static enum status make_at_times(struct job *j, const struct truth_plan *plan,
+                                 struct truth_runs *runs, struct truth_made *made,
+                                 struct message *why)
 {
-    struct truth_plan plan = truth_plan_of(j->scene.name, j->quick);
-    char folder[PATH];
+    const bool sharp = !isnan(j->wish.error);
+    const double frame = truth_plan_frame(&j->scene);
+    const double until = !isnan(j->until) ? j->until : sharp ? j->scene.end : plan->until;
     double *time = NULL;
     enum status st;
 
-    snprintf(folder, sizeof folder, "results/truth_%s%s", j->scene.name,
-             j->quick ? "_quick" : "");
-    TRY(folder_make(folder, why));
-    runs->folder = folder;
-    runs->times = truth_plan_times(&plan, &j->scene, &time);
+    runs->times =
+        truth_plan_times(until, sharp ? frame : truth_plan_longest(plan), &j->scene, &time);
     runs->time = time;
     if (runs->times < 0)
         TRY(STATUS_MEMORY);
+    if (!runs->times)
+        TRY(status_fail(why, STATUS_INPUT, "--until %g: a frame is %g s long", until,
+                        TRUTH_PLAN_FRAME));
     timing_alone();
-    TRY(truth_make(&plan, runs, &j->scene, false, made, why));
-    fprintf(stderr, "its runs are in %s\n", folder);
+    TRY(sharp ? truth_sharp_make(runs, &j->scene, &(struct truth_sharp){frame, stderr},
+                                 &j->wish, made, &j->verdict, j->text, why)
+              : truth_make(plan, runs, &j->scene,
+                           &(struct truth_make_how){stderr, j->wish.seconds}, made, why));
 out:
     free(time);
     return st;
 }
 
-static enum status make_one(struct job *j, const char *out, struct message *why)
+/* By runs, which are kept in a folder of their own. */
+static enum status make_by_runs(struct job *j, const char *own, struct truth_runs *runs,
+                                struct truth_made *made, struct message *why)
+{
+    const struct truth_plan plan = truth_plan_of(j->scene.name, j->quick);
+    char folder[PATH];
+    enum status st;
+
+    snprintf(folder, sizeof folder, "results/truth_%s%s", j->scene.name,
+             j->quick ? "_quick" : "");
+    runs->folder = own ? own : folder;
+    TRY(folder_make(runs->folder, why));
+    TRY(make_at_times(j, &plan, runs, made, why));
+    fprintf(stderr, "its runs are in %s\n", runs->folder);
+out:
+    return st;
+}
+
+/* Where it goes: FILE, where those are that come with the program, or the results. */
+static enum status choose_file(const struct job *j, const struct command_line *line,
+                               char file[PATH], struct message *why)
+{
+    const char *out = command_value(line, "--out");
+    const bool store = command_given(line, "--store");
+    const char *all = j->quick ? "results/truths_quick" : "results/truths";
+    struct provenance provenance;
+    enum status st;
+
+    if (out && store)
+        TRY(status_fail(why, STATUS_INPUT, "--out or --store, one of the two"));
+    if (!out && !store)
+        TRY(folder_make(all, why));
+    if (out)
+        snprintf(file, PATH, "%s", out);
+    else
+        snprintf(file, PATH, "%s/%s.h5", store ? truth_file_kind.in_source : all,
+                 j->scene.name);
+    provenance_collect(&provenance);
+    TRY(truth_file_may_store(file, &provenance, why));
+out:
+    return st;
+}
+
+static enum status make_one(struct job *j, const struct command_line *line,
+                            struct message *why)
 {
     struct truth_runs runs = {.path = j->path, .settings = &j->settings, .ours = true};
     struct truth_made made = {0};
-    const char *all = j->quick ? "results/truths_quick" : "results/truths";
-    struct provenance provenance;
     char file[PATH];
     enum status st;
 
-    snprintf(file, sizeof file, "%s/%s.h5", all, j->scene.name);
-    if (!out)
-        TRY(folder_make(all, why));
-    out = out ? out : file;
-    provenance_collect(&provenance);
-    TRY(truth_file_may_store(out, &provenance, why));
+    TRY(truth_plan_check(&j->scene, why));
+    TRY(choose_file(j, line, file, why));
     st = truth_closed_make(&j->scene, &made);
-    TRY(st == STATUS_UNSUPPORTED ? make_by_runs(j, &runs, &made, why) : st);
-    TRY(truth_file_write(out, &runs, &made, why));
-    TRY(print(j, &made));
-    fprintf(stderr, "truth in %s\n", out);
+    TRY(st == STATUS_UNSUPPORTED
+            ? make_by_runs(j, command_value(line, "--runs"), &runs, &made, why)
+            : st);
+    TRY(truth_file_write(file, &runs, &made, why));
+    TRY(truth_print(&made, &j->scene, j->format, stdout));
+    fprintf(stderr, "truth in %s\n", file);
+    if (*j->text && j->verdict.answer != TRUTH_MET)
+        TRY(status_fail(why, STATUS_FAILED, "%s", j->text));
+    if (*j->text)
+        fprintf(stderr, "truth: %s\n", j->text);
 out:
     truth_made_clear(&made);
     return st;
@@ -187,7 +178,8 @@ static enum status print_known(const struct job *j, const int points[2],
     if (st == STATUS_UNSUPPORTED)
         st = truth_file_find(j->scene.name, &j->scene, &made, why);
     if (st == STATUS_OK)
-        st = *points ? truth_frames_print(&made, points, stdout) : print(j, &made);
+        st = *points ? truth_frames_print(&made, points, stdout)
+                     : truth_print(&made, &j->scene, j->format, stdout);
     truth_made_clear(&made);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
 }
@@ -207,7 +199,7 @@ static enum status run(const struct command_line *line, struct message *why)
     if (command_given(line, "--stored"))
         TRY(print_known(&j, points, why));
     else
-        TRY(make_one(&j, command_value(line, "--out"), why));
+        TRY(make_one(&j, line, why));
 out:
     settings_clear(&j.settings);
     scene_clear(&j.scene);
@@ -217,7 +209,13 @@ out:
 
 static const struct command_option options[] = {
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
+    {"--error", "PERCENT", false,
+     "as sharp as this, of the length, below 5%: more runs\nuntil the bar is within it"},
+    {"--budget", "SECONDS", false, "that all runs together may take (with --error 3600)"},
+    {"--until", "SECONDS", false, "how much of the motion (the plan's; with --error all)"},
     {"--out", "FILE", false, "where the truth goes (results/truths/SCENE.h5)"},
+    {"--store", NULL, false, "among those that come with the program"},
+    {"--runs", "FOLDER", false, "where its runs are kept (results/truth_SCENE)"},
     {"--stored", NULL, false,
      "run nothing: the table of the truth that is stored,\nor is a closed form"},
     {"--points", "N,M", false,
@@ -242,9 +240,15 @@ const struct command truth_command = {
         "better model's motion is stored, with the larger of its bar and the difference.\n"
         "Truths of some scenes come with the program; `compare` and others use these and\n"
         "those in $CLOTHBENCH_TRUTHS. A scene damped by velocity_scale, which is no rate,\n"
-        "has an undamped truth. Runs that this commit left are not made again.\n",
+        "has an undamped truth. Runs that this commit left are not made again: a command\n"
+        "that was killed goes on where it was.\n"
+        "With --error, runs of the cured solid and the cured shell on ever finer nets "
+        "with\n"
+        "ever shorter steps, one at a time, with what they will still take; exit 1 and "
+        "why\n"
+        "where the horizon or the budget forbids, and until when the wish is met.\n",
     .examples = "truth edge_drop --stored\ntruth edge_drop --stored --points 21,21\n"
-                "truth sphere --quick\n"
+                "truth sphere --quick\ntruth mine.yaml --error 0.5% --until 0.3\n"
                 "truth flag --set material.young=1e5 --out flag.h5\n",
     .least = 1,
     .most = 1,

@@ -7,14 +7,14 @@
  *                 physics    truth_physics.h: what it holds for
  *                 checksum   of physics, times, numbers and fields: a file that was changed
  *                            is refused
- *   metrics/NAME  [F]        truth_make.h's columns, at all times
+ *   metrics/NAME  [F]        truth_made.h's columns, at all times
  *   xyz           [K]        float; only at the K times before the horizon
  */
 #ifndef TRUTH_FILE_H
 #define TRUTH_FILE_H
 
 #include "bench/files/provenance.h"
-#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_made.h"
 #include "models/reader/named_file.h"
 
 /* Where stored truths are: $CLOTHBENCH_TRUTHS first. */

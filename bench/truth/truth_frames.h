@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_made.h"
 
 enum { TRUTH_FRAMES_MOST = 1000 }; /* points a direction */
 

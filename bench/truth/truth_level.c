@@ -1,17 +1,18 @@
 #include "bench/truth/truth_level.h"
 
 #include <assert.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/files/provenance.h"
-#include "bench/files/store_scene.h"
+#include "bench/files/store_read.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_physics.h"
 
-enum { PATH = 4096 };
+enum { PATH = 4096, KEY = 64 };
 
 const struct contestant *truth_level_contestant(enum truth_model model)
 {
@@ -43,6 +44,19 @@ out:
     return st;
 }
 
+static void grade(const struct truth_level *level, struct settings *settings)
+{
+    const int p = level->degree, spans = level->side - p;
+
+    settings_print(settings, "discretization.knots_u=[0");
+    for (int n = 1 - p; n <= level->side; n++)
+        settings_more(settings, ",%.17g",
+                      n < 0       ? 0
+                      : n > spans ? 1
+                                  : pow(n / (double)spans, level->grade));
+    settings_more(settings, "]");
+}
+
 /* The contestant's own once more: nobody's --set makes it another one. */
 enum status truth_level_settings(const struct truth_runs *runs,
                                  const struct truth_level *level, struct settings *settings,
@@ -55,6 +69,8 @@ enum status truth_level_settings(const struct truth_runs *runs,
     contestant_settings(c, settings);
     contestant_points(c, level->side, level->side, settings);
     settings_integers(settings, "discretization.degree", c->layers ? 3 : 2, degree);
+    if (level->grade > 0)
+        grade(level, settings);
     settings_number(settings, "time.step", level->step);
     return level->perturbed ? perturb(runs, settings, why) : STATUS_OK;
 }
@@ -85,34 +101,49 @@ static bool is_ours(const struct store_read *file)
     return same;
 }
 
-static bool has_physics(const char *path, const struct run_plan *plan, bool ours)
+/* FNV-1a, 64 bits (Fowler, Noll, Vo 1991). */
+static uint64_t add(uint64_t sum, const char *text)
 {
-    struct scene kept = {0};
-    struct run wanted = {0};
-    struct store_read *file = NULL;
-    char *physics = NULL;
-    const bool same = store_read_open(path, &file, NULL) == STATUS_OK &&
-                      store_scene(file, path, &kept, NULL) == STATUS_OK &&
-                      run_read(&wanted, plan, NULL) == STATUS_OK &&
-                      truth_physics(&kept, &physics) == STATUS_OK &&
-                      truth_physics_check(physics, &wanted.scene, NULL) == STATUS_OK &&
-                      (!ours || is_ours(file));
-
-    store_read_close(file);
-    scene_clear(&kept);
-    run_close(&wanted);
-    free(physics);
-    return same;
+    for (; *text; text++)
+        sum = (sum ^ (unsigned char)*text) * UINT64_C(0x100000001b3);
+    return sum;
 }
 
-/* Reads the plan's file if it is complete and of the same physics. */
-static bool is_kept(const char *path, const struct run_plan *plan,
-                    const struct truth_runs *runs, struct run_result *r)
+/* What a level's file is made for: the physics, and what the caller sets besides; its name
+ * has the rest. */
+static enum status key_of(const struct run_plan *plan, const struct settings *given,
+                          char key[KEY], struct message *why)
+{
+    struct run run = {0};
+    char *physics = NULL;
+    uint64_t sum = UINT64_C(0xcbf29ce484222325);
+    enum status st;
+
+    TRY(run_read(&run, plan, why));
+    TRY(truth_physics(&run.scene, &physics));
+    sum = add(sum, physics);
+    for (int n = 0; n < given->count; n++)
+        if (strncmp(given->text[n], "discretization", 14) == 0)
+            sum = add(add(sum, "\n"), given->text[n]);
+    snprintf(key, KEY, "a level of %016" PRIx64, sum);
+out:
+    run_close(&run);
+    free(physics);
+    return st;
+}
+
+/* Reads a level's file if it is whole, complete and made for the same. */
+static bool is_kept(const char *path, const char *key, const struct truth_runs *runs,
+                    struct run_result *r)
 {
     struct run_result found = {0};
-    const bool good = run_result_read(path, true, &found, NULL) == STATUS_OK &&
-                      has_times(&found, runs) && has_physics(path, plan, runs->ours);
+    struct store_read *file = NULL;
+    const bool good =
+        run_result_read(path, true, &found, NULL) == STATUS_OK && has_times(&found, runs) &&
+        strcmp(found.made_for, key) == 0 &&
+        (!runs->ours || (store_read_open(path, &file, NULL) == STATUS_OK && is_ours(file)));
 
+    store_read_close(file);
     if (good)
         *r = found;
     else
@@ -142,19 +173,24 @@ enum status truth_level_find(const struct truth_runs *runs, const struct truth_l
     const struct contestant *c = truth_level_contestant(level->model);
     struct settings settings = {0};
     const struct run_plan plan = {runs->path, c, &settings, runs->time[runs->times - 1]};
-    char path[PATH];
+    char path[PATH], graded[32] = "", key[KEY];
     enum status st;
 
     TRY(truth_level_settings(runs, level, &settings, why));
-    snprintf(path, sizeof path, "%s/truth_%s_p%d_%d_%ldus%s.h5", runs->folder,
+    TRY(key_of(&plan, runs->settings, key, why));
+    if (level->grade > 0)
+        snprintf(graded, sizeof graded, "_g%.3g", level->grade);
+    snprintf(path, sizeof path, "%s/truth_%s_p%d_%d%s_%ldus%s.h5", runs->folder,
              level->model == TRUTH_CURED ? "cured" : c->model->name, level->degree,
-             level->side, lround(1e6 * level->step), level->perturbed ? "_perturbed" : "");
-    if (!is_kept(path, &plan, runs, r)) {
+             level->side, graded, lround(1e6 * level->step),
+             level->perturbed ? "_perturbed" : "");
+    if (!is_kept(path, key, runs, r)) {
         if (read_only)
             TRY(status_fail(why, STATUS_FILE, "%s is not there, or of another run", path));
         TRY(run_file_write(
             &plan,
-            &(struct run_keep){.file = path, .times = runs->times, .time = runs->time},
+            &(struct run_keep){
+                .file = path, .times = runs->times, .time = runs->time, .made_for = key},
             NULL, why));
         TRY(run_result_read(path, true, r, why));
     }

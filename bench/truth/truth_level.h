@@ -10,7 +10,7 @@
 #define TRUTH_PERTURBATION 1e-6
 
 /* Whose runs truths are made of: the nonlinear solid, cured of locking, and the nonlinear
- * shell; truth_sharp.h takes the shell cured of locking. */
+ * shell; truth_sharp.h takes that cured of locking, too. */
 enum truth_model { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS, TRUTH_CURED = TRUTH_MODELS };
 
 struct truth_level {
@@ -18,6 +18,7 @@ struct truth_level {
     int degree, side; /* along u and v                                                 */
     double step;      /* [s]                                                           */
     bool perturbed;   /* by TRUTH_PERTURBATION                                         */
+    double grade;     /* knots along u at (i/n)^grade: dense at u = 0; 0: evenly       */
 };
 
 /* What all runs of a scene share; borrowed. */
@@ -38,7 +39,8 @@ enum status truth_level_settings(const struct truth_runs *runs,
                                  const struct truth_level *level, struct settings *settings,
                                  struct message *why);
 
-/* Reads the level's file, with its fields, if it is of this physics and has these times
+/* Reads the level's file, with its fields, if it is of this physics and these settings of
+ * the discretization, whole, and has these times
  * (r->frames may be more than them), else runs it, unless `read_only`: STATUS_FILE then.
  * STATUS_DIVERGED with a sentence: it died on the way. STATUS_UNSUPPORTED: it would not
  * begin. STATUS_INPUT: scene or settings are impossible. */

@@ -45,27 +45,98 @@ static int compare_times(const void *a, const void *b)
     return (*left > *right) - (*left < *right);
 }
 
-int truth_plan_times(const struct truth_plan *plan, const struct scene *scene,
-                     double **time)
+double truth_plan_longest(const struct truth_plan *plan)
 {
-    int tenths = (int)floor(10 * plan->until + 1e-9), count = 0, kept = 0;
-    double longest = 4 * fmax(plan->ladder[0].step, plan->ladder[1].step);
-    double *t = malloc((size_t)(tenths + scene->snapshot_count + 1) * sizeof *t);
+    return 4 * fmax(plan->ladder[0].step, plan->ladder[1].step);
+}
+
+int truth_plan_times(double until, double longest, const struct scene *scene, double **time)
+{
+    const int frames = (int)floor(until / TRUTH_PLAN_FRAME + 1e-9);
+    int count = 0, kept = 0;
+    double *t = malloc((size_t)(frames + scene->snapshot_count + 1) * sizeof *t);
 
     if (!t)
         return -1;
-    for (int n = 1; n <= tenths; n++)
-        t[count++] = n / 10.0;
+    for (int n = 1; n <= frames; n++)
+        t[count++] = n / round(1 / TRUTH_PLAN_FRAME);
     for (int n = 0; n < scene->snapshot_count; n++)
-        if (scene->snapshots[n] <= plan->until && scene->snapshots[n] > 0 &&
-            is_multiple(scene->snapshots[n], longest))
+        if (scene->snapshots[n] <= until && scene->snapshots[n] > 0)
             t[count++] = scene->snapshots[n];
     qsort(t, (size_t)count, sizeof *t, compare_times);
     for (int n = 0; n < count; n++)
-        if (!kept || t[n] > t[kept - 1] + 1e-9)
+        if (is_multiple(t[n], longest) && (!kept || t[n] > t[kept - 1] + 1e-9))
             t[kept++] = t[n];
     *time = t;
     return kept;
+}
+
+bool truth_plan_judges(const struct scene *scene, double time)
+{
+    bool judged = is_multiple(time, 0.1);
+
+    for (int n = 0; n < scene->snapshot_count; n++)
+        judged |= fabs(scene->snapshots[n] - time) < 1e-9;
+    return judged;
+}
+
+/* Whether so many spans a side have a knot at every edge of what is held or loaded. */
+static bool fits(const struct scene *scene, int spans)
+{
+    bool good = true;
+
+    for (int n = 0; n < scene->support_count; n++)
+        for (int i = 0; i < 2; i++)
+            good &= is_multiple(scene->supports[n].lo[i], 1.0 / spans) &&
+                    is_multiple(scene->supports[n].hi[i], 1.0 / spans);
+    for (int n = 0; n < scene->load_count; n++)
+        for (int i = 0; i < 2; i++)
+            good &= is_multiple(scene->loads[n].lo[i], 1.0 / spans) &&
+                    is_multiple(scene->loads[n].hi[i], 1.0 / spans);
+    return good;
+}
+
+bool truth_plan_rung(const struct scene *scene, double frame, int k,
+                     struct truth_level *level)
+{
+    /* Some 1.4 apart: near enough to stop in time, far enough to show an order. */
+    static const int sizes[] = {1, 2, 3, 4, 6, 9, 13, 18, 26};
+    enum { DEGREE = 3, LEAST = 6, SIZES = sizeof sizes / sizeof *sizes };
+    int unit = 3, first = 0;
+
+    while (unit < 20 && !fits(scene, unit))
+        unit++;
+    unit = fits(scene, unit) ? unit : 3;
+    while (unit * sizes[first] < LEAST)
+        first++;
+    if (k + first >= SIZES)
+        return false;
+    *level =
+        (struct truth_level){.degree = DEGREE, .side = unit * sizes[k + first] + DEGREE};
+    /* Three spans for a piece of the frame. */
+    level->step = frame / (sizes[k + first] * fmax(1, round(unit / 3.0)));
+    return true;
+}
+
+double truth_plan_frame(const struct scene *scene)
+{
+    return TRUTH_PLAN_FRAME / ceil(TRUTH_PLAN_FRAME / scene->step - 1e-9);
+}
+
+enum status truth_plan_check(const struct scene *scene, struct message *why)
+{
+    for (int n = 0; n < scene->support_count; n++) {
+        const struct scene_support *s = &scene->supports[n];
+        if (!(s->hi[0] > s->lo[0]) && !(s->hi[1] > s->lo[1]))
+            return status_fail(
+                why, STATUS_UNSUPPORTED,
+                "%s has no truth: support %d holds a point, and the motion of a sheet that "
+                "is held at points has no limit under refinement (a point of a solid holds "
+                "nothing); held at patches it has one, as corners_patch, for which a truth "
+                "is claimed",
+                scene->name, n);
+    }
+    return STATUS_OK;
 }
 
 const char *truth_plan_damping(const struct scene *scene)

@@ -11,7 +11,9 @@
  */
 struct truth_ladder {
     int degree, side[3];
-    double step; /* [s]                                                                */
+    double step;  /* [s]                                                               */
+    bool cured;   /* the shell of locking, too                                         */
+    double grade; /* of its nets (truth_level.h)                                       */
 };
 
 struct truth_plan {
@@ -24,11 +26,34 @@ struct truth_plan {
 /* Of a scene by its name; `quick`: far coarser. */
 struct truth_plan truth_plan_of(const char *scene, bool quick);
 
-/* Every tenth of a second, and the scene's snapshots, up to the plan's end, as far as they
- * are multiples of the longest step. *time is freed by the receiver; its count, or -1: no
- * memory. */
-int truth_plan_times(const struct truth_plan *plan, const struct scene *scene,
+/* Frames of a truth that is stored [s]. */
+#define TRUTH_PLAN_FRAME 0.02
+
+/* Every 20 ms, and the scene's snapshots, up to `until`, as far as they are multiples of
+ * the longest step. *time is freed by the receiver; its count, or -1: no memory. */
+int truth_plan_times(double until, double longest, const struct scene *scene,
                      double **time);
+
+/* The longest step of a plan's runs [s]. */
+double truth_plan_longest(const struct truth_plan *plan);
+
+/* Whether tables judge at a time of a truth: every tenth of a second, and the scene's
+ * snapshots, however many frames are stored. */
+bool truth_plan_judges(const struct scene *scene, double time);
+
+/* Nets and steps that shrink alike, of a truth that is to be as sharp as is asked for: the
+ * k-th, from coarse to fine; false past the last. Nets have a knot at every edge of what is
+ * held, if it lies at a multiple of 1/20 or more of the sheet. The frame is what all steps
+ * divide [s]. */
+bool truth_plan_rung(const struct scene *scene, double frame, int k,
+                     struct truth_level *level);
+
+/* The longest step of 20 ms divided that is no longer than the scene's. */
+double truth_plan_frame(const struct scene *scene);
+
+/* A truth is a limit under refinement, and what is held at points has none: a point of a
+ * solid holds nothing. STATUS_UNSUPPORTED with a sentence. */
+enum status truth_plan_check(const struct scene *scene, struct message *why);
 
 /* A factor on the velocity after each step is no physics: under every step and scheme it
  * means another damping, and no truth can be had. Such a scene's truth moves undamped: the

@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -144,6 +145,23 @@ enum status command_integer(const struct command_line *line, const char *option,
                            "%s %s: must be a whole number from %ld to %ld", option, text,
                            low, high);
     *number = value;
+    return STATUS_OK;
+}
+
+enum status command_number(const struct command_line *line, const char *option,
+                           bool percent, double *number, struct message *why)
+{
+    const char *word = command_value(line, option);
+    char *end;
+
+    if (!word)
+        return STATUS_OK;
+    *number = strtod(word, &end);
+    const bool is_percent = percent && !strcmp(end, "%");
+    if (end == word || (*end && !is_percent) || !(*number > 0) || isinf(*number))
+        return status_fail(why, STATUS_INPUT, "%s %s: a number above 0%s", option, word,
+                           percent ? ", as 2% or 0.02" : "");
+    *number /= is_percent ? 100 : 1;
     return STATUS_OK;
 }
 

@@ -71,6 +71,10 @@ const char *const *command_values(const struct command_line *line, const char *o
 enum status command_integer(const struct command_line *line, const char *option, long low,
                             long high, long *number, struct message *why);
 
+/* A number above 0, finite; with `percent` "2%" is 0.02, too. Likewise. */
+enum status command_number(const struct command_line *line, const char *option,
+                           bool percent, double *number, struct message *why);
+
 /* Two whole numbers, "21,21", each from low to high. */
 enum status command_pair(const struct command_line *line, const char *option, int low,
                          int high, int pair[2], struct message *why);

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "bench/truth/truth_file.h"
+#include "bench/truth/truth_plan.h"
 #include "bench/verify/verify_check.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"

@@ -1,0 +1,225 @@
+#include "bench/truth/truth_bar.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "models/grid.h"
+#include "models/metric/metric.h"
+
+static const double SAFETY = 1.25, UNSAFE = 3, LEAST = 0.5;
+
+/* Two runs show no order: their difference counts so many times. */
+static const double UNSEEN = 3;
+
+/* first / second, if errors were c h^p. */
+static double ratio(const double h[3], double p)
+{
+    return (pow(h[0], p) - pow(h[1], p)) / (pow(h[1], p) - pow(h[2], p));
+}
+
+/* The ratio grows with p: halving. */
+static double solve(const double h[3], double wanted)
+{
+    double low = 1e-3, high = 20;
+
+    if (!(wanted > ratio(h, low)))
+        return NAN;
+    for (int n = 0; n < 60; n++) {
+        double middle = (low + high) / 2;
+        if (ratio(h, middle) < wanted)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+struct truth_order truth_order(const double h[3], double first, double second,
+                               double promised)
+{
+    struct truth_order o = {.order = NAN};
+
+    if (!(second > 0))
+        return o;
+    o.order = solve(h, first / second);
+    double p = o.order >= LEAST ? fmin(o.order, promised) : LEAST;
+    double left = pow(h[2], p) / (pow(h[1], p) - pow(h[2], p));
+    o.bar = (o.order >= LEAST ? SAFETY : UNSAFE) * second * left;
+    return o;
+}
+
+void truth_family_clear(struct truth_family *f)
+{
+    for (int n = 0; n < TRUTH_FAMILY_MOST; n++)
+        run_result_clear(&f->run[n]);
+}
+
+/* Splines of degree p bend with errors of order min(p + 1, 2 (p - 1)) in the mean square;
+ * both models' steps are of second order. */
+static double promised_order(int degree)
+{
+    return fmin(degree + 1, 2 * (degree - 1));
+}
+static const double STEP_ORDER = 2;
+
+static double between(const struct truth_family *f, int a, int b, int time)
+{
+    return metric_rmse(f->run[a].xyz[time], f->run[b].xyz[time]);
+}
+
+/* Of three runs, from time to time: sums of squares of both differences. */
+struct chain {
+    double first, second;
+};
+
+/* By runs a, b, c of sizes that shrink. Differences that cross zero would show any order,
+ * and none of an error: the order is that of their rms up to now, and no difference counts
+ * for less than that. */
+static struct truth_order judge(const struct truth_family *f, const int run[3],
+                                const double size[3], double promised, int time,
+                                struct chain *up_to_now)
+{
+    const double first = between(f, run[0], run[1], time);
+    const double second = between(f, run[1], run[2], time);
+
+    up_to_now->first += first * first;
+    up_to_now->second += second * second;
+    const double rms = sqrt(up_to_now->second / (time + 1));
+    struct truth_order o =
+        truth_order(size, sqrt(up_to_now->first), sqrt(up_to_now->second), promised);
+    o.bar *= rms > 0 ? fmax(second, rms) / sqrt(up_to_now->second) : 1;
+    return o;
+}
+
+static double span_of(const struct truth_level *level)
+{
+    return 1.0 / (level->side - level->degree);
+}
+
+/* Nets and steps apart: three of each. */
+static void judge_cross(const struct truth_family *f, int time, struct chain chain[2],
+                        double *value)
+{
+    static const int nets[3] = {TRUTH_BAR_COARSE, TRUTH_BAR_MIDDLE, TRUTH_BAR_FINE},
+                     steps[3] = {TRUTH_BAR_FOUR, TRUTH_BAR_TWICE, TRUTH_BAR_MIDDLE};
+    double h[3], step[3];
+
+    for (int n = 0; n < 3; n++) {
+        h[n] = span_of(&f->level[nets[n]]);
+        step[n] = f->level[steps[n]].step;
+    }
+    const struct truth_order space =
+        judge(f, nets, h, promised_order(f->level[TRUTH_BAR_FINE].degree), time, &chain[0]);
+    const struct truth_order in_time = judge(f, steps, step, STEP_ORDER, time, &chain[1]);
+    value[0] = space.order;
+    value[1] = in_time.order;
+    value[2] = space.bar + in_time.bar;
+}
+
+static void judge_joint(const struct truth_family *f, int time, struct chain chain[2],
+                        double *value)
+{
+    const int n = f->count;
+    const int run[3] = {n - 3, n - 2, n - 1};
+    double h[3];
+
+    value[0] = value[1] = NAN;
+    value[2] = INFINITY;
+    if (n == 2)
+        value[2] = UNSEEN * between(f, 0, 1, time);
+    if (n < 3)
+        return;
+    for (int k = 0; k < 3; k++)
+        h[k] = span_of(&f->level[run[k]]);
+    const struct truth_order both =
+        judge(f, run, h, fmin(promised_order(f->level[n - 1].degree), STEP_ORDER), time,
+              &chain[0]);
+    value[0] = value[1] = both.order;
+    value[2] = both.bar;
+}
+
+static const struct run_result *finest(const struct truth_family *f)
+{
+    return &f->run[f->joint ? f->count - 1 : TRUTH_BAR_FINE];
+}
+
+static double growth(const struct truth_push *p, int time, double length)
+{
+    return metric_rmse(p->plain->xyz[time], p->pushed->xyz[time]) /
+           (TRUTH_PERTURBATION * length);
+}
+
+void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
+                       const struct truth_push *push, double length,
+                       struct truth_made *made)
+{
+    const struct truth_family *solid = &family[TRUTH_SOLID], *shell = &family[TRUTH_SHELL];
+    struct chain chain[TRUTH_MODELS][2] = {{{0}}};
+
+    for (int n = 0; n < made->times; n++) {
+        double *v = made->value[n];
+        (solid->joint ? judge_joint : judge_cross)(solid, n, chain[TRUTH_SOLID],
+                                                   v + TRUTH_SOLID_SPACE);
+        (shell->joint ? judge_joint : judge_cross)(shell, n, chain[TRUTH_SHELL],
+                                                   v + TRUTH_SHELL_SPACE);
+        v[TRUTH_DIFFERENCE] =
+            solid->count && shell->count
+                ? metric_rmse(finest(solid)->xyz[n], finest(shell)->xyz[n])
+                : 0;
+        v[TRUTH_GROWTH] = growth(push, n, length);
+    }
+}
+
+void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL])
+{
+    static const char *const first[] = {"solid, cured of locking", "Kirchhoff-Love shell",
+                                        "Kirchhoff-Love shell, cured of locking"},
+                             *const other[] = {"cured solid", "Kirchhoff-Love shell",
+                                               "cured Kirchhoff-Love shell"};
+
+    snprintf(text, TRUTH_BAR_LEVEL, "%s, p = %d, %dx%d, %s%.4g ms",
+             (own ? first : other)[l->model], l->degree, l->side, l->side,
+             own ? "step " : "", 1e3 * l->step);
+}
+
+void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
+                      struct truth_made *made)
+{
+    const enum truth_model best = truth_made_choose(made, length);
+    const struct truth_family *f = &family[best], *other = &family[!best];
+    char own[TRUTH_BAR_LEVEL], against[TRUTH_BAR_LEVEL];
+
+    made->level = f->level[finest(f) - f->run];
+    truth_bar_level(&made->level, true, own);
+    if (other->count)
+        truth_bar_level(&other->level[finest(other) - other->run], false, against);
+    for (int n = 0; n < made->times; n++)
+        memcpy(made->xyz[n], finest(f)->xyz[n], 3 * GRID_POINTS * sizeof(double));
+    snprintf(made->note, sizeof made->note, "nonlinear %s; error bar: its own by %s%s%s",
+             own,
+             f->joint && f->count < 3 ? "the difference of two runs, three times,"
+                                      : "observed orders",
+             other->count ? " or, if larger, its difference from the " : "",
+             other->count ? against : "");
+}
+
+void truth_bar_horizon(const struct truth_push *push, int count, const double *time,
+                       double length, char text[TRUTH_WATCH_TEXT])
+{
+    const struct truth_level *level = &push->level;
+    double most = 0;
+    int n = 0;
+
+    for (; n < count && most <= TRUTH_MOST_GROWTH; n++)
+        most = fmax(most, growth(push, n, length));
+    const bool lost = most > TRUTH_MOST_GROWTH;
+    snprintf(text, TRUTH_WATCH_TEXT,
+             "a change of gravity by %g %s %.2g-fold %s %.3g s: %s predicted (%s "
+             "%dx%d, step %.3g ms)",
+             TRUTH_PERTURBATION, lost ? "has grown" : "grows at most", most,
+             lost ? "at" : "up to", time[n - 1],
+             lost ? "from there on the motion cannot be" : "so long the motion can be",
+             level->model == TRUTH_SOLID ? "solid," : "shell,", level->side, level->side,
+             1e3 * level->step);
+}

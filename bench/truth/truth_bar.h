@@ -1,0 +1,74 @@
+/* truth_bar.h - how far runs may still be from the truth, by one rule wherever a truth is
+ * made: each model's own bar is what its observed orders leave; two models that share no
+ * mechanics are held against each other; one run is pushed a little.
+ */
+#ifndef TRUTH_BAR_H
+#define TRUTH_BAR_H
+
+#include "bench/truth/truth_made.h"
+
+/* The order at which three runs approach a limit, and how far the finest may still be from
+ * it (Roache, J. Fluids Eng. 116, 1994; Celik et al., same, 130, 2008). */
+struct truth_order {
+    double order; /* observed [1]; NaN: the differences do not shrink                  */
+    double bar;   /* of the finest run, in the unit of the differences                 */
+};
+
+/* From sizes h[0] > h[1] > h[2] > 0, the differences first = |x0 - x1| and second = |x1 -
+ * x2|, both >= 0, and the order that theory promises. The bar is the difference that the
+ * order leaves, times the usual factor of safety: 1.25. An order above the promised one is
+ * not believed; one below 0.5, or none, counts as 0.5 with a factor of 3. Two equal runs:
+ * 0. */
+struct truth_order truth_order(const double h[3], double first, double second,
+                               double promised);
+
+enum { TRUTH_FAMILY_MOST = 9 };
+
+/* Runs of one model, the count 0 of one that would not. */
+struct truth_family {
+    bool joint; /* net and step shrink alike from run to run; else as truth_bar_at has it */
+    int count;
+    struct truth_level level[TRUTH_FAMILY_MOST];
+    struct run_result run[TRUTH_FAMILY_MOST];
+};
+void truth_family_clear(struct truth_family *f); /* its runs                           */
+
+/* Which run of a family that is not joint is what: three nets, then the middle one with
+ * twice the step and four times. */
+enum truth_bar_at {
+    TRUTH_BAR_COARSE,
+    TRUTH_BAR_MIDDLE,
+    TRUTH_BAR_FINE,
+    TRUTH_BAR_TWICE,
+    TRUTH_BAR_FOUR,
+    TRUTH_BAR_RUNS
+};
+
+/* A run, and the same pushed by TRUTH_PERTURBATION. */
+struct truth_push {
+    struct truth_level level;
+    const struct run_result *plain, *pushed;
+};
+
+/* All numbers of made's times but the error bars, into its values. Orders are of the rms
+ * of the differences up to each time. Of a joint family both orders are the one that is
+ * seen, NaN of two runs alone, whose difference counts three times. A model that would not
+ * has an endless bar. */
+void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
+                       const struct truth_push *push, double length,
+                       struct truth_made *made);
+
+enum { TRUTH_BAR_LEVEL = 128 };
+
+/* A run in words: `own`, the truth's; else one beside it. */
+void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL]);
+
+/* Whose field is the truth (truth_made_choose): field, level and note. */
+void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
+                      struct truth_made *made);
+
+/* The sentence on the growth of the push over times[count]. */
+void truth_bar_horizon(const struct truth_push *push, int count, const double *time,
+                       double length, char text[TRUTH_WATCH_TEXT]);
+
+#endif

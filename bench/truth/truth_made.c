@@ -1,0 +1,86 @@
+#include "bench/truth/truth_made.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/truth/truth_plan.h"
+#include "models/grid.h"
+
+int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length)
+{
+    int n = 0;
+
+    while (n < times && value[n][TRUTH_ERROR] <= TRUTH_MOST_ERROR * length &&
+           value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH)
+        n++;
+    return n;
+}
+
+/* Error bars if this model's field is the truth. */
+static void set_bars(enum truth_model model, struct truth_made *made, double length)
+{
+    const int bar = model == TRUTH_SOLID ? TRUTH_SOLID_BAR : TRUTH_SHELL_BAR;
+
+    for (int n = 0; n < made->times; n++) {
+        double *v = made->value[n];
+        v[TRUTH_ERROR] = fmax(v[bar], v[TRUTH_DIFFERENCE]);
+    }
+    made->claimed = truth_made_claimed(made->times, made->value, length);
+}
+
+enum truth_model truth_made_choose(struct truth_made *made, double length)
+{
+    set_bars(TRUTH_SHELL, made, length);
+    const int shell = made->claimed;
+    set_bars(TRUTH_SOLID, made, length);
+    const int solid = made->claimed;
+    const double *last = made->value[solid ? solid - 1 : 0];
+
+    if (solid != shell ? solid > shell : last[TRUTH_SOLID_BAR] <= last[TRUTH_SHELL_BAR])
+        return TRUTH_SOLID;
+    set_bars(TRUTH_SHELL, made, length);
+    return TRUTH_SHELL;
+}
+
+enum status truth_made_init(struct truth_made *made, int times, int claimed,
+                            const double *time)
+{
+    const size_t count = (size_t)times, field = 3 * GRID_POINTS;
+    const size_t numbers = count * (1 + TRUTH_COLUMNS) + (size_t)claimed * field;
+
+    *made = (struct truth_made){.times = times, .claimed = claimed};
+    made->xyz = calloc(1, count * sizeof *made->xyz + (numbers + 1) * sizeof(double));
+    if (!made->xyz)
+        return STATUS_MEMORY;
+    made->time = (double *)(made->xyz + count);
+    made->value = (double(*)[TRUTH_COLUMNS])(made->time + count);
+    for (int n = 0; n < claimed; n++)
+        made->xyz[n] = (double *)(made->value + count) + (size_t)n * field;
+    memcpy(made->time, time, count * sizeof *time);
+    return STATUS_OK;
+}
+
+void truth_made_clear(struct truth_made *made)
+{
+    free(made->xyz);
+    *made = (struct truth_made){0};
+}
+
+void truth_made_thin(struct truth_made *made, const struct scene *scene)
+{
+    const int last = made->claimed - 1;
+    int times = 0, claimed = 0;
+
+    for (int n = 0; n < made->times; n++) {
+        if (!truth_plan_judges(scene, made->time[n]) && (n != last || claimed))
+            continue;
+        made->time[times] = made->time[n];
+        made->xyz[times] = made->xyz[n];
+        memcpy(made->value[times], made->value[n], sizeof *made->value);
+        times++;
+        claimed += n <= last;
+    }
+    made->times = times;
+    made->claimed = claimed;
+}

@@ -1,0 +1,215 @@
+/* The bar of a truth from made-up runs: sheets that are shifted by an error c h^p, so that
+ * orders, bars, differences and forecasts are known. */
+#include "bench/truth/truth_bar.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_sharp.h"
+#include "models/grid.h"
+#include "tests/check.h"
+
+/* Fields are sums of a few numbers near 1; orders are halved to 1e-9 or so. */
+static const double SUM = 1e-12, ORDER = 1e-7;
+
+enum { TIMES = 2, MOST = 12 };
+static double times[TIMES] = {0.1, 0.2};
+static const double LENGTH = 2;
+
+static double fields[MOST][TIMES][3 * GRID_POINTS];
+static double *frame[MOST][TIMES];
+static int used;
+
+/* All points at x = shift[time]. */
+static struct run_result run_at(double first, double second, double seconds)
+{
+    REQUIRE(used < MOST);
+    for (int t = 0; t < TIMES; t++) {
+        frame[used][t] = fields[used][t];
+        for (int n = 0; n < GRID_POINTS; n++)
+            fields[used][t][3 * n] = t ? second : first;
+    }
+    return (struct run_result){
+        .frames = TIMES, .time = times, .xyz = frame[used++], .step_seconds = seconds};
+}
+
+/* Nets as of an edge that is held, off by c h^p at the first time and twice that at the
+ * second; runs cost h^-4. */
+static void fill(struct truth_family *f, enum truth_model model, int count, double limit,
+                 double c, double p)
+{
+    const struct scene scene = {0};
+
+    *f = (struct truth_family){.joint = true, .count = count};
+    for (int n = 0; n < count; n++) {
+        REQUIRE(truth_plan_rung(&scene, 0.005, n, &f->level[n]));
+        f->level[n].model = model;
+        const double spans = f->level[n].side - 3, off = c * pow(spans, -p);
+        f->run[n] = run_at(limit + off, limit + 2 * off, 1e-3 * pow(spans, 4));
+    }
+}
+
+static void compare(const struct truth_family family[2], double pushed,
+                    struct truth_made *made)
+{
+    struct run_result apart = run_at(pushed, 2 * pushed, 1), plain = run_at(0, 0, 1);
+    const struct truth_push push = {{TRUTH_SOLID, 3, 12, 0.0025}, &plain, &apart};
+
+    REQUIRE(truth_made_init(made, TIMES, TIMES, times) == STATUS_OK);
+    truth_bar_compare(family, &push, LENGTH, made);
+    truth_bar_choose(family, LENGTH, made);
+}
+
+/* Three runs of each, on 6, 9, 12 spans. */
+static void three(void)
+{
+    struct truth_family family[2];
+    struct truth_made made;
+    const struct scene scene = {.length = LENGTH};
+
+    used = 0;
+    fill(&family[TRUTH_SOLID], TRUTH_SOLID, 3, 1, 0.3, 1);
+    fill(&family[TRUTH_SHELL], TRUTH_CURED, 3, 1.001, 0.3, 3);
+    compare(family, 3e-6, &made);
+    for (int t = 0; t < TIMES; t++) {
+        const double *v = made.value[t], much = t + 1;
+        /* better than the steps promise is luck: the last two bar it at order 2 */
+        const double second = 0.3 * (pow(9, -3) - pow(12, -3));
+        const double promised = 1.25 * second / (pow(12 / 9.0, 2) - 1);
+        CHECK_NEAR(v[TRUTH_SOLID_SPACE], 1, ORDER);
+        CHECK(v[TRUTH_SOLID_TIME] == v[TRUTH_SOLID_SPACE]);
+        CHECK_RELATIVE(v[TRUTH_SOLID_BAR], much * 1.25 * 0.3 / 12, ORDER);
+        CHECK_NEAR(v[TRUTH_SHELL_SPACE], 3, ORDER);
+        CHECK_RELATIVE(v[TRUTH_SHELL_BAR], much * promised, ORDER);
+        CHECK_NEAR(v[TRUTH_DIFFERENCE], much * (0.3 / 12 - 0.3 / 1728) - 0.001, SUM);
+        CHECK_RELATIVE(v[TRUTH_GROWTH], much * 3 / LENGTH, SUM);
+        CHECK(v[TRUTH_ERROR] == fmax(v[TRUTH_SHELL_BAR], v[TRUTH_DIFFERENCE]));
+        CHECK(made.xyz[t][0] == family[TRUTH_SHELL].run[2].xyz[t][0]);
+    }
+    CHECK(made.level.model == TRUTH_CURED && made.level.side == 15);
+    CHECK(strstr(made.note,
+                 "shell, cured of locking, p = 3, 15x15, step 1.25 ms; error bar: "
+                 "its own by observed orders or, if larger, its difference from "
+                 "the cured solid, p = 3, 15x15, 1.25 ms"));
+    const struct truth_outlook o = truth_sharp_look(family, &scene, 0.005, &made, 0.02);
+    const struct truth_seen *solid = &o.model[TRUTH_SOLID];
+    CHECK(solid->runs == 3 && o.until == 0.2 && o.lost == INFINITY);
+    CHECK_RELATIVE(solid->bar, made.value[1][TRUTH_SOLID_BAR] / LENGTH, SUM);
+    CHECK_NEAR(solid->order, 1, ORDER);
+    CHECK_NEAR(solid->dearer, 4, SUM);
+    CHECK_RELATIVE(solid->seconds, 1e-3 * pow(12, 4), SUM);
+    CHECK_RELATIVE(solid->next, 12 / 18.0, SUM);
+    CHECK_RELATIVE(o.error, made.value[1][TRUTH_ERROR] / LENGTH, SUM);
+    CHECK_RELATIVE(o.difference, made.value[1][TRUTH_DIFFERENCE] / LENGTH, SUM);
+    CHECK(o.known == 0.1); /* 1.2 and 2.5 % of two metres */
+    truth_made_clear(&made);
+}
+
+/* Two show no order: three times their difference. One model that would not is no judge. */
+static void two_and_none(void)
+{
+    struct truth_family family[2];
+    struct truth_made made;
+    const struct scene scene = {.length = LENGTH};
+
+    used = 0;
+    fill(&family[TRUTH_SOLID], TRUTH_SOLID, 0, 0, 0, 1);
+    fill(&family[TRUTH_SHELL], TRUTH_CURED, 2, 1, 0.01, 1);
+    compare(family, 1.5e-3, &made);
+    for (int t = 0; t < TIMES; t++) {
+        const double *v = made.value[t];
+        CHECK(isnan(v[TRUTH_SHELL_SPACE]) && isnan(v[TRUTH_SOLID_SPACE]));
+        CHECK_NEAR(v[TRUTH_SHELL_BAR], (t + 1) * 3 * 0.01 * (1 / 6.0 - 1 / 9.0), SUM);
+        CHECK(v[TRUTH_SOLID_BAR] == INFINITY && v[TRUTH_DIFFERENCE] == 0);
+        CHECK(v[TRUTH_ERROR] == v[TRUTH_SHELL_BAR]);
+    }
+    CHECK(made.level.model == TRUTH_CURED && made.claimed == 1);
+    CHECK(strstr(made.note, "its own by the difference of two runs, three times") &&
+          !strstr(made.note, "solid"));
+    const struct truth_outlook o = truth_sharp_look(family, &scene, 0.005, &made, 0.02);
+    CHECK(!o.model[TRUTH_SOLID].runs && o.model[TRUTH_SHELL].runs == 2);
+    /* 750 and 1500 times: past the bound at the second time */
+    CHECK(o.lost == 0.2 && o.known == 0.1);
+    CHECK_RELATIVE(o.growth, 1500.0, SUM);
+    truth_made_clear(&made);
+}
+
+/* Three that cross at the second time, where they would show no error at all: what they
+ * differed by before counts, in the mean square. */
+static void crossing(void)
+{
+    struct truth_family family[2];
+    struct truth_made made;
+    const struct scene scene = {.length = LENGTH};
+
+    used = 0;
+    fill(&family[TRUTH_SOLID], TRUTH_SOLID, 3, 1, 0.3, 1);
+    fill(&family[TRUTH_SHELL], TRUTH_CURED, 0, 0, 0, 1);
+    for (int n = 0; n < 3; n++)
+        for (int k = 0; k < GRID_POINTS; k++)
+            family[TRUTH_SOLID].run[n].xyz[1][3 * k] = 1;
+    compare(family, 0, &made);
+    CHECK_NEAR(made.value[1][TRUTH_SOLID_SPACE], 1, ORDER);
+    CHECK_RELATIVE(made.value[1][TRUTH_SOLID_BAR],
+                   sqrt(.5) * made.value[0][TRUTH_SOLID_BAR], ORDER);
+    /* the largest bar is the first one */
+    const struct truth_outlook o = truth_sharp_look(family, &scene, 0.005, &made, 0.02);
+    CHECK_RELATIVE(o.model[TRUTH_SOLID].bar, made.value[0][TRUTH_SOLID_BAR] / LENGTH, SUM);
+    truth_made_clear(&made);
+}
+
+/* --- Made-up tables: who is chosen, and until when it is claimed. */
+
+static const struct choice {
+    double solid[3], shell[3], difference[3], growth[3];
+    enum truth_model model;
+    int claimed;
+} choices[] = {
+    {{.01, .02, .03}, {.01, .02, .04}, {0}, {0}, TRUTH_SOLID, 3},
+    {{.01, .02, .04}, {.01, .02, .03}, {0}, {0}, TRUTH_SHELL, 3},
+    {{.02, .02, .03}, {.01, .01, .03}, {0}, {0}, TRUTH_SOLID, 3}, /* the last counts */
+    {{.01, .02, .11}, {.09, .09, .09}, {0}, {0}, TRUTH_SHELL, 3}, /* more claimed    */
+    {{.09, .09, .09}, {.01, .02, .11}, {0}, {0}, TRUTH_SOLID, 3},
+    {{.01, .03, .2}, {.01, .02, .3}, {0}, {0}, TRUTH_SHELL, 2}, /* last claimed */
+    {{.01, .01, .01}, {.02, .02, .02}, {0, .11, 0}, {0}, TRUTH_SOLID, 1},
+    {{.01, .01, .01}, {.02, .02, .02}, {0, .09, 0}, {0}, TRUTH_SOLID, 3},
+    {{.01, .01, .01}, {.02, .02, .02}, {0}, {0, 0, 1001}, TRUTH_SOLID, 2},
+    {{.01, .01, .01}, {.02, .02, .02}, {0}, {0, 0, 999}, TRUTH_SOLID, 3},
+    {{.3, .3, .3}, {.2, .2, .2}, {0}, {0}, TRUTH_SHELL, 0},
+};
+
+/* Of a sheet of 2 m: 5 % are 0.1 m. */
+static void check_choices(void)
+{
+    static const double three[3] = {0.1, 0.2, 0.3};
+
+    for (size_t n = 0; n < sizeof choices / sizeof *choices; n++) {
+        const struct choice *c = &choices[n];
+        struct truth_made made;
+        REQUIRE(truth_made_init(&made, 3, 0, three) == STATUS_OK);
+        for (int t = 0; t < 3; t++) {
+            made.value[t][TRUTH_SOLID_BAR] = c->solid[t];
+            made.value[t][TRUTH_SHELL_BAR] = c->shell[t];
+            made.value[t][TRUTH_DIFFERENCE] = c->difference[t];
+            made.value[t][TRUTH_GROWTH] = c->growth[t];
+        }
+        if (!CHECK(truth_made_choose(&made, LENGTH) == c->model &&
+                   made.claimed == c->claimed))
+            printf("choice %zu: %d claimed\n", n, made.claimed);
+        for (int t = 0; t < 3; t++)
+            CHECK(made.value[t][TRUTH_ERROR] ==
+                  fmax(c->model == TRUTH_SOLID ? c->solid[t] : c->shell[t],
+                       c->difference[t]));
+        truth_made_clear(&made);
+    }
+}
+
+int main(void)
+{
+    crossing();
+    check_choices();
+    three();
+    two_and_none();
+    return check_result();
+}

@@ -9,7 +9,8 @@
  * without line search.
  *
  * The linear systems are solved by conjugate gradients that an earlier factor, turned with
- * the net, preconditions (iterative.h), unless the discretization has another solver. To
+ * the net, preconditions (iterative.h), unless the discretization has another solver; that
+ * of a large net in single precision, which takes as many iterations of half the time. To
  * 1e-2 of the step, or a tenth of the tolerance, if others follow; 1e-4 if it is the only
  * one.
  *

@@ -210,3 +210,30 @@ void blocks_multiply_mass(const struct blocks *g, const double *M, const double 
             y[3 * (size_t)a + i] += s[i];
     }
 }
+
+bool blocks_invert(const double A[9], const int place[3], double out[9])
+{
+    double l[3][6];
+
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            bool held = place[i] < 0;
+            l[i][j] = held ? i == j : A[3 * i + j];
+            l[i][3 + j] = !held && i == j;
+        }
+    for (int k = 0; k < 3; k++) {
+        double pivot = l[k][k];
+        if (!(pivot > 0 && pivot < INFINITY))
+            return false;
+        for (int j = 0; j < 6; j++)
+            l[k][j] /= pivot;
+        for (int i = 0; i < 3; i++) {
+            double part = l[i][k];
+            for (int j = 0; i != k && j < 6; j++)
+                l[i][j] -= part * l[k][j];
+        }
+    }
+    for (int t = 0; t < 9; t++)
+        out[t] = l[t / 3][3 + t % 3];
+    return true;
+}

@@ -15,6 +15,7 @@
 #ifndef FACTOR_H
 #define FACTOR_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include "models/discretization.h"
 
@@ -53,6 +54,10 @@ void factor_clear_values(struct factor *f);
 
 /* STATUS_INDEFINITE if not positive definite (or not finite). */
 enum status factor_refactor(struct factor *f);
+
+/* From the next factor_refactor on, in single precision: about half the time, for who
+ * iterates on what is left. CHOLMOD does not know it and stays in double. */
+void factor_single(struct factor *f, bool single);
 
 /* Solves A x = b in place, b[n]. Only after a successful refactor. */
 enum status factor_solve(struct factor *f, double *b);

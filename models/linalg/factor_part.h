@@ -8,11 +8,9 @@
 #define FACTOR_PART_H
 
 #include <stddef.h>
-#include "models/status.h"
+#include "models/linalg/factor.h"
 
-struct factor_info;
 struct factor_part;
-struct factor_pattern;
 
 struct factor_method {
     const char *name;
@@ -34,6 +32,10 @@ struct factor_method {
     enum status (*prepare_three)(struct factor_part *part, const double *value);
     enum status (*solve_three)(struct factor_part *part, const double *value, double *b);
 
+    /* refactor and solve in single precision; NULL: cannot. */
+    enum status (*refactor_single)(struct factor_part *part, float *value);
+    enum status (*solve_single)(struct factor_part *part, const float *value, float *b);
+
     /* Adds to *info. */
     void (*describe)(const struct factor_part *part, struct factor_info *info);
 
@@ -48,9 +50,29 @@ struct factor_part {
     void *state;     /* the method's own                                     owned    */
 };
 
+/* part_of[n]: components numbered by their first unknown; parent[n] is work. Returns their
+ * number. */
+int factor_part_find(const struct factor_pattern *a, int *parent, int *part_of);
+
+/* The pattern of one part alone. Arrays owned. */
+struct factor_part_pattern {
+    struct factor_pattern pattern;
+    long *start;
+    int *row, *order;
+};
+
+/* unknown[n]: the part's unknowns, ascending; local: their inverse. */
+enum status factor_part_restrict(const struct factor_pattern *a, const int *unknown, int n,
+                                 const int *local, const int *part_of,
+                                 struct factor_part_pattern *p);
+void factor_part_clear(struct factor_part_pattern *p);
+
 /* Room for count numbers: zeros, aligned to cache lines, on huge pages where that pays.
  * Owned by the caller, freed with free; NULL if there is none. */
 double *factor_numbers(ptrdiff_t count);
+
+/* The numbers rounded to floats, in place: the first half of their room. */
+float *factor_numbers_narrow(ptrdiff_t count, double *x);
 
 extern const struct factor_method factor_banded;
 extern const struct factor_method factor_supernodal;

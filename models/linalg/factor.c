@@ -108,20 +108,20 @@ static enum status create_part(struct factor *f, int p, const struct factor_patt
                                enum solver method, const int *unknown, const int *local)
 {
     enum status st;
-    struct factor_part_pattern own = {0};
+    struct factor_pattern_part own = {0};
     struct factor_part *part = &f->part[p];
     int *position = NULL;
 
     if (!(position = malloc(2 * (size_t)part->n * sizeof *position)))
         return STATUS_MEMORY;
-    TRY(factor_part_restrict(a, unknown, part->n, local, f->part_of, &own));
+    TRY(factor_pattern_restrict(a, unknown, part->n, local, f->part_of, &own));
     TRY(create_by_method(&own.pattern, method, position, position + part->n, part));
     f->first_slot[p + 1] = f->first_slot[p] + (part->slots + 7) / 8 * 8;
     f->first_row[p + 1] = f->first_row[p] + (part->rows + 7) / 8 * 8;
     for (int k = 0; k < part->n; k++)
         f->place[unknown[k]] = f->first_row[p] + position[k];
 out:
-    factor_part_clear(&own);
+    factor_pattern_clear(&own);
     free(position);
     return st;
 }
@@ -191,7 +191,7 @@ enum status factor_create(const struct factor_pattern *a, enum solver method,
     f->place = malloc(room * sizeof *f->place);
     if (!f->part_of || !f->place)
         goto out;
-    f->part_count = factor_part_find(a, f->place, f->part_of);
+    f->part_count = factor_pattern_parts(a, f->place, f->part_of);
     f->part = calloc(f->part_count + 1, sizeof *f->part);
     f->first_row = calloc(f->part_count + 1, sizeof *f->first_row);
     f->first_slot = calloc(f->part_count + 1, sizeof *f->first_slot);

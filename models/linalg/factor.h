@@ -18,20 +18,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include "models/discretization.h"
+#include "models/linalg/factor_pattern.h"
 
 struct factor;
-
-/* Lower triangle by columns: row[start[j] .. start[j+1]) >= j, ascending, diagonal present.
- */
-struct factor_pattern {
-    int n;
-    const long *start; /* [n + 1]       borrowed during create                         */
-    const int *row;    /* [start[n]]                                                   */
-    const int *order;  /* [n] an order of elimination, order[new] = old, or NULL. The band
-                          takes the narrower of this and the natural order; supernodes the
-                          best of this (order_nested's, say), AMD's and METIS's; CHOLMOD
-                          orders by itself.                                            */
-};
 
 /* SOLVER_AUTO picks the band where it costs less (the rule and its measurement: factor.c).
  * n >= 1. Sets BLAS to one thread for the process. Owned by the caller, freed with

@@ -8,9 +8,11 @@
 #define FACTOR_PART_H
 
 #include <stddef.h>
-#include "models/linalg/factor.h"
+#include "models/status.h"
 
+struct factor_info;
 struct factor_part;
+struct factor_pattern;
 
 struct factor_method {
     const char *name;
@@ -49,23 +51,6 @@ struct factor_part {
     ptrdiff_t slots; /* numbers it needs in factor_values, set by create               */
     void *state;     /* the method's own                                     owned    */
 };
-
-/* part_of[n]: components numbered by their first unknown; parent[n] is work. Returns their
- * number. */
-int factor_part_find(const struct factor_pattern *a, int *parent, int *part_of);
-
-/* The pattern of one part alone. Arrays owned. */
-struct factor_part_pattern {
-    struct factor_pattern pattern;
-    long *start;
-    int *row, *order;
-};
-
-/* unknown[n]: the part's unknowns, ascending; local: their inverse. */
-enum status factor_part_restrict(const struct factor_pattern *a, const int *unknown, int n,
-                                 const int *local, const int *part_of,
-                                 struct factor_part_pattern *p);
-void factor_part_clear(struct factor_part_pattern *p);
 
 /* Room for count numbers: zeros, aligned to cache lines, on huge pages where that pays.
  * Owned by the caller, freed with free; NULL if there is none. */

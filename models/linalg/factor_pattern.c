@@ -1,4 +1,4 @@
-#include "models/linalg/factor_part.h"
+#include "models/linalg/factor_pattern.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +10,7 @@ static int root_of(int *parent, int i)
     return i;
 }
 
-int factor_part_find(const struct factor_pattern *a, int *parent, int *part_of)
+int factor_pattern_parts(const struct factor_pattern *a, int *parent, int *part_of)
 {
     for (int i = 0; i < a->n; i++)
         parent[i] = i;
@@ -28,7 +28,7 @@ int factor_part_find(const struct factor_pattern *a, int *parent, int *part_of)
     return count;
 }
 
-void factor_part_clear(struct factor_part_pattern *p)
+void factor_pattern_clear(struct factor_pattern_part *p)
 {
     free(p->start);
     free(p->row);
@@ -36,9 +36,9 @@ void factor_part_clear(struct factor_part_pattern *p)
     memset(p, 0, sizeof *p);
 }
 
-enum status factor_part_restrict(const struct factor_pattern *a, const int *unknown, int n,
-                                 const int *local, const int *part_of,
-                                 struct factor_part_pattern *p)
+enum status factor_pattern_restrict(const struct factor_pattern *a, const int *unknown,
+                                    int n, const int *local, const int *part_of,
+                                    struct factor_pattern_part *p)
 {
     long entries = 0;
     for (int k = 0; k < n; k++)
@@ -48,7 +48,7 @@ enum status factor_part_restrict(const struct factor_pattern *a, const int *unkn
     p->row = malloc(entries * sizeof *p->row);
     p->order = a->order ? malloc(n * sizeof *p->order) : NULL;
     if (!p->start || !p->row || (a->order && !p->order)) {
-        factor_part_clear(p);
+        factor_pattern_clear(p);
         return STATUS_MEMORY;
     }
     long end = 0;

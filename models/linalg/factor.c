@@ -264,18 +264,20 @@ void factor_single(struct factor *f, bool single)
     memset(f->work, 0, f->first_row[f->part_count] * sizeof *f->work);
 }
 
-/* The right-hand side is brought to numbers about 1, which floats have at any scale. */
+/* The right-hand side is brought to numbers below 1, which floats have at any scale, by a
+ * power of two. */
 static enum status solve_single(struct factor *f, double *b)
 {
     enum status st = STATUS_OK;
     float *x = (float *)f->work;
     double most = 0;
+    int scale = 0;
     for (int i = 0; i < f->n; i++)
         most = fabs(b[i]) > most ? fabs(b[i]) : most;
-    if (!(most > 0 && isfinite(1 / most)))
-        most = 1;
+    frexp(isfinite(most) ? most : 0, &scale);
+    const double down = ldexp(1, -scale), up = ldexp(1, scale);
     for (int i = 0; i < f->n; i++)
-        x[f->place[i]] = (float)(b[i] / most);
+        x[f->place[i]] = (float)(b[i] * down);
     for (int p = 0; p < f->part_count; p++) {
         const struct factor_part *part = &f->part[p];
         float *own = x + f->first_row[p];
@@ -285,7 +287,7 @@ static enum status solve_single(struct factor *f, double *b)
             own[i] = 0;
     }
     for (int i = 0; i < f->n; i++)
-        b[i] = most * (double)x[f->place[i]];
+        b[i] = up * (double)x[f->place[i]];
 out:
     return st;
 }

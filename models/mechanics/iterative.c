@@ -275,8 +275,8 @@ out:
 
 void iterative_tolerate(struct iterative *it, double tolerance, double near)
 {
-    it->tolerance = tolerance;
-    it->near = near;
+    it->tolerance = it->krylov.tolerance = tolerance;
+    it->near = it->krylov.near = near;
 }
 
 void iterative_single(struct iterative *it)

@@ -52,7 +52,7 @@ enum status iterative_follow(struct iterative *it,
 
 /* Of each solution of a system that may keep an earlier factor: relative, in the norm that
  * the preconditioner gives, or `near`, by conjugate gradients, no node farther off; 1e-10
- * and 0 unless set, and of a system that stands alone. Before iterative_update. */
+ * and 0 unless set, and of a system that stands alone, from its iterative_update on. */
 void iterative_tolerate(struct iterative *it, double tolerance, double near);
 
 /* Factors are in single precision while that does: until one cannot be made so, or takes

@@ -235,9 +235,13 @@ static void add_spring(const struct spring *s, const double *x, double least,
 }
 
 void spring_force_clamped(const struct spring_net *net, const double *x,
-                          const double (*hinges)[9], double (*K)[9])
+                          const double *hinges, double (*K)[9])
 {
-    memcpy(K, hinges, (size_t)net->graph.start[net->nodes] * sizeof *K);
+    const long pairs = net->graph.start[net->nodes];
+
+    for (long n = 0; n < pairs; n++)
+        for (int c = 0; c < 9; c++)
+            K[n][c] = c % 4 ? 0 : hinges[n];
     for (int n = 0; n < net->spring_count; n++)
         add_spring(&net->springs[n], x, 0, K);
 }
@@ -299,7 +303,7 @@ void spring_force_jacobian(const struct spring_net *net, const double *x, double
 }
 
 /* The straight hinge with equal edges of length a: P / (2 a) |d1 - d2|^2 / 2. */
-void spring_force_hinges(const struct spring_net *net, double (*hinges)[9])
+void spring_force_hinges(const struct spring_net *net, double *hinges)
 {
     double e[3];
 
@@ -307,14 +311,16 @@ void spring_force_hinges(const struct spring_net *net, double (*hinges)[9])
     for (int n = 0; n < net->hinge_count; n++) {
         const struct hinge *h = &net->hinges[n];
         double k = h->strut * inverse(edge(net->rest, h->a, h->b, e)) / 2;
-        double A[9] = {k, 0, 0, 0, k, 0, 0, 0, k};
-        double B[9] = {-k, 0, 0, 0, -k, 0, 0, 0, -k};
-        add_hinge(h, A, B, A, hinges);
+        hinges[h->aa] += k;
+        hinges[h->ab] -= 2 * k;
+        hinges[h->ac] += k;
+        hinges[h->bb] += 4 * k;
+        hinges[h->bc] -= 2 * k;
+        hinges[h->cc] += k;
     }
     for (int n = 0; n < net->clamp_count; n++) {
         const struct clamp *c = &net->clamps[n];
         double k = c->strut * inverse(sqrt(dot(c->edge, c->edge))) / 2;
-        for (int i = 0; i < 3; i++)
-            hinges[c->bb][4 * i] += k;
+        hinges[c->bb] += k;
     }
 }

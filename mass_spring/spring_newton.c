@@ -120,7 +120,7 @@ static void assemble(struct spring_newton *s, const struct spring_problem *p,
     const struct blocks *g = &s->net->graph;
     long pairs = g->start[g->nodes];
 
-    spring_force_clamped(s->net, x, (const double(*)[9])s->hinges, s->K);
+    spring_force_clamped(s->net, x, s->hinges, s->K);
     for (int a = 0; a < g->nodes; a++)
         for (int i = 0; i < 3; i++)
             s->K[g->start[a]][4 * i] += p->weight[a];

@@ -31,11 +31,11 @@ struct spring_newton {
     struct discretization linear; /* its solver and preconditioner */
     struct system system; /* empty before spring_newton_system                         */
     struct contact_set contact;
-    void *room;          /* of the arrays                                      owned   */
-    double (*K)[9];      /* [pairs]                                                    */
-    double (*hinges)[9]; /* [pairs] spring_force_hinges                                */
-    double *work;        /* [6][nodes][3]                                              */
-    const double *at;    /* [nodes][3] where K is of                         borrowed  */
+    void *room;       /* of the arrays                                      owned   */
+    double (*K)[9];   /* [pairs]                                                    */
+    double *hinges;   /* [pairs] spring_force_hinges                                */
+    double *work;     /* [6][nodes][3]                                              */
+    const double *at; /* [nodes][3] where K is of                         borrowed  */
 };
 
 struct spring_problem {

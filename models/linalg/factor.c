@@ -272,12 +272,13 @@ static enum status solve_single(struct factor *f, double *b)
     float *x = (float *)f->work;
     double most = 0;
     int scale = 0;
+#pragma omp simd reduction(max : most)
     for (int i = 0; i < f->n; i++)
         most = fabs(b[i]) > most ? fabs(b[i]) : most;
     frexp(isfinite(most) ? most : 0, &scale);
     const double down = ldexp(1, -scale), up = ldexp(1, scale);
     for (int i = 0; i < f->n; i++)
-        x[f->place[i]] = (float)(b[i] * down);
+        x[f->straight ? i : f->place[i]] = (float)(b[i] * down);
     for (int p = 0; p < f->part_count; p++) {
         const struct factor_part *part = &f->part[p];
         float *own = x + f->first_row[p];
@@ -287,7 +288,7 @@ static enum status solve_single(struct factor *f, double *b)
             own[i] = 0;
     }
     for (int i = 0; i < f->n; i++)
-        b[i] = up * (double)x[f->place[i]];
+        b[i] = up * (double)x[f->straight ? i : f->place[i]];
 out:
     return st;
 }

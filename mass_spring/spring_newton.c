@@ -51,7 +51,8 @@ enum status spring_newton_system(struct spring_newton *s)
         return st;
     order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
     TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
-    system_single(&s->system);
+    if (!contact_set_used(&s->contact)) /* which wants its systems solved to the last */
+        system_single(&s->system);
     st = system_follow(&s->system, frames, s, false);
 out:
     free(order);

@@ -10,9 +10,9 @@
  *
  * The linear systems are solved by conjugate gradients that an earlier factor, turned with
  * the net, preconditions (iterative.h), unless the discretization has another solver; that
- * of a large net in single precision, which takes as many iterations of half the time. To
- * 1e-2 of the step, or a tenth of the tolerance, if others follow; 1e-4 if it is the only
- * one.
+ * of a large net that meets no obstacles in single precision, which takes as many
+ * iterations of half the time. To 1e-2 of the step, or a tenth of the tolerance, if others
+ * follow; 1e-4 if it is the only one.
  *
  * Obstacles are their tangent planes at `start`, half a thickness nearer. Every system is
  * first solved as if there were none; if a point bore on one before, or would now be beyond

@@ -15,8 +15,11 @@ static const double TOLERANCE = 1e-10;
  * no factor, of each unknown. */
 enum { MOST_FRESH = 30, MOST_AN_UNKNOWN = 10, MOST_ANYWAY = 100 };
 
-/* The first for a factor in single precision: those beyond cost more than it saves. */
+/* The first for a factor in single precision: those beyond cost more than it saves; and the
+ * least that it solves its own A to, as one in double does in one product: 1e-2 of a large
+ * movement leads Newton astray (a strip 1000 : 1 took 135 steps for 88, now 93). */
 enum { MOST_SINGLE = 8 };
+static const double SINGLE_TOLERANCE = 1e-4;
 
 /* Solutions that are extrapolated. */
 enum { PAST = 3 };
@@ -391,7 +394,10 @@ static enum status iterate_fresh(struct iterative *it, double *x, bool *done)
     enum status st = STATUS_OK;
 
     if (it->single) {
+        double tolerance = it->krylov.tolerance, near = it->krylov.near;
+        it->krylov.tolerance = fmin(tolerance, SINGLE_TOLERANCE), it->krylov.near = 0;
         st = iterate(it, MOST_SINGLE, x, done);
+        it->krylov.tolerance = tolerance, it->krylov.near = near;
         if (*done || (st != STATUS_OK && st != STATUS_INDEFINITE))
             return st;
         set_single(it, false);

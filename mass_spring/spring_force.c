@@ -80,25 +80,96 @@ static void directions(double e1[3], double e2[3], double sum[3], double over[3]
     scale(over[2], sum);
 }
 
+/* Several of a kind are done together, so that their roots and quotients are: by component
+ * and lane. Lanes that are left over have no length. */
+enum { LANES = 8 };
+struct lanes {
+    _Alignas(64) double of[3][LANES];
+};
+
+static int lanes_from(int n, int count)
+{
+    return count - n < LANES ? count - n : LANES;
+}
+
+static void put_edge(const double *x, int a, int b, int l, struct lanes *e)
+{
+    for (int i = 0; i < 3; i++)
+        e->of[i][l] = x[3 * (size_t)b + i] - x[3 * (size_t)a + i];
+}
+
+static double lane_length(const struct lanes *e, int l)
+{
+    return sqrt(e->of[0][l] * e->of[0][l] + e->of[1][l] * e->of[1][l] +
+                e->of[2][l] * e->of[2][l]);
+}
+
+/* inverse(length) without a branch. */
+static double lane_inverse(double length)
+{
+    return 1 / (length > SHORTEST ? length : INFINITY);
+}
+
+static void normalise(struct lanes *e)
+{
+#pragma omp simd
+    for (int l = 0; l < LANES; l++) {
+        double over = lane_inverse(lane_length(e, l));
+        e->of[0][l] *= over, e->of[1][l] *= over, e->of[2][l] *= over;
+    }
+}
+
+/* What `many` hinges pull with at their first and last points: e1 and e2 become that. */
+static void hinge_pulls(const struct hinge *h, int many, struct lanes *e1, struct lanes *e2)
+{
+    struct lanes sum;
+    double strut[LANES] = {0};
+
+    for (int l = 0; l < many; l++)
+        strut[l] = h[l].strut;
+    for (int i = 0; i < 3; i++)
+#pragma omp simd
+        for (int l = 0; l < LANES; l++)
+            sum.of[i][l] = e1->of[i][l] + e2->of[i][l];
+    normalise(e1);
+    normalise(e2);
+    normalise(&sum);
+    for (int i = 0; i < 3; i++)
+#pragma omp simd
+        for (int l = 0; l < LANES; l++) {
+            e1->of[i][l] = strut[l] * (e1->of[i][l] - sum.of[i][l]);
+            e2->of[i][l] = strut[l] * (e2->of[i][l] - sum.of[i][l]);
+        }
+}
+
 static void add_hinge_forces(const struct spring_net *net, const double *x, double *f)
+{
+    for (int n = 0; n < net->hinge_count; n += LANES) {
+        const struct hinge *h = net->hinges + n;
+        const int many = lanes_from(n, net->hinge_count);
+        struct lanes e1 = {{{0}}}, e2 = {{{0}}};
+
+        for (int l = 0; l < many; l++) {
+            put_edge(x, h[l].a, h[l].b, l, &e1);
+            put_edge(x, h[l].b, h[l].c, l, &e2);
+        }
+        hinge_pulls(h, many, &e1, &e2);
+        for (int l = 0; l < many; l++) {
+            double *fa = f + 3 * (size_t)h[l].a, *fb = f + 3 * (size_t)h[l].b,
+                   *fc = f + 3 * (size_t)h[l].c;
+            for (int i = 0; i < 3; i++) {
+                fa[i] += e1.of[i][l];
+                fb[i] += e2.of[i][l] - e1.of[i][l];
+                fc[i] -= e2.of[i][l];
+            }
+        }
+    }
+}
+
+static void add_clamp_forces(const struct spring_net *net, const double *x, double *f)
 {
     double e1[3], e2[3], sum[3], over[3];
 
-    for (int n = 0; n < net->hinge_count; n++) {
-        const struct hinge *h = &net->hinges[n];
-        double *fa = f + 3 * (size_t)h->a, *fb = f + 3 * (size_t)h->b,
-               *fc = f + 3 * (size_t)h->c;
-        edge(x, h->a, h->b, e1);
-        edge(x, h->b, h->c, e2);
-        directions(e1, e2, sum, over);
-        for (int i = 0; i < 3; i++) {
-            double pull_a = h->strut * (e1[i] - sum[i]);
-            double pull_c = h->strut * (e2[i] - sum[i]);
-            fa[i] += pull_a;
-            fb[i] += pull_c - pull_a;
-            fc[i] -= pull_c;
-        }
-    }
     for (int n = 0; n < net->clamp_count; n++) {
         const struct clamp *c = &net->clamps[n];
         memcpy(e1, c->edge, sizeof e1);
@@ -112,21 +183,37 @@ static void add_hinge_forces(const struct spring_net *net, const double *x, doub
     }
 }
 
+static void add_spring_forces(const struct spring_net *net, const double *x, double *f)
+{
+    for (int n = 0; n < net->spring_count; n += LANES) {
+        const struct spring *s = net->springs + n;
+        const int many = lanes_from(n, net->spring_count);
+        struct lanes e = {{{0}}};
+        double stiffness[LANES] = {0}, rest[LANES] = {0};
+
+        for (int l = 0; l < many; l++) {
+            put_edge(x, s[l].a, s[l].b, l, &e);
+            stiffness[l] = s[l].stiffness, rest[l] = s[l].length;
+        }
+#pragma omp simd
+        for (int l = 0; l < LANES; l++) {
+            double length = lane_length(&e, l);
+            double pull = stiffness[l] * (length - rest[l]) * lane_inverse(length);
+            e.of[0][l] *= pull, e.of[1][l] *= pull, e.of[2][l] *= pull;
+        }
+        for (int l = 0; l < many; l++)
+            for (int i = 0; i < 3; i++) {
+                f[3 * (size_t)s[l].a + i] += e.of[i][l];
+                f[3 * (size_t)s[l].b + i] -= e.of[i][l];
+            }
+    }
+}
+
 void spring_force_add(const struct spring_net *net, const double *x, double *f)
 {
-    double e[3];
-
-    for (int n = 0; n < net->spring_count; n++) {
-        const struct spring *s = &net->springs[n];
-        double *fa = f + 3 * (size_t)s->a, *fb = f + 3 * (size_t)s->b;
-        double length = edge(x, s->a, s->b, e);
-        double pull = s->stiffness * (length - s->length) * inverse(length);
-        for (int i = 0; i < 3; i++) {
-            fa[i] += pull * e[i];
-            fb[i] -= pull * e[i];
-        }
-    }
+    add_spring_forces(net, x, f);
     add_hinge_forces(net, x, f);
+    add_clamp_forces(net, x, f);
 }
 
 /* K += k (t I + (1 - t) n n') of one spring, t = 1 - r/l, not below `least`. */
@@ -136,21 +223,25 @@ static void add_spring(const struct spring *s, const double *x, double least,
     double e[3], length = edge(x, s->a, s->b, e), over = inverse(length);
     double t = fmax(1 - s->length * over, least);
     double along = s->stiffness * (1 - t) * over * over, across = s->stiffness * t;
-    double *aa = K[s->aa], *bb = K[s->bb], *ab = K[s->ab];
+    double *restrict aa = K[s->aa], *restrict bb = K[s->bb], *restrict ab = K[s->ab], k[9];
 
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            double k = along * e[i] * e[j] + (i == j ? across : 0);
-            aa[3 * i + j] += k;
-            bb[3 * i + j] += k;
-            ab[3 * i + j] -= k;
-        }
+    for (int c = 0; c < 9; c++)
+        k[c] = along * e[c / 3] * e[c % 3] + (c % 4 ? 0 : across);
+    for (int c = 0; c < 9; c++) {
+        aa[c] += k[c];
+        bb[c] += k[c];
+        ab[c] -= k[c];
+    }
 }
 
 void spring_force_clamped(const struct spring_net *net, const double *x,
-                          const double (*hinges)[9], double (*K)[9])
+                          const double *hinges, double (*K)[9])
 {
-    memcpy(K, hinges, (size_t)net->graph.start[net->nodes] * sizeof *K);
+    const long pairs = net->graph.start[net->nodes];
+
+    for (long n = 0; n < pairs; n++)
+        for (int c = 0; c < 9; c++)
+            K[n][c] = c % 4 ? 0 : hinges[n];
     for (int n = 0; n < net->spring_count; n++)
         add_spring(&net->springs[n], x, 0, K);
 }
@@ -212,7 +303,7 @@ void spring_force_jacobian(const struct spring_net *net, const double *x, double
 }
 
 /* The straight hinge with equal edges of length a: P / (2 a) |d1 - d2|^2 / 2. */
-void spring_force_hinges(const struct spring_net *net, double (*hinges)[9])
+void spring_force_hinges(const struct spring_net *net, double *hinges)
 {
     double e[3];
 
@@ -220,14 +311,16 @@ void spring_force_hinges(const struct spring_net *net, double (*hinges)[9])
     for (int n = 0; n < net->hinge_count; n++) {
         const struct hinge *h = &net->hinges[n];
         double k = h->strut * inverse(edge(net->rest, h->a, h->b, e)) / 2;
-        double A[9] = {k, 0, 0, 0, k, 0, 0, 0, k};
-        double B[9] = {-k, 0, 0, 0, -k, 0, 0, 0, -k};
-        add_hinge(h, A, B, A, hinges);
+        hinges[h->aa] += k;
+        hinges[h->ab] -= 2 * k;
+        hinges[h->ac] += k;
+        hinges[h->bb] += 4 * k;
+        hinges[h->bc] -= 2 * k;
+        hinges[h->cc] += k;
     }
     for (int n = 0; n < net->clamp_count; n++) {
         const struct clamp *c = &net->clamps[n];
         double k = c->strut * inverse(sqrt(dot(c->edge, c->edge))) / 2;
-        for (int i = 0; i < 3; i++)
-            hinges[c->bb][4 * i] += k;
+        hinges[c->bb] += k;
     }
 }

@@ -20,9 +20,10 @@ void spring_force_jacobian(const struct spring_net *net, const double *x, double
 
 /* A positive semi-definite matrix near it: per spring the negative transverse part is
  * clamped to zero; per hinge the second derivative of the straight hinge at rest, the same
- * in all directions, which does not depend on x: `hinges`, from spring_force_hinges. */
+ * in all directions, which does not depend on x: `hinges`, a number a pair of the graph,
+ * from spring_force_hinges [N/m]. */
 void spring_force_clamped(const struct spring_net *net, const double *x,
-                          const double (*hinges)[9], double (*K)[9]);
-void spring_force_hinges(const struct spring_net *net, double (*hinges)[9]);
+                          const double *hinges, double (*K)[9]);
+void spring_force_hinges(const struct spring_net *net, double *hinges);
 
 #endif

@@ -174,7 +174,7 @@ void spring_motion_hold(struct spring_motion *m, double t)
 static void damping_matrix(struct spring_motion *m)
 {
     if (m->points.beta > 0)
-        spring_force_clamped(&m->net, m->x, (const double(*)[9])m->newton.hinges, m->V);
+        spring_force_clamped(&m->net, m->x, m->newton.hinges, m->V);
 }
 
 /* The first guess of an implicit step: its velocity by the gains of the last two, drawn

@@ -82,7 +82,7 @@ static enum status factor(const struct search *s, bool clamped)
     if (spring_motion_stencil(s->m))
         spring_stencil_jacobian(spring_motion_stencil(s->m), s->m->x, clamped, newton->K);
     else if (clamped)
-        spring_force_clamped(net, s->m->x, (const double(*)[9])newton->hinges, newton->K);
+        spring_force_clamped(net, s->m->x, newton->hinges, newton->K);
     else
         spring_force_jacobian(net, s->m->x, newton->K);
     for (int a = 0; a < g->nodes; a++)

@@ -11,6 +11,7 @@
  * most a few hundred here). A is diagonally dominant: |A| |x| <= 2 |a_ii| |x| row by row.
  */
 #define TOL_RESIDUAL (512 * DBL_EPSILON)
+#define TOL_SINGLE   (512 * FLT_EPSILON)
 
 static void fill(const struct net_matrix *a, struct factor *f)
 {
@@ -45,7 +46,8 @@ static void right_hand_side(int n, double *b)
         b[i] = 1.0 + sin(1.0 + i * i);
 }
 
-static void check_shape(const struct net_shape *shape, enum solver method, const int *order)
+static void check_shape(const struct net_shape *shape, enum solver method, const int *order,
+                        bool single)
 {
     struct net_matrix a;
     struct factor *f = NULL;
@@ -56,6 +58,7 @@ static void check_shape(const struct net_shape *shape, enum solver method, const
     struct factor_pattern pattern = pattern_of(&a, order);
 
     REQUIRE(factor_create(&pattern, method, &f) == STATUS_OK);
+    factor_single(f, single);
     for (int turn = 0; turn < 2; turn++) { /* the second refactor must not see the first */
         fill(&a, f);
         factor_values(f)[factor_dump(f)] += NAN;
@@ -63,10 +66,17 @@ static void check_shape(const struct net_shape *shape, enum solver method, const
         right_hand_side(a.n, b);
         memcpy(x, b, a.n * sizeof *x);
         CHECK(factor_solve(f, x) == STATUS_OK);
-        CHECK_NEAR(residual(&a, x, b), 0.0, TOL_RESIDUAL);
+        CHECK_NEAR(residual(&a, x, b), 0.0, single ? TOL_SINGLE : TOL_RESIDUAL);
         CHECK(turn == 0 || !memcmp(x, again, a.n * sizeof *x));
         memcpy(again, x, a.n * sizeof *x);
     }
+    factor_single(f, false); /* leaves nothing behind */
+    fill(&a, f);
+    memcpy(x, b, a.n * sizeof *x);
+    CHECK(factor_refactor(f) == STATUS_OK && factor_solve(f, x) == STATUS_OK);
+    CHECK_NEAR(residual(&a, x, b), 0.0, TOL_RESIDUAL);
+    CHECK(a.n < 100 || method == SOLVER_CHOLMOD ||
+          !single == !memcmp(x, again, a.n * sizeof *x));
     factor_describe(f, &info);
     CHECK(info.parts == (shape->split ? 2 : 1));
     CHECK(info.entries > a.n && info.flops > 0 && info.bytes >= 8 * info.entries);
@@ -129,7 +139,8 @@ static void check_shapes(void)
     };
     for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++)
         for (enum solver method = SOLVER_AUTO; method <= SOLVER_CHOLMOD; method++) {
-            check_shape(&shapes[k], method, NULL);
+            check_shape(&shapes[k], method, NULL, false);
+            check_shape(&shapes[k], method, NULL, true);
             check_many(&shapes[k], method);
         }
 }
@@ -168,9 +179,9 @@ static void check_order(void)
     int n = 9 * 4 * 6, *order = malloc(n * sizeof *order);
     for (int k = 0; k < n; k++)
         order[k] = (k * 5 + 3) % n; /* 5 and 216 have no common factor */
-    check_shape(&shape, SOLVER_BANDED, order);
-    check_shape(&shape, SOLVER_SUPERNODAL, order);
-    check_shape(&shape, SOLVER_CHOLMOD, order);
+    check_shape(&shape, SOLVER_BANDED, order, false);
+    check_shape(&shape, SOLVER_SUPERNODAL, order, false);
+    check_shape(&shape, SOLVER_CHOLMOD, order, false);
     free(order);
 }
 
@@ -202,7 +213,7 @@ static void check_nested(const struct net_shape *shape)
     free(order);
     free(seen);
     net_matrix_clear(&a);
-    check_shape(shape, SOLVER_AUTO, NULL);
+    check_shape(shape, SOLVER_AUTO, NULL, false);
 }
 
 /* The band takes the narrower of the given and the natural order. */

@@ -91,7 +91,7 @@ static void check_clamped(void)
     crumple(&m, 0.25, x);
     for (int t = 0; t < count; t++) /* and compressed: the true one is negative here */
         x[t] *= 0.5;
-    const double(*hinges)[9] = (const double(*)[9])m.newton.hinges;
+    const double *hinges = m.newton.hinges;
     spring_force_clamped(&m.net, x, hinges, m.newton.K);
     for (int trial = 0; trial < 50; trial++) { /* half of them out of the plane */
         double product = 0, size = 0;

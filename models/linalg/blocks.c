@@ -163,6 +163,23 @@ double blocks_longest(int nodes, const double *x)
     return sqrt(most);
 }
 
+/* Three numbers of a node, the fourth idle; numbers in memory wherever they are. */
+typedef double four __attribute__((vector_size(4 * sizeof(double))));
+typedef double two_there __attribute__((vector_size(2 * sizeof(double)), aligned(8)));
+typedef double eight_there __attribute__((vector_size(8 * sizeof(double)), aligned(8)));
+
+static inline four load(const double *x)
+{
+    const two_there low = *(const two_there *)x;
+
+    return (four){low[0], low[1], x[2], x[2]};
+}
+
+static inline void store(four x, double *to)
+{
+    to[0] = x[0], to[1] = x[1], to[2] = x[2];
+}
+
 void blocks_multiply(const struct blocks *g, const double (*K)[9], const double *x,
                      double *y)
 {
@@ -170,22 +187,23 @@ void blocks_multiply(const struct blocks *g, const double (*K)[9], const double 
     for (int a = 0; a < g->nodes; a++) {
         const double *xa = x + 3 * (size_t)a;
         long n = g->start[a];
-        const double *k = K[n];
-        double s[3] = {0};
+        four s = {0};
 
-        for (int i = 0; i < 3; i++)
-            s[i] = k[3 * i] * xa[0] + k[3 * i + 1] * xa[1] + k[3 * i + 2] * xa[2];
-        for (n++; n < g->start[a + 1]; n++) {
+        for (; n < g->start[a + 1]; n++) {
             const double *xb = x + 3 * (size_t)g->node[n];
             double *yb = y + 3 * (size_t)g->node[n];
-            k = K[n];
-            for (int i = 0; i < 3; i++) {
-                s[i] += k[3 * i] * xb[0] + k[3 * i + 1] * xb[1] + k[3 * i + 2] * xb[2];
-                yb[i] += k[i] * xa[0] + k[3 + i] * xa[1] + k[6 + i] * xa[2];
-            }
+            const eight_there k = *(const eight_there *)K[n],
+                              l = *(const eight_there *)(K[n] + 1);
+#define PICK(from, i, j, k) __builtin_shufflevector(from, from, i, j, k, k)
+            s += PICK(k, 0, 3, 6) * xb[0] + PICK(k, 1, 4, 7) * xb[1] +
+                 PICK(l, 1, 4, 7) * xb[2];
+            if (n > g->start[a])
+                store(load(yb) + (PICK(k, 0, 1, 2) * xa[0] + PICK(k, 3, 4, 5) * xa[1] +
+                                  PICK(l, 5, 6, 7) * xa[2]),
+                      yb);
+#undef PICK
         }
-        for (int i = 0; i < 3; i++)
-            y[3 * (size_t)a + i] += s[i];
+        store(load(y + 3 * (size_t)a) + s, y + 3 * (size_t)a);
     }
 }
 
@@ -209,4 +227,31 @@ void blocks_multiply_mass(const struct blocks *g, const double *M, const double 
         for (int i = 0; i < 3; i++)
             y[3 * (size_t)a + i] += s[i];
     }
+}
+
+bool blocks_invert(const double A[9], const int place[3], double out[9])
+{
+    double l[3][6];
+
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            bool held = place[i] < 0;
+            l[i][j] = held ? i == j : A[3 * i + j];
+            l[i][3 + j] = !held && i == j;
+        }
+    for (int k = 0; k < 3; k++) {
+        double pivot = l[k][k];
+        if (!(pivot > 0 && pivot < INFINITY))
+            return false;
+        for (int j = 0; j < 6; j++)
+            l[k][j] /= pivot;
+        for (int i = 0; i < 3; i++) {
+            double part = l[i][k];
+            for (int j = 0; i != k && j < 6; j++)
+                l[i][j] -= part * l[k][j];
+        }
+    }
+    for (int t = 0; t < 9; t++)
+        out[t] = l[t / 3][3 + t % 3];
+    return true;
 }

@@ -45,4 +45,8 @@ void blocks_multiply(const struct blocks *g, const double (*K)[9], const double 
 void blocks_multiply_mass(const struct blocks *g, const double *M, const double *x,
                           double *y);
 
+/* The inverse of a symmetric block by elimination, zero where held; false if it is not
+ * positive definite. */
+bool blocks_invert(const double A[9], const int place[3], double out[9]);
+
 #endif

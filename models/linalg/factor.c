@@ -1,10 +1,9 @@
-#define _DEFAULT_SOURCE /* madvise */
 #include "models/linalg/factor.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 
 #include "models/linalg/blas_kernel.h"
 #include "models/linalg/factor_part.h"
@@ -21,87 +20,13 @@ struct factor {
     int *place;               /* [n] row in the permuted right-hand side               */
     bool straight;            /* place[i] == i for all i                               */
     bool ready;               /* the last refactor succeeded                           */
+    bool single;              /* value and work are floats from the next refactor on   */
     double *value;            /* [first_slot[part_count] + 1]                          */
     double *work;             /* [first_row[part_count]] permuted, padding kept zero    */
     bool ready_three;         /* prepared for three sides since the last refactor       */
     double *work_three;       /* [3 first_row[part_count]] blocks, padding kept zero; NULL
                                  until three sides are asked for                        */
 };
-
-/* --- independent sub-systems -----------------------------------------------------------
- */
-
-static int root_of(int *parent, int i)
-{
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
-
-/* part_of[n]: components numbered by their first unknown. Returns their number. */
-static int find_parts(const struct factor_pattern *a, int *parent, int *part_of)
-{
-    for (int i = 0; i < a->n; i++)
-        parent[i] = i;
-    for (int j = 0; j < a->n; j++)
-        for (long s = a->start[j]; s < a->start[j + 1]; s++) {
-            int p = root_of(parent, j), q = root_of(parent, a->row[s]);
-            if (p < q)
-                parent[q] = p;
-            else
-                parent[p] = q;
-        }
-    int count = 0;
-    for (int i = 0; i < a->n; i++) /* a root is the least of its component */
-        part_of[i] = parent[i] == i ? count++ : part_of[root_of(parent, i)];
-    return count;
-}
-
-/* The pattern of one part alone. Arrays owned. */
-struct part_pattern {
-    struct factor_pattern pattern;
-    long *start;
-    int *row, *order;
-};
-
-static void part_pattern_clear(struct part_pattern *p)
-{
-    free(p->start);
-    free(p->row);
-    free(p->order);
-    memset(p, 0, sizeof *p);
-}
-
-/* unknown[n]: the part's unknowns, ascending; local: their inverse. */
-static enum status part_pattern_init(const struct factor_pattern *a, const int *unknown,
-                                     int n, const int *local, const int *part_of,
-                                     struct part_pattern *p)
-{
-    long entries = 0;
-    for (int k = 0; k < n; k++)
-        entries += a->start[unknown[k] + 1] - a->start[unknown[k]];
-    memset(p, 0, sizeof *p);
-    p->start = malloc((n + 1) * sizeof *p->start);
-    p->row = malloc(entries * sizeof *p->row);
-    p->order = a->order ? malloc(n * sizeof *p->order) : NULL;
-    if (!p->start || !p->row || (a->order && !p->order)) {
-        part_pattern_clear(p);
-        return STATUS_MEMORY;
-    }
-    long end = 0;
-    for (int k = 0; k < n; k++) {
-        p->start[k] = end;
-        for (long s = a->start[unknown[k]]; s < a->start[unknown[k] + 1]; s++)
-            p->row[end++] = local[a->row[s]];
-    }
-    p->start[n] = end;
-    for (int k = 0, next = 0; a->order && k < a->n; k++)
-        if (part_of[a->order[k]] == part_of[unknown[0]])
-            p->order[next++] = local[a->order[k]];
-    p->pattern = (struct factor_pattern){
-        .n = n, .start = p->start, .row = p->row, .order = p->order};
-    return STATUS_OK;
-}
 
 /* --- which method -----------------------------------------------------------------------
  */
@@ -183,20 +108,20 @@ static enum status create_part(struct factor *f, int p, const struct factor_patt
                                enum solver method, const int *unknown, const int *local)
 {
     enum status st;
-    struct part_pattern own = {0};
+    struct factor_pattern_part own = {0};
     struct factor_part *part = &f->part[p];
     int *position = NULL;
 
     if (!(position = malloc(2 * (size_t)part->n * sizeof *position)))
         return STATUS_MEMORY;
-    TRY(part_pattern_init(a, unknown, part->n, local, f->part_of, &own));
+    TRY(factor_pattern_restrict(a, unknown, part->n, local, f->part_of, &own));
     TRY(create_by_method(&own.pattern, method, position, position + part->n, part));
     f->first_slot[p + 1] = f->first_slot[p] + (part->slots + 7) / 8 * 8;
     f->first_row[p + 1] = f->first_row[p] + (part->rows + 7) / 8 * 8;
     for (int k = 0; k < part->n; k++)
         f->place[unknown[k]] = f->first_row[p] + position[k];
 out:
-    part_pattern_clear(&own);
+    factor_pattern_clear(&own);
     free(position);
     return st;
 }
@@ -233,19 +158,6 @@ out:
     return st;
 }
 
-double *factor_numbers(ptrdiff_t count)
-{
-    /* From a few megabytes on, a sweep over 4 kB pages waits for their addresses. */
-    const size_t huge = (size_t)1 << 21;
-    size_t bytes = (count + 8) / 8 * 64, align = bytes < 2 * huge ? 64 : huge;
-    double *x = aligned_alloc(align, (bytes + align - 1) / align * align);
-    if (x && align == huge)
-        madvise(x, bytes, MADV_HUGEPAGE); /* advice: no matter if refused */
-    if (x)
-        memset(x, 0, bytes);
-    return x;
-}
-
 void factor_destroy(struct factor *f)
 {
     if (!f)
@@ -279,7 +191,7 @@ enum status factor_create(const struct factor_pattern *a, enum solver method,
     f->place = malloc(room * sizeof *f->place);
     if (!f->part_of || !f->place)
         goto out;
-    f->part_count = find_parts(a, f->place, f->part_of);
+    f->part_count = factor_pattern_parts(a, f->place, f->part_of);
     f->part = calloc(f->part_count + 1, sizeof *f->part);
     f->first_row = calloc(f->part_count + 1, sizeof *f->first_row);
     f->first_slot = calloc(f->part_count + 1, sizeof *f->first_slot);
@@ -330,10 +242,53 @@ void factor_clear_values(struct factor *f)
 enum status factor_refactor(struct factor *f)
 {
     enum status st = STATUS_OK;
+    float *narrow = NULL;
     f->ready = f->ready_three = false;
+    if (f->single)
+        narrow = factor_numbers_narrow(f->first_slot[f->part_count], f->value);
     for (int p = 0; p < f->part_count; p++)
-        TRY(f->part[p].method->refactor(&f->part[p], f->value + f->first_slot[p]));
+        TRY(narrow
+                ? f->part[p].method->refactor_single(&f->part[p], narrow + f->first_slot[p])
+                : f->part[p].method->refactor(&f->part[p], f->value + f->first_slot[p]));
     f->ready = true;
+out:
+    return st;
+}
+
+void factor_single(struct factor *f, bool single)
+{
+    f->single = single;
+    for (int p = 0; p < f->part_count; p++)
+        f->single = f->single && f->part[p].method->solve_single;
+    f->ready = f->ready_three = false;
+    memset(f->work, 0, f->first_row[f->part_count] * sizeof *f->work);
+}
+
+/* The right-hand side is brought to numbers below 1, which floats have at any scale, by a
+ * power of two. */
+static enum status solve_single(struct factor *f, double *b)
+{
+    enum status st = STATUS_OK;
+    float *x = (float *)f->work;
+    double most = 0;
+    int scale = 0;
+#pragma omp simd reduction(max : most)
+    for (int i = 0; i < f->n; i++)
+        most = fabs(b[i]) > most ? fabs(b[i]) : most;
+    frexp(isfinite(most) ? most : 0, &scale);
+    const double down = ldexp(1, -scale), up = ldexp(1, scale);
+    for (int i = 0; i < f->n; i++)
+        x[f->straight ? i : f->place[i]] = (float)(b[i] * down);
+    for (int p = 0; p < f->part_count; p++) {
+        const struct factor_part *part = &f->part[p];
+        float *own = x + f->first_row[p];
+        TRY(part->method->solve_single(&f->part[p], (float *)f->value + f->first_slot[p],
+                                       own));
+        for (int i = part->n; i < f->first_row[p + 1] - f->first_row[p]; i++)
+            own[i] = 0;
+    }
+    for (int i = 0; i < f->n; i++)
+        b[i] = up * (double)x[f->straight ? i : f->place[i]];
 out:
     return st;
 }
@@ -343,6 +298,8 @@ enum status factor_solve(struct factor *f, double *b)
     enum status st = STATUS_OK;
     double *x = f->work;
     assert(f->ready);
+    if (f->single)
+        return solve_single(f, b);
     if (f->straight && f->n)
         memcpy(x, b, f->n * sizeof *x);
     for (int i = 0; !f->straight && i < f->n; i++)
@@ -428,7 +385,7 @@ enum status factor_solve_many(struct factor *f, int count, double *b, ptrdiff_t 
 {
     enum status st = STATUS_OK;
     assert(f->ready && count >= 0);
-    for (; count >= SIDES; count -= SIDES, b += SIDES * stride)
+    for (; count >= SIDES && !f->single; count -= SIDES, b += SIDES * stride)
         TRY(solve_three(f, b, stride));
     for (; count > 0; count--, b += stride)
         TRY(factor_solve(f, b));

@@ -15,22 +15,12 @@
 #ifndef FACTOR_H
 #define FACTOR_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include "models/discretization.h"
+#include "models/linalg/factor_pattern.h"
 
 struct factor;
-
-/* Lower triangle by columns: row[start[j] .. start[j+1]) >= j, ascending, diagonal present.
- */
-struct factor_pattern {
-    int n;
-    const long *start; /* [n + 1]       borrowed during create                         */
-    const int *row;    /* [start[n]]                                                   */
-    const int *order;  /* [n] an order of elimination, order[new] = old, or NULL. The band
-                          takes the narrower of this and the natural order; supernodes the
-                          best of this (order_nested's, say), AMD's and METIS's; CHOLMOD
-                          orders by itself.                                            */
-};
 
 /* SOLVER_AUTO picks the band where it costs less (the rule and its measurement: factor.c).
  * n >= 1. Sets BLAS to one thread for the process. Owned by the caller, freed with
@@ -53,6 +43,10 @@ void factor_clear_values(struct factor *f);
 
 /* STATUS_INDEFINITE if not positive definite (or not finite). */
 enum status factor_refactor(struct factor *f);
+
+/* From the next factor_refactor on, in single precision: about half the time, for who
+ * iterates on what is left. CHOLMOD does not know it and stays in double. */
+void factor_single(struct factor *f, bool single);
 
 /* Solves A x = b in place, b[n]. Only after a successful refactor. */
 enum status factor_solve(struct factor *f, double *b);

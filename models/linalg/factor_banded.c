@@ -21,9 +21,9 @@ struct banded {
     int *last;        /* [tiles] last tile row of a tile column                        */
     int *first;       /* [tiles] first tile column of a tile row                       */
     ptrdiff_t *start; /* [tiles + 1] the diagonal tile of a column, in values          */
-    double *inverse;  /* [tiles * TILE] reciprocals of the diagonal of L               */
+    double *inverse;  /* [tiles * TILE] reciprocals of the diagonal of L, or floats    */
     double *pair;     /* [tiles * TILE_PAIR] inverse diagonal tiles, NULL until needed */
-    double **column;  /* [tiles] tile (i,k) at column[k] + i TILE_SIZE, during refactor */
+    void **column;    /* [tiles] tile (i,k) at column[k] + i TILE_SIZE, during refactor */
 };
 
 static int half_bandwidth(const struct factor_pattern *a, const int *position)
@@ -104,69 +104,16 @@ static ptrdiff_t slot(const struct factor_part *part, int i, int j)
     return band->start[column] + (row - column) * TILE_SIZE + j % TILE * TILE + i % TILE;
 }
 
-/* Tiles (row .. row + count - 1, column) of L; `count` is a constant where this is inlined.
- * Tiles left of a row's first one do not exist: those of later rows begin later. */
-TILE_INLINE void finish_tiles(const struct banded *band, int count, int row, int column)
-{
-    tile_registers c;
-    double *target = band->column[column] + (ptrdiff_t)row * TILE_SIZE;
-    int all = band->first[row + count - 1]; /* from here on every row has its tile */
-    tile_load(count, target, c);
-    TILE_UNROLL
-    for (int r = 0; r < count - 1; r++)
-        tile_update(r, 1, c, band->column, row, column, band->first[row + r], all);
-    tile_update(0, count, c, band->column, row, column, all, column);
-    tile_divide(count, c, band->column[column] + (ptrdiff_t)column * TILE_SIZE,
-                band->inverse + column * TILE);
-    tile_store(count, c, target);
-}
-
-static bool finish_diagonal(const struct banded *band, int column)
-{
-    tile_registers c;
-    double *target = band->column[column] + (ptrdiff_t)column * TILE_SIZE;
-    tile_load(1, target, c);
-    tile_update(0, 1, c, band->column, column, column, band->first[column], column);
-    tile_store(1, c, target);
-    return tile_cholesky(target, band->inverse + column * TILE);
-}
-
-static enum status refactor(struct factor_part *part, double *value)
-{
-    const struct banded *band = part->state;
-    for (int i = part->n; i < part->rows; i++)
-        value[slot(part, i, i)] = 1.0;
-    for (int k = 0; k < band->tiles; k++)
-        band->column[k] = value + band->start[k] - (ptrdiff_t)k * TILE_SIZE;
-    for (int column = 0; column < band->tiles; column++) {
-        if (!finish_diagonal(band, column))
-            return STATUS_INDEFINITE;
-        int row = column + 1;
-        for (; row + TILE_PASS - 1 <= band->last[column]; row += TILE_PASS)
-            finish_tiles(band, TILE_PASS, row, column);
-        for (; row <= band->last[column]; row++)
-            finish_tiles(band, 1, row, column);
-    }
-    return STATUS_OK;
-}
-
-static enum status solve(struct factor_part *part, const double *value, double *b)
-{
-    const struct banded *band = part->state;
-    for (int k = 0; k < band->tiles; k++) {
-        const double *tile = value + band->start[k];
-        double *x = b + k * TILE;
-        tile_forward(tile, band->inverse + k * TILE, x);
-        tile_subtract(band->last[k] - k, tile + TILE_SIZE, x, x + TILE);
-    }
-    for (int k = band->tiles - 1; k >= 0; k--) {
-        const double *tile = value + band->start[k];
-        double *x = b + k * TILE;
-        tile_subtract_transposed(band->last[k] - k, tile + TILE_SIZE, x + TILE, x);
-        tile_backward(tile, band->inverse + k * TILE, x);
-    }
-    return STATUS_OK;
-}
+#define REAL       double
+#define NAME(name) name
+#include "models/linalg/factor_banded_kernel.h"
+#undef REAL
+#undef NAME
+#define REAL       float
+#define NAME(name) name##_single
+#include "models/linalg/factor_banded_kernel.h"
+#undef REAL
+#undef NAME
 
 static enum status prepare_three(struct factor_part *part, const double *value)
 {
@@ -225,4 +172,5 @@ static void destroy(struct factor_part *part)
 }
 
 const struct factor_method factor_banded = {
-    "banded", create, slot, refactor, solve, prepare_three, solve_three, describe, destroy};
+    "banded",    create,          slot,         refactor, solve,  prepare_three,
+    solve_three, refactor_single, solve_single, describe, destroy};

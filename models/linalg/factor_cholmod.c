@@ -175,6 +175,6 @@ static void destroy(struct factor_part *part)
     part->state = NULL;
 }
 
-const struct factor_method factor_cholmod = {"cholmod",   create,   slot,
-                                             refactor,    solve,    prepare_three,
-                                             solve_three, describe, destroy};
+const struct factor_method factor_cholmod = {
+    "cholmod",   create, slot, refactor, solve,  prepare_three,
+    solve_three, NULL,   NULL, describe, destroy};

@@ -34,6 +34,10 @@ struct factor_method {
     enum status (*prepare_three)(struct factor_part *part, const double *value);
     enum status (*solve_three)(struct factor_part *part, const double *value, double *b);
 
+    /* refactor and solve in single precision; NULL: cannot. */
+    enum status (*refactor_single)(struct factor_part *part, float *value);
+    enum status (*solve_single)(struct factor_part *part, const float *value, float *b);
+
     /* Adds to *info. */
     void (*describe)(const struct factor_part *part, struct factor_info *info);
 
@@ -51,6 +55,9 @@ struct factor_part {
 /* Room for count numbers: zeros, aligned to cache lines, on huge pages where that pays.
  * Owned by the caller, freed with free; NULL if there is none. */
 double *factor_numbers(ptrdiff_t count);
+
+/* The numbers rounded to floats, in place: the first half of their room. */
+float *factor_numbers_narrow(ptrdiff_t count, double *x);
 
 extern const struct factor_method factor_banded;
 extern const struct factor_method factor_supernodal;

@@ -43,9 +43,9 @@ struct supernodal {
     ptrdiff_t arena_size;
     double *inverse; /* [rows padded, node by node at inverse_start]                   */
     ptrdiff_t *inverse_start; /* [count]                                               */
-    double **column; /* [most tiles of a front]                                        */
-    double *x;       /* [most tiles * BLOCK]                                           */
-    double *pair;    /* inverse diagonal tiles, TILE_PAIR each; NULL until needed      */
+    void **column; /* [most tiles of a front]                                        */
+    double *x;     /* [most tiles * BLOCK]                                           */
+    double *pair;  /* inverse diagonal tiles, TILE_PAIR each; NULL until needed      */
     ptrdiff_t inverse_end; /* numbers in inverse                                       */
     double flops;
     int most_tiles;
@@ -280,69 +280,16 @@ static ptrdiff_t slot(const struct factor_part *part, int i, int j)
     return tile_start(node, row / TILE, column / TILE) + column % TILE * TILE + row % TILE;
 }
 
-static void open_front(const struct supernodal *s, int k, double *value,
-                       struct front *front)
-{
-    const struct supernode *node = &s->node[k];
-    double *update = s->arena + node->update;
-    front->pivots = node->pivots;
-    front->tiles = node->tiles;
-    front->column = s->column;
-    front->inverse = s->inverse + s->inverse_start[k];
-    for (int j = 0; j < node->pivots; j++)
-        front->column[j] = value + tile_start(node, j, j) - (ptrdiff_t)j * TILE_SIZE;
-    for (int j = node->pivots; j < node->tiles; j++) {
-        front->column[j] = update - (ptrdiff_t)j * TILE_SIZE;
-        update += (ptrdiff_t)(node->tiles - j) * TILE_SIZE;
-    }
-    memset(s->arena + node->update, 0, node->update_size * sizeof *s->arena);
-    for (int i = node->count; i < node->pivots * TILE; i++)
-        value[tile_start(node, i / TILE, i / TILE) + i % TILE * (TILE + 1)] = 1.0;
-}
-
-static enum status refactor(struct factor_part *part, double *value)
-{
-    const struct supernodal *s = part->state;
-    for (int k = 0; k < s->count; k++) {
-        struct front front;
-        open_front(s, k, value, &front);
-        for (int c = s->node[k].first_child; c >= 0; c = s->node[c].next)
-            front_add(&front, s->arena + s->node[c].update, s->node[c].below,
-                      s->node[c].place);
-        if (!front_factor(&front))
-            return STATUS_INDEFINITE;
-    }
-    return STATUS_OK;
-}
-
-static enum status solve(struct factor_part *part, const double *value, double *b)
-{
-    const struct supernodal *s = part->state;
-    double *x = s->x;
-    for (int k = 0; k < s->count; k++) {
-        const struct supernode *node = &s->node[k];
-        double *rest = x + node->pivots * TILE;
-        memset(x, 0, (size_t)node->tiles * TILE * sizeof *x);
-        memcpy(x, b + node->first, node->count * sizeof *x);
-        front_forward(node->pivots, node->tiles, value + node->lower,
-                      s->inverse + s->inverse_start[k], x);
-        memcpy(b + node->first, x, node->count * sizeof *x);
-        for (int i = 0; i < node->below; i++)
-            b[node->row[i]] += rest[i];
-    }
-    for (int k = s->count - 1; k >= 0; k--) {
-        const struct supernode *node = &s->node[k];
-        double *rest = x + node->pivots * TILE;
-        memset(x, 0, (size_t)node->tiles * TILE * sizeof *x);
-        memcpy(x, b + node->first, node->count * sizeof *x);
-        for (int i = 0; i < node->below; i++)
-            rest[i] = b[node->row[i]];
-        front_backward(node->pivots, node->tiles, value + node->lower,
-                       s->inverse + s->inverse_start[k], x);
-        memcpy(b + node->first, x, node->count * sizeof *x);
-    }
-    return STATUS_OK;
-}
+#define REAL       double
+#define NAME(name) name
+#include "models/linalg/factor_supernodal_kernel.h"
+#undef REAL
+#undef NAME
+#define REAL       float
+#define NAME(name) name##_single
+#include "models/linalg/factor_supernodal_kernel.h"
+#undef REAL
+#undef NAME
 
 static enum status prepare_three(struct factor_part *part, const double *value)
 {
@@ -428,6 +375,6 @@ static void destroy(struct factor_part *part)
     part->state = NULL;
 }
 
-const struct factor_method factor_supernodal = {"supernodal", create,   slot,
-                                                refactor,     solve,    prepare_three,
-                                                solve_three,  describe, destroy};
+const struct factor_method factor_supernodal = {
+    "supernodal", create,          slot,         refactor, solve,  prepare_three,
+    solve_three,  refactor_single, solve_single, describe, destroy};

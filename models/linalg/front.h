@@ -12,8 +12,8 @@
 
 struct front {
     int pivots, tiles;
-    double **column; /* [tiles]                                                        */
-    double *inverse; /* [pivots * 8] reciprocals of the diagonal of L, written         */
+    void **column; /* [tiles] to doubles, or floats                                    */
+    void *inverse; /* [pivots * 8] reciprocals of the diagonal of L, written           */
 };
 
 /* False if not positive definite or not finite. */
@@ -32,6 +32,15 @@ void front_forward(int pivots, int tiles, const double *l, const double *inverse
                    double *x);
 void front_backward(int pivots, int tiles, const double *l, const double *inverse,
                     double *x);
+
+/* The same in single precision; x is 32-byte aligned. */
+bool front_factor_single(const struct front *front);
+void front_add_single(const struct front *front, const float *update, int rows,
+                      const int *place);
+void front_forward_single(int pivots, int tiles, const float *l, const float *inverse,
+                          float *x);
+void front_backward_single(int pivots, int tiles, const float *l, const float *inverse,
+                           float *x);
 
 /* The same for three sides: x in blocks (tile_three.h), pair: inverse diagonal tiles of the
  * pivots, TILE_PAIR each. */

@@ -17,8 +17,10 @@ static double longest(int n, const double *a)
 {
     double most = 0;
 
-    for (int t = 0; t + 2 < n; t += 3)
-        most = fmax(most, a[t] * a[t] + a[t + 1] * a[t + 1] + a[t + 2] * a[t + 2]);
+    for (int t = 0; t + 2 < n; t += 3) {
+        double far = a[t] * a[t] + a[t + 1] * a[t + 1] + a[t + 2] * a[t + 2];
+        most = far > most ? far : most;
+    }
     return sqrt(most);
 }
 

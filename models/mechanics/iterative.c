@@ -15,6 +15,12 @@ static const double TOLERANCE = 1e-10;
  * no factor, of each unknown. */
 enum { MOST_FRESH = 30, MOST_AN_UNKNOWN = 10, MOST_ANYWAY = 100 };
 
+/* The first for a factor in single precision: those beyond cost more than it saves; and the
+ * least that it solves its own A to, as one in double does in one product: 1e-2 of a large
+ * movement leads Newton astray (a strip 1000 : 1 took 135 steps for 88, now 93). */
+enum { MOST_SINGLE = 8 };
+static const double SINGLE_TOLERANCE = 1e-4;
+
 /* Solutions that are extrapolated. */
 enum { PAST = 3 };
 
@@ -30,7 +36,7 @@ struct iterative {
     double *packed;     /* [free] of ichol                                             */
     struct ichol *ichol;
     long *entry; /* [pairs][9] of ichol's values, -1: none                             */
-    bool factored, fresh;
+    bool factored, fresh, single;
     double tolerance, near; /* of systems in a row                                     */
 
     void (*frames)(const void *body, double (*Q)[9]);
@@ -138,42 +144,13 @@ static void multiply(void *self, const double *x, double *y)
     blocks_multiply(it->owner.graph, (const double(*)[9])it->A, x, y);
 }
 
-/* The inverse of a symmetric block by elimination, zero where held; false if it is not
- * positive definite. */
-static bool invert(const double A[9], const int place[3], double out[9])
-{
-    double l[3][6];
-
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            bool held = place[i] < 0;
-            l[i][j] = held ? i == j : A[3 * i + j];
-            l[i][3 + j] = !held && i == j;
-        }
-    for (int k = 0; k < 3; k++) {
-        double pivot = l[k][k];
-        if (!(pivot > 0 && pivot < INFINITY))
-            return false;
-        for (int j = 0; j < 6; j++)
-            l[k][j] /= pivot;
-        for (int i = 0; i < 3; i++) {
-            double part = l[i][k];
-            for (int j = 0; i != k && j < 6; j++)
-                l[i][j] -= part * l[k][j];
-        }
-    }
-    for (int t = 0; t < 9; t++)
-        out[t] = l[t / 3][3 + t % 3];
-    return true;
-}
-
 static enum status make_blocks(struct iterative *it)
 {
     const struct blocks *g = it->owner.graph;
 
     for (int a = 0; a < g->nodes; a++)
-        if (!invert(it->A[g->start[a]], it->owner.held->free_index + 3 * (size_t)a,
-                    it->block[a]))
+        if (!blocks_invert(it->A[g->start[a]], it->owner.held->free_index + 3 * (size_t)a,
+                           it->block[a]))
             return STATUS_INDEFINITE;
     return STATUS_OK;
 }
@@ -189,13 +166,25 @@ static enum status make_ichol(struct iterative *it)
     return ichol_refactor(it->ichol);
 }
 
+static void set_single(struct iterative *it, bool single)
+{
+    it->single = single;
+    it->factored = it->fresh = false;
+    it->owner.single(it->owner.self, single);
+}
+
 static enum status make_factor(struct iterative *it)
 {
     enum status st;
 
     it->factored = it->fresh = false;
     it->factorisations++;
-    TRY(it->owner.factor(it->owner.self, (const double(*)[9])it->A));
+    st = it->owner.factor(it->owner.self, (const double(*)[9])it->A);
+    if (st == STATUS_INDEFINITE && it->single) {
+        set_single(it, false);
+        return make_factor(it);
+    }
+    TRY(st);
     it->factored = it->fresh = true;
     it->age = 0, it->spent = it->owner.patience, it->spent_more = false;
     if (it->frames)
@@ -289,8 +278,13 @@ out:
 
 void iterative_tolerate(struct iterative *it, double tolerance, double near)
 {
-    it->tolerance = tolerance;
-    it->near = near;
+    it->tolerance = it->krylov.tolerance = tolerance;
+    it->near = it->krylov.near = near;
+}
+
+void iterative_single(struct iterative *it)
+{
+    set_single(it, true);
 }
 
 void iterative_forget(struct iterative *it)
@@ -394,6 +388,26 @@ static enum status iterate(struct iterative *it, int most, double *x, bool *done
                                    : krylov_gmres(k, it->b, x, done);
 }
 
+/* With a factor of this very A. */
+static enum status iterate_fresh(struct iterative *it, double *x, bool *done)
+{
+    enum status st = STATUS_OK;
+
+    if (it->single) {
+        double tolerance = it->krylov.tolerance, near = it->krylov.near;
+        it->krylov.tolerance = fmin(tolerance, SINGLE_TOLERANCE), it->krylov.near = 0;
+        st = iterate(it, MOST_SINGLE, x, done);
+        it->krylov.tolerance = tolerance, it->krylov.near = near;
+        if (*done || (st != STATUS_OK && st != STATUS_INDEFINITE))
+            return st;
+        set_single(it, false);
+        TRY(make_factor(it));
+    }
+    st = iterate(it, MOST_FRESH, x, done);
+out:
+    return st;
+}
+
 enum status iterative_solve(struct iterative *it, double *x)
 {
     enum status st = STATUS_OK;
@@ -415,7 +429,7 @@ enum status iterative_solve(struct iterative *it, double *x)
                 memset(x, 0, count_of(it) * sizeof *x);
             if (!it->fresh)
                 TRY(make_factor(it));
-            TRY(iterate(it, MOST_FRESH, x, &done));
+            TRY(iterate_fresh(it, x, &done));
         }
     }
     st = done ? STATUS_OK : STATUS_UNSOLVED;

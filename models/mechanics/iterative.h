@@ -25,6 +25,7 @@ struct iterative_owner {
     /* Factors A (in iterative_matrix's form); solves with that factor in place. */
     enum status (*factor)(void *self, const double (*A)[9]);
     enum status (*solve)(void *self, double *x);
+    void (*single)(void *self, bool single); /* factors from now on (factor_single)    */
     int patience; /* iterations that cost as much as a factorisation                   */
 };
 
@@ -51,8 +52,12 @@ enum status iterative_follow(struct iterative *it,
 
 /* Of each solution of a system that may keep an earlier factor: relative, in the norm that
  * the preconditioner gives, or `near`, by conjugate gradients, no node farther off; 1e-10
- * and 0 unless set, and of a system that stands alone. Before iterative_update. */
+ * and 0 unless set, and of a system that stands alone, from its iterative_update on. */
 void iterative_tolerate(struct iterative *it, double tolerance, double near);
+
+/* Factors are in single precision while that does: until one cannot be made so, or takes
+ * more than a few iterations on its own A. */
+void iterative_single(struct iterative *it);
 
 /* The factor is of something else: the next iterative_update makes another. */
 void iterative_forget(struct iterative *it);

@@ -45,12 +45,14 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
 enum status system_update(struct system *s, double k, const double (*K)[9], double m,
                           const double *M);
 
-/* Where systems are iterated, iterative_follow, _tolerate and _forget; nothing else. */
+/* Where systems are iterated, iterative_follow, _tolerate, _forget and, with a factor,
+ * unless it is small, _single; nothing else. */
 enum status system_follow(struct system *s,
                           void (*frames)(const void *body, double (*Q)[9]),
                           const void *body, bool guess);
 void system_tolerate(struct system *s, double tolerance, double near);
 void system_forget(struct system *s);
+void system_single(struct system *s);
 
 /* Adds to *counters the factorisations of system_update and system_solve, and a solve for
  * each product with the preconditioner but the first of each system_solve, which its caller

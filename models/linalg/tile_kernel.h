@@ -1,0 +1,185 @@
+/* tile_kernel.h - tile.h's arithmetic for one kind of REAL: included once for each, with
+ * NAME(x) giving its names and NAME(TILE_LANES) numbers in a register. */
+
+enum { NAME(TILE_WORDS) = TILE / NAME(TILE_LANES) };
+
+typedef REAL NAME(tile_word)
+    __attribute__((vector_size(NAME(TILE_LANES) * sizeof(REAL)), may_alias));
+
+/* Tiles in registers: word w of column j of tile r. */
+typedef NAME(tile_word) NAME(tile_registers)[TILE_PASS_MAX][TILE][NAME(TILE_WORDS)];
+
+/* Tiles (row + r, k) lie at column[k] + (row + r) TILE_SIZE:
+ * c[r] -= sum over k = from .. to - 1 of tile (row + r, k) tile (other, k)^T,
+ * for `count` tiles r one under the other from `first` on (constants). */
+TILE_INLINE void NAME(tile_update)(int first, int count, NAME(tile_registers) c,
+                                   REAL *const *column, ptrdiff_t row, ptrdiff_t other,
+                                   int from, int to)
+{
+    TILE_UNROLL
+    for (int strip = 0; strip < TILE; strip += NAME(TILE_LANES))
+        for (int k = from; k < to; k++) {
+            const REAL *a = column[k] + row * TILE_SIZE;
+            const REAL *b = column[k] + other * TILE_SIZE;
+            TILE_UNROLL
+            for (int l = 0; l < TILE; l++)
+                TILE_UNROLL
+            for (int r = first; r < first + count; r++)
+                TILE_UNROLL
+            for (int w = 0; w < NAME(TILE_WORDS); w++) {
+                const NAME(tile_word) left =
+                    ((const NAME(tile_word) *)(a + r * TILE_SIZE + l * TILE))[w];
+                TILE_UNROLL
+                for (int j = strip; j < strip + NAME(TILE_LANES); j++)
+                    c[r][j][w] -= left * b[l * TILE + j];
+            }
+        }
+}
+
+/* c[r] = c[r] l^-T: l lower triangular, `inverse` the reciprocals of its diagonal. */
+TILE_INLINE void NAME(tile_divide)(int count, NAME(tile_registers) c, const REAL *l,
+                                   const REAL *inverse)
+{
+    TILE_UNROLL
+    for (int r = 0; r < count; r++)
+        TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        TILE_UNROLL
+    for (int w = 0; w < NAME(TILE_WORDS); w++) {
+        c[r][j][w] *= inverse[j];
+        TILE_UNROLL
+        for (int i = j + 1; i < TILE; i++)
+            c[r][i][w] -= c[r][j][w] * l[j * TILE + i];
+    }
+}
+
+TILE_INLINE void NAME(tile_load)(int count, const REAL *from, NAME(tile_registers) c)
+{
+    TILE_UNROLL
+    for (int r = 0; r < count; r++)
+        TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        TILE_UNROLL
+    for (int w = 0; w < NAME(TILE_WORDS); w++)
+        c[r][j][w] = ((const NAME(tile_word) *)(from + r * TILE_SIZE + j * TILE))[w];
+}
+
+TILE_INLINE void NAME(tile_store)(int count, NAME(tile_registers) c, REAL *to)
+{
+    TILE_UNROLL
+    for (int r = 0; r < count; r++)
+        TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        TILE_UNROLL
+    for (int w = 0; w < NAME(TILE_WORDS); w++)
+        ((NAME(tile_word) *)(to + r * TILE_SIZE + j * TILE))[w] = c[r][j][w];
+}
+
+/* y -= a x on one column. */
+TILE_INLINE void NAME(tile_column)(const REAL *a, REAL x, REAL *y)
+{
+    TILE_UNROLL
+    for (int w = 0; w < NAME(TILE_WORDS); w++)
+        ((NAME(tile_word) *)y)[w] -= ((const NAME(tile_word) *)a)[w] * x;
+}
+
+/* Cholesky of one tile in place: lower triangle read, L written over it, zeros above.
+ * inverse[TILE]: reciprocals of the diagonal. False if not positive definite or not finite.
+ */
+TILE_INLINE bool NAME(tile_cholesky)(REAL *a, REAL *inverse)
+{
+    for (int j = 0; j < TILE; j++) {
+        REAL pivot = a[j * TILE + j];
+        if (!(pivot > 0 && pivot < (REAL)INFINITY))
+            return false;
+        REAL root = (REAL)sqrt(pivot);
+        inverse[j] = 1 / root;
+        for (int i = 0; i < TILE; i++)
+            a[j * TILE + i] = i < j ? 0 : a[j * TILE + i] * inverse[j];
+        a[j * TILE + j] = root;
+        for (int k = j + 1; k < TILE; k++)
+            NAME(tile_column)(a + j * TILE, a[j * TILE + k], a + k * TILE);
+    }
+    return true;
+}
+
+/* x = l^-1 x on one tile: number by number, where the chain of operations is shortest. */
+TILE_INLINE void NAME(tile_forward)(const REAL *l, const REAL *inverse, REAL *x)
+{
+    REAL value[TILE];
+    TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        value[j] = x[j];
+    TILE_UNROLL
+    for (int j = 0; j < TILE; j++) {
+        value[j] *= inverse[j];
+        TILE_UNROLL
+        for (int i = j + 1; i < TILE; i++)
+            value[i] -= l[j * TILE + i] * value[j];
+    }
+    TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        x[j] = value[j];
+}
+
+/* x = l^-T x on one tile. */
+TILE_INLINE void NAME(tile_backward)(const REAL *l, const REAL *inverse, REAL *x)
+{
+    REAL value[TILE];
+    TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        value[j] = x[j];
+    TILE_UNROLL
+    for (int j = TILE - 1; j >= 0; j--) {
+        value[j] *= inverse[j];
+        TILE_UNROLL
+        for (int i = 0; i < j; i++)
+            value[i] -= l[i * TILE + j] * value[j];
+    }
+    TILE_UNROLL
+    for (int j = 0; j < TILE; j++)
+        x[j] = value[j];
+}
+
+/* y -= a x for `count` tiles one under the other; y[count * TILE]. */
+TILE_INLINE void NAME(tile_subtract)(ptrdiff_t count, const REAL *a, const REAL *x, REAL *y)
+{
+    for (ptrdiff_t t = 0; t < count; t++)
+        TILE_UNROLL
+    for (int w = 0; w < NAME(TILE_WORDS); w++) {
+        const NAME(tile_word) *left = (const NAME(tile_word) *)(a + t * TILE_SIZE) + w;
+        NAME(tile_word) *sum = (NAME(tile_word) *)(y + t * TILE) + w;
+        NAME(tile_word) even = *sum, odd = {0};
+        TILE_UNROLL
+        for (int j = 0; j < TILE; j += 2) {
+            even -= left[j * NAME(TILE_WORDS)] * x[j];
+            odd -= left[(j + 1) * NAME(TILE_WORDS)] * x[j + 1];
+        }
+        *sum = even + odd;
+    }
+}
+
+/* x -= a^T y for `count` tiles one under the other. */
+TILE_INLINE void NAME(tile_subtract_transposed)(ptrdiff_t count, const REAL *a,
+                                                const REAL *y, REAL *x)
+{
+    NAME(tile_word) sum[TILE] = {{0}};
+    for (ptrdiff_t t = 0; t < count; t++)
+        TILE_UNROLL
+    for (int w = 0; w < NAME(TILE_WORDS); w++) {
+        const NAME(tile_word) right = ((const NAME(tile_word) *)(y + t * TILE))[w];
+        TILE_UNROLL
+        for (int j = 0; j < TILE; j++)
+            sum[j] += ((const NAME(tile_word) *)(a + t * TILE_SIZE + j * TILE))[w] * right;
+    }
+    for (int j = 0; j < TILE; j++) { /* lanes pairwise */
+        union {
+            NAME(tile_word) word;
+            REAL lane[NAME(TILE_LANES)];
+        } total = {.word = sum[j]};
+        for (int half = NAME(TILE_LANES) / 2; half > 0; half /= 2)
+            for (int i = 0; i < half; i++)
+                total.lane[i] += total.lane[i + half];
+        x[j] -= total.lane[0];
+    }
+}

@@ -20,6 +20,8 @@ import baselines  # noqa: E402
 import scene as export  # noqa: E402
 
 UNTIL = {"edge_drop": 0.5}  # s; elsewhere as far as the truth is known
+WIDTH = {"strip_swing": 0.2}  # of the length: nets have square cells, as the springs' rule needs
+FEWEST = 5                  # points across
 PATIENCE = 1800             # s of patience with a run
 
 
@@ -98,6 +100,12 @@ def cases(name, wanted="-"):
         seen.add((cells[1], net, cells[3]))
 
 
+def net_of(scene, net):
+    across, along = WIDTH.get(scene, 1), net.split(",")
+    return net if across == 1 else ",".join(
+        [along[0], str(max(FEWEST, round((int(along[1]) - 1) * across) + 1))])
+
+
 def export_scene(program, scene, net, folder):
     run = subprocess.run([program, "export", scene, "--points", net, "--out", str(folder)],
                          capture_output=True, text=True)
@@ -109,30 +117,32 @@ def run_case(program, place, case, scenes):
     """One case on several scenes: told[scene] or why not; frames are left in a folder, scored as
     one sheet."""
     name, title, net, settings, _ = case
-    about = {"simulator": title, "net": net.replace(",", "x"), "step": settings[0][5:],
+    nets = {scene: net_of(scene, net) for scene in scenes}
+    about = {"simulator": title, "step": settings[0][5:],
              "date": f"{datetime.datetime.now(datetime.timezone.utc):%F}"}
     with tempfile.TemporaryDirectory(dir=place) as work:
         work = pathlib.Path(work)
         frames, told = work / "frames", {}
         frames.mkdir()
         for scene in scenes:
-            print(f"{name:<10} {title}, {scene}, {about['net']}, step {about['step']} s",
+            print(f"{name:<10} {title}, {scene}, {nets[scene]}, step {about['step']} s",
                   file=sys.stderr, flush=True)
             words = settings + ([f"until={UNTIL[scene]}"] if scene in UNTIL else [])
             try:
-                export_scene(program, scene, net, work / scene)
+                export_scene(program, scene, nets[scene], work / scene)
                 if (place / name).exists():
                     told[scene] = drive(place, name, work / scene, frames / f"{scene}.csv", words)
                 else:
                     told[scene] = contest(program, name, work / scene, frames / f"{scene}.h5",
-                                          net, words)
+                                          nets[scene], words)
             except export.Refused as e:
                 told[scene] = {"version": "unknown", "refused": str(e)}
         run = subprocess.run([program, "score", str(frames), "--format", "json"],
                              capture_output=True, text=True)
         sheets = {sheet["scene"]: sheet for sheet in map(json.loads, run.stdout.splitlines())}
     for scene in scenes:
-        yield from baselines.case_rows({**about, "scene": scene}, told[scene], sheets.get(scene))
+        columns = {**about, "scene": scene, "net": nets[scene].replace(",", "x")}
+        yield from baselines.case_rows(columns, told[scene], sheets.get(scene))
 
 
 def main(words):

@@ -4,7 +4,8 @@ Hilber, Hughes and Taylor with its default alpha, -0.05. E, nu, rho and h are it
 An element covers two by two cells of the exported net, whose counts of cells are to be even. The
 vertex in its middle is no node of S8R: it is where the element's own shape functions have it.
 Rotations are held where the export has a vertex outside the sheet beside, which is not used, and in
-patches. Mass damping is Rayleigh's alpha; it has no ball. A scene whose truth is a shape at rest is solved for at rest, without time.
+patches. Mass damping is Rayleigh's alpha. A scene whose truth is a shape at rest is solved for at
+rest, without time. There is no ball: refused.
 S4 and S8 lock here, S4R runs away by hourglassing.
 """
 import os

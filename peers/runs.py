@@ -68,10 +68,10 @@ def drive(place, name, folder, out, settings):
 def contest(program, name, folder, out, net, settings):
     """The same of one of the program's contestants; its seconds are set-up and so many frames."""
     words = dict(word.split("=") for word in settings)
-    until = [f"--set=time.end={words['until']}"] if "until" in words else []
+    end = words.get("until") or export.Scene(folder).times[-1]
     run = started([program, "run", f"{folder}/scene.yaml", "--model", name, "--set",
                    f"discretization.points=[{net}]", "--set", f"time.step={words['step']}",
-                   *until, "--out", str(out)])
+                   "--set", f"time.end={end}", "--out", str(out)])
     version = subprocess.run([program, "--version"], capture_output=True, text=True).stdout
     told = {"version": re.search(r"^program +\S+ +(\S+)", version, re.M)[1] + " " +
             re.search(r"^commit +(\w{7})", version, re.M)[1]}

@@ -38,7 +38,8 @@ class Scene:
         text = (self.folder / "scene.yaml").read_text()
         self.gravity = json.loads(re.search(r"^gravity: (.*)$", text, re.M)[1])
         kind, value = re.search(r"^damping: {kind: (\w+)(?:, value: (.*))?}", text, re.M).groups()
-        self.drag_kind, self.damping = kind, float(value or 0)  # 1/s
+        self.damping = float(value or 0)  # 1/s
+        self.drag = kind not in ("none", "mass") or re.search(r"^drag:", text, re.M)
         self.at_rest = "truth is the shape at rest" in (self.folder / "README.md").read_text()
         obstacles = self.folder / "obstacles.csv"
         self.obstacles = rows(obstacles) if obstacles.exists() else []
@@ -120,8 +121,8 @@ def refuse(scene):
             raise Refused(f"the drivers hand no {file} over")
     if [r["kind"] for r in scene.obstacles] not in ([], ["sphere"]):
         raise Refused("the drivers hand one ball over and no other obstacle: no truth has one")
-    if scene.drag_kind not in ("none", "mass"):
-        raise Refused(f"the drivers hand mass damping over, not {scene.drag_kind}")
+    if scene.drag:
+        raise Refused("the drivers hand mass damping over, no other drag")
     if any(fix != "xyz" for fix in scene.held_in):
         raise Refused("the drivers hold whole vertices only")
 

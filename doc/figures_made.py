@@ -348,25 +348,78 @@ def said(diagnosis):
     return "; ".join(s[0].lower() + s[1:] for s in short)
 
 
-def peers():
-    """A row a case on edge_drop; what it does in free_fall stands in its last columns."""
+def by_case(rows):
     cases = {}
-    for r in tables(TOP / "peers" / "baselines.csv")[-1][1]:
-        case = r["simulator"], r["version"], r["net"], r["step"]
-        cases.setdefault(case, {}).setdefault(r["scene"], []).append(r)
-    judged = next(iter(cases.values()))["edge_drop"]
+    for r in rows:
+        cases.setdefault((r["simulator"], r["net"], r["step"]), []).append(r)
+    return cases
+
+
+def scenes_of(rows):
+    """{scene: rows}"""
+    scenes = {}
+    for r in rows:
+        scenes.setdefault(r["scene"], []).append(r)
+    return scenes
+
+
+def baseline_rows():
+    return tables(TOP / "peers" / "baselines.csv")[-1][1]
+
+
+def reached(rows):
+    """The error at the last time, in per cent; bold where `score` has nothing to say against it."""
+    last = rows[-1]
+    if not last["error"]:
+        return f"died, {float(last['time']):.2g} s" if last["time"] else "refused"
+    said_sound = re.search(r"^Nothing |^Is at its net|\. Nothing ", last["diagnosis"])
+    return f"**{part_of(last['error'])}**" if said_sound else part_of(last["error"])
+
+
+def peers():
+    """A row a simulator, a column a scene."""
+    scenes = scenes_of(baseline_rows())
+    columns = {name: by_case(rows) for name, rows in scenes.items()}
+    titles = list(dict.fromkeys((r["simulator"], r["step"]) for r in scenes["hanging"]))
+    judged = {name: next(r for r in reversed(rows) if r["bar"]) for name, rows in scenes.items()}
+    rows = [["truth: its error bar"] + [part_of(r["bar"]) for r in judged.values()]]
+    for title, step in titles:
+        cells = [[reached(of) for (t, _, s), of in found.items() if (t, s) == (title, step)]
+                 for found in columns.values()]
+        rows.append([title] + [cell[-1] if cell else "" for cell in cells])
+    return markdown([""] + [f"`{name}`, {float(r['time']):g} s" for name, r in judged.items()],
+                    rows)
+
+
+def peers_drop():
+    """A row a case on edge_drop."""
+    cases = by_case(scenes_of(baseline_rows())["edge_drop"])
+    judged = next(iter(cases.values()))
     rows = [["truth: its error bar", "", "", "", " ".join(part_of(r["bar"]) for r in judged),
-             "", "", ""]]
-    for (simulator, version, net, step), scenes in cases.items():
-        drop, fall = scenes["edge_drop"], scenes["free_fall"]
+             "", ""]]
+    for (simulator, net, step), drop in cases.items():
         errors = " ".join(part_of(r["error"]) for r in drop) if drop[0]["error"] else "failed"
-        rows.append([simulator, version, net, f"{1000 * float(step):g} ms", errors,
-                     part_of(fall[-1]["error"]) if fall[0]["error"] else "failed",
+        rows.append([simulator, drop[0]["version"], net, f"{1000 * float(step):g} ms", errors,
                      digits(drop[0]["seconds"], 2) if drop[0]["seconds"] else "-",
                      said(drop[-1]["diagnosis"])])
     return markdown(["", "version", "points", "step",
-                     "error at 0.1, 0.2, ... 0.5 s, % of the length",
-                     "free fall, at 0.5 s", "seconds", "`score` says"], rows)
+                     "error at 0.1, 0.2, ... 0.5 s, % of the length", "seconds", "`score` says"],
+                    rows)
+
+
+def peers_said():
+    """What was found on the other scenes, of other people's simulators; refusals but once."""
+    found = {}
+    for scene, of in scenes_of(baseline_rows()).items():
+        for (simulator, _, _), case in by_case(of).items():
+            words, judged = case[-1]["diagnosis"], case[-1]["error"]
+            ours = simulator.startswith("clothbench") or scene in ("edge_drop", "free_fall")
+            if not ours and not (judged and re.match("Nothing |Is at its net|No flaw", words)):
+                key = simulator, said(words) if judged else words.rstrip(".")
+                found.setdefault(key, []).append(f"`{scene}`")
+    return markdown(["", "", "`score`, or the driver, says"],
+                    [[simulator, ", ".join(where), words]
+                     for (simulator, words), where in sorted(found.items())])
 
 
 def part_of(error):
@@ -518,7 +571,8 @@ def timestep_words():
 BLOCKS = {"table1": table1, "table23": table23, "table4": table4, "verify": verify,
           "compare": compare, "compare_models": compare_models, "compare_scenes": compare_scenes,
           "truths": truths, "stress": stress, "stress_map": stress_map,
-          "mesh": mesh, "cures": cures, "peers": peers}
+          "mesh": mesh, "cures": cures, "peers": peers, "peers_drop": peers_drop,
+          "peers_said": peers_said}
 WORDS = {
     paper_words: ["paper_rmse", "paper_iga_s", "paper_fem_s", "paper_ratio"],
     table23_words: ["growth_paper", "growth_paper_3", "growth", "growth_assembly",

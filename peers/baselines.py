@@ -1,35 +1,48 @@
 #!/usr/bin/env python3
-"""Rows of peers/baselines.csv: writes those of a run, or reads the file and says what is wrong.
+"""Rows of peers/baselines.csv: those of a run (runs.py), and the file that is kept.
 
-    baselines.py rows KEY=VALUE... score.json     # what `score --format json` printed
-    baselines.py rows KEY=VALUE... --failed WORDS # it did not get that far
     baselines.py check FILE
+    baselines.py head               # the columns
+    baselines.py merge FILE ROWS    # what was run takes the place of what the file had of it
 """
 import csv
-import json
 import math
-import pathlib
 import sys
 
 # error, bar and floor are rms over the sheet as fractions of its length; time, step and seconds
-# in s. A run that failed has one row without numbers, and its sentence as diagnosis.
+# in s. A run that died has a last row without an error, with the time of its death; one that was
+# refused has that row only, without a time. Both have their sentence as diagnosis.
 COLUMNS = ["simulator", "version", "scene", "net", "step", "time", "error", "bar", "floor",
            "seconds", "diagnosis", "date"]
+HEAD = ",".join(COLUMNS)
 UNEXPLAINED = "No flaw that is known here explains the difference."
 JUDGED = ["time", "error", "bar", "floor"]
 
 
 def score_rows(about, score):
-    """about: the other columns. The diagnosis stands at the last time, which it is about."""
+    """The diagnosis stands at the last time, which it is about."""
     said = " ".join(d["text"] for d in score["diagnosis"]) or UNEXPLAINED
-    about = {**about, "seconds": f"{float(about['seconds']):.4g}"}
     for k, judged in enumerate(score["rows"]):
         last = k == len(score["rows"]) - 1
         yield {**about, **{c: f"{judged[c]:.6g}" for c in JUDGED}, "diagnosis": said * last}
 
 
-def failed_rows(about, words):
-    yield {**about, **dict.fromkeys(JUDGED, ""), "seconds": "", "diagnosis": " ".join(words.split())}
+def case_rows(about, told, score):
+    """about: columns that all rows have; told: what a driver said, with "died" [s] and "why", or
+    "refused"; score: an object of `score --format json`, or None where there are no frames."""
+    about = {**about, "version": told["version"]}
+    refused = told.get("refused") or (score or {}).get("refused")
+    none = {**about, **dict.fromkeys([*JUDGED, "seconds"], "")}
+    if refused:
+        yield {**none, "diagnosis": " ".join(refused.split())}
+        return
+    about["seconds"] = f"{told['seconds']:.4g}"
+    if score:
+        yield from score_rows(about, score)
+    if "died" in told:
+        why = told.get("why", "vertices are not finite, or further off than any fall takes them")
+        yield {**none, "time": f"{told['died']:.6g}", "diagnosis": f"Died at {told['died']:.3g} s: "
+               f"{' '.join(why.split())}."}
 
 
 def write(rows, file):
@@ -60,7 +73,7 @@ def fault(row):
     empty = [c for c in ("simulator", "version", "scene", "net", "step", "date") if not row[c]]
     if empty:
         return f"{empty[0]} is empty"
-    if not any(row[c] for c in JUDGED):
+    if not row["error"]:
         return "" if row["diagnosis"] else "neither judged nor a sentence why not"
     for c in JUDGED + ["step", "seconds"]:
         try:
@@ -72,23 +85,39 @@ def fault(row):
     return ""
 
 
+def case_of(row):
+    return row["simulator"], row["net"], row["step"], row["scene"]
+
+
+def merged(kept, made):
+    """Rows of both, made ones in place of kept ones of the same case and scene; new cases at the
+    end, new scenes after the others of their case."""
+    new = {case_of(r) for r in made}
+    groups = {}
+    for row in [r for r in kept if case_of(r) not in new] + made:
+        groups.setdefault(case_of(row), []).append(row)
+    order = list(dict.fromkeys(case_of(r) for r in kept + made))
+    cases = list(dict.fromkeys(case[:3] for case in order))
+    scenes = list(dict.fromkeys(case[3] for case in order))
+    order.sort(key=lambda case: (cases.index(case[:3]), scenes.index(case[3])))
+    return [row for case in order for row in groups[case]]
+
+
 def main(words):
-    if len(words) == 2 and words[0] == "check":
-        try:
+    try:
+        if words[:1] == ["check"] and len(words) == 2:
             print(f"{len(read(words[1]))} rows")
-        except (OSError, ValueError) as e:
-            sys.exit(str(e))
-        return
-    if len(words) < 2 or words[0] != "rows":
-        sys.exit(__doc__)
-    about = {c: "" for c in COLUMNS}
-    rest = words[1:]
-    while rest and rest[0].partition("=")[0] in COLUMNS:
-        key, _, about[key] = rest.pop(0).partition("=")
-    if rest[:1] == ["--failed"]:
-        write(failed_rows(about, " ".join(rest[1:])), sys.stdout)
-    else:
-        write(score_rows(about, json.loads(pathlib.Path(rest[0]).read_text())), sys.stdout)
+        elif words[:1] == ["merge"] and len(words) == 3:
+            rows = merged(read(words[1]), read(words[2]))
+            with open(words[1], "w", newline="") as file:
+                file.write(HEAD + "\n")
+                write(rows, file)
+        elif words == ["head"]:
+            print(HEAD)
+        else:
+            sys.exit(__doc__)
+    except (OSError, ValueError) as e:
+        sys.exit(str(e))
 
 
 if __name__ == "__main__":

@@ -31,23 +31,7 @@ sys.path.insert(0, folder)
 sys.dont_write_bytecode = True
 os.environ["CLOTHBENCH"] = os.path.abspath(program)
 import clothbench
-
-failures = 0
-
-
-def check(what, holds):
-    global failures
-    if not holds:
-        failures += 1
-        print("does not hold: " + what)
-
-
-def says(what, kind, words, call, *arguments):
-    try:
-        call(*arguments)
-        check("%s: is taken" % what, False)
-    except kind as error:
-        check("%s: '%s' is not in '%s'" % (what, words, error), words in str(error))
+from checks import check, finish, says
 
 
 def frames_come_back():
@@ -179,5 +163,4 @@ with tempfile.TemporaryDirectory() as scratch:
     scored()
     bad_truths()
     os.chdir("/")
-print("%d failed" % failures)
-sys.exit(failures > 0)
+finish()

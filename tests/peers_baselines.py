@@ -1,74 +1,70 @@
 #!/usr/bin/env python3
-"""peers/baselines.py: the rows of a run, the table that is kept, and a sentence for every way in
-which it would be none.
-    peers_baselines.py FOLDER-OF-baselines.py
+"""peers/ without any simulator: the rows of a run, the table that is kept and how rows get into it,
+a scene as the drivers get it, and a sentence for whatever is none or cannot be handed over.
+    peers_baselines.py PROGRAM FOLDER-OF-baselines.py
 """
-import contextlib
-import io
-import json
+import math
 import pathlib
+import subprocess
 import sys
 import tempfile
 
-sys.dont_write_bytecode = True
-peers = pathlib.Path(sys.argv[1])
+from checks import check, finish, says
+
+program, peers = sys.argv[1], pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(peers))
 import baselines  # noqa: E402
-
-failures = 0
-
-
-def check(what, holds):
-    global failures
-    if not holds:
-        failures += 1
-        print("does not hold: " + what)
-
+import runs  # noqa: E402
+import scene as export  # noqa: E402
 
 HEAD = "simulator,version,scene,net,step,time,error,bar,floor,seconds,diagnosis,date"
-ABOUT = ["simulator=Mine, 5 substeps", "version=1.0", "scene=edge_drop", "net=3x3", "step=0.005",
-         "seconds=0.12345678", "date=2026-01-31"]
+ABOUT = {"simulator": "Mine, 5 substeps", "scene": "edge_drop", "net": "3x3", "step": "0.005",
+         "date": "2026-01-31"}
+TOLD = {"version": "1.0", "seconds": 0.12345678}
 SCORE = {"rows": [{"time": 0.1, "error": 0.0123456789, "bar": 1e-4, "floor": 0},
                   {"time": 0.2, "error": 0.5, "bar": 2e-4, "floor": 0}],
          "diagnosis": [{"kind": "lag", "value": 1, "text": "Lags."},
                        {"kind": "still", "value": 0, "text": "Hardly moves."}]}
+JUDGED = """\
+"Mine, 5 substeps",1.0,edge_drop,3x3,0.005,0.1,0.0123457,0.0001,0,0.1235,,2026-01-31
+"Mine, 5 substeps",1.0,edge_drop,3x3,0.005,0.2,0.5,0.0002,0,0.1235,Lags. Hardly moves.,2026-01-31
+"""
+DIED = """\
+"Mine, 5 substeps",1.0,edge_drop,3x3,0.005,0.235,,,,,Died at 0.235 s: it burst.,2026-01-31
+"""
+REFUSED = """\
+"Mine, 5 substeps",1.0,edge_drop,3x3,0.005,,,,,,"no ball, no contact",2026-01-31
+"""
+folder = pathlib.Path(tempfile.mkdtemp())
+table = folder / "table.csv"
 
 
-def printed(*words):
-    out = io.StringIO()
-    with contextlib.redirect_stdout(out):
-        baselines.main(["rows", *ABOUT, *words])
-    return out.getvalue()
+def written(told, score):
+    with open(table, "w", newline="") as file:
+        baselines.write(baselines.case_rows(ABOUT, {**TOLD, **told}, score), file)
+    return table.read_text()
 
 
-def refusal(folder, text):
-    path = folder / "table.csv"
-    path.write_text(text)
-    try:
-        baselines.read(path)
-    except ValueError as e:
-        return str(e)
-    return ""
+def rows_of_runs():
+    for what, told, score, rows in [
+        ("a row a time, the diagnosis at the last", {}, SCORE, JUDGED),
+        ("a death after all", {"died": 0.235, "why": "it\n burst"}, SCORE, JUDGED + DIED),
+        ("a death before any", {"died": 0.235, "why": "it burst"}, None, DIED),
+        ("a refusal", {"refused": "no ball,\nno contact"}, None, REFUSED),
+        ("frames refused", {}, {"rows": [], "refused": "no ball, no contact"}, REFUSED),
+    ]:
+        check(what, written(told, score) == rows)
+    check("nothing found is said", baselines.UNEXPLAINED in written({}, {**SCORE, "diagnosis": []}))
 
 
-with tempfile.TemporaryDirectory() as name:
-    folder = pathlib.Path(name)
-    score = folder / "score.json"
-    score.write_text(json.dumps(SCORE))
-    judged = printed(str(score))
-    check("a row a time, the diagnosis at the last", judged ==
-          '"Mine, 5 substeps",1.0,edge_drop,3x3,0.005,0.1,0.0123457,0.0001,0,0.1235,,2026-01-31\n'
-          '"Mine, 5 substeps",1.0,edge_drop,3x3,0.005,0.2,0.5,0.0002,0,0.1235,'
-          'Lags. Hardly moves.,2026-01-31\n')
-    score.write_text(json.dumps({**SCORE, "diagnosis": []}))
-    check("nothing found is said", baselines.UNEXPLAINED in printed(str(score)))
-    failed = printed("--failed", "frame 3 has\na NaN, so there")
-    check("a failure is a row with its sentence", failed ==
-          '"Mine, 5 substeps",1.0,edge_drop,3x3,0.005,,,,,,"frame 3 has a NaN, so there",'
-          '2026-01-31\n')
+def read(text):
+    table.write_text(text)
+    return baselines.read(table)
 
-    good = f"{HEAD}\n{judged}{failed}"
-    check("what is written is read", refusal(folder, good) == "")
+
+def kept_table():
+    good = f"{HEAD}\n{JUDGED}{DIED}{REFUSED}"
+    check("what is written is read", len(read(good)) == 4)
     for what, text, words in [
         ("no file's worth", "", ":1: the columns"),
         ("another order of columns", good.replace("time,error", "error,time"), ":1: the columns"),
@@ -78,22 +74,77 @@ with tempfile.TemporaryDirectory() as name:
         ("an error that is none", good.replace("0.0123457", "nan"), ":2: error is 'nan'"),
         ("an error below nought", good.replace(",0.5,0.0002", ",-0.5,0.0002"), ":3: error is"),
         ("a bar that is a word", good.replace("0.0001", "small"), ":2: bar is 'small'"),
-        ("a failure without a word", good.replace('"frame 3 has a NaN, so there"', ""),
-         ":4: neither judged"),
+        ("a refusal without a word", good.replace('"no ball, no contact"', ""), ":5: neither"),
         ("no seconds", good.replace("0.1235", "", 1), ":2: seconds is"),
     ]:
-        said = refusal(folder, text)
-        check(f"{what}: '{said}' has '{words}'", words in said)
+        says(what, ValueError, words, read, text)
 
-kept = baselines.read(peers / "baselines.csv")
-check("the columns are those that are promised", ",".join(baselines.COLUMNS) == HEAD)
-cases = [line.split("|") for line in (peers / "cases.txt").read_text().splitlines()
-         if not line.startswith("#")]
-for name, title, net, settings in ([cell.strip() for cell in case] for case in cases):
-    step = dict(word.split("=") for word in settings.split())["step"]
-    for scene in "edge_drop", "free_fall":
-        check(f"{title}, {net}, {settings} has rows on {scene}", any(
-            r["simulator"] == title and r["scene"] == scene and r["step"] == step and
-            r["net"] == net.replace(",", "x") for r in kept))
-check("CalculiX stands on top", kept[0]["simulator"].startswith("CalculiX"))
-sys.exit(1 if failures else 0)
+
+def merging():
+    """What was run takes the place of what was kept of it, and of nothing else."""
+    def row(simulator, scene, error):
+        return dict.fromkeys(baselines.COLUMNS, "1") | {
+            "simulator": simulator, "scene": scene, "error": error}
+
+    kept = [row("A", "drop", "1"), row("A", "drop", "2"), row("A", "fall", "3"),
+            row("B", "drop", "4")]
+    made = [row("A", "drop", "5"), row("A", "flag", "6"), row("C", "drop", "7")]
+    check("merged", [r["error"] for r in baselines.merged(kept, made)] == list("53647"))
+    net = {**row("A", "drop", "8"), "net": "2"}
+    check("another net is another case",
+          [r["error"] for r in baselines.merged(kept, [net])] == list("12348"))
+
+
+def exported(scene, *settings):
+    place = pathlib.Path(tempfile.mkdtemp(dir=folder)) / "scene"
+    subprocess.run([program, "export", scene, "--points", "5,5", "--out", place,
+                    *(word for s in settings for word in ("--set", s))],
+                   check=True, capture_output=True)
+    return export.Scene(place)
+
+
+def handed_over():
+    """What scenes say reaches the drivers, and what none of them can is refused."""
+    drop, ball, rest = exported("edge_drop"), exported("sphere"), exported("rest_small")
+    export.write_plain(drop)
+    plain = {line.split()[0]: [float(word) for word in line.split()[1:]]
+             for line in (drop.folder / "plain.txt").read_text().splitlines()}
+    check("vertices, held ones and those outside", len(plain["x"]) == 3 * 30 and
+          plain["count"] == [25] and len(plain["held"]) == 10)
+    # Along y between rows of cells, and along x of the clamp: D e / (height + height) / 2 on each.
+    stiffness = {round(k / drop.D, 9) for k in plain["hinges"][4::6]}
+    check("hinges bend with D", stiffness == {1.0, 2.0})
+    check("a ball", ball.ball == [[0.5, 0.5, -0.3505885, 0.3, 0.3]] and ball.damping == 2)
+    check("at rest or not", rest.at_rest and not drop.at_rest and rest.damping == 20)
+    for name, words in (("ground", "one ball"), ("moving_edge", "no paths"),
+                        ("drag_fall", "no other drag")):
+        says(name, export.Refused, words, export.refuse, exported(name))
+    one = exported("edge_drop", "supports=[{at: {u: 0, v: [0, 1], w: 0.5}, fix: z}]")
+    says("a slide", export.Refused, "whole vertices", export.refuse, one)
+    far = [list(x) for x in drop.x]
+    check("not lost", not export.is_lost(drop, 0.5, far))
+    for bad in math.nan, math.inf, 100:
+        far[3] = [0, bad, 0]
+        check(f"{bad} is lost", export.is_lost(drop, 0.5, far))
+
+
+def kept_rows():
+    kept = baselines.read(peers / "baselines.csv")
+    check("the columns are those that are promised", baselines.HEAD == HEAD)
+    found = {(r["simulator"], r["net"], r["step"], r["scene"]) for r in kept}
+    scenes = list(dict.fromkeys(r["scene"] for r in kept))
+    check("all the scenes", len(scenes) == 9)
+    for _, title, net, settings, of in runs.cases("all"):
+        for scene in scenes if of == ["all"] else of:
+            case = title, runs.net_of(scene, net).replace(",", "x"), settings[0][5:], scene
+            check(f"{case} has rows", case in found)
+    check("square cells on a strip", runs.net_of("strip_swing", "21,21") == "21,5")
+    check("CalculiX stands on top", kept[0]["simulator"].startswith("CalculiX"))
+
+
+rows_of_runs()
+kept_table()
+merging()
+handed_over()
+kept_rows()
+finish()

@@ -6,70 +6,17 @@
  */
 #include "bench/files/folder.h"
 #include "bench/harness/run_file.h"
-#include "bench/score/score_diagnosis.h"
 #include "models/grid.h"
 #include "tests/check.h"
+#include "tests/score_said.h"
 
 enum { SIDE = 34, NET = SIDE * SIDE }; /* every third point of the grid */
-
-static const char *folder;
 
 /* Sound frames of edge_drop every 5 ms to 0.5 s: x[frame][point][3], the first at rest. */
 enum { FRAMES = 101 };
 static double (*sound)[NET][3];
 
 #define STEP 0.005
-
-/* --- judging ----------------------------------------------------------------------------
- */
-
-static const struct score_look plain = {.up = 'z', .scale = 1};
-
-static void file_of(const char *name, char path[4096])
-{
-    snprintf(path, 4096, "%s/%s", folder, name);
-}
-
-static bool is_flaw(enum score_kind kind)
-{
-    return kind != SCORE_FLOOR && kind != SCORE_SOUND;
-}
-
-/* The sentence is there, its number too, and no other flaw's. `want` SCORE_SOUND: no flaw
- * at all. */
-static void check_said(const char *scene, const char *name, const struct score_look *look,
-                       enum score_kind want, double value, double tolerance)
-{
-    char path[4096];
-    const char *paths[] = {path};
-    struct score s;
-    struct score_diagnosis d;
-    struct message why = {""};
-    bool said = false, others = false, good = false;
-
-    file_of(name, path);
-    if (!CHECK(score_read(scene, 1, paths, look, &s, &why) == STATUS_OK)) {
-        printf("%s: %s\n", name, why.text);
-        return;
-    }
-    REQUIRE(score_diagnosis_make(&s, &d) == STATUS_OK);
-    for (int n = 0; n < d.count; n++) {
-        said = said || d.finding[n].kind == want;
-        good = good ||
-               (d.finding[n].kind == want && fabs(d.finding[n].value - value) <= tolerance);
-        others = others || (is_flaw(d.finding[n].kind) && d.finding[n].kind != want);
-    }
-    if (!CHECK(said && good && !others)) {
-        printf("%s: wanted %s %g within %g\n", name, score_diagnosis_name(want), value,
-               tolerance);
-        for (int n = 0; n < d.count; n++)
-            printf("  %s %g: %s\n", score_diagnosis_name(d.finding[n].kind),
-                   d.finding[n].value, d.finding[n].text);
-        for (int n = 0; n < s.truth.times; n++)
-            printf("  %g s: %g\n", s.row[n].time, s.row[n].error);
-    }
-    score_clear(&s);
-}
 
 /* --- flaws of physics --------------------------------------------------------------------
  */
@@ -325,7 +272,10 @@ static void falls(void)
 /* --- truths as frames: sound, and on a coarse net at its floor --------------------------
  */
 
-static void write_truth(const struct score_truth *t, const char *name, int side)
+typedef void change(const double uv[2], const double rest[3], double xyz[3]);
+
+static void write_changed(const struct score_truth *t, const char *name, int side,
+                          change *make)
 {
     char path[4096];
 
@@ -335,12 +285,102 @@ static void write_truth(const struct score_truth *t, const char *name, int side)
     for (int k = 0; k < t->times; k++)
         for (int n = 0; n < side * side; n++) {
             const double uv[2] = {n % side / (side - 1.), n / side / (side - 1.)};
-            double x[3];
+            double x[3], rest[3];
             score_net_sample(GRID_U, GRID_V, score_truth_field(t, k), uv, x);
+            score_net_sample(GRID_U, GRID_V, t->rest, uv, rest);
+            if (make)
+                make(uv, rest, x);
             fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", t->time[k], uv[0], uv[1], x[0],
                     x[1], x[2]);
         }
     REQUIRE(fclose(file) == 0);
+}
+
+static void write_truth(const struct score_truth *t, const char *name, int side)
+{
+    write_changed(t, name, side, NULL);
+}
+
+static void scale_way(const double rest[3], double xyz[3], double times)
+{
+    for (int c = 0; c < 3; c++)
+        xyz[c] = rest[c] + times * (xyz[c] - rest[c]);
+}
+
+static void twice(const double uv[2], const double rest[3], double xyz[3])
+{
+    (void)uv;
+    scale_way(rest, xyz, 2);
+}
+
+static void half(const double uv[2], const double rest[3], double xyz[3])
+{
+    (void)uv;
+    scale_way(rest, xyz, .5);
+}
+
+static void hardly_more(const double uv[2], const double rest[3], double xyz[3])
+{
+    (void)uv;
+    scale_way(rest, xyz, 1.02);
+}
+
+/* The sheet's own width at 0.7 of it, alike all over, and with all beyond in a heap. */
+static void narrow(const double uv[2], const double rest[3], double xyz[3])
+{
+    (void)uv, (void)rest;
+    xyz[1] *= .7;
+}
+
+static void heap(const double uv[2], const double rest[3], double xyz[3])
+{
+    (void)uv, (void)rest;
+    xyz[1] = fmin(xyz[1], .7);
+}
+
+static void aside(const double uv[2], const double rest[3], double xyz[3])
+{
+    (void)uv, (void)rest;
+    xyz[1] += .006;
+}
+
+static void hair_aside(const double uv[2], const double rest[3], double xyz[3])
+{
+    (void)uv, (void)rest;
+    xyz[0] += .001;
+}
+
+/* What is said where nothing is fitted: by the truth's own stretch, by the shape of what
+ * shrank, by the bar that hides it. */
+static void unfitted(void)
+{
+    static const struct {
+        const char *scene, *name;
+        change *make;
+        enum score_kind kind;
+        double value, tolerance;
+        const char *words;
+    } row[] = {
+        {"hanging", "twice.csv", twice, SCORE_STRETCH, .005, 2e-4, "2 times as much"},
+        {"hanging", "half.csv", half, SCORE_STRETCH, -.0025, 2e-4, "too stiff"},
+        {"hanging", "more.csv", hardly_more, SCORE_SOUND, 0, 1e-3, "Nothing wrong"},
+        {"hanging", "hair.csv", hair_aside, SCORE_KINDS, 0, 0, ""},
+        {"rest_small", "narrow.csv", narrow, SCORE_STRETCH, -.3, .01, "rest shape"},
+        {"rest_small", "heap.csv", heap, SCORE_STRETCH, -.3, .02, "crumpled"},
+        {"flag", "aside.csv", aside, SCORE_SOUND, .006, 1e-4, "error bar of up to 4.4 %"},
+    };
+    struct score_truth t;
+
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        REQUIRE(score_truth_read(row[n].scene, &t, NULL) == STATUS_OK);
+        write_changed(&t, row[n].name, 20, row[n].make);
+        score_truth_clear(&t);
+        *last_said = '\0';
+        check_said(row[n].scene, row[n].name, &plain, row[n].kind, row[n].value,
+                   row[n].tolerance);
+        if (!CHECK(strstr(last_said, row[n].words)))
+            printf("%s: '%s' is not in '%s'\n", row[n].name, row[n].words, last_said);
+    }
 }
 
 static void truths(void)
@@ -383,6 +423,7 @@ int main(int argc, char **argv)
     frames_of_others();
     falls();
     truths();
+    unfitted();
     free(sound);
     return check_result();
 }

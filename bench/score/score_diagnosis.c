@@ -17,6 +17,11 @@
 #define STRETCH_LEAST 0.005
 #define SHRINK_LEAST  0.01
 
+/* Where the truth itself stretches by more than this, its stretch is the measure: frames
+ * whose differs by this share of it have a sentence. */
+#define STRAIN_LEAST 1e-3
+#define STRAIN_OFF   0.1
+
 /* A lead of half a step is a first-order step's. Frames come every step or more seldom. */
 #define HALF_STEP 0.55
 
@@ -25,9 +30,11 @@
 #define NO_BENDING 1.15
 
 /* Error within so many times floor or bar is theirs; what the sharper of our own
- * contestants reach is sound, too. */
+ * contestants reach is sound, too, unless it is more than a small share of all that the
+ * truth moves. */
 #define TIMES_FLOOR 2
 #define SOUND_MOST  0.005
+#define SOUND_SHARE 0.05
 
 static const char *const names[SCORE_KINDS] = {
 #define SCORE_NAME(code, name) name,
@@ -117,49 +124,88 @@ static bool say_turned(const struct score *s, struct score_diagnosis *d)
     return d->count > 0;
 }
 
-/* All of a field's lines along u, and along v: their length. */
-static void lengths(const double *field, double sum[2])
-{
-    static const int step[2] = {1, GRID_U};
+/* Lines along u, or along v: lengths, and how unlike each other the frames' pieces are. */
+struct lines {
+    double rest, truth, got;
+    double spread; /* standard deviation of got over truth, a piece */
+};
 
-    sum[0] = sum[1] = 0;
-    for (int j = 0; j < GRID_V; j++)
-        for (int i = 0; i < GRID_U; i++)
-            for (int d = 0; d < 2; d++) {
-                if (d ? j + 1 == GRID_V : i + 1 == GRID_U)
-                    continue;
-                const double *a = field + 3 * (j * GRID_U + i), *b = a + 3 * step[d];
-                const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
-                sum[d] += sqrt(x * x + y * y + z * z);
-            }
+static double piece(const double *field, int point, int to)
+{
+    const double *a = field + 3L * point, *b = field + 3L * to;
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+
+    return sqrt(x * x + y * y + z * z);
+}
+
+static struct lines lines_of(const double *rest, const double *truth, const double *got,
+                             bool along_v)
+{
+    struct lines l = {0};
+    double sum = 0, squares = 0;
+    int pieces = 0;
+
+    for (int j = 0; j < GRID_V - along_v; j++)
+        for (int i = 0; i < GRID_U - !along_v; i++) {
+            const int a = j * GRID_U + i, b = a + (along_v ? GRID_U : 1);
+            const double wanted = piece(truth, a, b), there = piece(got, a, b);
+            l.rest += piece(rest, a, b);
+            l.truth += wanted;
+            l.got += there;
+            sum += there / wanted;
+            squares += there / wanted * (there / wanted);
+            pieces++;
+        }
+    l.spread = sqrt(fmax(0, squares / pieces - sum / pieces * (sum / pieces)));
+    return l;
+}
+
+static void stretch_text(const struct lines *l, double when, struct score_diagnosis *d)
+{
+    const double more = l->got / l->truth - 1, strain = l->truth / l->rest - 1;
+
+    if (strain > STRAIN_LEAST && l->got > l->rest &&
+        fabs(l->got - l->truth) > STRAIN_OFF * (l->truth - l->rest))
+        say(d, SCORE_STRETCH, more,
+            "Stretches %.2g times as much as the truth (its lines, on average, by %.2g %% "
+            "in "
+            "place of %.2g %% at %g s): %s",
+            (l->got / l->rest - 1) / strain, 100 * (l->got / l->rest - 1), 100 * strain,
+            when,
+            more > 0 ? "too soft in the plane, or too few iterations."
+                     : "too stiff in the plane, or not yet at rest.");
+    else if (more > STRETCH_LEAST || more < -SHRINK_LEAST)
+        say(d, SCORE_STRETCH, more,
+            "%s by %.2g %% more than the truth (its lines, on average, at %g s): %s",
+            more > 0 ? "Stretches" : "Shrinks", 100 * fabs(more), when,
+            more > 0            ? "too soft in the plane, or too few iterations."
+            : l->spread > -more ? "some parts far more than others, so it is pressed "
+                                  "together or crumpled."
+                                : "is the rest shape the sheet's?");
 }
 
 static enum status say_stretch(const struct score *s, struct score_diagnosis *d)
 {
-    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), most = 0, when = 0;
+    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), when = 0;
+    struct lines most = {.rest = 1, .truth = 1, .got = 1};
 
     for (int n = 0; seen && n < s->truth.times; n++) {
-        double truth[2], got[2];
         if (!s->row[n].known)
             continue;
         score_seen(s, n, seen);
-        lengths(seen, truth);
-        lengths(s->field + 3L * SCORE_POINTS * n, got);
-        for (int k = 0; k < 2; k++)
-            if (fabs(got[k] / truth[k] - 1) > fabs(most)) {
-                most = got[k] / truth[k] - 1;
+        for (int k = 0; k < 2; k++) {
+            const struct lines l =
+                lines_of(s->truth.rest, seen, s->field + 3L * SCORE_POINTS * n, k);
+            if (fabs(l.got / l.truth - 1) > fabs(most.got / most.truth - 1)) {
+                most = l;
                 when = s->row[n].time;
             }
+        }
     }
     free(seen);
     if (!seen)
         return STATUS_MEMORY;
-    if (most > STRETCH_LEAST || most < -SHRINK_LEAST)
-        say(d, SCORE_STRETCH, most,
-            "%s by %.2g %% more than the truth (its lines, on average, at %g s): %s",
-            most > 0 ? "Stretches" : "Shrinks", 100 * fabs(most), when,
-            most > 0 ? "too soft in the plane, or too few iterations."
-                     : "is the rest shape the sheet's?");
+    stretch_text(&most, when, d);
     return STATUS_OK;
 }
 
@@ -228,11 +274,25 @@ static double largest(const struct score *s, bool floor)
     return most;
 }
 
+/* What sound frames may be off by, over the length. */
+static double sound_most(const struct score *s)
+{
+    double way = 0;
+
+    for (int n = 0; n < s->truth.times; n++)
+        if (s->row[n].known)
+            way = fmax(way, score_rms(SCORE_POINTS, score_truth_field(&s->truth, n),
+                                      s->truth.rest));
+    return fmin(SOUND_MOST, SOUND_SHARE * way / s->truth.scene.length);
+}
+
 static bool is_sound(const struct score *s)
 {
+    const double most = sound_most(s);
+
     for (int n = 0; n < s->truth.times; n++)
         if (s->row[n].known &&
-            s->row[n].error > SOUND_MOST + TIMES_FLOOR * (s->row[n].bar + s->row[n].floor))
+            s->row[n].error > most + TIMES_FLOOR * (s->row[n].bar + s->row[n].floor))
             return false;
     return true;
 }
@@ -247,7 +307,15 @@ static void say_sound(const struct score *s, struct score_diagnosis *d)
             "Is at its net's floor: the truth itself between these vertices is off by %.2g "
             "%% at %g s; only a finer net can do better.",
             100 * last->floor, last->time);
-    if (is_sound(s))
+    if (!is_sound(s))
+        return;
+    if (last->bar > SOUND_MOST && error > SOUND_MOST)
+        say(d, SCORE_SOUND, error,
+            "Nothing can be said against it: at most %.2g %% off, where the truth itself "
+            "has "
+            "an error bar of up to %.2g %%.",
+            100 * error, 100 * last->bar);
+    else
         say(d, SCORE_SOUND, error,
             "Nothing wrong was found: at most %.2g %% off, the net's floor at most %.2g "
             "%%.",

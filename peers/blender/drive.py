@@ -1,6 +1,5 @@
 """Blender's cloth modifier (Debian blender), without a window:
-    blender -b --factory-startup --python-exit-code 1 -P drive.py -- FOLDER FRAMES.csv step=... \
-        until=... substeps=10
+    blender -b --factory-startup --python-exit-code 1 -P drive.py -- FOLDER FRAMES step=... substeps=10
 
 It counts time in frames of 1/sqrt(1000) s whatever the scene's frames a second (its gravity is
 multiplied by 0.001), and its numbers turn into forces so:
@@ -8,7 +7,9 @@ multiplied by 0.001), and its numbers turn into forces so:
     bending (angular)                k = 0.1 stiffness x length of the edge
 so stiffnesses are those that make k the exported spring, and D for bending: its bending force has
 no lever arm, which no number makes good on every net. All vertices weigh the same, those of the
-rim too: the exported mass of one inside. Vertices outside the sheet are pinned: a clamp.
+rim too: the exported mass of one inside. Vertices outside the sheet are pinned: a clamp. Mass
+damping is its air damping, a force of 0.01 air_damping times velocity. A ball is a mesh of quads;
+contact is at its least distance, 1 mm, where h/2 is less.
 """
 import math
 import pathlib
@@ -21,7 +22,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import scene as export  # noqa: E402
 
 FRAME = math.sqrt(1e-3)  # s
-USUAL_MASS = 0.3         # of a vertex in Blender's presets; the unit of mass is free
+MASS = 0.3               # of a vertex in Blender's presets; the unit of mass is free
+AIR_MOST = 10            # of air_damping
+RINGS = 64               # of a ball's mesh; twice as many segments
 
 
 def quads(scene):
@@ -51,18 +54,32 @@ def set_cloth(scene, cloth, settings):
     s.time_scale = settings["step"] / FRAME
     if scene.held:
         s.vertex_group_mass, s.pin_stiffness = "held", 1
-    s.air_damping = s.tension_damping = s.compression_damping = 0
+    s.tension_damping = s.compression_damping = 0
     s.shear_damping = s.bending_damping = 0
-    unit = USUAL_MASS / max(scene.mass) * FRAME ** 2
-    s.mass = USUAL_MASS
-    mean = sum(length for _, _, length in scene.springs) / len(scene.springs)
-    stiffest = {kind: k for k, kind in sorted((k, kind) for kind, k, _ in scene.springs)}
+    drag = scene.damping * FRAME / 0.01  # of a unit of mass
+    s.mass = min(MASS, AIR_MOST / drag) if drag else MASS
+    s.air_damping = drag * s.mass
+    unit = s.mass / max(scene.mass) * FRAME ** 2
+    lengths = [length for _, _, _, length, _ in scene.springs]
+    mean = sum(lengths) / len(lengths)
+    stiffest = {kind: k for k, kind in sorted((k, kind) for _, _, k, _, kind in scene.springs)}
     s.tension_stiffness = s.compression_stiffness = stiffest["spring u"] * mean * unit
     s.shear_stiffness = stiffest["spring diagonal"] * mean * unit
     s.bending_model = "ANGULAR"
-    edge = min(length for _, _, length in scene.springs)
-    s.bending_stiffness = scene.D / (0.1 * edge) * unit
-    cloth.collision_settings.use_collision = False
+    s.bending_stiffness = scene.D / (0.1 * min(lengths)) * unit
+    c = cloth.collision_settings
+    c.use_collision = bool(scene.ball)
+    c.use_self_collision = False
+    c.distance_min = scene.h / 2
+
+
+def make_ball(x, y, z, radius, friction):
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=2 * RINGS, ring_count=RINGS, radius=radius,
+                                         location=(x, y, z))
+    ball = bpy.context.object
+    ball.modifiers.new("collision", "COLLISION")
+    ball.collision.cloth_friction = friction
+    ball.collision.thickness_outer = 1e-3  # its least
 
 
 def main():
@@ -73,16 +90,24 @@ def main():
     sheet = make_sheet(scene)
     cloth = sheet.modifiers.new("cloth", "CLOTH")
     set_cloth(scene, cloth, settings)
-    wanted = {round(t / step): t for t in scene.times if t <= settings["until"] + 1e-9}
+    for ball in scene.ball:
+        make_ball(*ball)
+    wanted = {round(t / step): t for t in scene.times}
     for range_of in world, cloth.point_cache:
         range_of.frame_start, range_of.frame_end = 1, max(wanted) + 1
-    frames, start = {}, time.process_time()
+    frames, seconds, died = {}, 0, {}
     for k in range(max(wanted) + 1):
+        start = time.process_time()
         world.frame_set(k + 1)
+        moved = sheet.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
+        seconds += time.process_time() - start
+        x = [tuple(v.co) for v in moved[:scene.count]]
+        if export.is_lost(scene, k * step, x):
+            died = {"died": k * step}
+            break
         if k in wanted:
-            moved = sheet.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
-            frames[wanted[k]] = [tuple(v.co) for v in moved[:scene.count]]
-    export.finish(scene, out, frames, bpy.app.version_string, time.process_time() - start)
+            frames[wanted[k]] = x
+    export.finish(out, frames, bpy.app.version_string, seconds, **died)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,15 @@
 /* Bullet (Debian libbullet-dev, single precision), two of its soft bodies on the exported
  * masses and springs; vertices outside the sheet are not used, for neither has bending.
  *
- *   drive FOLDER FRAMES.csv step=0.005 until=0.5 body=pbd iterations=10
+ *   drive FOLDER FRAMES step=0.005 body=pbd iterations=10
  *       btSoftBody: links of kLST = 1, which has no unit, so E maps to nothing
  *   drive ... body=springs [project=yes]
  *       btDeformableMassSpringForce, implicit: stiffness in N/m. It has one for links and
  * one for those that are marked as bending, which the diagonals are here; springs of the
  * rim, half as stiff in the export, are as stiff as the others
+ *
+ * Mass damping c: velocities lose c step of themselves in a step, kDP; the springs have none.
+ * How it is run: scene.py.
  */
 #include <BulletSoftBody/btDeformableBodySolver.h>
 #include <BulletSoftBody/btDeformableGravityForce.h>
@@ -29,91 +32,81 @@
 #include <string>
 #include <vector>
 
-using Row = std::map<std::string, std::string>;
-
-static std::vector<std::string> split(const std::string &line)
-{
-    std::vector<std::string> cells;
-    std::stringstream in(line + ",");
-    for (std::string cell; std::getline(in, cell, ',');)
-        cells.push_back(cell);
-    return cells;
-}
-
-static std::vector<Row> rows(const std::string &path)
-{
-    std::ifstream in(path);
-    std::string line;
-    if (!std::getline(in, line))
-        throw std::runtime_error(path + " cannot be read");
-    const auto head = split(line);
-    std::vector<Row> found;
-    while (std::getline(in, line)) {
-        const auto cells = split(line);
-        for (size_t i = (found.emplace_back(), 0); i < head.size(); i++)
-            found.back()[head[i]] = cells[i];
-    }
-    return found;
-}
-
-static btVector3 gravity(const std::string &path)
-{
-    std::ifstream in(path);
-    double g[3];
-    for (std::string line; std::getline(in, line);)
-        if (sscanf(line.c_str(), "gravity: [%lf, %lf, %lf]", &g[0], &g[1], &g[2]) == 3)
-            return btVector3(g[0], g[1], g[2]);
-    throw std::runtime_error(path + " has no gravity");
-}
-
+/* What scene.py wrote: lists of numbers by name, and rows of them. */
 struct Scene {
-    std::vector<Row> rest, material, times;
-    std::set<size_t> held;
-    btVector3 gravity;
-    double stiffest(const std::string &quantity) const
+    std::map<std::string, std::vector<double>> list;
+    std::set<int> held;
+    const double *row(const char *name, size_t width, size_t n) const
     {
-        double most = 0;
-        for (const auto &r : material)
-            if (r.at("quantity") == quantity)
-                most = std::fmax(most, std::stod(r.at("value")));
-        return most;
+        return &list.at(name).at(width * n);
+    }
+    size_t rows(const char *name, size_t width) const
+    {
+        return list.at(name).size() / width;
+    }
+    double number(const char *name) const
+    {
+        return list.at(name).at(0);
+    }
+    btVector3 vector(const char *name, size_t n) const
+    {
+        const double *x = row(name, 3, n);
+        return btVector3(x[0], x[1], x[2]);
+    }
+    size_t count() const
+    {
+        return (size_t)number("count");
     }
 };
 
 static Scene read(const std::string &folder)
 {
-    Scene s{rows(folder + "/rest.csv"),
-            rows(folder + "/materials.csv"),
-            rows(folder + "/times.csv"),
-            {},
-            gravity(folder + "/scene.yaml")};
-    for (const auto &r : rows(folder + "/held.csv"))
-        if (r.at("beside").empty())
-            s.held.insert(std::stoul(r.at("vertex")));
+    std::ifstream in(folder + "/plain.txt");
+    Scene s;
+    for (std::string line, name; std::getline(in, line);) {
+        std::stringstream words(line);
+        words >> name;
+        auto &numbers = s.list[name];
+        for (double value; words >> value;)
+            numbers.push_back(value);
+    }
+    for (const double v : s.list["held"])
+        s.held.insert((int)v);
     return s;
+}
+
+enum { SPRING_A, SPRING_B, STIFFNESS, LENGTH, DIAGONAL, SPRING };
+
+static double stiffest(const Scene &scene, bool diagonal)
+{
+    double most = 0;
+    for (size_t n = 0; n < scene.rows("springs", SPRING); n++) {
+        const double *r = scene.row("springs", SPRING, n);
+        if ((r[DIAGONAL] != 0) == diagonal)
+            most = std::fmax(most, r[STIFFNESS]);
+    }
+    return most;
 }
 
 static btSoftBody *make_sheet(btSoftBodyWorldInfo &info, const Scene &scene)
 {
     std::vector<btVector3> x;
-    std::vector<btScalar> mass(scene.rest.size());
-    for (const auto &r : scene.rest)
-        x.emplace_back(std::stod(r.at("x")), std::stod(r.at("y")), std::stod(r.at("z")));
-    for (const auto &r : scene.material)
-        if (r.at("quantity") == "mass" && !scene.held.count(std::stoul(r.at("a"))))
-            mass[std::stoul(r.at("a"))] = std::stod(r.at("value"));
-    auto *sheet = new btSoftBody(&info, x.size(), x.data(), mass.data());
-    sheet->m_materials[0]->m_kLST = 1;
-    for (const auto &r : scene.material) {
-        if (r.at("quantity").rfind("spring", 0) != 0)
-            continue;
-        sheet->appendLink(std::stoi(r.at("a")), std::stoi(r.at("b")),
-                          sheet->m_materials[0]);
-        sheet->m_links[sheet->m_links.size() - 1].m_bbending =
-            r.at("quantity") == "spring diagonal";
+    std::vector<btScalar> mass;
+    for (size_t v = 0; v < scene.count(); v++) {
+        x.push_back(scene.vector("x", v));
+        mass.push_back(scene.held.count((int)v) ? 0 : *scene.row("mass", 1, v));
     }
-    sheet->m_cfg.kDP = sheet->m_cfg.kDG = sheet->m_cfg.kLF = sheet->m_cfg.kVCF = 0;
+    auto *sheet = new btSoftBody(&info, (int)x.size(), x.data(), mass.data());
+    sheet->m_materials[0]->m_kLST = 1;
+    for (size_t n = 0; n < scene.rows("springs", SPRING); n++) {
+        const double *r = scene.row("springs", SPRING, n);
+        sheet->appendLink((int)r[SPRING_A], (int)r[SPRING_B], sheet->m_materials[0]);
+        sheet->m_links[sheet->m_links.size() - 1].m_bbending = r[DIAGONAL] != 0;
+    }
+    sheet->m_cfg.kDG = sheet->m_cfg.kLF = sheet->m_cfg.kVCF = 0;
     sheet->m_cfg.collisions = 0;
+    sheet->m_cfg.kDF = 0;
+    sheet->getCollisionShape()->setMargin(scene.number("h") / 2);
     sheet->setActivationState(DISABLE_DEACTIVATION);
     return sheet;
 }
@@ -124,6 +117,21 @@ static void still_air(btSoftBodyWorldInfo &info, const btVector3 &g)
     info.m_gravity = g;
 }
 
+/* A ball that stands still. The contact's friction is the product of both, so its own is 1. */
+static void add_ball(btDynamicsWorld *world, const Scene &scene, btSoftBody *sheet, int kind)
+{
+    for (size_t n = 0; n < scene.rows("ball", 5); n++) {
+        const double *r = scene.row("ball", 5, n);
+        auto *ball = new btRigidBody(0, nullptr, new btSphereShape(r[3]));
+        ball->setWorldTransform(
+            btTransform(btQuaternion::getIdentity(), btVector3(r[0], r[1], r[2])));
+        ball->setFriction(1);
+        world->addRigidBody(ball);
+        sheet->m_cfg.kDF = r[4];
+        sheet->m_cfg.collisions = kind;
+    }
+}
+
 struct World {
     btDynamicsWorld *world;
     btSoftBody *sheet;
@@ -131,59 +139,82 @@ struct World {
 
 static World make_world(const Scene &scene, std::map<std::string, std::string> &set)
 {
+    const btVector3 gravity = scene.vector("gravity", 0);
+    const double lost = scene.number("damping") * std::stod(set["step"]); // of v in a step
     auto *config = new btSoftBodyRigidBodyCollisionConfiguration();
     auto *dispatcher = new btCollisionDispatcher(config);
     auto *phase = new btDbvtBroadphase();
     if (set["body"] == "pbd") {
         auto *world = new btSoftRigidDynamicsWorld(
             dispatcher, phase, new btSequentialImpulseConstraintSolver(), config);
-        still_air(world->getWorldInfo(), scene.gravity);
-        world->setGravity(scene.gravity);
+        still_air(world->getWorldInfo(), gravity);
+        world->setGravity(gravity);
         auto *sheet = make_sheet(world->getWorldInfo(), scene);
         sheet->m_cfg.piterations = std::stoi(set["iterations"]);
+        sheet->m_cfg.kDP = lost;
         world->addSoftBody(sheet);
+        add_ball(world, scene, sheet, btSoftBody::fCollision::SDF_RS);
         return {world, sheet};
     }
+    if (lost > 0)
+        throw std::runtime_error("Bullet's implicit springs have no drag: nothing reads "
+                                 "m_cfg.drag or setDampingCoefficient()");
     auto *bodies = new btDeformableBodySolver();
     auto *solver = new btDeformableMultiBodyConstraintSolver();
     solver->setDeformableSolver(bodies);
     auto *world =
         new btDeformableMultiBodyDynamicsWorld(dispatcher, phase, solver, config, bodies);
-    still_air(world->getWorldInfo(), scene.gravity);
-    world->setGravity(scene.gravity);
+    still_air(world->getWorldInfo(), gravity);
+    world->setGravity(gravity);
     auto *sheet = make_sheet(world->getWorldInfo(), scene);
     world->addSoftBody(sheet);
+    add_ball(world, scene, sheet, btSoftBody::fCollision::SDF_RD);
     world->addForce(sheet,
-                    new btDeformableMassSpringForce(scene.stiffest("spring u"), 0, true,
-                                                    scene.stiffest("spring diagonal")));
-    world->addForce(sheet, new btDeformableGravityForce(scene.gravity));
+                    new btDeformableMassSpringForce(stiffest(scene, false), 0, true,
+                                                    stiffest(scene, true)));
+    world->addForce(sheet, new btDeformableGravityForce(gravity));
     world->setImplicit(true);
     world->setLineSearch(false);
     world->setUseProjection(set["project"] == "yes");
     return {world, sheet};
 }
 
+/* Whether a vertex is not finite, or further off than it can have come. */
+static bool is_lost(const Scene &scene, double t, const btSoftBody *sheet)
+{
+    const double *reach = scene.row("reach", 2, 0), far = reach[0] + reach[1] * t * t;
+    for (size_t v = 0; v < scene.count(); v++)
+        if (!((sheet->m_nodes[(int)v].m_x - scene.vector("x", v)).length() <= far))
+            return true;
+    return false;
+}
+
 static void drive(const Scene &scene, World w, double step, double until, FILE *out)
 {
-    double seconds = 0;
+    double seconds = 0, died = 0;
     long done = 0;
-    fprintf(out, "t,u,v,x,y,z\n");
-    for (const auto &r : scene.times) {
-        const double t = r.at("what") == "truth" ? std::stod(r.at("time")) : until + 1;
+    for (const double t : scene.list.at("times")) {
         if (t > until + 1e-9)
             continue;
-        const clock_t start = clock(); // of the processor
-        for (; done < std::lround(t / step); done++)
+        for (; done < std::lround(t / step) && died == 0; done++) {
+            const clock_t start = clock(); // of the processor
             w.world->stepSimulation(step, 1, step);
-        seconds += (clock() - start) / (double)CLOCKS_PER_SEC;
-        for (size_t v = 0; v < scene.rest.size(); v++) {
-            const btVector3 x = w.sheet->m_nodes[v].m_x;
-            fprintf(out, "%.12g,%s,%s,%.9g,%.9g,%.9g\n", t, scene.rest[v].at("u").c_str(),
-                    scene.rest[v].at("v").c_str(), x.x(), x.y(), x.z());
+            seconds += (clock() - start) / (double)CLOCKS_PER_SEC;
+            if (is_lost(scene, (done + 1) * step, w.sheet))
+                died = (done + 1) * step;
         }
+        if (died > 0)
+            break;
+        fprintf(out, "%.12g", t);
+        for (size_t v = 0; v < scene.count(); v++) {
+            const btVector3 x = w.sheet->m_nodes[(int)v].m_x;
+            fprintf(out, " %.9g %.9g %.9g", x.x(), x.y(), x.z());
+        }
+        fprintf(out, "\n");
     }
-    printf("{\"version\": \"%d.%d\", \"seconds\": %.6g}\n", btGetVersion() / 100,
+    printf("{\"version\": \"%d.%d\", \"seconds\": %.6g", btGetVersion() / 100,
            btGetVersion() % 100, seconds);
+    printf(died > 0 ? ", \"died\": %.6g}\n" : "}\n", died);
 }
 
 int main(int count, char **words)
@@ -199,7 +230,7 @@ int main(int count, char **words)
         if (!out)
             throw std::runtime_error(std::string(words[2]) + " cannot be written");
         drive(scene, make_world(scene, set), std::stod(set["step"]),
-              std::stod(set["until"]), out);
+              set.count("until") ? std::stod(set["until"]) : INFINITY, out);
         return fclose(out) ? 1 : 0;
     } catch (const std::exception &e) {
         fprintf(stderr, "%s\n", e.what());

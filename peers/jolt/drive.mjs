@@ -2,15 +2,16 @@
 // into `iterations` substeps. Its compliance is 1/k [m/N] of the exported springs; with bend=yes
 // every pair of triangles is a dihedral of 1/k [1/(N m)], k = D |e|^2 / (A1 + A2), the pairs
 // about the held edge with those outside the sheet among them: a clamp.
-import { readFileSync } from 'node:fs';
+// Mass damping is its mLinearDamping [1/s]; vertices are balls of radius h/2 against a ball.
 import initJolt from 'jolt-physics';
-import { drive } from '../lib.mjs';
+import { drive, versionOf } from '../lib.mjs';
 
 const J = await initJolt();
 
 function makeWorld(gravity) {
   const s = new J.JoltSettings(), pairs = new J.ObjectLayerPairFilterTable(1);
   const layers = new J.BroadPhaseLayerInterfaceTable(1, 1);
+  pairs.EnableCollision(0, 0);
   layers.MapObjectToBroadPhaseLayer(0, new J.BroadPhaseLayer(0));
   s.mObjectLayerPairFilter = pairs;
   s.mBroadPhaseLayerInterface = layers;
@@ -18,6 +19,13 @@ function makeWorld(gravity) {
   const world = new J.JoltInterface(s);
   world.GetPhysicsSystem().SetGravity(new J.Vec3(...gravity));
   return world;
+}
+
+function addBall(bodies, { x, radius, friction }) {
+  const make = new J.BodyCreationSettings(new J.SphereShape(radius), new J.RVec3(...x),
+    new J.Quat(0, 0, 0, 1), J.EMotionType_Static, 0);
+  make.mFriction = friction;
+  bodies.AddBody(bodies.CreateBody(make).GetID(), J.EActivation_DontActivate);
 }
 
 function makeSheet(scene, bend) {
@@ -47,16 +55,17 @@ await drive((scene, set) => {
   const make = new J.SoftBodyCreationSettings(makeSheet(scene, set.bend === 'yes'),
     new J.RVec3(0, 0, 0), new J.Quat(0, 0, 0, 1), 0);
   make.mNumIterations = set.iterations;
-  make.mLinearDamping = 0;
+  make.mLinearDamping = scene.damping;
+  make.mVertexRadius = scene.h / 2;
+  make.mFriction = scene.ball?.friction ?? 0; // of a pair: the root of both
   make.mUpdatePosition = false; // vertices stay where the world has them
   make.mAllowSleeping = false;
   make.mMaxLinearVelocity = 1e6;
   const bodies = world.GetPhysicsSystem().GetBodyInterface(), body = bodies.CreateSoftBody(make);
+  if (scene.ball) addBall(bodies, scene.ball);
   bodies.AddBody(body.GetID(), J.EActivation_Activate);
   const motion = J.castObject(body.GetMotionProperties(), J.SoftBodyMotionProperties);
-  const { version } = JSON.parse(readFileSync(
-    new URL('../node_modules/jolt-physics/package.json', import.meta.url)));
-  return { version, step: () => world.Step(set.step, 1),
+  return { version: versionOf('jolt-physics'), step: () => world.Step(set.step, 1),
     position: (v) => {
       const p = motion.GetVertex(v).mPosition;
       return [p.GetX(), p.GetY(), p.GetZ()];

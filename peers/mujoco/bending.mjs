@@ -7,11 +7,11 @@ const m = await load({ locateFile: (file) =>
   fileURLToPath(new URL(`../node_modules/@mujoco/mujoco/${file}`, import.meta.url)) });
 const E = 1e5;
 
-function compile(mesh, nu, h) {
+function compile(mesh, nu, h, elastic = 'bend') {
   const model = m.MjModel.from_xml_string(`<mujoco>
     <option gravity="0 0 0" integrator="discrete"/><worldbody>
     <flexcomp name="sheet" dim="2" radius="${h / 2}" mass="1" ${mesh}>
-      <elasticity young="${E}" poisson="${nu}" thickness="${h}" damping="0" elastic2d="bend"/>
+      <elasticity young="${E}" poisson="${nu}" thickness="${h}" damping="0" elastic2d="${elastic}"/>
       <contact selfcollide="none" internal="false" contype="0" conaffinity="0"/>
     </flexcomp></worldbody></mujoco>`);
   const data = new m.MjData(model);
@@ -41,6 +41,19 @@ function ratio(n, nu, [, shape, xx, yy, xy]) {
   return work / plate;
 }
 
+// The same square stretched by 1e-4 along x: the work of MuJoCo's forces over a plate's at nu = 0,
+// E h strain^2 / 2.
+function stretched(n, h) {
+  const strain = 1e-4;
+  const [model, data] = compile(
+    `type="grid" count="${n + 1} ${n + 1} 1" spacing="${1 / n} ${1 / n} 1"`, 0, h, 'stretch');
+  const u = Array.from({ length: (n + 1) ** 2 }, (_, v) => strain * data.flexvert_xpos[3 * v]);
+  u.forEach((x, v) => { data.qpos[3 * v] = x; });
+  m.mj_forward(model, data);
+  const work = u.reduce((sum, x, v) => sum - data.qfrc_passive[3 * v] * x / 2, 0);
+  return work / (E * h * strain ** 2 / 2);
+}
+
 // The largest force of bending on 2 x 2 cells of 1 m as they lie, flat and undeformed.
 function restForce(alternating, h) {
   const xy = [0, 1, 2].flatMap((j) => [0, 1, 2].map((i) => `${i} ${j} 0`));
@@ -58,6 +71,9 @@ for (const shape of SHAPES)
   for (const nu of [0, 0.3, 0.49])
     console.log(`${shape[0].padEnd(18)} nu ${nu.toFixed(2)}  ` + [8, 16, 32].map((n) =>
       `N ${n}: ${ratio(n, nu, shape).toFixed(3)}`).join('  '));
+for (const h of [1e-3, 1e-2])
+  console.log(`stretched, nu 0, h ${h}  ` + [2, 8, 32].map((n) =>
+    `N ${n}: ${stretched(n, h).toFixed(3)}`).join('  '));
 console.log('largest force on flat cells at rest, over E h^3');
 for (const h of [0.01, 0.02])
   for (const alternating of [false, true])

@@ -2,6 +2,8 @@
 // outside the sheet among them: a clamp. Every cell has the same diagonal, as in flexcomp's own
 // grid: with alternating ones it has forces at rest (README.md, cut=alternating). E, nu and h are
 // its own parameters, so E maps to itself.
+// Mass damping c: dof_damping of c m for each of a vertex's three slides. Friction of a pair is the
+// larger; contacts are as soft as they come.
 // flexcomp gives all vertices the same mass; the exported ones are set after compiling. Elasticity
 // of a flex is refused under the integrators implicit and implicitfast, hence `discrete`.
 import { fileURLToPath } from 'node:url';
@@ -17,14 +19,18 @@ function describe(scene, set) {
   const triangles = set.cut === 'alternating' ? scene.triangles
     : cutAlike(scene).concat(scene.clamp);
   const area = scene.mass.reduce((sum, m) => sum + m, 0);
-  const thin = Math.min(scene.h / 2, scene.springs[0].length / 5); // contacts are off
+  const thin = Math.min(scene.h / 2, scene.springs[0].length / 5); // of no account without a ball
+  const { ball } = scene;
   return `<mujoco><option timestep="${set.step}" gravity="${scene.gravity.join(' ')}"
     integrator="discrete"/><worldbody>
+    ${ball ? `<geom type="sphere" size="${ball.radius}" pos="${ball.x.join(' ')}"
+      friction="${ball.friction}"/>` : ''}
     <flexcomp name="sheet" type="direct" dim="2" radius="${thin}" mass="${area}"
       point="${scene.x.flat().join(' ')}" element="${triangles.flat().join(' ')}">
       <elasticity young="${scene.E}" poisson="${scene.nu}"
         thickness="${scene.h}" damping="0" elastic2d="both"/>
-      <contact selfcollide="none" internal="false" contype="0" conaffinity="0"/>
+      <contact selfcollide="none" internal="false" contype="${+!!ball}" conaffinity="${+!!ball}"
+        friction="${ball?.friction ?? 0}"/>
       ${scene.held.size ? `<pin id="${[...scene.held].join(' ')}"/>` : ''}
     </flexcomp></worldbody></mujoco>`;
 }
@@ -38,17 +44,17 @@ await drive((scene, set) => {
     if (!b) continue; // held: the world's
     for (let i = 0; i < 3; i++) model.body_inertia[3 * b + i] *= scene.mass[v] / model.body_mass[b];
     model.body_mass[b] = scene.mass[v];
+    for (let i = 0; i < 3; i++)
+      model.dof_damping[model.body_dofadr[b] + i] = scene.damping * scene.mass[v];
   }
+  let fresh = false;
   m.mj_setConst(model, data);
   m.mj_forward(model, data);
   return { version: m.mj_versionString(),
-    step: () => {
-      m.mj_step(model, data);
-      // For statics: a drag of so many 1/s.
-      for (let i = 0; set.drag && i < model.nv; i++) data.qvel[i] *= 1 - set.drag * set.step;
-    },
+    step: () => { m.mj_step(model, data); fresh = false; },
     position: (v) => {
-      if (v === 0) { m.mj_kinematics(model, data); m.mj_flex?.(model, data); }
+      if (!fresh) { m.mj_kinematics(model, data); m.mj_flex?.(model, data); }
+      fresh = true;
       return data.flexvert_xpos.slice(3 * v, 3 * v + 3);
     } };
 });

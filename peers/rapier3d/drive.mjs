@@ -4,6 +4,8 @@
 // material=matched f = sqrt(k/m)/(2 pi) of each spring, 1/m = 1/m1 + 1/m2. Hinges can but share a
 //                  frequency: that by which the sum of their stiffnesses is the sum of the
 //                  k = D |e|^2 / (A1 + A2). The damping ratio, which may not be nought, is RATIO.
+// Mass damping is its linear damping [1/s]. Against a ball the triangles are a surface of particles
+// of radius h/2; friction of a pair is the mean of both.
 import RAPIER from '@dimforge/rapier3d-compat';
 import { drive } from '../lib.mjs';
 
@@ -26,7 +28,15 @@ await drive((scene, set) => {
     .setDihedrals(hinges.flatMap(({ a, b, c, d }) => [a, b, c, d]))
     .setMasses(scene.mass.map((m) => m || scene.mass[0]))
     .setPinnedParticles([...scene.held])
-    .setLinearDamping(0).setSelfContacts(false).setCanSleep(false).setNoSurfaceCollider();
+    .setLinearDamping(scene.damping).setSelfContacts(false).setCanSleep(false);
+  const { ball } = scene;
+  if (!ball) desc.setNoSurfaceCollider();
+  else {
+    desc.setSurface(scene.triangles.flat()).setParticleRadius(scene.h / 2)
+      .setSurfaceCollider(RAPIER.ColliderDesc.ball(1).setFriction(ball.friction));
+    world.createCollider(RAPIER.ColliderDesc.ball(ball.radius).setFriction(ball.friction)
+      .setTranslation(...ball.x));
+  }
   if (set.material === 'matched') {
     const material = new RAPIER.SoftBodyMaterial();
     const sum = (of) => hinges.reduce((total, k) => total + of(k), 0);

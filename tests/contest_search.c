@@ -188,23 +188,25 @@ static void proposes(struct contest *c, const struct rule *r, int count,
 }
 
 /* Of 10x10 points, of which nothing is nearer: fewer across first, then from there the net
- * and the step, then from 10x10; and from there at once where fewer across are far worse.
+ * and the step, then from 10x10, last across alone; and from there at once where fewer
+ * across are far worse.
  */
 static void refines(struct contest *c, const struct rule *r)
 {
     static const int strips[][CONTEST_AXES] = {{10, 5, 1, 0}, {10, 4, 1, 0}},
                      strip[][CONTEST_AXES] = {{15, 4, 1, 0}, {10, 4, 2, 0}},
-                     square[][CONTEST_AXES] = {
-                         {15, 15, 1, 0}, {10, 15, 1, 0}, {10, 10, 2, 0}};
+                     square[][CONTEST_AXES] = {{15, 15, 1, 0}, {10, 10, 2, 0}},
+                     wide[][CONTEST_AXES] = {{10, 15, 1, 0}};
     const double far = 0.04 / 0.89;
 
     proposes(c, r, 1, &strips[0]);
     proposes(c, r, 1, &strips[1]);
     proposes(c, r, 2, strip);
-    proposes(c, r, 3, square);
+    proposes(c, r, 2, square);
+    proposes(c, r, 1, wide);
     c->count = 2;
     c->rows[1].worst = c->rows[1].error[0] = far;
-    proposes(c, r, 3, square);
+    proposes(c, r, 2, square);
 }
 
 /* A blunt truth is not run after; a search that may cost nothing proposes nothing. */

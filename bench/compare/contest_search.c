@@ -112,13 +112,22 @@ static void cheapen(struct search *s, const struct contestant *who, double targe
     }
 }
 
+/* Square cells across alone only when they were refined both ways: that is what they want.
+ */
 static void refine(struct search *s, const struct contest_row *row)
 {
+    const struct contest *c = s->contest;
+    const int *size = row->at.size;
+    const bool strip =
+        size[CONTEST_ACROSS] < contest_across(c, row->at.contestant, size[CONTEST_NET]);
     struct contest_at at;
 
-    for (int axis = 0; axis < CONTEST_AXES; axis++)
-        if (contest_probe(s->contest, row, (enum contest_axis)axis, &at))
+    for (enum contest_axis axis = 0; axis < CONTEST_AXES; axis++) {
+        const bool early =
+            axis == CONTEST_ACROSS && !strip && contest_probe(c, row, CONTEST_NET, &at);
+        if (!early && contest_probe(c, row, axis, &at))
             propose(s, row, &at);
+    }
 }
 
 /* With half the points across, unless that was found to be too few. */

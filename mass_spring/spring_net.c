@@ -193,14 +193,25 @@ static enum status allocate(struct spring_net *net)
     return room_cut(&net->room, ROOM(net->uvw, nodes), ROOM(net->rest, 3 * nodes),
                     ROOM(net->area, nodes), ROOM(net->clamped, nodes),
                     ROOM(net->springs, LINE_COUNT * nodes),
-                    ROOM(net->hinges, LINE_COUNT * nodes),
-                    ROOM(net->clamps, 2 * LINE_COUNT * nodes));
+                    ROOM(net->hinges, LINE_COUNT * nodes));
+}
+
+/* Most nets have few. */
+static enum status allocate_clamps(struct spring_net *net)
+{
+    size_t count = 1;
+
+    for (int a = 0; a < net->nodes; a++)
+        count += 2 * LINE_COUNT * net->clamped[a];
+    net->clamps = malloc(count * sizeof *net->clamps);
+    return net->clamps ? STATUS_OK : STATUS_MEMORY;
 }
 
 void spring_net_clear(struct spring_net *net)
 {
     blocks_clear(&net->graph);
     free(net->room);
+    free(net->clamps);
     memset(net, 0, sizeof *net);
 }
 
@@ -218,6 +229,7 @@ enum status spring_net_init(struct spring_net *net, const struct scene *scene,
     spring_law_make(scene, parameters, new.cell, &new.law);
     set_nodes(&new, scene);
     find_clamped(&new, scene);
+    TRY(allocate_clamps(&new));
     for (int a = 0; a < new.nodes; a++) {
         add_springs(&new, a / points[1], a % points[1]);
         add_hinges(&new, a / points[1], a % points[1]);

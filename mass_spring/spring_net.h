@@ -47,7 +47,7 @@ struct spring_net {
     int spring_count, hinge_count, clamp_count;
     struct spring *springs;
     struct hinge *hinges;
-    struct clamp *clamps;
+    struct clamp *clamps; /*                                                   owned   */
     struct blocks graph;
 };
 

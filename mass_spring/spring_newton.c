@@ -39,17 +39,28 @@ static void frames(const void *body, double (*Q)[9])
     frames_of_net(points, false, s->at, Q);
 }
 
+static enum status make_hinges(struct spring_newton *s)
+{
+    if (s->hinges)
+        return STATUS_OK;
+    s->hinges = malloc((size_t)s->net->graph.start[s->net->nodes] * sizeof *s->hinges);
+    if (!s->hinges)
+        return STATUS_MEMORY;
+    spring_force_hinges(s->net, s->hinges);
+    return STATUS_OK;
+}
+
 enum status spring_newton_system(struct spring_newton *s)
 {
-    enum status st = STATUS_MEMORY;
+    enum status st = make_hinges(s);
     const int *points = s->net->points;
 
-    if (s->system.factor || s->system.iterative || !s->supports.free_count)
-        return STATUS_OK;
+    if (st != STATUS_OK || s->system.factor || s->system.iterative ||
+        !s->supports.free_count)
+        return st;
     int *order = malloc((size_t)s->net->nodes * sizeof *order);
     if (!order)
-        return st;
-    spring_force_hinges(s->net, s->hinges);
+        return STATUS_MEMORY;
     order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
     TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
     if (!contact_set_used(&s->contact)) /* which wants its systems solved to the last */
@@ -65,6 +76,7 @@ void spring_newton_clear(struct spring_newton *s)
     system_clear(&s->system);
     contact_set_clear(&s->contact);
     supports_clear(&s->supports);
+    free(s->hinges);
     free(s->room);
     memset(s, 0, sizeof *s);
 }
@@ -81,8 +93,7 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
     if (d->solver == SOLVER_AUTO)
         s->linear.solver = SOLVER_CG; /* on an earlier factor */
     TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, why));
-    TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->hinges, pairs),
-                 ROOM(s->work, 18 * (size_t)net->nodes)));
+    TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->work, 18 * (size_t)net->nodes)));
     TRY(contact_set_init(&s->contact, scene, &s->supports, net->rest, scene->thickness / 2,
                          why));
 out:

@@ -33,7 +33,7 @@ struct spring_newton {
     struct contact_set contact;
     void *room;       /* of the arrays                                      owned   */
     double (*K)[9];   /* [pairs]                                                    */
-    double *hinges;   /* [pairs] spring_force_hinges, after spring_newton_system    */
+    double *hinges;   /* [pairs] spring_force_hinges                       owned   */
     double *work;     /* [6][nodes][3]                                              */
     const double *at; /* [nodes][3] where K is of                         borrowed  */
 };
@@ -56,7 +56,7 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
                                const struct spring_net *net, const struct discretization *d,
                                struct message *why);
 
-/* The system, once, for who solves: explicit steps only want the supports. */
+/* The system and the hinges, once, for who solves: leapfrog only wants the supports. */
 enum status spring_newton_system(struct spring_newton *s);
 
 void spring_newton_clear(struct spring_newton *s);

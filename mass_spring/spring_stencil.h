@@ -4,7 +4,7 @@
  *     k (l^2 - r^2)^2 / 8 r^2,  force  k (l^2 - r^2) / 2 r^2  times the edge,
  * k (l - r)^2 / 2 for small strains, and stiffer by (3 (l/r)^2 - 1) / 2 when stretched.
  *
- * or of the net's own, in lengths: k (l - r)^2 / 2, force k (l - r) / l times the edge.
+ * Or the net's own, on lengths: k (l - r)^2 / 2, force k (l - r) / l times the edge.
  *
  * Bending and clamps: the quadratic plate of spring_plate.h. Or the net's own struts
  * (spring_force.h), which only steps know: with springs in lengths they are the net's own

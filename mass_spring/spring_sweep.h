@@ -1,9 +1,9 @@
 /* spring_sweep.h - one explicit step of a whole net, on flat arrays: for every point
  *     v <- keep v + kick + sum over neighbours of (A + B |e|^2) e,    x <- x + dt v,
  * e the edge to the neighbour; springs on lengths have A + B / |e|, and struts that for
- * points two away. All coefficients are per step and per mass. Stiffness
- * damping beta takes edges between the points x + beta v, which are then what is kept in
- * place of x: springs resist where they will be, so that they resist how fast they change.
+ * points two away. All coefficients are per step and per mass. Stiffness damping beta takes
+ * edges between the points x + beta v, which are then what is kept in place of x: springs
+ * resist where they will be, so that they resist how fast they change.
  *
  * Each point gathers from its neighbours, nothing is scattered: one pass, and the same bits
  * in whatever order points are done. Rows lie one behind the other, and the compiler's

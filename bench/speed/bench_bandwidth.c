@@ -18,8 +18,8 @@ static const struct {
                             {"mass_spring_leapfrog", "double", sizeof(double)}};
 
 /* Numbers of a node that a step must read or write: positions, velocities, both ways;
- * and that a net holds: positions before and after, velocities. Coefficients are a row's,
- * which rows share (mass_spring/spring_sweep.h). */
+ * and that a net holds: positions before and after, velocities. Coefficients are a strip's,
+ * which strips share (mass_spring/spring_sweep.h). */
 enum { MOVED = 12, HELD = 9 };
 
 /* The same of an element of a triad, a = b + s c. */

@@ -62,6 +62,8 @@ static enum status begin(struct sharp *s, int count, struct message *why)
             st = add_run(s, m, &said[m]);
         if (st != STATUS_OK && (st != STATUS_UNSUPPORTED || !s->wish->alone))
             return status_fail(why, st, "%s", said[m].text);
+        if (st != STATUS_OK)
+            s->family[m].count = 0;
         serve += st == STATUS_OK;
     }
     return serve ? STATUS_OK : status_fail(why, STATUS_UNSUPPORTED, "%s", said[0].text);

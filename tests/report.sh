@@ -175,6 +175,20 @@ for n in {1..20}; do cp "$sound" "moves/run_edge_drop/more_$n.h5"; done
 good moves
 grep -q '"name":"long.h5","truth":false,"side":20,"stride":[2-9],' page.html || fail 'a long run has all its frames'
 
+sed -n 's/.*id="data">\(.*\)<.script>/\1/p' page.html >data.json
+python3 - <<'SCRIPT' || fail 'frames of a long run stand at the times of others'
+import base64, json, struct
+motion = {m["name"]: m for m in json.load(open("data.json", encoding="utf-8"))["motions"]}
+def frame(m, n):
+    size = 3 * m["side"] ** 2
+    words = struct.unpack_from(f"<{size}h", base64.b64decode(m["data"]), 2 * size * n)
+    return [m["scale"] * w for w in words]
+long, sound = motion["long.h5"], motion["sound.h5"]
+same = [n for n, t in enumerate(sound["time"]) if abs(t - long["time"][1]) < 1e-6]
+apart = max(abs(a - b) for a, b in zip(frame(long, 1), frame(sound, same[0])))
+assert same[0] > 0 and apart <= (long["scale"] + sound["scale"]) / 2 + 1e-9, apart
+SCRIPT
+
 # --- a stored truth that is damaged: told, and runs are played without it
 mkdir truths
 printf 'no truth\n' >truths/edge_drop.h5

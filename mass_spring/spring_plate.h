@@ -15,9 +15,8 @@
  * holds the parabola that it should, as neither point is pulled,
  *     x1: 4 w_0 - 2 w_1 + 1 = 0,   x2: -w_0 / 2 + w_1 - 2 + 1 = 0,
  * and positions converge with second order. (The trapezoidal 1/2 and 1 bend the first cell
- * too far: first order. On nets as coarse as 16 x 16 that offsets what the net leaves out
- * of a bend: edge_drop at .5 s is off by .71 % of L there and 1.1 % with 1/3 and 7/6, but
- * by .46 and .41 % on 24 x 24, .39 and .16 % on 32 x 32, .23 and .06 % on 48 x 48.)
+ * too far: first order; on nets as coarse as 16 x 16 that offsets what the net leaves
+ * out of a bend.)
  * With one free neighbour alone the parabola's curvature, 2 (x1 - x0 - a e), over half a
  * cell.
  */

@@ -2,8 +2,8 @@
  * kind the others are read: c .csv, o .obj, p .ply, z .npz, n .npy, m .mdd, 2 .pc2; lines
  * that are `---` part the files of a sequence of meshes.
  *
- * HDF5 is left out: the library is not made for damaged files, ours are sealed
- * (fuzz_store). Beyond crashes, leaks and undefined behaviour it stops at: a refusal
+ * HDF5 is left out: the library is not made for damaged files, and what they hold is
+ * fuzz_store's. Beyond crashes, leaks and undefined behaviour it stops at: a refusal
  * without a printable sentence that names the file; frames with fewer numbers than they
  * say, numbers that are none, times that do not grow. */
 #define _GNU_SOURCE /* memmem */

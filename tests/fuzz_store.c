@@ -5,7 +5,8 @@
  * meet what a file may hold and not the library's own faults, from which the seal keeps
  * them:
  *
- *     run                          or run+fields, or truth, or seal and any bytes
+ *     run                          or run+fields, or truth, or seal and any bytes, or
+ *                                  frames: an HDF5 file of somebody else's
  *     @outcome s - done            an attribute: a text of fixed length
  *     time d 3 0 0.1 0.2           three doubles; fewer values are repeated
  *     xyz d 1,2,100,100,3 0        kinds: d double, s text, v text of any length, x
@@ -16,10 +17,13 @@
  * sentence that names the file; a result that holds less than it says. */
 #define _GNU_SOURCE /* memfd_create */
 #include <hdf5.h>
+#include <math.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include "bench/files/seal.h"
+#include "bench/frames/frames.h"
+#include "bench/frames/frames_bytes.h"
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth_file.h"
 #include "tests/fuzz.h"
@@ -37,6 +41,7 @@ struct item {
 static struct item items[ITEMS];
 static int item_count;
 static long file_size;
+static hsize_t memory_points; /* of the space that was made last */
 
 /* --- the input -------------------------------------------------------------------------
  */
@@ -159,6 +164,21 @@ PLAYED(enum status, seal_check, (const char *path, long *size, struct message *w
     return STATUS_OK;
 }
 
+/* Only its beginning is looked at: HDF5's own mark. */
+PLAYED(enum status, frames_bytes_open,
+       (const char *path, struct frames_bytes *b, struct message *why))
+{
+    (void)path, (void)why;
+    *b = (struct frames_bytes){.byte = (const unsigned char *)"\x89HDF\r\n\x1a\n",
+                               .size = 9};
+    return STATUS_OK;
+}
+
+PLAYED(void, frames_bytes_close, (struct frames_bytes * b))
+{
+    *b = (struct frames_bytes){0};
+}
+
 PLAYED(hid_t, H5Fopen, (const char *name, unsigned flags, hid_t access))
 {
     (void)name, (void)flags, (void)access;
@@ -173,7 +193,8 @@ PLAYED(herr_t, H5Fclose, (hid_t id))
 
 PLAYED(int, H5Idec_ref, (hid_t id))
 {
-    of(id);
+    if (id != MEMORY_SPACE)
+        of(id);
     return 0;
 }
 
@@ -274,7 +295,10 @@ PLAYED(hssize_t, H5Sget_simple_extent_npoints, (hid_t id))
 
 PLAYED(hid_t, H5Screate_simple, (int rank, const hsize_t *size, const hsize_t *most))
 {
-    (void)rank, (void)size, (void)most;
+    (void)most;
+    memory_points = 1;
+    for (int n = 0; n < rank; n++)
+        memory_points *= size[n];
     return MEMORY_SPACE;
 }
 
@@ -289,8 +313,14 @@ PLAYED(herr_t, H5Sselect_hyperslab,
 PLAYED(herr_t, H5Dread,
        (hid_t id, hid_t type, hid_t memory, hid_t space, hid_t access, void *to))
 {
+    const struct item *item = of(id);
+    hsize_t count = 1; /* sizes whose product wraps are more than any memory has */
+
     (void)space, (void)access;
-    return fill(id, type, (hsize_t)(memory == MEMORY_SPACE ? 60000 : points(of(id))), to);
+    for (int n = 0; n < item->rank; n++)
+        count = item->size[n] && count > UINT64_MAX / item->size[n] ? UINT64_MAX
+                                                                    : count * item->size[n];
+    return fill(id, type, memory == MEMORY_SPACE ? memory_points : count, to);
 }
 
 PLAYED(herr_t, H5Aread, (hid_t id, hid_t type, void *to))
@@ -331,6 +361,33 @@ static void check_truth(void)
     free(physics);
 }
 
+/* Frames are as many as the input says, and all the same: a few are read. */
+static void check_frames(void)
+{
+    static const char *const path = "fuzz.h5";
+    struct frames *f = NULL;
+    struct message why = {""};
+    const double *xyz = NULL;
+    double t, before = -INFINITY;
+    enum status st = frames_open(1, &path, &(struct frames_look){0}, &f, &why);
+
+    for (int n = 0; st == STATUS_OK && n < 5; n++) {
+        const struct frames_net *net = frames_net(f);
+        for (int k = 0; net->uv && k < 2 * net->vertices; k++)
+            MUST(isfinite(net->uv[k]));
+        st = frames_next(f, &t, &xyz, &why);
+        if (st != STATUS_OK || !xyz)
+            break;
+        MUST(t > before && isfinite(t));
+        before = t;
+        for (int k = 0; k < 3 * net->vertices; k++)
+            MUST(isfinite(xyz[k]));
+    }
+    if (st != STATUS_OK)
+        fuzz_check_sentence(&why, path);
+    frames_close(f);
+}
+
 enum status __real_seal_check(const char *path, long *size, struct message *why);
 
 static void check_seal(const char *bytes, size_t size)
@@ -367,6 +424,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         take_items(text), check_run(!strcmp(what, "run+fields"));
     else if (text && !strcmp(what, "truth"))
         take_items(text), check_truth();
+    else if (text && !strcmp(what, "frames"))
+        take_items(text), check_frames();
     free(copy);
     return 0;
 }

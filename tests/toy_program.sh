@@ -42,6 +42,6 @@ grep -q toy "$folder/out" || fail "stress has no toy"
 [ $? -le 1 ] || fail "verify: $(tail -3 "$folder/err")"
 grep -q toy "$folder/out" || fail "verify has no toy"
 
-good bench contestants --quick --out "$folder/bench" --format csv
+good bench contestants --models toy --quick --out "$folder/bench" --format csv
 grep '^toy,toy,' "$folder/out" | grep -q ',done$' || fail "the timing table has no toy"
 exit $failed

@@ -37,7 +37,7 @@ struct frames_text {
 struct frames_text frames_text_of(const struct frames_bytes *b);
 bool frames_text_line(struct frames_text *text, const char **line, const char **end);
 
-/* A number, after blanks, as strtod reads it but for the last bit; *p moves behind it.
+/* A number, after blanks, as strtod reads it; *p moves behind it.
  * False: none there. */
 bool frames_text_number(const char **p, const char *end, double *x);
 

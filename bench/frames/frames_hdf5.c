@@ -77,8 +77,8 @@ static enum status take_small(struct frames *f, hid_t file, const char *name, hs
 
     if (set < 0)
         return STATUS_OK;
-    for (int n = 0; n < rank; n++)
-        held *= size[n];
+    for (int n = 0; n < rank; n++) /* too much stays too much: the product does not wrap */
+        held = held > count || size[n] > count ? count + 1 : held * size[n];
     if (!rank || held != count)
         TRY(status_fail(why, STATUS_INPUT, "%s: %s: has %llu numbers; %llu would be right",
                         f->path, name, rank ? (unsigned long long)held : 0,

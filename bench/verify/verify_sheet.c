@@ -78,6 +78,8 @@ bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *fi
 {
     int entries = 0;
 
+    if (*n == 0)
+        verify_sheet_sound(sheet); /* nothing is run against a truth that is not there */
     if (*n == 0 && field->without)
         verify_sheet_holds(sheet, contestant_check(field->without, &sheet->why));
     while (field->entry && field->entry[entries].contestant)

@@ -28,8 +28,8 @@ bool verify_sheet_table(struct verify_sheet *sheet, const char *name);
 /* False: the table lacks something that was read from it; it is told as any failure is. */
 bool verify_sheet_sound(struct verify_sheet *sheet);
 
-/* Walks a field as --models asks for it: its entries, then the others that enter. *n
- * begins at 0.
+/* Walks a field as --models asks for it: its entries, then the others that enter; nobody
+ * where the table lacks what was read so far. *n begins at 0.
  *     for (int n = 0; verify_sheet_next(sheet, &field, &n, &subject);)
  */
 bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *field, int *n,

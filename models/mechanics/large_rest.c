@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "models/mechanics/large_newton.h"
+#include "models/mechanics/large_settle.h"
 #include "models/mechanics/pencil.h"
 
 static const struct large_path statics = {.s1 = 1, .g1 = 1};
@@ -13,6 +14,10 @@ static const struct large_path statics = {.s1 = 1, .g1 = 1};
 static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7,
                     SMALLEST_MOVE = 1e-6, LARGEST_MOVE = 1.0 / 16;
 enum { MOST_INCREMENTS = 2000 };
+
+/* Obstacles hold nodes by springs of so many times the sheet's stiffness, about modes:
+ * these are so little lower than with nodes that can't move. */
+static const double HOLDING = 1e4;
 
 /* What grows from 0 to 1: the load, then the time of the supports' paths. */
 enum stage { LOADING, MOVING };
@@ -158,6 +163,12 @@ enum status large_rest_equilibrium(struct large_motion *m, struct counters *coun
     enum status st;
 
     begin(m);
+    if (m->contact) {
+        place(m, LOADING, 1);
+        TRY(large_settle(m, counters, why));
+        m->rested = true;
+        return STATUS_OK;
+    }
     st = follow(m, LOADING, counters);
     if (status_is_death(st)) {
         begin(m);
@@ -173,7 +184,19 @@ enum status large_rest_equilibrium(struct large_motion *m, struct counters *coun
     else if (status_is_death(st))
         status_fail(why, st, "static equilibrium not found: %s", status_text(st));
     m->rested = st == STATUS_OK;
+out:
     return st;
+}
+
+/* The largest number on the tangent's diagonal [N/m]. */
+static double stiffest(const struct large_motion *m)
+{
+    double most = 0;
+
+    for (int a = 0; a < m->graph->nodes; a++)
+        for (int i = 0; i < 9; i += 4)
+            most = fmax(most, m->K[m->graph->start[a]][i]);
+    return most;
 }
 
 enum status large_rest_modes(struct large_motion *m, int count, double *omega,
@@ -184,6 +207,8 @@ enum status large_rest_modes(struct large_motion *m, int count, double *omega,
 
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &statics, m->x, (struct large_foresight){0}, m->K));
+    if (m->contact)
+        contact_set_stiffen(&m->contact->set, m->graph, HOLDING * stiffest(m), m->K);
     TRY(pencil_modes(&p, m->supports, NULL, count, omega, why));
 out:
     return st;

@@ -15,9 +15,10 @@ static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7,
                     SMALLEST_MOVE = 1e-6, LARGEST_MOVE = 1.0 / 16;
 enum { MOST_INCREMENTS = 2000 };
 
-/* Obstacles hold nodes by springs of so many times the sheet's stiffness, about modes:
- * these are so little lower than with nodes that can't move. */
-static const double HOLDING = 1e4;
+/* About modes obstacles hold nodes by springs of so many times the largest stiffness, which
+ * lowers modes that bend by far less than a hundredth. Stiffer springs' round-off would hide
+ * which modes cost nothing. */
+static const double HOLDING = 100;
 
 /* What grows from 0 to 1: the load, then the time of the supports' paths. */
 enum stage { LOADING, MOVING };

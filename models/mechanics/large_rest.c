@@ -16,8 +16,8 @@ static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7,
 enum { MOST_INCREMENTS = 2000 };
 
 /* About modes obstacles hold nodes by springs of so many times the largest stiffness, which
- * lowers modes that bend by far less than a hundredth. Stiffer springs' round-off would hide
- * which modes cost nothing. */
+ * lowers modes that bend by far less than a hundredth. Stiffer springs' round-off would
+ * hide which modes cost nothing. */
 static const double HOLDING = 100;
 
 /* What grows from 0 to 1: the load, then the time of the supports' paths. */
@@ -103,6 +103,22 @@ out:
     return st;
 }
 
+/* Where supports that move leave no shape near the last, at `last`: to one far off,
+ * downhill, as a snapping sheet goes. */
+static enum status snap(struct large_motion *m, double part, struct counters *counters)
+{
+    enum status st;
+    size_t bytes = 3 * (size_t)m->graph->nodes * sizeof(double);
+
+    memcpy(m->x, m->room, bytes);
+    place(m, MOVING, part);
+    TRY(large_settle(m, counters, NULL));
+    memcpy(m->room, m->x, bytes);
+    TRY(increment_to(m, MOVING, part, 0, counters));
+out:
+    return st;
+}
+
 /* The state of a stage. */
 struct progress {
     double part, increment, last_increment;
@@ -148,6 +164,14 @@ static enum status follow(struct large_motion *m, enum stage stage,
             continue;
         }
         p.increment = shorter;
+        if (stage == MOVING && status_is_death(st) && shorter < smallest &&
+            snap(m, next, counters) == STATUS_OK) {
+            accept(m, &p, stage, next);
+            p.last_increment = 0;
+            p.increment = FIRST_INCREMENT;
+            st = STATUS_OK;
+            continue;
+        }
         if ((st != STATUS_OK && !status_is_death(st)) || shorter < smallest)
             break;
     }

@@ -30,22 +30,28 @@ static double length_of(const double f[3])
     return sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
 }
 
-/* What is unbalanced at m->x, of the loads. */
+/* What is unbalanced at m->x, of the loads and what supports bear. */
 static enum status unbalanced(struct large_motion *m, double *share)
 {
     static const struct large_path statics = {.s1 = 1, .g1 = 1};
     enum status st;
-    double *f = m->room + 2 * 3 * (size_t)m->graph->nodes, left = 0, loads = 0;
+    double *f = m->room + 2 * 3 * (size_t)m->graph->nodes, left = 0, borne = 0;
 
     TRY(large_body_force(&m->body, &statics, m->x, f));
-    for (int t = 0; t < 3 * m->graph->nodes; t++)
-        f[t] = m->supports->free_index[t] < 0 ? 0 : m->load[t] - f[t];
-    contact_set_balance(&m->contact->set, m->x, TOUCHING * m->scene->length, f);
+    for (int t = 0; t < 3 * m->graph->nodes; t++) {
+        f[t] = m->load[t] - f[t];
+        if (m->supports->free_index[t] >= 0)
+            continue;
+        borne += fabs(f[t]);
+        f[t] = 0;
+    }
+    if (m->contact)
+        contact_set_balance(&m->contact->set, m->x, TOUCHING * m->scene->length, f);
     for (int a = 0; a < m->graph->nodes; a++) {
         left += length_of(f + 3 * (size_t)a);
-        loads += length_of(m->load + 3 * (size_t)a);
+        borne += length_of(m->load + 3 * (size_t)a);
     }
-    *share = left > 0 ? left / loads : 0;
+    *share = left > 0 ? left / borne : 0;
 out:
     return st;
 }
@@ -65,7 +71,8 @@ static enum status step(struct large_motion *m, double mass, double *moved,
         .limit = 30};
 
     memcpy(last, m->x, count * sizeof *last);
-    contact_set_detect(&m->contact->set, last);
+    if (m->contact)
+        contact_set_detect(&m->contact->set, last);
     TRY(large_body_strain(&m->body, last, m->strain_old));
     m->factored = -1;
     st = large_newton_solve(m, &q, m->x, counters);
@@ -111,8 +118,10 @@ enum status large_settle(struct large_motion *m, struct counters *counters,
         TRY(status_fail(why, STATUS_DIVERGED,
                         "no equilibrium in %d steps: forces of %.3g of the loads are left",
                         n, left));
-    contact_set_report(&m->contact->set, m->x, 1, &contact);
-    memcpy(m->push, contact.force, sizeof m->push);
+    if (m->contact) {
+        contact_set_report(&m->contact->set, m->x, 1, &contact);
+        memcpy(m->push, contact.force, sizeof m->push);
+    }
     status_fail(why, STATUS_OK,
                 "Relaxed in %d steps: forces of %.2g of the loads are left unbalanced.", n,
                 left);

@@ -41,8 +41,8 @@ static void add_point(struct table *t, const struct scene *scene, const double u
     table_number(t, unit > 0 ? along / sqrt(gravity) / unit : NAN, 7);
 }
 
-/* Modes whose rate is below this share of sqrt(g / L) are told as neutral: a sheet that lies
- * on a floor can be pushed about, and the round-off of a solid's stiffness is 1e-3. */
+/* Modes whose rate is below this share of sqrt(g / L) are told as neutral: a sheet that
+ * lies on a floor can be pushed about, and the round-off of a solid's stiffness is 1e-3. */
 static const double NEUTRAL = 1e-2;
 
 /* What the lowest modes, ascending, say of an equilibrium. */

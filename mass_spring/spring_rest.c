@@ -188,7 +188,7 @@ enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *co
     double end = supports_rest_time(&m->newton.supports, m->scene);
     struct search s = {.m = m};
 
-    TRY(supports_allow_rest(&m->newton.supports, m->scene, why));
+    TRY(supports_allow_rest(&m->newton.supports, m->scene, false, why));
     TRY(spring_newton_system(&m->newton));
     s.r = m->start, s.d = m->target;
     s.from = malloc(count * sizeof *s.from);

@@ -49,7 +49,8 @@ enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *coun
 {
     enum status st;
 
-    TRY(supports_allow_rest(&m->supports, m->scene, why));
+    TRY(supports_allow_rest(&m->supports, m->scene, m->kinematics == KINEMATICS_NONLINEAR,
+                            why));
     m->time = supports_rest_time(&m->supports, m->scene);
     m->started = false;
     if (m->kinematics == KINEMATICS_NONLINEAR)

@@ -175,7 +175,7 @@ enum status tri_motion_rest(struct tri_motion *m, struct counters *counters,
     enum status st;
     double end = supports_rest_time(&m->supports, m->scene);
 
-    TRY(supports_allow_rest(&m->supports, m->scene, why));
+    TRY(supports_allow_rest(&m->supports, m->scene, true, why));
     TRY(make_large(m, why));
     TRY(large_rest_equilibrium(&m->large.motion, counters, why));
     m->frame = lround(end / m->scene->step);
@@ -236,7 +236,7 @@ out:
 
 void tri_motion_contact(const struct tri_motion *m, struct model_contact *contact)
 {
-    if (!m->leapfrog) {
+    if (!m->leapfrog || m->large.motion.rested) {
         large_motion_contact(&m->large.motion, contact);
         return;
     }

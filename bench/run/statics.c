@@ -41,6 +41,58 @@ static void add_point(struct table *t, const struct scene *scene, const double u
     table_number(t, unit > 0 ? along / sqrt(gravity) / unit : NAN, 7);
 }
 
+/* Modes whose rate is below this share of sqrt(g / L) are told as neutral: a sheet that
+ * lies on a floor can be pushed about, and the round-off of a solid's stiffness is 1e-3. */
+static const double NEUTRAL = 1e-2;
+
+/* What the lowest modes, ascending, say of an equilibrium. */
+static void add_stability(struct table *t, const struct scene *scene, int count,
+                          const double *omega)
+{
+    const double *g = scene->gravity;
+    double neutral =
+        NEUTRAL * sqrt(sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / scene->length);
+    int unstable = 0;
+
+    while (unstable < count && omega[unstable] < -neutral)
+        unstable++;
+    if (unstable)
+        table_note(
+            t, "The equilibrium is unstable: %d of these modes grow%s, as exp(-omega t).",
+            unstable, unstable == 1 ? "s" : "");
+    else if (omega[0] <= neutral)
+        table_note(t, "The equilibrium is neutral: it can move without force.");
+    else
+        table_note(t, "The equilibrium is stable: no mode grows.");
+}
+
+/* The same for who asked for displacements. */
+static void tell_stability(struct table *t, struct run *run)
+{
+    struct message why = {{0}};
+    double omega;
+
+    if (!run->model->modes || run->discretization.kinematics != KINEMATICS_NONLINEAR)
+        return;
+    if (run_modes(run, 1, &omega, &why) != STATUS_OK) {
+        table_note(t, "Its stability is not known: %s", why.text);
+        return;
+    }
+    add_stability(t, &run->scene, 1, &omega);
+    table_note(t, "The lowest mode has omega = %.6g rad/s.", omega);
+}
+
+static void tell_contact(struct table *t, const struct run *run)
+{
+    struct model_contact c;
+
+    if (!run->scene.obstacle_count || !run->model->contact)
+        return;
+    run->model->contact(run->state, &c);
+    table_note(t, "Obstacles carry (%.7g, %.7g, %.7g) N at %d nodes of the net.",
+               c.force[0], c.force[1], c.force[2], c.nodes);
+}
+
 enum status statics_print(struct run *run, enum table_format format, FILE *file,
                           struct message *why)
 {
@@ -58,8 +110,12 @@ enum status statics_print(struct run *run, enum table_format format, FILE *file,
     struct counters counters = {0};
     struct energy energy = {NAN, NAN, NAN};
     struct table *t = NULL;
+    struct message told = {{0}};
 
-    TRY(run_settle(run, &counters, why));
+    st = run_settle(run, &counters, &told);
+    if (st != STATUS_OK && why)
+        *why = told;
+    TRY(st);
     if (run->model->energy)
         run->model->energy(run->state, &energy);
     t = table_create(sizeof columns / sizeof *columns, columns,
@@ -73,6 +129,10 @@ enum status statics_print(struct run *run, enum table_format format, FILE *file,
                   "clamped at u = 0, has 1/8 at its tip where nu = 0.");
     table_note(t, "Energies [J]: elastic %.7g, potential %.7g.", energy.elastic,
                energy.potential);
+    tell_contact(t, run);
+    if (*told.text)
+        table_note(t, "%s", told.text);
+    tell_stability(t, run);
     TRY(table_print(t, format, file));
 out:
     table_destroy(t);
@@ -95,21 +155,6 @@ static void add_mode(struct table *t, const struct scene *scene, int n, double o
     table_number(t, omega * unit, 9);
 }
 
-static void add_notes(struct table *t, bool settled, int count, const double *omega)
-{
-    int unstable = 0;
-
-    while (unstable < count && omega[unstable] < 0)
-        unstable++;
-    table_note(t, "lambda = omega L^2 sqrt(rho h / D), D = E h^3 / 12 (1 - nu^2).");
-    if (unstable)
-        table_note(
-            t, "The equilibrium is unstable: %d of these modes grow%s, as exp(-omega t).",
-            unstable, unstable == 1 ? "s" : "");
-    else if (settled)
-        table_note(t, "The equilibrium is stable: no mode grows.");
-}
-
 enum status statics_modes(struct run *run, int count, bool settled,
                           enum table_format format, FILE *file, struct message *why)
 {
@@ -130,7 +175,9 @@ enum status statics_modes(struct run *run, int count, bool settled,
                              : "Natural frequencies about the rest shape");
     for (int n = 0; n < count; n++)
         add_mode(t, &run->scene, n + 1, omega[n]);
-    add_notes(t, settled, count, omega);
+    table_note(t, "lambda = omega L^2 sqrt(rho h / D), D = E h^3 / 12 (1 - nu^2).");
+    if (settled)
+        add_stability(t, &run->scene, count, omega);
     TRY(table_print(t, format, file));
 out:
     table_destroy(t);

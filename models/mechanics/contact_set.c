@@ -238,6 +238,75 @@ double contact_set_arrest(const struct contact_set *c, const double *v, double *
     return largest;
 }
 
+/* Friction of node a against f[3], which it shortens; all that is left of it if `sticks`.
+ */
+static void rub(struct contact_set *c, int a, const struct contact_pair *pair, double f[3])
+{
+    struct contact_node *node = &c->node[a];
+    double along[3] = {f[0], f[1], f[2]}, limit = 0;
+
+    contact_set_along(c, a, along);
+    double length = sqrt(dot(along, along));
+    for (int t = 0; t < node->touches; t++)
+        limit += c->scene->obstacles[node->obstacle[t]].friction *
+                 pair[node->obstacle[t]].lambda;
+    node->sticks = limit > 0 && length < limit;
+    double share = node->sticks ? 1 : length > 0 ? limit / length : 0;
+    for (int i = 0; i < 3; i++) {
+        node->friction[i] = -share * along[i];
+        node->force[i] += node->friction[i];
+        f[i] += node->friction[i];
+    }
+}
+
+void contact_set_balance(struct contact_set *c, const double *x, double touching, double *F)
+{
+    contact_set_detect(c, x);
+    for (size_t n = 0; n < (size_t)c->nodes * (size_t)c->obstacles; n++)
+        c->pair[n].active &= c->pair[n].gap <= touching;
+    contact_set_project(c);
+    for (int a = 0; a < c->nodes; a++) {
+        struct contact_node *node = &c->node[a];
+        struct contact_pair *pair = c->pair + (size_t)a * (size_t)c->obstacles;
+        double *f = F + 3 * (size_t)a, before[3] = {f[0], f[1], f[2]};
+        memset(node->force, 0, sizeof node->force);
+        for (int o = 0; o < c->obstacles; o++)
+            pair[o].lambda = 0;
+        for (int t = 0; t < node->touches; t++) {
+            struct contact_pair *p = &pair[node->obstacle[t]];
+            p->lambda = fmax(0, -dot(node->dual[t], before));
+            for (int i = 0; i < 3; i++) {
+                double push =
+                    c->held->free_index[3 * a + i] < 0 ? 0 : p->lambda * p->normal[i];
+                node->force[i] += push;
+                f[i] += push;
+            }
+        }
+        rub(c, a, pair, f);
+    }
+}
+
+void contact_set_stiffen(const struct contact_set *c, const struct blocks *graph,
+                         double stiffness, double (*K)[9])
+{
+    for (int a = 0; a < c->nodes; a++) {
+        const struct contact_node *node = &c->node[a];
+        const struct contact_pair *pair = c->pair + (size_t)a * (size_t)c->obstacles;
+        double *block = K[graph->start[a]];
+        for (int t = 0; t < 9; t++)
+            block[t] +=
+                stiffness * ((t % 4 == 0) - (node->sticks ? 0 : c->projector[a][t]));
+        for (int t = 0; t < node->touches; t++) {
+            const struct contact_pair *p = &pair[node->obstacle[t]];
+            const struct scene_obstacle *o = &c->scene->obstacles[node->obstacle[t]];
+            double pull =
+                o->kind == OBSTACLE_SPHERE ? p->lambda / (o->radius + c->offset) : 0;
+            for (int i = 0; i < 9; i++)
+                block[i] -= pull * ((i % 4 == 0) - p->normal[i / 3] * p->normal[i % 3]);
+        }
+    }
+}
+
 void contact_set_report(const struct contact_set *c, const double *x, double unit,
                         struct model_contact *report)
 {

@@ -13,6 +13,7 @@
 #ifndef CONTACT_SET_H
 #define CONTACT_SET_H
 
+#include "models/linalg/blocks.h"
 #include "models/mechanics/supports.h"
 #include "models/model.h"
 
@@ -95,6 +96,20 @@ double contact_set_arrest(const struct contact_set *c, const double *v, double *
 
 /* v[3] of node a less its parts in held components and in its normals. */
 void contact_set_along(const struct contact_set *c, int a, double v[3]);
+
+/* Reactions at x[nodes][3] to the forces F[nodes][3] on a body at rest: those that
+ * obstacles may have - they push, along normals, and rub within Coulomb's limit - and that
+ * leave least of F, are taken from it and kept in lambda, force and sticks (below the
+ * limit). Pairs farther apart than `touching` [m] are let go. */
+void contact_set_balance(struct contact_set *c, const double *x, double touching,
+                         double *F);
+
+/* What obstacles add to the tangent of a body at rest, after contact_set_balance: springs
+ * of `stiffness` [N/m] along normals, and in all directions where a node sticks; and where
+ * a ball pushes lambda / R, by which it is the less stable the less its radius (the second
+ * derivative of the gap). K[pairs], diagonal blocks first in each of graph's columns. */
+void contact_set_stiffen(const struct contact_set *c, const struct blocks *graph,
+                         double stiffness, double (*K)[9]);
 
 /* Fills *report; x[nodes][3] are present positions, and forces are multiplied by `unit`. */
 void contact_set_report(const struct contact_set *c, const double *x, double unit,

@@ -86,7 +86,7 @@ out:
 
 void large_motion_contact(const struct large_motion *m, struct model_contact *contact)
 {
-    if (m->leapfrog) {
+    if (m->leapfrog && !m->rested) {
         large_leapfrog_contact(m, contact);
         return;
     }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "models/mechanics/large_newton.h"
+#include "models/mechanics/large_settle.h"
 #include "models/mechanics/pencil.h"
 
 static const struct large_path statics = {.s1 = 1, .g1 = 1};
@@ -13,6 +14,11 @@ static const struct large_path statics = {.s1 = 1, .g1 = 1};
 static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7,
                     SMALLEST_MOVE = 1e-6, LARGEST_MOVE = 1.0 / 16;
 enum { MOST_INCREMENTS = 2000 };
+
+/* About modes obstacles hold nodes by springs of so many times the largest stiffness, which
+ * lowers modes that bend by far less than a hundredth. Stiffer springs' round-off would
+ * hide which modes cost nothing. */
+static const double HOLDING = 100;
 
 /* What grows from 0 to 1: the load, then the time of the supports' paths. */
 enum stage { LOADING, MOVING };
@@ -97,6 +103,22 @@ out:
     return st;
 }
 
+/* Where supports that move leave no shape near the last, at `last`: to one far off,
+ * downhill, as a snapping sheet goes. */
+static enum status snap(struct large_motion *m, double part, struct counters *counters)
+{
+    enum status st;
+    size_t bytes = 3 * (size_t)m->graph->nodes * sizeof(double);
+
+    memcpy(m->x, m->room, bytes);
+    place(m, MOVING, part);
+    TRY(large_settle(m, counters, NULL));
+    memcpy(m->room, m->x, bytes);
+    TRY(increment_to(m, MOVING, part, 0, counters));
+out:
+    return st;
+}
+
 /* The state of a stage. */
 struct progress {
     double part, increment, last_increment;
@@ -142,6 +164,14 @@ static enum status follow(struct large_motion *m, enum stage stage,
             continue;
         }
         p.increment = shorter;
+        if (stage == MOVING && status_is_death(st) && shorter < smallest &&
+            snap(m, next, counters) == STATUS_OK) {
+            accept(m, &p, stage, next);
+            p.last_increment = 0;
+            p.increment = FIRST_INCREMENT;
+            st = STATUS_OK;
+            continue;
+        }
         if ((st != STATUS_OK && !status_is_death(st)) || shorter < smallest)
             break;
     }
@@ -158,6 +188,12 @@ enum status large_rest_equilibrium(struct large_motion *m, struct counters *coun
     enum status st;
 
     begin(m);
+    if (m->contact) {
+        place(m, LOADING, 1);
+        TRY(large_settle(m, counters, why));
+        m->rested = true;
+        return STATUS_OK;
+    }
     st = follow(m, LOADING, counters);
     if (status_is_death(st)) {
         begin(m);
@@ -173,7 +209,19 @@ enum status large_rest_equilibrium(struct large_motion *m, struct counters *coun
     else if (status_is_death(st))
         status_fail(why, st, "static equilibrium not found: %s", status_text(st));
     m->rested = st == STATUS_OK;
+out:
     return st;
+}
+
+/* The largest number on the tangent's diagonal [N/m]. */
+static double stiffest(const struct large_motion *m)
+{
+    double most = 0;
+
+    for (int a = 0; a < m->graph->nodes; a++)
+        for (int i = 0; i < 9; i += 4)
+            most = fmax(most, m->K[m->graph->start[a]][i]);
+    return most;
 }
 
 enum status large_rest_modes(struct large_motion *m, int count, double *omega,
@@ -184,6 +232,8 @@ enum status large_rest_modes(struct large_motion *m, int count, double *omega,
 
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &statics, m->x, (struct large_foresight){0}, m->K));
+    if (m->contact)
+        contact_set_stiffen(&m->contact->set, m->graph, HOLDING * stiffest(m), m->K);
     TRY(pencil_modes(&p, m->supports, NULL, count, omega, why));
 out:
     return st;

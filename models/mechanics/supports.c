@@ -133,14 +133,20 @@ out:
 }
 
 enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
-                                struct message *why)
+                                bool obstacles, struct message *why)
 {
-    if (scene->obstacle_count)
+    if (scene->obstacle_count && !obstacles)
         return status_fail(
             why, STATUS_UNSUPPORTED,
-            "unsupported: no static equilibrium with obstacles; a motion with "
-            "damping comes to rest on them");
-    if (!s->held_count)
+            "unsupported: static equilibrium with obstacles is found at large "
+            "displacements "
+            "by shell, triangles and solids only; a motion with damping comes to rest on "
+            "them");
+    if (scene->obstacle_count && s->moving)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "unsupported: no static equilibrium with obstacles and supports "
+                           "that move");
+    if (!s->held_count && !scene->obstacle_count)
         return status_fail(why, STATUS_INPUT,
                            "static equilibrium needs supports, and the scene has none");
     return STATUS_OK;

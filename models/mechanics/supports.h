@@ -33,7 +33,7 @@ void supports_clear(struct supports *s);
 /* STATUS_INPUT or STATUS_UNSUPPORTED with a sentence where a scene has no static
  * equilibrium that models look for: nothing is held, or there are obstacles. */
 enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
-                                struct message *why);
+                                bool obstacles, struct message *why);
 
 /* Initial velocities (scene_initial_velocity) into v[nodes][3] [m/s]: of coefficients at
  * rest[nodes][3], with parameters uvw[nodes][3] if some of them are differences (NULL:

@@ -40,7 +40,7 @@ enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *coun
     size_t count = 3 * (size_t)m->space->nodes;
     double *r = n->work, change = 0;
 
-    TRY(supports_allow_rest(&m->supports, m->scene, why));
+    TRY(supports_allow_rest(&m->supports, m->scene, m->large, why));
     if (m->large)
         return solid_large_equilibrium(m, counters, why);
     memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */

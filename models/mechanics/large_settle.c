@@ -1,0 +1,131 @@
+#include "models/mechanics/large_settle.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "models/mechanics/large_newton.h"
+
+const double LARGE_SETTLE_RESIDUAL = 1e-6;
+
+/* Nodes nearer than this share of the length touch: an obstacle is met at its tangent
+ * plane, which is off by d^2 / 2 R where the last step moved by d. */
+static const double TOUCHING = 1e-8;
+
+/* The mass of a step that failed is multiplied by the first, by the second where the step
+ * needed a tangent without stress - a shape with an unstable way out is left, not settled
+ * in - and by the third where it went well. */
+static const double FAILED = 8, SHORTER = 2, GOOD = 0.5;
+
+/* Of the length: where a node moves farther in a step, the next is shorter; where it moves
+ * less than half as far, the next is longer: the way down is followed and not leapt. */
+static const double FARTHEST = 0.02;
+
+/* Mass of the longest step, of that of the scene's step. */
+static const double LONGEST = 1e-8;
+
+enum { MOST_STEPS = 600 };
+
+static double length_of(const double f[3])
+{
+    return sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+}
+
+/* What is unbalanced at m->x, of the loads and what supports bear. */
+static enum status unbalanced(struct large_motion *m, double *share)
+{
+    static const struct large_path statics = {.s1 = 1, .g1 = 1};
+    enum status st;
+    double *f = m->room + 2 * 3 * (size_t)m->graph->nodes, left = 0, borne = 0;
+
+    TRY(large_body_force(&m->body, &statics, m->x, f));
+    for (int t = 0; t < 3 * m->graph->nodes; t++) {
+        f[t] = m->load[t] - f[t];
+        if (m->supports->free_index[t] >= 0)
+            continue;
+        borne += fabs(f[t]);
+        f[t] = 0;
+    }
+    if (m->contact)
+        contact_set_balance(&m->contact->set, m->x, TOUCHING * m->scene->length, f);
+    for (int a = 0; a < m->graph->nodes; a++) {
+        left += length_of(f + 3 * (size_t)a);
+        borne += length_of(m->load + 3 * (size_t)a);
+    }
+    *share = left > 0 ? left / borne : 0;
+out:
+    return st;
+}
+
+/* A step from m->x, which stays there if it fails; the farthest that a node *moved. */
+static enum status step(struct large_motion *m, double mass, double *moved,
+                        struct counters *counters)
+{
+    enum status st;
+    size_t count = 3 * (size_t)m->graph->nodes;
+    double *last = m->room, *way = m->room + 2 * count;
+    const struct large_equation q = {
+        .path = {.s1 = 1, .g1 = 1, .x_old = last, .strain_old = m->strain_old},
+        .mass = mass,
+        .hat = last,
+        .load = 1,
+        .limit = 30};
+
+    memcpy(last, m->x, count * sizeof *last);
+    if (m->contact)
+        contact_set_detect(&m->contact->set, last);
+    TRY(large_body_strain(&m->body, last, m->strain_old));
+    m->factored = -1;
+    st = large_newton_solve(m, &q, m->x, counters);
+    for (size_t t = 0; t < count; t++)
+        way[t] = m->x[t] - last[t];
+    *moved = blocks_longest(m->graph->nodes, way);
+    if (st != STATUS_OK)
+        memcpy(m->x, last, count * sizeof *last);
+out:
+    return st;
+}
+
+/* The next step's mass, of this one's. */
+static double growth(const struct large_motion *m, enum status st, double moved)
+{
+    double farthest = FARTHEST * m->scene->length;
+
+    if (st != STATUS_OK)
+        return FAILED;
+    if (m->stressless || moved > farthest)
+        return SHORTER;
+    return moved < GOOD * farthest ? GOOD : 1;
+}
+
+enum status large_settle(struct large_motion *m, struct counters *counters,
+                         struct message *why)
+{
+    enum status st = STATUS_OK;
+    double first = 1 / (m->scene->step * m->scene->step), mass = first;
+    double left = INFINITY, moved = 0;
+    struct model_contact contact;
+    int n = 0;
+
+    for (; n < MOST_STEPS && left > LARGE_SETTLE_RESIDUAL; n++) {
+        st = step(m, mass, &moved, counters);
+        if (st != STATUS_OK && !status_is_death(st))
+            goto out;
+        mass = fmax(mass * growth(m, st, moved), LONGEST * first);
+        if (st == STATUS_OK)
+            TRY(unbalanced(m, &left));
+    }
+    if (left > LARGE_SETTLE_RESIDUAL)
+        TRY(status_fail(why, STATUS_DIVERGED,
+                        "no equilibrium in %d steps: forces of %.3g of the loads are left",
+                        n, left));
+    if (m->contact) {
+        contact_set_report(&m->contact->set, m->x, 1, &contact);
+        memcpy(m->push, contact.force, sizeof m->push);
+    }
+    status_fail(why, STATUS_OK,
+                "Relaxed in %d steps: forces of %.2g of the loads are left unbalanced.", n,
+                left);
+out:
+    m->factored = -1;
+    return st;
+}

@@ -1,0 +1,199 @@
+/* Static equilibrium on obstacles, and what is said of its stability: a floor and an
+ * incline bear the weight or let the sheet slide, a strip hangs over a ball, a strip that
+ * is pressed straight would buckle. A row a model. */
+#include "models/grid.h"
+#include "tests/check.h"
+#include "tests/opened_run.h"
+
+/* Of the weight: what the search leaves unbalanced is 1e-6 of it. */
+static const double BALANCE = 2e-6;
+/* Lengths. A frame of free fall is 1e-4; a sheet at rest moves as little as 1e-6 of its
+ * weight moves a node of a hundredth of its mass, in STEPS frames. */
+static const double STILL = 1e-6;
+/* Of what is flat or its own mirror image: the search ends by forces, and where it ends it
+ * is as soft as bending is, or a solid's compression by its own weight. */
+static const double ALIKE = 1e-5;
+/* Of sqrt(g / L): rates of what can be pushed about; round-off of a solid's stiffness. */
+static const double NEUTRAL = 1e-2;
+
+enum { STEPS = 5, SETTINGS = 12 };
+
+struct net {
+    const char *model, *sheet, *strip, *extra;
+    bool solid;
+};
+static const struct net nets[] = {
+    {"shell", "discretization.points=[6,5]", "discretization.points=[14,4]",
+     "discretization.degree=[3,3]"},
+    {"triangles", "discretization.points=[6,5]", "discretization.points=[15,3]",
+     "discretization.kinematics=nonlinear"},
+    {"triangles", "discretization.points=[6,5]", "discretization.points=[15,3]",
+     "discretization.integrator=leapfrog"},
+    {"hex", "discretization.points=[6,5,2]", "discretization.points=[15,3,2]",
+     "discretization.remedy=incompatible", true},
+    {"iga", "discretization.points=[6,5,2]", "discretization.points=[14,4,2]",
+     "discretization.remedy=selective", true},
+};
+enum { NETS = sizeof nets / sizeof *nets };
+
+#define SHEET    "sheet={length: 0.5, width: 0.4, thickness: 0.004}"
+#define STRIP    "sheet={length: 0.5, width: 0.05, thickness: 0.004}"
+#define MATERIAL "material={young: 1e5, poisson: 0.3, density: 200}"
+#define INCLINE(mu)                                                                        \
+    "obstacles=[{plane: {point: [0,0,-0.0022], normal: [0.4,0,1], friction: " #mu "}}]"
+
+static void open_net(struct run *t, const struct net *net, const char *points,
+                     const char *const more[SETTINGS])
+{
+    const char *settings[SETTINGS + 3] = {"discretization.kinematics=nonlinear", net->extra,
+                                          points};
+    int count = 3;
+
+    for (int n = 0; more[n]; n++)
+        settings[count++] = more[n];
+    opened_run(t, SOURCE_DIR "/models/scenes/cantilever.yaml", net->model, count, settings);
+}
+
+static double weight_of(const struct run *t)
+{
+    const struct scene *s = &t->scene;
+
+    return 9.81 * s->density * s->thickness * s->length * s->width;
+}
+
+static double lowest(struct run *t)
+{
+    double omega = NAN;
+
+    CHECK(t->model->modes(t->state, 1, &omega, NULL) == STATUS_OK);
+    return omega;
+}
+
+/* Obstacles carry it, and steps in time find nothing to do. */
+static void check_at_rest(struct run *t)
+{
+    static double before[3 * GRID_POINTS], after[3 * GRID_POINTS];
+    struct counters counters = {0};
+    struct model_contact c;
+    double weight = weight_of(t), moved = 0;
+
+    t->model->contact(t->state, &c);
+    CHECK_RELATIVE(c.force[2], weight, BALANCE);
+    CHECK_NEAR(c.force[0], 0, BALANCE * weight);
+    CHECK_NEAR(c.force[1], 0, BALANCE * weight);
+    CHECK_NEAR(c.least_gap, 0, STILL * t->scene.length);
+    CHECK(c.nodes > 0);
+    t->model->sample(t->state, before);
+    for (int n = 0; n < STEPS; n++)
+        CHECK(t->model->advance(t->state, &counters) == STATUS_OK);
+    t->model->sample(t->state, after);
+    for (int n = 0; n < 3 * GRID_POINTS; n++)
+        moved = fmax(moved, fabs(after[n] - before[n]));
+    CHECK_NEAR(moved / t->scene.length, 0, STILL);
+}
+
+static const struct ground {
+    const char *obstacle;
+    bool rests;
+    int stable; /* 1; 0: neutral */
+    bool flat;
+} grounds[] = {
+    {"obstacles=[{plane: {point: [0,0,-0.01], normal: [0,0,1]}}]", true, 0, true},
+    {"obstacles=[{plane: {point: [0,0,-0.01], normal: [0,0,1], friction: 0.3}}]", true, 1,
+     true},
+    {INCLINE(0.6), true, 1, false},
+    {INCLINE(0.2), false, 0, false},
+};
+
+static void check_ground(const struct net *net, const struct ground *g)
+{
+    struct counters counters = {0};
+    struct message why = {""};
+    struct run t;
+    double xyz[2][3];
+
+    open_net(&t, net, net->sheet,
+             (const char *const[SETTINGS]){
+                 SHEET, MATERIAL, "supports=[]", g->obstacle,
+                 g->flat ? "pose={origin: [0,0,0], u: [1,0,0], v: [0,1,0]}"
+                         : "pose={origin: [0,0,0], u: "
+                           "[0.92847669088526,0,-0.371390676354104], v: [0,1,0]}"});
+    enum status st = t.model->equilibrium(t.state, &counters, &why);
+    bool good = CHECK(st == (g->rests ? STATUS_OK : STATUS_DIVERGED));
+    good &= CHECK(strstr(why.text, g->rests ? "Relaxed in" : "no equilibrium in"));
+    if (g->rests) {
+        double omega = lowest(&t) / sqrt(9.81 / t.scene.length);
+        good &= CHECK(g->stable ? omega > NEUTRAL : fabs(omega) < NEUTRAL);
+        t.model->probe(t.state, 2, (const double[]){0, 0, 0.5, 0.4, 0.7, 0.5}, *xyz);
+        good &= !g->flat || CHECK_NEAR(xyz[0][2], xyz[1][2], ALIKE * t.scene.length);
+        check_at_rest(&t);
+    }
+    if (!good)
+        printf("%s on %s: %s\n", net->model, g->obstacle, why.text);
+    run_close(&t);
+}
+
+/* Laid over a ball below its middle a strip hangs down on both sides alike. */
+static void check_ball(const struct net *net)
+{
+    struct counters counters = {0};
+    struct message why = {""};
+    struct run t;
+    double xyz[3][3];
+
+    open_net(&t, net, net->strip,
+             (const char *const[SETTINGS]){
+                 STRIP, MATERIAL, "supports=[]",
+                 "pose={origin: [-0.25,-0.025,0], u: [1,0,0], v: [0,1,0]}",
+                 "obstacles=[{sphere: {center: [0,0,-0.1021], radius: 0.1, friction: "
+                 "0.3}}]"});
+    bool good = CHECK(t.model->equilibrium(t.state, &counters, &why) == STATUS_OK);
+    good &= CHECK(lowest(&t) > 0);
+    t.model->probe(t.state, 3, (const double[]){0, 0.5, 0.5, 0.5, 0.5, 0.5, 1, 0.5, 0.5},
+                   *xyz);
+    good &= CHECK_NEAR(xyz[0][2] - xyz[2][2], 0, ALIKE * t.scene.length);
+    good &= CHECK_NEAR(xyz[0][0] + xyz[2][0], 0, ALIKE * t.scene.length);
+    good &= CHECK(xyz[1][2] - xyz[0][2] > 0.2 * t.scene.length);
+    check_at_rest(&t);
+    if (!good)
+        printf("%s on a ball: %s\n", net->model, why.text);
+    run_close(&t);
+}
+
+/* Both ends clamped and pressed together by three times the shortening at which it buckles,
+ * pi^2 h^2 / 3 L^2: without a weight it stays straight, and would not if touched; with one
+ * it has gone to a side, where it is stable. (Solids' coarse nets lock: tests/prestressed.c
+ * has theirs.) */
+static void check_pressed(const struct net *net)
+{
+    if (net->solid)
+        return;
+    for (int heavy = 0; heavy < 2; heavy++) {
+        struct counters counters = {0};
+        struct message why = {""};
+        struct run t;
+        open_net(&t, net, net->strip,
+                 (const char *const[SETTINGS]){
+                     "sheet={length: 1, width: 0.1, thickness: 0.01}", "material.poisson=0",
+                     "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz, path: "
+                     "[[0,0,0,0],[1,-1e-3,0,0]]}]",
+                     heavy ? "gravity=[0,0,-0.05]" : "gravity=[0,0,0]", "time.end=1"});
+        bool good = CHECK(t.model->equilibrium(t.state, &counters, &why) == STATUS_OK);
+        double omega = lowest(&t);
+        good &= CHECK(heavy ? omega > 0 : omega < 0);
+        if (!good)
+            printf("%s, pressed: %g %s\n", net->model, omega, why.text);
+        run_close(&t);
+    }
+}
+
+int main(void)
+{
+    for (int n = 0; n < NETS; n++) {
+        for (size_t g = 0; g < sizeof grounds / sizeof *grounds; g++)
+            check_ground(&nets[n], &grounds[g]);
+        check_ball(&nets[n]);
+        check_pressed(&nets[n]);
+    }
+    return check_result();
+}

@@ -128,6 +128,7 @@ static bool say_turned(const struct score *s, struct score_diagnosis *d)
 struct lines {
     double rest, truth, got;
     double spread; /* standard deviation of got over truth, a piece */
+    double floor;  /* share of the truth's length by which got may be off */
 };
 
 static double piece(const double *field, int point, int to)
@@ -138,9 +139,33 @@ static double piece(const double *field, int point, int to)
     return sqrt(x * x + y * y + z * z);
 }
 
-static struct lines lines_of(const double *rest, const double *truth, const double *got,
-                             bool along_v)
+static double share_off(const struct lines *l)
 {
+    return l->got / l->truth - 1;
+}
+
+/* Of the truth's stretch. */
+static bool is_stretched(const struct lines *l)
+{
+    return l->truth / l->rest - 1 > STRAIN_LEAST && l->got > l->rest;
+}
+
+/* A share of the truth's own stretch, where it has one; and what chords of this net cut off
+ * the truth's lines, which are `whole` long. */
+static double floor_of(const struct lines *l, double whole)
+{
+    const double cut = fabs(whole / l->truth - 1);
+
+    if (is_stretched(l))
+        return cut + STRAIN_OFF * (1 - l->rest / l->truth);
+    return cut + (share_off(l) > 0 ? STRETCH_LEAST : SHRINK_LEAST);
+}
+
+/* `truth` as the net sees it; `whole` as it is. */
+static struct lines lines_of(const double *rest, const double *whole, const double *truth,
+                             const double *got, bool along_v)
+{
+    double length = 0;
     struct lines l = {0};
     double sum = 0, squares = 0;
     int pieces = 0;
@@ -150,6 +175,7 @@ static struct lines lines_of(const double *rest, const double *truth, const doub
             const int a = j * GRID_U + i, b = a + (along_v ? GRID_U : 1);
             const double wanted = piece(truth, a, b), there = piece(got, a, b);
             l.rest += piece(rest, a, b);
+            length += piece(whole, a, b);
             l.truth += wanted;
             l.got += there;
             sum += there / wanted;
@@ -157,15 +183,15 @@ static struct lines lines_of(const double *rest, const double *truth, const doub
             pieces++;
         }
     l.spread = sqrt(fmax(0, squares / pieces - sum / pieces * (sum / pieces)));
+    l.floor = floor_of(&l, length);
     return l;
 }
 
 static void stretch_text(const struct lines *l, double when, struct score_diagnosis *d)
 {
-    const double more = l->got / l->truth - 1, strain = l->truth / l->rest - 1;
+    const double more = share_off(l), strain = l->truth / l->rest - 1;
 
-    if (strain > STRAIN_LEAST && l->got > l->rest &&
-        fabs(l->got - l->truth) > STRAIN_OFF * (l->truth - l->rest))
+    if (is_stretched(l))
         say(d, SCORE_STRETCH, more,
             "Stretches %.2g times as much as the truth (its lines, on average, by %.2g %% "
             "in "
@@ -174,7 +200,7 @@ static void stretch_text(const struct lines *l, double when, struct score_diagno
             when,
             more > 0 ? "too soft in the plane, or too few iterations."
                      : "too stiff in the plane, or not yet at rest.");
-    else if (more > STRETCH_LEAST || more < -SHRINK_LEAST)
+    else
         say(d, SCORE_STRETCH, more,
             "%s by %.2g %% more than the truth (its lines, on average, at %g s): %s",
             more > 0 ? "Stretches" : "Shrinks", 100 * fabs(more), when,
@@ -184,19 +210,21 @@ static void stretch_text(const struct lines *l, double when, struct score_diagno
                                 : "is the rest shape the sheet's?");
 }
 
+/* Of both directions at all times, the one that is farthest beyond its own floor. */
 static enum status say_stretch(const struct score *s, struct score_diagnosis *d)
 {
-    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), when = 0;
-    struct lines most = {.rest = 1, .truth = 1, .got = 1};
+    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), when = 0, far = 1;
+    struct lines most = {0};
 
     for (int n = 0; seen && n < s->truth.times; n++) {
         if (!s->row[n].known)
             continue;
         score_seen(s, n, seen);
         for (int k = 0; k < 2; k++) {
-            const struct lines l =
-                lines_of(s->truth.rest, seen, s->field + 3L * SCORE_POINTS * n, k);
-            if (fabs(l.got / l.truth - 1) > fabs(most.got / most.truth - 1)) {
+            const struct lines l = lines_of(s->truth.rest, score_truth_field(&s->truth, n),
+                                            seen, s->field + 3L * SCORE_POINTS * n, k);
+            if (fabs(share_off(&l)) > far * l.floor) {
+                far = fabs(share_off(&l)) / l.floor;
                 most = l;
                 when = s->row[n].time;
             }
@@ -205,7 +233,8 @@ static enum status say_stretch(const struct score *s, struct score_diagnosis *d)
     free(seen);
     if (!seen)
         return STATUS_MEMORY;
-    stretch_text(&most, when, d);
+    if (far > 1)
+        stretch_text(&most, when, d);
     return STATUS_OK;
 }
 

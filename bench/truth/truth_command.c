@@ -248,7 +248,7 @@ static const struct command_option options[] = {
      "run nothing: the table of the truth that is stored,\nor is a closed form"},
     {"--third", "FOLDER", false,
      "run nothing: put somebody else's frames on three nets,\nextrapolated, beside the "
-     "truth"},
+     "truth, into third/ of its folder"},
     {"--points", "N,M", false,
      "with --stored: its positions as CSV t,u,v,x,y,z on a net of so many points"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},

@@ -51,6 +51,8 @@ static void note_horizon(struct table *t, const struct truth_made *made, double 
 static void add_notes(struct table *t, const struct truth_made *made, double length)
 {
     table_note(t, "The truth: %s.", made->note);
+    if (made->foreign)
+        return;
     if (made->closed) {
         table_note(t, "Horizon: %s.", made->horizon);
         return;
@@ -102,10 +104,14 @@ enum status truth_print(const struct truth_made *made, const struct scene *scene
     };
     char caption[128];
 
-    snprintf(caption, sizeof caption, "Truth of %s: %serror bars", scene->name,
+    snprintf(caption, sizeof caption, "%s of %s: %serror bars",
+             made->foreign ? "The third mechanics" : "Truth", scene->name,
              made->closed ? "" : "observed orders and ");
     for (int n = 0; made->closed && n < TRUTH_ERROR; n++)
         columns[1 + n].readers = TABLE_NOBODY; /* nobody's run */
+    for (int n = 0; made->foreign && n < TRUTH_ERROR; n++)
+        if (n != TRUTH_SHELL_SPACE)
+            columns[1 + n].readers = TABLE_NOBODY;
     for (int n = TRUTH_THIRD; !has_third(made) && n < TRUTH_COLUMNS; n++)
         columns[1 + n].readers = TABLE_NOBODY;
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);

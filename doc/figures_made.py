@@ -330,15 +330,24 @@ def horizon(scene):
     return how[grown[1]].format(many, grown[3])
 
 
+def third(scene):
+    """Distance / own bar of the third mechanics, at times at which it is compared."""
+    rows = part(f"truth_{scene}", "error bars", "error_bar_over_length")
+    number = [[100 * float(r[c]) for c in ("third_over_length", "third_bar_over_length")]
+              for r in rows if r.get("third_over_length") not in (None, "", "nan")]
+    return ", ".join(f"{digits(off, 2 if off >= 0.1 else 1)} ({digits(bar, 2 if bar >= 0.1 else 1)})"
+                     for off, bar in number) or "-"
+
+
 def truths():
     rows = []
     for scene in SCENES:
         known = bars(scene)
         rows.append([f"`{scene}`", f"{known[-1][0]:.1f} s",
                      ", ".join(digits(bar, 1 if bar < 0.1 else 2) for _, bar in known),
-                     horizon(scene)])
+                     third(scene), horizon(scene)])
     return markdown(["scene", "known to", "error bar, % of the length, at 0.1, 0.2, ... s",
-                     "a change of 1e-6"], rows)
+                     "a third's distance (its bar)", "a change of 1e-6"], rows)
 
 
 def truth_words():

@@ -61,7 +61,7 @@ static void make_up(struct truth_made *made)
     for (int n = 0; n < TIMES; n++) {
         for (int k = 0; k < 3 * GRID_POINTS; k++)
             made->xyz[n][k] = sin(1e-3 * k + n);
-        for (int c = 0; c < TRUTH_COLUMNS; c++)
+        for (int c = 0; c < TRUTH_STORED; c++)
             made->value[n][c] = c + 10 * n;
         made->value[n][TRUTH_ERROR] = 0.01 * (n + 1);
     }
@@ -99,7 +99,7 @@ static void file_comes_back(const struct truth_made *made, const char *file)
     CHECK(!strcmp(text, want));
     for (int n = 0; n < TIMES; n++) {
         CHECK(read.time[n] == times[n]);
-        for (int c = 0; c < TRUTH_COLUMNS; c++)
+        for (int c = 0; c < TRUTH_STORED; c++)
             CHECK(read.value[n][c] == made->value[n][c] ||
                   (isnan(read.value[n][c]) && isnan(made->value[n][c])));
     }

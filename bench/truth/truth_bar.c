@@ -35,6 +35,12 @@ static double solve(const double h[3], double wanted)
     return low;
 }
 
+/* Of the second difference, by order p: the finest run's error. */
+static double left_by(const double h[3], double p)
+{
+    return pow(h[2], p) / (pow(h[1], p) - pow(h[2], p));
+}
+
 struct truth_order truth_order(const double h[3], double first, double second,
                                double promised)
 {
@@ -44,8 +50,7 @@ struct truth_order truth_order(const double h[3], double first, double second,
         return o;
     o.order = solve(h, first / second);
     double p = o.order >= LEAST ? fmin(o.order, promised) : LEAST;
-    double left = pow(h[2], p) / (pow(h[1], p) - pow(h[2], p));
-    o.bar = (o.order >= LEAST ? SAFETY : UNSAFE) * second * left;
+    o.bar = (o.order >= LEAST ? SAFETY : UNSAFE) * second * left_by(h, p);
     return o;
 }
 
@@ -117,6 +122,11 @@ static void judge_cross(const struct truth_family *f, int time, struct chain cha
     value[2] = space.bar + in_time.bar;
 }
 
+static double joint_order(const struct truth_family *f)
+{
+    return fmin(promised_order(f->level[f->count - 1].degree), STEP_ORDER);
+}
+
 static void judge_joint(const struct truth_family *f, int time, struct chain chain[2],
                         double *value)
 {
@@ -132,11 +142,23 @@ static void judge_joint(const struct truth_family *f, int time, struct chain cha
         return;
     for (int k = 0; k < 3; k++)
         h[k] = span_of(&f->level[run[k]]);
-    const struct truth_order both =
-        judge(f, run, h, fmin(promised_order(f->level[n - 1].degree), STEP_ORDER), time,
-              &chain[0]);
+    const struct truth_order both = judge(f, run, h, joint_order(f), time, &chain[0]);
     value[0] = value[1] = both.order;
     value[2] = both.bar;
+}
+
+void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz)
+{
+    const double *middle = f->run[f->count - 2].xyz[time],
+                 *fine = f->run[f->count - 1].xyz[time];
+    double h[3], left = 0;
+
+    for (int k = 0; k < 3; k++)
+        h[k] = span_of(&f->level[f->count - 3 + k]);
+    if (order >= LEAST)
+        left = left_by(h, fmin(order, joint_order(f)));
+    for (int n = 0; n < 3 * GRID_POINTS; n++)
+        xyz[n] = fine[n] + left * (fine[n] - middle[n]);
 }
 
 static const struct run_result *finest(const struct truth_family *f)

@@ -58,6 +58,10 @@ void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
                        const struct truth_push *push, double length,
                        struct truth_made *made);
 
+/* Where a joint family of three is going at an index of time, if the order seen there is
+ * believed (truth_order), else where the finest run is: xyz (grid.h). */
+void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz);
+
 enum { TRUTH_BAR_LEVEL = 128 };
 
 /* A run in words: `own`, the truth's; else one beside it. */

@@ -288,7 +288,7 @@ enum status truth_closed_make(const struct scene *scene, struct truth_made *made
     TRY(truth_closed_fields(scene, count, time, made->xyz, error, made->note));
     made->closed = true;
     for (int n = 0; n < count; n++) {
-        for (int c = 0; c < TRUTH_COLUMNS; c++)
+        for (int c = 0; c < TRUTH_STORED; c++)
             made->value[n][c] = NAN;
         made->value[n][TRUTH_ERROR] = error[n];
     }

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
@@ -11,9 +12,10 @@
 #include "bench/truth/truth_make.h"
 #include "bench/truth/truth_print.h"
 #include "bench/truth/truth_sharp.h"
+#include "bench/truth/truth_third.h"
 #include "models/reader/scene_file.h"
 
-enum { PATH = 4096 };
+enum { PATH = 4000 };
 
 static const double BUDGET = 3600;
 
@@ -168,6 +170,30 @@ out:
     return st;
 }
 
+/* Beside the truth, from frames that somebody else's program left. */
+static enum status make_third(struct job *j, const struct command_line *line,
+                              struct message *why)
+{
+    struct truth_runs runs = {.path = j->path, .settings = &j->settings};
+    struct truth_made third = {0};
+    char truth[PATH], file[PATH + 8];
+    enum status st;
+
+    TRY(choose_file(j, line, truth, why));
+    TRY(truth_file_third(truth, file, sizeof file, why));
+    TRY(truth_third_make(command_value(line, "--third"), j->scene.length, &third, why));
+    char *slash = strrchr(file, '/');
+    *slash = '\0';
+    TRY(folder_make(file, why));
+    *slash = '/';
+    TRY(truth_file_write(file, &runs, &third, why));
+    TRY(truth_print(&third, &j->scene, j->format, stdout));
+    fprintf(stderr, "third mechanics in %s\n", file);
+out:
+    truth_made_clear(&third);
+    return st;
+}
+
 /* What is known without a run. */
 static enum status print_known(const struct job *j, const int points[2],
                                struct message *why)
@@ -198,6 +224,8 @@ static enum status run(const struct command_line *line, struct message *why)
             "--points prints positions of a truth that is known: with --stored"));
     if (command_given(line, "--stored"))
         TRY(print_known(&j, points, why));
+    else if (command_given(line, "--third"))
+        TRY(make_third(&j, line, why));
     else
         TRY(make_one(&j, line, why));
 out:
@@ -218,6 +246,9 @@ static const struct command_option options[] = {
     {"--runs", "FOLDER", false, "where its runs are kept (results/truth_SCENE)"},
     {"--stored", NULL, false,
      "run nothing: the table of the truth that is stored,\nor is a closed form"},
+    {"--third", "FOLDER", false,
+     "run nothing: put somebody else's frames on three nets,\nextrapolated, beside the "
+     "truth, into third/ of its folder"},
     {"--points", "N,M", false,
      "with --stored: its positions as CSV t,u,v,x,y,z on a net of so many points"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},

@@ -13,6 +13,7 @@
 #include "bench/files/store_read.h"
 #include "bench/harness/run.h"
 #include "bench/truth/truth_physics.h"
+#include "bench/truth/truth_third.h"
 #include "models/grid.h"
 
 static const struct {
@@ -40,7 +41,7 @@ static void checksum(const char *physics, const struct truth_made *m, char text[
 
     for (int n = 0; n < m->times; n++) {
         sum = add(sum, &m->time[n], sizeof m->time[n]);
-        for (int c = 0; c < TRUTH_COLUMNS; c++)
+        for (int c = 0; c < TRUTH_STORED; c++)
             if (!isnan(m->value[n][c]))
                 sum = add(sum, &m->value[n][c], sizeof m->value[n][c]);
         for (int k = 0; n < m->claimed && k < 3 * GRID_POINTS; k++) {
@@ -57,7 +58,7 @@ static enum status put_columns(struct store *store, const struct truth_made *mad
     double *column = malloc((size_t)made->times * sizeof *column);
     enum status st = column ? STATUS_OK : STATUS_MEMORY;
 
-    for (int c = 0; c < TRUTH_COLUMNS && st == STATUS_OK; c++) {
+    for (int c = 0; c < TRUTH_STORED && st == STATUS_OK; c++) {
         for (int n = 0; n < made->times; n++)
             column[n] = made->value[n][c];
         st =
@@ -96,7 +97,7 @@ static enum status read_run(const struct truth_runs *runs, const struct truth_ma
     struct run_plan plan = {.path = runs->path, .settings = &settings};
     enum status st;
 
-    if (made->closed)
+    if (made->closed || made->foreign)
         return settings_read_scene(runs->settings, runs->path, &run->scene, why);
     TRY(truth_level_settings(runs, &made->level, &settings, why));
     plan.contestant = truth_level_contestant(made->level.model);
@@ -109,10 +110,13 @@ out:
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
                              const struct truth_made *made, struct message *why)
 {
-    /* Nobody's model: the names that the file has of it. */
+    /* No models of ours: the names that the file has of them. */
     static const struct model none = {.name = "closed_form",
                                       .title = "closed form",
-                                      .source = "bench/truth/truth_closed.h"};
+                                      .source = "bench/truth/truth_closed.h"},
+                              foreign = {.name = "foreign",
+                                         .title = "somebody else's program",
+                                         .source = "bench/truth/truth_third.h"};
     struct run run = {0};
     struct provenance provenance;
     struct store *store = NULL, *done;
@@ -122,7 +126,9 @@ enum status truth_file_write(const char *path, const struct truth_runs *runs,
     provenance_collect(&provenance);
     TRY(store_create(path,
                      &(struct store_run){.scene = &run.scene,
-                                         .model = made->closed ? &none : run.model,
+                                         .model = made->closed    ? &none
+                                                  : made->foreign ? &foreign
+                                                                  : run.model,
                                          .discretization = &run.discretization,
                                          .provenance = &provenance,
                                          .single = true,
@@ -143,7 +149,7 @@ static enum status read_columns(const struct store_read *file, struct truth_made
     double *column = NULL;
     int rows, width;
 
-    for (int c = 0; c < TRUTH_COLUMNS; c++) {
+    for (int c = 0; c < TRUTH_STORED; c++) {
         char name[64];
         snprintf(name, sizeof name, "metrics/%s", columns[c].name);
         TRY(store_read_array(file, name, &column, &rows, &width, NULL));
@@ -197,8 +203,8 @@ out:
     return st;
 }
 
-enum status truth_file_read(const char *path, struct truth_made *made, char **physics,
-                            struct message *why)
+static enum status read_alone(const char *path, struct truth_made *made, char **physics,
+                              struct message *why)
 {
     struct store_read *file = NULL;
     char sum[17], *kept = NULL, *text = NULL;
@@ -229,6 +235,57 @@ out:
     free(text);
     free(kept);
     store_read_close(file);
+    return st;
+}
+
+enum status truth_file_third(const char *path, char *third, size_t size,
+                             struct message *why)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+
+    if (snprintf(third, size, "%.*s/third/%s", slash ? (int)(slash - path) : 1,
+                 slash ? path : ".", name) < (int)size)
+        return STATUS_OK;
+    return status_fail(why, STATUS_INPUT, "%s: the name is too long", path);
+}
+
+/* One of other physics than the truth's says nothing of it. */
+static enum status judge_by_third(const char *path, const char *physics,
+                                  struct truth_made *made, struct message *why)
+{
+    struct truth_made third = {0};
+    char *text = NULL, file[4096];
+    struct stat there;
+    enum status st;
+
+    TRY(truth_file_third(path, file, sizeof file, why));
+    if (stat(file, &there) != 0)
+        goto out;
+    TRY(read_alone(file, &third, &text, why));
+    if (strcmp(text, physics) == 0)
+        truth_third_judge(&third, made);
+    else
+        snprintf(made->third, sizeof made->third,
+                 "not compared, as it is of other physics");
+out:
+    truth_made_clear(&third);
+    free(text);
+    return st;
+}
+
+enum status truth_file_read(const char *path, struct truth_made *made, char **physics,
+                            struct message *why)
+{
+    char *text = NULL;
+    enum status st;
+
+    TRY(read_alone(path, made, &text, why));
+    TRY(judge_by_third(path, text, made, why));
+    *physics = text, text = NULL;
+out:
+    if (st != STATUS_OK)
+        truth_made_clear(made);
+    free(text);
     return st;
 }
 

@@ -58,6 +58,8 @@ enum status truth_made_init(struct truth_made *made, int times, int claimed,
     for (int n = 0; n < claimed; n++)
         made->xyz[n] = (double *)(made->value + count) + (size_t)n * field;
     memcpy(made->time, time, count * sizeof *time);
+    for (int n = 0; n < times; n++)
+        made->value[n][TRUTH_THIRD] = made->value[n][TRUTH_THIRD_BAR] = NAN;
     return STATUS_OK;
 }
 

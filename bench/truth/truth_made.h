@@ -22,7 +22,11 @@ enum truth_column {
 #define TRUTH_COLUMN_CODE(code, name, unit) TRUTH_##code,
     TRUTH_COLUMN_LIST(TRUTH_COLUMN_CODE)
 #undef TRUTH_COLUMN_CODE
-        TRUTH_COLUMNS
+        TRUTH_STORED,
+    /* Not of its file, but of that beside it (truth_third.h), NaN where there is none: */
+    TRUTH_THIRD = TRUTH_STORED, /* how far it is [m]                                    */
+    TRUTH_THIRD_BAR,            /* its own error bar [m]                                */
+    TRUTH_COLUMNS
 };
 
 enum { TRUTH_WATCH_TEXT = 256 };
@@ -42,11 +46,13 @@ struct truth_made {
     double (*value)[TRUTH_COLUMNS]; /* [times]                                           */
     struct truth_level level;       /* whose field it is                                 */
     bool closed;                    /* nobody's: a closed form (truth_closed.h)          */
+    bool foreign;                   /* somebody else's (truth_third.h)                   */
     char note[400];                 /* a sentence: source and error bar                  */
     char horizon[TRUTH_WATCH_TEXT]; /* until when it is predictable: gravity is
  changed a little, and the change watched as long as the scene lasts */
     char commit[64], changed[16];   /* of one that is stored: the program's that made it,
    and how many files differed from it; "unknown" */
+    char third[512]; /* on the third mechanics, a sentence; "": none is stored           */
 };
 
 /* Arrays of zeros for these times, fields for the first `claimed` of them, else NULL. */

@@ -29,6 +29,11 @@ static void note_horizon(struct table *t, const struct truth_made *made, double 
 
     if (n == made->times)
         table_note(t, "All of it is claimed.");
+    else if (v[TRUTH_THIRD] > v[TRUTH_ERROR] + v[TRUTH_THIRD_BAR])
+        table_note(t,
+                   "Nothing is claimed from %.3g s on: a third mechanics, with a bar of "
+                   "%.2g %%, is %.2g %% off there.",
+                   time, 100 * v[TRUTH_THIRD_BAR] / length, 100 * v[TRUTH_THIRD] / length);
     else if (v[TRUTH_GROWTH] > TRUTH_MOST_GROWTH)
         table_note(t,
                    "Nothing is claimed from %.3g s on: the growth there, %.2g, is above "
@@ -46,6 +51,8 @@ static void note_horizon(struct table *t, const struct truth_made *made, double 
 static void add_notes(struct table *t, const struct truth_made *made, double length)
 {
     table_note(t, "The truth: %s.", made->note);
+    if (made->foreign)
+        return;
     if (made->closed) {
         table_note(t, "Horizon: %s.", made->horizon);
         return;
@@ -58,9 +65,22 @@ static void add_notes(struct table *t, const struct truth_made *made, double len
         "rms change after gravity was changed by 1e-6 in the direction (1,1,1), over 1e-6 "
         "of the length.");
     note_horizon(t, made, length);
+    if (*made->third)
+        table_note(t,
+                   "The third mechanics: %s. Its distance is from the truth's middle "
+                   "surface, its bar what its own order leaves.",
+                   made->third);
     if (*made->commit)
         table_note(t, "Made at commit %s with %s changed files.", made->commit,
                    made->changed);
+}
+
+static bool has_third(const struct truth_made *made)
+{
+    for (int n = 0; n < made->times; n++)
+        if (!isnan(made->value[n][TRUTH_THIRD]))
+            return true;
+    return false;
 }
 
 enum status truth_print(const struct truth_made *made, const struct scene *scene,
@@ -79,13 +99,21 @@ enum status truth_print(const struct truth_made *made, const struct scene *scene
          .key_unit = "L"},
         {"growth", "1"},
         {"error bar", "% L", .key = "error_bar_over_length", .scale = 100, .key_unit = "L"},
+        {"third", "% L", .key = "third_over_length", .scale = 100, .key_unit = "L"},
+        {"its bar", "% L", .key = "third_bar_over_length", .scale = 100, .key_unit = "L"},
     };
     char caption[128];
 
-    snprintf(caption, sizeof caption, "Truth of %s: %serror bars", scene->name,
+    snprintf(caption, sizeof caption, "%s of %s: %serror bars",
+             made->foreign ? "The third mechanics" : "Truth", scene->name,
              made->closed ? "" : "observed orders and ");
     for (int n = 0; made->closed && n < TRUTH_ERROR; n++)
         columns[1 + n].readers = TABLE_NOBODY; /* nobody's run */
+    for (int n = 0; made->foreign && n < TRUTH_ERROR; n++)
+        if (n != TRUTH_SHELL_SPACE)
+            columns[1 + n].readers = TABLE_NOBODY;
+    for (int n = TRUTH_THIRD; !has_third(made) && n < TRUTH_COLUMNS; n++)
+        columns[1 + n].readers = TABLE_NOBODY;
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
     for (int n = 0; n < made->times; n++)
         if (made->closed || n == made->claimed - 1 ||

@@ -94,31 +94,72 @@ def positions(scene, moved):
     return x
 
 
+SHARES = [(0, 0), (1, 0), (1, 1), (0, 1), (.5, 0), (1, .5), (.5, 1), (0, .5)]
+
+
+def shape(a, b):
+    """Of an S8R's nodes, corners and then midsides, at a, b of [0, 1] x [0, 1]."""
+    x, y, found = 2 * a - 1, 2 * b - 1, []
+    for p, q in ((2 * i - 1, 2 * j - 1) for i, j in SHARES):
+        found.append((1 - x * x) * (1 + q * y) / 2 if p == 0 else
+                     (1 + p * x) * (1 - y * y) / 2 if q == 0 else
+                     (1 + p * x) * (1 + q * y) * (p * x + q * y - 1) / 4)
+    return found
+
+
+def sampled(scene, x, points):
+    """Positions at points x points of the sheet, u fastest, of positions at the vertices: by the
+    elements' own shape functions."""
+    n, m = (scene.columns - 1) // 2, (scene.count // scene.columns - 1) // 2
+    rings = [ring for ring, _ in elements(scene)]
+    found = []
+    for j in range(points):
+        for i in range(points):
+            u, v = i * n / (points - 1), j * m / (points - 1)
+            a, b = min(int(u), n - 1), min(int(v), m - 1)
+            weights, ring = shape(u - a, v - b), rings[b * n + a]
+            found.append([sum(w * x[k][c] for w, k in zip(weights, ring)) for c in range(3)])
+    return found
+
+
 def reached(path):
     """When the last increment that converged ended; its columns are fixed, total time the sixth."""
     lines = path.read_text().splitlines()[2:] if path.exists() else []
     return float(lines[-1].split()[4]) if lines else 0.0
 
 
+def solve(folder):
+    """Runs folder/job.inp: seconds of the processor, {"died", "why"} if it did."""
+    start = os.times()
+    run = subprocess.run(["ccx", "job"], cwd=folder, capture_output=True, text=True)
+    end = os.times()
+    seconds = sum(end[2:4]) - sum(start[2:4])  # of the child
+    errors = [line.strip() for line in run.stdout.splitlines() if "*ERROR" in line]
+    if not run.returncode and not errors:
+        return seconds, {}
+    why = (errors + run.stdout.strip().splitlines()[-1:] + ["nothing"])[0]
+    return seconds, {"died": reached(folder / "job.sta"), "why": f"ccx says {why}"}
+
+
+def frames_of(scene, folder):
+    """{time: positions} of what was solved."""
+    result = folder / "job.frd"
+    found = displacements(result) if result.exists() else {}
+    return {t: positions(scene, d) for t, d in found.items() if t in scene.times}
+
+
+def version():
+    return subprocess.run(["ccx", "-v"], capture_output=True, text=True).stdout.split()[-1]
+
+
 def main():
     scene, out, settings = export.words(sys.argv[1:])
-    died = {}
     with tempfile.TemporaryDirectory() as folder:
-        job = pathlib.Path(folder) / "job"
-        job.with_suffix(".inp").write_text(deck(scene, settings))
-        start = os.times()
-        run = subprocess.run(["ccx", "job"], cwd=folder, capture_output=True, text=True)
-        end = os.times()
-        seconds = sum(end[2:4]) - sum(start[2:4])  # of the child
-        errors = [line.strip() for line in run.stdout.splitlines() if "*ERROR" in line]
-        if run.returncode or errors:
-            why = (errors + run.stdout.strip().splitlines()[-1:])[0]
-            died = {"died": reached(job.with_suffix(".sta")), "why": f"ccx says {why}"}
-        result = job.with_suffix(".frd")
-        found = displacements(result) if result.exists() else {}
-        frames = {t: positions(scene, d) for t, d in found.items() if t in scene.times}
-    version = subprocess.run(["ccx", "-v"], capture_output=True, text=True).stdout.split()[-1]
-    export.finish(out, frames, version, seconds, **died)
+        folder = pathlib.Path(folder)
+        (folder / "job.inp").write_text(deck(scene, settings))
+        seconds, died = solve(folder)
+        frames = frames_of(scene, folder)
+    export.finish(out, frames, version(), seconds, **died)
 
 
 if __name__ == "__main__":

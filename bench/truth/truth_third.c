@@ -1,0 +1,216 @@
+#include "bench/truth/truth_third.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/frames/frames.h"
+#include "bench/frames/frames_folder.h"
+#include "bench/truth/truth_bar.h"
+#include "models/grid.h"
+
+enum { LAYER = GRID_U * GRID_V, NETS = 3, DEGREE = 2, PATH = 4096 };
+static const double SAME_TIME = 1e-6, SAME_PLACE = 1e-6; /* [s]; of u and v */
+
+/* Rms between the middle surfaces. */
+static double apart(const double *a, const double *b)
+{
+    double sum = 0;
+
+    for (int n = 0; n < 3 * LAYER; n++) {
+        const double d = (a[n] + a[n + 3 * LAYER] - b[n] - b[n + 3 * LAYER]) / 2;
+        sum += d * d;
+    }
+    return sqrt(sum / LAYER);
+}
+
+/* Index of a time that the third claims, -1. */
+static int index_of(const struct truth_made *third, double time)
+{
+    for (int n = 0; n < third->claimed; n++)
+        if (fabs(third->time[n] - time) < SAME_TIME)
+            return n;
+    return -1;
+}
+
+void truth_third_judge(const struct truth_made *third, struct truth_made *made)
+{
+    int end = made->claimed;
+
+    for (int n = 0; n < end; n++) {
+        const int k = index_of(third, made->time[n]);
+        double *v = made->value[n];
+        if (k < 0)
+            continue;
+        v[TRUTH_THIRD] = apart(made->xyz[n], third->xyz[k]);
+        v[TRUTH_THIRD_BAR] = third->value[k][TRUTH_ERROR];
+        if (v[TRUTH_THIRD] > v[TRUTH_ERROR] + v[TRUTH_THIRD_BAR])
+            end = n;
+    }
+    const bool contradicts = end < made->claimed;
+    snprintf(made->third, sizeof made->third, "%s%s", third->note,
+             contradicts ? "; it contradicts the truth, which is not claimed from then on"
+                         : "");
+    for (int n = end; n < made->claimed; n++)
+        made->xyz[n] = NULL;
+    made->claimed = end;
+}
+
+/* --- making -----------------------------------------------------------------------------
+ */
+
+/* Vertices are the material grid's, u fastest. */
+static enum status check_net(const struct frames *f, struct message *why)
+{
+    const struct frames_net *net = frames_net(f);
+    double uvw[3], off = 0;
+
+    for (int n = 0; net->uv && net->vertices == LAYER && n < LAYER; n++) {
+        grid_point(n, uvw);
+        off = fmax(off,
+                   fmax(fabs(net->uv[2 * n] - uvw[0]), fabs(net->uv[2 * n + 1] - uvw[1])));
+    }
+    if (net->uv && net->vertices == LAYER && off < SAME_PLACE)
+        return STATUS_OK;
+    return status_fail(
+        why, STATUS_INPUT,
+        "%s: the %d x %d points u = i/%d, v = j/%d, u fastest, would be right",
+        frames_name(f), GRID_U, GRID_V, GRID_U - 1, GRID_V - 1);
+}
+
+/* Both layers of the field are the middle surface. */
+static enum status add_frame(struct run_result *r, double t, const double *xyz)
+{
+    const size_t count = (size_t)r->frames + 1, bytes = 3 * LAYER * sizeof *xyz;
+    double *time = realloc(r->time, count * sizeof *time);
+
+    if (time)
+        r->time = time;
+    double **all = realloc(r->xyz, count * sizeof *all);
+    if (all)
+        r->xyz = all;
+    double *field = malloc(GRID_W * bytes);
+    if (!time || !all || !field) {
+        free(field);
+        return STATUS_MEMORY;
+    }
+    for (int k = 0; k < GRID_W; k++)
+        memcpy(field + 3 * LAYER * k, xyz, bytes);
+    time[r->frames] = t;
+    all[r->frames++] = field;
+    return STATUS_OK;
+}
+
+static enum status read_net(const char *path, struct run_result *r, struct message *why)
+{
+    struct frames *f = NULL;
+    const double *xyz;
+    double t;
+    enum status st;
+
+    TRY(frames_open(1, &path, &(struct frames_look){0}, &f, why));
+    TRY(check_net(f, why));
+    for (;;) {
+        TRY(frames_next(f, &t, &xyz, why));
+        if (!xyz)
+            break;
+        TRY(add_frame(r, t, xyz));
+    }
+out:
+    frames_close(f);
+    return st;
+}
+
+/* N of FOLDER/N.csv; 0: another file. */
+static int elements_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    char *end;
+    const long n = strtol(slash ? slash + 1 : path, &end, 10);
+
+    return n > 0 && n < 10000 && !strcmp(end, ".csv") ? (int)n : 0;
+}
+
+/* From coarse to fine, as the folder's numbers are. */
+static enum status read_nets(const char *folder, struct truth_family *f,
+                             struct message *why)
+{
+    struct frames_folder files = {0};
+    enum status st;
+
+    *f = (struct truth_family){.joint = true};
+    TRY(frames_folder_read(folder, &files, why));
+    for (int n = 0; n < files.count; n++) {
+        const int elements = elements_of(files.path[n]);
+        if (!elements || f->count == NETS)
+            continue;
+        f->level[f->count].degree = DEGREE;
+        f->level[f->count].side = elements + DEGREE;
+        TRY(read_net(files.path[n], &f->run[f->count++], why));
+    }
+    if (f->count < NETS)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: has %d of three nets of frames, N.csv of N elements", folder,
+                        f->count));
+out:
+    frames_folder_clear(&files);
+    return st;
+}
+
+/* Times that all nets begin with: one may have died, or not have come further. */
+static int common_times(const struct truth_family *f)
+{
+    int n = 0;
+
+    for (;; n++)
+        for (int k = 0; k < NETS; k++)
+            if (n >= f->run[k].frames ||
+                fabs(f->run[k].time[n] - f->run[0].time[n]) > SAME_TIME)
+                return n;
+}
+
+static enum status read_note(const char *folder, char *note, size_t size,
+                             struct message *why)
+{
+    char path[PATH];
+
+    snprintf(path, sizeof path, "%s/note.txt", folder);
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return status_fail(why, STATUS_INPUT, "%s: cannot be read", path);
+    const size_t length = fread(note, 1, size - 1, file);
+    fclose(file);
+    note[length] = '\0';
+    note[strcspn(note, "\n")] = '\0';
+    return STATUS_OK;
+}
+
+enum status truth_third_make(const char *folder, double length, struct truth_made *third,
+                             struct message *why)
+{
+    struct truth_family family[TRUTH_MODELS] = {{.joint = true}};
+    struct truth_family *f = &family[TRUTH_SHELL];
+    enum status st;
+
+    memset(third, 0, sizeof *third);
+    TRY(read_nets(folder, f, why));
+    const int times = common_times(f);
+    if (!times)
+        TRY(status_fail(why, STATUS_INPUT, "%s: its nets have no time in common", folder));
+    TRY(truth_made_init(third, times, times, f->run[0].time));
+    third->foreign = true;
+    /* Nobody pushed it: nothing is known of the growth. */
+    truth_bar_compare(family, &(struct truth_push){.plain = f->run, .pushed = f->run},
+                      length, third);
+    truth_made_choose(third, length);
+    for (int n = 0; n < times; n++)
+        truth_bar_limit(f, third->value[n][TRUTH_SHELL_SPACE], n, third->xyz[n]);
+    TRY(read_note(folder, third->note, sizeof third->note, why));
+    snprintf(third->horizon, sizeof third->horizon, "not watched");
+out:
+    truth_family_clear(f);
+    if (st != STATUS_OK)
+        truth_made_clear(third);
+    return st;
+}

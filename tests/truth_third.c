@@ -1,0 +1,251 @@
+/* A third mechanics beside a truth, of made-up legs: when it ends a claim, when it says
+ * nothing, what of it is refused, and how frames on three nets become it. */
+#include "bench/truth/truth_third.h"
+
+#include <unistd.h>
+
+#include "bench/files/folder.h"
+#include "bench/files/hdf5_file.h"
+#include "bench/files/seal.h"
+#include "bench/truth/truth_file.h"
+#include "models/grid.h"
+#include "tests/truth_fixture.h"
+
+/* Of floats near 1 m, of a checksum's numbers, and of orders that are halved. */
+static const double SINGLE = 1e-6, ORDER = 1e-5;
+
+enum { TIMES = 3, PATH = 4096, LAYER = GRID_U * GRID_V };
+static const double times[TIMES] = {0.1, 0.2, 0.3};
+static const double BAR = 0.01, THIRD_BAR = 0.02; /* [m] */
+
+static const char *folder;
+static char truth_file[PATH], third_file[PATH];
+
+/* Layers at z = off -+ half: only the middle is compared. */
+static void make_up(struct truth_made *made, const double off[TIMES], double half,
+                    double bar)
+{
+    REQUIRE(truth_made_init(made, TIMES, TIMES, times) == STATUS_OK);
+    for (int n = 0; n < TIMES; n++) {
+        for (int k = 0; k < GRID_POINTS; k++)
+            made->xyz[n][3 * k + 2] = off[n] + (k < LAYER ? -half : half);
+        made->value[n][TRUTH_ERROR] = bar;
+    }
+    made->foreign = true;
+    strcpy(made->note, "made up");
+    strcpy(made->horizon, "never");
+}
+
+static void write_truth(const char *file, const struct truth_made *made, const char *young)
+{
+    const char *const set[] = {"damping={kind: none}", young};
+    struct settings settings = settings_of(young ? 2 : 1, set);
+    struct truth_runs runs = {.settings = &settings};
+    struct message why = {""};
+    char *path = NULL;
+
+    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
+    runs.path = path;
+    if (!CHECK(truth_file_write(file, &runs, made, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    settings_clear(&settings);
+    free(path);
+}
+
+/* By somebody who knows of the seal. */
+static void spoil(const char *file)
+{
+    hid_t h = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
+
+    REQUIRE(h >= 0 && H5Adelete(h, "checksum") >= 0);
+    REQUIRE(hdf5_file_put_text(h, "checksum", "0000000000000000") >= 0);
+    REQUIRE(H5Fclose(h) >= 0 && seal_write(file, NULL) == STATUS_OK);
+}
+
+static void cut_short(const char *file)
+{
+    REQUIRE(truncate(file, 5000) == 0);
+}
+
+/* off: how far the third is. */
+static const struct leg {
+    const char *what;
+    double off[TIMES];
+    bool missing;
+    const char *young;
+    void (*harm)(const char *file);
+    enum status status;
+    int claimed;
+    const char *said; /* in `third`, or in the sentence of a refusal */
+} legs[] = {
+    {"within both bars",
+     {0.001, -0.029, 0.029},
+     false,
+     NULL,
+     NULL,
+     STATUS_OK,
+     3,
+     "made up"},
+    {"contradicts", {0.001, 0.031, 0}, false, NULL, NULL, STATUS_OK, 1, "contradicts"},
+    {"on the other side", {0, 0, -0.031}, false, NULL, NULL, STATUS_OK, 2, "contradicts"},
+    {"at once", {0.031, 0, 0}, false, NULL, NULL, STATUS_OK, 0, "contradicts"},
+    {"missing", {1, 1, 1}, true, NULL, NULL, STATUS_OK, 3, ""},
+    {"of other physics",
+     {1, 1, 1},
+     false,
+     "material.young=2e5",
+     NULL,
+     STATUS_OK,
+     3,
+     "other physics"},
+    {"of another checksum", {0}, false, NULL, spoil, STATUS_INPUT, 0, "checksum"},
+    {"cut short", {0}, false, NULL, cut_short, STATUS_INPUT, 0, "third/edge_drop.h5"},
+};
+
+/* Distances are there where it is compared, and bars stay. */
+static void check_values(const struct leg *leg, const struct truth_made *read)
+{
+    const bool compared = !leg->missing && !leg->young;
+
+    for (int n = 0; n < TIMES; n++) {
+        const double *v = read->value[n];
+        CHECK(v[TRUTH_ERROR] == BAR && (n < read->claimed) == (read->xyz[n] != NULL));
+        if (compared && n <= read->claimed) {
+            CHECK_NEAR(v[TRUTH_THIRD], fabs(leg->off[n]), SINGLE);
+            CHECK(v[TRUTH_THIRD_BAR] == THIRD_BAR);
+        } else {
+            CHECK(isnan(v[TRUTH_THIRD]) && isnan(v[TRUTH_THIRD_BAR]));
+        }
+    }
+}
+
+static void judge(const struct leg *leg)
+{
+    static const double none[TIMES] = {0};
+    struct truth_made truth, third, read;
+    struct message why = {""};
+    char *physics = NULL;
+
+    make_up(&truth, none, 0.2, BAR);
+    make_up(&third, leg->off, 0, THIRD_BAR);
+    remove(third_file);
+    write_truth(truth_file, &truth, NULL);
+    if (!leg->missing)
+        write_truth(third_file, &third, leg->young);
+    if (leg->harm)
+        leg->harm(third_file);
+    const enum status st = truth_file_read(truth_file, &read, &physics, &why);
+    if (!CHECK(st == leg->status && read.claimed == leg->claimed))
+        printf("%s: status %d, %d claimed; %s\n", leg->what, (int)st, read.claimed,
+               why.text);
+    CHECK(strstr(st == STATUS_OK ? read.third : why.text, leg->said));
+    CHECK(*leg->said || !*read.third);
+    CHECK((st == STATUS_OK) == (physics != NULL));
+    if (st == STATUS_OK)
+        check_values(leg, &read);
+    truth_made_clear(&truth);
+    truth_made_clear(&third);
+    truth_made_clear(&read);
+    free(physics);
+}
+
+/* --- frames -----------------------------------------------------------------------------
+ */
+
+/* Off by c h^p, twice that at the second time; `points` a side of the grid. */
+static void write_net(int elements, double c, double p, int points, int count)
+{
+    char path[PATH];
+
+    snprintf(path, sizeof path, "%s/nets/%d.csv", folder, elements);
+    FILE *file = fopen(path, "w");
+    REQUIRE(file);
+    fprintf(file, "t,u,v,x,y,z\n");
+    for (int t = 0; t < count; t++)
+        for (int n = 0; n < points * points; n++)
+            fprintf(file, "%.17g,%.17g,%.17g,0,0,%.17g\n", times[t],
+                    n % points / (points - 1.0), n / points / (points - 1.0),
+                    1 + (t + 1) * c * pow(elements, -p));
+    REQUIRE(fclose(file) == 0);
+}
+
+static void write_note(void)
+{
+    char path[PATH];
+
+    snprintf(path, sizeof path, "%s/nets/note.txt", folder);
+    FILE *file = fopen(path, "w");
+    REQUIRE(file && fprintf(file, "somebody, somehow\nand so on\n") > 0 &&
+            fclose(file) == 0);
+}
+
+/* The limit is 1 m at order 2, and one above 2 is not believed. */
+static void extrapolates(double p)
+{
+    static const int nets[] = {10, 14, 20};
+    const double h2 = pow(14, -p) - pow(20, -p), left = 1 / (pow(20 / 14.0, 2) - 1);
+    struct truth_made third;
+    struct message why = {""};
+
+    for (int n = 0; n < 3; n++)
+        write_net(nets[n], 0.1, p, GRID_U, 3 - n); /* the finest has one time */
+    write_note();
+    char path[PATH];
+    snprintf(path, sizeof path, "%s/nets", folder);
+    if (!CHECK(truth_third_make(path, 1, &third, &why) == STATUS_OK)) {
+        printf("%s\n", why.text);
+        return;
+    }
+    CHECK(third.times == 1 && third.claimed == 1 && third.foreign);
+    CHECK(!strcmp(third.note, "somebody, somehow"));
+    CHECK_NEAR(third.value[0][TRUTH_SHELL_SPACE], p, ORDER);
+    CHECK_RELATIVE(third.value[0][TRUTH_ERROR], 1.25 * 0.1 * h2 * left, ORDER);
+    const double at = 1 + 0.1 * pow(20, -p) - left * 0.1 * h2;
+    CHECK_NEAR(third.xyz[0][2], at, 1e-12);
+    CHECK_NEAR(third.xyz[0][3 * GRID_POINTS - 1], at, 1e-12);
+    if (p == 2)
+        CHECK_NEAR(at, 1, 1e-12);
+    truth_made_clear(&third);
+}
+
+/* Two nets; a net that is not the grid; no time in common: a sentence each. */
+static void refuses(void)
+{
+    struct truth_made third;
+    struct message why = {""};
+    char path[PATH], net[PATH + 16];
+
+    snprintf(path, sizeof path, "%s/nets", folder);
+    write_net(14, 0.1, 2, GRID_U, 0);
+    CHECK(truth_third_make(path, 1, &third, &why) == STATUS_INPUT && !third.xyz);
+    write_net(14, 0.1, 2, 7, 1);
+    CHECK(truth_third_make(path, 1, &third, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "14.csv") && strstr(why.text, "100 x 100"));
+    snprintf(net, sizeof net, "%s/14.csv", path);
+    REQUIRE(remove(net) == 0);
+    CHECK(truth_third_make(path, 1, &third, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "has 2 of three nets"));
+}
+
+int main(int argc, char **argv)
+{
+    char nets[PATH];
+
+    REQUIRE(argc == 2);
+    folder = argv[1];
+    snprintf(nets, sizeof nets, "%s/nets", folder);
+    snprintf(truth_file, sizeof truth_file, "%s/edge_drop.h5", folder);
+    REQUIRE(truth_file_third(truth_file, third_file, sizeof third_file, NULL) == STATUS_OK);
+    CHECK(strstr(third_file, "/third/edge_drop.h5"));
+    CHECK(truth_file_third(truth_file, nets, 10, NULL) == STATUS_INPUT);
+    snprintf(nets, sizeof nets, "%s/third", folder);
+    REQUIRE(folder_make(nets, NULL) == STATUS_OK);
+    snprintf(nets, sizeof nets, "%s/nets", folder);
+    REQUIRE(folder_make(nets, NULL) == STATUS_OK);
+    for (size_t n = 0; n < sizeof legs / sizeof *legs; n++)
+        judge(&legs[n]);
+    extrapolates(2);
+    extrapolates(3);
+    refuses();
+    return check_result();
+}

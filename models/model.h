@@ -116,7 +116,8 @@ struct model {
      */
     void (*net)(const void *state, double *xyz);
 
-    /* optional: moves the state to static equilibrium under the scene's loads, at rest.
+    /* optional: moves the state to static equilibrium under the scene's loads, at rest, on
+     * obstacles if there are any. On success *why may say how it was found.
      * Supports that move end where the scene does, and a motion goes on from there; what
      * depends on the way, as a strip that is pressed until it buckles, follows them: loads
      * first, then the paths. */

@@ -293,7 +293,8 @@ static const struct command_option options[] = {
      "all keys: clothbench help scene"},
     {"--static", NULL, false,
      "static equilibrium instead of motion, at large\n"
-     "displacements unless discretization.kinematics=linear"},
+     "displacements unless discretization.kinematics=linear;\n"
+     "on obstacles, too; and whether it is stable"},
     {"--modes", "N", false,
      "the N lowest natural frequencies instead of motion:\n"
      "about the rest shape, or with --static about nonlinear\n"
@@ -332,6 +333,7 @@ const struct command run_command = {
         "discretization.points=[10,10,3]\n"
         "run cantilever --modes 4 --format csv\n"
         "run cantilever --model shell --static --modes 3 --set gravity=[0,-9.81,0]\n"
+        "run napkin_drape --model shell --static\n"
         "run cantilever --static --matrices matrices\n",
     .least = 1,
     .most = 1,

@@ -9,14 +9,20 @@
  * two; where that leads nowhere (a sheet that hangs from a hinge has no stiffness at
  * first), by pseudo-transient continuation. Then supports that move go along their paths up
  * to the scene's end, in increments that are shortened until a stable shape stays stable: a
- * shape that is pressed past a limit snaps to a stable one where Newton's method finds it.
- * (An arc length would trace the unstable way between, which nothing takes.) A strip that
- * is pressed straight has no such increment: what shall buckle needs a load, however small,
- * that says to which side. STATUS_INPUT without supports; deaths with a sentence. */
+ * shape that is pressed past a limit snaps to a stable one where Newton's method finds it,
+ * or by steps downhill (large_settle.h). (An arc length would trace the unstable way
+ * between, which nothing takes.) A strip that is pressed straight has no such increment:
+ * what shall buckle needs a load, however small, that says to which side. Among obstacles
+ * all is left to large_settle.h, and *why tells of it on success, too. STATUS_INPUT without
+ * supports; deaths with a sentence. */
 enum status large_rest_equilibrium(struct large_motion *m, struct counters *counters,
                                    struct message *why);
 
-/* model.h's modes about m->x: of its tangent, stress and all. */
+/* model.h's modes about m->x: of its tangent, stress and all. Nodes that an obstacle
+ * carries may move along it, with the ball's curvature against them, unless friction has
+ * strength left: then they stay, by stiff springs, whose own modes are told where nothing
+ * else moves.
+ */
 enum status large_rest_modes(struct large_motion *m, int count, double *omega,
                              struct message *why);
 

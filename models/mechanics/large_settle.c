@@ -5,7 +5,8 @@
 
 #include "models/mechanics/large_newton.h"
 
-const double LARGE_SETTLE_RESIDUAL = 1e-6;
+/* Of the loads and what supports bear, left unbalanced in what is called rest. */
+static const double RESIDUAL = 1e-6;
 
 /* Nodes nearer than this share of the length touch: an obstacle is met at its tangent
  * plane, which is off by d^2 / 2 R where the last step moved by d. */
@@ -106,7 +107,7 @@ enum status large_settle(struct large_motion *m, struct counters *counters,
     struct model_contact contact;
     int n = 0;
 
-    for (; n < MOST_STEPS && left > LARGE_SETTLE_RESIDUAL; n++) {
+    for (; n < MOST_STEPS && left > RESIDUAL; n++) {
         st = step(m, mass, &moved, counters);
         if (st != STATUS_OK && !status_is_death(st))
             goto out;
@@ -114,7 +115,7 @@ enum status large_settle(struct large_motion *m, struct counters *counters,
         if (st == STATUS_OK)
             TRY(unbalanced(m, &left));
     }
-    if (left > LARGE_SETTLE_RESIDUAL)
+    if (left > RESIDUAL)
         TRY(status_fail(why, STATUS_DIVERGED,
                         "no equilibrium in %d steps: forces of %.3g of the loads are left",
                         n, left));

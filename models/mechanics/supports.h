@@ -31,7 +31,8 @@ enum status supports_init(struct supports *s, const struct scene *scene, int nod
 void supports_clear(struct supports *s);
 
 /* STATUS_INPUT or STATUS_UNSUPPORTED with a sentence where a scene has no static
- * equilibrium that models look for: nothing is held, or there are obstacles. */
+ * equilibrium that a model looks for: nothing is held and there are no obstacles; or there
+ * are, and it can't rest on `obstacles`, or supports move besides. */
 enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
                                 bool obstacles, struct message *why);
 

@@ -103,6 +103,9 @@ for row in '0.300 1.9 - 4.4 - 1.8 17 0.45 0.25 4.4' \
     '0.400 1.5 - 13 - 2.4 53 1.4 0.50 no claim'; do
     grep '^0' out | tr -s ' ' | grep -qFx "$row" || fail "truth flag lacks '$row': $out"
 done
+mkdir nets
+refused 'has 0 of three nets of frames' truth strip_swing --third nets --out third.h5
+[ ! -e third ] || fail 'a third that is refused leaves a folder'
 good truth sphere --stored
 says out 'Nothing is claimed from 0.3 s on: the growth there, ' ', is above 1000.'
 refused 'of other physics: material 100000 0.3 0.5, not material 1000000 0.3 0.5' \

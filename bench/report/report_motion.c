@@ -19,7 +19,7 @@ enum {
     NUMBERS = SIDE * SIDE * 3,
     FRAMES_MOST = 400, /* of a truth                                                   */
     FRAME = NUMBERS * 2 * 4 / 3 + 16, /* a frame in the page [bytes]                   */
-    ROOM = 2200000,                   /* of all runs there [bytes]                     */
+    ROOM = 1200000,                   /* of all runs there [bytes]                     */
     PATH = 4096
 };
 

@@ -8,7 +8,7 @@
 #include "bench/ui/plot.h"
 #include "models/grid.h"
 
-enum { EVERY = 3, WIDTH = 420, HEIGHT = 420, PATH = 4096 };
+enum { EVERY = 3, WIDTH = 300, HEIGHT = 300, PATH = 4096 };
 
 /* The least box around all panels [m]; a NaN is left out. */
 struct box {

@@ -12,20 +12,12 @@
 #include "bench/report/report_part.h"
 #include "models/reader/named_file.h"
 
-/* Pages have no line for lists. */
-static char *describe(const char *path)
-{
-    (void)path;
-    return calloc(1, 1);
-}
-
 static const struct named_file_kind page_kind = {
     .what = "page",
     .ending = ".html",
     .environment = "CLOTHBENCH_REPORT",
     .from_program = REPORT_FROM_PROGRAM,
     .in_source = REPORT_IN_SOURCE,
-    .describe = describe,
 };
 
 /* Where the data go in the page. */

@@ -363,7 +363,7 @@ enum status report_motion_truths(FILE *file)
     int count = 0;
     enum status st;
 
-    TRY(named_file_list(&truth_file_kind, &entries, &count, NULL));
+    TRY(named_file_names(&truth_file_kind, &entries, &count, NULL));
     for (int n = 0; n < count && st == STATUS_OK; n++) {
         struct message why = {""};
         fputs(n ? ",{" : "{", file);

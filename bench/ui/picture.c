@@ -98,7 +98,7 @@ static void write_view(struct output *out, const struct box *box)
         side[d] = high - low;
         floor = low; /* of z in the end */
         output_print(out, "set %clabel '%c [m]' font ',8' tc rgb '#606060' offset %d,0\n",
-                     axis[d], axis[d], d == 2);
+                     axis[d], axis[d], 2 * (d == 2));
         output_print(out, "set %crange [%.4g:%.4g]\nset %ctics %g offset %s\n", axis[d],
                      low, high, axis[d],
                      side[d] > 3     ? 1.

@@ -12,20 +12,12 @@
 #include "bench/report/report_part.h"
 #include "models/reader/named_file.h"
 
-/* Pages have no line for lists. */
-static char *describe(const char *path)
-{
-    (void)path;
-    return calloc(1, 1);
-}
-
 static const struct named_file_kind page_kind = {
     .what = "page",
     .ending = ".html",
     .environment = "CLOTHBENCH_REPORT",
     .from_program = REPORT_FROM_PROGRAM,
     .in_source = REPORT_IN_SOURCE,
-    .describe = describe,
 };
 
 /* Where the data go in the page. */
@@ -197,7 +189,7 @@ const struct command report_command = {
         "(results): the verdict on every claim of the paper, tables, pictures beside the\n"
         "paper's captions, speed against error, verification, hard cases, truths with\n"
         "their error bars, and motions to play. It needs no network and no server, and\n"
-        "stays under 5 MB. What was not run is named with the command that makes it, what\n"
+        "stays under 4 MB. What was not run is named with the command that makes it, what\n"
         "is damaged with what is wrong.\n",
     .examples = "report\nreport results --out page.html\n",
     .most = 1,

@@ -84,6 +84,11 @@ static bool is_shown(const char *keys, const char *key)
                      strstr(keys, word));
 }
 
+static bool is_repeated(const struct csv_table *t, int row, int column)
+{
+    return row > 0 && !strcmp(csv_words(t, row, column), csv_words(t, row - 1, column));
+}
+
 /* [CELL,...]; returns the bytes of its words. */
 static size_t write_row(FILE *file, const struct csv_table *t, const char *keys, int row)
 {
@@ -102,9 +107,14 @@ static size_t write_row(FILE *file, const struct csv_table *t, const char *keys,
             words = text;
         }
         fputs(comma, file);
+        comma = ",";
+        if (is_repeated(t, row, n)) {
+            fputc('0', file);
+            size++;
+            continue;
+        }
         report_json_string(file, words);
         size += strlen(words);
-        comma = ",";
     }
     fputc(']', file);
     return size;

@@ -22,8 +22,8 @@ void report_json_number(FILE *file, double value);
 void report_json_bytes(FILE *file, const void *bytes, size_t size);
 
 /* {"caption", "keys", "rows", "notes", "left"}: the columns of `keys`, "|A|B|" (NULL: all),
- * numbers to six digits, rows until their words have so many bytes; `left` is the number of
- * those that did not fit. */
+ * numbers to six digits, 0 for a cell with the words of the one above, rows until their
+ * words have so many bytes; `left` is the number of those that did not fit. */
 void report_json_table(FILE *file, const struct csv_table *t, const char *keys,
                        size_t most);
 

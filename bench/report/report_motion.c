@@ -19,7 +19,7 @@ enum {
     NUMBERS = SIDE * SIDE * 3,
     FRAMES_MOST = 400, /* of a truth                                                   */
     FRAME = NUMBERS * 2 * 4 / 3 + 16, /* a frame in the page [bytes]                   */
-    ROOM = 2200000,                   /* of all runs there [bytes]                     */
+    ROOM = 1200000,                   /* of all runs there [bytes]                     */
     PATH = 4096
 };
 
@@ -363,7 +363,7 @@ enum status report_motion_truths(FILE *file)
     int count = 0;
     enum status st;
 
-    TRY(named_file_list(&truth_file_kind, &entries, &count, NULL));
+    TRY(named_file_names(&truth_file_kind, &entries, &count, NULL));
     for (int n = 0; n < count && st == STATUS_OK; n++) {
         struct message why = {""};
         fputs(n ? ",{" : "{", file);

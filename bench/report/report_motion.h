@@ -9,7 +9,7 @@
 #include "bench/report/report_part.h"
 
 /* Points a side of a sheet that is played. */
-enum { REPORT_MOTION_SIDE = 20 };
+enum { REPORT_MOTION_SIDE = 14 };
 
 /* Members of an array of JSON: the stored truth of edge_drop, all its frames; every result
  * file of FOLDER/run_edge_drop; then the nearest run of every contestant of `compare` that

@@ -8,7 +8,7 @@
 #include "bench/ui/plot.h"
 #include "models/grid.h"
 
-enum { EVERY = 3, WIDTH = 420, HEIGHT = 420, PATH = 4096 };
+enum { EVERY = 3, WIDTH = 300, HEIGHT = 300, PATH = 4096 };
 
 /* The least box around all panels [m]; a NaN is left out. */
 struct box {
@@ -98,7 +98,7 @@ static void write_view(struct output *out, const struct box *box)
         side[d] = high - low;
         floor = low; /* of z in the end */
         output_print(out, "set %clabel '%c [m]' font ',8' tc rgb '#606060' offset %d,0\n",
-                     axis[d], axis[d], d == 2);
+                     axis[d], axis[d], 2 * (d == 2));
         output_print(out, "set %crange [%.4g:%.4g]\nset %ctics %g offset %s\n", axis[d],
                      low, high, axis[d],
                      side[d] > 3     ? 1.

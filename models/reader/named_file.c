@@ -108,6 +108,8 @@ static bool is_known(const struct named_file_entry *entries, int count, const ch
 static enum status describe(const struct named_file_kind *kind, const char *folder,
                             const char *name, char **text)
 {
+    if (!kind->describe)
+        return STATUS_OK;
     char *path = join(kind, folder, name);
 
     *text = path ? kind->describe(path) : NULL;
@@ -183,6 +185,16 @@ out:
     return st;
 }
 
+enum status named_file_names(const struct named_file_kind *kind,
+                             struct named_file_entry **entries, int *count,
+                             struct message *why)
+{
+    struct named_file_kind named = *kind;
+
+    named.describe = NULL;
+    return named_file_list(&named, entries, count, why);
+}
+
 void named_file_list_free(struct named_file_entry *entries, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -202,7 +214,7 @@ static enum status refuse_name(const struct named_file_kind *kind, const char *a
     int count = 0;
     size_t used = 0;
 
-    TRY(named_file_list(kind, &entries, &count, why));
+    TRY(named_file_names(kind, &entries, &count, why));
     for (int i = 0; i < count && used < sizeof names.text; i++)
         used += (size_t)snprintf(names.text + used, sizeof names.text - used, "%s %s",
                                  i ? "," : "", entries[i].name);

@@ -18,7 +18,8 @@ struct named_file_kind {
     const char *environment;  /* variable that may hold the user's folder              */
     const char *from_program; /* the installed folder, seen from the program's         */
     const char *in_source;    /* the source tree's                                     */
-    /* A line on the file for lists, or what is wrong with it; NULL if memory is out. */
+    /* A line on the file for lists, or what is wrong with it; NULL if memory is out.
+     * NULL itself: lists have no lines, and no file is read for one. */
     char *(*describe)(const char *path);
 };
 
@@ -30,13 +31,17 @@ enum status named_file_find(const struct named_file_kind *kind, const char *argu
 
 struct named_file_entry {
     char *name; /* owned                                                               */
-    char *text; /* the line that `describe` made                               owned   */
+    char *text; /* the line that `describe` made, or NULL                      owned   */
 };
 
 /* All that have names, sorted; *entries is freed with named_file_list_free. */
 enum status named_file_list(const struct named_file_kind *kind,
                             struct named_file_entry **entries, int *count,
                             struct message *why);
+/* The same without a line: no file is read. */
+enum status named_file_names(const struct named_file_kind *kind,
+                             struct named_file_entry **entries, int *count,
+                             struct message *why);
 void named_file_list_free(struct named_file_entry *entries, int count);
 
 /* The bytes of a file, at most one more than a YAML text may have (YAML_TREE_MAX_TEXT), so

@@ -116,7 +116,7 @@ static void run(struct verify_sheet *sheet)
         goto out;
     for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, s->uvw + 3 * n);
-    TRY(named_file_list(&truth_file_kind, &files, &count, &sheet->why));
+    TRY(named_file_names(&truth_file_kind, &files, &count, &sheet->why));
     for (int n = 0; n < count; n++) {
         s->scene = files[n].name;
         TRY(add_scene(sheet, s));

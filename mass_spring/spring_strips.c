@@ -72,8 +72,9 @@ static void bending_at(const struct spring_stencil *t, int a, const double *x, d
 }
 
 static double *strain_of(const void *self, int thread, int row, const double *x,
-                         const double *change)
+                         const struct large_foresight *foresight)
 {
+    const double *change = foresight ? foresight->change : NULL;
     const struct spring_strips *s = self;
     const struct spring_stencil *t = s->stencil;
     int m = row_length(s), rows = t->net->points[0] - row, first = row * m;

@@ -92,7 +92,7 @@ static enum status add_rest(struct shell_assembly *s, struct shell_element *e, i
 }
 
 static double *strain_of(const void *self, int thread, int element, const double *x,
-                         const double *change)
+                         const struct large_foresight *foresight)
 {
     const struct shell_assembly *s = self;
     struct shell_element *e = &s->work[thread];
@@ -101,8 +101,9 @@ static double *strain_of(const void *self, int thread, int element, const double
     gather(s->space, element, x, e->X[0]);
     if (!shell_element_strain(e, rest_of(s, element).part))
         return NULL;
-    if (change) {
-        gather(s->space, element, change, e->X[2]);
+    if (foresight) {
+        gather(s->space, element, foresight->change, e->X[2]);
+        gather(s->space, element, foresight->beside, e->X[1]); /* no geometry is set yet */
         shell_element_foresee(e);
     }
     return e->strain;

@@ -167,12 +167,14 @@ void shell_element_foresee(struct shell_element *e)
     int row = p->padded;
 
     for (int at = 0; at < p->count; at += SHELL_LANES) {
-        shell_lanes d[2][3];
+        shell_lanes d[2][3], w[2][3];
         shell_frame_derive(p, e->local, e->X[2], at, 2, d);
+        shell_frame_derive(p, e->local, e->X[1], at, 2, w);
         shell_lanes *strain = (shell_lanes *)(p->strain + at);
-        strain[0] -= 0.5 * shell_frame_dot(d[0], d[0]);
-        strain[row / SHELL_LANES] -= 0.5 * shell_frame_dot(d[1], d[1]);
-        strain[2 * row / SHELL_LANES] -= shell_frame_dot(d[0], d[1]);
+        strain[0] -= 0.5 * shell_frame_dot(d[0], w[0]);
+        strain[row / SHELL_LANES] -= 0.5 * shell_frame_dot(d[1], w[1]);
+        strain[2 * row / SHELL_LANES] -=
+            0.5 * (shell_frame_dot(d[0], w[1]) + shell_frame_dot(d[1], w[0]));
     }
 }
 

@@ -43,9 +43,10 @@ double shell_element_energy(const struct shell_element *e,
 void shell_element_force(struct shell_element *e, const struct shell_material *material,
                          const double *const rest[]);
 
-/* e->strain -= half the membrane strain that the change e->X[2] makes in second order: what
- * is left is the strain as the tangent foresaw it. Magisano, Leonetti, Garcea 2017 base the
- * geometric part on it: Newton's method on thin shells then needs far fewer steps. */
+/* e->strain -= half the product of the change e->X[2] and e->X[1] (large_foresight's
+ * beside) in the membrane: what is left is the strain as the tangent foresaw it. Magisano,
+ * Leonetti, Garcea 2017 base the geometric part on it: Newton's method on thin shells then
+ * needs far fewer steps. */
 void shell_element_foresee(struct shell_element *e);
 
 #endif

@@ -83,6 +83,37 @@ static void check_tangent(const struct shell_assembly *s, const double *x, const
     free(K);
 }
 
+/* Strains that a mid-point's tangent foresaw, from x to x + d in a step from rest: the
+ * membrane's are quadratic, their differences about its geometry exact. */
+static void check_foreseen(const struct shell_assembly *s, const double *x, const double *d)
+{
+    const struct large_body *b = &s->body;
+    size_t count = 3 * (size_t)s->space->nodes;
+    double *at = malloc(5 * count * sizeof *at), *want = calloc(b->lagged, sizeof *want);
+
+    REQUIRE(at && want);
+    for (size_t t = 0; t < count; t++) {
+        double middle = (s->space->rest[t] + x[t]) / 2;
+        at[t] = x[t], at[count + t] = middle + d[t] / 2;
+        at[2 * count + t] = middle - d[t] / 2;
+        at[3 * count + t] = x[t] + d[t];
+        at[4 * count + t] = x[t] + d[t] - s->space->rest[t];
+    }
+    for (int k = 0; k < 3; k++) {
+        const double *e = b->strain(b->self, 0, 0, at + (size_t)k * count, NULL);
+        for (size_t n = 0; e && n < b->lagged; n++)
+            want[n] += k < 2 ? e[n] : -e[n];
+    }
+    const double *e =
+        b->strain(b->self, 0, 0, at + 3 * count,
+                  &(struct large_foresight){.change = d, .beside = at + 4 * count});
+    for (size_t n = 0; e && n < b->lagged; n++)
+        CHECK_NEAR(e[n], want[n], SYMMETRIC);
+    CHECK(e);
+    free(at);
+    free(want);
+}
+
 /* Turn by 2.1 rad about (1,2,2)/3 and shift. */
 static void check_rigid(const struct shell_assembly *s, double deformed)
 {
@@ -139,6 +170,9 @@ static void check_shell(int p, int n, int q, int m, bool weights, bool selective
         d[t] -= space.rest[t];
     check_force(&s, x, d);
     check_tangent(&s, x, d);
+    for (int t = 0; t < 3 * space.nodes; t++)
+        d[t] *= 0.1; /* a surface on either side */
+    check_foreseen(&s, x, d);
     check_rigid(&s, energy_at(&s, x));
     check_kept(&s, &space, x);
     free(x);

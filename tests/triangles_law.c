@@ -118,7 +118,7 @@ static void check_foresight(enum membrane membrane)
         bend(&s, x);
         for (size_t t = 0; t < count; t++)
             d[t] = size * noise(3 * t + 1), x[t] += d[t];
-        double *e = b->body.strain(b, 0, 0, x, d);
+        double *e = b->body.strain(b, 0, 0, x, &(struct large_foresight){.change = d});
         REQUIRE(e);
         memcpy(seen, e, (size_t)b->forms_from * sizeof *e);
         e = b->body.strain(b, 0, 0, x, NULL);

@@ -87,8 +87,9 @@ static void gather_hinge(const struct tri_hinge *h, const double *x, int first,
 }
 
 static double *strain_of(const void *self, int thread, int strip, const double *x,
-                         const double *change)
+                         const struct large_foresight *foresight)
 {
+    const double *change = foresight ? foresight->change : NULL;
     const struct tri_body *b = self;
     const struct tri_net *net = b->net;
     struct tri_body_room *r = &b->work[thread];

@@ -38,7 +38,8 @@ static bool do_element(const struct task *t, int thread, int element)
 {
     const struct large_body *b = t->body;
     size_t at = (size_t)element * b->strains, bytes = b->strains * sizeof(double);
-    double *strain = b->strain(b->self, thread, element, t->x, t->foresight.change);
+    double *strain = b->strain(b->self, thread, element, t->x,
+                               t->foresight.change ? &t->foresight : NULL);
 
     if (!strain)
         return false;

@@ -22,8 +22,11 @@ struct large_path {
  * iterations. */
 struct large_foresight {
     const double *strain; /* these strains, such as those at the step's start          */
-    const double *change; /* [nodes][3] the change that led to x: the strains that its
+    const double *change; /* [nodes][3] the change d that led to x: the strains that its
                              linearisation foresaw                                     */
+    const double *beside; /* [nodes][3] w with `change`: those of the tangent, whose
+                             geometry is not that of x, differ from those at x by the
+                             product of w and d, in statics d itself (large_newton.c)  */
     bool none;            /* no stress at all: a tangent that is never indefinite      */
 };
 
@@ -38,10 +41,11 @@ struct large_body {
     size_t strains;  /* numbers an element                                             */
     size_t lagged;   /* of which the first so many feel the lag                        */
 
-    /* Strains at x, in the thread's own room, or NULL if x is no body there. With `change`
-     * the strains that its linearisation foresaw. */
+    /* Strains at x, in the thread's own room, or NULL if x is no body there. With
+     * `foresight` the strains that its change's linearisation foresaw; bodies of no
+     * membrane that steps turn far may take `change` for `beside`. */
     double *(*strain)(const void *self, int thread, int element, const double *x,
-                      const double *change);
+                      const struct large_foresight *foresight);
     /* The geometry becomes (1 - share) x_old + share x; x_old is NULL if share == 1. */
     void (*geometry)(const void *self, int thread, int element, const double *x_old,
                      double share);

@@ -113,8 +113,9 @@ static void gather(const struct solid_space *space, int element, const double *x
 }
 
 static double *strain_of(const void *self, int thread, int element, const double *x,
-                         const double *change)
+                         const struct large_foresight *foresight)
 {
+    const double *change = foresight ? foresight->change : NULL;
     const struct solid_green *s = self;
     const struct solid_space *space = s->assembly->space;
     struct solid_green_element *e = &s->work[thread];

@@ -236,6 +236,19 @@ def compare_models():
     return compare_table(one for _, one in sorted(best.values(), key=lambda b: b[0]))
 
 
+def compare_threads():
+    """Of each contestant its nearest run of those that were timed with two threads."""
+    nearest = {}
+    for r in part("compare_threads", "with more threads", "seconds_2_threads"):
+        error = float(r["worst_rmse_over_length"])
+        if r["contestant"] not in nearest or error < nearest[r["contestant"]][0]:
+            nearest[r["contestant"]] = error, r
+    return markdown(["", "net", "error", "one thread [s]", "two [s]", "times", "same bits"], [
+        [r["title"], f"{r['side']}x{r['across']}", percent(100 * error),
+         seconds(r["seconds_1_thread"]), seconds(r["seconds_2_threads"]),
+         digits(r["times_2_threads"], 2), r["same_bits"]] for error, r in nearest.values()])
+
+
 def compare_words():
     def least(contestant, error="0.01"):
         rows = part("compare", "Least seconds", "seconds_0.01")
@@ -585,7 +598,8 @@ def timestep_words():
 # --- which is which --------------------------------------------------------------------------
 
 BLOCKS = {"table1": table1, "table23": table23, "table4": table4, "verify": verify,
-          "compare": compare, "compare_models": compare_models, "compare_scenes": compare_scenes,
+          "compare": compare, "compare_models": compare_models,
+          "compare_threads": compare_threads, "compare_scenes": compare_scenes,
           "truths": truths, "stress": stress, "stress_map": stress_map,
           "mesh": mesh, "cures": cures, "peers": peers, "peers_drop": peers_drop,
           "peers_said": peers_said}

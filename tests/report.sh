@@ -19,7 +19,7 @@ page() { # FOLDER; page.html, $code
 good() { # FOLDER
     page "$1"
     [ "$code" -eq 0 ] || fail "report $1: exit $code: $(<err)"
-    [ "$(stat -c %s page.html)" -lt 4000000 ] || fail "report $1: the page has 4 MB"
+    [ "$(stat -c %s page.html)" -lt 5000000 ] || fail "report $1: the page has 5 MB"
 }
 
 has() { # TEXT; in the page
@@ -169,7 +169,7 @@ assert trouble[0].endswith("table2/cost.png: is cut short"), trouble
 assert trouble[1].endswith("table3/cost.png: is no PNG"), trouble
 assert "table4.png: cannot be read" in trouble[2], trouble
 SCRIPT
-# more frames than there is room for: every so many of them, never beyond 4 MB
+# more frames than there is room for: every so many of them, never beyond 5 MB
 for n in {1..20}; do cp "$sound" "moves/run_edge_drop/more_$n.h5"; done
 "$program" run edge_drop "${sheet[@]}" --set time.end=0.5 --out moves/run_edge_drop/long.h5 2>err
 good moves

@@ -70,9 +70,9 @@ enum status folder_aside_open(const char *path, struct folder_aside *f, struct m
     const size_t size = strlen(path) + 32;
     enum status st;
 
-    *f = (struct folder_aside){.path = strdup(path), .temporary = malloc(size)};
+    /* of zeros: not made yet */
+    *f = (struct folder_aside){.path = strdup(path), .temporary = calloc(size, 1)};
     TRY(f->path && f->temporary ? STATUS_OK : STATUS_MEMORY);
-    *f->temporary = '\0'; /* not made yet */
     for (size_t n = strlen(f->path); n > 1 && f->path[n - 1] == '/'; n--)
         f->path[n - 1] = '\0';
     TRY(check_free(f->path, why));

@@ -5,6 +5,7 @@
 
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
+#include "bench/truth/truth_closed.h"
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_make.h"
 #include "bench/truth/truth_physics.h"
@@ -108,6 +109,38 @@ static void each_has_its_scene(void)
     named_file_list_free(entries, count);
 }
 
+/* Every scene that comes with the program is a closed form, has a stored truth, or is told
+ * why it can have none: one of these. */
+static void each_scene_is_known(void)
+{
+    struct named_file_entry *scenes = NULL;
+    int count = 0;
+
+    REQUIRE(named_file_names(&scene_file_kind, &scenes, &count, NULL) == STATUS_OK);
+    for (int n = 0; n < count; n++) {
+        struct truth_made closed, stored;
+        struct message why = {""};
+        struct scene s = {0};
+        struct settings settings = {0};
+        char *path = NULL;
+
+        REQUIRE(scene_file_find(scenes[n].name, &path, NULL) == STATUS_OK);
+        REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
+        const bool refused = truth_plan_check(&s, &why) == STATUS_UNSUPPORTED;
+        const int ways = (truth_closed_make(&s, &closed) == STATUS_OK) +
+                         (truth_file_find(s.name, &s, &stored, NULL) == STATUS_OK) +
+                         (refused && strstr(why.text, " has no truth: "));
+        if (!CHECK(ways == 1))
+            printf("%s: known in %d ways; %s\n", s.name, ways, why.text);
+        truth_made_clear(&closed);
+        truth_made_clear(&stored);
+        settings_clear(&settings);
+        scene_clear(&s);
+        free(path);
+    }
+    named_file_list_free(scenes, count);
+}
+
 static void made_anew(const char *scene)
 {
     struct truth_plan plan = truth_plan_of(scene, true);
@@ -206,6 +239,7 @@ int main(int argc, char **argv)
     REQUIRE(folder_make(folder, NULL) == STATUS_OK);
     clear_folder();
     each_has_its_scene();
+    each_scene_is_known();
     strip_is_the_beam();
     mid_size("edge_drop", TRUTH_SOLID, 2);
     mid_size("edge_drop", TRUTH_SHELL, 4);

@@ -336,6 +336,37 @@ static void check_held(void)
     }
 }
 
+/* A ball under the middle of a sheet of 1 mm, so far from its lower side. */
+static void check_drape(void)
+{
+    static const struct {
+        double gap;
+        int supports;
+        bool laid;
+    } cases[] = {{1e-5, 0, true},   {.9e-3, 0, true}, {1.1e-3, 0, false},
+                 {-1e-12, 0, true}, {.05, 0, false},  {1e-5, 1, false}};
+    struct scene_support edge = {.hi = {0, 1, 1}, .fix = FIX_XYZ};
+
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        struct scene_obstacle ball = {.kind = OBSTACLE_SPHERE,
+                                      .point = {.5, .5, -.5005 - cases[n].gap},
+                                      .radius = .5};
+        struct message why = {""};
+        const struct scene scene = {.name = (char[]){"mine"},
+                                    .length = 1,
+                                    .width = 1,
+                                    .thickness = .001,
+                                    .axis_u = {1, 0, 0},
+                                    .axis_v = {0, 1, 0},
+                                    .support_count = cases[n].supports,
+                                    .supports = &edge,
+                                    .obstacle_count = 1,
+                                    .obstacles = &ball};
+        CHECK((truth_plan_check(&scene, &why) == STATUS_UNSUPPORTED) == cases[n].laid);
+        CHECK(!cases[n].laid || strstr(why.text, "mine has no truth: it is laid"));
+    }
+}
+
 static void check_frames(void)
 {
     static const double step[][2] = {{.005, .005}, {.001, .001}, {1 / 60.0, .01},
@@ -353,6 +384,7 @@ int main(void)
     check_known();
     check_thin();
     check_held();
+    check_drape();
     check_frames();
     return check_result();
 }

@@ -194,7 +194,7 @@ out:
     return st;
 }
 
-/* What is known without a run. */
+/* What is known without a run; of what can have no truth, why. */
 static enum status print_known(const struct job *j, const int points[2],
                                struct message *why)
 {
@@ -203,6 +203,8 @@ static enum status print_known(const struct job *j, const int points[2],
 
     if (st == STATUS_UNSUPPORTED)
         st = truth_file_find(j->scene.name, &j->scene, &made, why);
+    if (st == STATUS_FILE && truth_plan_check(&j->scene, why) != STATUS_OK)
+        st = STATUS_UNSUPPORTED;
     if (st == STATUS_OK)
         st = *points ? truth_frames_print(&made, points, stdout)
                      : truth_print(&made, &j->scene, j->format, stdout);

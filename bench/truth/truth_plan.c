@@ -4,6 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/contact.h"
+#include "models/grid.h"
+#include "models/metric/metric_rest.h"
+
 #define MS 1e-3
 
 /* Chosen so that a truth takes a quarter of an hour on one processor; the last is for
@@ -123,8 +127,23 @@ double truth_plan_frame(const struct scene *scene)
     return TRUTH_PLAN_FRAME / ceil(TRUTH_PLAN_FRAME / scene->step - 1e-9);
 }
 
+/* Lying on an obstacle from the start on, within a thickness. */
+static enum status lies(const struct scene *scene, bool *does)
+{
+    double *rest = scene->obstacle_count ? metric_rest_field(scene) : NULL;
+
+    if (scene->obstacle_count && !rest)
+        return STATUS_MEMORY;
+    *does = contact_least_gap(scene, rest ? GRID_POINTS : 0, rest) <= scene->thickness;
+    free(rest);
+    return STATUS_OK;
+}
+
 enum status truth_plan_check(const struct scene *scene, struct message *why)
 {
+    bool laid = false;
+    enum status st;
+
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
         if (!(s->hi[0] > s->lo[0]) && !(s->hi[1] > s->lo[1]))
@@ -136,7 +155,18 @@ enum status truth_plan_check(const struct scene *scene, struct message *why)
                 "is claimed",
                 scene->name, n);
     }
-    return STATUS_OK;
+    TRY(lies(scene, &laid));
+    if (laid && !scene->support_count)
+        TRY(status_fail(
+            why, STATUS_UNSUPPORTED,
+            "%s has no truth: it is laid on an obstacle, and a drape has many "
+            "equilibria, of which net and round-off choose one; claimed of each "
+            "is that it is in balance, its energy, and whether it is stable "
+            "(run %s --static); dropped onto an obstacle a sheet has a truth "
+            "for a while, as sphere",
+            scene->name, scene->name));
+out:
+    return st;
 }
 
 const char *truth_plan_damping(const struct scene *scene)

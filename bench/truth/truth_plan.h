@@ -52,7 +52,8 @@ bool truth_plan_rung(const struct scene *scene, double frame, int k,
 double truth_plan_frame(const struct scene *scene);
 
 /* A truth is a limit under refinement, and what is held at points has none: a point of a
- * solid holds nothing. STATUS_UNSUPPORTED with a sentence. */
+ * solid holds nothing. Nor has a drape, a sheet that nothing holds and that lies on an
+ * obstacle from the start on. STATUS_UNSUPPORTED with a sentence. */
 enum status truth_plan_check(const struct scene *scene, struct message *why);
 
 /* A factor on the velocity after each step is no physics: under every step and scheme it

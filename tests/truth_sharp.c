@@ -2,6 +2,7 @@
  * when less is asked for, and no more is run than time allows. What a killed command left
  * is taken, what is damaged made again, to the same bits. */
 #include "bench/truth/truth.h"
+#include "bench/truth/truth_level.h"
 
 #include <signal.h>
 #include <sys/stat.h>
@@ -17,6 +18,7 @@ enum { TIMES = 2 };
 static const double TIME[TIMES] = {0.05, 0.1};
 
 static const double BLUNT = 5e-3;
+static const double ROUNDING = 1e-14; /* of gravity [m/s^2] */
 
 static struct truth *made(const char *folder, double error, double seconds)
 {
@@ -147,6 +149,33 @@ static void is_made_again(const char *folder, const struct truth *whole)
     truth_destroy(t);
 }
 
+/* A millionth of gravity along (1,1,1), or of the earth's in a scene without. */
+static void check_push(void)
+{
+    static const struct {
+        const char *scene;
+        double down;
+    } cases[] = {{"edge_drop", 9.81}, {"moving_edge", 0}};
+    const double push = 9.81e-6 / sqrt(3);
+
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        struct settings given = {0}, s = {0};
+        const struct truth_level level = {TRUTH_SHELL, 3, 9, 0.005, true, 0};
+        struct truth_runs runs = {.settings = &given};
+        struct scene scene = {0};
+        char *path = NULL;
+        REQUIRE(scene_file_find(cases[n].scene, &path, NULL) == STATUS_OK);
+        runs.path = path;
+        REQUIRE(truth_level_settings(&runs, &level, &s, NULL) == STATUS_OK);
+        REQUIRE(settings_read_scene(&s, path, &scene, NULL) == STATUS_OK);
+        for (int c = 0; c < 3; c++)
+            CHECK_NEAR(scene.gravity[c], push - (c == 2) * cases[n].down, ROUNDING);
+        scene_clear(&scene);
+        settings_clear(&s);
+        free(path);
+    }
+}
+
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
@@ -177,5 +206,6 @@ int main(int argc, char **argv)
     truth_destroy(hasty);
     truth_destroy(blunt);
     truth_destroy(sharp);
+    check_push();
     return check_result();
 }

@@ -14,6 +14,8 @@
 
 enum { PATH = 4096, KEY = 64 };
 
+static const double EARTH = 9.81; /* [m/s^2] */
+
 const struct contestant *truth_level_contestant(enum truth_model model)
 {
     static const char *const name[] = {"iga_reduced", "shell_3", "shell_selective_3"};
@@ -25,7 +27,7 @@ const struct contestant *truth_level_contestant(enum truth_model model)
     return c;
 }
 
-/* The scene's gravity, changed. */
+/* The scene's gravity, changed; where it has none, the earth's share of it. */
 static enum status perturb(const struct truth_runs *runs, struct settings *settings,
                            struct message *why)
 {
@@ -34,8 +36,8 @@ static enum status perturb(const struct truth_runs *runs, struct settings *setti
 
     TRY(settings_read_scene(runs->settings, runs->path, &scene, why));
     double *g = scene.gravity;
-    const double by =
-        TRUTH_PERTURBATION * sqrt((g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / 3);
+    const double mean = (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / 3;
+    const double by = TRUTH_PERTURBATION * sqrt(mean > 0 ? mean : EARTH * EARTH / 3);
     for (int i = 0; i < 3; i++)
         g[i] += by;
     settings_numbers(settings, "gravity", 3, g);

@@ -6,7 +6,8 @@
 #include "bench/harness/contestant.h"
 #include "bench/harness/run_result.h"
 
-/* Of gravity, in the direction (1,1,1): whatever symmetry a scene has is gone. */
+/* Of gravity, or of 9.81 m/s^2 where there is none, in the direction (1,1,1): whatever
+ * symmetry a scene has is gone. */
 #define TRUTH_PERTURBATION 1e-6
 
 /* Whose runs truths are made of: the nonlinear solid, cured of locking, and the nonlinear

@@ -9,6 +9,7 @@
 #include "bench/truth/truth_closed.h"
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_frames.h"
+#include "bench/truth/truth_known.h"
 #include "bench/truth/truth_make.h"
 #include "bench/truth/truth_print.h"
 #include "bench/truth/truth_sharp.h"
@@ -194,22 +195,35 @@ out:
     return st;
 }
 
-/* What is known without a run; of what can have no truth, why. */
+/* What is known without a run. */
 static enum status print_known(const struct job *j, const int points[2],
                                struct message *why)
 {
     struct truth_made made;
-    enum status st = truth_closed_make(&j->scene, &made);
+    enum status st = truth_known_find(&j->scene, &made, why);
 
-    if (st == STATUS_UNSUPPORTED)
-        st = truth_file_find(j->scene.name, &j->scene, &made, why);
-    if (st == STATUS_FILE && truth_plan_check(&j->scene, why) != STATUS_OK)
-        st = STATUS_UNSUPPORTED;
     if (st == STATUS_OK)
         st = *points ? truth_frames_print(&made, points, stdout)
                      : truth_print(&made, &j->scene, j->format, stdout);
     truth_made_clear(&made);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
+}
+
+/* Of every scene that comes with the program. */
+static enum status print_all(const struct command_line *line, struct message *why)
+{
+    const char *word = command_value(line, "--format");
+    enum table_format format = TABLE_TEXT;
+    enum status st;
+
+    if (!command_given(line, "--stored") || command_given(line, "--points"))
+        TRY(status_fail(why, STATUS_INPUT,
+                        "truth SCENE; without one --stored alone, what is known of all"));
+    if (word)
+        TRY(table_format_parse(word, &format, why));
+    TRY(truth_known_print(format, stdout, why));
+out:
+    return st;
 }
 
 static enum status run(const struct command_line *line, struct message *why)
@@ -218,6 +232,8 @@ static enum status run(const struct command_line *line, struct message *why)
     int points[2] = {0, 0};
     enum status st;
 
+    if (!line->word_count)
+        return print_all(line, why);
     TRY(prepare(&j, line, why));
     TRY(command_pair(line, "--points", 2, TRUTH_FRAMES_MOST, points, why));
     if (*points && !command_given(line, "--stored"))
@@ -247,7 +263,8 @@ static const struct command_option options[] = {
     {"--store", NULL, false, "among those that come with the program"},
     {"--runs", "FOLDER", false, "where its runs are kept (results/truth_SCENE)"},
     {"--stored", NULL, false,
-     "run nothing: the table of the truth that is stored,\nor is a closed form"},
+     "run nothing: the table of the truth that is stored,\nor is a closed form; without "
+     "SCENE what is known of all"},
     {"--third", "FOLDER", false,
      "run nothing: put somebody else's frames on three nets,\nextrapolated, beside the "
      "truth, into third/ of its folder"},
@@ -261,7 +278,7 @@ static const struct command_option options[] = {
 const struct command truth_command = {
     .name = "truth",
     .summary = "what a scene's motion is, with an error bar, and until when",
-    .arguments = "SCENE [OPTION]...",
+    .arguments = "[SCENE] [OPTION]...",
     .text =
         "A scene that is a closed form (a free fall; nu = 0, hanging or clamped level, "
         "come\n"
@@ -280,10 +297,10 @@ const struct command truth_command = {
         "ever shorter steps, one at a time, with what they will still take; exit 1 and "
         "why\n"
         "where the horizon or the budget forbids, and until when the wish is met.\n",
-    .examples = "truth edge_drop --stored\ntruth edge_drop --stored --points 21,21\n"
-                "truth sphere --quick\ntruth mine.yaml --error 0.5% --until 0.3\n"
-                "truth flag --set material.young=1e5 --out flag.h5\n",
-    .least = 1,
+    .examples =
+        "truth edge_drop --stored\ntruth edge_drop --stored --points 21,21\n"
+        "truth --stored\ntruth sphere --quick\ntruth mine.yaml --error 0.5% --until 0.3\n"
+        "truth flag --set material.young=1e5 --out flag.h5\n",
     .most = 1,
     .options = options,
     .run = run,

@@ -1,7 +1,9 @@
 cmake_minimum_required(VERSION 3.25)
 
-# Writes HEADER with the commit of SOURCE and the number of files that differ from it; run at
-# every build, rewrites only what changed. Outside a git checkout both are `unknown`.
+# Writes HEADER with the commit of SOURCE, the number of files that differ from it, and a digest
+# of what computes a run: names and contents of the sources of models and of what runs them.
+# Run at every build, rewrites only what changed. Outside a git checkout the first two are
+# `unknown`.
 #   cmake -D SOURCE=... -D HEADER=... -P provenance.cmake
 set(commit unknown)
 set(changed unknown)
@@ -20,7 +22,25 @@ if(GIT AND EXISTS ${SOURCE}/.git)
     list(LENGTH lines changed)
   endif()
 endif()
+
+# Of other folders none has a say in a run's numbers.
+set(patterns ${SOURCE}/CMakeLists.txt ${SOURCE}/bench/truth/truth_level.c)
+foreach(folder models iga fem_ref mass_spring position_based projective_dynamics shell_ref
+        triangles bench/harness)
+  list(APPEND patterns ${SOURCE}/${folder}/*.c ${SOURCE}/${folder}/*.h)
+endforeach()
+file(GLOB_RECURSE sources RELATIVE ${SOURCE} ${patterns})
+list(SORT sources)
+set(digests "")
+foreach(name IN LISTS sources)
+  file(SHA256 ${SOURCE}/${name} digest)
+  string(APPEND digests "${name} ${digest}\n")
+endforeach()
+string(SHA256 solvers "${digests}")
+string(SUBSTRING ${solvers} 0 16 solvers)
+
 file(CONFIGURE OUTPUT ${HEADER} @ONLY CONTENT
 "#define PROVENANCE_COMMIT \"@commit@\"
 #define PROVENANCE_CHANGED \"@changed@\"
+#define PROVENANCE_SOLVERS \"@solvers@\"
 ")

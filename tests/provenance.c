@@ -61,6 +61,7 @@ static void check_all(const struct provenance *p)
     check_value(p, "blas_threads", "1");
     check_value(p, "commit", "%s", PROVENANCE_COMMIT);
     check_value(p, "changed_files", "%s", PROVENANCE_CHANGED);
+    check_value(p, "solvers", "%s", PROVENANCE_SOLVERS);
     check_value(p, "cholmod", "%d.%d.%d", CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION,
                 CHOLMOD_SUBSUB_VERSION);
     check_value(p, "hdf5", "%d.%d.%d", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE);
@@ -86,7 +87,7 @@ static void check_all(const struct provenance *p)
         const char *value = provenance_value(p, rest[i].key);
         CHECK(value && strstr(value, rest[i].part) && !strchr(value, '\n'));
     }
-    CHECK(p->count == 13 + 5);
+    CHECK(p->count == 14 + 5);
     CHECK(sscanf(provenance_value(p, "date"), "%4d-%2d-%2dT", &year, &month, &day) == 3);
     CHECK(year >= 2024 && month >= 1 && month <= 12 && day >= 1 && day <= 31);
     CHECK(!provenance_value(p, "none"));
@@ -104,6 +105,6 @@ int main(void)
     check_all(&p);
     const int open = scratch_files("/proc/self/fd");
     provenance_collect(&p); /* anew, not in addition */
-    CHECK(p.count == 13 + 5 && scratch_files("/proc/self/fd") == open);
+    CHECK(p.count == 14 + 5 && scratch_files("/proc/self/fd") == open);
     return check_result();
 }

@@ -1,7 +1,9 @@
 cmake_minimum_required(VERSION 3.25)
 
 # cmake/provenance.cmake tells the commit and how many files differ from it: none, one that
-# was changed, one more that is new; and does not touch a header that says so already.
+# was changed, one more that is new; and does not touch a header that says so already. The
+# digest of the solvers is another when one of them is, is named otherwise, or goes, and not
+# when anything else is.
 #   cmake -D SOURCE=... -D SCRATCH=... -P provenance_commit.cmake
 find_program(GIT git)
 set(header ${SCRATCH}.h)
@@ -21,6 +23,8 @@ function(expect commit changed)
   run(${CMAKE_COMMAND} -D SOURCE=${SCRATCH} -D HEADER=${header}
     -P ${SOURCE}/cmake/provenance.cmake)
   file(READ ${header} text)
+  string(REGEX REPLACE "#define PROVENANCE_SOLVERS \"([0-9a-f]+)\"\n$" "" text "${text}")
+  set(solvers ${CMAKE_MATCH_1} PARENT_SCOPE)
   set(want "#define PROVENANCE_COMMIT \"${commit}\"\n#define PROVENANCE_CHANGED \"${changed}\"\n")
   if(NOT text STREQUAL want)
     message(FATAL_ERROR "wanted\n${want}found\n${text}")
@@ -54,3 +58,25 @@ file(TIMESTAMP ${header} after %s)
 if(NOT before EQUAL after)
   message(FATAL_ERROR "written again, though nothing changed")
 endif()
+
+# Contents, a name, a file that goes; then one as before.
+set(seen ${solvers})
+file(WRITE ${SCRATCH}/doc.md "words")
+expect(${commit} 3)
+if(NOT solvers STREQUAL seen)
+  message(FATAL_ERROR "words made other solvers")
+endif()
+foreach(what "iga/a.c;one" "iga/a.c;two" "iga/b.c;two" "models/linalg/a.h;three"
+        "bench/harness/run.c;four")
+  list(GET what 0 name)
+  list(GET what 1 content)
+  file(REMOVE_RECURSE ${SCRATCH}/iga)
+  file(WRITE ${SCRATCH}/${name} ${content})
+  run(${CMAKE_COMMAND} -D SOURCE=${SCRATCH} -D HEADER=${header} -P ${SOURCE}/cmake/provenance.cmake)
+  file(READ ${header} text)
+  string(REGEX MATCH "PROVENANCE_SOLVERS \"([0-9a-f]+)\"" match "${text}")
+  if(CMAKE_MATCH_1 IN_LIST seen)
+    message(FATAL_ERROR "other solvers are as before: ${name}, ${content}")
+  endif()
+  list(APPEND seen ${CMAKE_MATCH_1})
+endforeach()

@@ -54,6 +54,7 @@ static void add_build(struct provenance *p)
     add(p, "program", "clothbench " PROVENANCE_VERSION);
     add(p, "commit", "%s", PROVENANCE_COMMIT);
     add(p, "changed_files", "%s", PROVENANCE_CHANGED);
+    add(p, "solvers", "%s", PROVENANCE_SOLVERS);
     add(p, "compiler", "%s", PROVENANCE_COMPILER);
     add(p, "build_type", "%s", PROVENANCE_BUILD_TYPE);
     add(p, "flags", "%s", PROVENANCE_FLAGS);

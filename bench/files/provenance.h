@@ -15,8 +15,9 @@ struct provenance {
     struct provenance_entry entry[PROVENANCE_MAX];
 };
 
-/* As things stand now: call after the thread counts were set. What cannot be found out is
- * `unknown`. */
+/* As things stand now (`solvers`: a digest of all sources that have a say in a run's
+ * numbers, which a change of words elsewhere leaves): call after the thread counts were
+ * set. What cannot be found out is `unknown`. */
 void provenance_collect(struct provenance *p);
 
 /* The value of a key, NULL if there is none. Borrowed. */

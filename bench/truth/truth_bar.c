@@ -127,41 +127,128 @@ static double joint_order(const struct truth_family *f)
     return fmin(promised_order(f->level[f->count - 1].degree), STEP_ORDER);
 }
 
-static void judge_joint(const struct truth_family *f, int time, struct chain chain[2],
-                        double *value)
+/* The last three of the first `count` runs, up to a time. */
+static struct truth_order judge_three(const struct truth_family *f, int count, int time,
+                                      struct chain *chain, double h[3])
+{
+    const int run[3] = {count - 3, count - 2, count - 1};
+
+    for (int k = 0; k < 3; k++)
+        h[k] = span_of(&f->level[run[k]]);
+    return judge(f, run, h, joint_order(f), time, chain);
+}
+
+/* A field: of two runs, fine + left (fine - middle). */
+struct field {
+    const double *fine, *middle;
+    double left;
+};
+
+static struct field limit_of(const struct truth_family *f, int count, const double h[3],
+                             double order, int time)
+{
+    const double left = order >= LEAST ? left_by(h, fmin(order, joint_order(f))) : 0;
+
+    return (struct field){f->run[count - 1].xyz[time], f->run[count - 2].xyz[time], left};
+}
+
+static double at(const struct field *f, int n)
+{
+    return f->fine[n] + f->left * (f->fine[n] - f->middle[n]);
+}
+
+/* As metric_rmse. */
+static double apart(const struct field *a, const struct field *b)
+{
+    double sum = 0;
+
+    if (!(a->left > 0) && !(b->left > 0))
+        return metric_rmse(a->fine, b->fine);
+    for (int n = 0; n < 3 * GRID_POINTS; n++) {
+        const double d = at(a, n) - at(b, n);
+        sum += d * d;
+    }
+    return sqrt(sum / GRID_POINTS);
+}
+
+/* What is carried from time to time: of three runs, of the three before, of their limits.
+ */
+struct judged {
+    struct chain now[2], before;
+    double moved;
+};
+
+/* From here on a family shows whether its limits have settled. */
+enum { SETTLED = 4 };
+
+/* Where the last three runs show an order, and the three before one that goes the same way,
+ * the limit hardly moved: how far it did bars it, and where that is the sharper bar, the
+ * limit is the family's field. Errors that are not yet of an order move it by more than
+ * they are (wrinkles, contact); without one before, it is the middle run's, and never
+ * sharper. */
+static void settle(const struct truth_family *f, int time, struct truth_order *o,
+                   const double h[3], struct judged *so_far, struct field *field)
+{
+    double coarser[3];
+    const struct truth_order before =
+        judge_three(f, f->count - 1, time, &so_far->before, coarser);
+    const struct field limit = limit_of(f, f->count, h, o->order, time),
+                       last = limit_of(f, f->count - 1, coarser, before.order, time);
+    const double moved = apart(&limit, &last);
+
+    so_far->moved += moved * moved;
+    const double bar = SAFETY * fmax(moved, sqrt(so_far->moved / (time + 1)));
+    if (!(o->order >= LEAST) || !(bar < o->bar))
+        return;
+    o->bar = bar;
+    *field = limit;
+}
+
+static struct field judge_joint(const struct truth_family *f, int time,
+                                struct judged *so_far, double *value)
 {
     const int n = f->count;
-    const int run[3] = {n - 3, n - 2, n - 1};
+    struct field field = {0};
     double h[3];
 
     value[0] = value[1] = NAN;
     value[2] = INFINITY;
+    if (n)
+        field.fine = field.middle = f->run[n - 1].xyz[time];
     if (n == 2)
         value[2] = UNSEEN * between(f, 0, 1, time);
     if (n < 3)
-        return;
-    for (int k = 0; k < 3; k++)
-        h[k] = span_of(&f->level[run[k]]);
-    const struct truth_order both = judge(f, run, h, joint_order(f), time, &chain[0]);
+        return field;
+    struct truth_order both = judge_three(f, n, time, &so_far->now[0], h);
+    if (n >= SETTLED)
+        settle(f, time, &both, h, so_far, &field);
     value[0] = value[1] = both.order;
     value[2] = both.bar;
+    return field;
+}
+
+static struct field judge_family(const struct truth_family *f, int time,
+                                 struct judged *so_far, double *value)
+{
+    if (f->joint)
+        return judge_joint(f, time, so_far, value);
+    judge_cross(f, time, so_far->now, value);
+    const double *fine = f->run[TRUTH_BAR_FINE].xyz[time];
+    return (struct field){fine, fine, 0};
 }
 
 void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz)
 {
-    const double *middle = f->run[f->count - 2].xyz[time],
-                 *fine = f->run[f->count - 1].xyz[time];
-    double h[3], left = 0;
+    double h[3];
 
     for (int k = 0; k < 3; k++)
         h[k] = span_of(&f->level[f->count - 3 + k]);
-    if (order >= LEAST)
-        left = left_by(h, fmin(order, joint_order(f)));
+    const struct field limit = limit_of(f, f->count, h, order, time);
     for (int n = 0; n < 3 * GRID_POINTS; n++)
-        xyz[n] = fine[n] + left * (fine[n] - middle[n]);
+        xyz[n] = at(&limit, n);
 }
 
-static const struct run_result *finest(const struct truth_family *f)
+const struct run_result *truth_bar_finest(const struct truth_family *f)
 {
     return &f->run[f->joint ? f->count - 1 : TRUTH_BAR_FINE];
 }
@@ -177,18 +264,15 @@ void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
                        struct truth_made *made)
 {
     const struct truth_family *solid = &family[TRUTH_SOLID], *shell = &family[TRUTH_SHELL];
-    struct chain chain[TRUTH_MODELS][2] = {{{0}}};
+    struct judged so_far[TRUTH_MODELS] = {{{{0}}}};
 
     for (int n = 0; n < made->times; n++) {
         double *v = made->value[n];
-        (solid->joint ? judge_joint : judge_cross)(solid, n, chain[TRUTH_SOLID],
-                                                   v + TRUTH_SOLID_SPACE);
-        (shell->joint ? judge_joint : judge_cross)(shell, n, chain[TRUTH_SHELL],
-                                                   v + TRUTH_SHELL_SPACE);
-        v[TRUTH_DIFFERENCE] =
-            solid->count && shell->count
-                ? metric_rmse(finest(solid)->xyz[n], finest(shell)->xyz[n])
-                : 0;
+        const struct field a =
+            judge_family(solid, n, &so_far[TRUTH_SOLID], v + TRUTH_SOLID_SPACE);
+        const struct field b =
+            judge_family(shell, n, &so_far[TRUTH_SHELL], v + TRUTH_SHELL_SPACE);
+        v[TRUTH_DIFFERENCE] = solid->count && shell->count ? apart(&a, &b) : 0;
         v[TRUTH_GROWTH] = growth(push, n, length);
     }
 }
@@ -205,23 +289,53 @@ void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_
              own ? "step " : "", 1e3 * l->step);
 }
 
+/* The truth's field; returns at how many times it is a limit. */
+static int fill(const struct truth_family *f, struct truth_made *made)
+{
+    struct judged so_far = {{{0}}};
+    double value[3];
+    int limits = 0;
+
+    for (int t = 0; t < made->times; t++) {
+        const struct field field = judge_family(f, t, &so_far, value);
+        for (int n = 0; n < 3 * GRID_POINTS; n++)
+            made->xyz[t][n] = at(&field, n);
+        limits += field.left > 0;
+    }
+    return limits;
+}
+
+static void tell_limit(const struct truth_family *f, int limits, int times,
+                       char text[TRUTH_BAR_LEVEL])
+{
+    const struct truth_level *l = &f->level[f->count - 4];
+
+    snprintf(text, TRUTH_BAR_LEVEL,
+             ", extrapolated from %dx%d, %dx%d, %dx%d and that at %d of %d times",
+             l[0].side, l[0].side, l[1].side, l[1].side, l[2].side, l[2].side, limits,
+             times);
+}
+
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
                       struct truth_made *made)
 {
     const enum truth_model best = truth_made_choose(made, length);
     const struct truth_family *f = &family[best], *other = &family[!best];
-    char own[TRUTH_BAR_LEVEL], against[TRUTH_BAR_LEVEL];
+    char own[TRUTH_BAR_LEVEL], against[TRUTH_BAR_LEVEL], limit[TRUTH_BAR_LEVEL] = "";
 
-    made->level = f->level[finest(f) - f->run];
+    made->level = f->level[truth_bar_finest(f) - f->run];
     truth_bar_level(&made->level, true, own);
     if (other->count)
-        truth_bar_level(&other->level[finest(other) - other->run], false, against);
-    for (int n = 0; n < made->times; n++)
-        memcpy(made->xyz[n], finest(f)->xyz[n], 3 * GRID_POINTS * sizeof(double));
-    snprintf(made->note, sizeof made->note, "nonlinear %s; error bar: its own by %s%s%s",
-             own,
-             f->joint && f->count < 3 ? "the difference of two runs, three times,"
-                                      : "observed orders",
+        truth_bar_level(&other->level[truth_bar_finest(other) - other->run], false,
+                        against);
+    const int limits = fill(f, made);
+    if (limits)
+        tell_limit(f, limits, made->times, limit);
+    snprintf(made->note, sizeof made->note, "nonlinear %s%s; error bar: its own by %s%s%s",
+             own, limit,
+             limits                     ? "how far its limit moved, and observed orders"
+             : f->joint && f->count < 3 ? "the difference of two runs, three times,"
+                                        : "observed orders",
              other->count ? " or, if larger, its difference from the " : "",
              other->count ? against : "");
 }

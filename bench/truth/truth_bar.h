@@ -52,8 +52,10 @@ struct truth_push {
 
 /* All numbers of made's times but the error bars, into its values. Orders are of the rms
  * of the differences up to each time. Of a joint family both orders are the one that is
- * seen, NaN of two runs alone, whose difference counts three times. A model that would not
- * has an endless bar. */
+ * seen, NaN of two runs alone, whose difference counts three times. Of four joint runs and
+ * more the bar is, where that is less, how far the last run moved the limit that the orders
+ * show, and the limit is what is held against the other model. A model that would not has
+ * an endless bar. */
 void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
                        const struct truth_push *push, double length,
                        struct truth_made *made);
@@ -62,12 +64,16 @@ void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
  * believed (truth_order), else where the finest run is: xyz (grid.h). */
 void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz);
 
+/* The finest run of a family that is not empty. */
+const struct run_result *truth_bar_finest(const struct truth_family *f);
+
 enum { TRUTH_BAR_LEVEL = 128 };
 
 /* A run in words: `own`, the truth's; else one beside it. */
 void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL]);
 
-/* Whose field is the truth (truth_made_choose): field, level and note. */
+/* Whose field is the truth (truth_made_choose): field (at each time its finest run or its
+ * limit, as the bars have it), level and note. */
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
                       struct truth_made *made);
 

@@ -86,15 +86,15 @@ static bool has_times(const struct run_result *r, const struct truth_runs *runs)
     return true;
 }
 
-/* Made by this commit, and with as many files changed. */
+/* Made by the same solvers: other commits may differ in words, or in what judges runs. */
 static bool is_ours(const struct store_read *file)
 {
-    static const char *const keys[] = {"commit", "changed_files"};
+    static const char *const keys[] = {"solvers", "compiler", "flags"};
     struct provenance here;
     bool same = true;
 
     provenance_collect(&here);
-    for (int n = 0; n < 2; n++) {
+    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
         char *text = NULL;
         same &= store_read_text(file, "provenance", keys[n], &text, NULL) == STATUS_OK &&
                 !strcmp(text, provenance_value(&here, keys[n]));

@@ -29,7 +29,7 @@ struct truth_runs {
     int times;
     const double *time; /* multiples of every step [s]                                 */
     const char *folder; /* where result files are kept; exists                         */
-    bool ours;          /* those of other commits, or changed files, are made again    */
+    bool ours;          /* those of other solvers are made again                       */
 };
 
 const struct contestant *truth_level_contestant(enum truth_model model);

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "bench/truth/truth_plan.h"
+#include "models/metric/metric.h"
 
 /* Steps, unknowns, bandwidth: between the assembly alone and the factors alone. Two runs
  * tell, within these. */
@@ -69,20 +70,27 @@ static enum status begin(struct sharp *s, int count, struct message *why)
     return serve ? STATUS_OK : status_fail(why, STATUS_UNSUPPORTED, "%s", said[0].text);
 }
 
-/* The finest of the first runs of the solid, or of the shell where that is alone. */
-static enum status push(struct sharp *s, struct message *why)
+static enum status push(struct sharp *s, const struct truth_family *f, int k,
+                        struct message *why)
 {
-    const struct truth_family *f =
-        &s->family[s->family[TRUTH_SOLID].count ? TRUTH_SOLID : TRUTH_SHELL];
-    const int k = f->count - 1;
     enum status st;
 
+    run_result_clear(&s->pushed);
     s->push = (struct truth_push){f->level[k], &f->run[k], &s->pushed};
     s->push.level.perturbed = true;
     TRY(truth_level_find(s->runs, &s->push.level, false, &s->pushed, why));
     s->spent += seconds_of(&s->pushed);
 out:
     return st;
+}
+
+/* The finest of the first runs of the solid, or of the shell where that is alone. */
+static enum status push_first(struct sharp *s, struct message *why)
+{
+    const struct truth_family *f =
+        &s->family[s->family[TRUTH_SOLID].count ? TRUTH_SOLID : TRUTH_SHELL];
+
+    return push(s, f, f->count - 1, why);
 }
 
 /* The index of the order of a model among the columns, the bar two after it. */
@@ -120,12 +128,47 @@ static void see_cost(const struct truth_family *f, struct truth_seen *seen)
     seen->dearer = fmin(DEARER_MOST, fmax(DEARER_LEAST, seen->dearer));
 }
 
+/* Up to a time a run is as near to the truth as one that is claimed: what it says of the
+ * growth of a change is heard. */
+static bool is_near(const struct truth_family *f, const struct run_result *run,
+                    const struct truth_made *made, double until, double length)
+{
+    const struct run_result *fine = truth_bar_finest(f);
+
+    for (int n = 0; n < made->times && made->time[n] <= until; n++)
+        if (!(metric_rmse(run->xyz[n], fine->xyz[n]) + made->value[n][TRUTH_ERROR] <=
+              TRUTH_MOST_ERROR * length))
+            return false;
+    return true;
+}
+
+/* From when on the change has grown beyond, and whether the run it was seen in may say so.
+ */
+static void see_push(const struct truth_family family[TRUTH_MODELS],
+                     const struct truth_push *push, const struct truth_made *made,
+                     double length, struct truth_outlook *o)
+{
+    int n = 0;
+
+    o->lost = INFINITY;
+    while (n < made->times && !(made->value[n][TRUTH_GROWTH] > TRUTH_MOST_GROWTH))
+        n++;
+    if (n == made->times)
+        return;
+    o->lost = made->time[n];
+    o->growth = made->value[n][TRUTH_GROWTH];
+    o->blunt =
+        !is_near(&family[push->level.model == TRUTH_SOLID ? TRUTH_SOLID : TRUTH_SHELL],
+                 push->plain, made, o->lost, length);
+}
+
 struct truth_outlook truth_sharp_look(const struct truth_family family[TRUTH_MODELS],
+                                      const struct truth_push *push,
                                       const struct scene *scene, double frame,
                                       const struct truth_made *made, double error)
 {
     const double length = scene->length;
-    struct truth_outlook o = {.lost = INFINITY};
+    struct truth_outlook o = {0};
     struct truth_level next;
 
     for (int m = 0; m < TRUTH_MODELS; m++) {
@@ -142,29 +185,68 @@ struct truth_outlook truth_sharp_look(const struct truth_family family[TRUTH_MOD
         const double *v = made->value[n];
         o.error = fmax(o.error, v[TRUTH_ERROR] / length);
         o.difference = fmax(o.difference, v[TRUTH_DIFFERENCE] / length);
-        if (!isfinite(o.lost) && v[TRUTH_GROWTH] > TRUTH_MOST_GROWTH) {
-            o.lost = made->time[n];
-            o.growth = v[TRUTH_GROWTH];
-        }
     }
+    see_push(family, push, made, length, &o);
     o.known = truth_wish_known(made, error * length);
     o.until = made->time[made->times - 1];
     return o;
 }
 
-static struct truth_verdict judge(struct sharp *s, struct truth_made *made,
-                                  char text[TRUTH_WISH_TEXT])
+static struct truth_outlook look(struct sharp *s, struct truth_made *made)
 {
-    struct truth_verdict v;
     struct truth_outlook o;
 
     truth_bar_compare(s->family, &s->push, s->scene->length, made);
     truth_made_choose(made, s->scene->length);
-    o = truth_sharp_look(s->family, s->scene, s->frame, made, s->wish->error);
+    o = truth_sharp_look(s->family, &s->push, s->scene, s->frame, made, s->wish->error);
     o.spent = s->spent;
-    v = truth_wish_judge(s->wish, &o);
-    truth_wish_tell(s->wish, &o, &v, text);
-    return v;
+    return o;
+}
+
+/* The cheapest run that may say what becomes of a change up to a time; false: none may. */
+static bool find_near(const struct sharp *s, const struct truth_made *made, double until,
+                      const struct truth_family **family, int *run)
+{
+    double least = INFINITY;
+
+    for (int m = 0; m < TRUTH_MODELS; m++)
+        for (int k = 0; k < s->family[m].count; k++) {
+            const struct truth_family *f = &s->family[m];
+            const double seconds = seconds_of(&f->run[k]);
+            if (seconds >= least || !is_near(f, &f->run[k], made, until, s->scene->length))
+                continue;
+            least = seconds;
+            *family = f;
+            *run = k;
+        }
+    return isfinite(least);
+}
+
+/* A net too coarse to know the motion does not say that it is lost: the push is made again
+ * on one that does, as soon as there is one and the budget has its time. */
+static enum status look_again(struct sharp *s, const struct truth_sharp *how,
+                              struct truth_made *made, struct truth_outlook *o,
+                              struct message *why)
+{
+    const struct truth_family *f = NULL;
+    char text[TRUTH_BAR_LEVEL];
+    enum status st = STATUS_OK;
+    int k = 0;
+
+    *o = look(s, made);
+    while (o->blunt && find_near(s, made, o->lost, &f, &k) &&
+           s->spent + seconds_of(&f->run[k]) <= s->wish->seconds) {
+        truth_bar_level(&f->level[k], false, text);
+        if (how->say)
+            fprintf(how->say,
+                    "truth: a change has grown %.2g-fold at %.3g s on a net too coarse to "
+                    "tell; once more on the %s, %.2g s\n",
+                    o->growth, o->lost, text, seconds_of(&f->run[k]));
+        TRY(push(s, f, k, why));
+        *o = look(s, made);
+    }
+out:
+    return st;
 }
 
 enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *scene,
@@ -173,14 +255,17 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
                              char text[TRUTH_WISH_TEXT], struct message *why)
 {
     struct sharp s = {.runs = runs, .scene = scene, .frame = how->frame, .wish = wish};
+    struct truth_outlook o;
     enum status st;
 
     TRY(truth_made_init(made, runs->times, runs->times, runs->time));
     /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
     TRY(begin(&s, scene->obstacle_count ? 3 : 2, why));
-    TRY(push(&s, why));
+    TRY(push_first(&s, why));
     for (;;) {
-        *verdict = judge(&s, made, text);
+        TRY(look_again(&s, how, made, &o, why));
+        *verdict = truth_wish_judge(wish, &o);
+        truth_wish_tell(wish, &o, verdict, text);
         if (verdict->answer != TRUTH_GO)
             break;
         if (how->say)

@@ -26,9 +26,10 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
                              struct truth_made *made, struct truth_verdict *verdict,
                              char text[TRUTH_WISH_TEXT], struct message *why);
 
-/* What joint families of two runs at least (or none) show, with the error wished for over
- * the length; `spent` is left 0. */
+/* What joint families of two runs at least (or none), and a push of one of their runs,
+ * show, with the error wished for over the length; `spent` is left 0. */
 struct truth_outlook truth_sharp_look(const struct truth_family family[TRUTH_MODELS],
+                                      const struct truth_push *push,
                                       const struct scene *scene, double frame,
                                       const struct truth_made *made, double error);
 

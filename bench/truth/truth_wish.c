@@ -105,9 +105,9 @@ struct truth_verdict truth_wish_judge(const struct truth_wish *wish,
     v.run = next_run(next);
     v.least = least(wish, o, v.run);
     v.likely = likely(wish, o, v.run);
-    if (isfinite(o->lost))
+    if (isfinite(o->lost) && (!o->blunt || !(next->next > 0)))
         v.answer = TRUTH_LOST;
-    else if (o->error <= wish->error)
+    else if (o->error <= wish->error && !isfinite(o->lost))
         v.answer = TRUTH_MET;
     else if (are_apart(wish, o))
         v.answer = TRUTH_APART;

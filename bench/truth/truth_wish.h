@@ -30,6 +30,8 @@ struct truth_outlook {
     double known;      /* until when the wish is met; 0: at no time                [s] */
     double lost;   /* the first time at which the growth is beyond; INFINITY: none     */
     double growth; /* there                                                            */
+    bool blunt;    /* the run that shows it is no nearer to the truth, up to there, than
+ what is claimed: it does not say that the motion is lost */
     double until;  /* the last time                                                    */
     double spent;  /* by all runs [s]                                                  */
 };

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "models/reader/scene_file.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 #define FOLDER SOURCE_DIR "/tests/bad_scenes/"
 
@@ -232,37 +232,33 @@ static void check_sizes(void)
 
 static void check_files(void)
 {
-    char folder[] = "/tmp/clothbench_bad_XXXXXX", path[1024];
+    const char *path = scratch_path("none.yaml");
+    char far[1280];
     struct scene scene;
     struct message why = {""};
     enum status st;
     FILE *file;
 
-    REQUIRE(mkdtemp(folder));
-    st = read_scene(folder, &scene, &why);
-    check_refusal("directory", st, STATUS_FILE, &scene, &why, folder, "is a directory");
-    snprintf(path, sizeof path, "%s/none.yaml", folder);
+    st = read_scene(scratch, &scene, &why);
+    check_refusal("directory", st, STATUS_FILE, &scene, &why, scratch, "is a directory");
     st = read_scene(path, &scene, &why);
     check_refusal("missing", st, STATUS_FILE, &scene, &why, path, "No such file");
 
-    snprintf(path, sizeof path, "%s/pipe.yaml", folder);
+    path = scratch_path("pipe.yaml");
     REQUIRE(mkfifo(path, 0600) == 0); /* nobody writes: opening it would wait for ever */
     st = read_scene(path, &scene, &why);
     check_refusal("pipe", st, STATUS_FILE, &scene, &why, path, "it is a pipe");
-    unlink(path);
 
     /* Names that would break a line or a sentence. */
-    snprintf(path, sizeof path, "%s/a\nb.yaml", folder);
+    path = scratch_path("a\nb.yaml");
     file = fopen(path, "w");
     REQUIRE(file);
     fclose(file);
     st = read_scene(path, &scene, &why);
-    check_refusal("line break", st, STATUS_INPUT, &scene, &why, folder,
+    check_refusal("line break", st, STATUS_INPUT, &scene, &why, scratch,
                   "a?b.yaml:1: empty");
-    unlink(path);
-    rmdir(folder);
-    snprintf(path, sizeof path, "%s/%0900d", folder, 0);
-    st = read_scene(path, &scene, &why);
+    snprintf(far, sizeof far, "%s/%0900d", scratch, 0);
+    st = read_scene(far, &scene, &why);
     CHECK(st == STATUS_FILE && strstr(why.text, "cannot be read as"));
 
     st = read_scene("/dev/zero", &scene, &why);
@@ -274,6 +270,7 @@ static void check_files(void)
 
 int main(void)
 {
+    scratch_open();
     check_corpus();
     check_settings();
     check_sizes();

@@ -5,12 +5,12 @@
  *   calculix failures     with the real one (77 if not installed)
  */
 #include "fem_ref/calculix.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
 
-static char folder[] = "/tmp/clothbench_calculix_XXXXXX", fake[64];
+static const char *fake;
 static struct calculix_answer answer;
 
 /* One element of 8 nodes: matrices, statics, two answers of a swing. */
@@ -246,13 +246,12 @@ int main(int count, char **argument)
         real_failures();
         return check_result();
     }
-    REQUIRE(mkdtemp(folder) != NULL);
-    snprintf(fake, sizeof fake, "%s/fake", folder);
+    scratch_open();
+    fake = scratch_path("fake");
     check_decks();
     check_shifts();
     check_matrices();
     check_programs();
-    unlink(fake);
-    CHECK(!rmdir(folder));
+    CHECK(scratch_files(scratch) == 1);
     return check_result();
 }

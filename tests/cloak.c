@@ -3,14 +3,13 @@
  * shells through all three models that serve it.
  */
 
-#include <unistd.h>
-
 #include "bench/harness/run_file.h"
 #include "bench/files/store_read.h"
 #include "bench/files/store_scene.h"
 #include "models/reader/scene_file.h"
 #include "models/solid/solid_model.h"
 #include "tests/cloak_fixture.h"
+#include "tests/scratch.h"
 
 /* Sums and quotients of a dozen numbers of size 1. */
 #define TOL_POINT (64 * DBL_EPSILON)
@@ -221,18 +220,16 @@ static void test_file(void)
 {
     static const char *const list[] = {"pose.opening=150", "time.end=0.01", "snapshots=[]"};
     const double time = 0.01;
-    char folder[] = "/tmp/clothbench_XXXXXX", path[64];
     struct settings settings = {0};
     struct run_plan plan = {.path = SOURCE_DIR "/models/scenes/cloak.yaml",
                             .settings = &settings};
+    const char *path = scratch_path("run.h5");
     const struct run_keep keep = {.file = path, .times = 1, .time = &time};
     struct store_read *file = NULL;
     struct discretization unused = {0};
     struct scene s, again;
 
-    REQUIRE(mkdtemp(folder));
     REQUIRE(contestant_find("iga", &plan.contestant, NULL) == STATUS_OK);
-    snprintf(path, sizeof path, "%s/run.h5", folder);
     settings_set_all(&settings, 3, list);
     REQUIRE(settings_read_scene(&settings, plan.path, &s, NULL) == STATUS_OK);
     CHECK(s.shape == SCENE_CLOAK && s.opening == 150 && s.flare == 10);
@@ -249,15 +246,14 @@ static void test_file(void)
     CHECK(scene_file_read(plan.path, 1, flat, &s, &unused, NULL) == STATUS_OK);
     CHECK(s.shape == SCENE_FLAT && s.opening == 0 && s.flare == 0);
     scene_clear(&s);
-    CHECK(!unlink(path));
-    snprintf(path, sizeof path, "%s/run.xdmf", folder);
-    CHECK(!unlink(path) && !rmdir(folder));
+    CHECK(scratch_files(scratch) == 2); /* run.h5, run.xdmf */
 }
 
 int main(void)
 {
     static const double shape[][2] = {{60, 0}, {120, 30}, {200, 25}, {270, -5}, {90, 90}};
 
+    scratch_open();
     for (size_t n = 0; n < sizeof shape / sizeof *shape; n++) {
         test_points(shape[n][0], shape[n][1]);
         test_exactness(shape[n][0], shape[n][1]);

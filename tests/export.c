@@ -376,7 +376,7 @@ static void rules(void)
 
 int main(void)
 {
-    REQUIRE(mkdtemp(scratch));
+    scratch_open();
     materials();
     times();
     world();
@@ -384,6 +384,5 @@ int main(void)
     formats();
     scenes_come_back();
     rules();
-    export_scratch_remove();
     return check_result();
 }

@@ -53,13 +53,4 @@ static inline struct reference *table_of(const char *folder, const char *name)
     return table;
 }
 
-/* The scratch with all that is in it. */
-static inline void export_scratch_remove(void)
-{
-    char command[300];
-
-    snprintf(command, sizeof command, "rm -r %s", scratch);
-    CHECK(system(command) == 0);
-}
-
 #endif

@@ -120,11 +120,10 @@ static void what_vertices_cannot_say(void)
 
 int main(void)
 {
-    REQUIRE(mkdtemp(scratch));
+    scratch_open();
     held_rows();
     nothing_is_held();
     clamps_are_mirrors();
     what_vertices_cannot_say();
-    export_scratch_remove();
     return check_result();
 }

@@ -97,10 +97,9 @@ static void full_disk(void)
 
 int main(void)
 {
-    REQUIRE(mkdtemp(scratch));
+    scratch_open();
     bad_input();
     folders();
     full_disk();
-    export_scratch_remove();
     return check_result();
 }

@@ -4,10 +4,9 @@
 #include "fem_ref/kirchhoff_field.h"
 #include "fem_ref/reference.h"
 #include "models/grid.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 #include <sys/stat.h>
-#include <unistd.h>
 
 #define SCRIPT SOURCE_DIR "/fem_ref/freefem/transient.edp"
 static const char thin_field[] = REFERENCE_DIR "/freefem_transient_h1177um.csv";
@@ -61,7 +60,7 @@ enum { BLOCKS = sizeof blocks / sizeof *blocks };
 
 /* ------------------------------------------------------------------ reader ---------- */
 
-static char folder[] = "/tmp/clothbench_freefem_XXXXXX", bad[64], fake[64];
+static const char *bad, *fake;
 
 static char *whole(const char *path)
 {
@@ -220,16 +219,14 @@ static void check_jobs(void)
 
 static void check_reader(void)
 {
-    REQUIRE(mkdtemp(folder) != NULL);
-    snprintf(bad, sizeof bad, "%s/bad.csv", folder);
-    snprintf(fake, sizeof fake, "%s/fake", folder);
+    scratch_open();
+    bad = scratch_path("bad.csv");
+    fake = scratch_path("fake");
     check_fields();
     check_stored_job();
     check_jobs();
     check_programs();
-    unlink(bad);
-    unlink(fake);
-    CHECK(!rmdir(folder));
+    CHECK(scratch_files(scratch) == 2);
 }
 
 /* ------------------------------------------------------------------ accuracy -------- */

@@ -1,12 +1,11 @@
 /* The real FreeFEM, made to fail in every way it has (77 if not installed); and a field
  * that we know, to see that points and axes are those of the reader. */
 #include "fem_ref/freefem.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 #include <sys/stat.h>
-#include <unistd.h>
 
-static char folder[] = "/tmp/clothbench_freefem_XXXXXX", script[64];
+static const char *script;
 static const struct freefem_job job = {.thickness = 0.1,
                                        .young = 1e5,
                                        .poisson = 0.3,
@@ -100,19 +99,16 @@ int main(void)
 {
     struct message why;
 
-    REQUIRE(mkdtemp(folder) != NULL);
-    snprintf(script, sizeof script, "%s/script.edp", folder);
+    scratch_open();
+    script = scratch_path("script.edp");
     enum status st = run("", "", "", &why);
     if (st == STATUS_UNSUPPORTED) {
         printf("skipped: %s\n", why.text);
-        unlink(script);
-        rmdir(folder);
         return 77;
     }
     CHECK(st == STATUS_OK);
     real_failures();
     check_points();
-    unlink(script);
-    CHECK(!rmdir(folder));
+    CHECK(scratch_files(scratch) == 1);
     return check_result();
 }

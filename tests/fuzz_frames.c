@@ -1,12 +1,14 @@
 /* Frames from any bytes, for libFuzzer or from files (fuzz.h). The first byte says as what
- * kind the others are read: c .csv, o .obj, p .ply, z .npz, n .npy, m .mdd, 2 .pc2; lines
- * that are `---` part the files of a sequence of meshes.
+ * kind the others are read: c .csv, o .obj, p .ply, z .npz, n .npy, m .mdd, 2 .pc2, h .h5;
+ * lines that are `---` part the files of a sequence of meshes.
  *
- * HDF5 is left out: the library is not made for damaged files, and what they hold is
- * fuzz_store's. Beyond crashes, leaks and undefined behaviour it stops at: a refusal
- * without a printable sentence that names the file; frames with fewer numbers than they
- * say, numbers that are none, times that do not grow. */
+ * .h5 goes through the HDF5 library, which is not made for damaged files: what stops in it
+ * is its own (fuzz_store plays the library, and meets our reader alone). Beyond crashes,
+ * leaks and undefined behaviour it stops at: a refusal without a printable sentence that
+ * names the file; frames with fewer numbers than they say, numbers that are none, times
+ * that do not grow. */
 #define _GNU_SOURCE /* memmem */
+#include <hdf5.h>
 #include <math.h>
 
 #include "bench/frames/frames.h"
@@ -60,6 +62,22 @@ void __wrap_frames_bytes_forget(struct frames_bytes *b, size_t until)
     MUST(until <= b->size);
 }
 
+hid_t __real_H5Fopen(const char *path, unsigned flags, hid_t access);
+hid_t __wrap_H5Fopen(const char *path, unsigned flags, hid_t access);
+
+/* The bytes in place of the file that is named. */
+hid_t __wrap_H5Fopen(const char *path, unsigned flags, hid_t access)
+{
+    const hid_t memory = H5Pcreate(H5P_FILE_ACCESS);
+
+    (void)access;
+    MUST(memory >= 0 && H5Pset_fapl_core(memory, 1 << 16, false) >= 0);
+    MUST(H5Pset_file_image(memory, (void *)(uintptr_t)file_bytes, file_size) >= 0);
+    const hid_t file = __real_H5Fopen(path, flags, memory);
+    H5Pclose(memory);
+    return file;
+}
+
 static void check_net(const struct frames_net *net)
 {
     MUST(net->vertices > 0 && net->vertices <= FRAMES_MOST_VERTICES);
@@ -75,14 +93,15 @@ enum { FRAMES_ENOUGH = 100 };
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static const char kinds[] = "copznm2";
+    static const char kinds[] = "copznm2h";
     static const char *const names[][2] = {{"fuzz1.csv"},
                                            {"fuzz1.obj", "fuzz2.obj"},
                                            {"fuzz1.ply", "fuzz2.ply"},
                                            {"fuzz1.npz"},
                                            {"fuzz1.npy"},
                                            {"fuzz1.mdd"},
-                                           {"fuzz1.pc2"}};
+                                           {"fuzz1.pc2"},
+                                           {"fuzz1.h5"}};
     const char *kind = size ? memchr(kinds, data[0], sizeof kinds - 1) : NULL;
     struct frames *f = NULL;
     struct message why = {""};
@@ -108,7 +127,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             MUST(isfinite(xyz[k]));
     }
     if (st != STATUS_OK) {
-        MUST(st == STATUS_INPUT);
+        MUST(st == STATUS_INPUT || (*kind == 'h' && st == STATUS_FILE));
         fuzz_check_sentence(&why, "fuzz");
     }
     frames_close(f);

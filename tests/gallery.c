@@ -1,12 +1,11 @@
-/* Galleries: fields and numbers of a few runs at given times; and the two studies made of
- * them, on quick runs. */
+/* Galleries: fields and numbers of a few runs at given times (study_gallery.c: the studies
+ * made of them). */
 #include "bench/experiment/gallery.h"
 
 #include <float.h>
 
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
-#include "bench/studies/studies.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/fresh.h"
@@ -36,7 +35,7 @@ static const struct gallery pair = {.name = "pair",
 
 static void test_frames(void)
 {
-    const struct experiment_options options = {.folder = folder};
+    const struct measurement_options how = {.quick = false};
     struct gallery_result r;
     struct message why = {""};
     struct settings settings = {0};
@@ -47,7 +46,7 @@ static void test_frames(void)
     struct motion m;
     double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz), far = 0;
 
-    REQUIRE(xyz && gallery_measure(&pair, &options, &why) == STATUS_OK);
+    REQUIRE(xyz && gallery_measure(&pair, folder, &how, &why) == STATUS_OK);
     REQUIRE(gallery_read(&pair, folder, &r, &why) == STATUS_OK);
     add_settings(0, false, &settings);
     REQUIRE(contestant_find("iga_paper", &plan.contestant, &why) == STATUS_OK);
@@ -108,67 +107,12 @@ static void test_cells(void)
     said_clear(&s);
 }
 
-/* Runs an experiment, quick, and returns what it prints; freed by the caller. */
-static char *printed(const struct experiment *experiment)
-{
-    struct experiment_options options = {.folder = folder, .quick = true};
-    struct message why = {""};
-    char *text = NULL;
-    size_t size = 0;
-    FILE *file = open_memstream(&text, &size);
-
-    REQUIRE(file);
-    if (experiment->measure(&options, &why) ||
-        experiment->print(folder, TABLE_TEXT, file, &why))
-        printf("%s\n", why.text);
-    fclose(file);
-    return text;
-}
-
-/* The line that begins so. */
-static bool has_line(const char *text, const char *start, const char *part)
-{
-    const char *line = strstr(text, start), *end = line ? strchr(line, '\n') : NULL;
-    const char *found = line ? strstr(line, part) : NULL;
-
-    return found && found < end;
-}
-
-static void test_artefacts(void)
-{
-    char *text = printed(&study_artefacts_experiment);
-
-    CHECK(has_line(text, "super-elongation  row 4, iga", "yes    over-stretched"));
-    CHECK(has_line(text, "floating          row 13, shell", "yes    too light"));
-    CHECK(has_line(text, "penetration       row 2, iga", "yes    "));
-    CHECK(has_line(text, "penetration       row 2, iga", "penetration"));
-    CHECK(strstr(text, "floating: row 13: shown, but not alone"));
-    CHECK(strstr(text, "row 14, the paper's: not reproduced"));
-    free(text);
-}
-
-static void test_flag(void)
-{
-    struct message why = {""};
-    char *text = printed(&study_flag_experiment);
-
-    CHECK(has_line(text, "0.750  printed (the paper's)", "1."));
-    CHECK(has_line(text, "2.075  projective dynamics, matched", "1."));
-    CHECK(strstr(text, "not the bending of its material"));
-    CHECK(study_flag_experiment.print("/proc/nowhere", TABLE_TEXT, stdout, &why) ==
-          STATUS_FILE);
-    CHECK(strstr(why.text, "/proc/nowhere/"));
-    free(text);
-}
-
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     folder = argv[1];
     fresh_folder(folder);
     test_frames();
-    test_artefacts();
-    test_flag();
     test_cells();
     return check_result();
 }

@@ -2,6 +2,8 @@
 #ifndef TESTS_MASS_SPRING_H
 #define TESTS_MASS_SPRING_H
 
+#include <omp.h>
+
 #include "bench/harness/contestant.h"
 #include "mass_spring/spring_motion.h"
 #include "tests/check.h"
@@ -42,6 +44,40 @@ static inline void start(struct spring_motion *m, const struct scene *scene,
 
     if (!CHECK(spring_motion_init(m, scene, d, &why) == STATUS_OK))
         printf("%s\n", why.text);
+}
+
+static inline void steps(struct spring_motion *m, int count)
+{
+    struct counters counters = {0};
+
+    for (int n = 0; n < count; n++)
+        CHECK(spring_motion_step(m, &counters) == STATUS_OK);
+}
+
+/* A net so large that threads share its rows, unevenly: the same bits of one, two, three.
+ */
+static inline void check_threads(const struct scene *scene, struct discretization d)
+{
+    double *one = NULL;
+
+    d.points[0] = 71, d.points[1] = 62;
+    for (int threads = 1; threads <= 3; threads++) {
+        struct spring_motion m;
+        omp_set_num_threads(threads);
+        start(&m, scene, &d);
+        const size_t size = 3 * (size_t)m.net.nodes * sizeof *m.x;
+        steps(&m, 2);
+        if (!one) {
+            one = malloc(size);
+            REQUIRE(one);
+            memcpy(one, m.x, size);
+            CHECK(memcmp(one, m.net.rest, size));
+        }
+        CHECK(!memcmp(one, m.x, size));
+        spring_motion_clear(&m);
+    }
+    omp_set_num_threads(1);
+    free(one);
 }
 
 /* Numbers in (-1, 1), the same on every run. */

@@ -2,11 +2,10 @@
 #include "bench/files/matrix_market.h"
 
 #include <cholmod.h>
-#include <unistd.h>
 
 #include "tests/scratch.h"
 
-static char path[] = "/tmp/clothbench-matrix-XXXXXX";
+static const char *path;
 
 /* By CHOLMOD's reader, which turns a symmetric matrix upside down: the same numbers by
  * columns of the upper triangle. */
@@ -84,12 +83,11 @@ static void test_long_comment(void)
 
 int main(void)
 {
-    int file = mkstemp(path);
-    REQUIRE(file >= 0 && close(file) == 0);
+    scratch_open();
+    path = scratch_path("matrix.mtx");
     const int before = scratch_files("/proc/self/fd");
     test_round_trip();
     test_long_comment();
     CHECK(scratch_files("/proc/self/fd") == before);
-    unlink(path);
     return check_result();
 }

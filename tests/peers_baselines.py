@@ -35,7 +35,8 @@ DIED = """\
 REFUSED = """\
 "Mine, 5 substeps",1.0,edge_drop,3x3,0.005,,,,,,"no ball, no contact",2026-01-31
 """
-folder = pathlib.Path(tempfile.mkdtemp())
+scratch = tempfile.TemporaryDirectory()  # gone when the test ends
+folder = pathlib.Path(scratch.name)
 table = folder / "table.csv"
 
 

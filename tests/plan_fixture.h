@@ -3,12 +3,11 @@
 #define TESTS_PLAN_FIXTURE_H
 
 #include <stdlib.h>
-#include <unistd.h>
 
 #include "bench/experiment/plan_case.h"
 #include "bench/experiment/plan_read.h"
 #include "bench/harness/derived_key.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 /* A good plan; tests replace one of its lines, counted from 1, or add one. */
 static const char *const GOOD[] = {
@@ -48,7 +47,7 @@ static const char *const STUDIES[] = {
 };
 enum { STUDY_LINES = sizeof STUDIES / sizeof *STUDIES };
 
-static char path[] = "plan_XXXXXX.yaml";
+static const char *path; /* where a test puts them */
 
 /* A good plan with another line. */
 static inline enum status read_plan(const char *const *good, int lines, int line,

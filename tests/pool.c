@@ -10,7 +10,7 @@
 
 #include "bench/harness/ranks.h"
 #include "models/clock.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 /* Of a few seconds, in any order. */
 static const double TOL_SUM = 1e-12;
@@ -61,8 +61,7 @@ static enum status settle(void *context, long job, const struct child_end *end,
 
 static void check_ends(void)
 {
-    char name[] = "/tmp/clothbench-pool-XXXXXX";
-    struct notes notes = {.fd = mkstemp(name)};
+    struct notes notes = {.fd = open(scratch_path("notes"), O_CREAT | O_RDWR, 0600)};
     bool done[JOBS] = {[DONE_BEFORE] = true};
     struct pool pool = {.count = JOBS,
                         .done = done,
@@ -93,7 +92,6 @@ static void check_ends(void)
     CHECK_NEAR(pool.seconds, seconds, TOL_SUM);
     CHECK(lseek(notes.fd, 0, SEEK_END) == JOBS - 1); /* the children ran, each once */
     close(notes.fd);
-    unlink(name);
 }
 
 static enum status hang(void *context, long job, struct message *why)
@@ -425,6 +423,7 @@ static void check_raise(void)
 
 int main(void)
 {
+    scratch_open();
     check_ends();
     check_limit();
     check_who_fails();

@@ -1,10 +1,9 @@
 /* The reader of reference tables: reads ours, refuses what is not one, and says where. */
 #include "fem_ref/reference.h"
-#include "tests/check.h"
 
-#include <unistd.h>
+#include "tests/scratch.h"
 
-static char path[] = "/tmp/clothbench_reference_XXXXXX";
+static const char *path;
 
 static enum status open_text(const char *text, size_t size, struct reference **t,
                              struct message *why)
@@ -138,9 +137,8 @@ static void check_ours(void)
 
 int main(void)
 {
-    int file = mkstemp(path);
-    REQUIRE(file >= 0);
-    close(file);
+    scratch_open();
+    path = scratch_path("table.csv");
     check_reads();
     check_faults();
     check_refusals();

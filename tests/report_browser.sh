@@ -32,6 +32,8 @@ for (const [name, value] of [['exact', 20], ['between', 22], ['slid', 43]]) {
 }
 said.moved = picture() !== first;
 said.claims = document.querySelectorAll('.claims li').length;
+const cells = [...document.querySelectorAll('td')].map(cell => cell.textContent);
+said.above = cells.filter(words => words === 'hex').length;
 said.wide = document.documentElement.scrollWidth > innerWidth;
 document.getElementById('play').click();
 setTimeout(() => {
@@ -73,6 +75,9 @@ said moved true
 said played '0[.]2[2-9][05] s$'
 said claims '[0-9]{2}'
 said wide false
+# cells that are packed because they are those of the row above: all rows of hexahedra, at least
+above=$(grep -oP 'data-said="\K[^"]*' out | tr '|' '\n' | sed -n 's/^above=//p')
+[ "$above" -ge "$(grep -c '^hex,' results/table1.csv)" ] || fail "only $above cells are 'hex'"
 # the same with a fault planted, so that this test can fail
 sed 's/tip.textContent = text/undefined_name()/' read.html >broken.html
 browse broken.html --dump-dom

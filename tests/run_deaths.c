@@ -1,12 +1,10 @@
 /* Who moves a sheet tells the same death of the same run: by its code, time and sentence.
  */
-#include <unistd.h>
-
 #include "bench/experiment/measurement.h"
 #include "tests/run_fixture.h"
+#include "tests/scratch.h"
 
-static char folder[] = "/tmp/clothbench-deaths-XXXXXX";
-static char file[64];
+static const char *file;
 
 static void check_told(const struct run_result *r, enum status death, int frame,
                        const char *sentence)
@@ -70,10 +68,9 @@ static void test_deaths(void)
 
 int main(void)
 {
-    REQUIRE(mkdtemp(folder));
-    snprintf(file, sizeof file, "%s/run.h5", folder);
+    scratch_open();
+    file = scratch_path("run.h5");
     test_deaths();
-    unlink(file);
-    CHECK(rmdir(folder) == 0);
+    CHECK(scratch_files(scratch) == 1);
     return check_result();
 }

@@ -11,12 +11,12 @@
 #include "bench/files/store_read.h"
 #include "models/metric/metric.h"
 #include "tests/run_fixture.h"
+#include "tests/scratch.h"
 #include "tests/scripted_model.h"
 
 #define FIELD ((size_t)3 * GRID_POINTS)
 
-static char folder[] = "/tmp/clothbench-run-XXXXXX";
-static char file[64], view[64];
+static const char *file, *view;
 
 /* The reading that NAME.h5 gives, which is to be the same. */
 static void check_file(const struct run_result *r)
@@ -413,9 +413,9 @@ static void test_words(void)
 
 int main(void)
 {
-    REQUIRE(mkdtemp(folder));
-    snprintf(file, sizeof file, "%s/run.h5", folder);
-    snprintf(view, sizeof view, "%s/run.xdmf", folder);
+    scratch_open();
+    file = scratch_path("run.h5");
+    view = scratch_path("run.xdmf");
     test_same_bits();
     test_own_metrics();
     test_energy();
@@ -427,8 +427,6 @@ int main(void)
     test_failures();
     test_damaged();
     test_words();
-    unlink(file);
-    unlink(view);
-    CHECK(rmdir(folder) == 0);
+    CHECK(scratch_files(scratch) == 2);
     return check_result();
 }

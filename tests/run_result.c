@@ -10,9 +10,10 @@
 #include "bench/harness/run_file.h"
 #include "models/metric/metric.h"
 #include "tests/run_fixture.h"
+#include "tests/scratch.h"
 #include "tests/scripted_model.h"
 
-static char path[] = "/tmp/clothbench-result-XXXXXX";
+static const char *path;
 
 struct array {
     const char *name;
@@ -281,9 +282,8 @@ static void test_handed_in(void)
 
 int main(void)
 {
-    const int file = mkstemp(path);
-
-    REQUIRE(file >= 0 && close(file) == 0);
+    scratch_open();
+    path = scratch_path("run.h5");
     test_seconds();
     test_work();
     test_energy();
@@ -292,6 +292,5 @@ int main(void)
     test_sentences();
     test_own();
     test_handed_in();
-    unlink(path);
     return check_result();
 }

@@ -425,7 +425,7 @@ int main(int count, char **arguments)
         fixture_clear(&f);
         return check_result();
     }
-    REQUIRE(mkdtemp(scratch));
+    scratch_open();
     test_round_trip(&f);
     const int open = scratch_files("/proc/self/fd");
     test_single(&f);
@@ -434,9 +434,6 @@ int main(int count, char **arguments)
     test_bad_targets(&f);
     test_full_disk(&f);
     CHECK(scratch_files(scratch) == 2 && scratch_files("/proc/self/fd") == open);
-    unlink(scratch_path("run.h5"));
-    unlink(scratch_path("run.xdmf"));
-    CHECK(rmdir(scratch) == 0);
     fixture_clear(&f);
     return check_result();
 }

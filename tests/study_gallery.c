@@ -86,7 +86,7 @@ static void check_file(const struct kept *k, const double *time, const char *csv
 }
 
 static void check(const struct experiment *e, int count, const struct kept *kept,
-                  const double *time, const char *unsaid)
+                  const double *time, const char *const *wants)
 {
     struct progress_seen seen = {0, 0};
     const struct experiment_options options = {
@@ -98,7 +98,10 @@ static void check(const struct experiment *e, int count, const struct kept *kept
     progress_seen_all(&seen, count);
     REQUIRE(experiment_print(e, study_folder, TABLE_TEXT, study_print_to(&p), NULL) ==
             STATUS_OK);
-    study_printed_wants(&p, unsaid);
+    char *text = study_squeeze(study_printed_text(&p));
+    for (; *wants; wants++)
+        study_wants(text, *wants);
+    free(text);
     snprintf(name, sizeof name, "%s.csv", e->item.name);
     char *csv = study_file(name);
     for (int n = 0; n < count; n++)
@@ -108,15 +111,29 @@ static void check(const struct experiment *e, int count, const struct kept *kept
 
 int main(int count, char **arguments)
 {
+    static const char *const drops_say[] = {"and back\": not judged: quick.", NULL};
+    static const char *const flag_says[] = {
+        "- Whose fall it is, and what nets do to it: not judged: quick.", NULL};
+    static const char *const artefacts_say[] = {
+        "super-elongation row 4, iga, flag yes over-stretched",
+        "floating row 13, shell, flag too light",
+        "penetration row 2, iga, flag yes over-stretched, penetration",
+        "floating: row 13: shown, but not alone",
+        "row 14, the paper's: not reproduced",
+        "normal: row 4, shell: not judged: quick.",
+        NULL};
+    struct message why;
+
     study_begin(count, arguments);
     check(&study_drops_experiment, sizeof drops / sizeof *drops, drops, drop_time,
-          "and back\": not judged: quick.");
+          drops_say);
     check(&study_flag_experiment, sizeof flags / sizeof *flags, flags, flag_time,
-          "- Whose fall it is, and what nets do to it: not judged: quick.");
+          flag_says);
     check(&study_artefacts_experiment, sizeof artefacts / sizeof *artefacts, artefacts,
-          artefact_time, "normal: row 4, shell: not judged: quick.");
+          artefact_time, artefacts_say);
     study_wants_file("artefacts.gp", "'floating: row 13, shell'.\"\\n\".'t = 1.5 s'");
     CHECK(experiment_print(&study_flag_experiment, "/proc/nowhere", TABLE_TEXT, stdout,
-                           NULL) == STATUS_FILE);
+                           &why) == STATUS_FILE);
+    CHECK(strstr(why.text, "/proc/nowhere/"));
     return check_result();
 }

@@ -187,8 +187,7 @@ static void test_measurement(void)
     struct settings newton = LIST("discretization.kinematics=nonlinear");
 
     for (int n = 0; n < LENGTH(want); n++) {
-        char path[64];
-        snprintf(path, sizeof path, "%s/%d.h5", scratch, n);
+        const char *path = scratch_path("run.h5");
         struct measurement_case c = {
             .plan = {want[n].scene, &scripted, want[n].newton ? &newton : NULL, 0.1},
             .keep = {.file = path},
@@ -406,7 +405,7 @@ static void test_allocated(void)
 
 int main(void)
 {
-    REQUIRE(mkdtemp(scratch));
+    scratch_open();
     test_rule();
     test_frames();
     test_rest();
@@ -418,6 +417,6 @@ int main(void)
     test_alone();
     test_clock();
     test_allocated();
-    CHECK(rmdir(scratch) == 0);
+    CHECK(scratch_files(scratch) == 0);
     return check_result();
 }

@@ -25,7 +25,7 @@ static const double TOL_SINGLE = 1e-7;  /* of a float near 1                    
 enum { FIELD = 3 * GRID_POINTS };
 
 /* A scene as its truth moves, with settings until NULL. */
-static void read(const char *name, const char *const *set, struct scene *s)
+static void read_scene(const char *name, const char *const *set, struct scene *s)
 {
     struct settings settings = {0};
     struct message why = {""};
@@ -93,7 +93,7 @@ static void falls(void)
         for (double t = 0.05; t < 1; t *= 3) {
             struct scene s;
             double error, x[3], uvw[3], rest[3];
-            read(cases[n].scene, cases[n].set, &s);
+            read_scene(cases[n].scene, cases[n].set, &s);
             double *xyz = field_at(&s, t, &error);
             step_fall(&s, cases[n].alpha, t, x);
             for (int p = 0; p < GRID_POINTS; p += 1777)
@@ -108,7 +108,7 @@ static void falls(void)
         }
     struct scene s;
     double error, *xyz;
-    read("free_fall", NULL, &s);
+    read_scene("free_fall", NULL, &s);
     xyz = field_at(&s, 0.3, &error);
     CHECK_NEAR(xyz[2], -9.81 * 0.045 - s.thickness / 2, TOL_EXACT); /* g t^2 / 2 */
     free(xyz);
@@ -124,7 +124,7 @@ static void hanging(void)
     struct scene s;
     double error, *xyz;
 
-    read("hanging", NULL, &s);
+    read_scene("hanging", NULL, &s);
     xyz = field_at(&s, s.end, &error);
     const double weight = s.density * 9.81 * s.length / s.young;
     for (int i = 1; i < GRID_U - 1; i++) {
@@ -147,8 +147,8 @@ static void bent(const char *name, double gamma, double drop, double reach, doub
     struct scene s, up;
     double error, *xyz, *other, length = 0;
 
-    read(name, NULL, &s);
-    read(name, upward, &up);
+    read_scene(name, NULL, &s);
+    read_scene(name, upward, &up);
     CHECK_RELATIVE(scene_gamma(&s), gamma, TOL_EXACT);
     xyz = field_at(&s, s.end, &error);
     other = field_at(&up, s.end, &error);
@@ -239,7 +239,7 @@ static void refused(void)
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         struct truth_made made;
         struct scene s;
-        read(cases[n].scene, cases[n].set, &s);
+        read_scene(cases[n].scene, cases[n].set, &s);
         if (!CHECK(truth_closed_make(&s, &made) == STATUS_UNSUPPORTED && !made.xyz))
             printf("%s, %s\n", cases[n].scene, cases[n].set[0] ? cases[n].set[0] : "");
         scene_clear(&s);
@@ -288,7 +288,7 @@ static void comes_back(void)
     char *path = NULL, *physics = NULL, *want = physics_of("hanging", 0, NULL);
     const char *file = scratch_path("hanging.h5");
 
-    read("hanging", NULL, &s);
+    read_scene("hanging", NULL, &s);
     REQUIRE(scene_file_find("hanging", &path, NULL) == STATUS_OK);
     runs.path = path;
     REQUIRE(truth_closed_make(&s, &made) == STATUS_OK);
@@ -317,7 +317,7 @@ static void printed_frames(void)
     double worst = 0;
     int lines = 0;
 
-    read("rest_large", NULL, &s);
+    read_scene("rest_large", NULL, &s);
     REQUIRE(truth_closed_make(&s, &made) == STATUS_OK);
     said_open(&said);
     CHECK(truth_frames_print(&made, grid, said.file) == STATUS_OK);
@@ -351,9 +351,8 @@ static void printed_frames(void)
 int main(void)
 {
     const double of_the_net = 1e-5; /* [m] of 40 points                                */
-    char command[300];
 
-    REQUIRE(mkdtemp(scratch));
+    scratch_open();
     falls();
     hanging();
     bent("rest_small", 1, 0.123471401983, 0.991246395347, 0.165115560502);
@@ -365,7 +364,5 @@ int main(void)
     found_by_those_who_ask();
     comes_back();
     printed_frames();
-    snprintf(command, sizeof command, "rm -r %s", scratch);
-    CHECK(system(command) == 0);
     return check_result();
 }

@@ -1,13 +1,9 @@
 /* What ParaView is told of a result file: every line. */
 #include "bench/files/xdmf.h"
 
-#include <unistd.h>
-
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 enum { FRAMES = 3 };
-
-static char folder[] = "/tmp/clothbench-xdmf-XXXXXX";
 
 /* The next line of a file is this one. */
 static void check_line(FILE *file, const char *want)
@@ -75,9 +71,10 @@ int main(void)
                 {"h5", "h5.xdmf", "h5"},
                 {"a.h5x", "a.h5x.xdmf", "a.h5x"}};
 
-    REQUIRE(mkdtemp(folder) && chdir(folder) == 0);
+    scratch_open();
+    REQUIRE(chdir(scratch) == 0);
     for (size_t n = 0; n < sizeof want / sizeof *want; n++)
         check_file(want[n].result, want[n].path, want[n].name);
-    CHECK(rmdir(folder) == 0);
+    CHECK(scratch_files(scratch) == 0);
     return check_result();
 }

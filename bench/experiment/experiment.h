@@ -23,6 +23,7 @@ struct experiment_options {
     void *context;
 };
 
+struct gallery;       /* gallery.h */
 struct study_results; /* study.h */
 
 struct experiment {
@@ -31,6 +32,9 @@ struct experiment {
     const char
         *values;      /* what --values gives, with its unit; NULL: the option is refused */
     const char *plan; /* name or path of the plan whose studies are measured; NULL: none */
+
+    const struct gallery
+        *gallery; /* that it shows, with neither of the next two; or NULL */
 
     /* Runs all cases, with a plan those that it does not have (NULL: none), on the one
      * thread it is called on. STATUS_FILE, STATUS_MEMORY with a sentence; deaths of runs

@@ -17,8 +17,8 @@ static void file_of(const struct gallery *g, int n, const char *folder, char pat
     snprintf(path, PATH, "%s/%s_%s.h5", folder, g->name, g->item[n].name);
 }
 
-static enum status run(const struct gallery *g, int n,
-                       const struct experiment_options *options, struct message *why)
+static enum status run(const struct gallery *g, int n, const char *folder, bool quick,
+                       struct message *why)
 {
     struct settings settings = {0};
     struct run_plan plan = {
@@ -26,8 +26,8 @@ static enum status run(const struct gallery *g, int n,
     char path[PATH];
     enum status st;
 
-    file_of(g, n, options->folder, path);
-    g->settings(n, options->quick, &settings);
+    file_of(g, n, folder, path);
+    g->settings(n, quick, &settings);
     TRY(contestant_find(g->item[n].contestant, &plan.contestant, why));
     TRY(run_file_write(&plan,
                        &(struct run_keep){.file = path,
@@ -35,22 +35,23 @@ static enum status run(const struct gallery *g, int n,
                                           .times = g->times,
                                           .time = g->time,
                                           .intersections = true,
-                                          .quick = options->quick},
+                                          .quick = quick},
                        NULL, why));
 out:
     settings_clear(&settings);
     return st;
 }
 
-enum status gallery_measure(const struct gallery *g,
-                            const struct experiment_options *options, struct message *why)
+enum status gallery_measure(const struct gallery *g, const char *folder,
+                            const struct measurement_options *how, struct message *why)
 {
     enum status st = STATUS_OK;
 
     assert(g->count <= GALLERY_CASES && g->times <= GALLERY_TIMES);
     for (int n = 0; n < g->count; n++) {
-        TRY(run(g, n, options, why));
-        experiment_progress(options, g->name, n + 1, g->count);
+        TRY(run(g, n, folder, how->quick, why));
+        if (how->progress)
+            how->progress(how->context, g->name, n + 1, g->count);
     }
 out:
     return st;

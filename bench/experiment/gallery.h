@@ -4,9 +4,10 @@
 #ifndef GALLERY_H
 #define GALLERY_H
 
-#include "bench/experiment/experiment.h"
+#include "bench/experiment/measurement.h"
 #include "bench/harness/run_result.h"
 #include "bench/harness/settings.h"
+#include "bench/ui/table.h"
 
 enum { GALLERY_CASES = 8, GALLERY_TIMES = 6 };
 
@@ -33,8 +34,8 @@ struct gallery {
 
 /* Runs every case to the last time: FOLDER/NAME_CASE.h5. Deaths and refusals are results.
  */
-enum status gallery_measure(const struct gallery *g,
-                            const struct experiment_options *options, struct message *why);
+enum status gallery_measure(const struct gallery *g, const char *folder,
+                            const struct measurement_options *how, struct message *why);
 
 /* What a case looked like at a time: metric.h. NaN: it did not live to see it. */
 struct gallery_frame {

@@ -53,11 +53,6 @@ static const struct gallery gallery = {
     .settings = add_settings,
     .tell = study_artefacts_tell};
 
-static enum status measure(const struct experiment_options *options, struct message *why)
-{
-    return gallery_measure(&gallery, options, why);
-}
-
 /* By its own label, with what else is found; an undamped run that was quick shows neither.
  */
 static enum status print_found(const struct gallery_result *r,
@@ -126,15 +121,8 @@ out:
     return st;
 }
 
-static enum status print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why)
-{
-    return gallery_tell(&gallery, folder, format, file, why);
-}
-
 const struct experiment study_artefacts_experiment = {
     .item = {"artefacts", "Ren et al. 2024, Fig. 16: normal, super-elongation, floating, "
                           "penetration"},
-    .measure = measure,
-    .print = print,
+    .gallery = &gallery,
 };

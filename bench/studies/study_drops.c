@@ -38,11 +38,6 @@ static const struct gallery gallery = {
     .settings = add_settings,
     .tell = study_drops_tell};
 
-static enum status measure(const struct experiment_options *options, struct message *why)
-{
-    return gallery_measure(&gallery, options, why);
-}
-
 /* The largest angle of a case, and the least one after it; NaN: it died before its end. */
 static void swing_of(const struct gallery_result *r, int n, double *most, double *after)
 {
@@ -95,15 +90,8 @@ out:
     return st;
 }
 
-static enum status print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why)
-{
-    return gallery_tell(&gallery, folder, format, file, why);
-}
-
 const struct experiment study_drops_experiment = {
     .item = {"drops", "Ren et al. 2024, Figs. 7 and 8: sheets fall, held at an edge or at "
                       "two corners"},
-    .measure = measure,
-    .print = print,
+    .gallery = &gallery,
 };

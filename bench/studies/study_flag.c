@@ -40,11 +40,6 @@ static const struct gallery gallery = {
     .settings = add_settings,
     .tell = study_flag_tell};
 
-static enum status measure(const struct experiment_options *options, struct message *why)
-{
-    return gallery_measure(&gallery, options, why);
-}
-
 /* The most of cases from `first` to before `end` at the last time, of a gallery_frame's
  * member; NaN: one of them died. */
 static double most_of(const struct gallery_result *r, int first, int end, int t,
@@ -129,14 +124,7 @@ out:
     return st;
 }
 
-static enum status print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why)
-{
-    return gallery_tell(&gallery, folder, format, file, why);
-}
-
 const struct experiment study_flag_experiment = {
     .item = {"flag", "Ren et al. 2024, Fig. 15: a flag sinks, by several models"},
-    .measure = measure,
-    .print = print,
+    .gallery = &gallery,
 };

@@ -172,6 +172,7 @@ def verify():
          "IGA, reduced, linear, p = 3, "),
         ("IGA, p = 3, selective", "IGA, selective, nonlinear, p = 3, ",
          "IGA, selective, linear, p = 3, "),
+        ("IGA, p = 3, clamped", "IGA, clamped, ", "IGA, selective, linear, p = 3, clamped, "),
         ("hexahedra", "hexahedra, nonlinear, ", "hexahedra, linear, "),
         ("hexahedra, incompatible", "hexahedra, incompatible, nonlinear, ",
          "hexahedra, incompatible, linear, "),

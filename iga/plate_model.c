@@ -295,25 +295,43 @@ static void destroy(void *state)
     free(p);
 }
 
+static bool has_layer(const struct discretization *d)
+{
+    return d->remedy == REMEDY_SELECTIVE || d->remedy == REMEDY_CLAMPED;
+}
+
+static void clamp_edges(struct plate *p, const struct scene *scene)
+{
+    const double length[2] = {scene->length, scene->width};
+
+    for (int i = 0; i < 2; i++)
+        for (int end = 0; end < 2; end++)
+            if (scene_edge_clamped(scene, i, end))
+                plate_space_clamp(&p->tables, &p->patch, i, end,
+                                  scene->thickness / length[i], scene->poisson);
+}
+
 static enum status check_remedy(const struct discretization *d, struct message *why)
 {
     const char *name = remedy_name(d->remedy);
 
     if (d->remedy == REMEDY_NONE)
         return STATUS_OK;
-    if (d->remedy != REMEDY_REDUCED && d->remedy != REMEDY_SELECTIVE)
+    if (d->remedy != REMEDY_REDUCED && !has_layer(d))
         return status_fail(why, STATUS_UNSUPPORTED,
-                           "iga has no remedy=%s; use none, reduced or selective", name);
+                           "iga has no remedy=%s; use none, reduced, selective or clamped",
+                           name);
     if (d->degree[0] < 2 || d->degree[1] < 2)
         return status_fail(why, STATUS_INPUT,
                            "remedy=%s needs degree 2 or more along u and v", name);
     if (d->gauss[0] || d->gauss[1] || d->gauss[2])
         return status_fail(why, STATUS_INPUT, "remedy=%s has its own rule; leave gauss out",
                            name);
-    if (d->remedy == REMEDY_SELECTIVE && (d->points[2] != 2 || d->weight_count))
+    if (has_layer(d) && (d->points[2] != 2 || d->weight_count))
         return status_fail(why, d->weight_count ? STATUS_INPUT : STATUS_UNSUPPORTED,
-                           "remedy=selective is for one layer of degree 1 through the "
-                           "thickness without weights; use reduced");
+                           "remedy=%s is for one layer of degree 1 through the thickness "
+                           "without weights; use reduced",
+                           name);
     return STATUS_OK;
 }
 
@@ -345,6 +363,9 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
+    if (d->remedy == REMEDY_CLAMPED && scene->shape != SCENE_FLAT)
+        TRY(status_fail(why, STATUS_UNSUPPORTED,
+                        "remedy=clamped is for flat sheets; use selective"));
     p = calloc(1, sizeof *p);
     if (!p)
         TRY(STATUS_MEMORY);
@@ -354,8 +375,10 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(plate_space_init(&p->sheet.space, &p->tables, &p->patch, d->gauss, thickness));
     if (d->remedy == REMEDY_REDUCED)
         TRY(plate_space_reduce(&p->sheet.space, &p->tables, &p->patch));
-    if (d->remedy == REMEDY_SELECTIVE)
+    if (has_layer(d))
         TRY(plate_space_select(&p->sheet.space, &p->tables, &p->patch));
+    if (d->remedy == REMEDY_CLAMPED)
+        clamp_edges(p, scene);
     TRY(make_grid(p, scene));
     const struct bspline *b = p->patch.basis;
     plate_space_thickness(&p->patch, false, 0.5, middle);

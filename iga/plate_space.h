@@ -55,6 +55,19 @@ enum status plate_space_reduce(struct solid_space *space, struct plate_tables *t
 enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 
+/* After plate_space_select: bending near the clamp along u (i = 0) or v, at 0 or at `end`,
+ * as in a solid that can't change its thickness there. What the faces gain and lose when
+ * the plate bends, q - as eps_33 is linear through it, energy int (lambda + 2 mu) (q + c tr
+ * k)^2 / 2 + mu q'^2 h^2 / 120 a unit of bending, c = nu / (1 - nu) - decays from the clamp
+ * with exp(-x / l), l^2 = h^2 (1 - nu) / 120, and the plate bends by k (1 - c^2 exp(-x /
+ * l)) where plane stress bends by k: a clamp is l c^2 farther in, 0.06 h at nu = 0.49. Of
+ * that the points of the rule get what makes the turn right for every moment that their
+ * polynomials can follow, however much longer than l the spans are. (The derivation is
+ * ours; on such layers, Gregory and Wan, J. Elasticity 14, 1984.) `thickness` is of the
+ * length along i. */
+void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, int i,
+                       bool end, double thickness, double poisson);
+
 /* Values of the functions through the thickness in use at w: N[order]. */
 void plate_space_thickness(const struct patch *patch, bool thickness, double w, double *N);
 

@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdlib.h>
 
 #include "iga/plate_space.h"
@@ -180,4 +181,50 @@ enum status plate_space_select(struct solid_space *space, struct plate_tables *t
     space->layer_points[0] = tables->reduced[0].gauss * tables->reduced[1].gauss;
     space->layer_points[1] = tables->bend[0].gauss * tables->bend[1].gauss;
     return st;
+}
+
+/* int_a^b exp(-y) of the `count` polynomials that are 1 at one of y[count] and 0 at the
+ * others; y counts from a. */
+static void decaying(int count, const double *y, double a, double b, double *out)
+{
+    double moment[GAUSS_MAX], end = exp(a - b), power = 1;
+
+    for (int k = 0; k < count; k++, power *= b - a)
+        moment[k] = (k ? k * moment[k - 1] : 1) - power * end;
+    for (int q = 0; q < count; q++) {
+        double c[GAUSS_MAX] = {1}; /* coefficients of the polynomial, from the constant */
+        for (int r = 0, degree = 0; r < count; r++) {
+            if (r == q)
+                continue;
+            degree++;
+            for (int k = degree; k >= 0; k--)
+                c[k] = ((k ? c[k - 1] : 0) - y[r] * c[k]) / (y[q] - y[r]);
+        }
+        out[q] = 0;
+        for (int k = 0; k < count; k++)
+            out[q] += exp(-a) * c[k] * moment[k];
+    }
+}
+
+void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, int i,
+                       bool end, double thickness, double poisson)
+{
+    const struct bspline *b = &patch->basis[i];
+    struct plate_direction *d = &tables->bend[i];
+    const double width = thickness * sqrt((1 - poisson) / 120);
+    const double share = poisson * poisson / ((1 - poisson) * (1 - poisson));
+    double x[GAUSS_MAX], w[GAUSS_MAX], y[GAUSS_MAX], less[GAUSS_MAX];
+
+    gauss_rule(d->gauss, x, w);
+    for (int e = 0; e < d->spans && width > 0; e++) {
+        double lo = b->U[d->first[e] + b->p], hi = b->U[d->first[e] + b->p + 1];
+        double near = (end ? 1 - hi : lo) / width, far = (end ? 1 - lo : hi) / width;
+        for (int q = 0; q < d->gauss; q++) /* the rule is symmetric */
+            y[q] = (far - near) * x[q];
+        decaying(d->gauss, y, near, far, less);
+        for (int q = 0; q < d->gauss; q++) {
+            double *weight = d->weight + e * d->gauss + (end ? d->gauss - 1 - q : q);
+            *weight /= 1 - share * less[q] / ((far - near) * w[q]);
+        }
+    }
 }

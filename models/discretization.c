@@ -138,9 +138,9 @@ bool kinematics_rebuilds(int kinematics)
 
 WORDS(kinematics, [KINEMATICS_LINEAR] = "linear", [KINEMATICS_PRINTED] = "printed",
       [KINEMATICS_INCREMENTAL] = "incremental", [KINEMATICS_NONLINEAR] = "nonlinear")
-WORDS(
-    remedy, [REMEDY_NONE] = "none", [REMEDY_INCOMPATIBLE] = "incompatible",
-    [REMEDY_REDUCED] = "reduced", [REMEDY_SELECTIVE] = "selective", [REMEDY_AUTO] = "auto")
+WORDS(remedy, [REMEDY_NONE] = "none", [REMEDY_INCOMPATIBLE] = "incompatible",
+      [REMEDY_REDUCED] = "reduced", [REMEDY_SELECTIVE] = "selective",
+      [REMEDY_CLAMPED] = "clamped", [REMEDY_AUTO] = "auto")
 WORDS(unknowns, [UNKNOWNS_AUTO] = "auto", [UNKNOWNS_POINTS] = "points",
       [UNKNOWNS_THICKNESS] = "thickness")
 WORDS(solver, [SOLVER_AUTO] = "auto", [SOLVER_BANDED] = "banded",

@@ -219,6 +219,20 @@ bool scene_is_cantilever(const struct scene *scene)
            !s->path_count;
 }
 
+bool scene_edge_clamped(const struct scene *scene, int i, bool end)
+{
+    for (int n = 0; n < scene->support_count; n++) {
+        const struct scene_support *s = &scene->supports[n];
+        bool whole = s->fix == FIX_XYZ;
+        for (int k = 0; k < 3; k++)
+            whole = whole && (s->lo[k] <= 0 || (k == i && end)) &&
+                    (s->hi[k] >= 1 || (k == i && !end));
+        if (whole)
+            return true;
+    }
+    return false;
+}
+
 double scene_bending_stiffness(const struct scene *scene)
 {
     const double h = scene->thickness, nu = scene->poisson;

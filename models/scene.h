@@ -195,6 +195,10 @@ void scene_support_shift(const struct scene_support *support, double t, double s
 /* One support alone, the whole edge u = 0 held in x, y, z, which does not move. */
 bool scene_is_cantilever(const struct scene *scene);
 
+/* Whether one of the supports holds all of the edge where u (i = 0) or v begins, or ends,
+ * in x, y, z; it may move. */
+bool scene_edge_clamped(const struct scene *scene, int i, bool end);
+
 /* Bending stiffness D = E h^3 / 12 (1 - nu^2) [N m]. */
 double scene_bending_stiffness(const struct scene *scene);
 

@@ -116,6 +116,39 @@ static void check_discretization(void)
     discretization_clear(&to);
 }
 
+/* Which edges a support clamps: u = 0, u = 1, v = 0, v = 1. */
+static void check_clamped(void)
+{
+    static const struct {
+        struct scene_support support;
+        const char *edges;
+    } cases[] = {{{{0, 0, 0}, {0, 1, 1}, FIX_XYZ}, "yes no no no"},
+                 {{{1, 0, 0}, {1, 1, 1}, FIX_XYZ}, "no yes no no"},
+                 {{{0, 0, 0}, {1, 0.1, 1}, FIX_XYZ}, "no no yes no"},
+                 {{{0, 1, 0}, {1, 1, 1}, FIX_XYZ}, "no no no yes"},
+                 {{{0, 0, 0}, {1, 1, 1}, FIX_XYZ}, "yes yes yes yes"},
+                 {{{0, 0, 0}, {0, 1, 1}, FIX_X | FIX_Z}, "no no no no"},
+                 {{{0, 0, 0.5}, {0, 1, 0.5}, FIX_XYZ}, "no no no no"},
+                 {{{0, 0, 0}, {0, 0.9, 1}, FIX_XYZ}, "no no no no"},
+                 {{{0.1, 0, 0}, {0.1, 1, 1}, FIX_XYZ}, "no no no no"}};
+
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        struct scene s;
+        char edges[32] = "";
+        REQUIRE(scene_init(&s) == STATUS_OK);
+        REQUIRE(scene_add_support(&s, &(struct scene_support){.fix = FIX_XYZ}) ==
+                STATUS_OK);
+        REQUIRE(scene_add_support(&s, &cases[n].support) == STATUS_OK);
+        for (int edge = 0; edge < 4; edge++) {
+            strcat(edges, edge ? " " : "");
+            strcat(edges, scene_edge_clamped(&s, edge / 2, edge % 2) ? "yes" : "no");
+        }
+        if (!CHECK(!strcmp(edges, cases[n].edges)))
+            printf("support %zu: %s\n", n, edges);
+        scene_clear(&s);
+    }
+}
+
 static void check_words(void)
 {
     CHECK(!strcmp(kinematics_name(KINEMATICS_PRINTED), "printed"));
@@ -139,6 +172,7 @@ int main(void)
     check_needs();
     check_path();
     check_discretization();
+    check_clamped();
     check_words();
     return check_result();
 }

@@ -75,6 +75,10 @@ refuses "frame 37 (t = 36 s): vertex 3 has x = nan" edge_drop "$scratch/nan.csv"
 awk 'BEGIN { for (k = 2; k < 4; k++) for (n = 0; n < 4; n++)
     printf "%g,%d,%d,1,0,0\n", k, n % 2, int(n / 2) }' >"$scratch/late.csv"
 refuses "frames run from 2 to 3 s" edge_drop "$scratch/late.csv"
+awk 'BEGIN { for (k = 0; k < 5; k++) for (n = 0; n < 4; n++)
+    printf "%g,%d,%d,%d,%d,0\n", k / 10 + 0.05, n % 2, int(n / 2), n % 2, int(n / 2) }' \
+    >"$scratch/far.csv"
+refuses "no frame is at a time of the truth" edge_drop "$scratch/far.csv"
 printf '%%s%%n,0,0,0,0,0\n' >"$scratch/%s%n.csv"
 refuses "%s%n.csv: line 1" edge_drop "$scratch/%s%n.csv"
 exit $failed

@@ -64,4 +64,11 @@ static void check_said(const char *scene, const char *name, const struct score_l
     score_clear(&s);
 }
 
+/* Of the sentence that was wanted and there. */
+static inline void check_words(const char *name, const char *words)
+{
+    if (!CHECK(strstr(last_said, words)))
+        printf("%s: '%s' is not in '%s'\n", name, words, last_said);
+}
+
 #endif

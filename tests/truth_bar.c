@@ -295,6 +295,57 @@ static void heard(void)
     }
 }
 
+/* Nets and steps apart: orders 3, better than p = 2 promises, and 1; bars add. */
+static void nets_and_steps(void)
+{
+    static const int side[TRUTH_BAR_RUNS] = {8, 11, 14, 11, 11};
+    static const double step[TRUTH_BAR_RUNS] = {1e-3, 1e-3, 1e-3, 2e-3, 4e-3};
+    const double second = 0.3 * (pow(9, -3) - pow(12, -3));
+    const double nets = 1.25 * second / (pow(12 / 9.0, 2) - 1), steps = 1.25 * 2 * 1e-3;
+    struct truth_family family[2] = {{.count = TRUTH_BAR_RUNS}, {.joint = true}};
+    struct truth_made made;
+
+    used = 0;
+    for (int n = 0; n < TRUTH_BAR_RUNS; n++) {
+        const double off = 0.3 * pow(side[n] - 2, -3) + 2 * step[n];
+        family[TRUTH_SOLID].level[n] =
+            (struct truth_level){TRUTH_SOLID, 2, side[n], step[n], false, 0};
+        family[TRUTH_SOLID].run[n] = run_at(1 + off, 1 + 2 * off, 1);
+    }
+    const struct truth_push push = push_of(family, TRUTH_SOLID, 1, 0);
+    compare(family, &push, &made);
+    for (int t = 0; t < TIMES; t++) {
+        const double *v = made.value[t];
+        CHECK_NEAR(v[TRUTH_SOLID_SPACE], 3, ORDER);
+        CHECK_NEAR(v[TRUTH_SOLID_TIME], 1, ORDER);
+        CHECK_RELATIVE(v[TRUTH_SOLID_BAR], (t + 1) * (nets + steps), ORDER);
+        CHECK(made.xyz[t][0] == family[TRUTH_SOLID].run[TRUTH_BAR_FINE].xyz[t][0]);
+    }
+    CHECK(strstr(made.note, "p = 2, 14x14, step 1 ms; error bar: its own by observed"));
+    truth_made_clear(&made);
+}
+
+/* A thousandfold is the bound: 750 times at the first time, 1500 at the second. */
+static void horizon(void)
+{
+    static const struct {
+        double pushed;
+        const char *words;
+    } row[] = {{1.5e-3, "has grown 1.5e+03-fold at 0.2 s: from there on the motion cannot"},
+               {3e-6, "grows at most 3-fold up to 0.2 s: so long the motion can be"}};
+    char text[TRUTH_WATCH_TEXT];
+
+    for (int n = 0; n < 2; n++) {
+        used = 0;
+        struct run_result pushed = run_at(row[n].pushed, 2 * row[n].pushed, 1),
+                          plain = run_at(0, 0, 1);
+        const struct truth_push push = {{TRUTH_SOLID, 3, 12, 0.0025}, &plain, &pushed};
+        truth_bar_horizon(&push, TIMES, times, LENGTH, text);
+        if (!CHECK(strstr(text, row[n].words) && strstr(text, "(solid, 12x12")))
+            printf("%s\n", text);
+    }
+}
+
 /* --- Made-up tables: who is chosen, and until when it is claimed. */
 
 static const struct choice {
@@ -351,5 +402,7 @@ int main(void)
     unsettled();
     moved();
     heard();
+    nets_and_steps();
+    horizon();
     return check_result();
 }

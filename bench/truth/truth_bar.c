@@ -181,11 +181,24 @@ struct judged {
 /* From here on a family shows whether its limits have settled. */
 enum { SETTLED = 4 };
 
+/* An order that the three runs before did not show may be luck: as of two runs, the last
+ * difference counts three times. One that they showed lower is believed no higher. */
+static double confirm(const struct truth_family *f, const double h[3],
+                      const struct truth_order *o, const struct truth_order *before)
+{
+    const double most = joint_order(f), now = left_by(h, fmin(o->order, most));
+
+    if (!(o->order >= LEAST))
+        return o->bar;
+    if (!(before->order >= LEAST))
+        return fmax(o->bar, UNSEEN * o->bar / (SAFETY * now));
+    return o->bar / now * left_by(h, fmin(fmin(o->order, before->order), most));
+}
+
 /* Where the last three runs show an order, and the three before one that goes the same way,
  * the limit hardly moved: how far it did bars it, and where that is the sharper bar, the
  * limit is the family's field. Errors that are not yet of an order move it by more than
- * they are (wrinkles, contact); without one before, it is the middle run's, and never
- * sharper. */
+ * they are (wrinkles, contact). */
 static void settle(const struct truth_family *f, int time, struct truth_order *o,
                    const double h[3], struct judged *so_far, struct field *field)
 {
@@ -194,11 +207,12 @@ static void settle(const struct truth_family *f, int time, struct truth_order *o
         judge_three(f, f->count - 1, time, &so_far->before, coarser);
     const struct field limit = limit_of(f, f->count, h, o->order, time),
                        last = limit_of(f, f->count - 1, coarser, before.order, time);
-    const double moved = apart(&limit, &last);
+    const double moved = apart(&limit, &last), three = o->bar;
 
     so_far->moved += moved * moved;
     const double bar = SAFETY * fmax(moved, sqrt(so_far->moved / (time + 1)));
-    if (!(o->order >= LEAST) || !(bar < o->bar))
+    o->bar = confirm(f, h, o, &before);
+    if (!(o->order >= LEAST) || !(bar < three))
         return;
     o->bar = bar;
     *field = limit;
@@ -280,9 +294,11 @@ void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
 void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL])
 {
     static const char *const first[] = {"solid, cured of locking", "Kirchhoff-Love shell",
-                                        "Kirchhoff-Love shell, cured of locking"},
+                                        "Kirchhoff-Love shell, cured of locking",
+                                        "selective solid, cured of locking"},
                              *const other[] = {"cured solid", "Kirchhoff-Love shell",
-                                               "cured Kirchhoff-Love shell"};
+                                               "cured Kirchhoff-Love shell",
+                                               "selective solid"};
 
     snprintf(text, TRUTH_BAR_LEVEL, "%s, p = %d, %dx%d, %s%.4g ms",
              (own ? first : other)[l->model], l->degree, l->side, l->side,
@@ -356,6 +372,6 @@ void truth_bar_horizon(const struct truth_push *push, int count, const double *t
              TRUTH_PERTURBATION, lost ? "has grown" : "grows at most", most,
              lost ? "at" : "up to", time[n - 1],
              lost ? "from there on the motion cannot be" : "so long the motion can be",
-             level->model == TRUTH_SOLID ? "solid," : "shell,", level->side, level->side,
-             1e3 * level->step);
+             truth_level_kind(level->model) == TRUTH_SOLID ? "solid," : "shell,",
+             level->side, level->side, 1e3 * level->step);
 }

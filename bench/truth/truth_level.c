@@ -18,13 +18,19 @@ static const double EARTH = 9.81; /* [m/s^2] */
 
 const struct contestant *truth_level_contestant(enum truth_model model)
 {
-    static const char *const name[] = {"iga_reduced", "shell_3", "shell_selective_3"};
+    static const char *const name[] = {"iga_reduced", "shell_3", "shell_selective_3",
+                                       "iga_selective_3"};
     const struct contestant *c = NULL;
     const enum status st = contestant_find(name[model], &c, NULL);
 
     assert(st == STATUS_OK);
     (void)st;
     return c;
+}
+
+enum truth_model truth_level_kind(enum truth_model model)
+{
+    return model == TRUTH_SOLID || model == TRUTH_SELECTIVE ? TRUTH_SOLID : TRUTH_SHELL;
 }
 
 /* The scene's gravity, changed; where it has none, the earth's share of it. */
@@ -183,8 +189,10 @@ enum status truth_level_find(const struct truth_runs *runs, const struct truth_l
     if (level->grade > 0)
         snprintf(graded, sizeof graded, "_g%.3g", level->grade);
     snprintf(path, sizeof path, "%s/truth_%s_p%d_%d%s_%ldus%s.h5", runs->folder,
-             level->model == TRUTH_CURED ? "cured" : c->model->name, level->degree,
-             level->side, graded, lround(1e6 * level->step),
+             level->model == TRUTH_CURED       ? "cured"
+             : level->model == TRUTH_SELECTIVE ? "selective"
+                                               : c->model->name,
+             level->degree, level->side, graded, lround(1e6 * level->step),
              level->perturbed ? "_perturbed" : "");
     if (!is_kept(path, key, runs, r)) {
         if (read_only)

@@ -30,7 +30,7 @@ static bool rung_of(const struct scene *scene, double frame, int model, int k,
 {
     const bool there = k < TRUTH_FAMILY_MOST && truth_plan_rung(scene, frame, k, level);
 
-    level->model = model == TRUTH_SOLID ? TRUTH_SOLID : TRUTH_CURED;
+    level->model = model == TRUTH_SOLID ? TRUTH_SELECTIVE : TRUTH_CURED;
     return there;
 }
 
@@ -157,9 +157,8 @@ static void see_push(const struct truth_family family[TRUTH_MODELS],
         return;
     o->lost = made->time[n];
     o->growth = made->value[n][TRUTH_GROWTH];
-    o->blunt =
-        !is_near(&family[push->level.model == TRUTH_SOLID ? TRUTH_SOLID : TRUTH_SHELL],
-                 push->plain, made, o->lost, length);
+    o->blunt = !is_near(&family[truth_level_kind(push->level.model)], push->plain, made,
+                        o->lost, length);
 }
 
 struct truth_outlook truth_sharp_look(const struct truth_family family[TRUTH_MODELS],

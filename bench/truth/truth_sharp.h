@@ -1,5 +1,5 @@
-/* truth_sharp.h - a truth just as sharp as is asked for: the cured solid and the cured
- * shell (p = 3) on nets and with steps that shrink alike, one run after another,
+/* truth_sharp.h - a truth just as sharp as is asked for: the selective solid and the
+ * cured shell (p = 3) on nets and with steps that shrink alike, one run after another,
  * until the bar (truth_bar.h) is small enough or the
  * wish cannot be met (truth_wish.h). Each run is a file: a command that was killed goes on
  * with what it left.

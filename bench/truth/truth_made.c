@@ -29,15 +29,25 @@ static void set_bars(enum truth_model model, struct truth_made *made, double len
     made->claimed = truth_made_claimed(made->times, made->value, length);
 }
 
+/* Of the bars that are claimed, in the square: one time at which a model is blunt does not
+ * decide over all others. */
+static double bluntness(const struct truth_made *made)
+{
+    double sum = 0;
+
+    for (int n = 0; n < made->claimed || n == 0; n++)
+        sum += made->value[n][TRUTH_ERROR] * made->value[n][TRUTH_ERROR];
+    return sum;
+}
+
 enum truth_model truth_made_choose(struct truth_made *made, double length)
 {
     set_bars(TRUTH_SHELL, made, length);
     const int shell = made->claimed;
-    set_bars(TRUTH_SOLID, made, length);
-    const int solid = made->claimed;
-    const double *last = made->value[solid ? solid - 1 : 0];
+    const double of_shell = bluntness(made);
 
-    if (solid != shell ? solid > shell : last[TRUTH_SOLID_BAR] <= last[TRUTH_SHELL_BAR])
+    set_bars(TRUTH_SOLID, made, length);
+    if (made->claimed != shell ? made->claimed > shell : bluntness(made) <= of_shell)
         return TRUTH_SOLID;
     set_bars(TRUTH_SHELL, made, length);
     return TRUTH_SHELL;

@@ -69,8 +69,8 @@ void truth_made_thin(struct truth_made *made, const struct scene *scene);
 int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length);
 
 /* Whose field is the truth: the model's that can claim more times; of two that can claim
- * the same, the one's with the smaller bar at the last of them. Fills the error bars that
- * follow, and `claimed`. */
+ * the same, the one's with the smaller error bars, in the mean square over these times.
+ * Fills the error bars that follow, and `claimed`. */
 enum truth_model truth_made_choose(struct truth_made *made, double length);
 
 #endif

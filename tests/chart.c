@@ -5,32 +5,10 @@
 #include <dirent.h>
 #include <unistd.h>
 
-#include "bench/files/folder.h"
 #include "bench/ui/plot.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
 
 static const char *folder;
-
-static char *text_of(const char *name)
-{
-    char path[4096];
-    char *text = calloc(1, 1 << 20);
-
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "rb");
-    REQUIRE(text && file);
-    REQUIRE(fread(text, 1, (1 << 20) - 1, file) > 0);
-    fclose(file);
-    return text;
-}
-
-static int occurrences(const char *text, const char *what)
-{
-    int count = 0;
-    for (; (text = strstr(text, what)); text += strlen(what))
-        count++;
-    return count;
-}
 
 static void holds(const char *script, const char *what)
 {
@@ -81,7 +59,7 @@ static void rows_become_points(void)
     chart_band(c, "truth's error bar", 0, 0.05);
     chart_mark(c, 250, 0.1, "here");
     chart_write(c, folder, "cost", &why);
-    char *script = text_of("cost.gp");
+    char *script = fresh_text(folder, "cost.gp");
     holds(script,
           "$p0_0 << EOD\n20 0.5\n250 0.1\n1000 0\nEOD\n$p0_1 << EOD\n500 0.2\nEOD\n");
     holds(script, "set xlabel 'set-up [ms]'\n");
@@ -125,20 +103,20 @@ static void styles_and_panels(void)
     chart_series(c, &(struct chart_series){"none", CHART_POINTS});
     chart_point(c, NAN, 1);
     chart_write(c, folder, "styles", &why);
-    char *script = text_of("styles.gp");
+    char *script = fresh_text(folder, "styles.gp");
     for (int n = 0; n < 8; n++) {
         char want[64];
         snprintf(want, sizeof want, "$p1_%d using", n);
         CHECK(strstr(script, want) && strstr(strstr(script, want), with[n]));
         snprintf(want, sizeof want, "title 'kind %d'", n);
-        CHECK(occurrences(script, want) == 3); /* PNG, SVG, PDF */
+        CHECK(fresh_count(script, want) == 3); /* PNG, SVG, PDF */
     }
     holds(script, "$p0_7 << EOD\n1 2 0.5 1.5 1.5 2.5\nEOD\n");
     holds(script, "$p0_0 << EOD\n0 2 1 3\nEOD\n");
     holds(script, "with yerrorbars");
-    CHECK(occurrences(script, "set xlabel 'x [m]'") == 2 * 3);
-    CHECK(occurrences(script, "set xrange [0:*]") == 2 * 3);
-    CHECK(occurrences(script, "set ytics ('one' 1,'5' 5)") == 2 * 3);
+    CHECK(fresh_count(script, "set xlabel 'x [m]'") == 2 * 3);
+    CHECK(fresh_count(script, "set xrange [0:*]") == 2 * 3);
+    CHECK(fresh_count(script, "set ytics ('one' 1,'5' 5)") == 2 * 3);
     CHECK(!strstr(script, "$p1_8")); /* nothing to be drawn */
     free(script);
     chart_destroy(c);
@@ -156,7 +134,7 @@ static void cells(void)
     chart_series(c, &(struct chart_series){"row", CHART_POINTS, .rgb = "#000000"});
     chart_point(c, 1, 30);
     chart_write(c, folder, "cells", &why);
-    char *script = text_of("cells.gp");
+    char *script = fresh_text(folder, "cells.gp");
     holds(script, "set xrange [0.5:2.5]\n");
     holds(script, "set yrange [5:30]\n");
     holds(script, "with boxxyerror fs solid 1 border lc rgb '#8cd17d' lc rgb '#8cd17d'");
@@ -181,7 +159,7 @@ static void looks(void)
     chart_series(c, &(struct chart_series){"line 2"});
     chart_point(c, 1, 1);
     chart_write(c, folder, "looks", &why);
-    char *script = text_of("looks.gp");
+    char *script = fresh_text(folder, "looks.gp");
     holds(script, "dt (10,6) pt 6 ps scale*1.1 lc rgb '#0072b2' title 'line 8'");
     CHECK(strstr(script, "$p1_5 using"));
     CHECK(
@@ -248,7 +226,7 @@ static void hostile_names(bool drawn)
         const enum status st = chart_write(c, folder, "hostile", &why);
         CHECK(st == (drawn ? STATUS_OK : STATUS_UNSUPPORTED));
         CHECK(pwned() == 0);
-        char *script = text_of("hostile.gp");
+        char *script = fresh_text(folder, "hostile.gp");
         CHECK(!strstr(script, "\"\\n\"")); /* a line end in a name is a blank */
         free(script);
         chart_destroy(c);
@@ -277,7 +255,7 @@ static void drawn_files(bool drawn)
     CHECK(chart_write(c, folder, "made", &why) == (drawn ? STATUS_OK : STATUS_UNSUPPORTED));
     CHECK(drawn || strstr(why.text, "gnuplot is not installed"));
     for (int n = 0; n < 3 && drawn; n++) {
-        char *text = text_of(made[n].name);
+        char *text = fresh_text(folder, made[n].name);
         CHECK(!strncmp(text, made[n].begin, strlen(made[n].begin)));
         free(text);
     }

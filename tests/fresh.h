@@ -27,11 +27,11 @@ static inline void fresh_folder(const char *folder)
 /* All of FOLDER/NAME, freed by the caller. */
 static inline char *fresh_text(const char *folder, const char *name)
 {
-    enum { MOST = 1 << 16 };
+    enum { MOST = 1 << 20 };
     char path[4096], *text = calloc(1, MOST);
 
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "r");
+    FILE *file = fopen(path, "rb");
     REQUIRE(text && file);
     REQUIRE(fread(text, 1, MOST - 1, file) > 0);
     fclose(file);
@@ -43,8 +43,8 @@ static inline int fresh_count(const char *text, const char *words)
 {
     int count = 0;
 
-    while ((text = strstr(text, words)))
-        count++, text++;
+    for (; (text = strstr(text, words)); text += strlen(words))
+        count++;
     return count;
 }
 

@@ -3,31 +3,10 @@
 
 #include <unistd.h>
 
-#include "bench/files/folder.h"
 #include "models/grid.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
 
 static const char *folder;
-
-static char *text_of(const char *name)
-{
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "rb");
-    REQUIRE(file);
-    char *text = calloc(1, 1 << 20);
-    REQUIRE(text && fread(text, 1, (1 << 20) - 1, file) > 0);
-    fclose(file);
-    return text;
-}
-
-static int occurrences(const char *text, const char *what)
-{
-    int count = 0;
-    for (; (text = strstr(text, what)); text += strlen(what))
-        count++;
-    return count;
-}
 
 /* A level sheet of 2 m x 1 m, `lift` up. */
 static double *sheet(double lift)
@@ -57,11 +36,12 @@ static void data_and_script(bool drawn)
     CHECK(st == (drawn ? STATUS_OK : STATUS_UNSUPPORTED));
     CHECK(drawn || strstr(why.text, "gnuplot is not installed"));
 
-    char *data = text_of("sheets.dat"), *script = text_of("sheets.gp");
+    char *data = fresh_text(folder, "sheets.dat"),
+         *script = fresh_text(folder, "sheets.gp");
     for (char *line = data; *line; line += strcspn(line, "\n") + 1)
         points += *line != '#' && *line != '\n';
     CHECK(points == 2 * 34 * 34); /* every third of 100, corners included */
-    CHECK(occurrences(data, "\n\n\n") == 2);
+    CHECK(fresh_count(data, "\n\n\n") == 2);
     CHECK(strstr(data, "\n0 0 -1\n") && strstr(data, "\n2 1 -1\n")); /* the mid-surface */
     CHECK(strstr(data, "\n2 1 0.5\n"));
 
@@ -91,7 +71,7 @@ int main(int argc, char **argv)
     remove(path);
     if (system("gnuplot --version >/dev/null 2>&1") == 0) {
         data_and_script(true);
-        char *png = text_of("sheets.png");
+        char *png = fresh_text(folder, "sheets.png");
         CHECK(!memcmp(png, "\x89PNG", 4));
         free(png);
     }

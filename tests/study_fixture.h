@@ -78,15 +78,7 @@ static inline void study_printed_wants(struct study_printed *p, const char *want
 /* FOLDER/NAME as text; freed by the receiver. */
 static inline char *study_file(const char *name)
 {
-    char path[4096], *text = NULL;
-    size_t room = 0;
-
-    snprintf(path, sizeof path, "%s/%s", study_folder, name);
-    FILE *file = fopen(path, "r");
-    REQUIRE(file);
-    REQUIRE(getdelim(&text, &room, '\0', file) > 0);
-    fclose(file);
-    return text;
+    return fresh_text(study_folder, name);
 }
 
 static inline void study_wants_file(const char *name, const char *want)

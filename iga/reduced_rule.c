@@ -60,51 +60,41 @@ static void middles(const struct spans *s, int first, int spans)
     }
 }
 
-/* Two points of a span, or `three` of which the middle one weighs as much as Gauss's, that
- * leave the same of the hats at its knots as is asked, and of the span's own bubble. */
-static void meet(const struct spans *s, int span, const double hat[2], bool three)
+/* Two points of an outermost span that give the hats at its knots what they lack, hat[] from
+ * inside out, and its bubble its integral; all in lengths of the span. */
+static void add_pair(const struct spans *s, int span, const double hat[2], bool mirrored)
 {
-    const double middle = three ? 4. / 9 : 0, both = hat[0] + hat[1] - middle;
-    const double bubble = (1. / 6 - middle / 4) / both; /* a (1 - a) */
-    const double a = (1 - sqrt(1 - 4 * bubble)) / 2;
-    const double first = (both * (1 - a) - hat[1] + middle / 2) / (1 - 2 * a);
+    const double both = hat[0] + hat[1];
+    const double a = (1 - sqrt(1 - 2 / (3 * both))) / 2; /* a (1 - a) both = 1/6 */
+    const double inner = (both * (1 - a) - hat[1]) / (1 - 2 * a);
 
-    add(s, span, a, first);
-    if (three)
-        add(s, span, 0.5, middle);
-    add(s, span, 1 - a, both - first);
+    add(s, span, mirrored ? 1 - a : a, inner);
+    add(s, span, mirrored ? a : 1 - a, both - inner);
 }
 
-/* Gauss's rule of the continuous piecewise quadratics of these spans: from either end the
- * point of a span is the one that gives the hat at its outer knot what it lacks, `hat`, and
- * its bubble its integral; the two sides meet at a knot, or in a span. */
-static void piece(const struct spans *s, int first, int spans, bool three)
+/* Gauss's rule of continuous piecewise quadratics from a span outwards to the last one. Each
+ * point gives the hat at the inner knot of its span what that lacks, `hat`, and the span's
+ * bubble its integral. */
+static void outwards(const struct spans *s, int span, int last, double hat)
 {
-    const double *size = s->size + first;
-    double hat[2] = {size[0] / 2, size[spans - 1] / 2};
-    const int left = spans / 2 - 1, middle = spans / 2;
+    const int step = last < span ? -1 : 1;
+    const bool mirrored = step < 0;
 
-    for (int k = 0; k < spans / 2; k++)
-        for (int side = 0; side < 2; side++) {
-            int e = side ? spans - 1 - k : k, inwards = side ? e - 1 : e + 1;
-            double a = size[e] / (6 * hat[side]);
-            add(s, first + e, side ? 1 - a : a, 1 / (6 * a * (1 - a)));
-            hat[side] = (size[e] + size[inwards]) / 2 - size[e] / (6 * (1 - a));
-        }
-    if (spans % 2)
-        meet(s, first + middle, (double[]){hat[0] / size[middle], hat[1] / size[middle]},
-             three);
-    else
-        add(s, first + left, 1,
-            (hat[0] + hat[1] - (size[left] + size[middle]) / 2) / size[left]);
+    for (; span != last; span += step) {
+        const double size = s->size[span], a = size / (6 * hat);
+        add(s, span, mirrored ? 1 - a : a, 1 / (6 * a * (1 - a)));
+        hat = (size + s->size[span + step]) / 2 - size / (6 * (1 - a));
+    }
+    add_pair(s, last, (double[]){hat / s->size[last], 0.5}, mirrored);
 }
 
 /* Spans between two knots that repeat, of even degree p: p points more than spans. */
 static void alone(const struct spans *s, int first, int spans)
 {
-    const int ends = (s->order - 1) / 2 - 1, inner = spans - 2 * ends;
+    const int ends = (s->order - 1) / 2 - 1, last = first + spans - 1 - ends;
+    const int middle = first + spans / 2, odd = spans % 2;
 
-    if (inner < 1) {
+    if (spans < 2 + 2 * ends) {
         middles(s, first, spans);
         return;
     }
@@ -112,10 +102,13 @@ static void alone(const struct spans *s, int first, int spans)
         add_gauss(s, first + e, 2);
         add_gauss(s, first + spans - 1 - e, 2);
     }
-    first += ends;
-    piece(s, first, inner % 2 ? inner : inner / 2, inner % 2);
-    if (inner % 2 == 0)
-        piece(s, first + inner / 2, inner / 2, false);
+    for (int side = 0; side < 2; side++) {
+        const int from = side ? middle + odd : middle - 1;
+        const double size = s->size[from] / 2, centre = s->size[middle];
+        outwards(s, from, side ? last : first + ends, size + odd * centre / 6);
+    }
+    if (odd)
+        add(s, middle, 0.5, 2. / 3);
 }
 
 static void fill(const struct spans *s)

@@ -60,8 +60,8 @@ static void middles(const struct spans *s, int first, int spans)
     }
 }
 
-/* Two points of an outermost span that give the hats at its knots what they lack, hat[] from
- * inside out, and its bubble its integral; all in lengths of the span. */
+/* Two points of an outermost span that give the hats at its knots what they lack, hat[]
+ * from inside out, and its bubble its integral; all in lengths of the span. */
 static void add_pair(const struct spans *s, int span, const double hat[2], bool mirrored)
 {
     const double both = hat[0] + hat[1];
@@ -72,13 +72,12 @@ static void add_pair(const struct spans *s, int span, const double hat[2], bool 
     add(s, span, mirrored ? a : 1 - a, both - inner);
 }
 
-/* Gauss's rule of continuous piecewise quadratics from a span outwards to the last one. Each
- * point gives the hat at the inner knot of its span what that lacks, `hat`, and the span's
- * bubble its integral. */
-static void outwards(const struct spans *s, int span, int last, double hat)
+/* Gauss's rule of continuous piecewise quadratics from a span outwards to the last one.
+ * Each point gives the hat at the inner knot of its span what that lacks, `hat`, and the
+ * span's bubble its integral. */
+static void outwards(const struct spans *s, int span, int last, bool mirrored, double hat)
 {
-    const int step = last < span ? -1 : 1;
-    const bool mirrored = step < 0;
+    const int step = mirrored ? -1 : 1;
 
     for (; span != last; span += step) {
         const double size = s->size[span], a = size / (6 * hat);
@@ -105,7 +104,7 @@ static void alone(const struct spans *s, int first, int spans)
     for (int side = 0; side < 2; side++) {
         const int from = side ? middle + odd : middle - 1;
         const double size = s->size[from] / 2, centre = s->size[middle];
-        outwards(s, from, side ? last : first + ends, size + odd * centre / 6);
+        outwards(s, from, side ? last : first + ends, !side, size + odd * centre / 6);
     }
     if (odd)
         add(s, middle, 0.5, 2. / 3);

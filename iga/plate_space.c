@@ -1,5 +1,6 @@
 #include "iga/plate_space.h"
 #include "iga/plate_space_part.h"
+#include "iga/reduced_rule.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -42,14 +43,15 @@ static void direction_clear(struct plate_direction *d)
 }
 
 enum status plate_space_direction(struct plate_direction *d, const struct bspline *b,
-                                  int gauss, int *counts, bool legendre)
+                                  int gauss, struct reduced_rule *rule, bool legendre)
 {
     int *span = malloc((size_t)b->n * sizeof *span);
     double x[GAUSS_MAX], w[GAUSS_MAX], value[2 * BSPLINE_MAX_ORDER];
     size_t points;
 
-    *d = (struct plate_direction){
-        .order = b->p + 1, .gauss = gauss ? gauss : b->p + 1, .points = counts};
+    *d = (struct plate_direction){.order = b->p + 1, .gauss = gauss ? gauss : b->p + 1};
+    if (rule)
+        d->points = rule->count, rule->count = NULL;
     if (!span)
         return STATUS_MEMORY;
     d->spans = bspline_spans(b, span);
@@ -63,8 +65,13 @@ enum status plate_space_direction(struct plate_direction *d, const struct bsplin
     }
     for (int e = 0; e < d->spans; e++) {
         double lo = b->U[span[e]], size = b->U[span[e] + 1] - lo;
-        int count = counts ? counts[e] : d->gauss;
-        gauss_rule(count, x, w);
+        int count = rule ? d->points[e] : d->gauss;
+        size_t kept = (size_t)(e * d->order), size_of = (size_t)count * sizeof *x;
+        if (rule) {
+            memcpy(x, rule->x + kept, size_of);
+            memcpy(w, rule->part + kept, size_of);
+        } else
+            gauss_rule(count, x, w);
         d->first[e] = span[e] - b->p;
         for (int q = 0; q < count; q++) {
             size_t row = (size_t)(e * d->gauss + q);

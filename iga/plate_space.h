@@ -38,14 +38,9 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
                              const struct patch *patch, const int gauss[3], bool thickness);
 void plate_space_clear(struct solid_space *space, struct plate_tables *tables);
 
-/* The stiffness of *space by as many points in u and in v as there are functions: one in
- * the middle of each span, and one more in as many spans at the ends as the space has
- * functions more than spans, an odd one in the middle (at inner knots that repeat,
- * likewise). Transverse shear and membrane strains can then vanish wherever bending asks
- * them to, which cures locking at any thickness, and no mode goes unseen (patch-wise
- * reduced integration: Adam, Bouabdallah, Zarroug, Maitournam, CMAME 284, 2015; the placing
- * of the points is ours). With one linear function through the thickness, plane stress as
- * well: that function cannot follow the strain nu asks of it. */
+/* The stiffness of *space by as many points in u and in v as there are functions
+ * (reduced_rule.h). With one linear function through the thickness, plane stress as well:
+ * that function cannot follow the strain nu asks of it. */
 enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 

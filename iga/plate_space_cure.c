@@ -1,8 +1,8 @@
 #include <math.h>
-#include <stdlib.h>
 
 #include "iga/plate_space.h"
 #include "iga/plate_space_part.h"
+#include "iga/reduced_rule.h"
 
 /* N, G and weight of one point: rows of the three directions' tables. */
 static double one_point(const struct plate_direction *const d[3], const size_t at[3],
@@ -51,39 +51,15 @@ static int reduced_functions(const struct solid_space *space, int element,
     return count;
 }
 
-/* Points a span: one, and one more for every function that the spans between two knots of
- * full multiplicity have beyond their number, dealt out from both ends inwards; an odd last
- * one in the middle, so that a clamp at u = 0 and one at u = 1 are alike. */
-static int *reduced_counts(const struct bspline *b)
-{
-    int *span = malloc((size_t)b->n * sizeof *span), *counts = NULL, spans;
-
-    if (!span)
-        return NULL;
-    spans = bspline_spans(b, span);
-    counts = malloc((size_t)spans * sizeof *counts);
-    for (int e = 0; counts && e < spans; e++) /* a knot that repeats adds functions */
-        counts[e] = e + 1 < spans ? span[e + 1] - span[e] : 1;
-    for (int k = 0; counts && k < b->p; k++) {
-        int e = k % 2 ? spans - 1 - k / 2 : k == b->p - 1 ? spans / 2 : k / 2;
-        counts[e < 0 ? 0 : e >= spans ? spans - 1 : e]++;
-    }
-    for (int e = 0; counts && e < spans; e++)
-        counts[e] = counts[e] > b->p + 1 ? b->p + 1 : counts[e];
-    free(span);
-    return counts;
-}
-
 static enum status reduce_directions(struct plate_tables *tables, const struct patch *patch)
 {
     for (int i = 0; i < 2; i++) {
         const struct bspline *b = &patch->basis[i];
-        int *counts = reduced_counts(b), most = 1;
-        if (!counts)
-            return STATUS_MEMORY;
-        for (int e = 0; e < tables->direction[i].spans; e++)
-            most = counts[e] > most ? counts[e] : most;
-        enum status st = plate_space_direction(&tables->reduced[i], b, most, counts, false);
+        struct reduced_rule rule;
+        enum status st = reduced_rule_init(&rule, b);
+        if (st == STATUS_OK)
+            st = plate_space_direction(&tables->reduced[i], b, rule.most, &rule, false);
+        reduced_rule_clear(&rule);
         if (st != STATUS_OK)
             return st;
     }

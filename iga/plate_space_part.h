@@ -8,11 +8,13 @@
 
 struct bspline;
 struct plate_direction;
+struct reduced_rule;
 struct solid_space;
 
-/* `counts` of points a span, at most `gauss` and taken over, or NULL: all. */
+/* Points of `rule`, at most `gauss` a span (its counts are taken over), or NULL: Gauss
+ * points, so many. */
 enum status plate_space_direction(struct plate_direction *d, const struct bspline *b,
-                                  int gauss, int *counts, bool legendre);
+                                  int gauss, struct reduced_rule *rule, bool legendre);
 
 /* R_a = w_a N_a / W and its gradient at one Gauss point, in place. In the thickness basis,
  * weights are equal through a column and its first function, 1, stands for the sum of all.

@@ -8,7 +8,7 @@
 /* Bounds: span over thickness from which degree 2 loses a tenth; Gamma; thickness over
  * side; share of a swing lost in a second; span over the length that a clamp bends. */
 static const double long_span = 20, gamma_one_percent = 0.9, gamma_ten_percent = 2.9,
-                    gamma_zigzag = 1e4, thick = 0.1, swing_lost = 0.01, bends = 4;
+                    thick = 0.1, swing_lost = 0.01, bends = 4;
 
 static bool is_solid(const struct run *r)
 {
@@ -108,31 +108,6 @@ static bool is_viscous(const struct run *r, struct message *sentence)
                 "kinematics=printed is a viscous sheet without elastic memory: its "
                 "viscosity is E dt = %.3g Pa s, and changes with the step",
                 r->scene.young * r->scene.step);
-    return true;
-}
-
-static bool has_zigzag(const struct run *r, struct message *sentence)
-{
-    if (!is_solid(r) || !is_cured(r) || in_plane_degree(r) != 2 ||
-        !(scene_gamma(&r->scene) >= gamma_zigzag))
-        return false;
-    status_fail(sentence, STATUS_OK,
-                "remedy=%s of degree 2 lets in zigzags from point to point from Gamma = %g "
-                "on; degree 3 does not",
-                remedy_name(r->discretization.remedy), gamma_zigzag);
-    return true;
-}
-
-static bool has_spurious_modes(const struct run *r, struct message *sentence)
-{
-    const struct scene *s = &r->scene;
-
-    if (r->discretization.remedy != REMEDY_REDUCED || in_plane_degree(r) != 2 ||
-        fabs(s->length - s->width) <= 1e-9 * s->length)
-        return false;
-    status_fail(sentence, STATUS_OK,
-                "remedy=reduced of degree 2 has spurious modes on plates that are not "
-                "square; selective and degree 3 have none");
     return true;
 }
 
@@ -250,8 +225,6 @@ const struct warnings_rule warnings_rules[] = {
     {"degree_2", "study locking", degree_2_locks},
     {"linear", "verify elastica", strain_is_small},
     {"printed", "study timestep", is_viscous},
-    {"zigzag", "verify hanging", has_zigzag},
-    {"spurious", "verify frequencies", has_spurious_modes},
     {"surface", "verify cantilever", is_thick},
     {"euler", "amplification of backward Euler", swings_less},
     {"scale", "study timestep", damping_is_no_rate},

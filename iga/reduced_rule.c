@@ -1,0 +1,151 @@
+#include "iga/reduced_rule.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/linalg/gauss.h"
+
+/* The spans of a space, and the rule to be made. */
+struct spans {
+    int order, count;
+    const int *knot;    /* [count] index of the knot where each begins                  */
+    const double *size; /* [count]                                                      */
+    struct reduced_rule *rule;
+};
+
+void reduced_rule_clear(struct reduced_rule *rule)
+{
+    free(rule->count);
+    free(rule->x);
+    free(rule->part);
+    memset(rule, 0, sizeof *rule);
+}
+
+static void add(const struct spans *s, int span, double x, double part)
+{
+    int at = span * s->order + s->rule->count[span]++;
+
+    s->rule->x[at] = x;
+    s->rule->part[at] = part;
+}
+
+static void add_gauss(const struct spans *s, int span, int count)
+{
+    double x[GAUSS_MAX], w[GAUSS_MAX];
+
+    gauss_rule(count, x, w);
+    for (int q = 0; q < count; q++)
+        add(s, span, x[q], w[q]);
+}
+
+/* Points a span: one, and one more for every function that the spans between two knots of
+ * full multiplicity have beyond their number, dealt out from both ends inwards; an odd last
+ * one in the middle, so that a clamp at u = 0 and one at u = 1 are alike. */
+static void middles(const struct spans *s, int first, int spans)
+{
+    const int p = s->order - 1;
+    int *counts = s->rule->count + first; /* first how many, then the points themselves */
+
+    for (int e = 0; e < spans; e++) /* a knot that repeats adds functions */
+        counts[e] = e + 1 < spans ? s->knot[first + e + 1] - s->knot[first + e] : 1;
+    for (int k = 0; k < p; k++) {
+        int e = k % 2 ? spans - 1 - k / 2 : k == p - 1 ? spans / 2 : k / 2;
+        counts[e < 0 ? 0 : e >= spans ? spans - 1 : e]++;
+    }
+    for (int e = 0; e < spans; e++) {
+        int count = counts[e] > s->order ? s->order : counts[e];
+        counts[e] = 0;
+        add_gauss(s, first + e, count);
+    }
+}
+
+/* Two points of an outermost span that give the hats at its knots what they lack, hat[]
+ * from inside out, and its bubble its integral; all in lengths of the span. */
+static void add_pair(const struct spans *s, int span, const double hat[2], bool mirrored)
+{
+    const double both = hat[0] + hat[1];
+    const double a = (1 - sqrt(1 - 2 / (3 * both))) / 2; /* a (1 - a) both = 1/6 */
+    const double inner = (both * (1 - a) - hat[1]) / (1 - 2 * a);
+
+    add(s, span, mirrored ? 1 - a : a, inner);
+    add(s, span, mirrored ? a : 1 - a, both - inner);
+}
+
+/* Gauss's rule of continuous piecewise quadratics from a span outwards to the last one.
+ * Each point gives the hat at the inner knot of its span what that lacks, `hat`, and the
+ * span's bubble its integral. */
+static void outwards(const struct spans *s, int span, int last, bool mirrored, double hat)
+{
+    const int step = mirrored ? -1 : 1;
+
+    for (; span != last; span += step) {
+        const double size = s->size[span], a = size / (6 * hat);
+        add(s, span, mirrored ? 1 - a : a, 1 / (6 * a * (1 - a)));
+        hat = (size + s->size[span + step]) / 2 - size / (6 * (1 - a));
+    }
+    add_pair(s, last, (double[]){hat / s->size[last], 0.5}, mirrored);
+}
+
+/* Spans between two knots that repeat, of even degree p: p points more than spans. */
+static void alone(const struct spans *s, int first, int spans)
+{
+    const int ends = (s->order - 1) / 2 - 1, last = first + spans - 1 - ends;
+    const int middle = first + spans / 2, odd = spans % 2;
+
+    if (spans < 2 + 2 * ends) {
+        middles(s, first, spans);
+        return;
+    }
+    for (int e = 0; e < ends; e++) {
+        add_gauss(s, first + e, 2);
+        add_gauss(s, first + spans - 1 - e, 2);
+    }
+    for (int side = 0; side < 2; side++) {
+        const int from = side ? middle + odd : middle - 1;
+        const double size = s->size[from] / 2, centre = s->size[middle];
+        outwards(s, from, side ? last : first + ends, !side, size + odd * centre / 6);
+    }
+    if (odd)
+        add(s, middle, 0.5, 2. / 3);
+}
+
+static void fill(const struct spans *s)
+{
+    int first = 0;
+
+    if (s->order % 2 == 0) {
+        middles(s, 0, s->count);
+        return;
+    }
+    for (int e = 1; e <= s->count; e++)
+        if (e == s->count || s->knot[e] - s->knot[e - 1] > 1) {
+            alone(s, first, e - first);
+            first = e;
+        }
+}
+
+enum status reduced_rule_init(struct reduced_rule *rule, const struct bspline *b)
+{
+    const size_t n = (size_t)b->n, room = n * (size_t)(b->p + 1);
+    int *knot = malloc(n * sizeof *knot);
+    double *size = malloc(n * sizeof *size);
+    bool good;
+
+    *rule = (struct reduced_rule){.count = calloc(n, sizeof *rule->count),
+                                  .x = malloc(room * sizeof *rule->x),
+                                  .part = malloc(room * sizeof *rule->part)};
+    good = knot && size && rule->count && rule->x && rule->part;
+    if (good) {
+        const struct spans s = {b->p + 1, bspline_spans(b, knot), knot, size, rule};
+        for (int e = 0; e < s.count; e++)
+            size[e] = b->U[knot[e] + 1] - b->U[knot[e]];
+        fill(&s);
+        for (int e = 0; e < s.count; e++)
+            rule->most = rule->count[e] > rule->most ? rule->count[e] : rule->most;
+    } else
+        reduced_rule_clear(rule);
+    free(knot);
+    free(size);
+    return good ? STATUS_OK : STATUS_MEMORY;
+}

@@ -1,0 +1,41 @@
+/* reduced_rule.h - quadrature of one direction of a spline space with as many points as
+ * functions: what remedy=reduced and remedy=selective ask of a plate's strains. Transverse
+ * shear and membrane strains can then vanish wherever bending asks them to, which cures
+ * locking at any thickness (patch-wise reduced integration: Adam, Bouabdallah, Zarroug,
+ * Maitournam, CMAME 284, 2015; the placing of the points is ours).
+ *
+ * Odd degree p: Gauss points, one in the middle of each span, and one more in p of them, at
+ * the ends, an odd one in the middle (at inner knots that repeat, likewise). There a net
+ * that zigzags from point to point has slopes, but no values: the strains of one that
+ * zigzags along both directions go unseen, but it takes (spans / pi)^2 to be as soft as a
+ * bend.
+ *
+ * Even degree: in the middle of spans a net that zigzags has no slope, whatever it does
+ * across. Neither membrane nor shear, nor bending by the same points, nor tension would see
+ * it; only the few points more at the ends keep it from moving freely, and on any net its
+ * long waves are among the lowest modes. The rule is therefore Gauss's for continuous
+ * piecewise quadratics, which at degree 2 hold all products of slopes: from the middle
+ * outwards, each point sits where the hat at the inner knot and the bubble of its span have
+ * their integrals, 1 / 3, then 2 / 9, soon (1 - 1 / sqrt 3) / 2 of a span from that knot,
+ * and two are in the last. (Led from the ends inwards it leaves values unseen that fade
+ * from an edge.) Degree 4 has two Gauss points in a span at each end besides. Inner knots
+ * that repeat part nets that are treated as if alone: there it has more points than
+ * functions.
+ */
+#ifndef REDUCED_RULE_H
+#define REDUCED_RULE_H
+
+#include "iga/bspline.h"
+
+struct reduced_rule {
+    int most;     /* points a span, where they are most; at most p + 1                  */
+    int *count;   /* [spans] points                                             owned   */
+    double *x;    /* [spans][p + 1] place in the span, 0 .. 1                   owned   */
+    double *part; /* [spans][p + 1] weight, of the span's length; positive      owned   */
+};
+
+/* STATUS_MEMORY leaves *rule all-zero, which clear accepts. */
+enum status reduced_rule_init(struct reduced_rule *rule, const struct bspline *b);
+void reduced_rule_clear(struct reduced_rule *rule);
+
+#endif

@@ -149,6 +149,7 @@ WORDS(solver, [SOLVER_AUTO] = "auto", [SOLVER_BANDED] = "banded",
 WORDS(preconditioner, [PRECONDITIONER_FACTOR] = "factor", [PRECONDITIONER_ICHOL] = "ichol",
       [PRECONDITIONER_JACOBI] = "jacobi")
 WORDS(newton_tangents, [NEWTON_CHORD] = "chord", [NEWTON_FULL] = "full")
+WORDS(viscosity, [VISCOSITY_MEMBRANE] = "membrane", [VISCOSITY_NONE] = "none")
 WORDS(parameters, [PARAMETERS_MATCHED] = "matched", [PARAMETERS_PAPER] = "paper")
 WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit",
       [INTEGRATOR_LEAPFROG] = "leapfrog", [INTEGRATOR_MOMENTUM] = "momentum",

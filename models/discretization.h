@@ -90,6 +90,9 @@ enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 /* Tangents of Newton's method: kept while they serve, or new in each iteration. */
 enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
 
+/* What takes the energy of a shell's membrane that rings: the scheme's own, or nothing. */
+enum viscosity { VISCOSITY_MEMBRANE, VISCOSITY_NONE };
+
 enum acceleration {
     ACCELERATION_NONE,
     ACCELERATION_CHEBYSHEV, /* Wang 2015                                               */
@@ -111,6 +114,7 @@ struct discretization {
     enum preconditioner preconditioner;
 
     enum newton_tangents newton; /* nonlinear kinematics */
+    enum viscosity viscosity;    /* likewise */
 
     /* Of some models; zero: the model's own. */
     enum parameters parameters;
@@ -132,6 +136,7 @@ struct discretization {
 /* The keys above that not every model has a use for, zero if unset; bits. */
 #define DISCRETIZATION_LIST(X)                                                             \
     X(NEWTON, newton)                                                                      \
+    X(VISCOSITY, viscosity)                                                                \
     X(PARAMETERS, parameters)                                                              \
     X(INTEGRATOR, integrator)                                                              \
     X(MASS, mass)                                                                          \
@@ -191,6 +196,7 @@ const char *unknowns_name(int unknowns);
 const char *solver_name(int solver);
 const char *preconditioner_name(int preconditioner);
 const char *newton_tangents_name(int newton);
+const char *viscosity_name(int viscosity);
 const char *parameters_name(int parameters);
 const char *integrator_name(int integrator);
 const char *mass_name(int mass);

@@ -132,8 +132,10 @@ static enum status make_room(struct shell_motion *m)
     return st;
 }
 
-static enum status make_large(struct shell_motion *m, enum newton_tangents newton)
+static enum status make_large(struct shell_motion *m, const struct discretization *d)
 {
+    const bool rings = d->viscosity == VISCOSITY_NONE;
+
     m->large = (struct large_motion){
         .body = m->assembly.body,
         .scene = m->scene,
@@ -147,8 +149,9 @@ static enum status make_large(struct shell_motion *m, enum newton_tangents newto
         .K = m->K,
         .x = m->x,
         .held = m->held,
-        .lag = MEMBRANE_LAG,
-        .full = newton == NEWTON_FULL,
+        .lag = rings ? 0 : MEMBRANE_LAG,
+        .rings = rings,
+        .full = d->newton == NEWTON_FULL,
         .contact = m->scene->obstacle_count ? &m->contact : NULL,
     };
     return large_motion_init(&m->large);
@@ -176,7 +179,7 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     TRY(large_body_tangent(&m->assembly.body, &statics, m->x, (struct large_foresight){0},
                            m->K));
     if (m->kinematics == KINEMATICS_NONLINEAR)
-        TRY(make_large(m, d->newton));
+        TRY(make_large(m, d));
     else if (!scene->obstacle_count)
         TRY(find_parity(m));
     TRY(order_wide(m->space->basis[0].n, m->space->basis[1].n, 1, &order));

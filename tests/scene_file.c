@@ -159,6 +159,7 @@ static void check_printed(void)
         "discretization.solver=cholmod",
         "discretization.preconditioner=jacobi",
         "discretization.newton=full",
+        "discretization.viscosity=none",
         "discretization.parameters=paper",
         "discretization.integrator=explicit",
         "discretization.mass=consistent",

@@ -100,17 +100,19 @@ struct large_motion {
     int enough;              /* iterations after which a step is taken; 0: converged   */
     struct contact_step *contact; /* NULL: no obstacles                                */
     bool full;                    /* a new tangent in each iteration                   */
+    bool rings; /* nothing damps the membrane, and Newton's method expects it  */
 
     struct large_follower follower;
-    double *strain_old; /* strains at the step's start                         owned   */
-    double *room;       /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */
-    double factored;    /* mass factor of the tangent that is factored; -1: none       */
-    double added;       /* to the factored tangent, of mass; 0: none         [1/s^2]   */
-    bool stressless;    /* this equation's tangents leave out the stress               */
-    bool worn;          /* the last equation could not do with one factored tangent    */
-    bool started;       /* strain_old belongs to x                                     */
-    bool rested;        /* x is an equilibrium (large_rest.h)                          */
-    int halvings;       /* the present substep is step / 2^halvings                    */
+    double *strain_old;  /* strains at the step's start                         owned   */
+    double *strain_mean; /* of the last step, in the same room; NULL: not rings        */
+    double *room;        /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */
+    double factored;     /* mass factor of the tangent that is factored; -1: none       */
+    double added;        /* to the factored tangent, of mass; 0: none         [1/s^2]   */
+    bool stressless;     /* this equation's tangents leave out the stress               */
+    bool worn;           /* the last equation could not do with one factored tangent    */
+    bool started;        /* strain_old belongs to x                                     */
+    bool rested;         /* x is an equilibrium (large_rest.h)                          */
+    int halvings;        /* the present substep is step / 2^halvings                    */
     struct large_leapfrog *leapfrog; /* explicit steps; NULL: implicit         owned   */
     double push[3]; /* of obstacles, mean over the last step                 [N]   */
 };

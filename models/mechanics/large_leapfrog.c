@@ -56,7 +56,8 @@ static double step_of(const struct large_leapfrog *l)
     return l->m->newmark->dt / l->substeps;
 }
 
-enum status large_leapfrog_refuse(const struct discretization *d, struct message *why)
+enum status large_leapfrog_refuse(const struct discretization *d, unsigned more,
+                                  struct message *why)
 {
     if (d->integrator != INTEGRATOR_IMPLICIT && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
@@ -72,7 +73,7 @@ enum status large_leapfrog_refuse(const struct discretization *d, struct message
     if (d->integrator != INTEGRATOR_LEAPFROG && d->substeps)
         return status_fail(why, STATUS_INPUT, "substeps: with integrator=leapfrog only");
     return discretization_refuse(d,
-                                 DISCRETIZATION_NEWTON | DISCRETIZATION_INTEGRATOR |
+                                 more | DISCRETIZATION_NEWTON | DISCRETIZATION_INTEGRATOR |
                                      DISCRETIZATION_MASS | DISCRETIZATION_SUBSTEPS,
                                  why);
 }

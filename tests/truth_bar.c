@@ -296,6 +296,10 @@ static void heard(void)
         compare(family, &push, &made);
         const struct truth_outlook o =
             truth_sharp_look(family, &push, &scene, 0.005, &made, 0.06);
+        char text[TRUTH_WATCH_TEXT];
+        truth_bar_horizon(&push, o.blunt, TIMES, times, LENGTH, text);
+        CHECK(!strstr(text, "too coarse to know") == !o.blunt);
+        CHECK(!strstr(text, "cannot be predicted") == (o.blunt || o.lost == INFINITY));
         if (!CHECK(o.lost == cases[n].lost && o.blunt == cases[n].blunt))
             printf("heard %zu: %g, %d\n", n, o.lost, (int)o.blunt);
         truth_made_clear(&made);

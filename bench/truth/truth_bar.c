@@ -356,8 +356,8 @@ void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double len
              other->count ? against : "");
 }
 
-void truth_bar_horizon(const struct truth_push *push, int count, const double *time,
-                       double length, char text[TRUTH_WATCH_TEXT])
+void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,
+                       const double *time, double length, char text[TRUTH_WATCH_TEXT])
 {
     const struct truth_level *level = &push->level;
     double most = 0;
@@ -367,11 +367,13 @@ void truth_bar_horizon(const struct truth_push *push, int count, const double *t
         most = fmax(most, growth(push, n, length));
     const bool lost = most > TRUTH_MOST_GROWTH;
     snprintf(text, TRUTH_WATCH_TEXT,
-             "a change of gravity by %g %s %.2g-fold %s %.3g s: %s predicted (%s "
+             "a change of gravity by %g %s %.2g-fold %s %.3g s: %s (%s "
              "%dx%d, step %.3g ms)",
              TRUTH_PERTURBATION, lost ? "has grown" : "grows at most", most,
              lost ? "at" : "up to", time[n - 1],
-             lost ? "from there on the motion cannot be" : "so long the motion can be",
+             lost && blunt ? "on a net too coarse to know the motion, which says nothing"
+             : lost        ? "from there on the motion cannot be predicted"
+                           : "so long the motion can be predicted",
              truth_level_kind(level->model) == TRUTH_SOLID ? "solid," : "shell,",
              level->side, level->side, 1e3 * level->step);
 }

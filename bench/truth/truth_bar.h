@@ -77,8 +77,9 @@ void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
                       struct truth_made *made);
 
-/* The sentence on the growth of the push over times[count]. */
-void truth_bar_horizon(const struct truth_push *push, int count, const double *time,
-                       double length, char text[TRUTH_WATCH_TEXT]);
+/* The sentence on the growth of the push over times[count]; `blunt`: in a run too far from
+ * the truth to say that the motion is lost. */
+void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,
+                       const double *time, double length, char text[TRUTH_WATCH_TEXT]);
 
 #endif

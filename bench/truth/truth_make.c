@@ -117,8 +117,8 @@ static enum status watch(const struct truth_plan *plan, const struct truth_runs 
         st = truth_level_find(&far, &level, false, &run[n], &death);
     }
     if (st == STATUS_OK && far.times > 0)
-        truth_bar_horizon(&(struct truth_push){level, &run[0], &run[1]}, far.times, time,
-                          scene->length, text);
+        truth_bar_horizon(&(struct truth_push){level, &run[0], &run[1]}, false, far.times,
+                          time, scene->length, text);
     else if (st == STATUS_DIVERGED) {
         snprintf(text, TRUTH_WATCH_TEXT, "the growth of a change was not watched: %.200s",
                  death.text);

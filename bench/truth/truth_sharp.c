@@ -272,7 +272,8 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
         TRY(add_run(&s, verdict->next, why));
     }
     truth_bar_choose(s.family, scene->length, made);
-    truth_bar_horizon(&s.push, made->times, made->time, scene->length, made->horizon);
+    truth_bar_horizon(&s.push, o.blunt, made->times, made->time, scene->length,
+                      made->horizon);
 out:
     for (int m = 0; m < TRUTH_MODELS; m++)
         truth_family_clear(&s.family[m]);

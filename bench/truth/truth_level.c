@@ -11,6 +11,7 @@
 #include "bench/files/store_read.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_physics.h"
+#include "bench/truth/truth_push.h"
 
 enum { PATH = 4096, KEY = 64 };
 
@@ -23,25 +24,6 @@ const struct contestant *truth_level_contestant(enum truth_model model)
     assert(st == STATUS_OK);
     (void)st;
     return c;
-}
-
-/* The scene's gravity, changed. */
-static enum status perturb(const struct truth_runs *runs, struct settings *settings,
-                           struct message *why)
-{
-    struct scene scene = {0};
-    enum status st;
-
-    TRY(settings_read_scene(runs->settings, runs->path, &scene, why));
-    double *g = scene.gravity;
-    const double by =
-        TRUTH_PERTURBATION * sqrt((g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / 3);
-    for (int i = 0; i < 3; i++)
-        g[i] += by;
-    settings_numbers(settings, "gravity", 3, g);
-    scene_clear(&scene);
-out:
-    return st;
 }
 
 static void grade(const struct truth_level *level, struct settings *settings)
@@ -72,7 +54,8 @@ enum status truth_level_settings(const struct truth_runs *runs,
     if (level->grade > 0)
         grade(level, settings);
     settings_number(settings, "time.step", level->step);
-    return level->perturbed ? perturb(runs, settings, why) : STATUS_OK;
+    return level->perturbed ? truth_push(runs->path, runs->settings, 0, settings, why)
+                            : STATUS_OK;
 }
 
 /* The times, and perhaps later ones. */

@@ -6,9 +6,6 @@
 #include "bench/harness/contestant.h"
 #include "bench/harness/run_result.h"
 
-/* Of gravity, in the direction (1,1,1): whatever symmetry a scene has is gone. */
-#define TRUTH_PERTURBATION 1e-6
-
 /* Whose runs truths are made of: the nonlinear solid, cured of locking, and the nonlinear
  * shell; truth_sharp.h takes that cured of locking, too. */
 enum truth_model { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS, TRUTH_CURED = TRUTH_MODELS };
@@ -17,7 +14,7 @@ struct truth_level {
     enum truth_model model;
     int degree, side; /* along u and v                                                 */
     double step;      /* [s]                                                           */
-    bool perturbed;   /* by TRUTH_PERTURBATION                                         */
+    bool perturbed;   /* truth_push.h, number 0                                         */
     double grade;     /* knots along u at (i/n)^grade: dense at u = 0; 0: evenly       */
 };
 

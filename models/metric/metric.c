@@ -116,6 +116,20 @@ double metric_drop(const struct scene *scene, const double *xyz)
     return (top - bottom) / scene->length;
 }
 
+double metric_mean_drop(const struct scene *scene, const double *xyz)
+{
+    double *rest = metric_rest_field(scene);
+    double direction[3], sum = 0;
+
+    if (!rest)
+        return NAN;
+    down(scene, direction);
+    for (int n = 0; n < GRID_POINTS; n++)
+        sum += dot(xyz + 3 * n, direction) - dot(rest + 3 * n, direction);
+    free(rest);
+    return sum / GRID_POINTS / scene->length;
+}
+
 /* Mid-surface points around the interior grid point (i,j). */
 static void around(const double *xyz, int i, int j, double x[3][3][3])
 {

@@ -124,8 +124,12 @@ double metric_mean_drop(const struct scene *scene, const double *xyz)
     if (!rest)
         return NAN;
     down(scene, direction);
-    for (int n = 0; n < GRID_POINTS; n++)
-        sum += dot(xyz + 3 * n, direction) - dot(rest + 3 * n, direction);
+    for (int row = 0; row < GRID_V * GRID_W; row++) {
+        double part = 0;
+        for (int n = row * ROW; n < (row + 1) * ROW; n += 3)
+            part += dot(xyz + n, direction) - dot(rest + n, direction);
+        sum += part;
+    }
     free(rest);
     return sum / GRID_POINTS / scene->length;
 }

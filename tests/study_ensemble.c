@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include "bench/files/folder.h"
-#include "bench/studies/studies.h"
 #include "bench/truth/truth_push.h"
 #include "tests/study_fixture.h"
 

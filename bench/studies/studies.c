@@ -1,7 +1,5 @@
 #include "bench/studies/studies.h"
 
-#include "bench/studies/study_ensemble.h"
-
 static const struct command_item *const items[] = {
     &study_nets_mesh.item,
     &study_nets_degree.item,
@@ -41,7 +39,7 @@ const struct command studies_command = {
                 "study mesh --from results/study_mesh --format csv\nstudy mine.yaml\n"
                 "study ensemble flag --models mass_spring_single,triangles_explicit\n",
     .least = 1,
-    .most = 1 + STUDY_ENSEMBLE_SCENES,
+    .most = 1 + STUDIES_SCENES,
     .options = experiment_command_options,
     .section = "studies",
     .items = items,

@@ -34,6 +34,8 @@ extern const struct experiment study_locking_experiment, study_cures_experiment,
     study_timestep_experiment, study_contact_experiment, study_solvers_experiment,
     study_local_global_experiment, study_ensemble_experiment;
 
+enum { STUDIES_SCENES = 8 }; /* most that study ensemble takes */
+
 #define STUDIES_SHELL      "shell_2"
 #define STUDIES_SPRINGS    "mass_spring"
 #define STUDIES_PROJECTIVE "projective_dynamics"

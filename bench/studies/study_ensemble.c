@@ -10,7 +10,6 @@
 #include "bench/files/sealed_text.h"
 #include "bench/harness/pool.h"
 #include "bench/harness/run_file.h"
-#include "bench/studies/studies.h"
 #include "bench/truth/truth_plan.h"
 #include "models/metric/metric.h"
 #include "models/metric/waves.h"

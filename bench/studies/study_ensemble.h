@@ -14,6 +14,7 @@
 #include "bench/experiment/judge.h"
 #include "bench/harness/contestant.h"
 #include "bench/harness/run.h"
+#include "bench/studies/studies.h"
 
 /* Numbers that are compared: name, unit, words; behind WAVES the bands of waves.h. */
 #define STUDY_ENSEMBLE_LIST(X)                                                             \
@@ -38,7 +39,6 @@ extern const char *const study_ensemble_name[STUDY_ENSEMBLE_NUMBERS],
         *const study_ensemble_words[STUDY_ENSEMBLE_NUMBERS];
 
 enum {
-    STUDY_ENSEMBLE_SCENES = 8,
     STUDY_ENSEMBLE_MODELS = 16,
     STUDY_ENSEMBLE_FIELDS = 12, /* times at which points are kept                       */
     STUDY_ENSEMBLE_WINDOWS = 3, /* of time, beyond the horizon                          */
@@ -55,7 +55,7 @@ struct study_ensemble_job {
     struct {
         char path[512], name[64];
         double until; /* a multiple of 20 ms [s]                                        */
-    } scene[STUDY_ENSEMBLE_SCENES];
+    } scene[STUDIES_SCENES];
     const struct contestant *model[STUDY_ENSEMBLE_MODELS];
 };
 

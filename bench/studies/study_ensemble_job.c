@@ -134,7 +134,7 @@ static bool read_line(const char *line, struct study_ensemble_job *job)
         job->quick = quick;
         return job->runs > 0;
     }
-    if (job->scenes < STUDY_ENSEMBLE_SCENES &&
+    if (job->scenes < STUDIES_SCENES &&
         sscanf(line, "scene %63s %lf %511[^\n]", job->scene[job->scenes].name,
                &job->scene[job->scenes].until, job->scene[job->scenes].path) == 3)
         return ++job->scenes;

@@ -120,7 +120,8 @@ static const struct made mades[] = {
      0,
      0,
      false,
-     "the motion is still predictable, by 1 s a change of 1e-06 has grown 3e+02-fold",
+     "the motion is still predictable, by 1 s a change of 1e-06 has grown 3e+02-fold; its "
+     "points can be compared, as far as its nets agree: to 4 % of L. made: ensembles",
      "not judged"},
     {{400, 3e3},
      0,
@@ -168,6 +169,20 @@ static void test_late(void)
             STATUS_OK);
     study_printed_wants(&p,
                         "made: nothing can be judged: the motion ends at its horizon, 1 s");
+    study_ensemble_clear(&e);
+}
+
+/* A model that is chaotic where the truth is not is named. */
+static void test_lost(void)
+{
+    struct study_ensemble e;
+    struct study_printed p;
+
+    fill(&mades[sizeof mades / sizeof *mades - 2], &e);
+    e.one[MODEL].growth[FIELDS - 1] = 5e3;
+    REQUIRE(study_ensemble_tell(&e, study_folder, TABLE_TEXT, study_print_to(&p), NULL) ==
+            STATUS_OK);
+    study_printed_wants(&p, "to 4 % of L. Not so of who 2 (5e+03-fold)");
     study_ensemble_clear(&e);
 }
 
@@ -318,6 +333,7 @@ int main(int count, char **arguments)
     study_begin(count, arguments);
     test_tell();
     test_late();
+    test_lost();
     test_windows();
     test_directions();
     test_refusals();

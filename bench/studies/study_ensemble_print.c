@@ -38,6 +38,33 @@ static int list(const struct study_ensemble *e, const struct study_ensemble_verd
     return count;
 }
 
+/* Whose motion cannot be predicted where the truth's can. */
+static void list_lost(const struct study_ensemble *e, char text[LINE])
+{
+    *text = '\0';
+    for (int n = TRUTHS; n < e->count; n++)
+        if (last_growth(e, n) >= TRUTH_MOST_GROWTH)
+            snprintf(text + strlen(text), LINE - strlen(text), "%s%s (%.2g-fold)",
+                     *text ? "; " : " Not so of ", e->one[n].title, last_growth(e, n));
+    if (*text)
+        snprintf(text + strlen(text), LINE - strlen(text),
+                 ": a change of their own grows, none of the sheet's.");
+}
+
+static void tell_predictable(const struct study_ensemble *e, FILE *file)
+{
+    char lost[LINE];
+
+    list_lost(e, lost);
+    table_say(
+        file,
+        "%s: nothing to judge in distribution: the motion is still predictable, by "
+        "%.3g s a change of %g has grown %.2g-fold; its points can be compared, as far "
+        "as its nets agree: to %.2g %% of L.%s",
+        e->name, last_time(e), TRUTH_PERTURBATION, last_growth(e, STUDY_ENSEMBLE_FINE),
+        100 * e->one[STUDY_ENSEMBLE_COARSE].points[e->fields - 1], lost);
+}
+
 /* Why nothing is judged; false: it is. */
 static bool tell_unjudged(const struct study_ensemble *e,
                           const struct study_ensemble_verdict *v, FILE *file)
@@ -61,12 +88,7 @@ static bool tell_unjudged(const struct study_ensemble *e,
                   last_growth(e, STUDY_ENSEMBLE_COARSE), coarse->net,
                   last_growth(e, STUDY_ENSEMBLE_FINE), fine->net);
     else if (v->horizon < 0)
-        table_say(file,
-                  "%s: nothing to judge in distribution: the motion is still predictable, "
-                  "by %.3g s a change of %g has grown %.2g-fold; its points can be "
-                  "compared.",
-                  e->name, last_time(e), TRUTH_PERTURBATION,
-                  last_growth(e, STUDY_ENSEMBLE_FINE));
+        tell_predictable(e, file);
     else if (!v->windows)
         table_say(file,
                   "%s: nothing can be judged: the motion ends at its horizon, %.3g s.",
@@ -166,23 +188,24 @@ static void add_model(struct table *t, const struct study_ensemble *e,
 static struct table *fill_models(const struct study_ensemble *e,
                                  const struct study_ensemble_verdict *v)
 {
-    static const struct table_column columns[] = {
+    const enum table_readers judged = v->windows ? TABLE_ALL : TABLE_MACHINES;
+    const struct table_column columns[] = {
         {"scene", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
         {"model", NULL, TABLE_LEFT},
         {"net", NULL, TABLE_LEFT},
         {"lived"},
         {"points", "% L", .key = "points", .key_unit = "L", .scale = 100},
         {"growth"},
-        {"drop"},
-        {"angle"},
-        {"stretch"},
-        {"rough"},
-        {"kinetic"},
-        {">L", .key = "waves_long"},
-        {">L/2", .key = "waves_half"},
-        {">L/4", .key = "waves_quarter"},
-        {">L/8", .key = "waves_eighth"},
-        {"spread"},
+        {"drop", .readers = judged},
+        {"angle", .readers = judged},
+        {"stretch", .readers = judged},
+        {"rough", .readers = judged},
+        {"kinetic", .readers = judged},
+        {">L", .key = "waves_long", .readers = judged},
+        {">L/2", .key = "waves_half", .readers = judged},
+        {">L/4", .key = "waves_quarter", .readers = judged},
+        {">L/8", .key = "waves_eighth", .readers = judged},
+        {"spread", .readers = judged},
         {"verdict", NULL, TABLE_LEFT}};
     char caption[LINE];
 

@@ -166,6 +166,9 @@ static enum status is_done(const struct work *w, long number, bool *done,
     char path[STUDY_ENSEMBLE_PATH], key[MADE_FOR];
     enum status st;
 
+    *done = at.member >= w->job->scene[at.scene].runs;
+    if (*done)
+        return STATUS_OK;
     TRY(study_ensemble_settings(w->job, at.scene, at.ensemble, at.member, &c, &settings,
                                 why));
     TRY(made_for(w, at, &settings, key, why));
@@ -213,6 +216,41 @@ out:
     return st;
 }
 
+/* Enough to see a change grow. */
+enum { FEW = 4 };
+
+static enum status choose_runs(struct study_ensemble_job *job, int scene,
+                               struct message *why)
+{
+    struct study_ensemble e;
+    const enum status st = study_ensemble_read(job, scene, &e, why);
+
+    if (st != STATUS_OK)
+        return st;
+    for (int n = 0; n < STUDY_ENSEMBLE_TRUTHS; n++)
+        if (study_ensemble_horizon(&e, n) >= 0)
+            job->scene[scene].runs = job->runs;
+    study_ensemble_clear(&e);
+    return st;
+}
+
+enum status study_ensemble_run_all(struct study_ensemble_job *job, int slots,
+                                   struct message *why)
+{
+    enum status st;
+
+    for (int n = 0; n < job->scenes; n++)
+        job->scene[n].runs = job->runs < FEW ? job->runs : FEW;
+    TRY(study_ensemble_run(job, slots, NULL, why));
+    if (job->runs <= FEW)
+        return st;
+    for (int n = 0; n < job->scenes; n++)
+        TRY(choose_runs(job, n, why));
+    st = study_ensemble_run(job, slots, NULL, why);
+out:
+    return st;
+}
+
 /* --- the experiment ----------------------------------------------------------------------
  */
 
@@ -224,7 +262,7 @@ static enum status measure(const struct experiment_options *options, struct mess
     TRY(study_ensemble_choose(options, &job, why));
     const int slots = omp_get_num_procs();
     omp_set_num_threads(1);
-    st = study_ensemble_run(&job, slots, NULL, why);
+    st = study_ensemble_run_all(&job, slots, why);
 out:
     return st;
 }

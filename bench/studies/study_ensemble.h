@@ -51,10 +51,12 @@ enum { STUDY_ENSEMBLE_COARSE, STUDY_ENSEMBLE_FINE, STUDY_ENSEMBLE_TRUTHS };
 struct study_ensemble_job {
     const char *folder; /*                                                     borrowed */
     bool quick;
-    int runs, scenes, models;
+    int runs; /* of each at most                                                       */
+    int scenes, models;
     struct {
         char path[512], name[64];
         double until; /* a multiple of 20 ms [s]                                        */
+        int runs;     /* of each here                                                   */
     } scene[STUDIES_SCENES];
     const struct contestant *model[STUDY_ENSEMBLE_MODELS];
 };
@@ -72,6 +74,11 @@ enum status study_ensemble_keep(const struct study_ensemble_job *job, struct mes
  * program after a sentence. */
 enum status study_ensemble_run(const struct study_ensemble_job *job, int slots, long *ran,
                                struct message *why);
+
+/* A few runs of each first: a scene whose change has then grown a thousandfold on none of
+ * the truth's nets has nothing to judge, and no more. Else all; job->scene[].runs says. */
+enum status study_ensemble_run_all(struct study_ensemble_job *job, int slots,
+                                   struct message *why);
 
 enum { STUDY_ENSEMBLE_PATH = 4096 };
 
@@ -135,6 +142,9 @@ struct study_ensemble_verdict {
     enum judge turn[STUDY_ENSEMBLE_TRUTHS + STUDY_ENSEMBLE_MODELS];
 };
 
+/* Index of the first field_time at which a change has grown a thousandfold; -1: none. */
+int study_ensemble_horizon(const struct study_ensemble *e, int ensemble);
+
 /* All of it. A look belongs to the window that its time falls into. */
 void study_ensemble_judge(const struct study_ensemble *e, struct study_ensemble_verdict *v);
 
@@ -148,7 +158,11 @@ int study_ensemble_window(const struct study_ensemble *e,
 double study_ensemble_worst(const struct study_ensemble_verdict *v, int ensemble,
                             int number, int end, bool spread);
 
-/* Tables, sentences, charts of a scene (study_ensemble_print.c). */
+/* SCENE.png and so on (study_ensemble_chart.c): growth, and means with their bands. */
+enum status study_ensemble_chart(const struct study_ensemble *e, const char *folder,
+                                 struct message *why);
+
+/* Tables and sentences of a scene, with its chart (study_ensemble_print.c). */
 enum status study_ensemble_tell(const struct study_ensemble *e, const char *folder,
                                 enum table_format format, FILE *file, struct message *why);
 

@@ -49,6 +49,7 @@ static enum status choose_scene(struct study_ensemble_job *job, const char *word
     if (!(job->scene[n].until >= 4 * TRUTH_PLAN_FRAME))
         TRY(status_fail(why, STATUS_INPUT, "%s, %g s: an ensemble takes %g s at least",
                         word, until, 4 * TRUTH_PLAN_FRAME));
+    job->scene[n].runs = job->runs;
     snprintf(job->scene[n].path, sizeof job->scene[n].path, "%s", path);
     snprintf(job->scene[n].name, sizeof job->scene[n].name, "%s", scene.name);
     for (int k = 0; k < n; k++)
@@ -116,8 +117,9 @@ enum status study_ensemble_keep(const struct study_ensemble_job *job, struct mes
     int at = snprintf(text, sizeof text, "ensemble %d %d\n", job->quick, job->runs);
 
     for (int n = 0; n < job->scenes; n++)
-        at += snprintf(text + at, sizeof text - (size_t)at, "scene %s %.17g %s\n",
-                       job->scene[n].name, job->scene[n].until, job->scene[n].path);
+        at += snprintf(text + at, sizeof text - (size_t)at, "scene %s %d %.17g %s\n",
+                       job->scene[n].name, job->scene[n].runs, job->scene[n].until,
+                       job->scene[n].path);
     for (int n = 0; n < job->models; n++)
         at += snprintf(text + at, sizeof text - (size_t)at, "model %s\n",
                        job->model[n]->name);
@@ -135,8 +137,9 @@ static bool read_line(const char *line, struct study_ensemble_job *job)
         return job->runs > 0;
     }
     if (job->scenes < STUDIES_SCENES &&
-        sscanf(line, "scene %63s %lf %511[^\n]", job->scene[job->scenes].name,
-               &job->scene[job->scenes].until, job->scene[job->scenes].path) == 3)
+        sscanf(line, "scene %63s %d %lf %511[^\n]", job->scene[job->scenes].name,
+               &job->scene[job->scenes].runs, &job->scene[job->scenes].until,
+               job->scene[job->scenes].path) == 4)
         return ++job->scenes;
     return job->models < STUDY_ENSEMBLE_MODELS && sscanf(line, "model %63s", word) == 1 &&
            contestant_find(word, &job->model[job->models++], NULL) == STATUS_OK;

@@ -7,8 +7,7 @@
 
 enum { TRUTHS = STUDY_ENSEMBLE_TRUTHS, NUMBERS = STUDY_ENSEMBLE_NUMBERS };
 
-/* The first time from which on a change has grown a thousandfold; -1: none. */
-static int horizon_of(const struct study_ensemble *e, int ensemble)
+int study_ensemble_horizon(const struct study_ensemble *e, int ensemble)
 {
     for (int t = 0; t < e->fields; t++)
         if (e->one[ensemble].growth[t] >= TRUTH_MOST_GROWTH)
@@ -121,8 +120,8 @@ static enum judge judge_one(const struct study_ensemble *e,
 
 void study_ensemble_judge(const struct study_ensemble *e, struct study_ensemble_verdict *v)
 {
-    const int coarse = horizon_of(e, STUDY_ENSEMBLE_COARSE),
-              fine = horizon_of(e, STUDY_ENSEMBLE_FINE);
+    const int coarse = study_ensemble_horizon(e, STUDY_ENSEMBLE_COARSE),
+              fine = study_ensemble_horizon(e, STUDY_ENSEMBLE_FINE);
     const bool whole =
         !e->one[STUDY_ENSEMBLE_COARSE].died && !e->one[STUDY_ENSEMBLE_FINE].died;
     struct sample truth[TRUTHS], own;

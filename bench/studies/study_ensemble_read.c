@@ -141,7 +141,7 @@ static enum status read_ends(const struct study_ensemble_job *job, int scene, in
     char path[STUDY_ENSEMBLE_PATH];
     enum status st = STATUS_OK;
 
-    for (int m = 0; m < job->runs; m++) {
+    for (int m = 0; m < job->scene[scene].runs; m++) {
         struct run_result r = {0};
         study_ensemble_file(job, scene, ensemble, m, path);
         TRY(run_result_read(path, false, &r, why));
@@ -161,7 +161,7 @@ static enum status read_one(const struct study_ensemble_job *job, int scene, int
                             struct sums *s, struct message *why)
 {
     struct study_ensemble_one *one = &e->one[ensemble];
-    bool *lived = calloc((size_t)job->runs, sizeof *lived);
+    bool *lived = calloc((size_t)job->scene[scene].runs, sizeof *lived);
     struct run_result r = {0};
     char path[STUDY_ENSEMBLE_PATH];
     int count = 0;
@@ -170,7 +170,7 @@ static enum status read_one(const struct study_ensemble_job *job, int scene, int
     TRY(lived ? STATUS_OK : STATUS_MEMORY);
     TRY(sums_init(s, STUDY_ENSEMBLE_FIELDS));
     TRY(read_ends(job, scene, ensemble, one, lived, why));
-    for (int m = 0; m < job->runs; m++) {
+    for (int m = 0; m < job->scene[scene].runs; m++) {
         if (!lived[m])
             continue;
         study_ensemble_file(job, scene, ensemble, m, path);
@@ -227,7 +227,7 @@ enum status study_ensemble_read(const struct study_ensemble_job *job, int scene,
     enum status st;
 
     *e = (struct study_ensemble){.quick = job->quick,
-                                 .runs = job->runs,
+                                 .runs = job->scene[scene].runs,
                                  .count = STUDY_ENSEMBLE_TRUTHS + job->models};
     snprintf(e->name, sizeof e->name, "%s", job->scene[scene].name);
     for (int n = 0; n < e->count; n++)

@@ -1,6 +1,7 @@
 #include "models/metric/waves.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "models/grid.h"
 
@@ -8,12 +9,12 @@ enum { U = GRID_U - 2, V = GRID_V - 2, LAYER = GRID_U * GRID_V };
 
 static const double PI = 3.14159265358979323846;
 
-/* table[k][i]: cosine k of n points, orthonormal. */
+/* table[i][k]: cosine k of n points at the i-th, orthonormal. */
 static void cosines(int n, double *table)
 {
     for (int k = 0; k < n; k++)
         for (int i = 0; i < n; i++)
-            table[k * n + i] = sqrt((k ? 2.0 : 1.0) / n) * cos(PI * k * (i + 0.5) / n);
+            table[i * n + k] = sqrt((k ? 2.0 : 1.0) / n) * cos(PI * k * (i + 0.5) / n);
 }
 
 /* The mid-surface's component c. */
@@ -34,29 +35,20 @@ static void bend(const double *xyz, int c, double da, double db, double f[V][U])
         }
 }
 
-/* Along u, then along v. */
+/* Along u, then along v; rows innermost, as they lie in memory. */
 static void transform(const double *along_u, const double *along_v, double f[V][U])
 {
-    double part[U > V ? U : V];
+    double g[V][U] = {{0}};
 
-    for (int j = 0; j < V; j++) {
-        for (int k = 0; k < U; k++) {
-            part[k] = 0;
-            for (int i = 0; i < U; i++)
-                part[k] += along_u[k * U + i] * f[j][i];
-        }
-        for (int k = 0; k < U; k++)
-            f[j][k] = part[k];
-    }
-    for (int k = 0; k < U; k++) {
-        for (int l = 0; l < V; l++) {
-            part[l] = 0;
-            for (int j = 0; j < V; j++)
-                part[l] += along_v[l * V + j] * f[j][k];
-        }
-        for (int l = 0; l < V; l++)
-            f[l][k] = part[l];
-    }
+    for (int j = 0; j < V; j++)
+        for (int i = 0; i < U; i++)
+            for (int k = 0; k < U; k++)
+                g[j][k] += f[j][i] * along_u[i * U + k];
+    memset(f, 0, sizeof g);
+    for (int l = 0; l < V; l++)
+        for (int j = 0; j < V; j++)
+            for (int k = 0; k < U; k++)
+                f[l][k] += along_v[j * V + l] * g[j][k];
 }
 
 /* What second differences of step d make of cosine k of n points, less its sign. */

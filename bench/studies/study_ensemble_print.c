@@ -47,7 +47,7 @@ static void list_lost(const struct study_ensemble *e, char text[LINE])
                      *text ? "; " : " Not so of ", e->one[n].title, last_growth(e, n));
     if (*text)
         snprintf(text + strlen(text), LINE - strlen(text),
-                 ": a change of their own grows, none of the sheet's.");
+                 ": what grows there is their own, not the sheet's.");
 }
 
 static void tell_predictable(const struct study_ensemble *e, FILE *file)

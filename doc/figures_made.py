@@ -367,7 +367,7 @@ def truth_words():
     return {"bar_half_second": digits(dict(bars("edge_drop"))[0.5], 1) + " %"}
 
 
-ENSEMBLES = {"corners_patch": "study_ensemble"}
+ENSEMBLES = {"corners_patch": "study_ensemble", "flag": "study_ensemble_flag"}
 NUMBERS = ["drop", "angle", "stretch", "rough", "kinetic", "waves_long", "waves_half",
            "waves_quarter", "waves_eighth"]
 

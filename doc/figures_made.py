@@ -388,6 +388,44 @@ def truth_words():
     return {"bar_half_second": digits(dict(bars("edge_drop"))[0.5], 1) + " %"}
 
 
+ENSEMBLES = {"corners_patch": "study_ensemble", "flag": "study_ensemble_flag"}
+NUMBERS = ["drop", "angle", "stretch", "rough", "kinetic", "waves_long", "waves_half",
+           "waves_quarter", "waves_eighth"]
+
+
+def known(text, count):
+    return "-" if text == "nan" else digits(text, count)
+
+
+def ensembles():
+    rows = []
+    for scene, name in ENSEMBLES.items():
+        for r in part(name, "ensembles of", "verdict"):
+            means = [abs(float(r[n])) for n in NUMBERS if r[n] != "nan"]
+            rows.append([f"`{scene}`", r["model"], r["net"], r["lived"],
+                         "-" if r["points"] == "nan" else percent(100 * float(r["points"])),
+                         known(r["growth"], 2), digits(max(means), 2) if means else "-",
+                         known(r["spread"], 2), r["verdict"]])
+    return markdown(["scene", "model", "net", "runs that lived", "points off", "growth",
+                     "means off", "spreads off", "verdict"], rows)
+
+
+def ensemble_words():
+    def last(words):
+        rows = [r for r in part("study_ensemble", "Growth", "points_over_length")
+                if words in r["model"]]
+        return rows[-1]
+
+    models = part("study_ensemble", "ensembles of", "verdict")
+    nets = [r for r in models if r["verdict"] == "truth"]
+    return {
+        "ensemble_until": f"{float(last('truth')['time_s']):.1f} s",
+        "ensemble_growth": digits(nets[1]["growth"], 1),
+        "ensemble_nets": percent(100 * float(nets[0]["points"])),
+        "ensemble_lost": digits(last("projective")["growth"], 1),
+    }
+
+
 # --- other people's simulators ---------------------------------------------------------------
 
 
@@ -621,7 +659,7 @@ def timestep_words():
 BLOCKS = {"table1": table1, "table23": table23, "table4": table4, "verify": verify,
           "compare": compare, "compare_models": compare_models,
           "compare_threads": compare_threads, "compare_scenes": compare_scenes,
-          "known": known, "truths": truths, "stress": stress, "stress_map": stress_map,
+          "known": known, "ensembles": ensembles, "truths": truths, "stress": stress, "stress_map": stress_map,
           "mesh": mesh, "cures": cures, "peers": peers, "peers_drop": peers_drop,
           "peers_said": peers_said}
 WORDS = {
@@ -634,6 +672,7 @@ WORDS = {
                     "compare_projective", "compare_shell", "compare_shell_ratio",
                     "compare_triangles", "compare_position"],
     truth_words: ["bar_half_second"],
+    ensemble_words: ["ensemble_until", "ensemble_growth", "ensemble_nets", "ensemble_lost"],
     locking_words: ["locking_2", "locking_3", "locking_layer"],
     timestep_words: ["timestep_rate", "timestep_mass", "timestep_off"],
 }

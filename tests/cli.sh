@@ -199,6 +199,12 @@ refused 'give one of the two' verify elastica --from a --out b
 refused 'are for a new run' verify elastica --from a --quick
 refused 'text, csv, markdown, latex or json' verify elastica --format html
 refused 'not for --from' study locking --values 0.001 --from nowhere
+refused 'takes no scenes' study locking flag
+refused 'not for --from' study ensemble flag --from nowhere
+refused 'whole number from 1 to 256' study ensemble --runs 0
+refused 'above 0' study ensemble --until 0
+refused "no model or contestant 'ibm'" study ensemble --models ibm
+refused 'table has no option --runs' table 1 --runs 2
 refused 'whole number from 1' run edge_drop --out a.h5 --every 0
 refused '--every is for the frames' run edge_drop --every 2
 refused '--every is for the frames' run edge_drop --static --out a.h5 --every 2

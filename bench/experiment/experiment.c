@@ -14,6 +14,10 @@
 #include "bench/ui/progress.h"
 
 const struct command_option experiment_command_options[] = {
+    {"--models", "A,B,...", false, "contestants (study ensemble)"},
+    {"--runs", "N", false,
+     "runs of each, every one pushed another way (study ensemble: 32)"},
+    {"--until", "S", false, "seconds of motion (study ensemble: the scene's)"},
     {"--format", TABLE_FORMATS, false, "how to print (text)"},
     {"--out", "DIR", false,
      "where result files, plots and pictures go\n"
@@ -178,7 +182,8 @@ out:
     return st;
 }
 
-/* One thread, on one processor: experiments compare models, not schedulers. */
+/* One thread, on one processor: experiments compare models, not schedulers. What works in
+ * processes of its own is not timed. */
 static enum status measure(const struct experiment *e, struct experiment_options o,
                            struct message *why)
 {
@@ -189,7 +194,8 @@ static enum status measure(const struct experiment *e, struct experiment_options
         return st;
     o.progress = show;
     o.context = &bar;
-    timing_alone();
+    if (!e->chooses)
+        timing_alone();
     st = experiment_measure(e, &o, why);
     progress_end(&bar.progress);
     return st;
@@ -257,6 +263,31 @@ static enum status choose(const struct command_line *line, bool plans,
     return STATUS_OK;
 }
 
+/* What an experiment that chooses is told. */
+static enum status read_choice(const struct command_line *line, const struct experiment *e,
+                               bool from, struct experiment_options *o, struct message *why)
+{
+    long runs = 0;
+    enum status st;
+
+    o->scene = line->words + 1;
+    o->scene_count = line->word_count - 1;
+    o->models = command_value(line, "--models");
+    TRY(command_integer(line, "--runs", 1, 256, &runs, why));
+    TRY(command_number(line, "--until", false, &o->until, why));
+    o->runs = (int)runs;
+    const bool any = o->scene_count || o->models || o->runs || o->until > 0;
+    if (any && (!e->chooses || from))
+        st = status_fail(why, STATUS_INPUT,
+                         from ? "scenes, --models, --runs and --until are for a new run, "
+                                "not for --from"
+                              : "%s takes no scenes, --models, --runs and --until; study "
+                                "ensemble does",
+                         e->plan ? e->plan : e->item.name);
+out:
+    return st;
+}
+
 enum status experiment_command(const struct command_line *line, bool plans,
                                struct message *why)
 {
@@ -283,6 +314,8 @@ enum status experiment_command(const struct command_line *line, bool plans,
                                                          : usual,
                                          .quick = command_given(line, "--quick"),
                                          .value = value};
+    if (plans)
+        TRY(read_choice(line, e, from, &options, why));
     if (values)
         TRY(read_values(values, e, &options.value_count, value, why));
     if (values && from)

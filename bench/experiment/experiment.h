@@ -21,6 +21,13 @@ struct experiment_options {
     const double *value; /* [value_count] > 0, increasing; 0 of them: its usual ones    */
     void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
     void *context;
+
+    /* Of an experiment that `chooses`; NULL, 0: its usual ones.                          */
+    int scene_count;
+    const char *const *scene; /* [scene_count] names or paths of scene files           */
+    const char *models;       /* "a,b", names of contestants                           */
+    int runs;                 /* of a scene and a model                                */
+    double until;             /* [s]                                                   */
 };
 
 struct gallery;       /* gallery.h */
@@ -32,6 +39,8 @@ struct experiment {
     const char
         *values;      /* what --values gives, with its unit; NULL: the option is refused */
     const char *plan; /* name or path of the plan whose studies are measured; NULL: none */
+    bool chooses;     /* its scenes, --models, --runs and --until are the user's; it times
+                         nothing and works in processes of its own, on all processors    */
 
     const struct gallery
         *gallery; /* that it shows, with neither of the next two; or NULL */
@@ -73,7 +82,8 @@ enum status experiment_measure(const struct experiment *e,
 enum status experiment_print(const struct experiment *e, const char *folder,
                              enum table_format format, FILE *file, struct message *why);
 
-/* The options that experiment_command reads. */
+/* The options that experiment_command reads: first those of studies alone. */
+enum { EXPERIMENT_STUDY_OPTIONS = 3 };
 extern const struct command_option experiment_command_options[];
 
 #endif

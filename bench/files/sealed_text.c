@@ -17,6 +17,23 @@ unsigned long sealed_text_sum(unsigned long before, const void *bytes, size_t si
     return crc32(before, bytes, (unsigned)size);
 }
 
+enum status sealed_text_program(unsigned long *sum, struct message *why)
+{
+    static const char path[] = "/proc/self/exe";
+    char part[1 << 14];
+    size_t got;
+    FILE *file = fopen(path, "r");
+
+    if (!file)
+        return status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path,
+                           strerror(errno));
+    *sum = 0;
+    while ((got = fread(part, 1, sizeof part, file)) > 0)
+        *sum = sealed_text_sum(*sum, part, got);
+    fclose(file);
+    return STATUS_OK;
+}
+
 static void seal_of(const char *text, size_t size, char seal[SEAL_MOST])
 {
     snprintf(seal, SEAL_MOST, SEAL, size, sealed_text_sum(0, text, size));

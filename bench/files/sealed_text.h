@@ -13,6 +13,10 @@
  * of what stood before; 0 at first. */
 unsigned long sealed_text_sum(unsigned long before, const void *bytes, size_t size);
 
+/* The sum of the program's own file: two builds of the same commit may differ.
+ * STATUS_FILE. */
+enum status sealed_text_program(unsigned long *sum, struct message *why);
+
 /* Written aside and renamed (output.h). The text ends in a line's end. STATUS_FILE. */
 enum status sealed_text_write(const char *path, const char *text, struct message *why);
 

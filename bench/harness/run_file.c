@@ -57,7 +57,8 @@ static enum status open_store(struct run_file *f, struct message *why)
                              .model = run->model,
                              .discretization = &run->discretization,
                              .provenance = f->keep->provenance,
-                             .single = !f->keep->doubles};
+                             .single = !f->keep->doubles,
+                             .packed = f->keep->packed};
     enum status st;
 
     if (!f->keep->file)

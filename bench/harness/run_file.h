@@ -36,6 +36,7 @@ struct run_keep {
     enum run_fields fields;
     bool intersections;   /* count self-intersections at every look                      */
     bool doubles;         /* fields as 64-bit numbers, not 32                            */
+    bool packed;          /* and deflated (store.h)                                      */
     bool quick;           /* of --quick: told in the file, as no verdict rests on it     */
     const char *made_for; /* one line, told in the file; NULL: nothing                 */
     const struct provenance *provenance; /* NULL: as things stand                      */

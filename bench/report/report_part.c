@@ -74,6 +74,8 @@ const struct report_part report_part_list[] = {
     STUDY("locking", "Locking", false, {"locking.png", NULL}),
     STUDY("cures", "Cures of locking", false, {"cures.png", NULL}),
     STUDY("timestep", "Ever shorter steps", false, {"timestep.png", NULL}),
+    STUDY("ensemble", "Beyond the horizon", false, {"flag.png", NULL},
+          {"corners_patch.png", NULL}),
     {"compare", "Speed against error: edge_drop", "compare edge_drop",
      {"compare_edge_drop/compare.csv", "compare.csv"}, NULL, "speed", false,
      "|title|side|across|step_s|iterations|seconds|worst_rmse_over_length|front|outcome|",

@@ -15,6 +15,7 @@ static const struct command_item *const items[] = {
     &study_contact_experiment.item,
     &study_solvers_experiment.item,
     &study_local_global_experiment.item,
+    &study_ensemble_experiment.item,
     NULL,
 };
 
@@ -26,18 +27,19 @@ static enum status run(const struct command_line *line, struct message *why)
 const struct command studies_command = {
     .name = "study",
     .summary = "what a net, a degree or a parameter does to a scene's motion",
-    .arguments = "NAME|PLAN [OPTION]...",
+    .arguments = "NAME|PLAN [SCENE]... [OPTION]...",
     .text =
         "Runs a scene at several levels of one parameter, keeps a result file of each and\n"
         "prints from these files: what differs between the levels, the error against\n"
         "truth where there is one, the cost, and whether the paper's sentence holds.\n"
         "CSV, plots and pictures go into the folder. Most are plans (YAML) with levels;\n"
         "one of yours is run and printed likewise, without the sentence: clothbench help\n"
-        "plan has the keys.\n",
+        "plan has the keys. Of them all, study ensemble takes scenes.\n",
     .examples = "study mesh\nstudy mesh --quick --out mesh\n"
-                "study mesh --from results/study_mesh --format csv\nstudy mine.yaml\n",
+                "study mesh --from results/study_mesh --format csv\nstudy mine.yaml\n"
+                "study ensemble flag --models mass_spring_single,triangles_explicit\n",
     .least = 1,
-    .most = 1,
+    .most = 1 + STUDIES_SCENES,
     .options = experiment_command_options,
     .section = "studies",
     .items = items,

@@ -95,24 +95,6 @@ static enum status write_file(const char *path, const char *text, struct message
     return output_close(out, why);
 }
 
-/* Of the program's file: two builds of the same commit may differ. */
-static enum status sum_program(unsigned long *sum, struct message *why)
-{
-    static const char path[] = "/proc/self/exe";
-    char part[1 << 14];
-    size_t got;
-    FILE *file = fopen(path, "r");
-
-    if (!file)
-        return status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path,
-                           strerror(errno));
-    *sum = 0;
-    while ((got = fread(part, 1, sizeof part, file)) > 0)
-        *sum = sealed_text_sum(*sum, part, got);
-    fclose(file);
-    return STATUS_OK;
-}
-
 /* The manifest as it should be, freed by the receiver, and the folder's sums. */
 static enum status make_manifest(struct sweep_folder *folder, const struct plan *plan,
                                  char **text, struct message *why)
@@ -127,7 +109,7 @@ static enum status make_manifest(struct sweep_folder *folder, const struct plan 
     TRY(write_manifest(plan, memory, why));
     TRY(fflush(memory) == 0 ? STATUS_OK : STATUS_MEMORY);
     folder->plan = sealed_text_sum(0, *text, size);
-    TRY(sum_program(&folder->program, why));
+    TRY(sealed_text_program(&folder->program, why));
     provenance_collect(&here);
     fprintf(memory, "\n--- program %s, commit %s, file with the sum %08lx\n",
             provenance_value(&here, "program"), provenance_value(&here, "commit"),

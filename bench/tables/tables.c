@@ -29,7 +29,7 @@ const struct command tables_command = {
         "table 1\ntable 1 --quick --format markdown\ntable 1 --from results/table1\n",
     .least = 1,
     .most = 1,
-    .options = experiment_command_options,
+    .options = experiment_command_options + EXPERIMENT_STUDY_OPTIONS,
     .section = "tables",
     .items = items,
     .run = run,

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bench/truth/truth_push.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 

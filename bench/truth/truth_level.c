@@ -11,10 +11,9 @@
 #include "bench/files/store_read.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_physics.h"
+#include "bench/truth/truth_push.h"
 
 enum { PATH = 4096, KEY = 64 };
-
-static const double EARTH = 9.81; /* [m/s^2] */
 
 const struct contestant *truth_level_contestant(enum truth_model model)
 {
@@ -31,25 +30,6 @@ const struct contestant *truth_level_contestant(enum truth_model model)
 enum truth_model truth_level_kind(enum truth_model model)
 {
     return model == TRUTH_SOLID || model == TRUTH_SELECTIVE ? TRUTH_SOLID : TRUTH_SHELL;
-}
-
-/* The scene's gravity, changed; where it has none, the earth's share of it. */
-static enum status perturb(const struct truth_runs *runs, struct settings *settings,
-                           struct message *why)
-{
-    struct scene scene = {0};
-    enum status st;
-
-    TRY(settings_read_scene(runs->settings, runs->path, &scene, why));
-    double *g = scene.gravity;
-    const double mean = (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / 3;
-    const double by = TRUTH_PERTURBATION * sqrt(mean > 0 ? mean : EARTH * EARTH / 3);
-    for (int i = 0; i < 3; i++)
-        g[i] += by;
-    settings_numbers(settings, "gravity", 3, g);
-    scene_clear(&scene);
-out:
-    return st;
 }
 
 static void grade(const struct truth_level *level, struct settings *settings)
@@ -80,7 +60,8 @@ enum status truth_level_settings(const struct truth_runs *runs,
     if (level->grade > 0)
         grade(level, settings);
     settings_number(settings, "time.step", level->step);
-    return level->perturbed ? perturb(runs, settings, why) : STATUS_OK;
+    return level->perturbed ? truth_push(runs->path, runs->settings, 0, settings, why)
+                            : STATUS_OK;
 }
 
 /* The times, and perhaps later ones. */

@@ -6,10 +6,6 @@
 #include "bench/harness/contestant.h"
 #include "bench/harness/run_result.h"
 
-/* Of gravity, or of 9.81 m/s^2 where there is none, in the direction (1,1,1): whatever
- * symmetry a scene has is gone. */
-#define TRUTH_PERTURBATION 1e-6
-
 /* Whose runs truths are made of: the nonlinear solid, cured of locking by reduced
  * integration, and the nonlinear shell; truth_sharp.h takes the solid whose bending has a
  * rule of its own (on a clamped sheet's 9 spans it is nearer than the other on 27, and
@@ -29,7 +25,7 @@ struct truth_level {
     enum truth_model model;
     int degree, side; /* along u and v                                                 */
     double step;      /* [s]                                                           */
-    bool perturbed;   /* by TRUTH_PERTURBATION                                         */
+    bool perturbed;   /* truth_push.h, number 0                                         */
     double grade;     /* knots along u at (i/n)^grade: dense at u = 0; 0: evenly       */
 };
 

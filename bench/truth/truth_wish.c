@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "bench/truth/truth_push.h"
+
 /* Of the cured models with steps that shrink as their nets. */
 static const double PROMISED = 2;
 

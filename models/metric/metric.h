@@ -24,6 +24,10 @@ double metric_stretch(const struct scene *scene, const double *xyz);
  * its thickness. */
 double metric_drop(const struct scene *scene, const double *xyz);
 
+/* How far the mid-surface has gone down since it was at rest, the mean over the grid's
+ * points, over L. */
+double metric_mean_drop(const struct scene *scene, const double *xyz);
+
 /* L times the root mean square, over the interior points of the mid-surface, of
  *     sqrt( |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 )                                [1],
  * second derivatives by central differences in the arc lengths a = u L, b = v W of the rest

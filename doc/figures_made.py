@@ -659,7 +659,8 @@ def timestep_words():
 BLOCKS = {"table1": table1, "table23": table23, "table4": table4, "verify": verify,
           "compare": compare, "compare_models": compare_models,
           "compare_threads": compare_threads, "compare_scenes": compare_scenes,
-          "known": known, "ensembles": ensembles, "truths": truths, "stress": stress, "stress_map": stress_map,
+          "known": known, "ensembles": ensembles, "truths": truths, "stress": stress,
+          "stress_map": stress_map,
           "mesh": mesh, "cures": cures, "peers": peers, "peers_drop": peers_drop,
           "peers_said": peers_said}
 WORDS = {

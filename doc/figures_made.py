@@ -393,7 +393,7 @@ NUMBERS = ["drop", "angle", "stretch", "rough", "kinetic", "waves_long", "waves_
            "waves_quarter", "waves_eighth"]
 
 
-def known(text, count):
+def measured(text, count):
     return "-" if text == "nan" else digits(text, count)
 
 
@@ -404,8 +404,8 @@ def ensembles():
             means = [abs(float(r[n])) for n in NUMBERS if r[n] != "nan"]
             rows.append([f"`{scene}`", r["model"], r["net"], r["lived"],
                          "-" if r["points"] == "nan" else percent(100 * float(r["points"])),
-                         known(r["growth"], 2), digits(max(means), 2) if means else "-",
-                         known(r["spread"], 2), r["verdict"]])
+                         measured(r["growth"], 2), digits(max(means), 2) if means else "-",
+                         measured(r["spread"], 2), r["verdict"]])
     return markdown(["scene", "model", "net", "runs that lived", "points off", "growth",
                      "means off", "spreads off", "verdict"], rows)
 

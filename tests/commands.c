@@ -44,8 +44,8 @@ int main(void)
         read_usage((*c)->arguments, &least, &most);
         while ((*c)->items && (*c)->items[items])
             items++;
-        if (most < 0) /* each of its items may be named */
-            most = (*c)->most >= items ? (*c)->most : items;
+        if (most < 0) /* each of its items may be named, or one and so many words of it */
+            most = (*c)->most >= items || least ? (*c)->most : items;
         if (!CHECK((*c)->least == least && (*c)->most == most))
             printf("%s takes %d to %d words\n", (*c)->name, (*c)->least, (*c)->most);
         CHECK(parse(*c, least) == STATUS_OK && parse(*c, most) == STATUS_OK);

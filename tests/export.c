@@ -106,7 +106,7 @@ static void times(void)
     t = table_of(exported("rest_large", "3,3", NULL), "times.csv");
     CHECK(reference_rows(t) == 3 && reference_number(t, 2, "time") == 5);
     reference_close(t);
-    t = table_of(exported("hinge", "3,3", NULL), "times.csv"); /* no truth is stored */
+    t = table_of(exported("corners_drop", "3,3", NULL), "times.csv"); /* no truth is stored */
     CHECK(reference_rows(t) == 2);
     reference_close(t);
 }

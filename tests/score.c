@@ -349,7 +349,7 @@ static void unfitted(void)
         {"hanging", "hair.csv", {1, 1, hair_aside}, SCORE_KINDS, 0, 0, ""},
         {"rest_small", "narrow.csv", {1, .7, NULL}, SCORE_STRETCH, -.3, .01, "rest shape"},
         {"rest_small", "heap.csv", {1, 1, heap}, SCORE_STRETCH, -.3, .02, "crumpled"},
-        {"flag",
+        {"napkin_hung",
          "aside.csv",
          {1, 1, aside},
          SCORE_SOUND,

@@ -115,7 +115,7 @@ def scored():
         clothbench.frames.write(path, drop.t, drop.uv, drop.xyz)
         sheet = json.loads(run("score", "edge_drop", path, "--format", "json"))
         check(path + " is sound", [d["kind"] for d in sheet["diagnosis"]] == ["sound"])
-        check(path + " fits", len(sheet["rows"]) == 10 and max(
+        check(path + " fits", len(sheet["rows"]) == 14 and max(
             row["error"] for row in sheet["rows"]) < 1e-12)
     with open(os.path.join(folder, "../../doc/score.md")) as file:
         page = file.read()

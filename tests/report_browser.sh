@@ -43,8 +43,8 @@ setTimeout(() => {
 SCRIPT
 cp -r "$source/doc/results" results
 mkdir results/run_edge_drop
-"$program" run edge_drop --model mass_spring --set 'discretization.points=[4,4]' --set time.end=0.3 \
-    --quiet --out results/run_edge_drop/springs.h5 || fail "run: exit $?"
+"$program" run edge_drop --model mass_spring --set 'discretization.points=[4,4]' \
+    --set time.end=0.3 --quiet --out results/run_edge_drop/springs.h5 || fail "run: exit $?"
 "$program" report results --out page.html >/dev/null || fail "report: exit $?"
 {
     sed '/<\/body>/,$d' page.html

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What a report packs. Cells of tables expand to the words of the files; so do those of a table made
-of what packing could mistake. Pictures keep their colours in a palette; what is none stays.
+"""What a report packs. Cells of tables expand to the words of the files; so do those of a table
+made of what packing could mistake. Pictures keep their colours in a palette; what is none stays.
 
     report_packed.py PROGRAM SOURCE-FOLDER
 """

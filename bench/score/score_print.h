@@ -8,7 +8,7 @@
 /* What is left of a score once its fields are let go of. */
 struct score_result {
     char *scene;            /* its name                                        owned */
-    char source[512];       /* of the truth                                          */
+    char source[640];       /* of the truth                                          */
     struct message refused; /* why there is no score; empty: there is one            */
     int times, frames, vertices;
     struct score_time *row; /* [times]                                         owned */

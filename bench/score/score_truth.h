@@ -15,7 +15,7 @@ struct score_truth {
     double *bar;      /* [times] rms error bar [m]                         owned      */
     double *xyz;      /* [times][SCORE_POINTS][3] [m]                      owned      */
     double *rest;     /* [SCORE_POINTS][3]                                 owned      */
-    char source[512]; /* a sentence                                                   */
+    char source[640]; /* a sentence                                                   */
     bool undamped;    /* the scene is damped, and its truth is not                    */
 };
 

@@ -24,7 +24,7 @@ struct truth { /* with its arrays                                               
     double *time;     /* [times] [s]                                                */
     double **xyz;     /* [times] fields (grid.h) [m]                                */
     double *error;    /* [times] rms error bar [m]                                  */
-    char source[512]; /* a sentence                                                 */
+    char source[640]; /* a sentence                                                 */
 };
 
 enum truth_effort {

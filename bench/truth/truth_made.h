@@ -47,12 +47,12 @@ struct truth_made {
     struct truth_level level;       /* whose field it is                                 */
     bool closed;                    /* nobody's: a closed form (truth_closed.h)          */
     bool foreign;                   /* somebody else's (truth_third.h)                   */
-    char note[400];                 /* a sentence: source and error bar                  */
+    char note[512];                 /* a sentence: source and error bar                  */
     char horizon[TRUTH_WATCH_TEXT]; /* until when it is predictable: gravity is
  changed a little, and the change watched as long as the scene lasts */
     char commit[64], changed[16];   /* of one that is stored: the program's that made it,
    and how many files differed from it; "unknown" */
-    char third[512]; /* on the third mechanics, a sentence; "": none is stored           */
+    char third[640]; /* on the third mechanics, a sentence; "": none is stored           */
 };
 
 /* Arrays of zeros for these times, fields for the first `claimed` of them, else NULL. */

@@ -1,6 +1,6 @@
 /* Diagnoses: frames made to have one flaw get its sentence with its number and no other
  * flaw's; sound frames get none. The flaws of physics are runs of a model, the others are
- * made of its sound run, of truths, or of closed forms.
+ * made of its sound run, or of closed forms.
  *
  *   score FOLDER
  */
@@ -190,6 +190,15 @@ static void reversed(int k, int n, double xyz[3])
     as_is(k, n / SIDE * SIDE + SIDE - 1 - n % SIDE, xyz);
 }
 
+/* What is held at u = 0 is let go: from rest, as in a vacuum. */
+static void let_go(int k, int n, double xyz[3])
+{
+    const double t = k * STEP;
+
+    memcpy(xyz, sound[0][n], 3 * sizeof *xyz);
+    xyz[2] -= 9.81 * t * t / 2;
+}
+
 static void write_turned(const char *name, turn *make, int every, int until)
 {
     char path[4096];
@@ -231,6 +240,14 @@ static void frames_of_others(void)
          .001},
         {"late.csv", late, 5, 100, {.up = 'z', .scale = 1}, SCORE_LAG, 2 * STEP, .001},
         {"early.csv", early, 5, 95, {.up = 'z', .scale = 1}, SCORE_LAG, -3 * STEP, .002},
+        {"let_go.csv",
+         let_go,
+         5,
+         100,
+         {.up = 'z', .scale = 1},
+         SCORE_SUPPORT,
+         9.81 / 8,
+         1e-4},
         {"still.csv", still, 20, 100, {.up = 'z', .scale = 1}, SCORE_STILL, 0, 1e-3},
         {"mm.csv", millimetres, 20, 100, {.up = 'z', .scale = 1}, SCORE_UNITS, 1e-3, 0},
         {"mm.csv", NULL, 0, 0, {.up = 'z', .scale = 1e-3}, SCORE_SOUND, 0, .01},
@@ -250,153 +267,6 @@ static void frames_of_others(void)
     }
 }
 
-/* --- truths as frames: sound, and on a coarse net at its floor --------------------------
- */
-
-/* What somebody made of a truth: so many times its displacement, then its width, then more.
- */
-struct change {
-    double way, wide;
-    void (*more)(double xyz[3]); /* may be NULL */
-};
-
-static void write_changed(const struct score_truth *t, const char *name, int side,
-                          struct change make)
-{
-    char path[4096];
-
-    file_of(name, path);
-    FILE *file = fopen(path, "w");
-    REQUIRE(file);
-    for (int k = 0; k < t->times; k++)
-        for (int n = 0; n < side * side; n++) {
-            const double uv[2] = {n % side / (side - 1.), n / side / (side - 1.)};
-            double x[3], rest[3];
-            score_net_sample(GRID_U, GRID_V, score_truth_field(t, k), uv, x);
-            score_net_sample(GRID_U, GRID_V, t->rest, uv, rest);
-            for (int c = 0; c < 3; c++)
-                x[c] = rest[c] + make.way * (x[c] - rest[c]);
-            x[1] *= make.wide;
-            if (make.more)
-                make.more(x);
-            fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", t->time[k], uv[0], uv[1], x[0],
-                    x[1], x[2]);
-        }
-    REQUIRE(fclose(file) == 0);
-}
-
-static void write_truth(const struct score_truth *t, const char *name, int side)
-{
-    write_changed(t, name, side, (struct change){1, 1, NULL});
-}
-
-/* All that is beyond 0.7 of the sheet's width lies there. */
-static void heap(double xyz[3])
-{
-    xyz[1] = fmin(xyz[1], .7);
-}
-
-static void aside(double xyz[3])
-{
-    xyz[1] += .006;
-}
-
-static void hair_aside(double xyz[3])
-{
-    xyz[0] += .001;
-}
-
-/* Narrower by a share that is no flaw: less than 1 %, but many times more of a length than
- * the floor of the stretch along u. */
-#define NARROWER .996
-
-/* What is said where nothing is fitted: by the truth's own stretch, by the shape of what
- * shrank, by the bar that hides it. */
-static void unfitted(void)
-{
-    static const struct {
-        const char *scene, *name;
-        struct change make;
-        enum score_kind kind;
-        double value, tolerance;
-        const char *words;
-    } row[] = {
-        {"hanging",
-         "twice.csv",
-         {2, 1, NULL},
-         SCORE_STRETCH,
-         .005,
-         2e-4,
-         "2 times as much"},
-        {"hanging", "half.csv", {.5, 1, NULL}, SCORE_STRETCH, -.0025, 2e-4, "too stiff"},
-        {"hanging", "more.csv", {1.02, 1, NULL}, SCORE_SOUND, 0, 1e-3, "Nothing wrong"},
-        {"hanging",
-         "u_120.csv",
-         {1.2, NARROWER, NULL},
-         SCORE_STRETCH,
-         .001,
-         1e-4,
-         "1.2 times"},
-        {"hanging", "u_100.csv", {1, NARROWER, NULL}, SCORE_KINDS, 0, 0, ""},
-        {"hanging",
-         "u_25.csv",
-         {.25, NARROWER, NULL},
-         SCORE_STRETCH,
-         -.00375,
-         1e-4,
-         "0.25 times"},
-        {"hanging", "zero.csv", {0, 1, NULL}, SCORE_KINDS, 0, 0, ""},
-        {"hanging", "hair.csv", {1, 1, hair_aside}, SCORE_KINDS, 0, 0, ""},
-        {"rest_small", "narrow.csv", {1, .7, NULL}, SCORE_STRETCH, -.3, .01, "rest shape"},
-        {"rest_small", "heap.csv", {1, 1, heap}, SCORE_STRETCH, -.3, .02, "crumpled"},
-        {"flag",
-         "aside.csv",
-         {1, 1, aside},
-         SCORE_SOUND,
-         .006,
-         1e-4,
-         "error bar of up to 4.4 %"},
-    };
-    struct score_truth t;
-
-    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
-        REQUIRE(score_truth_read(row[n].scene, &t, NULL) == STATUS_OK);
-        write_changed(&t, row[n].name, 20, row[n].make);
-        score_truth_clear(&t);
-        *last_said = '\0';
-        check_said(row[n].scene, row[n].name, &plain, row[n].kind, row[n].value,
-                   row[n].tolerance);
-        check_words(row[n].name, row[n].words);
-    }
-}
-
-static void truths(void)
-{
-    static const char *const scene[] = {"edge_drop",  "flag",      "corners_patch",
-                                        "sphere",     "free_fall", "hanging",
-                                        "rest_small", "rest_large"};
-    struct score_truth t;
-    struct message why = {""};
-
-    for (size_t n = 0; n < sizeof scene / sizeof *scene; n++) {
-        char name[64];
-        snprintf(name, sizeof name, "truth_%s.csv", scene[n]);
-        if (!CHECK(score_truth_read(scene[n], &t, &why) == STATUS_OK)) {
-            printf("%s\n", why.text);
-            continue;
-        }
-        write_truth(&t, name, 20);
-        check_said(scene[n], name, &plain, SCORE_SOUND, 0, .02);
-        if (n == 0) {
-            write_truth(&t, "coarse.csv", 7);
-            check_said(scene[n], "coarse.csv", &plain, SCORE_FLOOR, .013, .002);
-        }
-        score_truth_clear(&t);
-    }
-    CHECK(score_truth_read("corners_drop", &t, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "nothing is known of the motion of corners_drop"));
-}
-
 int main(int argc, char **argv)
 {
     struct message why = {""};
@@ -409,9 +279,6 @@ int main(int argc, char **argv)
     physics();
     frames_of_others();
     falls();
-    truths();
-    REQUIRE(!setenv("CLOTHBENCH_TRUTHS", SOURCE_DIR "/tests/truths", 1));
-    unfitted(); /* beside a blunt truth, too */
     free(sound);
     return check_result();
 }

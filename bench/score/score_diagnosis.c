@@ -36,6 +36,10 @@
 #define SOUND_MOST  0.005
 #define SOUND_SHARE 0.05
 
+/* What is held is where the truth has it, to this share of the length: penalties give way.
+ */
+#define HELD_MOST 0.01
+
 static const char *const names[SCORE_KINDS] = {
 #define SCORE_NAME(code, name) name,
     SCORE_KIND_LIST(SCORE_NAME)
@@ -293,6 +297,61 @@ static void say_fit(const struct score *s, const struct score_fit *fit,
             fit->at_end ? ", or beyond: the ladder of truths ends there" : "");
 }
 
+/* rms over the points of a support, in what it fixes, of how far frames are from what their
+ * net sees of the truth [m]; 0: the grid has none of them. */
+static double support_off(const struct scene_support *held, const double *seen,
+                          const double *got)
+{
+    const double NEAR = 1e-9;
+    double sum = 0;
+    int points = 0;
+
+    for (int p = 0; p < SCORE_POINTS; p++) {
+        const double uv[2] = {p % GRID_U / (GRID_U - 1.), p / GRID_U / (GRID_V - 1.)};
+        if (uv[0] < held->lo[0] - NEAR || uv[0] > held->hi[0] + NEAR ||
+            uv[1] < held->lo[1] - NEAR || uv[1] > held->hi[1] + NEAR)
+            continue;
+        points++;
+        for (int c = 0; c < 3; c++)
+            if (held->fix & 1u << c) {
+                const double off = got[3 * p + c] - seen[3 * p + c];
+                sum += off * off;
+            }
+    }
+    return points ? sqrt(sum / points) : 0;
+}
+
+/* Of all supports at all times, the one that is farthest off. */
+static enum status say_support(const struct score *s, struct score_diagnosis *d)
+{
+    const struct scene *scene = &s->truth.scene;
+    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), most = 0, when = 0;
+    int which = 0;
+
+    for (int n = 0; seen && n < s->truth.times; n++) {
+        if (!s->row[n].known)
+            continue;
+        score_seen(s, n, seen);
+        for (int k = 0; k < scene->support_count; k++) {
+            const double off =
+                support_off(&scene->supports[k], seen, s->field + 3L * SCORE_POINTS * n);
+            if (off > most)
+                most = off, when = s->row[n].time, which = k;
+        }
+    }
+    free(seen);
+    if (!seen)
+        return STATUS_MEMORY;
+    most /= scene->length;
+    if (most > HELD_MOST)
+        say(d, SCORE_SUPPORT, most,
+            "Is not held where the scene holds it: support %d (u %g to %g, v %g to %g) is "
+            "%.2g %% off at %g s; are its vertices fixed, or moved by its path?",
+            which, scene->supports[which].lo[0], scene->supports[which].hi[0],
+            scene->supports[which].lo[1], scene->supports[which].hi[1], 100 * most, when);
+    return STATUS_OK;
+}
+
 static double largest(const struct score *s, bool floor)
 {
     double most = 0;
@@ -363,6 +422,8 @@ enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *
     TRY(say_stretch(s, d));
     say_fit(s, &fit, d);
     d->left = fit.after < fit.before ? fit.after / fit.before : 0;
+    if (!d->count)
+        TRY(say_support(s, d));
     if (!d->count)
         say_sound(s, d);
 out:

@@ -16,6 +16,7 @@
     X(UNITS, "units")                       /* what positions are to be multiplied by */   \
     X(ORDER, "order")                       /* error with them set right [L] */            \
     X(STILL, "still")                       /* rms displacement over the truth's */        \
+    X(SUPPORT, "support")                   /* how far what is held is off [L] */          \
     X(FLOOR, "floor")                       /* the floor [L] */                            \
     X(SOUND, "sound")                       /* the error [L] */
 

@@ -98,8 +98,7 @@ static void check_work(const char *name, const char *points, double tolerance)
 }
 
 /* Pulled in its plane all at once, a shell's membrane rings: its viscosity takes that, and
- * without it nothing does. Of what a pull works that is laid on slowly, twice, half rings.
- */
+ * without it nothing does. Lost is told of F^2 L / E h; half of that rings. */
 static void check_ringing(void)
 {
     static const struct {

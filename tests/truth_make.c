@@ -404,7 +404,7 @@ static void check_plan(const char *scene, bool quick, const char *want)
 
 static void check_stored_plans(void)
 {
-    check_plan("edge_drop", false, "1 s, 1.5 s, 3: 16 24 36, 5 ms, 5: 16 24 32, 5 ms");
+    check_plan("edge_drop", false, "2 s, 2 s, 3: 16 24 36, 2.5 ms, 5: 16 24 32, 2.5 ms");
     check_plan("flag", false, "0.6 s, 0.8 s, 3: 12 18 27, 5 ms, 5: 10 14 18, 5 ms");
     check_plan("corners_patch", false, "0.3 s, 1 s, 3: 13 23 33, 5 ms, 3: 13 23 33, 5 ms");
     check_plan("sphere", false, "0.3 s, 0.3 s, 2: 8 11 15, 2.5 ms, 3: 9 12 16, 2.5 ms");

@@ -125,7 +125,9 @@ static const char *const rough =
     "  - {name: rough, caption: levels that end badly}\n"
     "  - {name: late, scene: flag, settings: {damping: {kind: none}},\n"
     "     truth: true, times: [0.5],\n"
-    "     levels: [{label: Flat Sheet, settings: {discretization.points: [4,4,2]}}]}\n";
+    "     levels: [{label: Flat Sheet, settings: {discretization.points: [4,4,2]}}]}\n"
+    "  - {name: scaled, truth: true, times: [0.05],\n"
+    "     levels: [{label: coarse, settings: {discretization.points: [4,4,2]}}]}\n";
 
 static void deaths_and_refusals(void)
 {
@@ -150,6 +152,8 @@ static void deaths_and_refusals(void)
     CHECK(strstr(text, "died at t = 0.265 s") && strstr(text, "no remedy"));
     CHECK(!late->truth && strstr(text, "Truth: none; no truth is claimed"));
     CHECK(!strcmp(late->plan->levels[0].name, "flat_sheet"));
+    /* A factor a step has no limit: the shell's own steps would be damped otherwise. */
+    CHECK(!study_find(&all, "scaled")->truth && strstr(text, "scaled by a factor each"));
     free(text);
     study_clear(&all);
     CHECK(study_read(&plan, "/proc/nowhere", &all, NULL) == STATUS_FILE);

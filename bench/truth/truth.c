@@ -8,6 +8,7 @@
 #include "bench/truth/truth_closed.h"
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_plate.h"
+#include "bench/truth/truth_plan.h"
 #include "bench/truth/truth_sharp.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
@@ -126,11 +127,18 @@ out:
     return st;
 }
 
-/* With a wish; without one, the shell by effort. */
+/* With a wish; without one, the shell by effort. A factor a step is another damping at
+ * every step, the truth's own too. */
 static enum status find_run(const struct truth_runs *runs, const struct scene *scene,
                             enum truth_effort effort, const struct truth_wish *wish,
                             struct truth *t, struct message *why)
 {
+    if (truth_plan_damping(scene))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "no truth of %s: its velocities are scaled by a factor each "
+                           "step, which is no rate and has no limit; it has one with "
+                           "damping {kind: none} or {kind: mass}",
+                           scene->name);
     return wish ? from_sharp(runs, scene, wish, t, why)
                 : find_shell(runs, scene->step, effort, t, why);
 }

@@ -32,6 +32,7 @@ for (const [name, value] of [['exact', 20], ['between', 22], ['slid', 43]]) {
 }
 said.moved = picture() !== first;
 said.claims = document.querySelectorAll('.claims li').length;
+said.tally = document.querySelectorAll('p')[1].textContent;
 const cells = [...document.querySelectorAll('td')].map(cell => cell.textContent);
 said.above = cells.filter(words => words === 'hex').length;
 said.wide = document.documentElement.scrollWidth > innerWidth;
@@ -67,13 +68,14 @@ browse read.html --dump-dom --window-size=390,844
 said hover 'block .* points, step .* s: .* % in .* s'
 said left none
 said start '0[.]000 s'
-# 61 frames of the run, and the truth at 0.1, 0.2, 0.3, ... s: nothing between them is made up
+# 61 frames of the run, and the truth's, fifty a second: nothing between them is made up
 said exact '0[.]100 s, truth, springs[.]h5$'
 said between '0[.]110 s, truth; at 0[.]100 s, springs[.]h5; truth at 0[.]100 s$'
-said slid '0[.]215 s, truth; at 0[.]200 s, springs[.]h5; truth at 0[.]200 s$'
+said slid '0[.]215 s, truth; at 0[.]220 s, springs[.]h5; truth at 0[.]220 s$'
 said moved true
 said played '0[.]2[2-9][05] s$'
 said claims '[0-9]{2}'
+said tally 'Of [0-9]{2} claims: .*[0-9]+ do not hold .*[0-9]+ hold '
 said wide false
 # cells that are packed because they are those of the row above: all rows of hexahedra, at least
 above=$(grep -oP 'data-said="\K[^"]*' out | tr '|' '\n' | sed -n 's/^above=//p')

@@ -98,7 +98,7 @@ good list truths
 sed 's/^name:.*/name: mine/' "$2/models/scenes/edge_drop.yaml" >mine.yaml
 refused "no truth 'mine'" truth mine.yaml --stored
 refused 'corners_drop has no truth: support 0 holds a point' truth corners_drop --stored
-good truth edge_drop --stored
+good truth corners_patch --stored
 says out 'All of it is claimed.' 'Made at commit'
 export CLOTHBENCH_TRUTHS=$blunt # truths that end within what is stored
 good truth flag --stored

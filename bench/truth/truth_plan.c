@@ -10,7 +10,7 @@
 
 #define MS 1e-3
 
-/* Chosen so that a truth takes a quarter of an hour on one processor, edge_drop three; the
+/* Chosen so that a truth takes a quarter of an hour on one processor, edge_drop two; the
  * last is for scenes that are not named (strip_swing, thick and stiff take a minute). On
  * corners_patch every net has a knot at the patches' edges.
  */

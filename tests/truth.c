@@ -146,7 +146,9 @@ static void who_gets_it(const struct truth_made *made)
     CHECK(strstr(why.text, "0.3 s") && strstr(why.text, "0.2 s"));
     CHECK(find("edge_drop", 2, undamped, 1, between, &t, &why) == STATUS_FILE);
     CHECK(find("edge_drop", 2, other, 2, times, &t, &why) == STATUS_FILE);
-    CHECK(find("edge_drop", 0, NULL, 2, times, &t, &why) == STATUS_FILE); /* its mu */
+    CHECK(find("edge_drop", 0, NULL, 2, times, &t, &why) ==
+          STATUS_UNSUPPORTED); /* its mu */
+    CHECK(strstr(why.text, "scaled by a factor each step"));
     CHECK(find("edge_drop", 2, held, 2, times, &t, &why) == STATUS_FILE);
     CHECK(find("edge_drop", 2, undamped, 1, (double[]){0.1 + 1e-6}, &t, &why) ==
           STATUS_FILE);

@@ -306,55 +306,94 @@ void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_
              own ? "step " : "", 1e3 * l->step);
 }
 
-/* The truth's field; returns at how many times it is a limit. */
-static int fill(const struct truth_family *f, struct truth_made *made)
+/* At how many times that are claimed (of all, if none is) a model's field is the truth, and
+ * at how many of these its limit is. */
+struct share {
+    int times, limits;
+};
+
+static void fill(const struct truth_family family[TRUTH_MODELS], struct truth_made *made,
+                 struct share share[TRUTH_MODELS])
 {
-    struct judged so_far = {{{0}}};
+    struct judged so_far[TRUTH_MODELS] = {{{{0}}}};
+    struct field field[TRUTH_MODELS];
     double value[3];
-    int limits = 0;
 
     for (int t = 0; t < made->times; t++) {
-        const struct field field = judge_family(f, t, &so_far, value);
+        const enum truth_model whose = truth_made_whose(made->value[t]);
+        for (int m = 0; m < TRUTH_MODELS; m++)
+            field[m] = judge_family(&family[m], t, &so_far[m], value);
         for (int n = 0; n < 3 * GRID_POINTS; n++)
-            made->xyz[t][n] = at(&field, n);
-        limits += field.left > 0;
+            made->xyz[t][n] = at(&field[whose], n);
+        if (t < made->claimed || !made->claimed) {
+            share[whose].times++;
+            share[whose].limits += field[whose].left > 0;
+        }
     }
-    return limits;
 }
 
-static void tell_limit(const struct truth_family *f, int limits, int times,
-                       char text[TRUTH_BAR_LEVEL])
-{
-    const struct truth_level *l = &f->level[f->count - 4];
+enum { SHARE_TEXT = TRUTH_BAR_LEVEL + 96 };
 
-    snprintf(text, TRUTH_BAR_LEVEL,
-             ", extrapolated from %dx%d, %dx%d, %dx%d and that at %d of %d times",
-             l[0].side, l[0].side, l[1].side, l[1].side, l[2].side, l[2].side, limits,
-             times);
+/* A model's finest run and, if the truth is somewhere its limit, what that is made of. */
+static void tell_share(const struct truth_family *f, int limits, bool own,
+                       char text[SHARE_TEXT])
+{
+    char level[TRUTH_BAR_LEVEL];
+
+    truth_bar_level(&f->level[truth_bar_finest(f) - f->run], own, level);
+    if (!limits) {
+        snprintf(text, SHARE_TEXT, "%s", level);
+        return;
+    }
+    const struct truth_level *l = &f->level[f->count - 4];
+    snprintf(text, SHARE_TEXT,
+             "%s, %d times extrapolated from %dx%d, %dx%d, %dx%d and that", level, limits,
+             l[0].side, l[0].side, l[1].side, l[1].side, l[2].side, l[2].side);
+}
+
+static const char *by_what(const struct truth_family *f, int limits)
+{
+    return limits                     ? "how far its limit moved, and observed orders"
+           : f->joint && f->count < 3 ? "the difference of two runs, three times,"
+                                      : "observed orders";
+}
+
+static void tell(const struct truth_family family[TRUTH_MODELS],
+                 const struct share share[TRUTH_MODELS], enum truth_model most,
+                 struct truth_made *made)
+{
+    const struct truth_family *f = &family[most], *other = &family[!most];
+    const struct share *less = &share[!most];
+    char own[SHARE_TEXT], against[SHARE_TEXT] = "";
+
+    tell_share(f, share[most].limits, true, own);
+    if (other->count)
+        tell_share(other, less->limits, false, against);
+    if (less->times)
+        snprintf(made->note, sizeof made->note,
+                 "nonlinear %s; at %d of %d times the %s; error bar: the smaller one's own "
+                 "by %s or, if larger, their difference",
+                 own, less->times, less->times + share[most].times, against,
+                 by_what(f, share[most].limits + less->limits));
+    else
+        snprintf(made->note, sizeof made->note,
+                 "nonlinear %s; error bar: its own by %s%s%s", own,
+                 by_what(f, share[most].limits),
+                 other->count ? " or, if larger, its difference from the " : "", against);
 }
 
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
                       struct truth_made *made)
 {
-    const enum truth_model best = truth_made_choose(made, length);
-    const struct truth_family *f = &family[best], *other = &family[!best];
-    char own[TRUTH_BAR_LEVEL], against[TRUTH_BAR_LEVEL], limit[TRUTH_BAR_LEVEL] = "";
+    struct share share[TRUTH_MODELS] = {{0}};
 
+    truth_made_bar(made, length);
+    fill(family, made, share);
+    const enum truth_model most =
+        share[TRUTH_SOLID].times >= share[TRUTH_SHELL].times ? TRUTH_SOLID : TRUTH_SHELL;
+    const struct truth_family *f = &family[most];
     made->level = f->level[truth_bar_finest(f) - f->run];
-    truth_bar_level(&made->level, true, own);
-    if (other->count)
-        truth_bar_level(&other->level[truth_bar_finest(other) - other->run], false,
-                        against);
-    const int limits = fill(f, made);
-    if (limits)
-        tell_limit(f, limits, made->times, limit);
-    snprintf(made->note, sizeof made->note, "nonlinear %s%s; error bar: its own by %s%s%s",
-             own, limit,
-             limits                     ? "how far its limit moved, and observed orders"
-             : f->joint && f->count < 3 ? "the difference of two runs, three times,"
-                                        : "observed orders",
-             other->count ? " or, if larger, its difference from the " : "",
-             other->count ? against : "");
+    tell(family, share, most, made);
 }
 
 void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,

@@ -72,8 +72,8 @@ enum { TRUTH_BAR_LEVEL = 128 };
 /* A run in words: `own`, the truth's; else one beside it. */
 void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL]);
 
-/* Whose field is the truth (truth_made_choose): field (at each time its finest run or its
- * limit, as the bars have it), level and note. */
+/* At each time the field (the finest run's or the limit, as the bars have it) of the model
+ * that is sharper there (truth_made_whose), then the error bars, level and note. */
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
                       struct truth_made *made);
 

@@ -17,40 +17,21 @@ int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length)
     return n;
 }
 
-/* Error bars if this model's field is the truth. */
-static void set_bars(enum truth_model model, struct truth_made *made, double length)
-{
-    const int bar = model == TRUTH_SOLID ? TRUTH_SOLID_BAR : TRUTH_SHELL_BAR;
+static const int own_bar[TRUTH_MODELS] = {
+    [TRUTH_SOLID] = TRUTH_SOLID_BAR, [TRUTH_SHELL] = TRUTH_SHELL_BAR};
 
+enum truth_model truth_made_whose(const double value[TRUTH_COLUMNS])
+{
+    return value[TRUTH_SOLID_BAR] <= value[TRUTH_SHELL_BAR] ? TRUTH_SOLID : TRUTH_SHELL;
+}
+
+void truth_made_bar(struct truth_made *made, double length)
+{
     for (int n = 0; n < made->times; n++) {
         double *v = made->value[n];
-        v[TRUTH_ERROR] = fmax(v[bar], v[TRUTH_DIFFERENCE]);
+        v[TRUTH_ERROR] = fmax(v[own_bar[truth_made_whose(v)]], v[TRUTH_DIFFERENCE]);
     }
     made->claimed = truth_made_claimed(made->times, made->value, length);
-}
-
-/* Of the bars that are claimed, in the square: one time at which a model is blunt does not
- * decide over all others. */
-static double bluntness(const struct truth_made *made)
-{
-    double sum = 0;
-
-    for (int n = 0; n < made->claimed || n == 0; n++)
-        sum += made->value[n][TRUTH_ERROR] * made->value[n][TRUTH_ERROR];
-    return sum;
-}
-
-enum truth_model truth_made_choose(struct truth_made *made, double length)
-{
-    set_bars(TRUTH_SHELL, made, length);
-    const int shell = made->claimed;
-    const double of_shell = bluntness(made);
-
-    set_bars(TRUTH_SOLID, made, length);
-    if (made->claimed != shell ? made->claimed > shell : bluntness(made) <= of_shell)
-        return TRUTH_SOLID;
-    set_bars(TRUTH_SHELL, made, length);
-    return TRUTH_SHELL;
 }
 
 enum status truth_made_init(struct truth_made *made, int times, int claimed,

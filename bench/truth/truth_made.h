@@ -44,7 +44,7 @@ struct truth_made {
     double **xyz;                   /* [times] (grid.h) [m]; owns the other arrays, too  */
     double *time;                   /* [times] [s]                                       */
     double (*value)[TRUTH_COLUMNS]; /* [times]                                           */
-    struct truth_level level;       /* whose field it is                                 */
+    struct truth_level level;       /* whose field it is, at most of the claimed times   */
     bool closed;                    /* nobody's: a closed form (truth_closed.h)          */
     bool foreign;                   /* somebody else's (truth_third.h)                   */
     char note[512];                 /* a sentence: source and error bar                  */
@@ -68,9 +68,12 @@ void truth_made_thin(struct truth_made *made, const struct scene *scene);
 /* Times before one of the bounds is passed. */
 int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length);
 
-/* Whose field is the truth: the model's that can claim more times; of two that can claim
- * the same, the one's with the smaller error bars, in the mean square over these times.
- * Fills the error bars that follow, and `claimed`. */
-enum truth_model truth_made_choose(struct truth_made *made, double length);
+/* Whose field is the truth at a time: the model's with the smaller bar of its own; the
+ * solid's where they are equal. */
+enum truth_model truth_made_whose(const double value[TRUTH_COLUMNS]);
+
+/* Fills the error bars, at each time the larger of that model's own bar and the difference,
+ * and `claimed`. */
+void truth_made_bar(struct truth_made *made, double length);
 
 #endif

@@ -196,7 +196,7 @@ static struct truth_outlook look(struct sharp *s, struct truth_made *made)
     struct truth_outlook o;
 
     truth_bar_compare(s->family, &s->push, s->scene->length, made);
-    truth_made_choose(made, s->scene->length);
+    truth_made_bar(made, s->scene->length);
     o = truth_sharp_look(s->family, &s->push, s->scene, s->frame, made, s->wish->error);
     o.spent = s->spent;
     return o;

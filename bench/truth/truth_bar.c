@@ -1,6 +1,7 @@
 #include "bench/truth/truth_bar.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -332,23 +333,30 @@ static void fill(const struct truth_family family[TRUTH_MODELS], struct truth_ma
     }
 }
 
-enum { SHARE_TEXT = TRUTH_BAR_LEVEL + 96 };
+__attribute__((format(printf, 2, 3))) static void add(struct truth_made *made,
+                                                      const char *format, ...)
+{
+    const size_t used = strlen(made->note);
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(made->note + used, sizeof made->note - used, format, arguments);
+    va_end(arguments);
+}
 
 /* A model's finest run and, if the truth is somewhere its limit, what that is made of. */
-static void tell_share(const struct truth_family *f, int limits, bool own,
-                       char text[SHARE_TEXT])
+static void add_share(struct truth_made *made, const struct truth_family *f, int limits,
+                      bool own)
 {
     char level[TRUTH_BAR_LEVEL];
 
     truth_bar_level(&f->level[truth_bar_finest(f) - f->run], own, level);
-    if (!limits) {
-        snprintf(text, SHARE_TEXT, "%s", level);
+    add(made, "%s", level);
+    if (!limits)
         return;
-    }
     const struct truth_level *l = &f->level[f->count - 4];
-    snprintf(text, SHARE_TEXT,
-             "%s, %d times extrapolated from %dx%d, %dx%d, %dx%d and that", level, limits,
-             l[0].side, l[0].side, l[1].side, l[1].side, l[2].side, l[2].side);
+    add(made, ", %d times extrapolated from %dx%d, %dx%d, %dx%d and that", limits,
+        l[0].side, l[0].side, l[1].side, l[1].side, l[2].side, l[2].side);
 }
 
 static const char *by_what(const struct truth_family *f, int limits)
@@ -363,23 +371,24 @@ static void tell(const struct truth_family family[TRUTH_MODELS],
                  struct truth_made *made)
 {
     const struct truth_family *f = &family[most], *other = &family[!most];
-    const struct share *less = &share[!most];
-    char own[SHARE_TEXT], against[SHARE_TEXT] = "";
+    const struct share *more = &share[most], *less = &share[!most];
 
-    tell_share(f, share[most].limits, true, own);
-    if (other->count)
-        tell_share(other, less->limits, false, against);
-    if (less->times)
-        snprintf(made->note, sizeof made->note,
-                 "nonlinear %s; at %d of %d times the %s; error bar: the smaller one's own "
-                 "by %s or, if larger, their difference",
-                 own, less->times, less->times + share[most].times, against,
-                 by_what(f, share[most].limits + less->limits));
-    else
-        snprintf(made->note, sizeof made->note,
-                 "nonlinear %s; error bar: its own by %s%s%s", own,
-                 by_what(f, share[most].limits),
-                 other->count ? " or, if larger, its difference from the " : "", against);
+    made->note[0] = '\0';
+    add(made, "nonlinear ");
+    add_share(made, f, more->limits, true);
+    if (less->times) {
+        add(made, "; at %d of %d times the ", less->times, less->times + more->times);
+        add_share(made, other, less->limits, false);
+        add(made,
+            "; error bar: the smaller one's own by %s or, if larger, their difference",
+            by_what(f, more->limits + less->limits));
+        return;
+    }
+    add(made, "; error bar: its own by %s", by_what(f, more->limits));
+    if (other->count) {
+        add(made, " or, if larger, its difference from the ");
+        add_share(made, other, 0, false);
+    }
 }
 
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,

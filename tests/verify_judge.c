@@ -341,6 +341,17 @@ static void check_rows(void)
         snprintf(text, sizeof text, "%s%s%s", other[n], MET, NOTHING);
         CHECK(against(text, false, rows) == 1);
     }
+    static const struct {
+        const char *error;
+        int wrong;
+    } noisy[] = {{"0.022~0.0025", 0}, {"0.022~0.0015", 1}, {"0.018~0.0025", 0},
+                 {"0.018~0.0015", 1}, {"0.022~", 1},       {"0.02~0", 0}};
+    for (size_t n = 0; n < sizeof noisy / sizeof *noisy; n++) {
+        snprintf(text, sizeof text,
+                 "first | tip | " IGA " | 1 | 0 | 0.01 | %s | nan | MISSED | asked\n%s%s",
+                 noisy[n].error, MET, NOTHING);
+        CHECK(against(text, false, rows) == noisy[n].wrong);
+    }
 }
 
 int main(int argc, char **argv)

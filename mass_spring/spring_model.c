@@ -37,10 +37,11 @@ static enum status refuse(const struct discretization *d, struct message *why)
 {
     const bool momentum = d->integrator == INTEGRATOR_MOMENTUM;
 
-    if (d->integrator == INTEGRATOR_BDF2)
+    if (d->integrator == INTEGRATOR_BDF2 || d->integrator == INTEGRATOR_MIDPOINT)
         return status_fail(why, STATUS_UNSUPPORTED,
-                           "integrator=bdf2: mass_spring has implicit, explicit, leapfrog "
-                           "and momentum");
+                           "integrator=%s: mass_spring has implicit, explicit, leapfrog "
+                           "and momentum",
+                           integrator_name(d->integrator));
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");

@@ -60,6 +60,7 @@ enum integrator {
     INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
     INTEGRATOR_MOMENTUM, /* implicit, second order, keeps energy and momenta           */
     INTEGRATOR_BDF2,     /* implicit, second order, backward differences               */
+    INTEGRATOR_MIDPOINT, /* implicit, second order, damps nothing                      */
 };
 
 /* Of leapfrog steps of shell and solids. */

@@ -150,7 +150,9 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
 
     *m = (struct pd_motion){.scene = scene, .options = *options};
     m->dt = scene->step / options->substeps;
-    m->span = options->second ? backward_span(m->dt) : m->dt;
+    m->span = options->second     ? backward_span(m->dt)
+              : options->midpoint ? m->dt / 2
+                                  : m->dt;
     if (!clamped)
         return STATUS_MEMORY;
     TRY(hold_nodes(m, why));
@@ -216,7 +218,8 @@ void pd_motion_begin(struct pd_motion *m)
             m->x[at] = flight / inert;
         }
     }
-    supports_shift(&m->supports, m->scene, m->time + m->dt, m->shift);
+    supports_shift(&m->supports, m->scene,
+                   m->time + (m->options.midpoint ? m->span : m->dt), m->shift);
     for (int h = 0; h < m->supports.held_count; h++) {
         ptrdiff_t at = place(m, m->supports.held[h]);
         m->x[at] = m->base[at] = m->energy.rest[at] + m->shift[h];
@@ -289,10 +292,34 @@ static void keep_left(struct pd_motion *m, double before, double moved)
     m->left_time = m->time + m->dt;
 }
 
+/* Velocities at the end of the span; by the midpoint rule that is the middle of the step,
+ * from which both go on as far again, and what is held to where its support is. */
+static void arrive(struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+
+    for (int c = 0; c < 3; c++) {
+        ptrdiff_t first = c * pd_net_stride(net);
+        for (ptrdiff_t at = first; at < first + net->nodes; at++) {
+            const double v = (m->x[at] - m->origin[at]) / m->span;
+            m->v[at] = m->options.midpoint ? v + (v - m->v[at]) : v;
+            if (m->options.midpoint)
+                m->x[at] += m->x[at] - m->start[at];
+        }
+    }
+    if (!m->options.midpoint)
+        return;
+    supports_shift(&m->supports, m->scene, m->time + m->dt, m->shift);
+    for (int h = 0; h < m->supports.held_count; h++) {
+        ptrdiff_t at = place(m, m->supports.held[h]);
+        m->x[at] = m->energy.rest[at] + m->shift[h];
+        m->v[at] = (m->x[at] - m->start[at]) / m->dt;
+    }
+}
+
 static enum status step(struct pd_motion *m, struct counters *counters)
 {
     enum status st;
-    const struct pd_net *net = &m->energy.net;
     const struct pd_options *o = &m->options;
     double near = o->tolerance * m->scene->length, moved = INFINITY, value = INFINITY;
     double before = INFINITY;
@@ -315,11 +342,7 @@ static enum status step(struct pd_motion *m, struct counters *counters)
     counters->solves += m->contact.dual.solves - pushes;
     if (m->scene->obstacle_count)
         add_push(m);
-    for (int c = 0; c < 3; c++) {
-        ptrdiff_t at = c * pd_net_stride(net);
-        for (int k = 0; k < net->nodes; k++)
-            m->v[at + k] = (m->x[at + k] - m->origin[at + k]) / m->span;
-    }
+    arrive(m);
     if (m->options.second)
         pd_motion_touch(m);
     m->time += m->dt;

@@ -51,6 +51,7 @@ static struct pd_options options_of(const struct discretization *d)
         .chebyshev = d->acceleration == ACCELERATION_CHEBYSHEV,
         .split = d->acceleration == ACCELERATION_ADMM,
         .second = d->integrator == INTEGRATOR_BDF2,
+        .midpoint = d->integrator == INTEGRATOR_MIDPOINT,
         .solver = d->solver,
     };
 
@@ -76,10 +77,17 @@ static enum status create(const struct scene *scene, const struct discretization
     if (d->parameters == PARAMETERS_MATCHED)
         TRY(refuse_damping(scene, why));
     TRY(discretization_refuse_net(d, USED, "projective_dynamics", why));
-    if (d->integrator != INTEGRATOR_IMPLICIT && d->integrator != INTEGRATOR_BDF2)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "integrator=%s: projective_dynamics has implicit and bdf2",
-                           integrator_name(d->integrator));
+    if (d->integrator != INTEGRATOR_IMPLICIT && d->integrator != INTEGRATOR_BDF2 &&
+        d->integrator != INTEGRATOR_MIDPOINT)
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "integrator=%s: projective_dynamics has implicit, bdf2 and midpoint",
+            integrator_name(d->integrator));
+    if (d->integrator == INTEGRATOR_MIDPOINT && scene->obstacle_count)
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "integrator=midpoint: without obstacles only, as a sheet that is "
+            "outside of them in the middle of a step may be inside at its end");
     if (d->acceleration == ACCELERATION_ADMM && d->constraint != CONSTRAINT_TRIANGLES)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "acceleration=admm: with constraint=triangles only");

@@ -262,7 +262,9 @@ static void check_refusals(void)
          "with integrator=leapfrog only"},
         {{.integrator = INTEGRATOR_LEAPFROG, .bending = BENDING_STRUT},
          "with springs=lengths only"},
-        {{.integrator = INTEGRATOR_LEAPFROG, .bending = BENDING_HINGE}, "bending=hinge"}};
+        {{.integrator = INTEGRATOR_LEAPFROG, .bending = BENDING_HINGE}, "bending=hinge"},
+        {{.integrator = INTEGRATOR_BDF2}, "integrator=bdf2"},
+        {{.integrator = INTEGRATOR_MIDPOINT}, "integrator=midpoint"}};
 
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         struct scene scene;

@@ -271,6 +271,7 @@ static void check_refusals(void)
     } cases[] = {
         {{.integrator = INTEGRATOR_EXPLICIT}, 0, "integrator=leapfrog"},
         {{.integrator = INTEGRATOR_BDF2}, 0, "integrator=bdf2"},
+        {{.integrator = INTEGRATOR_MIDPOINT}, 0, "integrator=midpoint"},
         {{.integrator = INTEGRATOR_MOMENTUM, .bending = BENDING_STRUT}, 0, "bending=strut"},
         {{.integrator = INTEGRATOR_LEAPFROG, .bending = BENDING_HINGE},
          PRECISION_SINGLE,

@@ -37,9 +37,10 @@ static enum status refuse(const struct scene *scene, const struct discretization
     if (d->integrator == INTEGRATOR_EXPLICIT)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "triangles take explicit steps by integrator=leapfrog");
-    if (d->integrator == INTEGRATOR_BDF2)
+    if (d->integrator == INTEGRATOR_BDF2 || d->integrator == INTEGRATOR_MIDPOINT)
         return status_fail(why, STATUS_UNSUPPORTED,
-                           "integrator=bdf2: triangles have momentum, implicit, leapfrog");
+                           "integrator=%s: triangles have momentum, implicit, leapfrog",
+                           integrator_name(d->integrator));
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");

@@ -220,7 +220,7 @@ static const struct schema_key DISCRETIZATION[] = {
      .word = viscosity_name, IN(discretization, viscosity)},
     {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_name,
      IN(discretization, parameters)},
-    {"integrator", "Euler's methods, leapfrog, energy-momentum, or bdf2", SCHEMA_WORD,
+    {"integrator", "Euler's methods, leapfrog, energy-momentum, bdf2, midpoint", SCHEMA_WORD,
      .word = integrator_name, IN(discretization, integrator)},
     {"mass", "of leapfrog steps of shell and solids", SCHEMA_WORD, .word = mass_name,
      IN(discretization, mass)},

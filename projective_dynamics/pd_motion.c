@@ -292,23 +292,32 @@ static void keep_left(struct pd_motion *m, double before, double moved)
     m->left_time = m->time + m->dt;
 }
 
-/* Velocities at the end of the span; by the midpoint rule that is the middle of the step,
- * from which both go on as far again, and what is held to where its support is. */
+/* Velocities at the end of the span. */
 static void arrive(struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+
+    for (int c = 0; c < 3; c++) {
+        ptrdiff_t at = c * pd_net_stride(net);
+        for (int k = 0; k < net->nodes; k++)
+            m->v[at + k] = (m->x[at + k] - m->origin[at + k]) / m->span;
+    }
+}
+
+/* The midpoint rule: the span ends in the middle of the step, from which positions and
+ * velocities go on as far again, and what is held to where its support is. */
+static void pass_middle(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
 
     for (int c = 0; c < 3; c++) {
         ptrdiff_t first = c * pd_net_stride(net);
         for (ptrdiff_t at = first; at < first + net->nodes; at++) {
-            const double v = (m->x[at] - m->origin[at]) / m->span;
-            m->v[at] = m->options.midpoint ? v + (v - m->v[at]) : v;
-            if (m->options.midpoint)
-                m->x[at] += m->x[at] - m->start[at];
+            const double v = (m->x[at] - m->start[at]) / m->span;
+            m->v[at] = v + (v - m->v[at]);
+            m->x[at] += m->x[at] - m->start[at];
         }
     }
-    if (!m->options.midpoint)
-        return;
     supports_shift(&m->supports, m->scene, m->time + m->dt, m->shift);
     for (int h = 0; h < m->supports.held_count; h++) {
         ptrdiff_t at = place(m, m->supports.held[h]);
@@ -342,7 +351,10 @@ static enum status step(struct pd_motion *m, struct counters *counters)
     counters->solves += m->contact.dual.solves - pushes;
     if (m->scene->obstacle_count)
         add_push(m);
-    arrive(m);
+    if (m->options.midpoint)
+        pass_middle(m);
+    else
+        arrive(m);
     if (m->options.second)
         pd_motion_touch(m);
     m->time += m->dt;

@@ -1,5 +1,5 @@
 /* pd_motion.h - the sheet in time: implicit Euler, BDF2 (backward.h) or the midpoint rule
- * (half a step of Euler, and as far again: Dinev, Liu, Kavan, Thomaszewski 2018), by local
+ * (half a step of Euler, and as far again: Dinev, Liu, Kavan 2018), by local
  * and global steps in turn (Bouaziz et al. 2014, algorithm 1).
  *
  * A step solves M (x - x_old - dt v) / dt^2 + alpha M (x - x_old) / dt = f - dE/dx: the

@@ -17,9 +17,6 @@ int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length)
     return n;
 }
 
-static const int own_bar[TRUTH_MODELS] = {
-    [TRUTH_SOLID] = TRUTH_SOLID_BAR, [TRUTH_SHELL] = TRUTH_SHELL_BAR};
-
 enum truth_model truth_made_whose(const double value[TRUTH_COLUMNS])
 {
     return value[TRUTH_SOLID_BAR] <= value[TRUTH_SHELL_BAR] ? TRUTH_SOLID : TRUTH_SHELL;
@@ -29,7 +26,8 @@ void truth_made_bar(struct truth_made *made, double length)
 {
     for (int n = 0; n < made->times; n++) {
         double *v = made->value[n];
-        v[TRUTH_ERROR] = fmax(v[own_bar[truth_made_whose(v)]], v[TRUTH_DIFFERENCE]);
+        v[TRUTH_ERROR] =
+            fmax(fmin(v[TRUTH_SOLID_BAR], v[TRUTH_SHELL_BAR]), v[TRUTH_DIFFERENCE]);
     }
     made->claimed = truth_made_claimed(made->times, made->value, length);
 }

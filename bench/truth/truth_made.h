@@ -72,8 +72,8 @@ int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length)
  * solid's where they are equal. */
 enum truth_model truth_made_whose(const double value[TRUTH_COLUMNS]);
 
-/* Fills the error bars, at each time the larger of that model's own bar and the difference,
- * and `claimed`. */
+/* Fills the error bars, at each time the larger of that model's own bar, the smaller one,
+ * and the difference, and `claimed`. */
 void truth_made_bar(struct truth_made *made, double length);
 
 #endif

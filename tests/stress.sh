@@ -37,6 +37,18 @@ cmp first out || fail 'printed again, it is another'
 run 0 two_corners --models odd,mass_spring --quick --out few --format csv
 grep -q "^two_corners,mass_spring,0.02,accurate,.*,the truth's error bar is 0.00" out || fail "$(<out)"
 grep -q "^two_corners,odd,0.02,degraded,.*,the truth's error bar is 0.00" out || fail "$(<out)"
+# one that is killed on its way: the runs are refused, and their rows say why
+"$program" stress two_corners --models odd --quick --out lost --format csv >out 2>err </dev/null &
+stress=$!
+until part=$(compgen -G 'lost/two_corners.truth/*.part'); do # FILE.PROCESS-NUMBER.part
+    kill -0 "$stress" 2>/dev/null || break
+    sleep 0.01
+done
+part=${part%%-0.part*}
+kill -KILL "${part##*.}"
+wait "$stress" || fail "a truth that was killed: $(<err)"
+grep -q '^two_corners,odd,.*,refused,.*no truth to hold it against: killed by signal 9' out ||
+    fail "a truth that was killed: $(<out)"
 # a strip whose systems round-off leaves without a solution, at long steps towards rest
 run 0 narrow --models mass_spring --out narrow --format csv
 grep -q '^narrow,mass_spring,0.02,accurate,' out || fail "narrow: $(<out)"

@@ -270,9 +270,17 @@ static void check_ends(void)
                    strstr(r.sentence.text, known[n].text)))
             printf("  row %zu: %d at %g: %s\n", n, r.outcome, r.time, r.sentence.text);
     }
-    begin(); /* a disk that is full is no result */
+    begin(); /* a truth that could not be made says why, one that was says nothing */
+    struct message lost = {"timed out"};
     struct stress_result r;
-    const struct stress_job job = {&moves, &contestant, path, "none", false};
+    const struct stress_job late = {&shell, &contestant, path, "none", false, &lost};
+    CHECK(stress_judge(&late, &r, NULL) == STATUS_OK);
+    CHECK(!strcmp(r.sentence.text, "no truth to hold it against: timed out"));
+    *lost.text = '\0';
+    CHECK(stress_judge(&late, &r, NULL) == STATUS_OK &&
+          strstr(r.sentence.text, "is not there"));
+    begin(); /* a disk that is full is no result */
+    const struct stress_job job = {&moves, &contestant, path, "none", false, NULL};
     struct message why = {""};
     script.create = STATUS_FILE;
     CHECK(stress_judge(&job, &r, &why) == STATUS_FILE);

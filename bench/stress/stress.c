@@ -10,7 +10,8 @@
 #include "bench/harness/pool.h"
 #include "models/reader/scene_file.h"
 
-/* Of processor time [s]; of the clock ten times that, for those who sleep. */
+/* Of processor time [s]; of the clock ten times that, for those who sleep. A truth, made
+ * once for all contestants, has the longer one always. */
 enum { TIME_LIMIT = 120, QUICK_LIMIT = 20 };
 
 struct options {
@@ -89,7 +90,7 @@ static enum status work(void *context, long number, struct message *why)
     struct truth *truth = NULL;
     enum status st;
 
-    child_limit(job->quick ? QUICK_LIMIT : TIME_LIMIT);
+    child_limit(job->quick && job->contestant ? QUICK_LIMIT : TIME_LIMIT);
     if (!job->contestant) {
         TRY(stress_find_truth(job, TRUTH_QUICK, &truth, why));
         truth_destroy(truth);
@@ -101,7 +102,8 @@ out:
     return st;
 }
 
-/* A run that came to no result of its own has died; one without truth says so. */
+/* A run that came to no result of its own has died; runs without a truth say why there is
+ * none. */
 static enum status settle(void *context, long number, const struct child_end *end,
                           struct message *why)
 {
@@ -114,20 +116,25 @@ static enum status settle(void *context, long number, const struct child_end *en
                                        .quick = job->quick && job->c->quick_end,
                                        .sentence = end->why};
 
-    if (end->outcome == CHILD_DONE || !job->contestant)
+    if (end->outcome == CHILD_DONE)
         return STATUS_OK;
+    if (!job->contestant) {
+        *job->no_truth = end->why;
+        return STATUS_OK;
+    }
     return stress_result_write(job->folder, job->c, job->contestant, &dead, why);
 }
 
 /* The jobs asked for into list[]; returns their number. `truths`: of the cases that need
- * one, else runs. */
+ * one, else runs. no_truth[]: of each case. */
 static long list_jobs(const struct options *o, const char *path, bool truths,
-                      struct stress_job *list)
+                      struct message *no_truth, struct stress_job *list)
 {
     struct stress_job job = {.path = path, .folder = o->folder, .quick = o->choice.quick};
     long count = 0;
 
-    for (int n = 0; (job.c = stress_case_at(n)); n++)
+    for (int n = 0; (job.c = stress_case_at(n)); n++) {
+        job.no_truth = &no_truth[n];
         if (!stress_choice_case(&o->choice, job.c))
             continue;
         else if (!truths)
@@ -135,11 +142,21 @@ static long list_jobs(const struct options *o, const char *path, bool truths,
                 list[count++] = job;
         else if (job.c->truth == STRESS_SHELL)
             list[count++] = job;
+    }
+    return count;
+}
+
+static size_t count_cases(void)
+{
+    size_t count = 0;
+
+    while (stress_case_at((int)count))
+        count++;
     return count;
 }
 
 static enum status run_jobs(const struct options *o, const char *path, bool truths,
-                            struct message *why)
+                            struct message *no_truth, struct message *why)
 {
     struct pool pool = {
         .slots = o->jobs,
@@ -147,18 +164,16 @@ static enum status run_jobs(const struct options *o, const char *path, bool trut
         .work = work,
         .settle = settle,
     };
-    size_t cases = 0, contestants = 0;
+    size_t contestants = 0;
     enum status st = STATUS_OK;
 
-    while (stress_case_at((int)cases))
-        cases++;
     while (contestant_table[contestants].name)
         contestants++;
-    struct stress_job *list = calloc(cases * contestants, sizeof *list);
+    struct stress_job *list = calloc(count_cases() * contestants, sizeof *list);
     if (!list)
         return STATUS_MEMORY;
     pool.context = list;
-    pool.count = list_jobs(o, path, truths, list);
+    pool.count = list_jobs(o, path, truths, no_truth, list);
     if (pool.count)
         st = pool_run(&pool, why);
     free(list);
@@ -169,16 +184,19 @@ static enum status run_jobs(const struct options *o, const char *path, bool trut
 
 static enum status measure(const struct options *o, struct message *why)
 {
+    struct message *no_truth = calloc(count_cases(), sizeof *no_truth);
     char *path = NULL;
     enum status st;
 
+    TRY(no_truth ? STATUS_OK : STATUS_MEMORY);
     TRY(folder_make(o->folder, why));
     TRY(scene_file_find(stress_case_scene, &path, why));
-    TRY(run_jobs(o, path, true, why));
-    TRY(run_jobs(o, path, false, why));
+    TRY(run_jobs(o, path, true, no_truth, why));
+    TRY(run_jobs(o, path, false, no_truth, why));
     if (stress_choice_map(&o->choice))
         TRY(stress_map_measure(o->folder, &o->choice, o->jobs, why));
 out:
+    free(no_truth);
     free(path);
     return st;
 }

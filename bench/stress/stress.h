@@ -77,6 +77,8 @@ struct stress_job {
     const char *path;   /* of stress_case_scene's file                          borrowed */
     const char *folder; /* for truths that are kept                             borrowed */
     bool quick;
+    struct message *no_truth; /* why none could be made, empty: it was; NULL: nobody
+                                 tried                                         borrowed */
 };
 
 enum stress_end {

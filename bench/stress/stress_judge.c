@@ -335,11 +335,12 @@ static enum status end_shifted(struct judged *r, struct message *why)
 
 static enum status begin_shell(struct judged *r, struct message *why)
 {
+    const struct message *lost = r->job->no_truth;
     struct message missing = {""};
 
     if (stress_find_truth(r->job, TRUTH_READ, &r->truth, &missing) != STATUS_OK)
         return status_fail(why, STATUS_UNSUPPORTED, "no truth to hold it against: %.900s",
-                           missing.text);
+                           lost && *lost->text ? lost->text : missing.text);
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
              "the truth's error bar is %.2g",
              r->truth->error[r->truth->times - 1] / r->run.scene.length);

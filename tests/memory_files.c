@@ -112,7 +112,7 @@ static const char REFUSED_PLAN[] =
 static const char SMALL_PLAN[] =
     "name: small\nsource: a test\nscene: edge_drop\nmodel: mass_spring\n"
     "levels: [{label: a, settings: {discretization.points: [3,3]}}]\n"
-    "times: [0.015]\ntimed: 2\n";
+    "times: [0.005]\ntimed: 2\n";
 
 static enum status plan_deed(const void *what, struct message *why)
 {

@@ -372,7 +372,7 @@ static void shared(void)
          "15x15, 1.25 ms; error bar: the smaller one's own by observed orders or, if "
          "larger, their difference"},
         {4, 0,
-         "21x21, step 0.8333 ms, 1 times extrapolated from 9x9, 12x12, 15x15 and that; "
+         "21x21, step 0.8333 ms, once extrapolated from 9x9, 12x12, 15x15 and that; "
          "at 1 of 2 times the cured Kirchhoff-Love shell, p = 3, 15x15, 1.25 ms; error "
          "bar: the smaller one's own by how far its limit moved"},
         {3, 1,

@@ -348,15 +348,17 @@ __attribute__((format(printf, 2, 3))) static void add(struct truth_made *made,
 static void add_share(struct truth_made *made, const struct truth_family *f, int limits,
                       bool own)
 {
-    char level[TRUTH_BAR_LEVEL];
+    char level[TRUTH_BAR_LEVEL], times[24] = "once";
 
     truth_bar_level(&f->level[truth_bar_finest(f) - f->run], own, level);
     add(made, "%s", level);
     if (!limits)
         return;
     const struct truth_level *l = &f->level[f->count - 4];
-    add(made, ", %d times extrapolated from %dx%d, %dx%d, %dx%d and that", limits,
-        l[0].side, l[0].side, l[1].side, l[1].side, l[2].side, l[2].side);
+    if (limits > 1)
+        snprintf(times, sizeof times, "%d times", limits);
+    add(made, ", %s extrapolated from %dx%d, %dx%d, %dx%d and that", times, l[0].side,
+        l[0].side, l[1].side, l[1].side, l[2].side, l[2].side);
 }
 
 static const char *by_what(const struct truth_family *f, int limits)

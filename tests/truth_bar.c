@@ -336,7 +336,8 @@ static void nets_and_steps(void)
     truth_made_clear(&made);
 }
 
-/* A thousandfold is the bound: 750 times at the first time, 1500 at the second. */
+/* A thousandfold is the bound: 750 times at the first time, 1500 at the second; and the
+ * first time beyond it ends the horizon, not the last. */
 static void horizon(void)
 {
     static const struct {
@@ -344,10 +345,11 @@ static void horizon(void)
         const char *words;
     } row[] = {{1.5e-3, "has grown 1.5e+03-fold at 0.2 s: from there on the motion cannot"},
                {3e-6, "grows at most 3-fold up to 0.2 s: so long the motion can be"},
-               {1.5e-3, "at 0.2 s: on a net too coarse to know the motion, which says"}};
+               {1.5e-3, "at 0.2 s: on a net too coarse to know the motion, which says"},
+               {3e-3, "has grown 1.5e+03-fold at 0.1 s: from there on the motion cannot"}};
     char text[TRUTH_WATCH_TEXT];
 
-    for (int n = 0; n < 3; n++) {
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
         used = 0;
         struct run_result pushed = run_at(row[n].pushed, 2 * row[n].pushed, 1),
                           plain = run_at(0, 0, 1);

@@ -53,6 +53,7 @@ struct verify_subject verify_subject_of(const struct verify_field *field,
     const struct verify_entry *e = entry ? entry : &nothing;
     struct verify_subject s = {.contestant = contestant,
                                .tolerance = e->claim > 0 ? e->claim : NAN,
+                               .second = e->second > 0 ? e->second : NAN,
                                .reason = e->reason,
                                .changed = e->changed,
                                .layers = e->layers ? e->layers : contestant->layers,

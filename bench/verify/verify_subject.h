@@ -25,6 +25,8 @@ struct verify_entry {
     /* What was claimed before a first result, if the claim (or whom it is of) was changed
      * after one; it is told and counted. NULL: the claim is older than its results. */
     const char *changed;
+
+    double second; /* tolerance of a check's second row; 0: nothing is claimed */
 };
 
 /* Those that differ in what frees them of locking, which rigid motion does not ask for. */
@@ -53,7 +55,7 @@ struct verify_subject {
     struct verify_sheet
         *sheet; /* that its rows go to                            borrowed */
     const struct contestant *contestant;
-    double tolerance;   /* NAN: nothing is claimed                                        */
+    double tolerance, second; /* NAN: nothing is claimed                                  */
     const char *reason; /* or NULL                                                        */
     const char *changed; /* as an entry's                                                 */
     int nets; /* at least 1                                                     */

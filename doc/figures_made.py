@@ -377,10 +377,10 @@ def truths():
     rows = []
     for scene in (r["scene"] for r in known_rows() if r["truth"] == "stored"):
         claimed = bars(scene)
-        rows.append([f"`{scene}`", f"{claimed[-1][0]:.1f} s",
+        rows.append([f"`{scene}`", f"{claimed[-1][0]:g} s",
                      ", ".join(digits(bar, 1 if bar < 0.1 else 2) for _, bar in claimed),
                      third(scene), horizon(scene)])
-    return markdown(["scene", "known to", "error bar, % of the length, at 0.1, 0.2, ... s",
+    return markdown(["scene", "known to", "error bar, % of the length, at 0.1, 0.2, ... s and where it ends",
                      "a third's distance (its bar)", "a change of 1e-6"], rows)
 
 

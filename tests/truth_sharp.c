@@ -3,6 +3,7 @@
  * is taken, what is damaged made again, to the same bits. */
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_level.h"
+#include "bench/truth/truth_sharp.h"
 
 #include <signal.h>
 #include <sys/stat.h>
@@ -176,13 +177,53 @@ static void check_push(void)
     }
 }
 
+/* How fast a change grows is told of the third of the finest solids, not of the second that
+ * was made. */
+static void push_finer(const char *folder)
+{
+    static const double time = 0.02, sharp = 3e-6;
+    const struct truth_wish wish = {sharp, 600, false};
+    struct settings s = {0};
+    struct scene scene = {0};
+    struct truth_runs runs = {NULL, &s, 1, &time, folder, false};
+    struct truth_made made = {0};
+    struct truth_verdict verdict;
+    char *path = NULL, text[TRUTH_WISH_TEXT], horizon[64];
+    struct message why = {""};
+    int solids = 0;
+    struct files left;
+
+    REQUIRE(scene_file_find("edge_drop", &path, &why) == STATUS_OK);
+    settings_set(&s, "material.young=2e5");
+    settings_set(&s, "damping={kind: none}");
+    runs.path = path;
+    REQUIRE(settings_read_scene(&s, path, &scene, NULL) == STATUS_OK);
+    REQUIRE(truth_sharp_make(&runs, &scene, &(struct truth_sharp){.frame = time}, &wish,
+                             &made, &verdict, text, &why) == STATUS_OK);
+    CHECK(verdict.answer == TRUTH_MET);
+    list(folder, &left);
+    for (int n = 0; n < left.count; n++)
+        solids += strstr(left.name[n], "selective") && !strstr(left.name[n], "perturbed");
+    static const int side[] = {9, 12, 15, 21, 30, 42};
+    REQUIRE(solids >= 5 && solids <= 6);
+    snprintf(horizon, sizeof horizon, "(solid, %dx%d,", side[solids - 3], side[solids - 3]);
+    if (!CHECK(strstr(made.horizon, horizon)))
+        printf("%d solids: %s\n", solids, made.horizon);
+    truth_made_clear(&made);
+    scene_clear(&scene);
+    settings_clear(&s);
+    free(path);
+}
+
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
-    char killed[2048];
+    char killed[2048], finer[2048];
     snprintf(killed, sizeof killed, "%s/killed", argv[1]);
+    snprintf(finer, sizeof finer, "%s/finer", argv[1]);
     fresh_folder(argv[1]);
     fresh_folder(killed);
+    fresh_folder(finer);
     kill_one(killed);                             /* before there are threads */
     struct truth *hasty = made(argv[1], 1e-9, 0); /* two runs are always made, of each */
     struct truth *blunt = made(argv[1], BLUNT, 60);
@@ -207,5 +248,6 @@ int main(int argc, char **argv)
     truth_destroy(blunt);
     truth_destroy(sharp);
     check_push();
+    push_finer(finer);
     return check_result();
 }

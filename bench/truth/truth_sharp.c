@@ -9,6 +9,9 @@
  * tell, within these. */
 static const double DEARER_LEAST = 3, DEARER_MOST = 5;
 
+/* Runs from the finest back to that which is pushed at the end. */
+enum { PUSHED_BEHIND = 3 };
+
 struct sharp {
     const struct truth_runs *runs;
     const struct scene *scene;
@@ -84,13 +87,29 @@ out:
     return st;
 }
 
-/* The finest of the first runs of the solid, or of the shell where that is alone. */
+/* Whose runs are pushed: the solid's, or the shell's where that is alone. */
+static const struct truth_family *pushed_family(const struct sharp *s)
+{
+    return &s->family[s->family[TRUTH_SOLID].count ? TRUTH_SOLID : TRUTH_SHELL];
+}
+
 static enum status push_first(struct sharp *s, struct message *why)
 {
-    const struct truth_family *f =
-        &s->family[s->family[TRUTH_SOLID].count ? TRUTH_SOLID : TRUTH_SHELL];
+    const struct truth_family *f = pushed_family(s);
 
     return push(s, f, f->count - 1, why);
+}
+
+/* A coarse net may not show how fast a change grows, and the finest is dear: third of the
+ * finest, a tenth of its cost. False: the push was of a net as fine, or there is no budget.
+ */
+static bool find_finer(const struct sharp *s, int *run)
+{
+    const struct truth_family *f = pushed_family(s);
+
+    *run = f->count - PUSHED_BEHIND;
+    return *run >= 0 && s->push.level.side < f->level[*run].side &&
+           s->spent + seconds_of(&f->run[*run]) <= s->wish->seconds;
 }
 
 /* The index of the order of a model among the columns, the bar two after it. */
@@ -256,6 +275,7 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
     struct sharp s = {.runs = runs, .scene = scene, .frame = how->frame, .wish = wish};
     struct truth_outlook o;
     enum status st;
+    int finer;
 
     TRY(truth_made_init(made, runs->times, runs->times, runs->time));
     /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
@@ -265,11 +285,15 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
         TRY(look_again(&s, how, made, &o, why));
         *verdict = truth_wish_judge(wish, &o);
         truth_wish_tell(wish, &o, verdict, text);
-        if (verdict->answer != TRUTH_GO)
+        if (verdict->answer == TRUTH_GO) {
+            if (how->say)
+                fprintf(how->say, "truth: %s\n", text);
+            TRY(add_run(&s, verdict->next, why));
+        } else if (verdict->answer != TRUTH_LOST && find_finer(&s, &finer)) {
+            TRY(push(&s, pushed_family(&s), finer, why));
+        } else {
             break;
-        if (how->say)
-            fprintf(how->say, "truth: %s\n", text);
-        TRY(add_run(&s, verdict->next, why));
+        }
     }
     truth_bar_choose(s.family, scene->length, made);
     truth_bar_horizon(&s.push, o.blunt, made->times, made->time, scene->length,

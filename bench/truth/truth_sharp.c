@@ -20,6 +20,7 @@ struct sharp {
     struct truth_family family[TRUTH_MODELS];
     struct run_result pushed;
     struct truth_push push;
+    int finer; /* the run pushed at the end, so that none is pushed there twice; 0: none */
     double spent;
 };
 
@@ -101,14 +102,14 @@ static enum status push_first(struct sharp *s, struct message *why)
 }
 
 /* A coarse net may not show how fast a change grows, and the finest is dear: third of the
- * finest, a tenth of its cost. False: the push was of a net as fine, or there is no budget.
- */
+ * finest, a tenth of its cost. False: the push was of a net as fine, or was made, or there
+ * is no budget. */
 static bool find_finer(const struct sharp *s, int *run)
 {
     const struct truth_family *f = pushed_family(s);
 
     *run = f->count - PUSHED_BEHIND;
-    return *run >= 0 && s->push.level.side < f->level[*run].side &&
+    return *run > s->finer && s->push.level.side < f->level[*run].side &&
            s->spent + seconds_of(&f->run[*run]) <= s->wish->seconds;
 }
 
@@ -290,6 +291,7 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
                 fprintf(how->say, "truth: %s\n", text);
             TRY(add_run(&s, verdict->next, why));
         } else if (verdict->answer != TRUTH_LOST && find_finer(&s, &finer)) {
+            s.finer = finer;
             TRY(push(&s, pushed_family(&s), finer, why));
         } else {
             break;

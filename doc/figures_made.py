@@ -380,7 +380,8 @@ def truths():
         rows.append([f"`{scene}`", f"{claimed[-1][0]:g} s",
                      ", ".join(digits(bar, 1 if bar < 0.1 else 2) for _, bar in claimed),
                      third(scene), horizon(scene)])
-    return markdown(["scene", "known to", "error bar, % of the length, at 0.1, 0.2, ... s and where it ends",
+    return markdown(["scene", "known to",
+                     "error bar, % of the length, at 0.1, 0.2, ... s and where it ends",
                      "a third's distance (its bar)", "a change of 1e-6"], rows)
 
 

@@ -20,7 +20,7 @@ struct sharp {
     struct truth_family family[TRUTH_MODELS];
     struct run_result pushed;
     struct truth_push push;
-    int finer; /* the run pushed at the end, so that none is pushed there twice; 0: none */
+    int pushed_side; /* points along of the finest net that was pushed                  */
     double spent;
 };
 
@@ -84,6 +84,8 @@ static enum status push(struct sharp *s, const struct truth_family *f, int k,
     s->push.level.perturbed = true;
     TRY(truth_level_find(s->runs, &s->push.level, false, &s->pushed, why));
     s->spent += seconds_of(&s->pushed);
+    if (f->level[k].side > s->pushed_side)
+        s->pushed_side = f->level[k].side;
 out:
     return st;
 }
@@ -101,15 +103,14 @@ static enum status push_first(struct sharp *s, struct message *why)
     return push(s, f, f->count - 1, why);
 }
 
-/* A coarse net may not show how fast a change grows, and the finest is dear: third of the
- * finest, a tenth of its cost. False: the push was of a net as fine, or was made, or there
- * is no budget. */
+/* A coarse net may not show how fast a change grows, and the finest is dear: the third of
+ * the finest. False: one as fine was pushed, or there is no budget. */
 static bool find_finer(const struct sharp *s, int *run)
 {
     const struct truth_family *f = pushed_family(s);
 
     *run = f->count - PUSHED_BEHIND;
-    return *run > s->finer && s->push.level.side < f->level[*run].side &&
+    return *run >= 0 && s->pushed_side < f->level[*run].side &&
            s->spent + seconds_of(&f->run[*run]) <= s->wish->seconds;
 }
 
@@ -291,7 +292,6 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
                 fprintf(how->say, "truth: %s\n", text);
             TRY(add_run(&s, verdict->next, why));
         } else if (verdict->answer != TRUTH_LOST && find_finer(&s, &finer)) {
-            s.finer = finer;
             TRY(push(&s, pushed_family(&s), finer, why));
         } else {
             break;

@@ -18,8 +18,9 @@ struct truth_sharp {
 };
 
 /* Fields, bars, claims at the times of `runs`, and why it ended, in a sentence. At least
- * two runs of each model are made, and a push; of five runs and more the third of the
- * finest is pushed, too, if the wish has time for it: its growth is what is told.
+ * two runs of each model are made, and a push of the finest; at the end the third of the
+ * finest is pushed, too, if it is finer than that and the wish has time for it: its growth
+ * is what is told.
  * STATUS_DIVERGED: a run died; STATUS_UNSUPPORTED: a model will not serve the scene (where
  * the wish leaves one alone: neither will). Free with truth_made_clear. */
 enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *scene,

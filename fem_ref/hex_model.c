@@ -23,8 +23,10 @@ static void defaults(struct discretization *d)
                                  .remedy = REMEDY_INCOMPATIBLE};
 }
 
-static void adapt(struct discretization *d, struct message *reason)
+static void adapt(const struct scene *scene, struct discretization *d,
+                  struct message *reason)
 {
+    (void)scene;
     if (d->remedy != REMEDY_AUTO || !kinematics_rebuilds(d->kinematics))
         return;
     d->remedy = REMEDY_NONE;

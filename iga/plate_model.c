@@ -335,7 +335,8 @@ static enum status check_remedy(const struct discretization *d, struct message *
     return STATUS_OK;
 }
 
-static void adapt(struct discretization *d, struct message *reason)
+static void adapt(const struct scene *scene, struct discretization *d,
+                  struct message *reason)
 {
     const bool paper = kinematics_rebuilds(d->kinematics);
 
@@ -348,7 +349,7 @@ static void adapt(struct discretization *d, struct message *reason)
     if (d->remedy != REMEDY_AUTO)
         return;
     d->remedy = REMEDY_SELECTIVE;
-    if (paper || check_remedy(d, reason) != STATUS_OK)
+    if (paper || check_remedy(d, reason) != STATUS_OK || model_folds(scene, d, reason))
         d->remedy = REMEDY_NONE;
 }
 

@@ -1,6 +1,6 @@
 #include "iga/plate_space.h"
 #include "iga/plate_space_part.h"
-#include "iga/reduced_rule.h"
+#include "iga/line_rule.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -38,55 +38,39 @@ void plate_space_thickness(const struct patch *patch, bool thickness, double w, 
 static void direction_clear(struct plate_direction *d)
 {
     free(d->room);
-    free(d->points);
     memset(d, 0, sizeof *d);
 }
 
 enum status plate_space_direction(struct plate_direction *d, const struct bspline *b,
-                                  int gauss, struct reduced_rule *rule, bool legendre)
+                                  enum status st, struct line_rule *rule, bool legendre)
 {
-    int *span = malloc((size_t)b->n * sizeof *span);
-    double x[GAUSS_MAX], w[GAUSS_MAX], value[2 * BSPLINE_MAX_ORDER];
-    size_t points;
+    const size_t points = (size_t)(rule->spans * rule->most), order = (size_t)b->p + 1;
+    double value[2 * BSPLINE_MAX_ORDER];
 
-    *d = (struct plate_direction){.order = b->p + 1, .gauss = gauss ? gauss : b->p + 1};
-    if (rule)
-        d->points = rule->count, rule->count = NULL;
-    if (!span)
-        return STATUS_MEMORY;
-    d->spans = bspline_spans(b, span);
-    points = (size_t)(d->spans * d->gauss);
-    enum status st =
-        room_cut(&d->room, ROOM(d->first, d->spans), ROOM(d->N, points * (size_t)d->order),
-                 ROOM(d->dN, points * (size_t)d->order), ROOM(d->weight, points));
-    if (st != STATUS_OK) {
-        free(span);
-        return st;
-    }
-    for (int e = 0; e < d->spans; e++) {
-        double lo = b->U[span[e]], size = b->U[span[e] + 1] - lo;
-        int count = rule ? d->points[e] : d->gauss;
-        size_t kept = (size_t)(e * d->order), size_of = (size_t)count * sizeof *x;
-        if (rule) {
-            memcpy(x, rule->x + kept, size_of);
-            memcpy(w, rule->part + kept, size_of);
-        } else
-            gauss_rule(count, x, w);
-        d->first[e] = span[e] - b->p;
-        for (int q = 0; q < count; q++) {
+    *d = (struct plate_direction){
+        .order = (int)order, .gauss = rule->most, .spans = rule->spans};
+    if (st == STATUS_OK)
+        st = room_cut(&d->room, ROOM(d->first, d->spans), ROOM(d->points, d->spans),
+                      ROOM(d->N, points * order), ROOM(d->dN, points * order),
+                      ROOM(d->weight, points));
+    for (int e = 0; st == STATUS_OK && e < d->spans; e++) {
+        double lo = b->U[rule->span[e]], size = line_rule_size(rule, b, e);
+        d->first[e] = rule->span[e] - b->p;
+        d->points[e] = rule->count[e];
+        for (int q = 0; q < d->points[e]; q++) {
             size_t row = (size_t)(e * d->gauss + q);
+            double u = lo + size * rule->x[e * LINE_RULE_MOST + q];
             if (legendre)
-                plate_space_legendre(b->p, lo + size * x[q], value, value + d->order);
+                plate_space_legendre(b->p, u, value, value + order);
             else
-                bspline_eval(b, span[e], lo + size * x[q], 1, value);
-            memcpy(d->N + row * (size_t)d->order, value, (size_t)d->order * sizeof *value);
-            memcpy(d->dN + row * (size_t)d->order, value + d->order,
-                   (size_t)d->order * sizeof *value);
-            d->weight[row] = size * w[q];
+                bspline_eval(b, rule->span[e], u, 1, value);
+            memcpy(d->N + row * order, value, order * sizeof *value);
+            memcpy(d->dN + row * order, value + order, order * sizeof *value);
+            d->weight[row] = size * rule->part[e * LINE_RULE_MOST + q];
         }
     }
-    free(span);
-    return STATUS_OK;
+    line_rule_clear(rule);
+    return st;
 }
 
 static size_t product_size(const struct plate_tables *t)
@@ -252,10 +236,9 @@ void plate_space_clear(struct solid_space *space, struct plate_tables *tables)
         return;
     for (int i = 0; i < 3; i++)
         direction_clear(&tables->direction[i]);
-    for (int i = 0; i < 2; i++) {
-        direction_clear(&tables->reduced[i]);
-        direction_clear(&tables->bend[i]);
-    }
+    for (int l = 0; l < PLATE_LINES; l++)
+        for (int i = 0; i < 2; i++)
+            direction_clear(&tables->cure[l][i]);
     free(tables->product);
     memset(tables, 0, sizeof *tables);
 }
@@ -268,9 +251,12 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
     const struct plate_direction *d = t.direction;
     struct solid_space new = {.nodes = patch_nodes(patch), .local = patch_local(patch)};
 
-    for (int i = 0; i < 3; i++)
-        TRY(plate_space_direction(&t.direction[i], &patch->basis[i], gauss[i], NULL,
-                                  thickness && i == 2));
+    for (int i = 0; i < 3; i++) {
+        const struct bspline *b = &patch->basis[i];
+        struct line_rule rule;
+        st = line_rule_gauss(&rule, b, gauss[i] ? gauss[i] : b->p + 1);
+        TRY(plate_space_direction(&t.direction[i], b, st, &rule, thickness && i == 2));
+    }
     TRY(make_products(&t));
     new.elements = d[0].spans *d[1].spans *d[2].spans;
     new.gauss = d[0].gauss *d[1].gauss *d[2].gauss;

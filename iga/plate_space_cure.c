@@ -30,8 +30,8 @@ static int reduced_functions(const struct solid_space *space, int element,
                              struct solid_functions *out)
 {
     const struct plate_tables *t = space->tables;
-    const struct plate_direction *const d[3] = {&t->reduced[0], &t->reduced[1],
-                                                &t->direction[2]};
+    const struct plate_direction *const d[3] = {
+        &t->cure[PLATE_REDUCED][0], &t->cure[PLATE_REDUCED][1], &t->direction[2]};
     int e[3] = {element / (d[1]->spans * d[2]->spans), element / d[2]->spans % d[1]->spans,
                 element % d[2]->spans};
     int row = SOLID_PADDED(space->local), count = 0;
@@ -51,31 +51,27 @@ static int reduced_functions(const struct solid_space *space, int element,
     return count;
 }
 
-static enum status reduce_directions(struct plate_tables *tables, const struct patch *patch)
+static enum status make_line(struct plate_tables *tables, const struct bspline *b, int l,
+                             int i)
 {
-    for (int i = 0; i < 2; i++) {
-        const struct bspline *b = &patch->basis[i];
-        struct reduced_rule rule;
-        enum status st = reduced_rule_init(&rule, b);
-        if (st == STATUS_OK)
-            st = plate_space_direction(&tables->reduced[i], b, rule.most, &rule, false);
-        reduced_rule_clear(&rule);
-        if (st != STATUS_OK)
-            return st;
-    }
-    return STATUS_OK;
+    struct line_rule rule;
+    enum status st = l == PLATE_BENDING    ? line_rule_bending(&rule, b)
+                     : l == PLATE_GREVILLE ? line_rule_greville(&rule, b, false)
+                                           : reduced_rule_init(&rule, b);
+
+    return plate_space_direction(&tables->cure[l][i], b, st, &rule, false);
 }
 
 enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch)
 {
-    enum status st = reduce_directions(tables, patch);
+    enum status st = STATUS_OK;
 
-    if (st != STATUS_OK)
-        return st;
+    for (int i = 0; i < 2 && st == STATUS_OK; i++)
+        st = make_line(tables, &patch->basis[i], PLATE_REDUCED, i);
     space->reduced = reduced_functions;
     space->plane_stress = patch->basis[2].n == 2;
-    return STATUS_OK;
+    return st;
 }
 
 /* Values and gradients of the functions of a surface at one point: N, N_u, N_v, [3][order u
@@ -108,19 +104,26 @@ static double surface_point(const struct solid_space *space, int element,
     return u->weight[at_u] * v->weight[at_v];
 }
 
-static int layer_functions(const struct solid_space *space, int element, bool bend,
-                           double *G, double *weight)
+/* Lines of points along u and v of each kind of strain. */
+static const int lines[SOLID_KINDS][2] = {
+    [SOLID_ALONG_U] = {PLATE_REDUCED, PLATE_GREVILLE},
+    [SOLID_ALONG_V] = {PLATE_GREVILLE, PLATE_REDUCED},
+    [SOLID_OTHER] = {PLATE_REDUCED, PLATE_REDUCED},
+    [SOLID_BENDING] = {PLATE_BENDING, PLATE_BENDING},
+};
+
+static int layer_functions(const struct solid_space *space, int element,
+                           enum solid_strains kind, double *G, double *weight)
 {
     const struct plate_tables *t = space->tables;
-    const struct plate_direction *u = bend ? &t->bend[0] : &t->reduced[0], *v = u + 1;
+    const struct plate_direction *u = &t->cure[lines[kind][0]][0],
+                                 *v = &t->cure[lines[kind][1]][1];
     double N[3 * BSPLINE_MAX_ORDER * BSPLINE_MAX_ORDER];
     int eu = element / v->spans, ev = element % v->spans, points = 0;
     int surface = u->order * v->order, row = SOLID_PADDED(space->local);
-    int nu = u->points ? u->points[eu] : u->gauss,
-        nv = v->points ? v->points[ev] : v->gauss;
 
-    for (int q = 0; q < nu; q++)
-        for (int s = 0; s < nv; s++, G += 6 * row) {
+    for (int q = 0; q < u->points[eu]; q++)
+        for (int s = 0; s < v->points[ev]; s++, G += 6 * row) {
             weight[points++] = surface_point(space, element, u, (size_t)(eu * u->gauss + q),
                                              v, (size_t)(ev * v->gauss + s), N);
             for (int n = 0; n < surface; n++)
@@ -140,13 +143,11 @@ enum status plate_space_select(struct solid_space *space, struct plate_tables *t
                                const struct patch *patch)
 {
     double face[2][2];
-    enum status st = reduce_directions(tables, patch);
+    enum status st = STATUS_OK;
 
-    for (int i = 0; i < 2 && st == STATUS_OK; i++) {
-        const struct bspline *b = &patch->basis[i];
-        st = plate_space_direction(&tables->bend[i], b, b->p > 2 ? b->p - 1 : 2, NULL,
-                                   false);
-    }
+    for (int l = 0; l < PLATE_LINES && st == STATUS_OK; l++)
+        for (int i = 0; i < 2 && st == STATUS_OK; i++)
+            st = make_line(tables, &patch->basis[i], l, i);
     for (int k = 0; k < 2; k++)
         plate_space_thickness(patch, space->thickness_basis, k, face[k]);
     for (int c = 0; c < 2; c++) {
@@ -154,8 +155,9 @@ enum status plate_space_select(struct solid_space *space, struct plate_tables *t
         tables->layer[1][c] = face[1][c] - face[0][c];
     }
     space->layer = layer_functions;
-    space->layer_points[0] = tables->reduced[0].gauss * tables->reduced[1].gauss;
-    space->layer_points[1] = tables->bend[0].gauss * tables->bend[1].gauss;
+    for (int k = 0; k < SOLID_KINDS; k++)
+        space->layer_points[k] =
+            tables->cure[lines[k][0]][0].gauss * tables->cure[lines[k][1]][1].gauss;
     return st;
 }
 
@@ -186,20 +188,21 @@ void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, i
                        bool end, double thickness, double poisson)
 {
     const struct bspline *b = &patch->basis[i];
-    struct plate_direction *d = &tables->bend[i];
+    struct plate_direction *d = &tables->cure[PLATE_BENDING][i];
     const double width = thickness * sqrt((1 - poisson) / 120);
     const double share = poisson * poisson / ((1 - poisson) * (1 - poisson));
     double x[GAUSS_MAX], w[GAUSS_MAX], y[GAUSS_MAX], less[GAUSS_MAX];
 
-    gauss_rule(d->gauss, x, w);
     for (int e = 0; e < d->spans && width > 0; e++) {
+        const int points = d->points[e];
         double lo = b->U[d->first[e] + b->p], hi = b->U[d->first[e] + b->p + 1];
         double near = (end ? 1 - hi : lo) / width, far = (end ? 1 - lo : hi) / width;
-        for (int q = 0; q < d->gauss; q++) /* the rule is symmetric */
+        gauss_rule(points, x, w);
+        for (int q = 0; q < points; q++) /* the rule is symmetric */
             y[q] = (far - near) * x[q];
-        decaying(d->gauss, y, near, far, less);
-        for (int q = 0; q < d->gauss; q++) {
-            double *weight = d->weight + e * d->gauss + (end ? d->gauss - 1 - q : q);
+        decaying(points, y, near, far, less);
+        for (int q = 0; q < points; q++) {
+            double *weight = d->weight + e * d->gauss + (end ? points - 1 - q : q);
             *weight /= 1 - share * less[q] / ((far - near) * w[q]);
         }
     }

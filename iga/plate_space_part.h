@@ -8,13 +8,12 @@
 
 struct bspline;
 struct plate_direction;
-struct reduced_rule;
+struct line_rule;
 struct solid_space;
 
-/* Points of `rule`, at most `gauss` a span (its counts are taken over), or NULL: Gauss
- * points, so many. */
+/* Tables at the points of `rule`, which is cleared, whatever it was left with by `st`. */
 enum status plate_space_direction(struct plate_direction *d, const struct bspline *b,
-                                  int gauss, struct reduced_rule *rule, bool legendre);
+                                  enum status st, struct line_rule *rule, bool legendre);
 
 /* R_a = w_a N_a / W and its gradient at one Gauss point, in place. In the thickness basis,
  * weights are equal through a column and its first function, 1, stands for the sum of all.

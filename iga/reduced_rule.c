@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "models/linalg/gauss.h"
 
@@ -11,20 +10,12 @@ struct spans {
     int order, count;
     const int *knot;    /* [count] index of the knot where each begins                  */
     const double *size; /* [count]                                                      */
-    struct reduced_rule *rule;
+    struct line_rule *rule;
 };
-
-void reduced_rule_clear(struct reduced_rule *rule)
-{
-    free(rule->count);
-    free(rule->x);
-    free(rule->part);
-    memset(rule, 0, sizeof *rule);
-}
 
 static void add(const struct spans *s, int span, double x, double part)
 {
-    int at = span * s->order + s->rule->count[span]++;
+    int at = span * LINE_RULE_MOST + s->rule->count[span]++;
 
     s->rule->x[at] = x;
     s->rule->part[at] = part;
@@ -125,27 +116,21 @@ static void fill(const struct spans *s)
         }
 }
 
-enum status reduced_rule_init(struct reduced_rule *rule, const struct bspline *b)
+enum status reduced_rule_init(struct line_rule *rule, const struct bspline *b)
 {
-    const size_t n = (size_t)b->n, room = n * (size_t)(b->p + 1);
-    int *knot = malloc(n * sizeof *knot);
-    double *size = malloc(n * sizeof *size);
-    bool good;
+    enum status st = line_rule_room(rule, b);
+    double *size = malloc((size_t)b->n * sizeof *size);
 
-    *rule = (struct reduced_rule){.count = calloc(n, sizeof *rule->count),
-                                  .x = malloc(room * sizeof *rule->x),
-                                  .part = malloc(room * sizeof *rule->part)};
-    good = knot && size && rule->count && rule->x && rule->part;
-    if (good) {
-        const struct spans s = {b->p + 1, bspline_spans(b, knot), knot, size, rule};
+    if (!size)
+        st = STATUS_MEMORY;
+    if (st == STATUS_OK) {
+        const struct spans s = {b->p + 1, rule->spans, rule->span, size, rule};
         for (int e = 0; e < s.count; e++)
-            size[e] = b->U[knot[e] + 1] - b->U[knot[e]];
+            size[e] = line_rule_size(rule, b, e);
         fill(&s);
-        for (int e = 0; e < s.count; e++)
-            rule->most = rule->count[e] > rule->most ? rule->count[e] : rule->most;
+        line_rule_most(rule);
     } else
-        reduced_rule_clear(rule);
-    free(knot);
+        line_rule_clear(rule);
     free(size);
-    return good ? STATUS_OK : STATUS_MEMORY;
+    return st;
 }

@@ -1,5 +1,5 @@
 /* reduced_rule.h - quadrature of one direction of a spline space with as many points as
- * functions: what remedy=reduced and remedy=selective ask of a plate's strains. Transverse
+ * functions: what remedy=reduced asks of a plate's strains. Transverse
  * shear and membrane strains can then vanish wherever bending asks them to, which cures
  * locking at any thickness (patch-wise reduced integration: Adam, Bouabdallah, Zarroug,
  * Maitournam, CMAME 284, 2015; the placing of the points is ours).
@@ -25,17 +25,9 @@
 #ifndef REDUCED_RULE_H
 #define REDUCED_RULE_H
 
-#include "iga/bspline.h"
+#include "iga/line_rule.h"
 
-struct reduced_rule {
-    int most;     /* points a span, where they are most; at most p + 1                  */
-    int *count;   /* [spans] points                                             owned   */
-    double *x;    /* [spans][p + 1] place in the span, 0 .. 1                   owned   */
-    double *part; /* [spans][p + 1] weight, of the span's length; positive      owned   */
-};
-
-/* STATUS_MEMORY leaves *rule all-zero, which clear accepts. */
-enum status reduced_rule_init(struct reduced_rule *rule, const struct bspline *b);
-void reduced_rule_clear(struct reduced_rule *rule);
+/* STATUS_MEMORY leaves *rule all-zero. */
+enum status reduced_rule_init(struct line_rule *rule, const struct bspline *b);
 
 #endif

@@ -1,5 +1,6 @@
 #include "models/model.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,6 +39,29 @@ enum status model_refuse_net(const struct scene *scene, unsigned serves,
             missing |= thickness;
     return refuse(missing, missing & thickness ? " that leave out the mid-surface" : "",
                   why);
+}
+
+bool model_folds(const struct scene *scene, const struct discretization *d,
+                 struct message *reason)
+{
+    const double side[2] = {scene->length, scene->width}, L = scene->length;
+    const double gamma = scene_gamma(scene), most = L * cbrt(MODEL_FOLDS / gamma);
+    double longest = 0;
+    int enough[2];
+
+    for (int i = 0; i < 2; i++) {
+        longest = fmax(longest, side[i] / (d->points[i] - d->degree[i]));
+        enough[i] = (int)fmin(ceil(side[i] / most), 1e6) + d->degree[i];
+    }
+    if (!(longest > most))
+        return false;
+    status_fail(
+        reason, STATUS_OK,
+        "the sheet folds within a span of this net (Gamma of a span is %.3g), where "
+        "a cured net stretches freely and this one is too stiff; from [%d,%d] "
+        "points on the net is fine enough to be cured",
+        gamma * pow(longest / L, 3), enough[0], enough[1]);
+    return true;
 }
 
 void model_open(const struct model *model, struct discretization *d)
@@ -89,8 +113,8 @@ static int at_least(int points, int degree)
     return points > 1 && points <= degree ? degree + 1 : points;
 }
 
-void model_complete(const struct model *model, struct discretization *d,
-                    struct message *told)
+void model_complete(const struct model *model, const struct scene *scene,
+                    struct discretization *d, struct message *told)
 {
     struct discretization usual, all = *d;
 
@@ -101,7 +125,7 @@ void model_complete(const struct model *model, struct discretization *d,
             d->points[i] = at_least(usual.points[i], d->degree[i]);
     status_fail(told, STATUS_OK, "more does not fit the points or knots");
     if (model->adapt)
-        model->adapt(d, told);
+        model->adapt(scene, d, told);
     if (memcmp(d->points, all.points, sizeof d->points))
         status_fail(told, STATUS_OK, "the degree needs as many");
     fill(&usual, d);

@@ -58,13 +58,22 @@ enum status model_refuse_net(const struct scene *scene, unsigned serves,
 
 struct model;
 
+/* Whether the weight of a spline net's longest span folds the sheet within that span: rho
+ * |g| h l^3 / D, Gamma of a span of length l, is above MODEL_FOLDS; then with a sentence. A
+ * cured net asks for strain at few points, and where it folds it stretches between them.
+ * Measured (doc/models.md): cured nets are nearer to the truth up to 5.4 (napkin_hung),
+ * uncured ones from 80 on (a flag of Gamma 3e4, 10x10). */
+#define MODEL_FOLDS 10.
+bool model_folds(const struct scene *scene, const struct discretization *d,
+                 struct message *reason);
+
 /* Points, degrees and the remedy hang on each other: *d as the model has
  * it by default, these left open; and, once settings were read into it, what they still
  * leave open: the defaults, or what serves the rest, with a sentence (else empty) in *told.
  */
 void model_open(const struct model *model, struct discretization *d);
-void model_complete(const struct model *model, struct discretization *d,
-                    struct message *told);
+void model_complete(const struct model *model, const struct scene *scene,
+                    struct discretization *d, struct message *told);
 
 struct model {
     const char *name;   /* key: command line, result file, test name                   */
@@ -75,9 +84,11 @@ struct model {
     /* Fills *d with the model's defaults (owns nothing afterwards). */
     void (*defaults)(struct discretization *d);
 
-    /* optional: fills in degrees and the remedy where they were left open and the rest of
-     * *d excludes the defaults; with a reason, unless points and knots are it. */
-    void (*adapt)(struct discretization *d, struct message *reason);
+    /* optional: fills in degrees and the remedy where they were left open and the scene or
+     * the rest of *d excludes the defaults; with a reason, unless points and knots are it.
+     */
+    void (*adapt)(const struct scene *scene, struct discretization *d,
+                  struct message *reason);
 
     /* Builds everything that does not depend on time. STATUS_UNSUPPORTED with a sentence
      * ("no contact") if the scene has physics the model leaves out; STATUS_INPUT if the

@@ -46,7 +46,8 @@ static enum status check_remedy(const struct discretization *d, struct message *
     return STATUS_OK;
 }
 
-static void adapt(struct discretization *d, struct message *reason)
+static void adapt(const struct scene *scene, struct discretization *d,
+                  struct message *reason)
 {
     for (int i = 0; i < 2; i++)
         if (!d->degree[i])
@@ -54,7 +55,7 @@ static void adapt(struct discretization *d, struct message *reason)
     if (d->remedy != REMEDY_AUTO)
         return;
     d->remedy = REMEDY_SELECTIVE;
-    if (check_remedy(d, reason) != STATUS_OK)
+    if (check_remedy(d, reason) != STATUS_OK || model_folds(scene, d, reason))
         d->remedy = REMEDY_NONE;
 }
 

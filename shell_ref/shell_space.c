@@ -4,9 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "iga/greville.h"
+#include "iga/line_rule.h"
 #include "models/linalg/blocks.h"
-#include "models/linalg/gauss.h"
 #include "models/room.h"
 
 /* Which derivative of the u and of the v function makes each row of a table. */
@@ -52,77 +51,45 @@ static enum status check(const struct bspline basis[2], const int gauss[2],
     return STATUS_OK;
 }
 
-/* `count` points at[] of these weights, ascending, as a line. */
-static enum status tabulate(const struct bspline *b, const struct shell_direction *d,
-                            int count, const double *at, const double *weight,
+/* The points of `rule`, which is cleared, as a line. */
+static enum status tabulate(const struct bspline *b, struct line_rule *rule,
                             struct shell_line *line)
 {
-    enum status st;
-    size_t row = 3 * (size_t)d->order;
-    int *home = malloc((size_t)(count + 1) * sizeof *home); /* the span of each point */
+    enum status st = STATUS_MEMORY;
+    const size_t row = 3 * (size_t)(b->p + 1), points = (size_t)(rule->spans * rule->most);
 
-    if (!home)
-        return STATUS_MEMORY;
-    line->points = calloc((size_t)d->spans, sizeof *line->points);
-    if (!line->points)
-        TRY(STATUS_MEMORY);
-    for (int q = 0, s = 0; q < count; q++) {
-        while (s + 1 < d->spans && at[q] >= b->U[d->span[s + 1]])
-            s++;
-        home[q] = s;
-        if (++line->points[s] > line->most)
-            line->most = line->points[s];
-    }
-    line->weight = calloc((size_t)(d->spans * line->most), sizeof *line->weight);
-    line->table = calloc((size_t)(d->spans * line->most) * row, sizeof *line->table);
-    if (!line->weight || !line->table)
-        TRY(STATUS_MEMORY);
-    for (int q = 0, k = 0; q < count; q++) {
-        k = q && home[q] == home[q - 1] ? k + 1 : 0;
-        size_t to = (size_t)(home[q] * line->most + k);
-        line->weight[to] = weight[q];
-        bspline_eval(b, d->span[home[q]], at[q], 2, line->table + to * row);
+    line->most = rule->most;
+    line->points = calloc((size_t)rule->spans, sizeof *line->points);
+    line->weight = calloc(points, sizeof *line->weight);
+    line->table = calloc(points * row, sizeof *line->table);
+    if (!line->points || !line->weight || !line->table)
+        goto out;
+    for (int s = 0; s < rule->spans; s++) {
+        const double from = b->U[rule->span[s]], size = line_rule_size(rule, b, s);
+        line->points[s] = rule->count[s];
+        for (int q = 0; q < rule->count[s]; q++) {
+            const int at = s * LINE_RULE_MOST + q;
+            const size_t to = (size_t)(s * line->most + q);
+            line->weight[to] = size * rule->part[at];
+            bspline_eval(b, rule->span[s], from + size * rule->x[at], 2,
+                         line->table + to * row);
+        }
     }
     st = STATUS_OK;
 out:
-    free(home);
+    line_rule_clear(rule);
     return st;
 }
 
-/* Gauss points, so many a span; returns how many in all. */
-static int gauss_points(const struct bspline *b, const struct shell_direction *d,
-                        int points, double *at, double *weight)
-{
-    double x[SHELL_MAX_GAUSS], w[SHELL_MAX_GAUSS];
-
-    gauss_rule(points, x, w);
-    for (int s = 0; s < d->spans; s++) {
-        double from = b->U[d->span[s]], step = b->U[d->span[s] + 1] - from;
-        for (int q = 0; q < points; q++) {
-            *at++ = from + step * x[q];
-            *weight++ = step * w[q];
-        }
-    }
-    return d->spans * points;
-}
-
-static enum status make_line(const struct bspline *b, struct shell_direction *d, int l,
+static enum status make_line(const struct bspline *b, struct shell_line *line, int l,
                              int gauss)
 {
-    const int full = gauss ? gauss : b->p + 1, fewer = b->p > 2 ? b->p - 1 : 2;
-    enum status st = STATUS_MEMORY;
-    size_t most = (size_t)(d->spans * SHELL_MAX_GAUSS + b->n);
-    double *at = malloc(2 * most * sizeof *at), *weight = at ? at + most : NULL;
-    int count = 0;
+    struct line_rule rule;
+    enum status st = l == SHELL_FULL   ? line_rule_gauss(&rule, b, gauss ? gauss : b->p + 1)
+                     : l == SHELL_BENT ? line_rule_bending(&rule, b)
+                                       : line_rule_greville(&rule, b, l == SHELL_DERIVED);
 
-    if (at && (l == SHELL_FULL || l == SHELL_FEWER))
-        count = gauss_points(b, d, l == SHELL_FULL ? full : fewer, at, weight);
-    else if (at)
-        count = greville_rule(b, l == SHELL_DERIVED, at, weight);
-    if (count)
-        st = tabulate(b, d, count, at, weight, &d->line[l]);
-    free(at);
-    return st;
+    return st == STATUS_OK ? tabulate(b, &rule, line) : st;
 }
 
 static enum status make_directions(struct shell_space *space, const int gauss[2],
@@ -137,7 +104,7 @@ static enum status make_directions(struct shell_space *space, const int gauss[2]
             return STATUS_MEMORY;
         d->spans = bspline_spans(b, d->span);
         for (int l = 0; l < (selective ? SHELL_LINES : SHELL_FULL + 1); l++) {
-            enum status st = make_line(b, d, l, gauss[i]);
+            enum status st = make_line(b, &d->line[l], l, gauss[i]);
             if (st != STATUS_OK)
                 return st;
         }
@@ -149,7 +116,7 @@ static void make_rules(struct shell_space *space, bool selective)
 {
     static const struct shell_rule full = {1, {{{SHELL_FULL, SHELL_FULL}, SHELL_ALL}}, 0},
                                    bending = {1,
-                                              {{{SHELL_FEWER, SHELL_FEWER}, SHELL_ALL}},
+                                              {{{SHELL_BENT, SHELL_BENT}, SHELL_ALL}},
                                               0},
                                    membrane = {
                                        3,

@@ -43,9 +43,9 @@ struct shell_line {
     double *table;  /* [spans][most][3][order]                                 owned   */
 };
 
-/* Gauss points of the full rule and of bending; points of spline spaces (greville.h): of
- * the functions, and of their derivatives. */
-enum { SHELL_FULL, SHELL_FEWER, SHELL_VALUES, SHELL_DERIVED, SHELL_LINES };
+/* Gauss points of the full rule; line_rule.h's of bending, and as many points as there are
+ * functions, and derivatives. */
+enum { SHELL_FULL, SHELL_BENT, SHELL_VALUES, SHELL_DERIVED, SHELL_LINES };
 
 struct shell_direction {
     int order, spans;
@@ -90,10 +90,9 @@ struct shell_space {
  * nothing is interpolated.) Poisson's ratio couples the first two, which have no point in
  * common: at the points of shear the law keeps what is left of it after as much of Young's
  * modulus along u and along v has gone to their own points as leaves it nowhere negative.
- * Bending has p - 1 Gauss points a span, exact for squares of second derivatives along
- * their own line, but two of degree 2: one leaves no mode unseen, yet a zigzag from point
- * to point bends so softly then that Newton's method needs 1.6 times the tangents
- * (edge_drop, 16x16). The mass has p + 1.
+ * Bending has the points of line_rule_bending (of degree 2 one a span leaves no mode
+ * unseen, yet a zigzag from point to point bends so softly then that Newton's method needs
+ * 1.6 times the tangents: edge_drop, 16x16). The mass has p + 1.
  *
  * STATUS_INPUT with a sentence unless degrees are 2 or more (a Kirchhoff-Love shell needs
  * slopes that are continuous), inner knots are repeated at most p - 1 times and

@@ -51,7 +51,7 @@ static void add_square(const struct bspline *b, int knot, double x, double part,
 
 /* Motions of which the rule sees less than UNSEEN of what there is. With slopes, a little
  * of the values makes the exact square definite; the constant then has no slope. */
-static int unseen(const struct bspline *b, const struct reduced_rule *rule, bool slopes)
+static int unseen(const struct bspline *b, const struct line_rule *rule, bool slopes)
 {
     const double little = 1e-9;
     int span[MOST], spans = bspline_spans(b, span), count = 0;
@@ -61,7 +61,7 @@ static int unseen(const struct bspline *b, const struct reduced_rule *rule, bool
     gauss_rule(b->p + 1, x, w);
     for (int e = 0; e < spans; e++) {
         for (int q = 0; q < rule->count[e]; q++) {
-            int at = e * (b->p + 1) + q;
+            int at = e * LINE_RULE_MOST + q;
             add_square(b, span[e], rule->x[at], rule->part[at], slopes, seen);
         }
         for (int q = 0; q <= b->p; q++) {
@@ -77,7 +77,7 @@ static int unseen(const struct bspline *b, const struct reduced_rule *rule, bool
 }
 
 /* The bubble of each span and the hat at each simple knot: all continuous quadratics. */
-static void check_exact(const struct bspline *b, const struct reduced_rule *rule)
+static void check_exact(const struct bspline *b, const struct line_rule *rule)
 {
     int span[MOST], spans = bspline_spans(b, span);
     double left = 0, bubble = 0, hat = 0;
@@ -86,7 +86,8 @@ static void check_exact(const struct bspline *b, const struct reduced_rule *rule
         double size = b->U[span[e] + 1] - b->U[span[e]], sum[3] = {0};
         bool simple = e && span[e] == span[e - 1] + 1;
         for (int q = 0; q < rule->count[e]; q++) {
-            double x = rule->x[e * (b->p + 1) + q], part = rule->part[e * (b->p + 1) + q];
+            double x = rule->x[e * LINE_RULE_MOST + q],
+                   part = rule->part[e * LINE_RULE_MOST + q];
             sum[0] += part * (1 - x), sum[1] += part * x, sum[2] += part * x * (1 - x);
             CHECK(part > 0 && x > 0 && x < 1);
         }
@@ -104,7 +105,7 @@ static void check_exact(const struct bspline *b, const struct reduced_rule *rule
 static void check_line(const struct line *l)
 {
     struct bspline b;
-    struct reduced_rule rule;
+    struct line_rule rule;
     int span[MOST], points = 0, pieces = l->knots == REPEATED ? 2 : 1;
 
     make_basis(l, &b);
@@ -116,9 +117,9 @@ static void check_line(const struct line *l)
         points += rule.count[e];
         CHECK(rule.count[e] <= rule.most);
         for (int q = 0; mirrored && q < rule.count[e]; q++) { /* as seen from u = 1 */
-            double near = 1, *x = rule.x + (spans - 1 - e) * (b.p + 1);
+            double near = 1, *x = rule.x + (spans - 1 - e) * LINE_RULE_MOST;
             for (int r = 0; r < rule.count[spans - 1 - e]; r++)
-                near = fmin(near, fabs(x[r] - 1 + rule.x[e * (b.p + 1) + q]));
+                near = fmin(near, fabs(x[r] - 1 + rule.x[e * LINE_RULE_MOST + q]));
             CHECK_NEAR(near, 0, EXACT);
         }
     }
@@ -130,7 +131,33 @@ static void check_line(const struct line *l)
     if (!good)
         printf("  degree %d, %d functions, knots %d: %d points, unseen %d, %d\n", b.p, b.n,
                l->knots, points, unseen(&b, &rule, false), unseen(&b, &rule, true));
-    reduced_rule_clear(&rule);
+    line_rule_clear(&rule);
+    bspline_clear(&b);
+}
+
+/* Nets with continuous slopes: no value of a function may go unseen across the line along
+ * which a sheet bends, nor may a value or (but for the constant) a slope at the points that
+ * are one a function. */
+static void check_seen(int degree, int spans, int knots)
+{
+    const struct line l = {degree, degree + spans, knots, 0, 0};
+    struct line_rule bending, values, slopes;
+    struct bspline b;
+
+    make_basis(&l, &b);
+    REQUIRE(line_rule_bending(&bending, &b) == STATUS_OK);
+    REQUIRE(line_rule_greville(&values, &b, false) == STATUS_OK);
+    REQUIRE(line_rule_greville(&slopes, &b, true) == STATUS_OK);
+    bool good = CHECK(unseen(&b, &bending, false) == 0);
+    good &= CHECK(unseen(&b, &values, false) == 0);
+    good &= CHECK(unseen(&b, &slopes, true) == 1);
+    if (!good)
+        printf("  degree %d on %d spans, knots %d: unseen %d, %d, %d\n", degree, spans,
+               knots, unseen(&b, &bending, false), unseen(&b, &values, false),
+               unseen(&b, &slopes, true));
+    line_rule_clear(&bending);
+    line_rule_clear(&values);
+    line_rule_clear(&slopes);
     bspline_clear(&b);
 }
 
@@ -207,5 +234,9 @@ int main(void)
         check_line(&lines[k]);
     for (size_t k = 0; k < sizeof plates / sizeof *plates; k++)
         check_plate(&plates[k]);
+    for (int degree = 2; degree <= 5; degree++)
+        for (int spans = 1; spans <= 8; spans++)
+            check_seen(degree, spans,
+                       degree > 2 && spans > 2 && spans % 2 ? REPEATED : EVEN);
     return check_result();
 }

@@ -153,20 +153,21 @@ static void check_clamp(int points, double thickness, int i, bool end)
     solid_box(&box, &patch);
     REQUIRE(!plate_space_init(&space, &tables, &patch, (int[3]){0}, true));
     REQUIRE(!plate_space_select(&space, &tables, &patch));
-    REQUIRE(tables.bend[i].gauss == 2);
+    REQUIRE(tables.cure[PLATE_BENDING][i].gauss == 2);
     plate_space_clamp(&tables, &patch, i, end, thickness, nu);
     gauss_rule(2, x, w);
-    for (int e = 0, n = tables.bend[i].spans; e < n; e++)
+    for (int e = 0, n = tables.cure[PLATE_BENDING][i].spans; e < n; e++)
         for (int q = 0; q < 2; q++) {
             double had = w[q] / n, at = (e + x[q]) / n;
-            double less = had - had * had / tables.bend[i].weight[2 * e + q];
+            double less = had - had * had / tables.cure[PLATE_BENDING][i].weight[2 * e + q];
             lost[0] += less;
             lost[1] += less * (end ? 1 - at : at);
         }
     CHECK_NEAR(lost[0], c * c * l * (1 - rest), EXACT);
     CHECK_NEAR(lost[1], c * c * l * (l - rest * (1 + l)), EXACT);
-    for (int e = 0; e < tables.bend[!i].spans; e++)
-        CHECK_NEAR(tables.bend[!i].weight[2 * e], w[0] / tables.bend[!i].spans, EXACT);
+    for (int e = 0; e < tables.cure[PLATE_BENDING][!i].spans; e++)
+        CHECK_NEAR(tables.cure[PLATE_BENDING][!i].weight[2 * e],
+                   w[0] / tables.cure[PLATE_BENDING][!i].spans, EXACT);
     plate_space_clear(&space, &tables);
     patch_clear(&patch);
 }

@@ -319,7 +319,7 @@ static enum status layer_stiffness(struct solid_element *e, const struct solid_s
 
     if (st != STATUS_OK)
         return st;
-    for (int q = 0; q < rest.points[0] + rest.points[1]; q++) {
+    for (int q = 0; q < solid_layer_points(rest.points); q++) {
         memcpy(vectors, rest.t + q * SOLID_LAYER_VECTORS * 3, sizeof vectors);
         strains += solid_layer_vary(s, &rest, q, vectors, material, strains);
     }

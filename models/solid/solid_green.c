@@ -13,26 +13,22 @@ static size_t row_of(const struct solid_space *space)
     return SOLID_PADDED((size_t)space->local);
 }
 
-static size_t layer_points(const struct solid_space *space)
-{
-    return (size_t)(space->layer_points[0] + space->layer_points[1]);
-}
-
 static struct solid_green_rest rest_of(const struct solid_green *s, int element)
 {
     const struct solid_space *space = s->assembly->space;
     size_t e = (size_t)element, gauss = (size_t)space->gauss, modes = (size_t)space->modes;
 
     if (space->layer) {
-        size_t first = e * layer_points(space);
-        return (struct solid_green_rest){
-            .layer = {.points = {s->points[2 * e], s->points[2 * e + 1]},
-                      .q = s->g + first * SOLID_LAYER_VECTORS * row_of(space),
+        size_t first = e * (size_t)solid_layer_points(space->layer_points);
+        struct solid_green_rest rest = {
+            .layer = {.q = s->g + first * SOLID_LAYER_VECTORS * row_of(space),
                       .t = s->n + first * SOLID_LAYER_VECTORS * 3,
                       .dV = s->dV + first}};
+        memcpy(rest.layer.points, s->points + SOLID_KINDS * e, sizeof rest.layer.points);
+        return rest;
     }
     return (struct solid_green_rest){
-        .points = s->points[2 * e],
+        .points = s->points[SOLID_KINDS * e],
         .plane_stress = space->plane_stress,
         .n = space->plane_stress ? s->n + e * gauss * 3 : NULL,
         .g = s->g + e * gauss * 3 * row_of(space),
@@ -44,9 +40,9 @@ static struct solid_green_rest rest_of(const struct solid_green *s, int element)
 
 static void keep_layer(struct solid_green *s, const struct solid_layer *from, int element)
 {
-    size_t points = (size_t)(from->points[0] + from->points[1]);
+    size_t points = (size_t)solid_layer_points(from->points);
 
-    memcpy(s->points + 2 * element, from->points, sizeof from->points);
+    memcpy(s->points + SOLID_KINDS * element, from->points, sizeof from->points);
     const struct solid_layer_rest rest = rest_of(s, element).layer;
     memcpy((double *)rest.q, from->q,
            points * SOLID_LAYER_VECTORS * (size_t)from->row * sizeof *rest.q);
@@ -57,7 +53,7 @@ static void keep_layer(struct solid_green *s, const struct solid_layer *from, in
 /* Copies what solid_element_compute found on the rest shape. */
 static void keep_rest(struct solid_green *s, const struct solid_element *from, int element)
 {
-    s->points[2 * element] = from->points;
+    s->points[SOLID_KINDS * element] = from->points;
     struct solid_green_rest rest = rest_of(s, element);
     double *g = (double *)rest.g, *dV = (double *)rest.dV, *mode = (double *)rest.mode;
     int local = from->local, modes = from->modes;
@@ -82,13 +78,15 @@ static void keep_rest(struct solid_green *s, const struct solid_element *from, i
 static enum status make_room(struct solid_green *s, const struct solid_space *space)
 {
     size_t elements = (size_t)space->elements, modes = (size_t)space->modes;
-    size_t points = elements * (space->layer ? layer_points(space) : (size_t)space->gauss);
+    size_t points =
+        elements *
+        (size_t)(space->layer ? solid_layer_points(space->layer_points) : space->gauss);
     size_t rows = space->layer ? SOLID_LAYER_VECTORS : 3;
     size_t axes = space->layer ? SOLID_LAYER_VECTORS * 3 : space->plane_stress ? 3 : 0;
 
     return room_cut(
         &s->room, ROOM(s->g, points * rows * row_of(space)), ROOM(s->dV, points),
-        ROOM(s->points, 2 * elements), ROOM(s->n, points * axes),
+        ROOM(s->points, SOLID_KINDS * elements), ROOM(s->n, points * axes),
         ROOM(s->mode, points * 3 * modes),
         ROOM(s->A, modes ? elements * SOLID_GREEN_INTERNAL * SOLID_GREEN_INTERNAL : 0),
         ROOM(s->work, omp_get_max_threads()));

@@ -8,7 +8,7 @@ enum { VECTORS = SOLID_LAYER_VECTORS };
 
 static int points_of(const struct solid_layer_rest *rest)
 {
-    return rest->points[0] + rest->points[1];
+    return solid_layer_points(rest->points);
 }
 
 static const double *rows_at(const struct solid_green_element *e,
@@ -68,25 +68,25 @@ bool solid_green_layer_strain(struct solid_green_element *e,
     double *strain = e->strain;
 
     for (int n = 0; n < points_of(rest); n++) {
-        bool bend = n >= rest->points[0];
-        int terms, strains = bend ? SOLID_LAYER_BENDS : SOLID_LAYER_STRETCHES;
-        const struct solid_layer_term *term = solid_layer_terms(bend, &terms);
+        const enum solid_strains kind = solid_layer_kind(rest->points, n);
+        const struct solid_layer_form *form = &solid_layer_form[kind];
+        const struct solid_layer_term *term = form->term;
         const double *t = rest->t + (size_t)n * VECTORS * 3;
         double d[VECTORS][3], last[VECTORS][3] = {{0}};
 
         vectors(e, e->U[0], rows_at(e, rest, n), d);
-        if (!bend && !(volume(t, d) > 0))
+        if (kind == SOLID_OTHER && !(volume(t, d) > 0))
             return false;
         if (change)
             vectors(e, e->U[2], rows_at(e, rest, n), last);
-        memset(strain, 0, (size_t)strains * sizeof *strain);
-        for (int m = 0; m < terms; m++) {
+        memset(strain, 0, (size_t)form->strains * sizeof *strain);
+        for (int m = 0; m < form->terms; m++) {
             int k = term[m].k, l = term[m].l;
             strain[term[m].strain] +=
                 term[m].factor * (dot(t + 3 * k, d[l]) + dot(t + 3 * l, d[k]) +
                                   dot(d[k], d[l]) - dot(last[k], last[l]));
         }
-        strain += strains;
+        strain += form->strains;
     }
     return true;
 }
@@ -96,27 +96,26 @@ double solid_green_layer_energy(const struct solid_green_element *e,
                                 const struct solid_layer_rest *rest)
 {
     const double *strain = e->strain;
-    double energy = 0, stress[SOLID_LAYER_STRETCHES];
+    double energy = 0, stress[SOLID_LAYER_STRAINS];
 
     for (int n = 0; n < points_of(rest); n++) {
-        bool bend = n >= rest->points[0];
-        int strains = bend ? SOLID_LAYER_BENDS : SOLID_LAYER_STRETCHES;
-        solid_layer_stress(material, bend, rest->dV[n], strain, stress);
-        for (int r = 0; r < strains; r++)
+        const enum solid_strains kind = solid_layer_kind(rest->points, n);
+        solid_layer_stress(material, kind, rest->dV[n], strain, stress);
+        for (int r = 0; r < solid_layer_form[kind].strains; r++)
             energy += stress[r] * strain[r] / 2;
-        strain += strains;
+        strain += solid_layer_form[kind].strains;
     }
     return energy;
 }
 
 /* A such that the work of the stress (dV) at a point is sum_kl A_kl c_l.dc_k. */
-static void couple(bool bend, const double *stress, double A[VECTORS][VECTORS])
+static void couple(enum solid_strains kind, const double *stress,
+                   double A[VECTORS][VECTORS])
 {
-    int terms;
-    const struct solid_layer_term *term = solid_layer_terms(bend, &terms);
+    const struct solid_layer_term *term = solid_layer_form[kind].term;
 
     memset(A, 0, VECTORS * sizeof *A);
-    for (int m = 0; m < terms; m++) {
+    for (int m = 0; m < solid_layer_form[kind].terms; m++) {
         double share = term[m].factor * stress[term[m].strain];
         A[term[m].k][term[m].l] += share;
         A[term[m].l][term[m].k] += share;
@@ -132,14 +131,14 @@ void solid_green_layer_force(struct solid_green_element *e,
 
     memset(e->f, 0, SOLID_LANES * (size_t)e->row * sizeof *e->f);
     for (int n = 0; n < points_of(rest); n++) {
-        bool bend = n >= rest->points[0];
+        const enum solid_strains kind = solid_layer_kind(rest->points, n);
         const double *q = rows_at(e, rest, n);
-        double c[VECTORS][3], A[VECTORS][VECTORS], stress[SOLID_LAYER_STRETCHES];
+        double c[VECTORS][3], A[VECTORS][VECTORS], stress[SOLID_LAYER_STRAINS];
         lanes p[VECTORS] = {{0}};
 
         moved(e, rest, n, c);
-        solid_layer_stress(material, bend, rest->dV[n], strain, stress);
-        couple(bend, stress, A);
+        solid_layer_stress(material, kind, rest->dV[n], strain, stress);
+        couple(kind, stress, A);
         for (int k = 0; k < VECTORS; k++)
             for (int l = 0; l < VECTORS; l++)
                 for (int i = 0; i < 3; i++)
@@ -147,7 +146,7 @@ void solid_green_layer_force(struct solid_green_element *e,
         for (int a = 0; a < e->local; a++)
             for (int k = 0; k < VECTORS; k++)
                 f[a] += q[k * e->row + a] * p[k];
-        strain += bend ? SOLID_LAYER_BENDS : SOLID_LAYER_STRETCHES;
+        strain += solid_layer_form[kind].strains;
     }
 }
 
@@ -179,13 +178,13 @@ void solid_green_layer_stiffness(struct solid_green_element *e,
 
     memset(e->C, 0, (size_t)(e->row * e->row) * sizeof *e->C);
     for (int n = 0; n < points_of(rest); n++) {
-        bool bend = n >= rest->points[0];
-        double c[VECTORS][3], A[VECTORS][VECTORS], stress[SOLID_LAYER_STRETCHES];
+        const enum solid_strains kind = solid_layer_kind(rest->points, n);
+        double c[VECTORS][3], A[VECTORS][VECTORS], stress[SOLID_LAYER_STRAINS];
 
         moved(e, rest, n, c);
-        solid_layer_stress(material, bend, geometry_share * rest->dV[n], strain + strains,
+        solid_layer_stress(material, kind, geometry_share * rest->dV[n], strain + strains,
                            stress);
-        couple(bend, stress, A);
+        couple(kind, stress, A);
         add_geometric(e, rows_at(e, rest, n), A);
         strains += solid_layer_vary(e->layer, rest, n, c, material, strains);
     }

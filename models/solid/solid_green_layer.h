@@ -6,6 +6,8 @@
 
 #include "models/solid/solid_green_room.h"
 
+/* Looks for det F <= 0 at the points of SOLID_OTHER, where the director's length is asked
+ * for; between them a fold within a span may shorten it to nothing, which harms nobody. */
 bool solid_green_layer_strain(struct solid_green_element *e,
                               const struct solid_layer_rest *rest, bool change);
 double solid_green_layer_energy(const struct solid_green_element *e,

@@ -21,7 +21,7 @@ enum status solid_layer_create(const struct solid_space *space, struct solid_lay
 {
     enum status st;
     size_t row = SOLID_PADDED((size_t)space->local);
-    size_t points = (size_t)(space->layer_points[0] + space->layer_points[1]);
+    size_t points = (size_t)solid_layer_points(space->layer_points);
     size_t strains = (size_t)solid_layer_strains(space->layer_points);
     struct solid_layer *s = *layer = calloc(1, sizeof *s);
     if (!s)
@@ -32,38 +32,65 @@ enum status solid_layer_create(const struct solid_space *space, struct solid_lay
                  ROOM(s->dV, SOLID_PADDED(points)), ROOM(s->weight, SOLID_PADDED(points))));
     s->local = space->local;
     s->row = (int)row;
-    memcpy(s->most, space->layer_points, sizeof s->most);
 out:
     return st;
 }
 
-int solid_layer_strains(const int points[2])
+int solid_layer_points(const int points[SOLID_KINDS])
 {
-    return SOLID_LAYER_STRETCHES * points[0] + SOLID_LAYER_BENDS * points[1];
+    int sum = 0;
+
+    for (int k = 0; k < SOLID_KINDS; k++)
+        sum += points[k];
+    return sum;
 }
 
-const struct solid_layer_term *solid_layer_terms(bool bend, int *count)
+int solid_layer_strains(const int points[SOLID_KINDS])
 {
-    static const struct solid_layer_term stretches[] = {
-        {0, 0, 0, 0.5}, {1, 1, 1, 0.5}, {2, 0, 1, 1},
-        {3, 0, 2, 1},   {4, 1, 2, 1},   {5, 2, 2, 0.5},
-    };
-    static const struct solid_layer_term bends[] = {
-        {0, 0, 2, 1}, {1, 1, 3, 1}, {2, 0, 3, 1}, {2, 1, 2, 1}};
+    int sum = 0;
 
-    *count = bend ? sizeof bends / sizeof *bends : sizeof stretches / sizeof *stretches;
-    return bend ? bends : stretches;
+    for (int k = 0; k < SOLID_KINDS; k++)
+        sum += solid_layer_form[k].strains * points[k];
+    return sum;
 }
 
-void solid_layer_stress(const struct solid_material *m, bool bend, double dV,
+enum solid_strains solid_layer_kind(const int points[SOLID_KINDS], int n)
+{
+    enum solid_strains kind = SOLID_ALONG_U;
+
+    while (n >= points[kind])
+        n -= points[kind++];
+    return kind;
+}
+
+const struct solid_layer_form solid_layer_form[SOLID_KINDS] = {
+    [SOLID_ALONG_U] = {1, 1, {{0, 0, 0, 0.5}}},
+    [SOLID_ALONG_V] = {1, 1, {{0, 1, 1, 0.5}}},
+    [SOLID_OTHER] = {6,
+                     6,
+                     {{0, 0, 0, 0.5},
+                      {1, 1, 1, 0.5},
+                      {2, 0, 1, 1},
+                      {3, 0, 2, 1},
+                      {4, 1, 2, 1},
+                      {5, 2, 2, 0.5}}},
+    [SOLID_BENDING] = {3, 4, {{0, 0, 2, 1}, {1, 1, 3, 1}, {2, 0, 3, 1}, {2, 1, 2, 1}}},
+};
+
+void solid_layer_stress(const struct solid_material *m, enum solid_strains kind, double dV,
                         const double *strain, double *stress)
 {
-    double mean = m->plane * (strain[0] + strain[1]);
+    const double along = m->plane + 2 * m->mu, shared = fabs(m->plane);
+    const double own = kind == SOLID_BENDING ? along : shared;
 
-    stress[0] = dV * (mean + 2 * m->mu * strain[0]);
-    stress[1] = dV * (mean + 2 * m->mu * strain[1]);
+    if (kind == SOLID_ALONG_U || kind == SOLID_ALONG_V) {
+        stress[0] = dV * (along - shared) * strain[0];
+        return;
+    }
+    stress[0] = dV * (own * strain[0] + m->plane * strain[1]);
+    stress[1] = dV * (own * strain[1] + m->plane * strain[0]);
     stress[2] = dV * m->mu * strain[2];
-    if (bend)
+    if (kind == SOLID_BENDING)
         return;
     stress[3] = dV * (5. / 6) * m->mu * strain[3];
     stress[4] = dV * (5. / 6) * m->mu * strain[4];
@@ -155,16 +182,19 @@ enum status solid_layer_place(struct solid_layer *s, const struct solid_space *s
                               int element, const double *X)
 {
     size_t row = (size_t)s->row;
+    int count = 0;
 
-    s->points[0] = space->layer(space, element, false, s->G, s->weight);
-    s->points[1] = space->layer(space, element, true, s->G + 6 * row * (size_t)s->points[0],
-                                s->weight + s->points[0]);
-    solid_hinge_functions(space, element, 6 * (s->points[0] + s->points[1]), s->row, s->G);
-    for (int n = 0; n < s->points[0] + s->points[1]; n++) {
+    for (int k = 0; k < SOLID_KINDS; k++) {
+        s->points[k] = space->layer(space, element, k, s->G + 6 * row * (size_t)count,
+                                    s->weight + count);
+        count += s->points[k];
+    }
+    solid_hinge_functions(space, element, 6 * count, s->row, s->G);
+    for (int n = 0; n < count; n++) {
         const double *G = s->G + (size_t)n * 6 * row;
         double *q = s->q + (size_t)n * VECTORS * row, *kept = s->t + n * VECTORS * 3;
         double J[6][3], t[3][3], m[3][3];
-        bool bend = n >= s->points[0];
+        bool bend = solid_layer_kind(s->points, n) == SOLID_BENDING;
 
         tangents(s, X, G, J);
         double det = frame(J, t, m);
@@ -184,8 +214,10 @@ enum status solid_layer_place(struct solid_layer *s, const struct solid_space *s
 
 struct solid_layer_rest solid_layer_placed(const struct solid_layer *s)
 {
-    return (struct solid_layer_rest){
-        .points = {s->points[0], s->points[1]}, .q = s->q, .t = s->t, .dV = s->dV};
+    struct solid_layer_rest rest = {.q = s->q, .t = s->t, .dV = s->dV};
+
+    memcpy(rest.points, s->points, sizeof rest.points);
+    return rest;
 }
 
 /* b_i += factor (c_k q_l + c_l q_k)_i, a component of rows over functions; b = if `first`.
@@ -207,27 +239,27 @@ static void vary(int row, const struct solid_layer_term *term, const double *q,
 int solid_layer_vary(struct solid_layer *s, const struct solid_layer_rest *rest, int n,
                      double c[VECTORS][3], const struct solid_material *m, int first)
 {
-    bool bend = n >= rest->points[0];
-    int strains = bend ? SOLID_LAYER_BENDS : SOLID_LAYER_STRETCHES, terms, row = s->row;
-    const struct solid_layer_term *term = solid_layer_terms(bend, &terms);
+    const enum solid_strains kind = solid_layer_kind(rest->points, n);
+    const struct solid_layer_form *form = &solid_layer_form[kind];
+    const bool coupled = kind == SOLID_OTHER || kind == SOLID_BENDING;
+    const int row = s->row;
     const double *q = rest->q + (size_t)n * VECTORS * (size_t)row;
     double *b = s->b + (size_t)first * 3 * (size_t)row, *wb = s->wb + (b - s->b);
-    double unit[SOLID_LAYER_STRETCHES] = {0, 0, 1, 1, 1, 1}, one[2] = {1, 0};
-    double modulus[SOLID_LAYER_STRETCHES], along[SOLID_LAYER_STRETCHES];
+    double unit[SOLID_LAYER_STRAINS] = {1, 0, 1, 1, 1, 1};
+    double modulus[SOLID_LAYER_STRAINS];
 
-    for (int t = 0; t < terms; t++)
-        vary(row, &term[t], q, c, !t || term[t].strain != term[t - 1].strain,
-             b + term[t].strain * 3 * row);
-    solid_layer_stress(m, bend, rest->dV[n], unit, modulus);
-    memcpy(unit, one, sizeof one);
-    solid_layer_stress(m, bend, rest->dV[n], unit, along); /* and Poisson's part */
-    for (int a = 0; a < 3 * row; a += SOLID_LANES) {
+    for (int t = 0; t < form->terms; t++)
+        vary(row, &form->term[t], q, c,
+             !t || form->term[t].strain != form->term[t - 1].strain,
+             b + form->term[t].strain * 3 * row);
+    solid_layer_stress(m, kind, rest->dV[n], unit, modulus);
+    for (int a = 0; coupled && a < 3 * row; a += SOLID_LANES) {
         solid_lanes u = at(b + a), v = at(b + 3 * row + a);
-        *(solid_lanes *)(wb + a) = along[0] * u + along[1] * v;
-        *(solid_lanes *)(wb + 3 * row + a) = along[1] * u + along[0] * v;
+        *(solid_lanes *)(wb + a) = modulus[0] * u + modulus[1] * v;
+        *(solid_lanes *)(wb + 3 * row + a) = modulus[1] * u + modulus[0] * v;
     }
-    for (int r = 2; r < strains; r++)
+    for (int r = coupled ? 2 : 0; r < form->strains; r++)
         for (int a = 3 * r * row; a < 3 * (r + 1) * row; a += SOLID_LANES)
             *(solid_lanes *)(wb + a) = modulus[r] * at(b + a);
-    return strains;
+    return form->strains;
 }

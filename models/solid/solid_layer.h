@@ -1,5 +1,5 @@
 /* solid_layer.h - one layer of linear functions through the thickness taken as a plate:
- * nine strains of its mid-surface w = 1/2, each kind by its own quadrature
+ * nine strains of its mid-surface w = 1/2, each kind (solid_space.h) by its own quadrature
  * (remedy=selective).
  *
  * With F the gradient of the deformation from the geometry given, F' its derivative by w,
@@ -9,8 +9,11 @@
  *   bends      (c_k.e_l + c_l.e_k)/2 (11, 22, 2 12),
  * both quadratic in displacements, and in small strain their linear parts. Energy
  *   int N.stretch dV + int M.bend dV / 12, halved: plane stress along the sheet, 5/6 mu in
- * shear (Reissner 1945), Young's modulus across. Bending wants a full rule to be accurate;
- * whatever must vanish in a thin sheet wants one point a function, or it locks.
+ * shear (Reissner 1945), Young's modulus across. Whatever must vanish in a thin sheet has
+ * one point a function, or it locks; stretches 11 and 22 have points of their own
+ * (plate_space_select). The plane-stress law, E / (1 - nu^2) (e_11^2 + e_22^2 + 2 nu e_11
+ * e_22), is therefore parted into E / (1 + |nu|) of each at its own points and E |nu| / (1
+ * - nu^2) (e_11 +- e_22)^2, the sign nu's, at those of the others: no part is negative.
  */
 #ifndef SOLID_LAYER_H
 #define SOLID_LAYER_H
@@ -19,16 +22,15 @@
 #include "models/solid/solid_space.h"
 
 enum {
-    SOLID_LAYER_STRETCHES = 6,
-    SOLID_LAYER_BENDS = 3,
+    SOLID_LAYER_STRAINS = 6, /* of a point, at most                                    */
     SOLID_LAYER_VECTORS = 4, /* of a point: t_1, t_2, t_3, unused; or t_1, t_2, 0, 0   */
 };
 
-/* What a geometry gives an element, stretching points first. Vectors are rows q of t: of
+/* What a geometry gives an element, its points kind by kind. Vectors are rows q of t: of
  * the displacement u_a, d_k = sum u_a q_k[a]: those of F t_1, F t_2, F t_3; or of F t_1,
  * F t_2, F' t_1, F' t_2. */
 struct solid_layer_rest {
-    int points[2];    /* stretching, bending                                            */
+    int points[SOLID_KINDS];
     const double *q;  /* [points][VECTORS][row]                                   [1/m] */
     const double *t;  /* [points][VECTORS][3]                                           */
     const double *dV; /* [points]; of bending, a twelfth                         [m^3] */
@@ -37,12 +39,11 @@ struct solid_layer_rest {
 /* Working storage of one thread; rows padded as in solid_space.h. */
 struct solid_layer {
     int local, row;
-    int most[2];        /* points an element                                        */
-    int points[2];      /* of the element placed                                    */
-    double *G, *weight; /* [points][6][row], [points] solid_space.h                 */
-    double *normal;     /* [row] gradients along the normal                         */
-    double *q, *t, *dV; /* solid_layer_rest of the element placed                   */
-    double *b, *wb;     /* [strains][3][row] variations of strains; their stress dV */
+    int points[SOLID_KINDS]; /* of the element placed                               */
+    double *G, *weight;      /* [points][6][row], [points] solid_space.h                 */
+    double *normal;          /* [row] gradients along the normal                         */
+    double *q, *t, *dV;      /* solid_layer_rest of the element placed                   */
+    double *b, *wb;          /* [strains][3][row] variations of strains; their stress dV */
     void *memory;
 };
 
@@ -50,8 +51,12 @@ struct solid_layer {
 enum status solid_layer_create(const struct solid_space *space, struct solid_layer **layer);
 void solid_layer_destroy(struct solid_layer *s); /* NULL is allowed */
 
-/* Strains of an element: stretches of its points, then bends. */
-int solid_layer_strains(const int points[2]);
+/* Points and strains of an element, those of a point one after the other. */
+int solid_layer_points(const int points[SOLID_KINDS]);
+int solid_layer_strains(const int points[SOLID_KINDS]);
+
+/* The kind of an element's point n. */
+enum solid_strains solid_layer_kind(const int points[SOLID_KINDS], int n);
 
 /* Fills points, q, t and dV of an element on the coefficients X[local][4]. STATUS_INVERTED
  * if det J <= 0 at a point, STATUS_NAN if it is not a number. */
@@ -60,7 +65,7 @@ enum status solid_layer_place(struct solid_layer *s, const struct solid_space *s
 struct solid_layer_rest solid_layer_placed(const struct solid_layer *s);
 
 /* Stress dV of the strains at a point. */
-void solid_layer_stress(const struct solid_material *m, bool bend, double dV,
+void solid_layer_stress(const struct solid_material *m, enum solid_strains kind, double dV,
                         const double *strain, double *stress);
 
 /* Strain r is the sum of factor (t_k.d_l + t_l.d_k + d_k.d_l) over its terms. */
@@ -68,7 +73,11 @@ struct solid_layer_term {
     int strain, k, l;
     double factor;
 };
-const struct solid_layer_term *solid_layer_terms(bool bend, int *count);
+struct solid_layer_form {
+    int strains, terms;
+    struct solid_layer_term term[6];
+};
+extern const struct solid_layer_form solid_layer_form[SOLID_KINDS];
 
 /* Variations of the strains of point n with vectors c[4][3], and the stress dV of them,
  * into the rows of s->b, s->wb that follow strain `first`. Returns the strains written. */

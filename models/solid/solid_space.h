@@ -19,6 +19,16 @@
 enum { SOLID_LANES = 4 };
 #define SOLID_PADDED(columns) (((columns) + SOLID_LANES - 1) / SOLID_LANES * SOLID_LANES)
 
+/* Strains of one layer that share quadrature points (solid_layer.h): stretch along u, along
+ * v; the other stretches, with what Poisson's ratio couples of these; bending. */
+enum solid_strains {
+    SOLID_ALONG_U,
+    SOLID_ALONG_V,
+    SOLID_OTHER,
+    SOLID_BENDING,
+    SOLID_KINDS
+};
+
 /* Basis functions of one element; rows padded as above, each aligned to its lanes. */
 struct solid_functions {
     double *N;      /* [gauss][padded]    values                                       */
@@ -76,11 +86,11 @@ struct solid_space {
 
     /* The other cure, of one layer of linear functions: its stiffness is that of
      * solid_layer.h (NULL: not). Fills parametric gradients on the mid-surface and their
-     * derivatives by w, [points][6][padded], and weights of the points where the element
-     * stretches or where it bends; returns their number, at most layer_points[bend]. */
-    int (*layer)(const struct solid_space *space, int element, bool bend, double *G,
-                 double *weight);
-    int layer_points[2];
+     * derivatives by w, [points][6][padded], and weights of the points of a kind of strain;
+     * returns their number, at most layer_points[kind]. */
+    int (*layer)(const struct solid_space *space, int element, enum solid_strains kind,
+                 double *G, double *weight);
+    int layer_points[SOLID_KINDS];
 
     /* Element-internal displacement modes without mass, condensed out of the stiffness
      * (Wilson et al. 1973; Taylor, Beresford, Wilson 1976): parametric gradients

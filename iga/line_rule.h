@@ -1,0 +1,47 @@
+/* line_rule.h - quadrature along one direction of a spline space: points and weights, span
+ * by span. A patch is integrated by products of such lines.
+ */
+#ifndef LINE_RULE_H
+#define LINE_RULE_H
+
+#include "iga/bspline.h"
+#include "models/linalg/gauss.h"
+
+enum { LINE_RULE_MOST = GAUSS_MAX }; /* points a span                                  */
+
+struct line_rule {
+    int spans;    /* non-empty ones                                                     */
+    int most;     /* points a span, where they are most                                 */
+    int *span;    /* [spans] knot index, as of bspline_spans                    owned   */
+    int *count;   /* [spans] points                                             owned   */
+    double *x;    /* [spans][MOST] place in the span, 0 .. 1                    owned   */
+    double *part; /* [spans][MOST] weight, of the span's length; positive       owned   */
+};
+
+/* All makers: STATUS_MEMORY leaves *rule all-zero, which clear accepts. */
+
+/* `count` Gauss points in each span, 1 to LINE_RULE_MOST. */
+enum status line_rule_gauss(struct line_rule *rule, const struct bspline *b, int count);
+
+/* Gauss points that integrate bending: p - 1 a span, exact for squares of second
+ * derivatives along the line, but at least two and, where few spans lie between two knots
+ * that repeat (or between the ends), at least as many as the spline has functions there.
+ * Fewer leave a shape unseen: on one span of degree 2 the parabola that vanishes at both
+ * Gauss points corrugates a strip for nothing, and a strip of .1 x 1 m that swings down was
+ * off by a third of its length. */
+enum status line_rule_bending(struct line_rule *rule, const struct bspline *b);
+
+/* One point a function, or with `derivative` one a function of the space of derivatives:
+ * the points of greville.h. */
+enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
+                               bool derivative);
+
+/* For makers: finds the spans and makes room for their points; sets `most`; the length of a
+ * span. */
+enum status line_rule_room(struct line_rule *rule, const struct bspline *b);
+void line_rule_most(struct line_rule *rule);
+double line_rule_size(const struct line_rule *rule, const struct bspline *b, int span);
+
+void line_rule_clear(struct line_rule *rule);
+
+#endif

@@ -89,6 +89,7 @@ void contact_set_detect(struct contact_set *c, const double *x)
 {
     for (int a = 0; a < c->nodes; a++) {
         struct contact_pair *pair = c->pair + (size_t)a * (size_t)c->obstacles;
+        c->node[a].trend = 0;
         for (int o = 0; o < c->obstacles; o++)
             pair[o].gap =
                 contact_gap(&c->scene->obstacles[o], x + 3 * (size_t)a, pair[o].normal) -

@@ -31,7 +31,7 @@ struct contact_node {
     double dual[3][3];  /* [touches] in that span, dual[i] . normal[j] = delta_ij       */
     double drag;        /* friction is -drag times x - still along the surface          */
     double friction[3]; /* the force of that                                           */
-    int trend;   /* passes in which the drag has grown; shrunk: negative                 */
+    int trend;   /* passes of this step in which the drag has grown; shrunk: negative    */
     bool sticks; /* it is below its limit                                        */
     double force[3]; /* of all obstacles on the node, friction included              */
 };

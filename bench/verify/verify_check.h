@@ -21,7 +21,7 @@
  * reach so far, says so. Nothing is claimed by default; a claim is a tolerance with its
  * reason, fixed before the first result, and a claim that is not met makes the command
  * fail. One that is another after a result says what was claimed before (`changed`).
- * Tests hold the rows to tests/verify_rows.txt, and what is missed to known_misses.txt.
+ * Tests hold what is missed to tests/known_misses.txt.
  */
 #ifndef VERIFY_CHECK_H
 #define VERIFY_CHECK_H

@@ -86,16 +86,17 @@ class Scene:
         return faces, clamp
 
     def hinges(self, triangles):
-        """Where two triangles meet: edge a b, corners c and d off it, k of k theta^2 / 2, and the
-        inverse mass of theta, sum over vertices of |d theta / d x|^2 / m, of the flat sheet."""
+        """Where two triangles meet that are not both held: edge a b, corners c and d off it, k of
+        k theta^2 / 2, which is D |e|^2 over the area of those that are not held, and the inverse
+        mass of theta, sum over vertices of |d theta / d x|^2 / m, of the flat sheet."""
         met = {}
         for t in triangles:
             for i in range(3):
                 a, b, c = t[i], t[(i + 1) % 3], t[(i + 2) % 3]
                 if (b, a) not in met:
                     met[a, b] = c
-                    continue
-                yield [a, b, c, met[b, a], *self.hinge(a, b, c, met[b, a])]
+                elif not {a, b, c, met[b, a]} <= self.held:
+                    yield [a, b, c, met[b, a], *self.hinge(a, b, c, met[b, a])]
 
     def hinge(self, a, b, c, d):
         edge = [q - p for p, q in zip(self.x[a], self.x[b])]
@@ -109,7 +110,8 @@ class Scene:
         (s, high), (r, low) = side(c), side(d)
         slopes = [(a, (1 - s) / high + (1 - r) / low), (b, s / high + r / low), (c, 1 / high),
                   (d, 1 / low)]
-        return (self.D * length / ((high + low) / 2),
+        bends = sum(h for v, h in ((c, high), (d, low)) if not {a, b, v} <= self.held)
+        return (self.D * length / (bends / 2),
                 sum(g * g / self.mass[v] for v, g in slopes if v not in self.held))
 
 

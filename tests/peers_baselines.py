@@ -115,6 +115,9 @@ def handed_over():
     # Along y between rows of cells, and along x of the clamp: D e / (height + height) / 2 on each.
     stiffness = {round(k / drop.D, 9) for k in plain["hinges"][4::6]}
     check("hinges bend with D", stiffness == {1.0, 2.0})
+    row = [h for h in zip(*[iter(plain["hinges"])] * 6) if drop.held >= set(map(int, h[:2]))]
+    check("a clamp's are doubled", len(row) == 4 and
+          all(abs(h[4] / drop.D - 2) < 1e-9 for h in row))
     check("a ball", ball.ball == [[0.5, 0.5, -0.3505885, 0.3, 0.3]] and ball.damping == 2)
     check("at rest or not", rest.at_rest and not drop.at_rest and rest.damping == 20)
     for name, words in (("ground", "one ball"), ("moving_edge", "no paths"),

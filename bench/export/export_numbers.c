@@ -41,16 +41,19 @@ static void put_material(const struct scene *scene, const struct taker *t)
 }
 
 /* D |e|^2 / (A1 + A2) of an edge with triangles on both sides, which are half a cell each
- * (Grinspun et al. 2003, their stiffness matched to a plate's). */
+ * (Grinspun et al. 2003, their stiffness matched to a plate's). A triangle that is held
+ * does not bend and counts as no area: at a clamp one is left. */
 static void put_hinges(const struct export_sheet *s, const struct taker *t)
 {
-    static const char *const name[] = {"hinge u", "hinge v", "hinge diagonal"};
+    static const char *const name[] = {"hinge u", "hinge v", "hinge diagonal",
+                                       "hinge u held", "hinge v held"};
     const double a = s->scene->length / (s->points[0] - 1),
                  b = s->scene->width / (s->points[1] - 1);
     const double square[] = {a * a, b * b, a * a + b * b};
 
-    for (int n = 0; n < 3; n++) {
-        const double k = scene_bending_stiffness(s->scene) * square[n] / (a * b);
+    for (int n = 0; n < 5; n++) {
+        const double area = n < 3 ? a * b : a * b / 2;
+        const double k = scene_bending_stiffness(s->scene) * square[n % 3] / area;
         t->take(t->context, &(struct export_number){name[n], -1, -1, k, "N m", NAN, 1 / k});
     }
 }
@@ -164,8 +167,9 @@ enum status export_numbers_table(const struct export_sheet *s, struct table **ta
         *table,
         "mass: of a vertex - corner, rim, inside; springs: half as stiff on the rim; "
         "hinge: bending by the angle theta between two triangles, k theta^2 / 2, over "
-        "an inner edge along u, v or a diagonal; compliance: of XPBD, with C = length "
-        "- rest length or C = theta.");
+        "an inner edge along u, v or a diagonal, or over one of whose triangles one is "
+        "held, at a clamp; compliance: of XPBD, with C = length - rest length or C = "
+        "theta.");
     if (*misfit.text)
         table_note(*table, "Springs are no plane stress: %s.", misfit.text);
 out:

@@ -107,8 +107,12 @@ static void put_held(const struct export_readme *r, struct output *out)
             "the vertex beside.\nWhere bending is an angle between elements, a held row "
             "alone "
             "is a hinge: add these, held\nlikewise, and elements between them and the held "
-            "row, without mass; leave them out of your\nframes. A simulator with rotations "
-            "holds those of the held vertices instead and needs none.",
+            "row, without mass; leave them out of your\nframes. The angle over the held "
+            "row "
+            "stands for half a cell of the sheet: its stiffness is doubled\n(Parameters). "
+            "A "
+            "simulator with rotations holds those of the held vertices instead and needs "
+            "none.",
             h->outside);
     else
         output_print(out, " No row outside the sheet is needed.");
@@ -118,12 +122,14 @@ static void put_held(const struct export_readme *r, struct output *out)
 static void put_parameters(const struct export_sheet *s, const char *misfit,
                            struct output *out)
 {
+    const bool flat = s->scene->shape == SCENE_FLAT;
+
     output_print(
         out, "## Parameters\n\n"
              "materials.csv. They follow from E, nu, rho and h by rule; none is fitted.\n\n"
              "- finite elements and shells: E, nu, rho, h as they are;\n"
              "- mass of a vertex: areal mass times its share of the area;\n");
-    if (s->scene->shape == SCENE_FLAT)
+    if (flat)
         output_print(
             out, "- springs along u, v and both diagonals of each cell: `value` [N/m]; on "
                  "square cells\n  E h/(1-nu^2) - G h straight, G h diagonal, half on the "
@@ -132,11 +138,15 @@ static void put_parameters(const struct export_sheet *s, const char *misfit,
     else
         output_print(out,
                      "- springs: none are told; the matched ones are for flat sheets;\n");
-    output_print(out,
-                 "- bending by the angle between two triangles, k theta^2 / 2: k = D |e|^2 "
-                 "/ (A1 + A2) [N m],\n  e their edge, A1, A2 their areas%s.\n",
-                 s->scene->shape == SCENE_FLAT ? " (`hinge u`, `hinge v`, `hinge diagonal`)"
-                                               : "");
+    output_print(
+        out,
+        "- bending by the angle between two triangles, k theta^2 / 2: k = D |e|^2 "
+        "/ (A1 + A2) [N m],\n  e their edge, A1, A2 their areas%s.\n  A triangle whose "
+        "three vertices are held does not bend and counts as no area: at a clamp\n  k is D "
+        "|e|^2 / A, twice as much%s. With the plain k\n  a clamp is too soft, by an error "
+        "of first order in the cell; with this one of second.\n",
+        flat ? " (`hinge u`, `hinge v`, `hinge diagonal`)" : "",
+        flat ? " (`hinge u held`, `hinge v held`)" : "");
     if (*misfit)
         output_print(out, "\nSprings are no plane stress: %s.\n", misfit);
     output_print(out, "\n");

@@ -122,6 +122,7 @@ static void bad_binaries(void)
                  {"vast.npy", "<f8", "(4000000, 4000000, 3)", "cut off"},
                  {"wide.npy", "<f8", "(12, 15, 4)", "[frames][n][3]"},
                  {"flat.npy", "<f8", "(720,)", "[frames][n][3]"},
+                 {"none.npy", "<f8", "(0, 20, 3)", "has no frames"},
                  {"big.npy", ">f8", "(12, 20, 3)", "little-endian"},
                  {"whole.npy", "<i8", "(12, 20, 3)", "little-endian"},
                  {"deep.npy", "<f8", "(1, 1, 1, 1, 1, 1)", "little-endian"}};

@@ -64,7 +64,13 @@ refuses "no folder of several" "$scratch/one.csv"
 refuses "named like scenes" "$scratch/none"
 refuses "has no frames in it" edge_drop "$scratch/none"
 refuses "runs from 0 to 0" edge_drop "$scratch/one.csv"
-refuses "nothing is known of the motion" corners_drop "$scratch/one.csv"
+refuses "corners_drop has no truth" corners_drop "$scratch/one.csv"
+sed 's/young: 1.0e5/young: 2.0e5/' "$2/models/scenes/edge_drop.yaml" >"$scratch/my.yaml"
+refuses "clothbench truth $scratch/my.yaml makes" "$scratch/my.yaml" "$scratch/one.csv"
+awk 'BEGIN { for (n = 0; n < 9; n++) printf "0,%d,%d,1,0,0\n", n % 3 * 50, int(n / 3) * 50 }' \
+    >"$scratch/cent.csv"
+refuses "u runs from 0 to 100; uv of the sheet must run from 0 to 1" \
+    edge_drop "$scratch/cent.csv"
 refuses "--up q" edge_drop "$scratch/one.csv" --up q
 refuses "--dt -1" edge_drop "$scratch/one.csv" --dt -1
 refuses "--scale no" edge_drop "$scratch/one.csv" --scale no

@@ -19,8 +19,9 @@ typedef void export_numbers_take(void *context, const struct export_number *numb
 /* What a net of points is made of, one by one: the material; the mass of each vertex a; of
  * a flat sheet the stiffness of a hinge between two triangles over an inner edge along u,
  * along v and along a diagonal, D |e|^2 / (A1 + A2) (theta^2 / 2 times it is the energy;
- * Grinspun et al. 2003), and twice that where one of the two is held; and each matched spring from a to b (mass_spring/spring_net.h).
- * *misfit: what those springs are not, for people; empty: none. STATUS_MEMORY. */
+ * Grinspun et al. 2003), and twice that where one of the two is held; and each matched
+ * spring from a to b (mass_spring/spring_net.h). *misfit: what those springs are not, for
+ * people; empty: none. STATUS_MEMORY. */
 enum status export_numbers_each(const struct export_sheet *s, export_numbers_take *take,
                                 void *context, struct message *misfit);
 

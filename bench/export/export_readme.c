@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "bench/truth/truth_plan.h"
 #include "models/damping.h"
 
 static void put_title(const struct export_sheet *s, struct output *out)
@@ -155,7 +156,7 @@ static void put_parameters(const struct export_sheet *s, const char *misfit,
 static void put_score(const struct export_sheet *s, const struct truth_made *known,
                       struct output *out)
 {
-    const char *name = s->scene->name;
+    struct message why = {""};
 
     output_print(out,
                  "## Frames, and how they are scored\n\n"
@@ -168,8 +169,13 @@ static void put_score(const struct export_sheet *s, const struct truth_made *kno
     else if (known->claimed)
         output_print(out, "The truth is known at %d times from %g to %g s", known->claimed,
                      known->time[0], known->time[known->claimed - 1]);
+    else if (truth_plan_check(s->scene, &why) == STATUS_OK)
+        output_print(out,
+                     "No truth is stored: `clothbench truth scene.yaml` makes one in "
+                     "results/truths, where score\nfinds it if CLOTHBENCH_TRUTHS names "
+                     "that folder");
     else
-        output_print(out, "No truth is stored: `clothbench truth %s` makes one", name);
+        output_print(out, "No truth is stored: %s", why.text);
     output_print(out, "%s.\n",
                  known->claimed ? " (times.csv, with its error bar [m])" : "");
     if (known->claimed)

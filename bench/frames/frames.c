@@ -19,6 +19,12 @@ enum status frames_room(struct frames *f, long vertices, struct message *why)
     return f->xyz ? STATUS_OK : STATUS_MEMORY;
 }
 
+enum status frames_none(const struct frames *f, struct message *why)
+{
+    return status_fail(why, STATUS_INPUT,
+                       "%s: xyz has no frames; one or more would be right", f->path);
+}
+
 static bool ends(const char *name, const char *ending)
 {
     const size_t length = strlen(name), tail = strlen(ending);

@@ -111,7 +111,9 @@ static enum status open_foreign(struct frames *f, struct message *why)
     if (h->file < 0)
         TRY(hdf5_file_fail(f->path, "cannot be read", why));
     h->xyz = open_set(h->file, "xyz", &rank, size);
-    if (rank != 3 || size[2] != 3 || !size[0] || size[0] > FRAMES_MOST_TIMES ||
+    if (rank && !size[0])
+        TRY(frames_none(f, why));
+    if (rank != 3 || size[2] != 3 || size[0] > FRAMES_MOST_TIMES ||
         size[1] > FRAMES_MOST_VERTICES)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: xyz: is not there, or of rank %d; a data set xyz "

@@ -83,7 +83,9 @@ static enum status take_xyz(struct frames *f, bool bare, struct message *why)
                          f->path);
     TRY(st);
     TRY(frames_array_open(f->path, "xyz", &n->stream, a, why));
-    if (a->rank < 3 || a->rank > 4 || a->size[a->rank - 1] != 3 || !a->size[0] ||
+    if (a->rank && !a->size[0])
+        TRY(frames_none(f, why));
+    if (a->rank < 3 || a->rank > 4 || a->size[a->rank - 1] != 3 ||
         a->size[0] > FRAMES_MOST_TIMES || a->size[1] > FRAMES_MOST_VERTICES ||
         a->size[a->rank - 2] > FRAMES_MOST_VERTICES)
         TRY(status_fail(why, STATUS_INPUT,

@@ -29,6 +29,9 @@ struct frames {
 /* Room for the vertices of the net. STATUS_INPUT: too many, none. */
 enum status frames_room(struct frames *f, long vertices, struct message *why);
 
+/* STATUS_INPUT: xyz is there, and empty. */
+enum status frames_none(const struct frames *f, struct message *why);
+
 enum status frames_csv_open(struct frames *f, const char *path, struct message *why);
 enum status frames_npz_open(struct frames *f, const char *path, struct message *why);
 enum status frames_hdf5_open(struct frames *f, const char *path, struct message *why);

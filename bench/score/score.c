@@ -183,6 +183,8 @@ static enum status read_frames(struct score *s, struct frames *frames,
             s->interval = fmin(s->interval, t - s->last);
         }
         s->last = t;
+        s->repeats += s->frames && !memcmp(w->xyz[WINDOW - 2], w->xyz[WINDOW - 1],
+                                           (size_t)vertices * 3 * sizeof *part);
         take_times(s, w, part);
     }
     if (!s->frames)

@@ -33,7 +33,7 @@ struct score {
     double *field;                 /* [truth.times][SCORE_POINTS][3], if known   owned   */
     int *tells, *coarse_tells; /* [truth.times], [ladder.times]: 0: no frame   owned   */
     double *coarse_field;      /* [ladder.times][LADDER_POINTS][3] [m]       owned   */
-    int frames;
+    int frames, repeats; /* as many as are the same as the one before                   */
     double first, last, interval; /* of the frames: times, shortest between two [s]      */
     double start; /* rms displacement at t = 0 [m]; NaN: no such frame                   */
 };

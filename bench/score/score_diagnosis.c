@@ -7,23 +7,28 @@
 #include <string.h>
 
 #include "bench/score/score_fit.h"
+#include "bench/score/score_pace.h"
+#include "bench/score/score_stretch.h"
+#include "bench/score/score_support.h"
 #include "bench/score/score_turned.h"
 
 /* Frames that move by less than this share of what the truth does are still. */
 #define STILL_MOST 0.01
 
-/* Lines of the net longer, or shorter, than the truth's by this share are said: chords of a
- * coarse net and what lies between two frames are too short, never too long. */
-#define STRETCH_LEAST 0.005
-#define SHRINK_LEAST  0.01
+/* No cloth's neighbours lie so many times as far apart as the truth's. */
+#define SCATTERED_LEAST 2
 
-/* Where the truth itself stretches by more than this, its stretch is the measure: frames
- * whose differs by this share of it have a sentence. */
-#define STRAIN_LEAST 1e-3
-#define STRAIN_OFF   0.1
+/* Another pace is said where it leaves so many times less than what was fitted: another
+ * gravity differs from one by what bending does alone, which a net's own error hides. */
+#define PACE_BETTER 3
 
 /* A lead of half a step is a first-order step's. Frames come every step or more seldom. */
 #define HALF_STEP 0.55
+
+/* An edge that is less of a hinge than this is a clamp that gives way: springs and hinges
+ * on 10 cells are .57 of one where the held row's count as the others do, .98 where it has
+ * none (doc/export.md). */
+#define CLAMP_MOST 0.8
 
 /* A hinge by so much more than one: without bending no edge is clamped, and no sheet stiff.
  */
@@ -35,10 +40,6 @@
 #define TIMES_FLOOR 2
 #define SOUND_MOST  0.005
 #define SOUND_SHARE 0.05
-
-/* What is held is where the truth has it, to this share of the length: penalties give way.
- */
-#define HELD_MOST 0.01
 
 static const char *const names[SCORE_KINDS] = {
 #define SCORE_NAME(code, name) name,
@@ -128,74 +129,12 @@ static bool say_turned(const struct score *s, struct score_diagnosis *d)
     return d->count > 0;
 }
 
-/* Lines along u, or along v: lengths, and how unlike each other the frames' pieces are. */
-struct lines {
-    double rest, truth, got;
-    double spread; /* standard deviation of got over truth, a piece */
-    double floor;  /* share of the truth's length by which got may be off */
-};
-
-static double piece(const double *field, int point, int to)
+static void stretch_text(const struct score_lines *l, double when,
+                         struct score_diagnosis *d)
 {
-    const double *a = field + 3L * point, *b = field + 3L * to;
-    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+    const double more = score_stretch_share(l), strain = l->truth / l->rest - 1;
 
-    return sqrt(x * x + y * y + z * z);
-}
-
-static double share_off(const struct lines *l)
-{
-    return l->got / l->truth - 1;
-}
-
-/* Of the truth's stretch. */
-static bool is_stretched(const struct lines *l)
-{
-    return l->truth / l->rest - 1 > STRAIN_LEAST && l->got > l->rest;
-}
-
-/* A share of the truth's own stretch, where it has one; and what chords of this net cut off
- * the truth's lines, which are `whole` long. */
-static double floor_of(const struct lines *l, double whole)
-{
-    const double cut = fabs(whole / l->truth - 1);
-
-    if (is_stretched(l))
-        return cut + STRAIN_OFF * (1 - l->rest / l->truth);
-    return cut + (share_off(l) > 0 ? STRETCH_LEAST : SHRINK_LEAST);
-}
-
-/* `truth` as the net sees it; `whole` as it is. */
-static struct lines lines_of(const double *rest, const double *whole, const double *truth,
-                             const double *got, bool along_v)
-{
-    double length = 0;
-    struct lines l = {0};
-    double sum = 0, squares = 0;
-    int pieces = 0;
-
-    for (int j = 0; j < GRID_V - along_v; j++)
-        for (int i = 0; i < GRID_U - !along_v; i++) {
-            const int a = j * GRID_U + i, b = a + (along_v ? GRID_U : 1);
-            const double wanted = piece(truth, a, b), there = piece(got, a, b);
-            l.rest += piece(rest, a, b);
-            length += piece(whole, a, b);
-            l.truth += wanted;
-            l.got += there;
-            sum += there / wanted;
-            squares += there / wanted * (there / wanted);
-            pieces++;
-        }
-    l.spread = sqrt(fmax(0, squares / pieces - sum / pieces * (sum / pieces)));
-    l.floor = floor_of(&l, length);
-    return l;
-}
-
-static void stretch_text(const struct lines *l, double when, struct score_diagnosis *d)
-{
-    const double more = share_off(l), strain = l->truth / l->rest - 1;
-
-    if (is_stretched(l))
+    if (score_stretch_has(l))
         say(d, SCORE_STRETCH, more,
             "Stretches %.2g times as much as the truth (its lines, on average, by %.2g %% "
             "in "
@@ -214,32 +153,44 @@ static void stretch_text(const struct lines *l, double when, struct score_diagno
                                 : "is the rest shape the sheet's?");
 }
 
-/* Of both directions at all times, the one that is farthest beyond its own floor. */
 static enum status say_stretch(const struct score *s, struct score_diagnosis *d)
 {
-    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), when = 0, far = 1;
-    struct lines most = {0};
+    struct score_lines most;
+    double when;
+    enum status st;
 
-    for (int n = 0; seen && n < s->truth.times; n++) {
-        if (!s->row[n].known)
-            continue;
-        score_seen(s, n, seen);
-        for (int k = 0; k < 2; k++) {
-            const struct lines l = lines_of(s->truth.rest, score_truth_field(&s->truth, n),
-                                            seen, s->field + 3L * SCORE_POINTS * n, k);
-            if (fabs(share_off(&l)) > far * l.floor) {
-                far = fabs(share_off(&l)) / l.floor;
-                most = l;
-                when = s->row[n].time;
-            }
-        }
-    }
-    free(seen);
-    if (!seen)
-        return STATUS_MEMORY;
-    if (far > 1)
+    TRY(score_stretch_find(s, &most, &when));
+    if (when > 0)
         stretch_text(&most, when, d);
-    return STATUS_OK;
+out:
+    return st;
+}
+
+/* Neighbours on the net lie far apart, and all points on the truth's surface. */
+static bool say_scattered(const struct score *s, struct score_diagnosis *d)
+{
+    int n = 0;
+
+    while (!s->row[n].known)
+        n++;
+    const double *truth = score_truth_field(&s->truth, n),
+                 *got = s->field + 3L * SCORE_POINTS * n;
+    const struct score_lines u = score_stretch_lines(s, truth, truth, got, false),
+                             v = score_stretch_lines(s, truth, truth, got, true);
+    const double apart = fmax(u.got / u.truth, v.got / v.truth);
+    if (apart < SCATTERED_LEAST)
+        return false;
+    const double off = score_turned_nearest(s, n);
+    if (!score_turned_is_better(off, s->row[n].error))
+        return false;
+    say(d, SCORE_ORDER, off,
+        "Vertices are in another order than their uv: neighbours lie %.2g times as far "
+        "apart "
+        "as the truth's at %g s, yet all of them on its surface, to %.2g %%; does each "
+        "vertex "
+        "have its own uv?",
+        apart, s->row[n].time, 100 * off);
+    return true;
 }
 
 /* --- what was fitted ---------------------------------------------------------------------
@@ -247,11 +198,14 @@ static enum status say_stretch(const struct score *s, struct score_diagnosis *d)
 
 /* Frames that lead from their very first one show a later time; those that begin at rest
  * and lead by half a step or less were begun with g dt for the first velocity. */
-static void say_lead(const struct score *s, double lead, struct score_diagnosis *d)
+static void say_lead(const struct score *s, double lead, const double shift[3],
+                     struct score_diagnosis *d)
 {
     const double *g = s->truth.scene.gravity,
                  fall = .5 * lead * lead * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    const bool ahead = s->start > .5 * fall; /* NaN, no frame at 0: not known */
+    const double far =
+        sqrt(shift[0] * shift[0] + shift[1] * shift[1] + shift[2] * shift[2]);
+    const bool ahead = fabs(s->start - far) > .5 * fall; /* NaN, no frame at 0: not known */
 
     if (lead > 0 && !ahead && lead < HALF_STEP * s->interval)
         say(d, SCORE_FIRST_ORDER_STEP, 2 * lead,
@@ -266,16 +220,60 @@ static void say_lead(const struct score *s, double lead, struct score_diagnosis 
                        "(explicit Euler).");
 }
 
+static double left_by(const struct score_pace *pace)
+{
+    return pace->speed == 1 ? 1 : pace->error / pace->as_is;
+}
+
+/* Another multiple of the time puts far more right than all that was fitted: nothing else
+ * is said, as all that was is held against other times. */
+static bool say_pace(const struct score *s, const struct score_pace *pace,
+                     const struct score_fit *fit, struct score_diagnosis *d)
+{
+    const bool slow = pace->speed < 1;
+    char repeats[64] = "";
+
+    if (PACE_BETTER * left_by(pace) > fit->left)
+        return false;
+    if (s->repeats)
+        snprintf(repeats, sizeof repeats, " (%d are as the one before)", s->repeats);
+    say(d, SCORE_TIME, pace->speed,
+        "Runs %.2f times as %s as the truth: at t frames show what happens at %.4g t, and "
+        "fit to %.2g %% in place of %.2g %%; do frames stand twice%s, are some left out, "
+        "or "
+        "is the time from one to the next another?",
+        slow ? 1 / pace->speed : pace->speed, slow ? "slow" : "fast", pace->speed,
+        100 * pace->error, 100 * pace->as_is, repeats);
+    return true;
+}
+
+/* A free fall cannot tell another gravity from another pace, other scenes hardly. */
+static void say_gravity(const struct score *s, double g, const struct score_pace *pace,
+                        const struct score_fit *fit, struct score_diagnosis *d)
+{
+    const double speed = !s->truth.motions ? sqrt(fmax(g, 0))
+                         : left_by(pace) < PACE_BETTER * fit->left && fit->count == 1
+                             ? pace->speed
+                             : 1;
+    char other[64] = "";
+
+    if (speed > 0 && speed != 1)
+        snprintf(other, sizeof other, ", or does it run %.3g times as %s",
+                 speed < 1 ? 1 / speed : speed, speed < 1 ? "slow" : "fast");
+    say(d, SCORE_GRAVITY, g, "Moves as under gravity x %.3f: is g the scene's%s?", g,
+        other);
+}
+
 static void say_fit(const struct score *s, const struct score_fit *fit,
+                    const struct score_support *support, const struct score_pace *pace,
                     struct score_diagnosis *d)
 {
     const double *value = fit->value;
 
     if (fit->has[FIT_LEAD])
-        say_lead(s, value[FIT_LEAD], d);
+        say_lead(s, value[FIT_LEAD], support->shift, d);
     if (fit->has[FIT_GRAVITY])
-        say(d, SCORE_GRAVITY, 1 + value[FIT_GRAVITY],
-            "Moves as under gravity x %.3f: is g the scene's?", 1 + value[FIT_GRAVITY]);
+        say_gravity(s, 1 + value[FIT_GRAVITY], pace, fit, d);
     if (fit->has[FIT_DAMPING])
         say(d, SCORE_DAMPING, value[FIT_DAMPING],
             value[FIT_DAMPING] > 0
@@ -283,7 +281,14 @@ static void say_fit(const struct score *s, const struct score_fit *fit,
                   "drag, or a step of first order."
                 : "Gains energy, like by %.2g 1/s of mass damping.",
             value[FIT_DAMPING]);
-    if (fit->has[FIT_HINGE])
+    if (fit->has[FIT_HINGE] && value[FIT_HINGE] < CLAMP_MOST)
+        say(d, SCORE_CLAMP, value[FIT_HINGE],
+            "The clamp gives way, by %.0f %% of what a hinge does: where bending is an "
+            "angle "
+            "between elements, that over the held row stands for half a cell and needs "
+            "twice the stiffness of the others.",
+            100 * value[FIT_HINGE]);
+    else if (fit->has[FIT_HINGE])
         say(d, SCORE_HINGE, value[FIT_HINGE],
             "The edge is held as a hinge, not a clamp (%.0f %% of the way to a hinge%s): "
             "where bending is an angle between elements, a second row outside the sheet "
@@ -297,59 +302,19 @@ static void say_fit(const struct score *s, const struct score_fit *fit,
             fit->at_end ? ", or beyond: the ladder of truths ends there" : "");
 }
 
-/* rms over the points of a support, in what it fixes, of how far frames are from what their
- * net sees of the truth [m]; 0: the grid has none of them. */
-static double support_off(const struct scene_support *held, const double *seen,
-                          const double *got)
+static void say_support(const struct score *s, const struct score_support *off,
+                        struct score_diagnosis *d)
 {
-    const double NEAR = 1e-9;
-    double sum = 0;
-    int points = 0;
+    const struct scene_support *held = &s->truth.scene.supports[off->which];
+    const double *by = off->by;
 
-    for (int p = 0; p < SCORE_POINTS; p++) {
-        const double uv[2] = {p % GRID_U / (GRID_U - 1.), p / GRID_U / (GRID_V - 1.)};
-        if (uv[0] < held->lo[0] - NEAR || uv[0] > held->hi[0] + NEAR ||
-            uv[1] < held->lo[1] - NEAR || uv[1] > held->hi[1] + NEAR)
-            continue;
-        points++;
-        for (int c = 0; c < 3; c++)
-            if (held->fix & 1u << c) {
-                const double off = got[3 * p + c] - seen[3 * p + c];
-                sum += off * off;
-            }
-    }
-    return points ? sqrt(sum / points) : 0;
-}
-
-/* Of all supports at all times, the one that is farthest off. */
-static enum status say_support(const struct score *s, struct score_diagnosis *d)
-{
-    const struct scene *scene = &s->truth.scene;
-    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), most = 0, when = 0;
-    int which = 0;
-
-    for (int n = 0; seen && n < s->truth.times; n++) {
-        if (!s->row[n].known)
-            continue;
-        score_seen(s, n, seen);
-        for (int k = 0; k < scene->support_count; k++) {
-            const double off =
-                support_off(&scene->supports[k], seen, s->field + 3L * SCORE_POINTS * n);
-            if (off > most)
-                most = off, when = s->row[n].time, which = k;
-        }
-    }
-    free(seen);
-    if (!seen)
-        return STATUS_MEMORY;
-    most /= scene->length;
-    if (most > HELD_MOST)
-        say(d, SCORE_SUPPORT, most,
-            "Is not held where the scene holds it: support %d (u %g to %g, v %g to %g) is "
-            "%.2g %% off at %g s; are its vertices fixed, or moved by its path?",
-            which, scene->supports[which].lo[0], scene->supports[which].hi[0],
-            scene->supports[which].lo[1], scene->supports[which].hi[1], 100 * most, when);
-    return STATUS_OK;
+    say(d, SCORE_SUPPORT, off->most,
+        "Is not held where the scene holds it: support %d (u %g to %g, v %g to %g) is %.2g "
+        "%% off at %g s, by (%.3g, %.3g, %.3g) m%s",
+        off->which, held->lo[0], held->hi[0], held->lo[1], held->hi[1], 100 * off->most,
+        off->time, by[0] + 0.0, by[1] + 0.0, by[2] + 0.0,
+        off->steady ? ", and at all other times: is the sheet's pose the scene's?"
+                    : "; are its vertices fixed, or moved by its path?");
 }
 
 static double largest(const struct score *s, bool floor)
@@ -412,18 +377,26 @@ static void say_sound(const struct score *s, struct score_diagnosis *d)
 
 enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
 {
+    struct score_support support;
+    struct score_pace pace;
     struct score_fit fit;
     enum status st = STATUS_OK;
 
     memset(d, 0, sizeof *d);
-    if (score_last(s) < 0 || say_still(s, d) || say_turned(s, d))
+    if (score_last(s) < 0 || say_still(s, d) || say_turned(s, d) || say_scattered(s, d))
         goto out;
-    TRY(score_fit_make(s, &fit));
+    TRY(score_support_find(s, &support));
+    TRY(score_fit_make(s, support.shift, &fit));
+    pace = score_pace_best(s);
+    if (say_pace(s, &pace, &fit, d))
+        goto out;
+    if (support.steady)
+        say_support(s, &support, d);
     TRY(say_stretch(s, d));
-    say_fit(s, &fit, d);
-    d->left = fit.after < fit.before ? fit.after / fit.before : 0;
-    if (!d->count)
-        TRY(say_support(s, d));
+    say_fit(s, &fit, &support, &pace, d);
+    d->left = fit.left < 1 ? fit.left : 0;
+    if (!d->count && support.most > 0)
+        say_support(s, &support, d);
     if (!d->count)
         say_sound(s, d);
 out:

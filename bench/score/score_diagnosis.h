@@ -11,6 +11,8 @@
     X(STRETCH, "stretch")                   /* longer by this share */                     \
     X(BENDING, "bending")                   /* D over the scene's */                       \
     X(HINGE, "hinge")                       /* 1: a hinge, 0: a clamp */                   \
+    X(CLAMP, "clamp")                       /* 1: gives way as a hinge, 0: not at all */   \
+    X(TIME, "time")                         /* the truth's time over the frames' */        \
     X(LAG, "lag")                           /* behind by [s]; ahead: negative */           \
     X(AXES, "axes")                         /* error with them set right [L] */            \
     X(UNITS, "units")                       /* what positions are to be multiplied by */   \

@@ -27,15 +27,15 @@ static const int first_column[FIT_KINDS] = {LEAD, GRAVITY, DAMPING, HINGE, STRET
 #define TIMES_NOISE 2
 #define ROUNDING    1e-4
 
-/* Flaws are believed where they leave so much of the squared difference, of one that, of
- * several that; each of them where without it so many times as much would be left. */
-#define LEFT_WELL   0.1
-#define LEFT_MOST   0.5
-#define LEFT_MORE   0.25
+/* Flaws are believed where they leave so much of the squared difference, each of them where
+ * without it so many times as much would be left; and one more than explains most of it
+ * where the rms difference is halved. */
+#define LEFT_MOST   0.25
 #define MUST_MATTER 1.5
+#define LEFT_HALF   0.25
 
 /* An edge is no hinge where it is less of one than this, or far more. */
-#define HINGE_LEAST 0.3
+#define HINGE_LEAST 0.15
 #define HINGE_MOST  2
 
 /* Bending is looked for at so many stiffnesses between the ladder's ends. */
@@ -44,6 +44,7 @@ enum { TRIES = 121, SET_MOST = 3 };
 struct sums {
     double gram[COLUMNS][COLUMNS]; /* sums over all rows of products of two columns      */
     double noise;                  /* the same of what is not known, squared              */
+    double shift[3]; /* of the frames [m]                                    */
     bool ladder;
 };
 
@@ -131,7 +132,7 @@ static void add_time(const struct score *s, int time, const double *rest,
         for (int c = 0; c < 3; c++) {
             const int n = 3 * p + c;
             double(*column)[3] = point.column;
-            column[Y][c] = got[n] - base[n];
+            column[Y][c] = got[n] - sums->shift[c] - base[n];
             column[LEAD][c] = field[LEAD][n];
             column[DAMPING][c] = (field[DAMPING][n] - base[n]) / size[LADDER_DAMPING];
             column[GRAVITY][c] = (field[GRAVITY][n] - base[n]) / size[LADDER_GRAVITY];
@@ -186,10 +187,8 @@ static bool falls_free(const struct scene *scene)
            !scene->load_count && scene->drag == 0 && scene->damping.kind == DAMPING_NONE;
 }
 
-/* Every ninth point each way. */
 static void sum_fall(const struct score *s, struct sums *sums)
 {
-    enum { EVERY = 9, SIDE = (GRID_U - 1) / EVERY + 1 };
     const double length = s->truth.scene.length;
 
     for (int time = 0; time < s->truth.times; time++) {
@@ -198,12 +197,12 @@ static void sum_fall(const struct score *s, struct sums *sums)
         const double weight = 1 / (score_rms(SCORE_POINTS, truth, rest) + SMALL * length);
         if (!s->row[time].known || t <= 0)
             continue;
-        for (int p = 0; p < SIDE * SIDE; p++) {
-            const int at = 3 * (p / SIDE * EVERY * GRID_U + p % SIDE * EVERY);
+        for (int p = 0; p < SCORE_FEW; p++) {
+            const int at = 3 * score_truth_few(p);
             struct point point = {{{0}}};
             for (int c = 0; c < 3; c++) {
                 const double fall = truth[at + c] - rest[at + c];
-                point.column[Y][c] = got[at + c] - truth[at + c];
+                point.column[Y][c] = got[at + c] - sums->shift[c] - truth[at + c];
                 point.column[LEAD][c] = 2 * fall / t;
                 point.column[GRAVITY][c] = fall;
                 point.column[DAMPING][c] = -fall * t / 3;
@@ -212,7 +211,7 @@ static void sum_fall(const struct score *s, struct sums *sums)
             }
             add_point(sums, &point, weight);
         }
-        add_noise(sums, SIDE * SIDE, weight,
+        add_noise(sums, SCORE_FEW, weight,
                   s->truth.bar[time] + ROUNDING * length + s->row[time].floor * length);
     }
 }
@@ -330,7 +329,8 @@ static bool all_matter(const struct sums *s, unsigned set, const struct trial *t
     return true;
 }
 
-/* The smallest set that explains well, else the best that explains most; 0: none. */
+/* The smallest set that explains most of the difference and leaves more than half of what
+ * is left to any larger one; 0: none. */
 static unsigned choose(const struct sums *s)
 {
     const double all = product(s, Y, Y);
@@ -341,6 +341,7 @@ static unsigned choose(const struct sums *s)
     if (all <= TIMES_NOISE * TIMES_NOISE * s->noise)
         return 0;
     for (int size = 1; size <= SET_MOST; size++) {
+        const double before = least;
         for (unsigned set = 1; set < most; set++) {
             if (size_of(set) != size)
                 continue;
@@ -350,18 +351,16 @@ static unsigned choose(const struct sums *s)
                 chosen = set;
             }
         }
-        if (size == 1)
-            least =
-                fmin(least, fmax(LEFT_MORE * all, TIMES_NOISE * TIMES_NOISE * s->noise));
-        if (chosen && least <= fmax(LEFT_WELL * all, TIMES_NOISE * s->noise))
-            break;
+        if (least < before)
+            least *= LEFT_HALF;
     }
     return chosen;
 }
 
-enum status score_fit_make(const struct score *score, struct score_fit *fit)
+enum status score_fit_make(const struct score *score, const double shift[3],
+                           struct score_fit *fit)
 {
-    struct sums sums = {.noise = 0};
+    struct sums sums = {.shift = {shift[0], shift[1], shift[2]}};
     enum status st = STATUS_OK;
 
     memset(fit, 0, sizeof *fit);
@@ -371,6 +370,7 @@ enum status score_fit_make(const struct score *score, struct score_fit *fit)
         sum_fall(score, &sums);
     const unsigned set = choose(&sums);
     const struct trial t = best_of(&sums, set);
+    fit->count = size_of(set);
     for (int k = 0; k < FIT_KINDS; k++) {
         fit->has[k] = set >> k & 1;
         fit->value[k] = t.value[k];
@@ -381,8 +381,7 @@ enum status score_fit_make(const struct score *score, struct score_fit *fit)
         fit->value[FIT_BENDING] =
             scale[0] * pow(scale[LADDER_RUNGS - 1] / scale[0], t.stiffness);
     }
-    fit->before = sqrt(sums.gram[Y][Y]);
-    fit->after = sqrt(t.left);
+    fit->left = set ? sqrt(t.left / product(&sums, Y, Y)) : 1;
 out:
     return st;
 }

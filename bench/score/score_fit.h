@@ -22,14 +22,17 @@ enum fit_kind {
 };
 
 struct score_fit {
+    int count;               /* of flaws                                               */
     bool has[FIT_KINDS];     /* whether it takes part in the frames' difference        */
     double value[FIT_KINDS]; /* its size, if so                                        */
     bool at_end;             /* bending: off the ladder's end                          */
-    double before, after;    /* rms difference over the displacement, without and with */
+    double left;             /* of the rms difference; 1: none takes part              */
 };
 
-/* *fit says of none where nothing can be fitted, or the difference is within the bars and
- * the net's floor, or no three flaws explain most of it. STATUS_MEMORY. */
-enum status score_fit_make(const struct score *score, struct score_fit *fit);
+/* Of the frames less `shift` [m]. *fit says of none where nothing can be fitted, or the
+ * difference is within the bars and the net's floor, or no three flaws explain most of it.
+ * STATUS_MEMORY. */
+enum status score_fit_make(const struct score *score, const double shift[3],
+                           struct score_fit *fit);
 
 #endif

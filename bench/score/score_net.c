@@ -8,6 +8,9 @@
 #define SAME_LINE 1e-6
 #define EDGE      1e-3
 
+/* A row outside of the sheet is no more than its one cell beyond the edge. */
+#define OUTSIDE 1.001
+
 /* A vertex lies on the rest shape to this share of the length. */
 #define ON_REST 2e-3
 
@@ -296,6 +299,12 @@ static enum status check_span(const struct lattice *l, const char *name,
 {
     for (int d = 0; d < 2; d++) {
         const double first = l->line[d][0], last = l->line[d][l->count[d] - 1];
+        if (first < -OUTSIDE || last > 1 + OUTSIDE)
+            return status_fail(
+                why, STATUS_INPUT,
+                "%s: %c runs from %.6g to %.6g; uv of the sheet must run from "
+                "0 to 1, not in metres, pixels or per cent",
+                name, "uv"[d], first, last);
         if (first > EDGE || last < 1 - EDGE)
             return status_fail(why, STATUS_INPUT,
                                "%s: %c runs from %.6g to %.6g; from 0 to 1, from edge to "

@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "bench/truth/truth.h"
+#include "bench/truth/truth_closed.h"
+#include "bench/truth/truth_file.h"
 #include "bench/truth/truth_plan.h"
 #include "models/metric/metric_rest.h"
 #include "models/reader/scene_file.h"
@@ -34,13 +36,56 @@ static enum status make(struct score_truth *t, int times)
     return rest && t->time && t->bar && t->xyz && t->rest ? STATUS_OK : STATUS_MEMORY;
 }
 
+int score_truth_few(int n)
+{
+    return n / SCORE_SIDE * SCORE_EVERY * GRID_U + n % SCORE_SIDE * SCORE_EVERY;
+}
+
+/* All frames that are stored, and before them the sheet at rest. */
+static enum status take_motion(const struct truth_made *made, struct score_truth *t)
+{
+    const size_t count = (size_t)made->claimed + 1;
+    double *rest = metric_rest_field(&t->scene);
+
+    t->motion_time = calloc(count, sizeof *t->motion_time);
+    t->motion = malloc(count * sizeof *t->motion);
+    if (rest && t->motion_time && t->motion) {
+        t->motions = (int)count;
+        for (int k = 0; k < t->motions; k++) {
+            const double *xyz = k ? made->xyz[k - 1] : rest;
+            t->motion_time[k] = k ? made->time[k - 1] : 0;
+            for (int n = 0; n < 3 * SCORE_FEW; n++) {
+                const int at = 3 * score_truth_few(n / 3) + n % 3;
+                t->motion[k][n / 3][n % 3] = .5 * (xyz[at] + xyz[3 * SCORE_POINTS + at]);
+            }
+        }
+    }
+    free(rest);
+    return t->motions ? STATUS_OK : STATUS_MEMORY;
+}
+
+/* A truth that is stored, if its physics are these. */
+static enum status from_stored(struct score_truth *t, struct truth_made *made,
+                               struct message *why)
+{
+    enum status st = truth_file_find(t->scene.name, &t->scene, made, why);
+
+    if (st == STATUS_FILE || st == STATUS_UNSUPPORTED)
+        return STATUS_OK;
+    TRY(st);
+    TRY(take_motion(made, t));
+    truth_made_thin(made, &t->scene);
+out:
+    return st;
+}
+
 /* Closed forms and what is stored; t->times stays 0 where there is neither. */
 static enum status from_known(struct score_truth *t, struct message *why)
 {
     struct truth_made made = {0};
-    enum status st;
+    enum status st = truth_closed_make(&t->scene, &made);
 
-    TRY(truth_known(&t->scene, &made, why));
+    TRY(st == STATUS_UNSUPPORTED ? from_stored(t, &made, why) : st);
     if (!made.claimed)
         goto out;
     TRY(make(t, made.claimed));
@@ -55,9 +100,11 @@ out:
     return st;
 }
 
-/* What is exact at any time, every tenth of a second. */
-static enum status from_formula(const char *path, const struct settings *settings,
-                                struct score_truth *t, struct message *why)
+/* What is exact at any time, every tenth of a second; `word` is the scene as the user named
+ * it. */
+static enum status from_formula(const char *word, const char *path,
+                                const struct settings *settings, struct score_truth *t,
+                                struct message *why)
 {
     const int all = (int)floor(10 * t->scene.end + 1e-9);
     const int times = all < 1 ? 1 : all < TENTHS_MOST ? all : TENTHS_MOST;
@@ -69,13 +116,15 @@ static enum status from_formula(const char *path, const struct settings *setting
         time[n] = all < 1 ? t->scene.end : (n + 1) / 10.0;
     st =
         truth_find(path, settings, times, time, "results/truths", TRUTH_READ, &truth, NULL);
-    if (st != STATUS_OK && st != STATUS_MEMORY)
-        st = status_fail(
-            why, STATUS_INPUT,
-            "nothing is known of the motion of %s without a run; clothbench list "
-            "truths names the scenes that are, and clothbench truth %s makes its "
-            "own",
-            t->scene.name, t->scene.name);
+    if (st != STATUS_OK && st != STATUS_MEMORY) {
+        st = truth_plan_check(&t->scene, why);
+        TRY(st == STATUS_UNSUPPORTED ? STATUS_INPUT : st);
+        st = status_fail(why, STATUS_INPUT,
+                         "nothing is known of the motion of %s; clothbench truth %s makes "
+                         "its truth by runs, and CLOTHBENCH_TRUTHS=results/truths before "
+                         "this command has it found",
+                         word, word);
+    }
     TRY(st);
     TRY(make(t, times));
     snprintf(t->source, sizeof t->source, "%s", truth->source);
@@ -101,7 +150,7 @@ enum status score_truth_read(const char *scene, struct score_truth *t, struct me
     t->undamped = settings.count > 0;
     TRY(from_known(t, why));
     if (!t->times)
-        TRY(from_formula(path, &settings, t, why));
+        TRY(from_formula(scene, path, &settings, t, why));
 out:
     settings_clear(&settings);
     free(path);
@@ -117,6 +166,8 @@ void score_truth_clear(struct score_truth *t)
     free(t->bar);
     free(t->xyz);
     free(t->rest);
+    free(t->motion_time);
+    free(t->motion);
     memset(t, 0, sizeof *t);
 }
 

@@ -13,9 +13,7 @@
 static const double scales[] = {1, 1e-3, 1e-2, 1e3, 1e2, 0.0254, 0.3048};
 enum {
     SCALES = sizeof scales / sizeof *scales,
-    EVERY = 9,
     LAST = GRID_U - 1,
-    SIDE = LAST / EVERY + 1
 };
 enum { PERMUTATIONS = 6, SIGNS = 8, ORDERS = 8 };
 static const int permutation[PERMUTATIONS][3] = {{0, 1, 2}, {1, 0, 2}, {0, 2, 1},
@@ -46,15 +44,15 @@ static double squared(const struct score *s, const struct score_turned *t, doubl
                      *got = s->field + 3L * SCORE_POINTS * n;
         if (!s->row[n].known)
             continue;
-        for (int k = 0; k < SIDE * SIDE; k++) {
-            const int p = k / SIDE * EVERY * GRID_U + k % SIDE * EVERY;
+        for (int k = 0; k < SCORE_FEW; k++) {
+            const int p = score_truth_few(k);
             const double *x = got + 3 * moved(p, t->order);
             for (int c = 0; c < 3; c++) {
                 const double d = t->sign[c] * t->scale * x[t->axis[c]] - truth[3 * p + c];
                 sum += d * d;
             }
         }
-        *points += SIDE * SIDE;
+        *points += SCORE_FEW;
         if (sum > least)
             return INFINITY;
     }
@@ -84,6 +82,29 @@ static struct score_turned candidate(int n)
     return t;
 }
 
+double score_turned_nearest(const struct score *s, int n)
+{
+    const double *truth = score_truth_field(&s->truth, n),
+                 *got = s->field + 3L * SCORE_POINTS * n;
+    double sum = 0;
+
+    for (int k = 0; k < SCORE_FEW; k++) {
+        const double *a = got + 3 * score_truth_few(k);
+        double least = INFINITY;
+        for (const double *b = truth; b < truth + 3 * SCORE_POINTS; b += 3) {
+            const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+            least = fmin(least, x * x + y * y + z * z);
+        }
+        sum += least;
+    }
+    return sqrt(sum / SCORE_FEW) / s->truth.scene.length;
+}
+
+bool score_turned_is_better(double error, double as_is)
+{
+    return as_is > WORTH_IT && error < MUCH_BETTER * as_is;
+}
+
 struct score_turned score_turned_best(const struct score *s)
 {
     const double length = s->truth.scene.length;
@@ -107,5 +128,5 @@ struct score_turned score_turned_best(const struct score *s)
         }
     }
     best.as_is = as_is.as_is;
-    return changes(&best) && best.error < MUCH_BETTER * as_is.error ? best : as_is;
+    return changes(&best) && score_turned_is_better(best.error, as_is.error) ? best : as_is;
 }

@@ -14,6 +14,14 @@ struct score_turned {
     double as_is; /* the same of the frames as they are                                  */
 };
 
+/* Whether an error is so much smaller than that of the frames as they are, which is worth
+ * it, that something else must be meant; both over the length. */
+bool score_turned_is_better(double error, double as_is);
+
+/* rms distance of few of the frames' points at the n-th time of the truth, which is known,
+ * from the truth's nearest, over the length. */
+double score_turned_nearest(const struct score *score, int n);
+
 /* The best of all of them; as they are, if nothing is much better. */
 struct score_turned score_turned_best(const struct score *score);
 

@@ -253,6 +253,11 @@ for light in 2.5e-3:1 4e-3:10 1e-3:; do
     fi
 done
 
+good run sphere --model mass_spring --set time.end=0.5
+[[ $err == 'Do not trust this result: an obstacle is '* ]] || fail "opens otherwise: $err"
+good run sphere --model mass_spring --set time.end=0.5 --quiet
+[ -z "$err" ] || fail "words for nobody: $err"
+
 # --- probes -----------------------------------------------------------------------------
 good run edge_drop "${short[@]}" --probe 1,0.5,0.5 --probe=0.3,0.7,1
 [ -z "$err" ] || fail "--quiet says $err"

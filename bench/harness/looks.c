@@ -5,6 +5,12 @@
 
 #include "models/metric/metric.h"
 
+/* Every third grid point: three or four to a span of a net of 10 x 10 control points, where
+ * a quadratic spline has no folds to hide, at a tenth of the time of the whole grid. Of
+ * 1,098 looks at 18 runs of the flag (Table 4) none was judged otherwise than by the whole
+ * grid. */
+enum { INTERSECTION_STEP = 3 };
+
 const struct looks_series looks_series[LOOKS_SERIES] = {
     [LOOKS_DROP] = {"drop", "1", metric_drop, MEASURE_DROP_MAX, MEASURE_DROP_END},
     [LOOKS_ANGLE] = {"angle", "degrees", metric_angle, MEASURE_ANGLE_MAX,
@@ -39,6 +45,20 @@ void looks_clear(struct looks *l)
     free(l->time);
     free(l->energy);
     *l = (struct looks){0};
+}
+
+void looks_add(struct looks *l, const struct scene *scene, double time, const double *xyz,
+               bool intersections)
+{
+    const int n = l->count++;
+
+    l->time[n] = time;
+    for (int i = 0; i < LOOKS_SERIES; i++)
+        l->series[i][n] = looks_series[i].value ? looks_series[i].value(scene, xyz) : NAN;
+    if (intersections)
+        l->series[LOOKS_INTERSECTIONS][n] =
+            metric_intersections_every(xyz, INTERSECTION_STEP);
+    l->energy[n] = (struct energy){NAN, NAN, NAN};
 }
 
 /* Of the numbers that exist; NaN if none does. */

@@ -4,6 +4,8 @@
 #ifndef LOOKS_H
 #define LOOKS_H
 
+#include <stdbool.h>
+
 #include "bench/harness/measures.h"
 #include "models/model.h"
 
@@ -36,6 +38,11 @@ struct looks {
 /* Room for that many, count 0. *looks is overwritten. */
 enum status looks_init(struct looks *looks, int room);
 void looks_clear(struct looks *looks); /* all-zero is allowed */
+
+/* One more, read off a field (grid.h), its self-intersections only if asked for; speed and
+ * energy are NaN. */
+void looks_add(struct looks *looks, const struct scene *scene, double time,
+               const double *xyz, bool intersections);
 
 /* The measures of a run that ended so (STATUS_OK, a death at death_time, or
  * STATUS_UNSUPPORTED) into value[MEASURES]. */

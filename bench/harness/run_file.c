@@ -5,17 +5,12 @@
 #include <string.h>
 
 #include "bench/files/store.h"
+#include "bench/harness/distrust.h"
 #include "bench/harness/looks.h"
 #include "bench/harness/warnings.h"
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
-
-/* Every third grid point: three or four to a span of a net of 10 x 10 control points, where
- * a quadratic spline has no folds to hide, at a tenth of the time of the whole grid. Of
- * 1,098 looks at 18 runs of the flag (Table 4) none was judged otherwise than by the whole
- * grid. */
-enum { INTERSECTION_STEP = 3 };
 
 struct run_file {
     const struct run *run;
@@ -103,17 +98,12 @@ out:
 static void measure(struct run_file *f)
 {
     struct looks *l = &f->looks;
-    const int n = l->count++;
+    const int n = l->count;
 
-    l->time[n] = f->time;
-    for (int i = 0; i < LOOKS_SERIES; i++)
-        if (looks_series[i].value)
-            l->series[i][n] = looks_series[i].value(&f->run->scene, f->xyz);
-    l->series[LOOKS_INTERSECTIONS][n] =
-        f->keep->intersections ? metric_intersections_every(f->xyz, INTERSECTION_STEP)
-                               : NAN;
-    l->series[LOOKS_SPEED][n] =
-        n ? metric_rmse(f->xyz, f->before) / (l->time[n] - l->time[n - 1]) : NAN;
+    looks_add(l, &f->run->scene, f->time, f->xyz, f->keep->intersections);
+    if (n)
+        l->series[LOOKS_SPEED][n] =
+            metric_rmse(f->xyz, f->before) / (l->time[n] - l->time[n - 1]);
     l->energy[n] = f->energy;
 }
 
@@ -253,8 +243,10 @@ enum status run_file_end(struct run_file *f, struct message *why)
 }
 
 /* What else should be known of the run, as it is told on standard error. */
-static enum status store_warnings(const struct run_file *f, struct message *why)
+static enum status store_warnings(const struct run_file *f, const struct run_result *r,
+                                  struct message *why)
 {
+    struct message sentence;
     char *text = NULL;
     size_t size = 0;
     FILE *file = open_memstream(&text, &size);
@@ -262,6 +254,8 @@ static enum status store_warnings(const struct run_file *f, struct message *why)
 
     if (!file)
         return st;
+    if (distrust(&f->run->scene, r->value, &sentence))
+        fprintf(file, "%s\n", sentence.text);
     if (*f->run->adapted.text)
         fprintf(file, "%s\n", f->run->adapted.text);
     warnings_print(f->run, "", file);
@@ -281,7 +275,7 @@ static enum status complete(struct run_file *f, const struct motion *m,
     enum status st;
 
     TRY(store_size(store, &f->size, why));
-    TRY(store_warnings(f, why));
+    TRY(store_warnings(f, r, why));
     TRY(store_series(f, why));
     if (!f->created)
         TRY(store_seconds(store, "create", &run->create_seconds, 1, 0, why));

@@ -2,9 +2,11 @@
 
 #include <errno.h>
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/harness/distrust.h"
 #include "bench/harness/run_file.h"
 #include "bench/run/describe.h"
 #include "bench/run/statics.h"
@@ -100,7 +102,7 @@ enum { MODES_MOST = 1000 };
 struct job {
     enum task task;
     bool settled; /* modes are those about static equilibrium */
-    bool quiet;
+    bool quiet, told;
     long mode_count;
     long every; /* frames: which of them a file keeps */
     enum table_format format;
@@ -111,7 +113,7 @@ struct job {
     struct run run;
     struct probe probe;
     struct run_keep keep;
-    struct run_file *file; /* NULL: nothing is kept */
+    struct run_file *file; /* NULL: nothing is looked at */
 };
 
 /* What makes no sense together. */
@@ -182,11 +184,32 @@ out:
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a scene that cannot be read is input */
 }
 
+/* Without a file so many frames are looked at, for what the run's words open with. */
+enum { LOOKS = 20 };
+
 static enum status open_file(struct job *j, const char *path, struct message *why)
 {
-    j->keep = (struct run_keep){
-        .file = path, .every = (int)j->every, .fields = RUN_FIELDS_ALL, .doubles = true};
-    return path ? run_file_open(&j->run, &j->keep, &j->file, why) : STATUS_OK;
+    const int frames = (int)lround(j->run.scene.end / j->run.scene.step);
+
+    j->keep = (struct run_keep){.file = path,
+                                .every = path ? (int)j->every : 1 + frames / LOOKS,
+                                .fields = path ? RUN_FIELDS_ALL : RUN_FIELDS_NONE,
+                                .intersections = true,
+                                .doubles = true};
+    return path || !j->quiet ? run_file_open(&j->run, &j->keep, &j->file, why) : STATUS_OK;
+}
+
+/* The words open with what says that the result cannot be right. */
+static void tell(struct job *j, const struct run_result *r)
+{
+    struct message sentence;
+
+    if (j->quiet || j->told)
+        return;
+    j->told = true;
+    if (r && distrust(&j->run.scene, r->value, &sentence))
+        fprintf(stderr, "%s\n", sentence.text);
+    describe_setup(&j->run, stderr);
 }
 
 static enum status watch_frame(void *context, const struct motion *m, struct message *why)
@@ -206,9 +229,16 @@ out:
 static enum status close_file(struct job *j, const struct motion *m, struct message *why)
 {
     struct run_file *file = j->file;
+    struct run_result r;
+    enum status st = STATUS_OK;
 
     j->file = NULL;
-    return file ? run_file_close(file, m, NULL, why) : STATUS_OK;
+    if (!file)
+        return st;
+    TRY(run_file_close(file, m, &r, why));
+    tell(j, &r);
+out:
+    return st;
 }
 
 static enum status run_motion(struct job *j, struct message *why)
@@ -230,33 +260,53 @@ out:
     return st;
 }
 
+/* What the model tells of a success goes to *told. */
+static enum status settle(struct job *j, struct message *told, struct message *why)
+{
+    struct counters work = {0};
+    enum status st = run_settle(&j->run, &work, told);
+
+    if (st != STATUS_OK)
+        return status_fail(why, st, "%s", told->text);
+    if (j->file)
+        TRY(run_file_rest(j->file, &work, why));
+    TRY(close_file(j, NULL, why));
+out:
+    return st;
+}
+
 /* The table goes to standard output, unless points asked for do. */
 static enum status run_static(struct job *j, struct message *why)
 {
-    enum status st = STATUS_OK;
+    struct message told = {""};
+    enum status st;
 
-    TRY(statics_print(&j->run, j->format, j->probe.count ? stderr : stdout, why));
+    TRY(settle(j, &told, why));
+    TRY(statics_print(&j->run, &told, j->format, j->probe.count ? stderr : stdout));
     if (j->probe.count)
         TRY(probe_print(&j->probe, &j->run, 0, stdout, why));
-    if (j->file)
-        TRY(run_file_rest(j->file, &(struct counters){0}, why));
-    TRY(close_file(j, NULL, why));
+out:
+    return st;
+}
+
+static enum status run_modes_of(struct job *j, struct message *why)
+{
+    struct message told = {""};
+    enum status st = STATUS_OK;
+
+    if (j->settled)
+        TRY(settle(j, &told, why));
+    tell(j, NULL);
+    TRY(statics_modes(&j->run, (int)j->mode_count, j->settled, j->format, stdout, why));
 out:
     return st;
 }
 
 static enum status run_task(struct job *j, struct message *why)
 {
-    switch (j->task) {
-    case TASK_STATIC:
-        return run_static(j, why);
-    case TASK_MODES:
-        return statics_modes(&j->run, (int)j->mode_count, j->settled, j->format, stdout,
-                             why);
-    case TASK_MOTION:
-        break;
-    }
-    return run_motion(j, why);
+    return j->task == TASK_STATIC  ? run_static(j, why)
+           : j->task == TASK_MODES ? run_modes_of(j, why)
+                                   : run_motion(j, why);
 }
 
 static enum status run(const struct command_line *line, struct message *why)
@@ -269,12 +319,12 @@ static enum status run(const struct command_line *line, struct message *why)
     TRY(read_scene(&j, line, why));
     TRY(run_build(&j.run, why));
     TRY(open_file(&j, command_value(line, "--out"), why));
-    if (!j.quiet)
-        describe_setup(&j.run, stderr);
     if (folder)
         TRY(statics_matrices(folder, &j.plan, why));
     TRY(run_task(&j, why));
 out:
+    if (j.run.state)
+        tell(&j, NULL);
     run_file_discard(j.file);
     run_close(&j.run);
     probe_clear(&j.probe);
@@ -321,8 +371,10 @@ const struct command run_command = {
     .text =
         "Runs a model on a scene: a name from `clothbench list scenes` or the path of a\n"
         "YAML file. What it did is told on standard error: Gamma, the discretization,\n"
-        "milliseconds a frame, work done, metrics of the last frame. Positions and tables\n"
-        "go to standard output.\n",
+        "milliseconds a frame, work done, metrics of the last frame; and before all that,\n"
+        "if the sheet stretched as no sheet does, went through itself or deep into an\n"
+        "obstacle, that the result is not to be trusted. Positions and tables go to\n"
+        "standard output.\n",
     .options = options,
     .examples =
         "run edge_drop\n"

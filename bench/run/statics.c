@@ -93,8 +93,8 @@ static void tell_contact(struct table *t, const struct run *run)
                c.force[0], c.force[1], c.force[2], c.nodes);
 }
 
-enum status statics_print(struct run *run, enum table_format format, FILE *file,
-                          struct message *why)
+enum status statics_print(struct run *run, const struct message *told,
+                          enum table_format format, FILE *file)
 {
     static const struct table_column columns[] = {
         {"point u,v,w", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
@@ -107,15 +107,9 @@ enum status statics_print(struct run *run, enum table_format format, FILE *file,
         {"deflection", "rho g h L^4/D", .key = "deflection"}};
     static const double at[] = {0, 0.5, 1};
     enum status st = STATUS_OK;
-    struct counters counters = {0};
     struct energy energy = {NAN, NAN, NAN};
     struct table *t = NULL;
-    struct message told = {{0}};
 
-    st = run_settle(run, &counters, &told);
-    if (st != STATUS_OK && why)
-        *why = told;
-    TRY(st);
     if (run->model->energy)
         run->model->energy(run->state, &energy);
     t = table_create(sizeof columns / sizeof *columns, columns,
@@ -130,8 +124,8 @@ enum status statics_print(struct run *run, enum table_format format, FILE *file,
     table_note(t, "Energies [J]: elastic %.7g, potential %.7g.", energy.elastic,
                energy.potential);
     tell_contact(t, run);
-    if (*told.text)
-        table_note(t, "%s", told.text);
+    if (*told->text)
+        table_note(t, "%s", told->text);
     tell_stability(t, run);
     TRY(table_print(t, format, file));
 out:
@@ -162,13 +156,10 @@ enum status statics_modes(struct run *run, int count, bool settled,
         {"mode"}, {"omega", "rad/s"}, {"frequency", "Hz"}, {"lambda", "1"}};
     enum status st = STATUS_OK;
     double *omega = malloc((size_t)count * sizeof *omega);
-    struct counters counters = {0};
     struct table *t = NULL;
 
     if (!omega)
         return STATUS_MEMORY;
-    if (settled)
-        TRY(run_settle(run, &counters, why));
     TRY(run_modes(run, count, omega, why));
     t = table_create(4, columns,
                      settled ? "Natural frequencies about static equilibrium"

@@ -6,14 +6,13 @@
 #include "bench/harness/run.h"
 #include "bench/ui/table.h"
 
-/* Moves the state to equilibrium and prints displacements of the sheet's corners, edges and
- * centre. STATUS_UNSUPPORTED with a sentence if the model has no statics. */
-enum status statics_print(struct run *run, enum table_format format, FILE *file,
-                          struct message *why);
+/* Prints displacements of the sheet's corners, edges and centre in static equilibrium, to
+ * which the state was moved (run_settle), which `told` something of it or nothing. */
+enum status statics_print(struct run *run, const struct message *told,
+                          enum table_format format, FILE *file);
 
-/* Prints the `count` lowest frequencies about the rest shape or, if `settled`, about static
- * equilibrium, to which the state is moved (nonlinear kinematics). STATUS_UNSUPPORTED with
- * a sentence. */
+/* Prints the `count` lowest frequencies about the rest shape or, if it was `settled`, about
+ * static equilibrium (nonlinear kinematics). STATUS_UNSUPPORTED with a sentence. */
 enum status statics_modes(struct run *run, int count, bool settled,
                           enum table_format format, FILE *file, struct message *why);
 

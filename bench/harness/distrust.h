@@ -1,0 +1,34 @@
+/* distrust.h - results that cannot be right, whatever model they are of: one rule for all
+ * commands.
+ *
+ * A net that is too coarse for its load need not die: it stretches like rubber, lets an
+ * obstacle stand out of it, or passes through itself, and its numbers look as usual.
+ */
+#ifndef DISTRUST_H
+#define DISTRUST_H
+
+#include <stdbool.h>
+
+#include "bench/harness/measures.h"
+#include "models/scene.h"
+#include "models/status.h"
+
+/* Largest stretch of the mid-surface that is believed, as woven cloth tears before that; of
+ * a softer sheet twice the strain of its hanging weight, which one makes that is let go. */
+#define DISTRUST_STRETCH 1.3
+
+/* Depth of an obstacle in the sheet, in thicknesses: contact keeps points of a net half a
+ * thickness off, and chords of 2 (10 h R)^(1/2) on a ball of radius R sag by five. */
+#define DISTRUST_DEPTH 5.0
+
+/* Whether a run's numbers say so; then with the sentence "Do not trust this result: ...",
+ * what is wrong and what to try. What was not measured (NaN) is no reason. */
+bool distrust(const struct scene *scene, const double value[MEASURES],
+              struct message *sentence);
+
+/* The same of fields (grid.h) at their times; an empty sentence: no reason. STATUS_MEMORY.
+ */
+enum status distrust_fields(const struct scene *scene, int count, const double *time,
+                            double *const *xyz, struct message *sentence);
+
+#endif

@@ -20,6 +20,7 @@
     X(FILE, "a file could not be read or written")                                         \
     X(LIBRARY, "a library failed")                                                         \
     X(FAILED, "a check failed")                                                            \
+    X(LATE, "the budget is over")                                                          \
     X(NAN, "a position is no longer a number")                                             \
     X(INVERTED, "an element turned inside out (det J <= 0)")                               \
     X(INDEFINITE, "the system matrix is not positive definite")                            \

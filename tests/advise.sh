@@ -37,10 +37,20 @@ bar() { tr '\n' ' ' <"$1" | grep -o 'truth leaves [0-9.]* %'; }
 [[ $(bar again.txt) == $(bar answer.txt) && -n $(bar again.txt) ]] || fail "the truth's bar differs a second time"
 
 # A truth that is blunter than the question.
-"$program" "${ask[@]}" --error 0.0001% --budget 1 --out blunt >blunt.txt 2>log.txt
+"$program" "${ask[@]}" --error 0.0001% --budget 30 --out blunt >blunt.txt 2>log.txt
 [[ $? == 1 ]] || fail "blunt: not exit 1"
+grep -q "^truth: selective solid, .*9x9" log.txt || fail "blunt: no progress"
 tr '\n' ' ' <blunt.txt | grep -q "Cannot be decided: the truth is known to .* is asked for" ||
     { cat blunt.txt; fail "blunt: not said"; }
+
+# A budget ends runs in flight; a scene of one's own has no stored truth, which is no error.
+sed 's/^name: .*/name: own/; s/young: [^,]*/young: 2e5/' "$CLOTHBENCH_SCENES/edge_drop.yaml" >own.yaml
+SECONDS=0
+"$program" advise own.yaml --error 1% --budget 0.5 --out own >own.txt 2>log.txt
+[[ $? == 1 && $SECONDS -lt 5 ]] || fail "own: not exit 1, or $SECONDS s of half a second"
+tr '\n' ' ' <own.txt | grep -q "was stopped at t = .* s, as the budget is over" || fail "own: $(cat own.txt)"
+grep -q "no truth" log.txt && fail "own: $(cat log.txt)"
+[ -z "$(find own -name '*.part')" ] || fail "own: leaves parts"
 refuse() {
     "$program" advise "$@" >out.txt 2>err.txt
     [[ $? == 2 && ! -s out.txt ]] || fail "not refused: $*"

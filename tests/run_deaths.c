@@ -41,7 +41,7 @@ static void check_death(const struct run_plan *plan, enum status death, int fram
     }
     keep.file = file;
     for (int n = 0; n < LENGTH(timed); n++) {
-        const struct measurement_case c = {.plan = *plan, .keep = keep, .timed = timed[n]};
+        struct measurement_case c = {.plan = *plan, .keep = keep, .timed = timed[n]};
         const struct measurement_options quick = {.quick = true, .repeats = 1};
         REQUIRE(measurement_run(&quick, 1, &c, NULL) == STATUS_OK);
         REQUIRE(run_result_read(file, false, &r, NULL) == STATUS_OK);

@@ -272,7 +272,7 @@ static void test_times(void)
 /* At rest: one look, at 0 s, and nothing that moved. */
 static void test_rest(void)
 {
-    const struct measurement_options options = {.repeats = 2};
+    const struct measurement_options options = {.repeats = 2, .again = true};
     struct measurement_case c = {
         .plan = {DROP, &scripted, NULL, 0}, .keep = {.file = file}, .rest = true};
     struct run_result r;

@@ -5,11 +5,15 @@
 
 #include "bench/advise/advise_print.h"
 #include "bench/files/folder.h"
+#include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
 
 enum { FOLDER = 4096 };
 
 static const double BUDGET = 240;
+
+/* Of the budget. */
+static const double FOR_TRUTH = 1.0 / 3;
 
 static enum status read_rate(const struct command_line *line, double *rate,
                              struct message *why)
@@ -43,7 +47,11 @@ static bool is_undecidable(const struct advise_search *s, const struct message *
     const struct contest *c = &s->job->contest;
 
     if (!c->truth)
-        table_say(stdout, "Cannot be decided: %s.", said->text);
+        table_say(stdout, "Cannot be decided: %s%s.", said->text,
+                  deadline_left() < 0 ? " (a third of --budget is for the truth)" : "");
+    else if (!(s->target > 0) && *c->truth->unresolved)
+        table_say(stdout, "Cannot be decided: %s Truth: %s.", c->truth->unresolved,
+                  c->truth->source);
     else if (!(s->target > 0))
         table_say(
             stdout,
@@ -63,10 +71,12 @@ static enum status answer(struct advise_search *s, const char *models,
 
     TRY(folder_make(s->job->folder, why));
     timing_alone();
-    TRY(advise_search_truth(s, &said, why));
+    deadline_set(FOR_TRUTH * s->wish.budget);
+    TRY(advise_search_truth(s, FOR_TRUTH * s->wish.budget, &said, why));
     if (is_undecidable(s, &said))
         return STATUS_FAILED;
     s->wish.budget -= clock_now() - start;
+    deadline_set(s->wish.budget);
     TRY(advise_search(s, models, why));
     TRY(advise_print(s, format, stdout, why));
 out:

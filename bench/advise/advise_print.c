@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bench/export/export_numbers.h"
+#include "bench/harness/distrust.h"
 
 enum { MOST = 64, TEXT = 256 };
 
@@ -21,7 +22,10 @@ static void tell_reason(const struct advise_search *s, const struct contestant *
     const struct contest_limit limit = contest_limit(c, who);
     char what[TEXT / 2];
 
-    if (limit.kind == CONTEST_REFUSED || limit.kind == CONTEST_DIED) {
+    contest_tell(c, &limit, what, sizeof what);
+    if (limit.kind == CONTEST_SKIPPED) {
+        snprintf(text, TEXT, "%s", what);
+    } else if (limit.kind == CONTEST_REFUSED || limit.kind == CONTEST_DIED) {
         const struct contest_row *row = c->rows;
         while (row->at.contestant != who)
             row++;
@@ -32,7 +36,6 @@ static void tell_reason(const struct advise_search *s, const struct contestant *
         else
             snprintf(text, TEXT, "the budget ended with its coarsest run");
     } else {
-        contest_tell(c, &limit, what, sizeof what);
         snprintf(text, TEXT, "limited by %s", what);
     }
 }
@@ -114,9 +117,10 @@ static void note_method(struct table *t, const struct advise_search *s)
 
     table_note(t,
                "Error: rms over the sheet at the worst of %d times, over the length. To "
-               "serve for sure, %.3g %% is asked of a run: %.3g %% less the truth's error "
-               "bar, %.2g %%. Truth: %s.",
-               s->job->times, 100 * s->target, 100 * s->wish.error, 100 * bar,
+               "serve for sure, %.3g %% is asked of a run: %.3g %% less the %s, %.2g %%. "
+               "Truth: %s.",
+               s->job->times, 100 * s->target, 100 * s->wish.error,
+               truth_bar_name(s->job->contest.truth), 100 * bar,
                s->job->contest.truth->source);
     table_note(t, "Time: set-up and stepping, one thread. Runs up to %.2g s were tried%s.",
                s->longest,
@@ -193,11 +197,12 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
                        FILE *file)
 {
     const double bar = contest_largest_bar(&s->job->contest);
+    struct message doubt;
 
     if (!best) {
-        table_say(file,
-                  "No contestant came within %.3g %% (%.3g %% less the truth's error bar).",
-                  100 * s->target, 100 * s->wish.error);
+        table_say(file, "No contestant came within %.3g %% (%.3g %% less the %s).",
+                  100 * s->target, 100 * s->wish.error,
+                  truth_bar_name(s->job->contest.truth));
         return;
     }
     if (!is_fast(s, best))
@@ -205,6 +210,8 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
                   "None of those within %.3g %% is as fast as was asked, %.3g s for a "
                   "second of motion; the fastest:",
                   100 * s->wish.error, s->wish.rate);
+    if (distrust(scene_of(s), best->result.value, &doubt))
+        table_say(file, "%s", doubt.text);
     table_say(file,
               "%s: error %.2g %% of the length, of which the truth leaves %.2g %% open; "
               "%.2g s for a second of motion; %.2g MB.",

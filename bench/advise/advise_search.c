@@ -4,14 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bench/harness/deadline.h"
 #include "bench/truth/truth_sharp.h"
 #include "models/clock.h"
 
 /* The truth is to be so many times sharper than what is asked for. */
 static const double SHARPER = 5;
-
-/* Of the budget. */
-static const double FOR_TRUTH = 1.0 / 3;
 
 /* Runs of so many seconds at first, and so many times longer in each round. */
 static const double FIRST = 0.02, LONGER = 3;
@@ -23,19 +21,18 @@ static const double DEARER = 30, SHORT = 0.2;
 /* Of what is left of the budget a run may take, with its judging and its repeats. */
 static const double SHARE = 1.0 / 20;
 
-enum status advise_search_truth(struct advise_search *s, struct message *said,
-                                struct message *why)
+enum status advise_search_truth(struct advise_search *s, double seconds,
+                                struct message *said, struct message *why)
 {
     struct compare_job *j = s->job;
-    const struct truth_wish wish = {s->wish.error / SHARPER, FOR_TRUTH * s->wish.budget,
-                                    true};
+    const struct truth_wish wish = {s->wish.error / SHARPER, seconds, true};
     const enum status st = truth_find_sharp(j->path, &j->truth, j->times, j->time,
                                             j->folder, &wish, &j->found, said);
 
     j->contest.truth = j->found;
     if (st == STATUS_OK)
         s->target = s->wish.error - contest_largest_bar(&j->contest);
-    if (st == STATUS_UNSUPPORTED || status_is_death(st))
+    if (st == STATUS_UNSUPPORTED || st == STATUS_LATE || status_is_death(st))
         return STATUS_OK;
     return st ? status_fail(why, st, "%s", said->text) : STATUS_OK;
 }
@@ -105,13 +102,22 @@ enum status advise_search(struct advise_search *s, const char *models, struct me
     struct contest *c = &s->job->contest;
     const double start = clock_now();
     int first = 0;
-    enum status st;
+    enum status st = STATUS_OK;
 
     TRY(add_cheapest(c, models));
     s->longest = FIRST;
     for (;;) {
-        if (c->count > first)
-            TRY(compare_job_rows(s->job, first, why));
+        if (c->count > first) {
+            fprintf(stderr, "advise: %d runs%s, %.0f s of the budget are left\n",
+                    c->count - first, first ? "" : ", the coarsest of each contestant",
+                    fmax(0, deadline_left()));
+            st = compare_job_rows(s->job, first, why);
+        }
+        if (st == STATUS_LATE) {
+            s->end = ADVISE_BUDGET;
+            break;
+        }
+        TRY(st);
         first = c->count;
         const double left = s->wish.budget - (clock_now() - start);
         const double most = most_seconds(s, left);
@@ -126,6 +132,7 @@ enum status advise_search(struct advise_search *s, const char *models, struct me
         }
         s->longest *= LONGER;
     }
+    st = STATUS_OK;
 out:
     return st;
 }

@@ -25,10 +25,10 @@ struct advise_search {
     enum advise_end end;
 };
 
-/* The truth, as sharp as it takes, in a third of the budget at most: job->found, or NULL
- * with a sentence in *said where none can be had. Fills `target`. */
-enum status advise_search_truth(struct advise_search *s, struct message *said,
-                                struct message *why);
+/* The truth, as sharp as it takes, in so many seconds at most: job->found, or NULL with a
+ * sentence in *said where none can be had. Fills `target`. */
+enum status advise_search_truth(struct advise_search *s, double seconds,
+                                struct message *said, struct message *why);
 
 /* Measures those of the choice (contestant_chosen), which was checked. */
 enum status advise_search(struct advise_search *s, const char *models, struct message *why);

@@ -9,7 +9,9 @@
 #include "bench/compare/league.h"
 #include "bench/experiment/kept.h"
 #include "bench/files/folder.h"
+#include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
+#include "models/clock.h"
 
 /* Seconds that a run which the search proposes may take. */
 static const double LONGEST = 3;
@@ -117,20 +119,40 @@ static void leave_blunt_times(struct compare_job *j)
     j->times = t->times;
 }
 
+/* So long the coarsest run of each contestant is tried under any budget [s]. */
+static const double LEAST_BUDGET = 10;
+
+/* What runs for a truth are to reach, and take at most: the least target, or of a quick
+ * call and of one with a budget less. */
+static struct truth_wish wish_of(const struct contest *c)
+{
+    const double seconds = c->quick ? 30 : 240;
+
+    return (struct truth_wish){contest_target[c->quick ? 2 : CONTEST_TARGETS - 1],
+                               c->budget > 0 ? fmin(seconds, c->budget / 3) : seconds,
+                               true};
+}
+
 /* Where what was to be the truth refuses the scene or dies, the others run nevertheless. */
 static enum status find_truth(struct compare_job *j, bool all_times, struct message *why)
 {
-    const enum truth_effort effort = j->contest.quick ? TRUTH_QUICK : TRUTH_FULL;
+    const struct truth_wish wish = wish_of(&j->contest);
+    const double start = clock_now();
     struct message said = {""};
-    enum status st = truth_find(j->path, &j->truth, j->times, j->time, j->folder, effort,
-                                &j->found, &said);
 
+    deadline_set(wish.seconds);
+    enum status st = truth_find_sharp(j->path, &j->truth, j->times, j->time, j->folder,
+                                      &wish, &j->found, &said);
+    if (j->contest.budget > 0)
+        deadline_set(fmax(j->contest.budget - (clock_now() - start), LEAST_BUDGET));
+    else
+        deadline_set(INFINITY);
     j->contest.truth = j->found;
     if (st == STATUS_OK && !all_times)
         leave_blunt_times(j);
     if (st == STATUS_OK)
         return st;
-    if (st != STATUS_UNSUPPORTED && !status_is_death(st))
+    if (st != STATUS_UNSUPPORTED && st != STATUS_LATE && !status_is_death(st))
         return status_fail(why, st, "%s", said.text);
     fprintf(stderr, "compare: no truth, and so no errors: %s\n", said.text);
     j->none = (struct truth){.times = j->times, .time = j->time};
@@ -205,6 +227,8 @@ static enum status run_scene(struct call *call, const char *word, struct message
         TRY(kept_close(&kept, why));
     }
     TRY(find_truth(&j, command_value(call->line, "--until"), why));
+    if (*j.contest.truth->unresolved && table_format_is_prose(call->format))
+        table_say(stdout, "%s", j.contest.truth->unresolved);
     TRY(compare_job_measure(&j, why));
     TRY(compare_print(&j.contest, j.folder, call->format, stdout, why));
     TRY(league_add(&call->league, &j.contest));

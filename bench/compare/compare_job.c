@@ -163,12 +163,15 @@ static void show(void *context, const char *what, int done, int total)
     progress_update(bar, done);
 }
 
-static enum status run_batch(const struct compare_job *j, struct batch *batch,
+static enum status run_batch(struct compare_job *j, struct batch *batch,
                              struct message *why)
 {
     struct progress bar = progress_start("compare", 1, false);
-    const struct measurement_options options = {
-        .what = "compare", .quick = j->contest.quick, .progress = show, .context = &bar};
+    const struct measurement_options options = {.what = "compare",
+                                                .quick = j->contest.quick,
+                                                .progress = show,
+                                                .context = &bar,
+                                                .taken = &j->taken};
     const enum status st = batch_run(batch, &options, why);
 
     progress_end(&bar);
@@ -183,16 +186,19 @@ static enum status measure(struct compare_job *j, int first, bool needed,
 {
     struct contest *c = &j->contest;
     struct batch batch;
-    enum status st;
+    enum status st, late = STATUS_OK;
 
     TRY(batch_init(&batch, j->folder, c->count - first));
     for (int n = first; n < c->count; n++)
         plan_row(j, &c->rows[n], "", &batch);
     if (!j->read_only)
-        TRY(run_batch(j, &batch, why));
+        late = run_batch(j, &batch, why);
+    if (late != STATUS_LATE)
+        TRY(late);
     for (int n = first; n < c->count; n++) {
         struct run_result r = {0};
-        if (!needed && j->read_only && access(batch.files[n - first], F_OK) != 0) {
+        if ((late && !batch.cases[n - first].done) ||
+            (!needed && j->read_only && access(batch.files[n - first], F_OK) != 0)) {
             contest_set_absent(&c->rows[n]);
             continue;
         }
@@ -200,6 +206,7 @@ static enum status measure(struct compare_job *j, int first, bool needed,
         contest_fill(c, &r, &c->rows[n]);
         run_result_clear(&r);
     }
+    st = late;
 out:
     batch_clear(&batch);
     return st;
@@ -263,24 +270,44 @@ static enum status measure_searched(void *job, int first, struct message *why)
     return measure(job, first, false, why);
 }
 
-/* The ladder, what it makes worth a try, what tells the limits of each, and the best of all
- * with more threads. */
-enum status compare_job_measure(struct compare_job *j, struct message *why)
+static enum status measure_all(struct compare_job *j, struct message *why)
 {
     struct contest *c = &j->contest;
     enum status st;
 
-    TRY(measure(j, 0, true, why));
+    TRY(measure(j, 0, !(c->budget > 0), why)); /* which may have cut it short */
     TRY(contest_search_all(c, measure_searched, j, why));
     const int searched = c->count;
     TRY(contest_search_limits(c));
     if (c->count > searched)
         TRY(measure(j, searched, false, why));
+out:
+    return st;
+}
+
+/* The ladder, what it makes worth a try, what tells the limits of each, and the best of all
+ * with more threads; or as much of that as the budget has time for. */
+enum status compare_job_measure(struct compare_job *j, struct message *why)
+{
+    struct contest *c = &j->contest;
+    struct message said = {""};
+    enum status st = measure_all(j, &said);
+    const int all = c->count;
+
     contest_drop_absent(c);
     contest_choose_best(c);
-    for (int t = 0; t < c->teams; t++)
-        TRY(measure_team(j, t, why));
+    for (int t = 0; t < c->teams && st == STATUS_OK; t++)
+        st = measure_team(j, t, &said);
+    if (st == STATUS_LATE) {
+        fprintf(stderr, "compare: %s; %d of %d runs were skipped\n", said.text,
+                all - c->count, all);
+        c->teams = 0;
+        TRY(contest_tell_unsearched(c));
+    } else {
+        TRY(st ? status_fail(why, st, "%s", said.text) : st);
+    }
 out:
+    measurement_tell("compare", &j->taken, j->folder);
     timing_threads(1);
     return st;
 }

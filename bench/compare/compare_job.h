@@ -5,6 +5,7 @@
 #define COMPARE_JOB_H
 
 #include "bench/compare/contest.h"
+#include "bench/experiment/measurement.h"
 #include "bench/harness/settings.h"
 
 struct compare_job {
@@ -19,6 +20,7 @@ struct compare_job {
     struct truth *found;   /* owned                                                    */
     struct truth none;     /* stands in for a truth that could not be had              */
     bool read_only;
+    struct measurement_taken taken;
 };
 
 /* Reads a scene with a user's settings and chooses how it is damped and at which times it
@@ -35,7 +37,7 @@ enum status compare_job_ladder(struct compare_job *j, const char *models,
                                struct message *why);
 
 /* Runs and times all rows from `first` on that the folder has no file of, and fills them.
- */
+ * STATUS_LATE with a sentence: the budget was over before, and some are absent. */
 enum status compare_job_rows(struct compare_job *j, int first, struct message *why);
 
 /* What is proposed by contest_search for any contestant becomes a row. */

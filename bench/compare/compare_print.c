@@ -100,7 +100,7 @@ static void add_bar(struct table *t, const struct contest *c)
     table_rule(t);
     table_row(t);
     table_dash(t);
-    table_text(t, "truth's bar");
+    table_text(t, "%s", c->truth->alone ? truth_bar_name(c->truth) : "truth's bar");
     for (int n = 2; n < FIXED; n++)
         table_dash(t);
     for (int n = 0; n < c->truth->times; n++)

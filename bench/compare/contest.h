@@ -164,6 +164,7 @@ enum contest_kind {
     CONTEST_BY_UNKNOWN, /* so far as was tried                                         */
     CONTEST_DIED,       /* no run has an error, and not all were refused               */
     CONTEST_REFUSED,
+    CONTEST_SKIPPED, /* the budget ended before its first run                          */
     CONTEST_KINDS
 };
 
@@ -208,6 +209,9 @@ int contest_search(const struct contest *c, const struct contestant *who,
 /* Seconds that the rows took so far: each was followed once, and then repeated as often as
  * it was timed. As they stand in the rows, so that a budget can be kept to again. */
 double contest_spent(const struct contest *c);
+
+/* Into c->unsearched how many runs of whom were not tried: "iga_paper 3, hex 2". */
+enum status contest_tell_unsearched(struct contest *c);
 
 /* Runs the rows from `first` on and fills them, or sets them absent. */
 typedef enum status contest_measure(void *context, int first, struct message *why);

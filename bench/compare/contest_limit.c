@@ -6,9 +6,9 @@
 
 #include "bench/compare/contest.h"
 
-static const char *const kind_name[CONTEST_KINDS] = {"net",        "net across", "step",
-                                                     "iterations", "truth",      "model",
-                                                     "unknown",    "died",       "refused"};
+static const char *const kind_name[CONTEST_KINDS] = {
+    "net",   "net across", "step", "iterations", "truth",
+    "model", "unknown",    "died", "refused",    "skipped"};
 
 const char *const contest_rule = "Settings are the same on every scene: stiffnesses, "
                                  "compliances and stable steps follow "
@@ -76,12 +76,14 @@ static bool within_bar(const struct contest *c, const struct contest_row *r)
 /* Why none of its timed runs has an error. */
 static enum contest_kind why_none(const struct contest *c, const struct contestant *who)
 {
-    bool refused = true;
+    bool refused = true, skipped = true;
 
     for (int n = 0; n < c->count; n++)
-        if (c->rows[n].at.contestant == who)
+        if (c->rows[n].at.contestant == who) {
             refused &= run_result_refused(&c->rows[n].result);
-    return refused ? CONTEST_REFUSED : CONTEST_DIED;
+            skipped &= c->rows[n].absent;
+        }
+    return skipped ? CONTEST_SKIPPED : refused ? CONTEST_REFUSED : CONTEST_DIED;
 }
 
 struct contest_limit contest_limit(const struct contest *c, const struct contestant *who)
@@ -145,7 +147,7 @@ static void append_unseen(const struct contest *c, const struct contest_limit *l
         if (!l->best->at.size[axis] || !isnan(l->gain[axis]))
             continue;
         append(text, size, "%s%s ", *text ? "; " : "", kind_name[axis]);
-        if (!finer) {
+        if (!finer || finer->absent) {
             append(text, size, "not tried");
             continue;
         }
@@ -179,6 +181,9 @@ void contest_tell(const struct contest *c, const struct contest_limit *l, char *
         return;
     case CONTEST_REFUSED:
         append(text, size, "not applicable");
+        return;
+    case CONTEST_SKIPPED:
+        append(text, size, "skipped: the budget ended before its first run");
         return;
     case CONTEST_BY_MODEL:
         append(text, size, "the model: finer ");

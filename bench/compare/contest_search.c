@@ -325,8 +325,7 @@ out:
     return st;
 }
 
-/* "iga_paper 3, hex 2": how many runs of whom. */
-static enum status tell_unsearched(struct contest *c)
+enum status contest_tell_unsearched(struct contest *c)
 {
     const struct contestant *who;
     struct tries t;
@@ -356,7 +355,7 @@ enum status contest_search_all(struct contest *c, contest_measure *measure, void
         TRY(search_to(c, longest, longest, measure, context, why));
     TRY(search_to(c, c->longest, INFINITY, measure, context, why));
     if (c->budget > 0)
-        TRY(tell_unsearched(c));
+        TRY(contest_tell_unsearched(c));
 out:
     return st;
 }

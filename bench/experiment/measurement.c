@@ -2,13 +2,23 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "bench/files/provenance.h"
+#include "bench/files/sealed_text.h"
 #include "bench/files/store_read.h"
+#include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
 #include "bench/experiment/bench_solid.h"
+#include "models/reader/scene_file.h"
 
 /* A solid's frame costs the same all along the motion, so twenty frames a repeat do. */
 enum { FRAMES = 20, QUICK_FRAMES = 5, WARMUP = 2 };
+
+/* Seconds of cases that are timed in turn; and of a budget's rest. */
+static const double GROUP = 10, GROUP_SHARE = 0.1;
+
+enum { MADE_FOR = 32 };
 
 /* Share of the processor below which a machine counts as busy. */
 static const double ENOUGH = 0.95;
@@ -21,6 +31,7 @@ struct job {
     struct motion motion;
     struct run_file *file;
     bool built, moved;
+    char made_for[MADE_FOR]; /* what its file is of                                     */
     struct timing_case *timing; /* NULL: it is not timed                                */
 };
 
@@ -147,10 +158,109 @@ out:
     return st;
 }
 
-/* One bar for both: the runs that are followed, then those that are timed. */
+/* --- what an earlier call left -----------------------------------------------------------
+ */
+
+static void add_text(unsigned long *sum, const char *text)
+{
+    *sum = sealed_text_sum(*sum, text, strlen(text) + 1);
+}
+
+/* Of all that a case's file depends on besides the case: the program's file, its commit,
+ * and the machine. */
+static enum status sum_of_program(unsigned long *sum, struct message *why)
+{
+    static const char *const keys[] = {"commit", "changed_files", "cpu", "omp_threads",
+                                       "blas_threads"};
+    struct provenance here;
+    const enum status st = sealed_text_program(sum, why);
+
+    provenance_collect(&here);
+    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++)
+        add_text(sum, provenance_value(&here, keys[n]));
+    return st;
+}
+
+/* The scene's text, the settings, and what is kept and timed of it. */
+static enum status key_of(const struct measurement_options *o,
+                          const struct measurement_case *c, unsigned long sum,
+                          char key[MADE_FOR], struct message *why)
+{
+    const double numbers[] = {c->plan.end,     c->keep.every,  c->keep.fields,
+                              c->keep.doubles, c->keep.packed, c->keep.intersections,
+                              c->rest,         c->timed,       c->repeats,
+                              c->phases,       o->quick,       o->repeats};
+    char *path = NULL, *text = NULL;
+    size_t size;
+    enum status st;
+
+    TRY(scene_file_find(c->plan.path, &path, why));
+    TRY(named_file_read(&scene_file_kind, path, &text, &size, why));
+    sum = sealed_text_sum(sum, text, size);
+    add_text(&sum, c->plan.contestant->name);
+    for (int n = 0; c->plan.settings && n < c->plan.settings->count; n++)
+        add_text(&sum, c->plan.settings->text[n]);
+    sum = sealed_text_sum(sum, numbers, sizeof numbers);
+    sum = sealed_text_sum(sum, c->keep.time, (size_t)c->keep.times * sizeof *c->keep.time);
+    snprintf(key, MADE_FOR, "a case of %08lx", sum);
+out:
+    free(path);
+    free(text);
+    return st;
+}
+
+static bool is_kept(const struct measurement_case *c, const char *key)
+{
+    struct run_result r = {0};
+    const bool kept = run_result_read(c->keep.file, false, &r, NULL) == STATUS_OK &&
+                      !strcmp(r.made_for, key);
+
+    run_result_clear(&r);
+    return kept;
+}
+
+void measurement_tell(const char *what, const struct measurement_taken *taken,
+                      const char *folder)
+{
+    if (taken->taken)
+        fprintf(stderr, "%s: %d of %d cases were taken from %s\n", what ? what : "runs",
+                taken->taken, taken->cases, folder);
+}
+
+/* Takes what is there. */
+static enum status take(const struct measurement_options *o, int count,
+                        struct measurement_case *cases, struct job *jobs,
+                        struct message *why)
+{
+    struct measurement_taken here = {0, count};
+    unsigned long program;
+    char folder[4096] = "";
+    enum status st;
+
+    TRY(sum_of_program(&program, why));
+    for (int n = 0; n < count; n++) {
+        TRY(key_of(o, &cases[n], program, jobs[n].made_for, why));
+        cases[n].done = !o->again && is_kept(&cases[n], jobs[n].made_for);
+        here.taken += cases[n].done;
+        snprintf(folder, sizeof folder, "%s", cases[n].keep.file);
+    }
+    if (strrchr(folder, '/'))
+        *strrchr(folder, '/') = '\0';
+    if (!o->taken)
+        measurement_tell(o->what, &here, folder);
+    else
+        o->taken->taken += here.taken, o->taken->cases += count;
+out:
+    return st;
+}
+
+/* --- in groups ---------------------------------------------------------------------------
+ */
+
+/* One bar for all: a case counts for its run that is followed and for its repeats. */
 struct bar {
     const struct measurement_options *options;
-    int before;
+    int before, all;
 };
 
 static void report(void *context, int done, int total)
@@ -158,17 +268,18 @@ static void report(void *context, int done, int total)
     const struct bar *bar = context;
     const struct measurement_options *o = bar->options;
 
+    (void)total;
     if (o->progress)
-        o->progress(o->context, o->what, bar->before + done, bar->before + total);
+        o->progress(o->context, o->what, bar->before + done, bar->all);
 }
 
-static enum status time_all(const struct measurement_options *options, int count,
-                            struct job *jobs, struct message *why)
+static enum status time_all(struct bar *bar, int count, struct job *jobs,
+                            struct message *why)
 {
+    const struct measurement_options *options = bar->options;
     struct timing_case *timing = calloc((size_t)count + 1, sizeof *timing);
-    struct bar bar = {options, count};
     const struct timing_plan plan = {
-        .quick = options->quick, .progress = report, .context = &bar};
+        .quick = options->quick, .progress = report, .context = bar};
     enum status st = timing ? STATUS_OK : STATUS_MEMORY;
     int timed = 0;
 
@@ -192,27 +303,69 @@ out:
     return st;
 }
 
-enum status measurement_run(const struct measurement_options *options, int count,
-                            const struct measurement_case *cases, struct message *why)
+/* Seconds that timing a followed case will take. */
+static double expected(const struct measurement_options *o, const struct job *j)
 {
-    struct job *jobs = calloc((size_t)count + 1, sizeof *jobs);
-    struct bar bar = {options, 0};
-    enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
+    struct timing_case t;
+    double seconds = j->run.create_seconds;
 
-    TRY(st);
-    for (int n = 0; n < count; n++) {
-        jobs[n].keep = cases[n].keep;
-        jobs[n].keep.quick = options->quick;
-        TRY(follow(&jobs[n], &cases[n], why));
-        TRY(put_away(&jobs[n], why));
-        report(&bar, n + 1, (TIMING_REPEATS + 1) * count);
+    if (!is_timed(j))
+        return 0;
+    plan_frames(o, j, &t);
+    for (int n = 0; n < t.warmup + t.frames; n++)
+        seconds += j->motion.seconds[n];
+    return seconds * (t.repeats ? t.repeats : timing_repeats(seconds, o->quick));
+}
+
+/* Follows cases from `*next` on, until enough are together, times them and completes their
+ * files. */
+static enum status run_group(struct bar *bar, int count, struct measurement_case *cases,
+                             struct job *jobs, int *next, struct message *why)
+{
+    const double start = clock_now(), room = fmin(GROUP, GROUP_SHARE * deadline_left());
+    const int first = *next;
+    double timing = 0;
+    enum status st = STATUS_OK;
+
+    for (; *next < count && (*next == first || clock_now() - start + timing < room);
+         ++*next) {
+        struct job *j = &jobs[*next];
+        j->keep = cases[*next].keep;
+        j->keep.quick = bar->options->quick;
+        j->keep.made_for = j->made_for;
+        if (cases[*next].done)
+            continue;
+        TRY(follow(j, &cases[*next], why));
+        TRY(put_away(j, why));
+        timing += expected(bar->options, j);
+        report(bar, *next - first + 1, 0);
     }
-    TRY(time_all(options, count, jobs, why));
-    for (int n = 0; n < count; n++) {
+    bar->before += *next - first;
+    TRY(time_all(bar, *next - first, &jobs[first], why));
+    bar->before += TIMING_REPEATS * (*next - first);
+    for (int n = first; n < *next; n++) {
         struct run_file *file = jobs[n].file;
         jobs[n].file = NULL;
-        TRY(run_file_close(file, jobs[n].moved ? &jobs[n].motion : NULL, NULL, why));
+        if (file)
+            TRY(run_file_close(file, jobs[n].moved ? &jobs[n].motion : NULL, NULL, why));
+        cases[n].done = true;
     }
+out:
+    return st;
+}
+
+enum status measurement_run(const struct measurement_options *options, int count,
+                            struct measurement_case *cases, struct message *why)
+{
+    struct job *jobs = calloc((size_t)count + 1, sizeof *jobs);
+    struct bar bar = {options, 0, (TIMING_REPEATS + 1) * count};
+    enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
+    int next = 0;
+
+    TRY(st);
+    TRY(take(options, count, cases, jobs, why));
+    while (next < count)
+        TRY(run_group(&bar, count, cases, jobs, &next, why));
 out:
     for (int n = 0; jobs && n < count; n++) {
         run_file_discard(jobs[n].file);

@@ -25,6 +25,12 @@ struct measurement_case {
     enum measurement_frames timed;
     int repeats; /* 0: as the options have it                                          */
     bool phases; /* a solid that is rebuilt: also its phases, apart                    */
+    bool done;   /* out: its file is there                                             */
+};
+
+/* How many cases an earlier call had finished. */
+struct measurement_taken {
+    int taken, cases;
 };
 
 struct measurement_options {
@@ -33,11 +39,20 @@ struct measurement_options {
     int repeats;      /* 0: as the cases or timing.h have them                         */
     void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
     void *context;
+    bool again; /* nothing that is there is taken                                      */
+    struct measurement_taken *taken; /* is added to; NULL: told on standard error      */
 };
 
-/* Deaths and refusals are results. */
+/* Deaths and refusals are results. Files of an earlier call are taken if they were made for
+ * the same scene, settings and program, on this machine. Cases are timed in turn in groups
+ * of some seconds, and a group's files are there as soon as it is over: who stops it loses
+ * one group. STATUS_LATE: the budget was over (deadline.h) before all were done. */
 enum status measurement_run(const struct measurement_options *options, int count,
-                            const struct measurement_case *cases, struct message *why);
+                            struct measurement_case *cases, struct message *why);
+
+/* "compare: 3 of 40 cases were taken from DIR"; nothing if none was. */
+void measurement_tell(const char *what, const struct measurement_taken *taken,
+                      const char *folder);
 
 /* Words on how much of `all` seconds a processor was had: milliseconds of a busy machine
  * are too long, and a reader should know. */

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "bench/harness/deadline.h"
 #include "bench/ui/progress.h"
 #include "models/clock.h"
 #include "models/grid.h"
@@ -90,6 +91,10 @@ enum status motion_run(struct motion *m, motion_watcher *watch, void *context, b
     if (watch)
         TRY(watch(context, m, why));
     while (m->frames < m->frame_count) {
+        if (deadline_left() < 0)
+            TRY(status_fail(why, STATUS_LATE,
+                            "%s on %s was stopped at t = %.3g s, as the budget is over",
+                            m->model->name, m->scene->name, m->time));
         TRY(advance(m));
         if (m->death)
             break;

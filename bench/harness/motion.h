@@ -34,7 +34,8 @@ enum status motion_init(struct motion *m, const struct model *model,
                         const struct scene *scene, void *state);
 void motion_clear(struct motion *m);
 
-/* All frames, up to scene->end or a death, which is a result: STATUS_OK and m->death.
+/* All frames, up to scene->end or a death, which is a result: STATUS_OK and m->death; or up
+ * to the budget's end (deadline.h), STATUS_LATE with a sentence.
  * After each frame some points are looked at, and, if one is far away, the whole grid
  * (metric_blowup). `watch` may be NULL. */
 enum status motion_run(struct motion *m, motion_watcher *watch, void *context, bool quiet,

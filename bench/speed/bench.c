@@ -68,8 +68,11 @@ static enum status measure(const struct bench_part *part, struct bench *b,
                            struct message *why)
 {
     struct progress bar = progress_start(part->item.name, 1, false);
-    const struct measurement_options options = {
-        .what = part->item.name, .quick = b->quick, .progress = show, .context = &bar};
+    const struct measurement_options options = {.what = part->item.name,
+                                                .quick = b->quick,
+                                                .progress = show,
+                                                .context = &bar,
+                                                .again = true};
     enum status st;
 
     TRY(folder_make(b->folder, why));

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/harness/distrust.h"
 #include "bench/truth/truth_closed.h"
 #include "bench/truth/truth_file.h"
 #include "bench/truth/truth_plate.h"
@@ -86,6 +87,7 @@ static enum status from_shell(const struct truth_runs *runs, double step, bool q
              "difference from %dx%d, %.4g ms",
              level[0].side, level[0].side, 1e3 * level[0].step, level[1].side,
              level[1].side, 1e3 * level[1].step);
+    t->alone = true;
 out:
     run_result_clear(&run[0]);
     run_result_clear(&run[1]);
@@ -103,6 +105,46 @@ static enum status find_shell(const struct truth_runs *runs, double step,
     return from_shell(runs, step, effort != TRUTH_FULL, read_only, t, why);
 }
 
+const char *truth_bar_name(const struct truth *t)
+{
+    return t->alone ? "one model's own bar" : "truth's error bar";
+}
+
+/* From where on a truth of runs is none, and why: what it leaves open, or that its own
+ * field cannot be right. */
+static enum status doubt(const struct scene *scene, const struct truth_made *made,
+                         struct truth *t)
+{
+    const double percent = 100 / scene->length;
+    struct message said;
+    int n = 0;
+    enum status st;
+
+    t->alone =
+        isinf(made->value[0][TRUTH_SOLID_BAR]) || isinf(made->value[0][TRUTH_SHELL_BAR]);
+    while (n < t->times && t->error[n] <= TRUTH_MOST_ERROR * scene->length)
+        n++;
+    if (n < t->times && t->alone)
+        snprintf(t->unresolved, sizeof t->unresolved,
+                 "%s is not resolved from %.3g s on: one model alone was run, and its own "
+                 "bar is %.2g %% of the length there.",
+                 scene->name, t->time[n], percent * t->error[n]);
+    else if (n < t->times)
+        snprintf(t->unresolved, sizeof t->unresolved,
+                 "%s is not resolved from %.3g s on: there solid and shell are %.2g %% of "
+                 "the length apart, and their own bars are %.2g %% and %.2g %%.",
+                 scene->name, t->time[n], percent * made->value[n][TRUTH_DIFFERENCE],
+                 percent * made->value[n][TRUTH_SOLID_BAR],
+                 percent * made->value[n][TRUTH_SHELL_BAR]);
+    TRY(distrust_fields(scene, n, t->time, t->xyz, &said));
+    const size_t used = strlen(t->unresolved);
+    if (*said.text)
+        snprintf(t->unresolved + used, sizeof t->unresolved - used,
+                 "%sOf the truth itself: %s", used ? " " : "", said.text);
+out:
+    return st;
+}
+
 /* As sharp as is wished. */
 static enum status from_sharp(const struct truth_runs *runs, const struct scene *scene,
                               const struct truth_wish *wish, struct truth *t,
@@ -113,7 +155,7 @@ static enum status from_sharp(const struct truth_runs *runs, const struct scene 
     char text[TRUTH_WISH_TEXT];
     enum status st;
 
-    TRY(truth_sharp_make(runs, scene, &(struct truth_sharp){.frame = scene->step}, wish,
+    TRY(truth_sharp_make(runs, scene, &(struct truth_sharp){scene->step, stderr}, wish,
                          &made, &verdict, text, why));
     if (verdict.answer == TRUTH_LOST)
         TRY(status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name, text));
@@ -122,6 +164,7 @@ static enum status from_sharp(const struct truth_runs *runs, const struct scene 
         t->error[n] = made.value[n][TRUTH_ERROR];
     }
     snprintf(t->source, sizeof t->source, "%s", made.note);
+    TRY(doubt(scene, &made, t));
 out:
     truth_made_clear(&made);
     return st;
@@ -182,9 +225,12 @@ static enum status take(const struct scene *scene, const struct truth_made *made
 static enum status read_stored(const struct scene *scene, struct truth_made *made,
                                struct message *why)
 {
-    const enum status st = truth_file_find(scene->name, scene, made, why);
+    struct message said = {""};
+    const enum status st = truth_file_find(scene->name, scene, made, &said);
 
-    return st == STATUS_FILE || st == STATUS_UNSUPPORTED ? STATUS_OK : st;
+    if (st == STATUS_FILE || st == STATUS_UNSUPPORTED) /* and that is no error to tell */
+        return STATUS_OK;
+    return st ? status_fail(why, st, "%s", said.text) : st;
 }
 
 enum status truth_known(const struct scene *scene, struct truth_made *made,

@@ -5,9 +5,10 @@
  * (Gamma < TRUTH_GAMMA)
  * and the sheet is a cantilever: the Kirchhoff plate, exact in time. Where a truth of this
  * scene, with these physics and at these times, is stored (truth_file.h, made by
- * truth_make.h): that. Elsewhere: the finest nonlinear Kirchhoff-Love shell, run now, its
- * difference from the next coarser one (net and time step both) as error bar; it shares no
- * code with the solids but the B-spline basis.
+ * truth_make.h): that. Elsewhere runs made now: for commands that compare models the solid
+ * and the shell (truth_find_sharp), whose difference enters the bar, as nets of one model
+ * may lock alike; else the finest nonlinear Kirchhoff-Love shell alone, its difference from
+ * the next coarser one (net and time step both) as error bar.
  */
 #ifndef TRUTH_H
 #define TRUTH_H
@@ -21,10 +22,12 @@
 
 struct truth { /* with its arrays                                                      */
     int times;
-    double *time;     /* [times] [s]                                                */
-    double **xyz;     /* [times] fields (grid.h) [m]                                */
-    double *error;    /* [times] rms error bar [m]                                  */
-    char source[640]; /* a sentence                                                 */
+    double *time;          /* [times] [s]                                                */
+    double **xyz;          /* [times] fields (grid.h) [m]                                */
+    double *error;         /* [times] rms error bar [m]                                  */
+    char source[640];      /* a sentence                                                 */
+    bool alone;            /* the bar is one model's own                                 */
+    char unresolved[1200]; /* a sentence on why it is none at some times; else ""       */
 };
 
 enum truth_effort {
@@ -40,8 +43,10 @@ enum status truth_find(const char *path, const struct settings *settings, int ti
                        const double *time, const char *folder, enum truth_effort effort,
                        struct truth **truth, struct message *why);
 
-/* The same, but where nothing is stored runs are made until the bar is as small as is asked
- * for, or time is up (truth_sharp.h). */
+/* The same, but where nothing is stored runs of two models are made until the bar is as
+ * small as is asked for, or time is up (truth_sharp.h), and what comes next is told on
+ * standard error. STATUS_LATE with a sentence: the deadline (deadline.h) came before two
+ * runs of a model were made. */
 enum status truth_find_sharp(const char *path, const struct settings *settings, int times,
                              const double *time, const char *folder,
                              const struct truth_wish *wish, struct truth **truth,
@@ -58,6 +63,9 @@ enum status truth_known(const struct scene *scene, struct truth_made *made,
 enum status truth_stored_times(const char *path, const struct settings *settings,
                                double until, int most, double *time, int *count,
                                struct message *why);
+
+/* "truth's error bar", or "one model's own bar". */
+const char *truth_bar_name(const struct truth *t);
 
 void truth_destroy(struct truth *t); /* NULL is allowed */
 

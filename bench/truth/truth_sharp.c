@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "bench/harness/deadline.h"
 #include "bench/truth/truth_plan.h"
 #include "models/metric/metric.h"
 
@@ -21,6 +22,7 @@ struct sharp {
     struct run_result pushed;
     struct truth_push push;
     int pushed_side; /* points along of the finest net that was pushed                  */
+    FILE *say;
     double spent;
 };
 
@@ -43,9 +45,13 @@ static enum status add_run(struct sharp *s, int model, struct message *why)
 {
     struct truth_family *f = &s->family[model];
     const int k = f->count;
+    char text[TRUTH_BAR_LEVEL];
     enum status st;
 
     rung_of(s->scene, s->frame, model, k, &f->level[k]);
+    truth_bar_level(&f->level[k], false, text);
+    if (s->say && deadline_left() > 0)
+        fprintf(s->say, "truth: %s\n", text);
     TRY(truth_level_find(s->runs, &f->level[k], false, &f->run[k], why));
     f->count++;
     s->spent += seconds_of(&f->run[k]);
@@ -53,25 +59,39 @@ out:
     return st;
 }
 
-/* `count` runs of each model that serves the scene. */
+/* Whether a model that came to this leaves the other one alone. */
+static bool leaves_other(enum status st)
+{
+    return st == STATUS_UNSUPPORTED || st == STATUS_LATE || status_is_death(st);
+}
+
+/* Two runs of a model first show something (truth_bar_compare). */
+enum { LEAST_RUNS = 2 };
+
+/* `count` runs of each model that serves the scene, in turn; fewer where the budget ends,
+ * and none of a model that did not come to two. */
 static enum status begin(struct sharp *s, int count, struct message *why)
 {
     struct message said[TRUTH_MODELS] = {{""}, {""}};
-    enum status st = STATUS_OK;
+    enum status st[TRUTH_MODELS] = {STATUS_OK, STATUS_OK};
     int serve = 0;
 
+    for (int n = 0; n < count; n++)
+        for (int m = 0; m < TRUTH_MODELS; m++)
+            if (st[m] == STATUS_OK)
+                st[m] = add_run(s, m, &said[m]);
     for (int m = 0; m < TRUTH_MODELS; m++) {
         s->family[m].joint = true;
-        st = STATUS_OK;
-        for (int n = 0; n < count && st == STATUS_OK; n++)
-            st = add_run(s, m, &said[m]);
-        if (st != STATUS_OK && (st != STATUS_UNSUPPORTED || !s->wish->alone))
-            return status_fail(why, st, "%s", said[m].text);
-        if (st != STATUS_OK)
+        if (st[m] == STATUS_LATE && s->family[m].count >= LEAST_RUNS)
+            st[m] = STATUS_OK;
+        if (st[m] != STATUS_OK && !(s->wish->alone && leaves_other(st[m])))
+            return status_fail(why, st[m], "%s", said[m].text);
+        if (st[m] != STATUS_OK)
             s->family[m].count = 0;
-        serve += st == STATUS_OK;
+        serve += st[m] == STATUS_OK;
     }
-    return serve ? STATUS_OK : status_fail(why, STATUS_UNSUPPORTED, "%s", said[0].text);
+    const int which = st[0] != STATUS_LATE && st[1] == STATUS_LATE;
+    return serve ? STATUS_OK : status_fail(why, st[which], "%s", said[which].text);
 }
 
 static enum status push(struct sharp *s, const struct truth_family *f, int k,
@@ -82,7 +102,13 @@ static enum status push(struct sharp *s, const struct truth_family *f, int k,
     run_result_clear(&s->pushed);
     s->push = (struct truth_push){f->level[k], &f->run[k], &s->pushed};
     s->push.level.perturbed = true;
-    TRY(truth_level_find(s->runs, &s->push.level, false, &s->pushed, why));
+    st = truth_level_find(s->runs, &s->push.level, false, &s->pushed, why);
+    if (st == STATUS_LATE) { /* nothing is known of the growth then */
+        s->push.pushed = s->push.plain;
+        s->pushed_side = f->level[k].side;
+        return STATUS_OK;
+    }
+    TRY(st);
     s->spent += seconds_of(&s->pushed);
     if (f->level[k].side > s->pushed_side)
         s->pushed_side = f->level[k].side;
@@ -274,7 +300,8 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
                              struct truth_made *made, struct truth_verdict *verdict,
                              char text[TRUTH_WISH_TEXT], struct message *why)
 {
-    struct sharp s = {.runs = runs, .scene = scene, .frame = how->frame, .wish = wish};
+    struct sharp s = {
+        .runs = runs, .scene = scene, .frame = how->frame, .wish = wish, .say = how->say};
     struct truth_outlook o;
     enum status st;
     int finer;
@@ -290,7 +317,13 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
         if (verdict->answer == TRUTH_GO) {
             if (how->say)
                 fprintf(how->say, "truth: %s\n", text);
-            TRY(add_run(&s, verdict->next, why));
+            st = add_run(&s, verdict->next, why);
+            if (st == STATUS_LATE) {
+                verdict->answer = TRUTH_DEAR;
+                truth_wish_tell(wish, &o, verdict, text);
+                break;
+            }
+            TRY(st);
         } else if (verdict->answer != TRUTH_LOST && find_finer(&s, &finer)) {
             TRY(push(&s, pushed_family(&s), finer, why));
         } else {
@@ -298,6 +331,7 @@ enum status truth_sharp_make(const struct truth_runs *runs, const struct scene *
         }
     }
     truth_bar_choose(s.family, scene->length, made);
+    st = STATUS_OK;
     truth_bar_horizon(&s.push, o.blunt, made->times, made->time, scene->length,
                       made->horizon);
 out:

@@ -10,7 +10,8 @@
 struct truth_wish {
     double error;   /* the largest error bar over the length that is asked for         */
     double seconds; /* that all runs together may take, those that were found included */
-    bool alone;     /* a model that will not serve the scene leaves the other one alone */
+    bool alone;     /* a model that will not serve the scene, or dies on it at once, leaves
+                       the other one alone                                             */
 };
 
 /* What the runs of a model show; all-zero: it will not serve the scene. */

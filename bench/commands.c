@@ -18,11 +18,12 @@
 #include "bench/verify/verify.h"
 #include "bench/experiment/plan.h"
 #include "bench/harness/contestant.h"
+#include "bench/ui/table.h"
 #include "models/reader/scene_file.h"
 
 static void print_item(const char *name, const char *text)
 {
-    printf("%-24s%s%s\n", name, strlen(name) < 24 ? "" : "  ", text);
+    table_print_item(name, 24, text, stdout);
 }
 
 static enum status list_files(const struct named_file_kind *kind, struct message *why)

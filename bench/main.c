@@ -13,6 +13,7 @@
 #include "bench/experiment/plan.h"
 #include "bench/files/provenance.h"
 #include "bench/harness/measures.h"
+#include "bench/ui/table.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_file.h"
 
@@ -53,7 +54,10 @@ static void print_help(FILE *file)
 
 static void print_key(void *file, const char *key, const char *text)
 {
-    fprintf(file, "  %-28s%s%s\n", key, strlen(key) < 28 ? "" : "  ", text);
+    char name[64];
+
+    snprintf(name, sizeof name, "  %s", key);
+    table_print_item(name, 30, text, file);
 }
 
 static void print_scene_help(FILE *file)
@@ -204,10 +208,14 @@ int main(int argc, char **argv)
     blas_kernel_set_threads(1);
     if (!getenv("OMP_NUM_THREADS"))
         omp_set_num_threads(1); /* seconds are those of one thread unless told otherwise */
+    /* Line by line, so that no word to standard error stands inside a line of results. */
+    setvbuf(stdout, NULL, _IOLBF, 0);
     output_keep_after_closed_pipe();
     atomic_file_catch_signals();
 
     enum status st = run(argc - 1, argv + 1, &why);
+    if (table_json_close() != STATUS_OK && st == STATUS_OK)
+        st = STATUS_MEMORY;
     enum status written = output_close_standard(&lost);
     if (written != STATUS_OK && (st == STATUS_OK || !*why.text)) {
         st = written;

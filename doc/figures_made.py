@@ -5,7 +5,7 @@ A function a result; BLOCKS and WORDS at the end say which is which.
 import math
 import re
 
-from figures_read import (RESULTS, TOP, digits, is_quick, markdown, part, percent, result, row,
+from figures_read import (RESULTS, TOP, digits, is_quick, markdown, number, part, percent, result, row,
                           tables, whole)
 
 # --- the paper -------------------------------------------------------------------------------
@@ -45,7 +45,7 @@ def table1():
     for title, model, net in shown:
         timed = row(part("table1", PRINTED, "cost_over_iga"), model=model, net=net)
         truth = row(part("table1", "against truth", "static_rmse_percent"), model=model, net=net)
-        near = " ".join(f"{float(timed[t]):.3f}" for t in TIMES)
+        near = " ".join(f"{number(timed[t]):.3f}" for t in TIMES)
         rows.append([title, net, digits(timed["median_ms"], 3),
                      digits(timed["cost_over_iga"], 2),
                      "baseline" if model == "iga" else near,
@@ -146,7 +146,7 @@ def worst(check, model, keep=lambda quantity: True):
               for _, rows in result("verify") for r in rows
               if r["check"] == check and re.fullmatch(model, r["model"])
               and keep(r["quantity"]) and r["verdict"] != "not applicable"
-              and r["error"] not in ("", "nan", "inf")]
+              and r["error"] not in ("", "inf")]
     return percent(100 * max(errors)) if errors else "-"
 
 
@@ -198,7 +198,7 @@ def verify():
 
 
 def seconds(text):
-    return "not reached" if text in ("", "nan") else digits(text, 2)
+    return "not reached" if not text else digits(text, 2)
 
 
 TARGETS = ("0.03", "0.02", "0.01", "0.005", "0.002")
@@ -212,7 +212,7 @@ def contestants():
     models = {r["contestant"]: r["model"] for r in runs}
     for time, best in zip(least, lowest):
         yield (time["title"], models[time["contestant"]], [time[f"seconds_{e}"] for e in TARGETS],
-               float(best["lowest_rmse_over_length"]), best["sentence"].partition(":")[0])
+               number(best["lowest_rmse_over_length"]), best["sentence"].partition(":")[0])
 
 
 def compare_table(chosen):
@@ -230,7 +230,7 @@ def compare_models():
     """Of each model who is first to 1 %; where nobody gets there, who comes nearest."""
     best = {}
     for one in contestants():
-        time = float(one[2][TARGETS.index("0.01")])
+        time = number(one[2][TARGETS.index("0.01")])
         key = (math.inf if math.isnan(time) else time, one[3])
         if one[1] not in best or key < best[one[1]][0]:
             best[one[1]] = key, one
@@ -241,7 +241,7 @@ def compare_threads():
     """Of each contestant its nearest run of those that were timed with two threads."""
     nearest = {}
     for r in part("compare_threads", "with more threads", "seconds_2_threads"):
-        error = float(r["worst_rmse_over_length"])
+        error = number(r["worst_rmse_over_length"])
         if r["contestant"] not in nearest or error < nearest[r["contestant"]][0]:
             nearest[r["contestant"]] = error, r
     return markdown(["", "net", "error", "one thread [s]", "two [s]", "times", "same bits"], [
@@ -258,8 +258,7 @@ def compare_words():
     cured, single = least("iga_selective_3"), least("mass_spring_single")
     square = min(float(r["seconds"]) for r in part("compare", "Every run", "seconds")
                  if r["contestant"] == "iga_selective_3" and r["side"] == r.get("across")
-                 and float(r["worst_rmse_over_length"]) <= 0.01
-                 and not math.isnan(float(r["seconds"])))
+                 and number(r["worst_rmse_over_length"]) <= 0.01 and r["seconds"])
     return {
         "compare_square": digits(square, 2),
         "compare_square_ratio": digits(square / single, 2),
@@ -286,7 +285,7 @@ def scenes_titles():
 def won(scene):
     """First and next model's first of [(seconds, contestant, model)] of a scene."""
     rows = sorted((float(r["seconds"]), r["contestant"], r["model"]) for r in scene
-                  if r["seconds"] != "nan")
+                  if r["seconds"])
     return rows[:1] + [r for r in rows if r[2] != rows[0][2]][:1]
 
 
@@ -298,9 +297,9 @@ def compare_scenes():
     titles = scenes_titles()
 
     def shown(r):
-        if r["seconds"] != "nan":
+        if r["seconds"]:
             return digits(r["seconds"], 2)
-        if r["lowest_rmse_over_length"] != "nan":
+        if r["lowest_rmse_over_length"]:
             return f"({percent(100 * float(r['lowest_rmse_over_length']))})"
         return "refused" if r["refused"] == "1" else "died"
 
@@ -312,7 +311,7 @@ def compare_scenes():
              lambda scene, first: digits(first[1][0] / first[0][0], 2) if len(first) > 1 else "-"),
             ("error asked for",
              lambda scene, first: percent(100 * float(scene[0]["target_rmse_over_length"]))
-             if scene[0]["target_rmse_over_length"] != "nan" else "-"),
+             if scene[0]["target_rmse_over_length"] else "-"),
             ("truth's bar",
              lambda scene, first: percent(100 * float(scene[0]["bar_over_length"]))),
             ("seconds shown", lambda scene, first: f"{float(scene[0]['span_s']):g}")]
@@ -368,7 +367,7 @@ def third(scene):
     """Distance / own bar of the third mechanics, at times at which it is compared."""
     rows = part(f"truth_{scene}", "error bars", "error_bar_over_length")
     number = [[100 * float(r[c]) for c in ("third_over_length", "third_bar_over_length")]
-              for r in rows if r.get("third_over_length") not in (None, "", "nan")]
+              for r in rows if r.get("third_over_length")]
     return ", ".join(f"{digits(off, 2 if off >= 0.1 else 1)} ({digits(bar, 2 if bar >= 0.1 else 1)})"
                      for off, bar in number) or "-"
 
@@ -395,16 +394,16 @@ NUMBERS = ["drop", "angle", "stretch", "rough", "kinetic", "waves_long", "waves_
 
 
 def measured(text, count):
-    return "-" if text == "nan" else digits(text, count)
+    return "-" if not text else digits(text, count)
 
 
 def ensembles():
     rows = []
     for scene, name in ENSEMBLES.items():
         for r in part(name, "ensembles of", "verdict"):
-            means = [abs(float(r[n])) for n in NUMBERS if r[n] != "nan"]
+            means = [abs(float(r[n])) for n in NUMBERS if r[n]]
             rows.append([f"`{scene}`", r["model"], r["net"], r["lived"],
-                         "-" if r["points"] == "nan" else percent(100 * float(r["points"])),
+                         percent(100 * float(r["points"])) if r["points"] else "-",
                          measured(r["growth"], 2), digits(max(means), 2) if means else "-",
                          measured(r["spread"], 2), r["verdict"]])
     return markdown(["scene", "model", "net", "runs that lived", "points off", "growth",
@@ -540,7 +539,7 @@ CASES = [("tip, h/L = 1e-2", ["thin_2"]), ("h/L = 1e-5", ["thin_5"]),
 
 def ends():
     """{(case, model): (end, error)}"""
-    return {(r["case"], r["model"]): (r["end"], float(r["error"]))
+    return {(r["case"], r["model"]): (r["end"], number(r["error"]))
             for r in part("stress", "How each run ended", "in_words")}
 
 
@@ -614,7 +613,7 @@ def cures():
         found = part("study_cures", caption, "worst_percent")
         return [percent(max(abs(float(r[h]) - 1) for r in found for h in heights
                             if r["space"] == space and least <= float(r["nu"]) <= most
-                            and r[h] not in ("", "nan")) * 100) for _, space in CURES]
+                            and r[h]) * 100) for _, space in CURES]
 
     whole("study_cures")
     thick, thin = HEIGHTS[:1], HEIGHTS[1:]

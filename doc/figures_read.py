@@ -40,7 +40,9 @@ def tables(path):
 
     def end():
         if lines:
-            found.append((caption, list(csv.DictReader(io.StringIO("\n".join(lines))))))
+            rows = csv.DictReader(io.StringIO("\n".join(lines)))
+            found.append((caption, [{key: "" if cell == "nan" else cell  # of older results
+                                     for key, cell in r.items()} for r in rows]))
         lines.clear()
 
     for line in path.read_text().splitlines():
@@ -72,6 +74,11 @@ def row(rows, **cells):
         if all(r[key] == want for key, want in cells.items()):
             return r
     raise KeyError(f"no row {cells}")
+
+
+def number(text):
+    """A cell's; NaN where it is empty, as a number that does not exist is."""
+    return float(text or "nan")
 
 
 # --- writing ---------------------------------------------------------------------------------

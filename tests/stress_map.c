@@ -32,18 +32,18 @@ static const struct {
     {RAN, 0, "a,1e6,0.01,reference,0"},
     {RAN, 0.2, "a,1e6,0.05,degraded,0.2"},
     {RAN, -0.01, "a,1e6,0.1,accurate,0.01"},
-    {DIES, 0, "b,1e4,0.01,died,nan"},
-    {RAN, 0, "b,1e4,0.05,degraded,nan"}, /* lives where the finest step died */
-    {REFUSES, 0, "b,1e4,0.1,refused,nan"},
+    {DIES, 0, "b,1e4,0.01,died,"},
+    {RAN, 0, "b,1e4,0.05,degraded,"}, /* lives where the finest step died */
+    {REFUSES, 0, "b,1e4,0.1,refused,"},
     {RAN, 0, "b,1e6,0.01,reference,0"},
     {RAN, 0.01, "b,1e6,0.05,accurate,0.01"},
-    {FAILED, 0, "b,1e6,0.1,died,nan"},
+    {FAILED, 0, "b,1e6,0.1,died,"},
     {RAN, 0, "c,1e4,0.01,reference,0"},
-    {DAMAGED, 0, "c,1e4,0.05,damaged,nan"},
-    {GONE, 0, "c,1e4,0.1,not run,nan"},
-    {DAMAGED, 0, "c,1e6,0.01,damaged,nan"},
-    {RAN, 0, "c,1e6,0.05,not judged,nan"},
-    {CUT, 0, "c,1e6,0.1,not run,nan"},
+    {DAMAGED, 0, "c,1e4,0.05,damaged,"},
+    {GONE, 0, "c,1e4,0.1,not run,"},
+    {DAMAGED, 0, "c,1e6,0.01,damaged,"},
+    {RAN, 0, "c,1e6,0.05,not judged,"},
+    {CUT, 0, "c,1e6,0.1,not run,"},
 };
 enum { CASES = sizeof cases / sizeof *cases };
 static const double TOL_FLOAT = 1e-6; /* fields are stored as such */
@@ -115,11 +115,11 @@ static void check_spots(const char *path)
     for (int n = 0; n < CASES; n++) {
         REQUIRE(fgets(line, sizeof line, csv));
         const size_t words = (size_t)(strrchr(cases[n].line, ',') - cases[n].line) + 1;
-        const double error = strtod(cases[n].line + words, NULL);
-        const double is = strtod(line + words, NULL);
+        const char *number = cases[n].line + words;
+        const double error = strtod(number, NULL), is = strtod(line + words, NULL);
         snprintf(want, sizeof want, "%.*s", (int)words, cases[n].line);
         if (!CHECK(!strncmp(line, want, words) &&
-                   (isnan(error) ? isnan(is) : fabs(is - error) < TOL_FLOAT)))
+                   (*number ? fabs(is - error) < TOL_FLOAT : line[words] == '\n')))
             printf("  %swant %s\n", line, cases[n].line);
     }
     CHECK(!fgets(line, sizeof line, csv));

@@ -138,7 +138,7 @@ static void check_readers(void)
     print(t, TABLE_CSV,
           "# Both\ncase,frame_s,to_next_over_length,p,unknowns\n"
           "\"a \"\"b\"\"\\\n\x01\",0.012500000000000001,0.125,2,540\n"
-          "\"# no comment, a name\",nan,,-inf,nan\nshort,,,,\n# A \"note\".\n");
+          "\"# no comment, a name\",,,-inf,\nshort,,,,\n# A \"note\".\n");
     print(t, TABLE_JSON,
           "{\"caption\": \"Both\", \"units\": {\"frame_s\": \"s\", "
           "\"to_next_over_length\": \"1\"}, \"rows\": ["
@@ -167,7 +167,10 @@ static void check_readers(void)
     CHECK(isnan(table_value(t, 1, 1)) && isnan(table_value(t, 2, 1)));
     CHECK(!strcmp(table_words(t, 2, 0), "short") && !*table_words(t, 1, 3));
     table_destroy(t);
-    CHECK(table_format_is_prose(TABLE_LATEX) && !table_format_is_prose(TABLE_JSON));
+    for (int f = TABLE_TEXT; f <= TABLE_JSON; f++) {
+        CHECK(table_format_is_prose(f) == (f == TABLE_TEXT || f == TABLE_MARKDOWN));
+        CHECK(table_format_is_data(f) == (f == TABLE_CSV || f == TABLE_JSON));
+    }
 }
 
 /* Keys made of header and unit; none twice. */
@@ -252,6 +255,45 @@ static void check_failures_told(void)
     table_destroy(t);
 }
 
+/* A table wider than a line is in parts, with what tells its rows apart in each; the last
+ * words of a line are wrapped. No line has more than 120 columns. */
+static void check_wide(void)
+{
+    struct table_column wide[20] = {{"name", NULL, TABLE_LEFT}, {"net"}};
+    char words[500] = "", names[18][16], text[9000];
+    size_t size, longest = 0;
+    int lines = 0, parts = 0;
+
+    for (int n = 2; n < 20; n++) {
+        snprintf(names[n - 2], sizeof names[0], "number %d", n);
+        wide[n] = (struct table_column){names[n - 2], n % 2 ? "m" : NULL};
+    }
+    wide[19].align = TABLE_LEFT;
+    while (strlen(words) < 400)
+        strcat(words, "some words ");
+    struct table *t = table_create(20, wide, NULL);
+    for (int row = 0; row < 2; row++) {
+        table_row(t);
+        table_text(t, "same");
+        for (int n = 1; n < 19; n++)
+            table_integer(t, 12345 + row);
+        table_text(t, "%s", words);
+    }
+    FILE *file = fmemopen(text, sizeof text, "w");
+    REQUIRE(file && table_print(t, TABLE_TEXT, file) == STATUS_OK);
+    fclose(file);
+    for (const char *line = text; *line; line += size + 1, lines++) {
+        size = strcspn(line, "\n");
+        longest = size > longest ? size : longest;
+        parts += !strncmp(line, "name    net", 11);
+        CHECK(strncmp(line, "same", 4) || !strncmp(line, "same  1234", 10));
+    }
+    CHECK(longest > 90 && longest <= 120);
+    if (!CHECK(parts == 3 && lines > 20))
+        puts(text);
+    table_destroy(t);
+}
+
 /* What a format takes for its own is told apart, in headers, cells and captions. */
 static void check_escapes(void)
 {
@@ -326,6 +368,7 @@ int main(void)
     check_failures_told();
     check_wrapping();
     check_escapes();
+    check_wide();
     check_sentences();
     return check_result();
 }

@@ -189,13 +189,13 @@ int main(int argc, char **argv)
     test_numbers(&r, &t);
     test_truth(&r, &t);
     const double *rmse = t.variant[TABLE1_PRINTED][TABLE1_HEX32].rmse;
-    snprintf(row, sizeof row, "%.17g,%.17g,%.17g,%.17g,no\n", rmse[0], rmse[1], rmse[2],
+    snprintf(row, sizeof row, "%.17g,%.17g,%.17g,%.17g,no,", rmse[0], rmse[1], rmse[2],
              rmse[3]);
     study_clear(&r);
     plan_clear(&plan);
     PRINT(TABLE_TEXT, "The claim that hexahedra need many times IGA's cost", "Measured: ");
     PRINT(TABLE_CSV, "\nmodel,net,unknowns,static_tip_over_kirchhoff,static_rmse_percent,",
-          ",lower_quartile_ms,upper_quartile_ms,repeats,", row);
+          ",lower_quartile_ms,upper_quartile_ms,repeats\n", row);
     test_deaths();
     CHECK(experiment_print(&table1_exhibit, "/proc/nowhere", TABLE_TEXT, stdout, &why) ==
           STATUS_FILE);

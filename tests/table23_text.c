@@ -390,7 +390,7 @@ static void test_cells(bool second, enum table_format format, const char *const 
     said_open(&s);
     CHECK(table23_print(&m.table, folder, format, s.file, &why) == STATUS_OK);
     said_close(&s, true);
-    CHECK(!strncmp(s.text, table_format_is_prose(format) ? "Table " : "# Table ", 6));
+    CHECK(*s.text == "T#T\\{"[format]); /* sentences are for people alone */
     for (; *rows; rows++)
         said_has(&s, "cells", *rows);
     said_clear(&s);

@@ -308,7 +308,7 @@ static const struct turn {
      {"Table 4: not judged: quick, runs of 0.3 s. ",
       "Not judged: quick: these runs are of 0.3 s, most on coarser nets.",
       "to 0.3 s, bit for bit, in 3 of 3 runs: the motion",
-      "| - | - | not judged: quick | no: over-stretched |"},
+      "| - | - | - | no: over-stretched |"},
      {"Agreement", "Chaos", "Yes or no", "Physics"}},
 };
 
@@ -422,7 +422,7 @@ int main(int argc, char **argv)
             "\n2,10000,0.10000000000000001,0.29999999999999999,100000,200,1.25,0.5,84,"
             "8,2,1.125,2.5,\"no: over-stretched, penetration, chaotic\",\"no: "
             "over-stretched, penetration\"\n",
-            "\n14,100000,0.29999999999999999,0.20000000000000001,", ",nan,nan,yes,yes\n",
+            "\n14,100000,0.29999999999999999,0.20000000000000001,", ",,,yes,yes\n",
             ",not judged,no: penetration\n", ",,no: penetration\n# row 18: will not.\n",
             "to 3 s: largest values",
             "\n\"printed, v <- mu v (the paper's)\",flag,1,3,2,15,11,1,0,12,1,0,15,0,0,16,"

@@ -307,7 +307,7 @@ enum status league_print(const struct league *l, const char *folder,
 
     TRY(table_save(t, folder, "compare_scenes", why));
     TRY(league_chart(l, folder, why));
-    if (!table_format_is_prose(format))
+    if (table_format_is_data(format))
         return table_finish(t, format, file);
     st = print_people(l, format, file);
 out:

@@ -10,6 +10,7 @@
 #include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
 #include "bench/experiment/bench_solid.h"
+#include "bench/ui/table.h"
 #include "models/reader/scene_file.h"
 
 /* A solid's frame costs the same all along the motion, so twenty frames a repeat do. */
@@ -402,17 +403,25 @@ void measurement_machine(const char *path, FILE *file)
         "commit",      "changed_files", "compiler",    "flags",        "cpu",
         "blas_kernel", "cholmod",       "omp_threads", "blas_threads", "date"};
     struct store_read *run = NULL;
+    char *words = NULL;
+    size_t size;
+    FILE *memory = open_memstream(&words, &size);
 
-    if (store_read_open(path, &run, NULL) != STATUS_OK)
-        return;
-    fprintf(file, "\nMeasured:");
+    if (!memory || store_read_open(path, &run, NULL) != STATUS_OK)
+        goto out;
+    fputs("Measured:", memory);
     for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
         char *text = NULL;
         if (store_read_text(run, "provenance", keys[n], &text, NULL) == STATUS_OK)
-            fprintf(file, "%s%s %s", n ? "; " : " ", keys[n], text);
+            fprintf(memory, "%s%s %s", n ? "; " : " ", keys[n], text);
         free(text);
     }
-    tell_share(run, file);
-    fprintf(file, "\n");
+    tell_share(run, memory);
+    fflush(memory);
+    table_say(file, "\n%s", words);
+out:
+    if (memory)
+        fclose(memory);
+    free(words);
     store_read_close(run);
 }

@@ -102,6 +102,8 @@ static size_t write_row(FILE *file, const struct csv_table *t, const char *keys,
         char text[32];
         if (!is_shown(keys, t->cell[n]))
             continue;
+        if (!strcmp(words, "nan")) /* of older files */
+            words = "";
         if (isfinite(number) && strlen(words) > 8) {
             snprintf(text, sizeof text, "%.6g", number);
             words = text;

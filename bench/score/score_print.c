@@ -80,11 +80,14 @@ static void add_notes(struct table *t, const struct score_result *r, bool named)
     table_note(t, "%s%sThe truth: %s.", name, colon, r->source);
 }
 
-static void print_json(const struct score_result *r, FILE *file)
+static void print_json(const struct score_result *r, FILE *to)
 {
+    FILE *file = table_json_open(to);
     const char *comma = "";
     char range[512];
 
+    if (!file)
+        return;
     fputs("{\"scene\": ", file);
     table_json_string(r->scene, file);
     fputs(", \"rows\": [", file);
@@ -136,7 +139,7 @@ enum status score_print(const struct score_result *results, int count,
         return ferror(file) ? STATUS_FILE : STATUS_OK;
     }
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   table_format_is_prose(format)
+                                   !table_format_is_data(format)
                                        ? "Frames against the truth: rms over the sheet"
                                        : NULL);
     for (int n = 0; n < count; n++) {

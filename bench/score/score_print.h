@@ -19,7 +19,8 @@ struct score_result {
 
 void score_result_clear(struct score_result *result); /* all-zero is allowed */
 
-/* CSV has scene,time,error,bar,floor, in lengths; JSON an object a line and scene. */
+/* CSV has scene,time,error,bar,floor, in lengths; JSON an object
+ * a scene. */
 enum status score_print(const struct score_result *results, int count,
                         enum table_format format, FILE *file);
 

@@ -263,7 +263,7 @@ static void note_counts(const struct tables *t, int runs)
 enum status stress_print(const char *folder, const struct stress_choice *choice,
                          enum table_format format, FILE *file, struct message *why)
 {
-    const bool prose = table_format_is_prose(format);
+    const bool data = table_format_is_data(format);
     struct tables t = create_tables(choice);
     bool map = false;
     int runs = 0;
@@ -280,12 +280,12 @@ enum status stress_print(const char *folder, const struct stress_choice *choice,
                "Until: the time in the scene at which the run died, or at which its error "
                "first went beyond the bound.");
     for (int n = 0; n < TABLES; n++) /* a machine gets one: that with everything */
-        if (st == STATUS_OK && runs && (prose || n == DETAILS))
+        if (st == STATUS_OK && runs && (!data || n == DETAILS))
             st = table_finish(t.table[n], format, file);
         else
             table_destroy(t.table[n]);
     if (st == STATUS_OK && stress_choice_map(choice))
-        st = stress_map_print(folder, format, runs && !prose ? NULL : file, &map, why);
+        st = stress_map_print(folder, format, runs && data ? NULL : file, &map, why);
     if (st == STATUS_OK && !runs && !map)
         st = status_fail(why, STATUS_INPUT, "%s holds no such results of `stress`", folder);
     return st;

@@ -351,7 +351,7 @@ enum status study_ensemble_tell(const struct study_ensemble *e, const char *fold
     TRY(table_publish(fill_models(e, v), folder, name, format, file, why));
     if (v->windows)
         TRY(table_finish(fill_truth(e, v), format, file));
-    if (!prose) /* people have the chart */
+    if (table_format_is_data(format)) /* people have the chart */
         TRY(table_finish(fill_growth(e), format, file));
     series = fill_series(e);
     snprintf(name, sizeof name, "%s_series", e->name);

@@ -51,8 +51,10 @@ static void row_cells(struct table *t, const struct table4_run *run, int row)
         table_number(t, arrived(run->result.value[cell[n].measure]), cell[n].digits);
     if (run_result_refused(&run->result))
         table_missing(t, "refused");
+    else if (run->result.quick) /* which the caption says, once */
+        table_dash(t);
     else if (!run->judged)
-        table_text(t, "not judged%s", run->result.quick ? ": quick" : "");
+        table_text(t, "not judged");
     else
         labels_cell(t, run->feasible, run->labels);
     labels_cell(t, p->labels == 0, p->labels);
@@ -98,9 +100,9 @@ static enum status print_rows(const struct table4_data *d, int scene,
     char caption[128];
 
     snprintf(caption, sizeof caption,
-             "Table 4 on %s, %s, to %.3g s: largest values of each run",
+             "Table 4 on %s, %s, to %.3g s: largest values of each run%s",
              table4_scene[scene], table4_reading[TABLE4_PRINTED].title,
-             run[0].result.value[MEASURE_END_TIME]);
+             run[0].result.value[MEASURE_END_TIME], d->quick ? "; not judged: quick" : "");
     struct table *t = table_create(COUNT(columns), columns, caption);
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++)
         row_cells(t, &run[row], row);

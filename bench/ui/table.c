@@ -27,7 +27,12 @@ enum status table_format_parse(const char *word, enum table_format *format,
 
 bool table_format_is_prose(enum table_format format)
 {
-    return format != TABLE_CSV && format != TABLE_JSON;
+    return format == TABLE_TEXT || format == TABLE_MARKDOWN;
+}
+
+bool table_format_is_data(enum table_format format)
+{
+    return format == TABLE_CSV || format == TABLE_JSON;
 }
 
 int table_width(const char *text)

@@ -34,9 +34,12 @@ enum table_format { TABLE_TEXT, TABLE_CSV, TABLE_MARKDOWN, TABLE_LATEX, TABLE_JS
 enum status table_format_parse(const char *word, enum table_format *format,
                                struct message *why);
 
-/* Text, Markdown or LaTeX: sentences may stand beside the tables. False for CSV and JSON,
- * which nothing but tables and their `# ` lines may be in. */
+/* Text or Markdown: sentences may stand beside the tables. False for what other programs
+ * read: CSV, JSON and LaTeX have tables with their captions and notes, and nothing else. */
 bool table_format_is_prose(enum table_format format);
+
+/* CSV or JSON: one table with everything, where people get several. */
+bool table_format_is_data(enum table_format format);
 
 enum table_align { TABLE_RIGHT, TABLE_LEFT };
 
@@ -74,7 +77,7 @@ void table_rule(struct table *t);
 /* The next cell of the row: words; a number to `digits` significant digits, trailing zeros
  * kept; a number to `decimals` places (0 for whole numbers that may be missing); a whole
  * number. Machines get numbers with 17 digits whatever the digits asked for. NaN is a
- * number that does not exist: a dash, `nan` in CSV, null in JSON. Infinities are `inf`. */
+ * number that does not exist: a dash, empty in CSV, null in JSON. Infinities are `inf`. */
 void table_text(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void table_number(struct table *t, double value, int digits);
@@ -99,10 +102,15 @@ enum status table_print(const struct table *t, enum table_format format, FILE *f
  * and notes and an empty line below it, to be read back by csv.h; NULL: no more. */
 void table_keep(FILE *copy);
 
-/* table_print, an empty line after it, table_destroy: for one of several tables. JSON has a
- * table a line, an object {"caption", "units": {KEY: UNIT}, "rows": [{KEY: VALUE}],
- * "notes"}. */
+/* table_print, an empty line after it, table_destroy: for one of several tables. In JSON a
+ * table is an object {"caption", "units": {KEY: UNIT}, "rows": [{KEY: VALUE}], "notes"}. */
 enum status table_finish(struct table *t, enum table_format format, FILE *file);
+
+/* Where to print the next object of JSON that goes to `file`. Those of standard output are
+ * held back until table_json_close, which prints one as it is and several as one array, so
+ * that the whole is JSON. NULL without memory, which table_json_close says, too. */
+FILE *table_json_open(FILE *file);
+enum status table_json_close(void);
 
 /* A text as JSON has it, with its quotes. */
 void table_json_string(const char *text, FILE *file);
@@ -136,7 +144,11 @@ int table_width(const char *text);
 /* Words as notes are printed in text: lines of at most its width, then a line end. */
 void table_print_wrapped(const char *text, FILE *file);
 
-/* The same with printf's words: a sentence beside the tables, in a line of its own. */
+/* A name, and text from this column on, wrapped to the width of a line of tables. */
+void table_print_item(const char *name, int column, const char *text, FILE *file);
+
+/* table_print_wrapped with printf's words: a sentence beside the tables, in a line of its
+ * own. */
 void table_say(FILE *file, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

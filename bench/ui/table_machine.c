@@ -95,9 +95,7 @@ static void print_cell(const struct table *t, int row, int column, FILE *file)
         print_field(t->columns[column].key, file);
     else if (cell->kind == TABLE_CELL_TEXT)
         print_field(cell->text, file);
-    else if (cell->kind == TABLE_CELL_NUMBER && isnan(cell->value))
-        fputs("nan", file); /* whatever its sign */
-    else if (cell->kind == TABLE_CELL_NUMBER)
+    else if (cell->kind == TABLE_CELL_NUMBER && !isnan(cell->value))
         fprintf(file, "%.17g", cell->value);
 }
 
@@ -150,6 +148,40 @@ out:
 }
 
 /* --- JSON ----------------------------------------------------------------------------- */
+
+static struct {
+    FILE *stream;
+    char *text;
+    size_t size;
+    int count;
+    bool failed;
+} held;
+
+FILE *table_json_open(FILE *file)
+{
+    if (file != stdout)
+        return file;
+    if (!held.stream)
+        held.stream = open_memstream(&held.text, &held.size);
+    held.failed = !held.stream;
+    if (held.stream && held.count++)
+        fputc(',', held.stream);
+    return held.stream;
+}
+
+enum status table_json_close(void)
+{
+    bool failed = held.failed;
+
+    if (held.stream) {
+        failed = ferror(held.stream) || fclose(held.stream) != 0;
+        if (!failed)
+            printf(held.count > 1 ? "[%s]\n" : "%s", held.text);
+        free(held.text);
+        memset(&held, 0, sizeof held);
+    }
+    return failed ? STATUS_MEMORY : STATUS_OK;
+}
 
 void table_json_string(const char *text, FILE *file)
 {
@@ -204,10 +236,13 @@ static void print_units(const struct table *t, FILE *file)
     }
 }
 
-void table_machine_json(const struct table *t, FILE *file)
+void table_machine_json(const struct table *t, FILE *to)
 {
     static const struct table_line object = {TABLE_MACHINES, "{", ", ", "}", print_value};
+    FILE *file = table_json_open(to);
 
+    if (!file)
+        return;
     fputc('{', file);
     print_pair("caption", t->caption ? t->caption : "", file);
     fputs(", \"units\": {", file);

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT_WIDTH = 96 };
+/* Columns of the screen that a sentence, and that a line of anything takes at most; and
+ * those that a cell of words may be wrapped to. */
+enum { TEXT_WIDTH = 96, LINE_WIDTH = 120, CELL_WIDTH = 40 };
 
 bool table_print_has(const struct table *t, int column, enum table_readers readers)
 {
@@ -54,24 +56,36 @@ static bool is_right(const struct table *t, int column)
 
 /* --- text ---------------------------------------------------------------------------- */
 
-void table_print_wrapped(const char *text, FILE *file)
+/* Words in lines up to `width`, all but the first after `indent` blanks, which stand
+ * already before the first. */
+static void print_words(const char *text, int indent, int width, FILE *file)
 {
-    int column = 0;
+    int column = indent;
 
     while (*text) {
         int size = (int)strcspn(text, " \n");
-        if (column && column + 1 + size > TEXT_WIDTH) {
-            fputc('\n', file);
-            column = 0;
-        }
-        column += fprintf(file, "%s%.*s", column ? " " : "", size, text);
+        if (column > indent && column + 1 + size > width)
+            column = fprintf(file, "\n%*s", indent, "") - 1;
+        column += fprintf(file, "%s%.*s", column > indent ? " " : "", size, text);
         text += size;
-        if (*text == '\n') {
-            fputc('\n', file);
-            column = 0;
-        }
+        if (*text == '\n')
+            column = fprintf(file, "\n%*s", indent, "") - 1;
         text += *text != '\0';
     }
+}
+
+void table_print_wrapped(const char *text, FILE *file)
+{
+    print_words(text, 0, TEXT_WIDTH, file);
+    fputc('\n', file);
+}
+
+void table_print_item(const char *name, int column, const char *text, FILE *file)
+{
+    const int blanks = column - table_width(name);
+
+    fprintf(file, "%s%*s", name, blanks > 2 ? blanks : 2, "");
+    print_words(text, blanks > 2 ? column : column - blanks + 2, LINE_WIDTH, file);
     fputc('\n', file);
 }
 
@@ -89,20 +103,48 @@ void table_say(FILE *file, const char *format, ...)
     free(text);
 }
 
-/* One line of cells. Blanks are printed only before something, none at the end. */
-static void print_cells(const struct table *t, int row, FILE *file)
-{
-    int pending = 0;
+/* Columns of a table that stand side by side: the first `keys` and [from, to). A table
+ * wider than a line is printed in parts, one below the other, all of which begin with the
+ * keys. */
+struct part {
+    int keys, from, to;
+};
 
-    for (int n = 0; n < t->column_count; n++) {
-        if (!table_print_has(t, n, TABLE_PEOPLE))
+static bool is_shown(const struct table *t, const struct part *p, int n)
+{
+    return table_print_has(t, n, TABLE_PEOPLE) && (n < p->keys || n >= p->from) &&
+           n < p->to;
+}
+
+/* Of its columns, with the blanks between them; the last may be wrapped. */
+static int part_width(const struct table *t, const struct part *p)
+{
+    int total = -2;
+
+    for (int n = 0; n < p->to; n++)
+        total += is_shown(t, p, n) ? t->width[n] + 2 : 0;
+    return total;
+}
+
+/* One line of cells. Blanks are printed only before something, none at the end. */
+static void print_cells(const struct table *t, const struct part *p, int row, FILE *file)
+{
+    int pending = 0, column = 0;
+
+    for (int n = 0; n < p->to; n++) {
+        if (!is_shown(t, p, n))
             continue;
         const char *cell = text_at(t, row, n);
         int blanks = t->width[n] - table_width(cell);
 
         pending += is_right(t, n) ? blanks : 0;
         if (*cell) {
-            fprintf(file, "%*s%s", pending, "", cell);
+            column += fprintf(file, "%*s", pending, "");
+            if (column + table_width(cell) > LINE_WIDTH)
+                print_words(cell, column, LINE_WIDTH, file);
+            else
+                fputs(cell, file);
+            column += table_width(cell);
             pending = 0;
         }
         pending += (is_right(t, n) ? 0 : blanks) + 2;
@@ -110,34 +152,95 @@ static void print_cells(const struct table *t, int row, FILE *file)
     fputc('\n', file);
 }
 
-static void print_rule(const struct table *t, FILE *file)
+static void print_rule(const struct table *t, const struct part *p, FILE *file)
 {
-    int total = -2;
-    for (int n = 0; n < t->column_count; n++)
-        total += table_print_has(t, n, TABLE_PEOPLE) ? t->width[n] + 2 : 0;
-    for (int n = 0; n < total; n++)
+    const int total = part_width(t, p);
+
+    for (int n = 0; n < total && n < LINE_WIDTH; n++)
         fputc('-', file);
     fputc('\n', file);
 }
 
-static void print_text(const struct table *t, FILE *file)
+static void print_part(const struct table *t, const struct part *p, FILE *file)
 {
     bool units = false;
 
-    for (int n = 0; n < t->column_count; n++)
-        units = units || (table_print_has(t, n, TABLE_PEOPLE) && t->columns[n].unit);
+    for (int n = 0; n < p->to; n++)
+        units = units || (is_shown(t, p, n) && t->columns[n].unit);
+    print_cells(t, p, TABLE_HEADERS, file);
+    if (units)
+        print_cells(t, p, TABLE_UNITS, file);
+    print_rule(t, p, file);
+    for (int row = 0; row < t->row_count; row++) {
+        if (row && t->ruled[row])
+            print_rule(t, p, file);
+        print_cells(t, p, row, file);
+    }
+}
+
+static bool same_keys(const struct table *t, int keys, int row, int other)
+{
+    for (int n = 0; n < keys; n++)
+        if (table_print_has(t, n, TABLE_PEOPLE) &&
+            strcmp(text_at(t, row, n), text_at(t, other, n)) != 0)
+            return false;
+    return true;
+}
+
+/* The first columns that tell every row from the others; those of names, if none do within
+ * half a line. */
+static int key_columns(const struct table *t)
+{
+    struct part p = {.to = 0};
+
+    while (++p.to < t->column_count && part_width(t, &p) <= LINE_WIDTH / 2) {
+        bool distinct = true;
+        for (int row = 0; row < t->row_count && distinct; row++)
+            for (int other = 0; other < row && distinct; other++)
+                distinct = !same_keys(t, p.to, row, other);
+        if (distinct && part_width(t, &p) > 0)
+            return p.to;
+    }
+    for (p.to = 1; p.to < t->column_count && !is_right(t, p.to);)
+        p.to++;
+    return part_width(t, &p) <= LINE_WIDTH / 2 ? p.to : 1;
+}
+
+/* Takes the columns that a line has room for, one at least; a long one of words, wrapped,
+ * is the last. */
+static void fill_part(const struct table *t, struct part *p)
+{
+    bool wrapped = false, begins = true;
+
+    for (p->to = p->from; p->to < t->column_count; p->to++) {
+        struct part more = {p->keys, p->from, p->to + 1};
+        const int over = part_width(t, &more) - LINE_WIDTH, width = t->width[p->to];
+        if (!table_print_has(t, p->to, TABLE_PEOPLE))
+            continue;
+        if (wrapped ||
+            (over > 0 && !begins && (is_right(t, p->to) || width - over < CELL_WIDTH)))
+            return;
+        wrapped = over > 0;
+        begins = false;
+    }
+}
+
+static void print_text(const struct table *t, FILE *file)
+{
+    struct part p = {0, 0, t->column_count};
+
     if (t->caption) {
         table_print_wrapped(t->caption, file);
         fputc('\n', file);
     }
-    print_cells(t, TABLE_HEADERS, file);
-    if (units)
-        print_cells(t, TABLE_UNITS, file);
-    print_rule(t, file);
-    for (int row = 0; row < t->row_count; row++) {
-        if (row && t->ruled[row])
-            print_rule(t, file);
-        print_cells(t, row, file);
+    if (part_width(t, &p) > LINE_WIDTH)
+        fill_part(t, &p);
+    print_part(t, &p, file);
+    while (p.to < t->column_count) {
+        fputc('\n', file);
+        p = (struct part){p.keys ? p.keys : key_columns(t), p.to, p.to};
+        fill_part(t, &p);
+        print_part(t, &p, file);
     }
     for (int n = 0; n < t->note_count; n++) {
         fputc('\n', file);
@@ -272,7 +375,7 @@ enum status table_finish(struct table *t, enum table_format format, FILE *file)
     enum status st = table_print(t, format, file);
 
     table_destroy(t);
-    if (st == STATUS_OK)
+    if (st == STATUS_OK && format != TABLE_JSON)
         fputc('\n', file);
     return st;
 }

@@ -245,7 +245,7 @@ static enum status print(const struct job *job)
 {
     enum status st = STATUS_OK;
 
-    if (!table_format_is_prose(job->format))
+    if (table_format_is_data(job->format))
         return print_flat(job);
     for (int s = 0; s < job->count; s++)
         TRY(print_sheet(job, s));

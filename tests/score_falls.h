@@ -6,7 +6,7 @@
 
 /* Of a sheet under g at frames 10 ms apart; the physics of the scene are g t^2 / 2. */
 struct fall {
-    double first_order, g, damping, late;
+    double first_order, g, damping, late, above;
 };
 
 static double fallen(const struct fall *f, double t)
@@ -34,6 +34,8 @@ static void falls(void)
         {"fall_g.csv", 0, {0, 1.02 * 9.81, 0, 0}, SCORE_GRAVITY, 1.02, 1e-4, "x 1.020:"},
         {"fall_c.csv", 0, {0, 9.81, .3, 0}, SCORE_DAMPING, .3, .02, "Is damped like by 0."},
         {"fall_e.csv", 0, {0, 9.81, -.3, 0}, SCORE_DAMPING, -.3, .02, "Gains energy"},
+        {"fall_z.csv", 0, {0, 9.81, 0, 0, .1}, SCORE_SUPPORT, .1, 1e-3, "(0, 0, 0.1) m"},
+        {"fall_p.csv", 0, {0, 4 * 9.81, 0, 0}, SCORE_GRAVITY, 4, 1e-3, "2 times as fast"},
         {"fall_t.csv", 0, {0, 9.81, 0, .004}, SCORE_LAG, .004, 1e-4, "Lags behind"},
         {"fall_a.csv", 0, {0, 9.81, 0, -.004}, SCORE_LAG, -.004, 2e-4, "Is ahead of"}};
 
@@ -46,7 +48,7 @@ static void falls(void)
             for (int n = 0; n < 16; n++)
                 fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", k / 100., n % 4 / 3.,
                         n / 4 / 3., n % 4 / 3., n / 4 / 3.,
-                        -fallen(&row[r].fall, k / 100.));
+                        row[r].fall.above - fallen(&row[r].fall, k / 100.));
         REQUIRE(fclose(file) == 0);
         check_said("free_fall", row[r].name, &plain, row[r].kind, row[r].value,
                    row[r].tolerance);

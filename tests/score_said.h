@@ -21,7 +21,7 @@ static bool is_flaw(enum score_kind kind)
 }
 
 /* Of the last that was wanted and there. */
-static char last_said[320];
+static char last_said[400];
 
 /* Another flaw that is to be said, too; SCORE_KINDS: none. */
 static enum score_kind said_also = SCORE_KINDS;

@@ -152,6 +152,8 @@ static void take_start(struct score *s, const struct window *w, double *part)
         score_net_sample(GRID_U, GRID_V, s->truth.rest, uv, rest + 3 * n);
     }
     score_map_apply(&s->coarse, w->xyz[WINDOW - 1], part);
+    for (int n = 0; n < 3 * LADDER_POINTS; n++)
+        s->begin[n % 3] += (part[n] - rest[n]) / LADDER_POINTS;
     s->start = fabs(s->first) <= SAME_TIME ? score_rms(LADDER_POINTS, part, rest) : NAN;
 }
 

@@ -36,6 +36,7 @@ struct score {
     int frames, repeats; /* as many as are the same as the one before                   */
     double first, last, interval; /* of the frames: times, shortest between two [s]      */
     double start; /* rms displacement at t = 0 [m]; NaN: no such frame                   */
+    double begin[3]; /* the same on average over the sheet, with its direction [m]        */
 };
 
 /* Reads all frames of paths[count]. STATUS_INPUT with a sentence. Free with score_clear. */

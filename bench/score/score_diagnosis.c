@@ -231,19 +231,22 @@ static bool say_pace(const struct score *s, const struct score_pace *pace,
                      const struct score_fit *fit, struct score_diagnosis *d)
 {
     const bool slow = pace->speed < 1;
-    char repeats[64] = "";
+    char repeats[64] = "", gravity[64] = "";
 
     if (PACE_BETTER * left_by(pace) > fit->left)
         return false;
     if (s->repeats)
         snprintf(repeats, sizeof repeats, " (%d are as the one before)", s->repeats);
+    if (!s->ladder.times) /* nothing was fitted that could tell them apart */
+        snprintf(gravity, sizeof gravity, ", or is gravity %.3g times the scene's",
+                 pace->speed * pace->speed);
     say(d, SCORE_TIME, pace->speed,
         "Runs %.2f times as %s as the truth: at t frames show what happens at %.4g t, and "
         "fit to %.2g %% in place of %.2g %%; do frames stand twice%s, are some left out, "
         "or "
-        "is the time from one to the next another?",
+        "is the time from one to the next another%s?",
         slow ? 1 / pace->speed : pace->speed, slow ? "slow" : "fast", pace->speed,
-        100 * pace->error, 100 * pace->as_is, repeats);
+        100 * pace->error, 100 * pace->as_is, repeats, gravity);
     return true;
 }
 
@@ -305,16 +308,44 @@ static void say_fit(const struct score *s, const struct score_fit *fit,
 static void say_support(const struct score *s, const struct score_support *off,
                         struct score_diagnosis *d)
 {
-    const struct scene_support *held = &s->truth.scene.supports[off->which];
+    const struct scene *scene = &s->truth.scene;
     const double *by = off->by;
+    char what[192] = "Begins off the scene's rest shape, as a whole";
 
-    say(d, SCORE_SUPPORT, off->most,
-        "Is not held where the scene holds it: support %d (u %g to %g, v %g to %g) is %.2g "
-        "%% off at %g s, by (%.3g, %.3g, %.3g) m%s",
-        off->which, held->lo[0], held->hi[0], held->lo[1], held->hi[1], 100 * off->most,
-        off->time, by[0] + 0.0, by[1] + 0.0, by[2] + 0.0,
+    if (scene->support_count) {
+        const struct scene_support *held = &scene->supports[off->which];
+        snprintf(
+            what, sizeof what,
+            "Is not held where the scene holds it: support %d (u %g to %g, v %g to %g) "
+            "is %.2g %% off at %g s",
+            off->which, held->lo[0], held->hi[0], held->lo[1], held->hi[1], 100 * off->most,
+            off->time);
+    }
+    say(d, SCORE_SUPPORT, off->most, "%s, by (%.3g, %.3g, %.3g) m%s", what, by[0], by[1],
+        by[2],
         off->steady ? ", and at all other times: is the sheet's pose the scene's?"
                     : "; are its vertices fixed, or moved by its path?");
+}
+
+/* Of the frames put back where what is held is off by the same at all times. What falls
+ * free may begin off for it is ahead, too: what leaves less is the case. */
+static enum status fit_either(const struct score *s, struct score_support *off,
+                              struct score_fit *fit)
+{
+    struct score_fit back;
+    enum status st;
+
+    TRY(score_fit_make(s, (double[3]){0}, fit));
+    if (!off->steady)
+        goto out;
+    TRY(score_fit_make(s, off->shift, &back));
+    off->steady = s->truth.scene.support_count || back.rest < fit->rest;
+    if (off->steady)
+        *fit = back;
+    else
+        memset(off->shift, 0, sizeof off->shift);
+out:
+    return st;
 }
 
 static double largest(const struct score *s, bool floor)
@@ -386,7 +417,7 @@ enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *
     if (score_last(s) < 0 || say_still(s, d) || say_turned(s, d) || say_scattered(s, d))
         goto out;
     TRY(score_support_find(s, &support));
-    TRY(score_fit_make(s, support.shift, &fit));
+    TRY(fit_either(s, &support, &fit));
     pace = score_pace_best(s);
     if (say_pace(s, &pace, &fit, d))
         goto out;

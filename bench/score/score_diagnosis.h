@@ -32,7 +32,7 @@ enum score_kind {
 struct score_finding {
     enum score_kind kind;
     double value;
-    char text[320];
+    char text[400];
 };
 
 struct score_diagnosis {

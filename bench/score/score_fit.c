@@ -381,6 +381,7 @@ enum status score_fit_make(const struct score *score, const double shift[3],
         fit->value[FIT_BENDING] =
             scale[0] * pow(scale[LADDER_RUNGS - 1] / scale[0], t.stiffness);
     }
+    fit->rest = sqrt(t.left);
     fit->left = set ? sqrt(t.left / product(&sums, Y, Y)) : 1;
 out:
     return st;

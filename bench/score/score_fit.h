@@ -26,6 +26,7 @@ struct score_fit {
     bool has[FIT_KINDS];     /* whether it takes part in the frames' difference        */
     double value[FIT_KINDS]; /* its size, if so                                        */
     bool at_end;             /* bending: off the ladder's end                          */
+    double rest;             /* rms difference that is left, in the same unit of all fits */
     double left;             /* of the rms difference; 1: none takes part              */
 };
 

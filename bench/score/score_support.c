@@ -40,16 +40,28 @@ static void add_points(const struct scene_support *held, const double *seen,
     }
 }
 
-/* The mean into by[3], without round-off; its length. */
+/* The mean into by[3]; its length. */
 static double mean(const struct sums *sums, double by[3])
 {
     double square = 0;
 
     for (int c = 0; c < 3; c++) {
-        by[c] = sums->points ? round(sums->off[c] / sums->points / DIGIT) * DIGIT : 0;
+        by[c] = sums->points ? sums->off[c] / sums->points : 0;
         square += by[c] * by[c];
     }
     return sqrt(square);
+}
+
+/* What nothing holds is off as it begins. */
+static void begins_off(const struct score *s, struct score_support *support)
+{
+    const double *by = s->begin, length = s->truth.scene.length,
+                 far = sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+
+    support->steady = far > HELD_MOST * length && s->start - far < SAME * far;
+    support->most = support->steady ? far / length : 0;
+    memcpy(support->by, by, sizeof support->by);
+    memcpy(support->shift, by, sizeof support->shift);
 }
 
 enum status score_support_find(const struct score *s, struct score_support *support)
@@ -83,9 +95,13 @@ enum status score_support_find(const struct score *s, struct score_support *supp
     const double shift = mean(&all, support->shift);
     support->steady = shift > HELD_MOST * scene->length &&
                       all.square / all.points - shift * shift < SAME * SAME * shift * shift;
+    if (!scene->support_count)
+        begins_off(s, support);
     if (!support->steady)
         memset(support->shift, 0, sizeof support->shift);
     if (support->most <= HELD_MOST)
         support->most = 0;
+    for (int c = 0; c < 3; c++)
+        support->by[c] = round(support->by[c] / DIGIT) * DIGIT + 0.0;
     return STATUS_OK;
 }

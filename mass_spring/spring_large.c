@@ -27,7 +27,7 @@ static enum status make_arrays(struct spring_large *l, const struct spring_large
 }
 
 static enum status make_systems(struct spring_large *l,
-                                const struct spring_large_plan *plan, struct message *why)
+                                const struct spring_large_plan *plan)
 {
     enum status st = STATUS_OK;
     const int *points = plan->net->points;
@@ -38,8 +38,7 @@ static enum status make_systems(struct spring_large *l,
     order_nested(points[0], points[1], 1, REACH, order);
     TRY(system_init(&l->system, plan->graph, plan->supports, NULL, order, plan->d));
     TRY(contact_step_init(&l->contact, plan->scene, plan->graph, plan->supports,
-                          plan->net->rest, plan->scene->thickness / 2, order, plan->d,
-                          why));
+                          plan->scene->thickness / 2, order, plan->d));
 out:
     free(order);
     return st;
@@ -55,8 +54,7 @@ void spring_large_clear(struct spring_large *l)
     memset(l, 0, sizeof *l);
 }
 
-enum status spring_large_init(struct spring_large *l, const struct spring_large_plan *plan,
-                              struct message *why)
+enum status spring_large_init(struct spring_large *l, const struct spring_large_plan *plan)
 {
     enum status st;
     const struct scene *scene = plan->scene;
@@ -69,7 +67,7 @@ enum status spring_large_init(struct spring_large *l, const struct spring_large_
     TRY(make_arrays(l, plan));
     TRY(newmark_init(&l->newmark, plan->net->nodes, scene->step / l->substeps,
                      damping_mass(scene) + damping_drag(scene), plan->load->beta));
-    TRY(make_systems(l, plan, why));
+    TRY(make_systems(l, plan));
     l->motion = (struct large_motion){
         .body = *plan->body,
         .scene = scene,

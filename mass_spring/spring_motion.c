@@ -89,8 +89,7 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
                                 &m->leapfrog, why);
 }
 
-static enum status make_large(struct spring_motion *m, const struct discretization *d,
-                              struct message *why)
+static enum status make_large(struct spring_motion *m, const struct discretization *d)
 {
     enum status st;
     const struct spring_large_plan plan = {.scene = m->scene,
@@ -106,7 +105,7 @@ static enum status make_large(struct spring_motion *m, const struct discretizati
     TRY(spring_stencil_init(&m->stencil, m->scene, &m->net, SPRINGS_SQUARES,
                             BENDING_QUADRATIC));
     TRY(spring_strips_init(&m->strips, &m->stencil));
-    TRY(spring_large_init(&m->large, &plan, why));
+    TRY(spring_large_init(&m->large, &plan));
     memcpy(m->large.newmark.v, m->v, 3 * (size_t)m->net.nodes * sizeof *m->v);
 out:
     return st;
@@ -152,7 +151,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     if (m->integrator == INTEGRATOR_LEAPFROG)
         TRY(make_leapfrog(m, d, why));
     else if (m->integrator == INTEGRATOR_MOMENTUM)
-        TRY(make_large(m, d, why));
+        TRY(make_large(m, d));
     else
         TRY(set_steps(m, d, why));
     m->rest_energy = spring_motion_elastic(m);

@@ -94,8 +94,7 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
         s->linear.solver = SOLVER_CG; /* on an earlier factor */
     TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, why));
     TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->work, 18 * (size_t)net->nodes)));
-    TRY(contact_set_init(&s->contact, scene, &s->supports, net->rest, scene->thickness / 2,
-                         why));
+    TRY(contact_set_init(&s->contact, scene, &s->supports, scene->thickness / 2));
 out:
     if (st != STATUS_OK)
         spring_newton_clear(s);

@@ -12,6 +12,13 @@
 double contact_gap(const struct scene_obstacle *obstacle, const double x[3],
                    double normal[3]);
 
+/* How far a sheet at rest reaches into an obstacle [m], 0 if it does not: half the
+ * thickness less the least gap of its middle surface, which is exact. Every model refuses a
+ * scene whose sheet begins in an obstacle (model_refuse), as the reader of scenes does,
+ * with the line. */
+double contact_rest_depth(const struct scene *scene, const struct scene_obstacle *obstacle);
+#define CONTACT_REST_DEPTH "the sheet at rest reaches %.3g m into obstacle %d"
+
 /* Least gap of the points x[count][3] to any obstacle of the scene [m]: INFINITY without
  * obstacles or points, NaN if a coordinate is none. */
 double contact_least_gap(const struct scene *scene, long count, const double *x);

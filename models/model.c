@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/contact.h"
+
 void matrix_clear(struct matrix *m)
 {
     free(m->row);
@@ -23,9 +25,22 @@ static enum status refuse(unsigned missing, const char *which, struct message *w
     return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no %s%s", text, which);
 }
 
+/* The depth is the sheet's, and so the same for all models and nets. */
+static enum status refuse_depth(const struct scene *scene, struct message *why)
+{
+    for (int o = 0; o < scene->obstacle_count; o++) {
+        const double depth = contact_rest_depth(scene, &scene->obstacles[o]);
+        if (depth > 0)
+            return status_fail(why, STATUS_INPUT, CONTACT_REST_DEPTH, depth, o);
+    }
+    return STATUS_OK;
+}
+
 enum status model_refuse(const struct scene *scene, unsigned serves, struct message *why)
 {
-    return refuse(scene_needs(scene) & ~serves, "", why);
+    const enum status st = refuse(scene_needs(scene) & ~serves, "", why);
+
+    return st == STATUS_OK ? refuse_depth(scene, why) : st;
 }
 
 enum status model_refuse_net(const struct scene *scene, unsigned serves,
@@ -37,8 +52,9 @@ enum status model_refuse_net(const struct scene *scene, unsigned serves,
     for (int n = 0; n < scene->support_count; n++)
         if (scene->supports[n].lo[2] > 0.5 || scene->supports[n].hi[2] < 0.5)
             missing |= thickness;
-    return refuse(missing, missing & thickness ? " that leave out the mid-surface" : "",
-                  why);
+    const enum status st =
+        refuse(missing, missing & thickness ? " that leave out the mid-surface" : "", why);
+    return st == STATUS_OK ? refuse_depth(scene, why) : st;
 }
 
 bool model_folds(const struct scene *scene, const struct discretization *d,

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "models/mechanics/contact_push.h"
-#include "models/mechanics/contact_set.h"
 #include "models/room.h"
 
 /* Softening that the choice of substeps bears, without and with obstacles, and a bending
@@ -255,17 +254,6 @@ static enum status allocate(struct pb_motion *m)
                     ROOM(m->odd, m->form_count));
 }
 
-/* STATUS_INPUT with a sentence if the sheet begins in an obstacle. */
-static enum status check_obstacles(const struct pb_motion *m, struct message *why)
-{
-    struct contact_set set = {0};
-    enum status st = contact_set_init(&set, m->scene, &m->supports, m->net.rest,
-                                      m->scene->thickness / 2, why);
-
-    contact_set_clear(&set);
-    return st;
-}
-
 void pb_motion_clear(struct pb_motion *m)
 {
     if (!m)
@@ -290,7 +278,6 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters, false));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
     TRY(supports_init(&m->supports, scene, m->net.nodes, m->net.uvw, why));
-    TRY(check_obstacles(m, why));
     TRY(spring_plate_make(scene, &m->net, &m->form, &m->form_count));
     TRY(allocate(m));
     memcpy(m->x, m->net.rest, count(m) * sizeof *m->x);

@@ -184,8 +184,8 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
         TRY(find_parity(m));
     TRY(order_wide(m->space->basis[0].n, m->space->basis[1].n, 1, &order));
     TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order, d));
-    TRY(contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
-                          scene->thickness / 2, order, d, why));
+    TRY(contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports,
+                          scene->thickness / 2, order, d));
     if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(large_leapfrog_make(&m->large, d, why));
 out:

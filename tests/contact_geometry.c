@@ -1,5 +1,9 @@
 /* Gaps and normals of obstacles. */
 #include "models/contact.h"
+
+#include <math.h>
+#include <string.h>
+
 #include "tests/check.h"
 
 /* A few roundings of numbers near 1. */
@@ -59,6 +63,45 @@ static void check_least(void)
     scene_clear(&scene);
 }
 
+/* The depth of a sheet is that of the deepest of many of its points: flat and on a cloak,
+ * beside and across planes and balls, a ball between the lines of any net, too. */
+static void check_depth(bool cloak)
+{
+    enum { N = 400 };
+    struct scene s;
+    int inside = 0;
+
+    REQUIRE(scene_init(&s) == STATUS_OK);
+    memcpy(s.axis_u, (double[3]){0.6, 0, 0.8}, sizeof s.axis_u);
+    memcpy(s.origin, (double[3]){0.2, -0.1, 0.3}, sizeof s.origin);
+    if (cloak)
+        s.shape = SCENE_CLOAK, s.opening = 200, s.flare = 15;
+    for (int n = 0; n < 60; n++) {
+        struct scene_obstacle o = {.kind = n % 2 ? OBSTACLE_SPHERE : OBSTACLE_PLANE,
+                                   .radius = n % 2 ? 0.02 + 0.01 * (n % 7) : 0};
+        double least = INFINITY;
+        for (int i = 0; i < 3; i++) {
+            o.point[i] = sin(1 + 7 * n + 3 * i);
+            o.normal[i] = cos(2 + 5 * n + 4 * i);
+        }
+        if (n % 3 == 0)
+            scene_rest_point(&s, (double[3]){0.5 + 0.49 * sin(n), 0.5 + 0.49 * cos(n), 0.5},
+                             o.point);
+        for (int k = 0; k <= N; k++)
+            for (int j = 0; j <= N; j++) {
+                double x[3];
+                scene_rest_point(&s, (double[3]){(double)k / N, (double)j / N, 0.5}, x);
+                least = fmin(least, contact_gap(&o, x, NULL));
+            }
+        const double want = fmax(s.thickness / 2 - least, 0);
+        const double depth = contact_rest_depth(&s, &o);
+        CHECK(depth >= want - 1e-12 && depth <= want + 4.0 / N); /* the points' spacing */
+        inside += depth > 0;
+    }
+    CHECK(inside > 20 && inside < 55);
+    scene_clear(&s);
+}
+
 int main(void)
 {
     const double near[3] = {1.2, 0.6, -0.3}, centre[3] = {1, 0, -1};
@@ -77,5 +120,7 @@ int main(void)
     check_convex(&slope, near);
     check_convex(&ball, near);
     check_least();
+    check_depth(false);
+    check_depth(true);
     return check_result();
 }

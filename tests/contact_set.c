@@ -83,8 +83,7 @@ static void make(struct fixture *f, bool held)
     REQUIRE(blocks_init(&f->graph, NODES, 1, NODES, ien) == STATUS_OK);
     REQUIRE(system_init(&f->system, &f->graph, &f->supports, NULL, NULL, NULL) ==
             STATUS_OK);
-    REQUIRE(contact_set_init(&f->set, &f->scene, &f->supports, f->old, 0, NULL) ==
-            STATUS_OK);
+    REQUIRE(contact_set_init(&f->set, &f->scene, &f->supports, 0) == STATUS_OK);
     fill_matrix(f);
     for (int t = 0; t < COUNT; t++)
         f->b[t] = 5 * random_number();
@@ -226,22 +225,6 @@ static void check_rubbing(double mu)
     CHECK(mu > 1 ? sticking > 20 : sliding > 20);
 }
 
-static void check_refused(void)
-{
-    struct fixture f = {0};
-    struct message why = {{0}};
-    struct contact_set untouched;
-
-    REQUIRE(scene_init(&f.scene) == STATUS_OK);
-    add_plane(&f.scene, 0, 0, 1, 0.1, 0);
-    make(&f, false);
-    f.old[5] = -0.3;
-    CHECK(contact_set_init(&untouched, &f.scene, &f.supports, f.old, 0, &why) ==
-          STATUS_INPUT);
-    CHECK(strstr(why.text, "0.2 m into obstacle 0"));
-    clear(&f);
-}
-
 int main(void)
 {
     for (int planes = 1; planes <= 3; planes++) {
@@ -250,6 +233,5 @@ int main(void)
     }
     check_rubbing(0.2);
     check_rubbing(2);
-    check_refused();
     return check_result();
 }

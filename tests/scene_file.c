@@ -43,6 +43,31 @@ static void check_minimal(void)
     discretization_clear(&d);
 }
 
+/* Axes to a thousandth are made orthonormal, u keeping its direction. */
+static void check_axes(void)
+{
+    const char *const settings[] = {
+        "pose={u: [0.99875234, 0, 0.04993762], v: [0.0007, 0.9996, 0]}"};
+    const double length = sqrt(0.99875234 * 0.99875234 + 0.04993762 * 0.04993762);
+    struct scene s;
+    struct discretization d = defaults();
+    double product = 0, size[2] = {0};
+
+    REQUIRE(parse(MINIMAL, 1, settings, &s, &d) == STATUS_OK);
+    for (int i = 0; i < 3; i++) {
+        product += s.axis_u[i] * s.axis_v[i];
+        size[0] += s.axis_u[i] * s.axis_u[i];
+        size[1] += s.axis_v[i] * s.axis_v[i];
+    }
+    CHECK_NEAR(product, 0, 1e-15);
+    CHECK_NEAR(size[0], 1, 1e-15);
+    CHECK_NEAR(size[1], 1, 1e-15);
+    CHECK_NEAR(s.axis_u[0], 0.99875234 / length, 1e-15);
+    CHECK(s.axis_v[0] > 0 && s.axis_v[2] < 0);
+    scene_clear(&s);
+    discretization_clear(&d);
+}
+
 static void check_everything(void)
 {
     static const char text[] =
@@ -284,6 +309,7 @@ int main(void)
     int seen = 0;
 
     check_minimal();
+    check_axes();
     check_everything();
     check_settings();
     check_printed();

@@ -31,7 +31,7 @@ static enum status make_arrays(struct tri_motion *m)
 }
 
 /* What implicit steps, equilibrium and modes need; once. */
-static enum status make_large(struct tri_motion *m, struct message *why)
+static enum status make_large(struct tri_motion *m)
 {
     const struct spring_large_plan plan = {.scene = m->scene,
                                            .net = &m->net.points,
@@ -42,7 +42,7 @@ static enum status make_large(struct tri_motion *m, struct message *why)
                                            .d = &m->asked,
                                            .x = m->x};
 
-    return m->large.motion.x ? STATUS_OK : spring_large_init(&m->large, &plan, why);
+    return m->large.motion.x ? STATUS_OK : spring_large_init(&m->large, &plan);
 }
 
 static enum status rest_stiffness(const struct tri_motion *m, double (*K)[9])
@@ -81,19 +81,15 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
                                .cells = &m->cells,
                                .form_count = m->net.form_count,
                                .forms = m->net.forms};
-    struct contact_set outside = {0};
 
     m->cells.membrane = d->membrane;
     memcpy(m->cells.D, m->body.D, sizeof m->cells.D);
     memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
     TRY(rest_frequency(m, &body.omega));
     supports_initial_velocity(&m->supports, m->scene, points->rest, NULL, m->v);
-    TRY(contact_set_init(&outside, m->scene, &m->supports, m->x, m->scene->thickness / 2,
-                         why));
     TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, NULL,
                              &m->leapfrog, why));
 out:
-    contact_set_clear(&outside);
     return st;
 }
 
@@ -112,7 +108,7 @@ static enum status build(struct tri_motion *m, const struct discretization *d,
     if (m->swept) {
         TRY(make_leapfrog(m, d, why));
     } else {
-        TRY(make_large(m, why));
+        TRY(make_large(m));
         TRY(large_leapfrog_make(&m->large.motion, &m->asked, why));
         supports_initial_velocity(&m->supports, scene, points->rest, NULL,
                                   m->large.newmark.v);
@@ -176,7 +172,7 @@ enum status tri_motion_rest(struct tri_motion *m, struct counters *counters,
     double end = supports_rest_time(&m->supports, m->scene);
 
     TRY(supports_allow_rest(&m->supports, m->scene, true, why));
-    TRY(make_large(m, why));
+    TRY(make_large(m));
     TRY(large_rest_equilibrium(&m->large.motion, counters, why));
     m->frame = lround(end / m->scene->step);
     if (m->leapfrog)
@@ -192,7 +188,7 @@ enum status tri_motion_modes(struct tri_motion *m, int count, double *omega,
 
     if (m->large.motion.rested)
         return large_rest_modes(&m->large.motion, count, omega, why);
-    TRY(make_large(m, why));
+    TRY(make_large(m));
     m->large.motion.factored = -1;
     TRY(rest_stiffness(m, m->large.K));
     const struct pencil p = {&m->net.graph, (const double(*)[9])m->large.K, m->large.M,

@@ -26,21 +26,6 @@ static double scene_size(const struct scene *scene)
     return size;
 }
 
-static enum status check_rest(const struct contact_set *c, const double *x,
-                              struct message *why)
-{
-    for (int o = 0; o < c->obstacles; o++)
-        for (int a = 0; a < c->nodes; a++) {
-            double gap =
-                contact_gap(&c->scene->obstacles[o], x + 3 * (size_t)a, NULL) - c->offset;
-            if (gap < -c->rounding)
-                return status_fail(why, STATUS_INPUT,
-                                   "the sheet at rest reaches %.3g m into obstacle %d",
-                                   -gap, o);
-        }
-    return STATUS_OK;
-}
-
 void contact_set_clear(struct contact_set *c)
 {
     free(c->room);
@@ -48,8 +33,7 @@ void contact_set_clear(struct contact_set *c)
 }
 
 enum status contact_set_init(struct contact_set *c, const struct scene *scene,
-                             const struct supports *held, const double *x, double offset,
-                             struct message *why)
+                             const struct supports *held, double offset)
 {
     enum status st;
     size_t nodes = (size_t)held->nodes;
@@ -64,7 +48,6 @@ enum status contact_set_init(struct contact_set *c, const struct scene *scene,
         *c = new;
         return STATUS_OK;
     }
-    TRY(check_rest(&new, x, why));
     TRY(room_cut(&new.room, ROOM(new.pair, nodes * (size_t) new.obstacles),
                  ROOM(new.node, nodes), ROOM(new.projector, nodes), ROOM(new.drag, nodes),
                  ROOM(new.factored, nodes), ROOM(new.touched, nodes),

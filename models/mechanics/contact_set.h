@@ -59,11 +59,9 @@ struct contact_set {
 /* A normal adds a direction to others if the part of it outside their span is longer. */
 static const double CONTACT_SET_INDEPENDENT = 1e-3;
 
-/* Nothing is allocated for a scene without obstacles: contact_set_used says false.
- * STATUS_INPUT with a sentence if a rest node, x[nodes][3], lies in an obstacle. */
+/* Nothing is allocated for a scene without obstacles: contact_set_used says false. */
 enum status contact_set_init(struct contact_set *c, const struct scene *scene,
-                             const struct supports *held, const double *x, double offset,
-                             struct message *why);
+                             const struct supports *held, double offset);
 void contact_set_clear(struct contact_set *c);
 
 bool contact_set_used(const struct contact_set *c);

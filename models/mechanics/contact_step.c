@@ -13,13 +13,13 @@ void contact_step_clear(struct contact_step *c)
 
 enum status contact_step_init(struct contact_step *c, const struct scene *scene,
                               const struct blocks *graph, const struct supports *supports,
-                              const double *x, double offset, const int *order,
-                              const struct discretization *d, struct message *why)
+                              double offset, const int *order,
+                              const struct discretization *d)
 {
     enum status st;
 
     memset(c, 0, sizeof *c);
-    TRY(contact_set_init(&c->set, scene, supports, x, offset, why));
+    TRY(contact_set_init(&c->set, scene, supports, offset));
     if (!contact_set_used(&c->set))
         return STATUS_OK;
     TRY(system_init(&c->mass, graph, supports, NULL, order, d));

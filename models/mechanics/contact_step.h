@@ -20,11 +20,11 @@ struct contact_step {
 };
 
 /* Nothing is allocated for a scene without obstacles: contact_set_used says false.
- * x[nodes][3] at rest; offset: contact_set.h; order as for system_init. */
+ * offset: contact_set.h; order as for system_init. */
 enum status contact_step_init(struct contact_step *c, const struct scene *scene,
                               const struct blocks *graph, const struct supports *supports,
-                              const double *x, double offset, const int *order,
-                              const struct discretization *d, struct message *why);
+                              double offset, const int *order,
+                              const struct discretization *d);
 void contact_step_clear(struct contact_step *c);
 
 /* Inelastic impact of the points in contact: v <- the velocity nearest to it in the norm of

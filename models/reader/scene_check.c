@@ -4,10 +4,12 @@
 
 #include <math.h>
 
+#include "models/contact.h"
 #include "models/discretization.h"
 
-/* Axes written with ten digits pass; a sheet is then that much longer than it says. */
-#define TOL_AXES 1e-9
+/* Axes written with four digits or more are meant as unit vectors at right angles, which
+ * the reader makes of them; what is farther off is a mistake. */
+#define TOL_AXES 1e-3
 /* Round-off of two ways to write the same path, relative to the shift. */
 #define TOL_PATH 1e-12
 
@@ -21,21 +23,24 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* Makes an axis that is nearly of length one exactly so. */
 static enum status check_axis(const struct yaml_tree *node, const char *name,
-                              const double axis[3], struct message *why)
+                              double axis[3], struct message *why)
 {
     const double length = sqrt(dot(axis, axis));
 
-    if (fabs(length - 1) <= TOL_AXES)
-        return STATUS_OK;
     if (length == 0)
         return yaml_tree_refuse(node, why, "pose axis %s is zero, but must have length 1",
                                 name);
-    return yaml_tree_refuse(node, why,
-                            "pose axis %s has length %.10g, but must have length 1, "
-                            "as [%.10g, %.10g, %.10g] has",
-                            name, length, axis[0] / length, axis[1] / length,
-                            axis[2] / length);
+    if (fabs(length - 1) > TOL_AXES)
+        return yaml_tree_refuse(node, why,
+                                "pose axis %s has length %.10g, but must have length 1, "
+                                "as [%.10g, %.10g, %.10g] has",
+                                name, length, axis[0] / length, axis[1] / length,
+                                axis[2] / length);
+    for (int i = 0; i < 3; i++)
+        axis[i] /= length;
+    return STATUS_OK;
 }
 
 /* One number of a section (damping, pose), which its `kind` either takes or does not. */
@@ -114,17 +119,22 @@ static enum status check_pose(const struct yaml_tree *root, struct scene *scene,
     const struct yaml_tree *pose = yaml_tree_find(root, "pose");
     const struct yaml_tree *u = pose ? yaml_tree_find(pose, "u") : NULL;
     const struct yaml_tree *v = pose ? yaml_tree_find(pose, "v") : NULL;
-    const double cosine = dot(scene->axis_u, scene->axis_v);
+    double *axis_u = scene->axis_u, *axis_v = scene->axis_v;
 
     if (u)
-        TRY(check_axis(u, "u", scene->axis_u, why));
+        TRY(check_axis(u, "u", axis_u, why));
     if (v)
-        TRY(check_axis(v, "v", scene->axis_v, why));
+        TRY(check_axis(v, "v", axis_v, why));
+    const double cosine = dot(axis_u, axis_v);
     if (fabs(cosine) > TOL_AXES)
         return yaml_tree_refuse(v ? v : u, why,
                                 "pose axes u and v have the product %.10g, but must be at "
                                 "right angles",
                                 cosine);
+    for (int i = 0; i < 3; i++)
+        axis_v[i] -= cosine * axis_u[i];
+    for (double length = sqrt(dot(axis_v, axis_v)), *x = axis_v; x < axis_v + 3; x++)
+        *x /= length;
     TRY(check_shape(root, scene, why));
 out:
     return st;
@@ -253,6 +263,21 @@ static enum status check_supports(const struct yaml_tree *root, const struct sce
     return STATUS_OK;
 }
 
+static enum status check_obstacles(const struct yaml_tree *root, const struct scene *scene,
+                                   struct message *why)
+{
+    const struct yaml_tree *list = yaml_tree_find(root, "obstacles");
+    const struct yaml_tree *node = list ? list->first : NULL;
+
+    for (int o = 0; node; o++, node = node->next) {
+        const double depth = contact_rest_depth(scene, &scene->obstacles[o]);
+        if (depth > 0)
+            return yaml_tree_refuse(
+                node, why, CONTACT_REST_DEPTH ", but must stay clear of it", depth, o);
+    }
+    return STATUS_OK;
+}
+
 enum status scene_check(const struct yaml_tree *root, struct scene *scene,
                         struct message *why)
 {
@@ -264,6 +289,7 @@ enum status scene_check(const struct yaml_tree *root, struct scene *scene,
     TRY(check_snapshots(root, scene, why));
     TRY(check_supports(root, scene, why));
     TRY(check_loads(root, scene, why));
+    TRY(check_obstacles(root, scene, why));
 out:
     return st;
 }

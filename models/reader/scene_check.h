@@ -8,7 +8,8 @@
 enum { SCENE_MAX_FRAMES = 10000000 }; /* end / step */
 
 /* Checks a scene just read from `root`. Refused, with one sentence at the line to blame:
- * pose axes that are not orthonormal, numbers of a damping or pose that its kind does not
+ * pose axes that are not orthonormal (to a thousandth, and are then made so), a sheet that
+ * begins in an obstacle, numbers of a damping or pose that its kind does not
  * take or needs, a cloak that reaches its own axis, more than SCENE_MAX_FRAMES frames,
  * snapshots after the end, supports that hold the same points in the same component along
  * different paths.

@@ -139,8 +139,8 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     if (st == STATUS_OK)
         st = follow(m);
     if (st == STATUS_OK)
-        st = contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, m->x,
-                               0, order, d, why);
+        st = contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, 0,
+                               order, d);
     if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
         st = solid_large_create(m, d, &m->large, why);
     if (st != STATUS_OK)

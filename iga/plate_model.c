@@ -6,6 +6,7 @@
 
 #include "iga/cloak_net.h"
 #include "iga/plate_space.h"
+#include "iga/support_knots.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/solid/solid_hinge.h"
@@ -22,6 +23,7 @@ struct plate {
     struct solid_sheet sheet; /* first: solid_model.h                                  */
     struct plate_tables tables;
     struct patch patch;
+    struct scene scene; /* the caller's, with supports of its own                owned  */
     struct samples grid[3];
     double (*uvw)[3]; /* with weights given: parameters of the grid's points    owned  */
 };
@@ -94,8 +96,9 @@ static enum status make_patch(const struct scene *scene, const struct discretiza
     if (scene->shape != SCENE_FLAT && d->weight_count)
         return status_fail(why, STATUS_INPUT,
                            "weights: a curved rest shape brings its own; give none");
-    for (int i = 0; i < 3; i++)
-        TRY(bspline_init_direction(&basis[i], d, i, why));
+    for (int i = 0; i < 2; i++)
+        TRY(support_knots_basis(&basis[i], scene, d, i, SUPPORT_KNOTS_SOLID, why));
+    TRY(bspline_init_direction(&basis[2], d, 2, why));
     TRY(patch_init(patch, basis));
     if (scene->shape == SCENE_CLOAK)
         TRY(make_cloak(scene, patch, why));
@@ -287,6 +290,7 @@ static void destroy(void *state)
     solid_motion_clear(&p->sheet.motion);
     plate_space_clear(&p->sheet.space, &p->tables);
     patch_clear(&p->patch);
+    free(p->scene.supports);
     for (int i = 0; i < 3; i++) {
         free(p->grid[i].first);
         free(p->grid[i].value);
@@ -371,6 +375,8 @@ static enum status create(const struct scene *scene, const struct discretization
     if (!p)
         TRY(STATUS_MEMORY);
     TRY(make_patch(scene, d, &p->patch, why));
+    p->scene = *scene;
+    TRY(support_knots_hold(scene, p->patch.basis, &p->scene.supports));
     one_element = p->patch.basis[2].n == p->patch.basis[2].p + 1 && !d->weight_count;
     TRY(solid_model_basis(scene, d, one_element, &thickness, why));
     TRY(plate_space_init(&p->sheet.space, &p->tables, &p->patch, d->gauss, thickness));
@@ -383,7 +389,7 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(make_grid(p, scene));
     const struct bspline *b = p->patch.basis;
     plate_space_thickness(&p->patch, false, 0.5, middle);
-    TRY(solid_model_init(&p->sheet, scene, d, (const int[]){b[0].n, b[1].n, b[2].n},
+    TRY(solid_model_init(&p->sheet, &p->scene, d, (const int[]){b[0].n, b[1].n, b[2].n},
                          one_element ? middle : NULL, why));
     TRY(add_loads(p, why));
     TRY(solid_model_misfit(&p->sheet, sample));

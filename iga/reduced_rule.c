@@ -103,15 +103,13 @@ static void alone(const struct spans *s, int first, int spans)
 
 static void fill(const struct spans *s)
 {
+    const bool odd = s->order % 2 == 0;
+    const int smooth = odd && s->order > 2 ? s->order - 2 : 1; /* most repeats in a net */
     int first = 0;
 
-    if (s->order % 2 == 0) {
-        middles(s, 0, s->count);
-        return;
-    }
     for (int e = 1; e <= s->count; e++)
-        if (e == s->count || s->knot[e] - s->knot[e - 1] > 1) {
-            alone(s, first, e - first);
+        if (e == s->count || s->knot[e] - s->knot[e - 1] > smooth) {
+            (odd ? middles : alone)(s, first, e - first);
             first = e;
         }
 }

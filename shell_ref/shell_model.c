@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "iga/cloak_net.h"
+#include "iga/support_knots.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "shell_ref/shell_rest.h"
@@ -106,7 +107,7 @@ static enum status make_space(const struct scene *scene, const struct discretiza
     double *point = NULL, *weight = NULL;
 
     for (int i = 0; i < 2; i++)
-        TRY(bspline_init_direction(&basis[i], d, i, why));
+        TRY(support_knots_basis(&basis[i], scene, d, i, SUPPORT_KNOTS_SHELL, why));
     size_t nodes = (size_t)(basis[0].n * basis[1].n);
     point = malloc(3 * nodes * sizeof *point);
     weight = malloc(nodes * sizeof *weight);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/support_knots.h"
 #include "models/damping.h"
 #include "models/linalg/order.h"
 #include "models/mechanics/dead_load.h"
@@ -53,28 +54,25 @@ static void clamp_edge(struct scene_support *s, int d, const struct bspline *b)
 static enum status clamp_edges(struct shell_motion *m, struct message *why)
 {
     const struct scene *scene = m->scene;
-    size_t bytes = (size_t)scene->support_count * sizeof *scene->supports;
+    enum status st;
 
     m->held_scene = *scene;
-    m->held_scene.supports = malloc(bytes + 1);
-    if (!m->held_scene.supports)
-        return STATUS_MEMORY;
-    if (bytes)
-        memcpy(m->held_scene.supports, scene->supports, bytes);
+    TRY(support_knots_hold(scene, m->space->basis, &m->held_scene.supports));
     for (int n = 0; n < scene->support_count; n++) {
         struct scene_support *s = &m->held_scene.supports[n];
         if (s->lo[2] > 0.5 || s->hi[2] < 0.5)
-            return status_fail(why, STATUS_UNSUPPORTED,
-                               "support %d misses the mid-surface w = 1/2, and a shell has "
-                               "nothing else to hold",
-                               n);
+            TRY(status_fail(why, STATUS_UNSUPPORTED,
+                            "support %d misses the mid-surface w = 1/2, and a shell has "
+                            "nothing else to hold",
+                            n));
         if (s->fix != FIX_XYZ || s->lo[2] == s->hi[2])
             continue;
         for (int d = 0; d < 2; d++)
             if (s->lo[d] == s->hi[d] && s->lo[1 - d] < s->hi[1 - d])
                 clamp_edge(s, d, &m->space->basis[d]);
     }
-    return STATUS_OK;
+out:
+    return st;
 }
 
 static enum status hold(struct shell_motion *m, struct message *why)

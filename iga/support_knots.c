@@ -1,0 +1,152 @@
+#include "iga/support_knots.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Places nearer than this [sides] are one: a scene's 0.333 and 0.3333 are not. */
+static const double APART = 1e-4;
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* Where supports of some width begin and end inside the sheet, ascending, after 0 and
+ * before 1: end[0 .. count + 1] of room 2 support_count + 2. Returns their count. */
+static int find_ends(const struct scene *scene, int i, double *end)
+{
+    int all = 0, count = 0;
+
+    for (int n = 0; n < scene->support_count; n++) {
+        const double lo = scene->supports[n].lo[i], hi = scene->supports[n].hi[i];
+        if (hi - lo > APART)
+            end[++all] = lo, end[++all] = hi;
+    }
+    qsort(end + 1, (size_t)all, sizeof *end, ascending);
+    end[0] = 0;
+    for (int n = 1; n <= all; n++)
+        if (end[n] - end[count] > APART && end[n] < 1 - APART)
+            end[++count] = end[n];
+    end[count + 1] = 1;
+    return count;
+}
+
+static int full(int degree, enum support_knots_border border)
+{
+    return degree > 1 ? degree - (int)border : 1;
+}
+
+/* Shares `more` knots out among the parts between ends, always into the widest spans, of
+ * equal ones the nearest to the middle, into spans[count + 1]. */
+static void share_out(const double *end, int count, int more, int *spans)
+{
+    for (int s = 0; s <= count; s++)
+        spans[s] = 1;
+    for (; more > 0; more--) {
+        double widest = 0, nearest = 0;
+        int best = 0;
+        for (int s = 0; s <= count; s++) {
+            const double width = (end[s + 1] - end[s]) / spans[s],
+                         off = fabs(end[s + 1] + end[s] - 1);
+            if (width < widest - APART * APART ||
+                (width < widest + APART * APART && off >= nearest))
+                continue;
+            widest = width, nearest = off, best = s;
+        }
+        spans[best]++;
+    }
+}
+
+/* Open knots of degree p with ends[1 .. count] `times` times, into U; returns how many. */
+static int write_knots(int p, const double *end, int count, int times, const int *spans,
+                       double *U)
+{
+    int n = 0;
+
+    for (int s = 0; s <= count; s++) {
+        const int repeat = s ? times : p + 1;
+        for (int k = 0; k < repeat; k++)
+            U[n++] = end[s];
+        for (int k = 1; k < spans[s]; k++)
+            U[n++] = end[s] + (end[s + 1] - end[s]) * k / spans[s];
+    }
+    for (int k = 0; k <= p; k++)
+        U[n++] = 1;
+    return n;
+}
+
+enum status support_knots_basis(struct bspline *b, const struct scene *scene,
+                                const struct discretization *d, int i,
+                                enum support_knots_border border, struct message *why)
+{
+    const int p = d->degree[i], inner = d->points[i] - p - 1;
+    const size_t room = 2 * (size_t)scene->support_count + 2;
+    double *end = NULL, *U = NULL;
+    int *spans = NULL, count, times;
+    enum status st = STATUS_MEMORY;
+
+    if (d->knot_count[i] || p < 1 || inner < 1)
+        return bspline_init_direction(b, d, i, why);
+    end = malloc(room * sizeof *end);
+    spans = malloc(room * sizeof *spans);
+    U = malloc((size_t)(d->points[i] + p + 1) * sizeof *U);
+    if (!end || !spans || !U)
+        goto out;
+    count = find_ends(scene, i, end);
+    times = count && inner / count < full(p, border) ? inner / count : full(p, border);
+    if (!count || !times) {
+        st = bspline_init_direction(b, d, i, why);
+        goto out;
+    }
+    share_out(end, count, inner - times * count, spans);
+    st = bspline_init(b, p, write_knots(p, end, count, times, spans, U), U, why);
+out:
+    free(end);
+    free(spans);
+    free(U);
+    return st;
+}
+
+int support_knots_points(const struct scene *scene, int i, int degree,
+                         enum support_knots_border border)
+{
+    double *end = malloc((2 * (size_t)scene->support_count + 2) * sizeof *end);
+    const int count = end ? find_ends(scene, i, end) : 0;
+
+    free(end);
+    return degree + 1 + count * full(degree, border);
+}
+
+/* Widens [*lo, *hi] to the abscissae of the first and the last function on it. */
+static void widen(const struct bspline *b, double *lo, double *hi)
+{
+    int first = 0, last = b->n - 1;
+
+    if (*hi - *lo <= APART)
+        return;
+    while (first < last && b->U[first + b->p + 1] - *lo <= APART)
+        first++;
+    while (last > first && *hi - b->U[last] <= APART)
+        last--;
+    *lo = fmin(*lo, bspline_greville(b, first));
+    *hi = fmax(*hi, bspline_greville(b, last));
+}
+
+enum status support_knots_hold(const struct scene *scene, const struct bspline basis[2],
+                               struct scene_support **held)
+{
+    const size_t bytes = (size_t)scene->support_count * sizeof **held;
+
+    *held = malloc(bytes + 1);
+    if (!*held)
+        return STATUS_MEMORY;
+    if (bytes)
+        memcpy(*held, scene->supports, bytes);
+    for (int n = 0; n < scene->support_count; n++)
+        for (int i = 0; i < 2; i++)
+            widen(&basis[i], &(*held)[n].lo[i], &(*held)[n].hi[i]);
+    return STATUS_OK;
+}

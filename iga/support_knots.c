@@ -110,14 +110,14 @@ out:
     return st;
 }
 
-int support_knots_points(const struct scene *scene, int i, int degree,
-                         enum support_knots_border border)
+int support_knots_repeats(const struct scene *scene, int i, int degree,
+                          enum support_knots_border border)
 {
     double *end = malloc((2 * (size_t)scene->support_count + 2) * sizeof *end);
     const int count = end ? find_ends(scene, i, end) : 0;
 
     free(end);
-    return degree + 1 + count * full(degree, border);
+    return count * full(degree, border);
 }
 
 /* Widens [*lo, *hi] to the abscissae of the first and the last function on it. */

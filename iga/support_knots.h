@@ -23,9 +23,9 @@ enum status support_knots_basis(struct bspline *b, const struct scene *scene,
                                 const struct discretization *d, int i,
                                 enum support_knots_border border, struct message *why);
 
-/* The least number of points of a degree with which the ends' knots repeat in full. */
-int support_knots_points(const struct scene *scene, int i, int degree,
-                         enum support_knots_border border);
+/* How many knots, of those between 0 and 1, repeat at ends in full. */
+int support_knots_repeats(const struct scene *scene, int i, int degree,
+                          enum support_knots_border border);
 
 /* Into *held, owned, the scene's supports (paths are borrowed) with areas as wide as the
  * Greville abscissae of all functions that do not vanish on them. Edges and points stay. */

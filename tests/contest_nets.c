@@ -72,8 +72,8 @@ static void supported(void)
                {"mass_spring", {0, 0}, {0.1, 0.25}, 0.5, 16, 16}, /* 20 along, 8 across */
                {"mass_spring", {0.25, 0}, {0.5, 1}, 1, 11, 13},
                {"mass_spring", {0, 0}, {0.12345, 1}, 1, 16, 16},
-               {"iga_selective_3", {0, 0}, {0.1, 0.1}, 1, 10, 13},
-               {"iga_selective_3", {0, 0}, {0.1, 0.1}, 1, 16, 23}};
+               {"iga_selective_3", {0, 0}, {0.1, 0.1}, 1, 10, 10}, /* own knots */
+               {"iga_selective_3", {0.5, 0}, {0.5, 1}, 1, 16, 17}};
 
     for (int n = 0; n < LENGTH(all); n++) {
         struct scene_support support = {{all[n].lo[0], all[n].lo[1], 0},

@@ -49,7 +49,7 @@ static void check_held(void)
     REQUIRE(scene_add_support(&s.scene, &half) == STATUS_OK);
     sheet_start(&s);
     shell_model.size(s.state, &size);
-    CHECK(size.unknowns == 300 - 3 - 2 * 5 * 3); /* half an edge: five points, two rows */
+    CHECK(size.unknowns == 300 - 3 - 2 * 6 * 3); /* half an edge: four spans, two rows */
     sheet_clear(&s);
 }
 

@@ -357,10 +357,9 @@ static const struct {
     bool point;
 } held[] = {
     {{0, 0}, {0, 1}, {9, 12, 15}, 2, false},      /* an edge: any net                  */
-    {{0, 0}, {.1, .1}, {13, 23, 33}, 3, false},   /* a tenth: knots there              */
-    {{0, .25}, {0, .75}, {11, 15, 19}, 2, false}, /* quarters                          */
-    {{0, 0}, {.07, .1}, {9, 12, 15}, 2, false},   /* nothing fits                      */
-    {{1, 0}, {1, .05}, {23, 43, 63}, 7, false},   {{0, 0}, {0, 0}, {9, 12, 15}, 2, true},
+    {{0, 0}, {.1, .1}, {12, 15, 18}, 2, false},   /* three more points for an end      */
+    {{0, .25}, {0, .75}, {15, 18, 21}, 2, false}, /* six for two                       */
+    {{1, 0}, {1, .05}, {12, 15, 18}, 2, false},   {{0, 0}, {0, 0}, {9, 12, 15}, 2, true},
     {{.5, 1}, {.5, 1}, {11, 15, 19}, 2, true},
 };
 
@@ -381,7 +380,8 @@ static void check_held(void)
             CHECK(k > 0 || same(level.step, .005 / held[n].pieces));
             /* both shrink alike */
             CHECK(k == 0 ||
-                  same(last.step / level.step, (level.side - 3.0) / (last.side - 3)));
+                  same(last.step / level.step, (level.side - 3.0 - level.repeats) /
+                                                   (last.side - 3 - last.repeats)));
             last = level;
         }
         CHECK(k >= 7);

@@ -68,9 +68,9 @@ bool contest_is_at(const struct contest_at *a, const struct contest_at *b)
 static int fit_net(const struct contest *c, const struct contestant *who, int along)
 {
     for (int n = along; n - who->degree <= 2 * (along - who->degree); n++) {
-        const int across = contest_across(c, who, n) - who->degree;
-        if (net_fit_spans(c->scene, 0, n - who->degree) == n - who->degree &&
-            net_fit_spans(c->scene, 1, across) == across)
+        const int across = contest_across(c, who, n);
+        if (net_fit_points(c->scene, 0, n, who->degree) == n &&
+            net_fit_points(c->scene, 1, across, who->degree) == across)
             return n;
     }
     return along;
@@ -81,9 +81,9 @@ int contest_fit(const struct contest *c, const struct contestant *who,
 {
     if (axis == CONTEST_NET)
         return fit_net(c, who, size);
-    const int spans =
-        axis == CONTEST_ACROSS ? net_fit_spans(c->scene, 1, size - who->degree) : 0;
-    return spans ? who->degree + spans : size;
+    const int fit =
+        axis == CONTEST_ACROSS ? net_fit_points(c->scene, 1, size, who->degree) : 0;
+    return fit ? fit : size;
 }
 
 static int length(const int *list, int most)

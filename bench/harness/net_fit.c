@@ -11,19 +11,22 @@ static bool on_line(double place, int spans)
     return fabs(place - round(place * spans) / spans) <= ROUNDING;
 }
 
-static bool fits(const struct scene *scene, int along, int spans)
+static bool fits(const struct scene *scene, int along, int spans, int degree)
 {
-    for (int n = 0; n < scene->support_count; n++)
-        if (!on_line(scene->supports[n].lo[along], spans) ||
-            !on_line(scene->supports[n].hi[along], spans))
+    for (int n = 0; n < scene->support_count; n++) {
+        const double lo = scene->supports[n].lo[along], hi = scene->supports[n].hi[along];
+        if ((degree == 1 || lo == hi) && (!on_line(lo, spans) || !on_line(hi, spans)))
             return false;
+    }
     return true;
 }
 
-int net_fit_spans(const struct scene *scene, int along, int spans)
+int net_fit_points(const struct scene *scene, int along, int points, int degree)
 {
+    const int spans = points - degree;
+
     for (int n = spans; n <= 2 * spans; n++)
-        if (fits(scene, along, n))
-            return n;
+        if (fits(scene, along, n, degree))
+            return n + degree;
     return 0;
 }

@@ -9,8 +9,10 @@
 
 #include "models/scene.h"
 
-/* The least number of equal spans along u (0) or v (1), `spans` > 0 or more, up to twice as
- * many, with a line at each end of each support; 0: there is none. */
-int net_fit_spans(const struct scene *scene, int along, int spans);
+/* The least number of points along u (0) or v (1), so many > degree or more, up to twice
+ * the spans, with a line at each end of each support; 0: there is none. Splines of degree 2
+ * and more have knots at the ends of areas by themselves (support_knots.h): theirs fit if
+ * they have a line at each line or point that is held. */
+int net_fit_points(const struct scene *scene, int along, int points, int degree);
 
 #endif

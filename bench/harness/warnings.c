@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bench/harness/net_fit.h"
+#include "iga/support_knots.h"
 
 /* Bounds: span over thickness from which degree 2 loses a tenth; Gamma; thickness over
  * side; share of a swing lost in a second; span over the length that a clamp bends. */
@@ -165,21 +166,32 @@ static int spans_of(const struct run *r, int along)
     return r->discretization.points[along] - r->discretization.degree[along];
 }
 
-static bool supports_end_between(const struct run *r, struct message *sentence)
+/* Points along u (0) or v (1), so many or more, with which lines of the net, or knots, are
+ * as the supports want them; 0: there are none. */
+static int fitting_points(const struct run *r, int along)
 {
     const struct discretization *d = &r->discretization;
-    int fit[2];
+    const int points = d->points[along], degree = d->degree[along],
+              fit = net_fit_points(&r->scene, along, points, degree),
+              least = degree + 1 +
+                      support_knots_repeats(&r->scene, along, degree,
+                                            is_solid(r) ? SUPPORT_KNOTS_SOLID
+                                                        : SUPPORT_KNOTS_SHELL);
 
-    for (int i = 0; i < 2; i++)
-        fit[i] = d->knots[i] ? spans_of(r, i) : net_fit_spans(&r->scene, i, spans_of(r, i));
-    if (fit[0] == spans_of(r, 0) && fit[1] == spans_of(r, 1))
+    return d->knots[along] ? points : degree > 1 && fit && fit < least ? least : fit;
+}
+
+static bool supports_end_between(const struct run *r, struct message *sentence)
+{
+    const int *points = r->discretization.points,
+              fit[] = {fitting_points(r, 0), fitting_points(r, 1)};
+
+    if (fit[0] == points[0] && fit[1] == points[1])
         return false;
-    status_fail(
-        sentence, STATUS_OK,
-        "a support begins or ends between lines of this net, which holds up to a "
-        "cell too little: 20x20 springs held at 10 cm were 4 %% of L off, 21x21 1 %%");
-    for (int i = 0; i < 2; i++)
-        fit[i] = fit[i] ? fit[i] + d->degree[i] : 0;
+    status_fail(sentence, STATUS_OK,
+                "a support begins or ends between lines of this net, which holds up to a "
+                "cell too little or too much: 20x20 springs held at 10 cm were 4 %% of L "
+                "off, 21x21 1 %%");
     if (fit[0] && fit[1])
         snprintf(sentence->text + strlen(sentence->text),
                  sizeof sentence->text - strlen(sentence->text),

@@ -9,11 +9,12 @@
 #include "bench/harness/net_fit.h"
 #include "bench/truth/truth_plan.h"
 #include "bench/truth/truth_push.h"
+#include "iga/support_knots.h"
 #include "models/reader/scene_file.h"
 
 enum { RUNS = 32, QUICK_RUNS = 4 };
 
-/* Spans a side of the truth's two nets, before they are fitted to the supports. */
+/* Spans a side of the truth's two nets, besides what knots at supports' ends take. */
 enum { COARSE = 14, QUICK_COARSE = 5 };
 static const double FINER = 1.4;
 
@@ -179,14 +180,6 @@ void study_ensemble_file(const struct study_ensemble_job *job, int scene, int en
              job->scene[scene].name, who, member);
 }
 
-/* Points a side for spans that fit the supports, if any do. */
-static int points_of(const struct scene *scene, int along, int spans, int degree)
-{
-    const int fit = net_fit_spans(scene, along, spans);
-
-    return (fit ? fit : spans) + degree;
-}
-
 /* The finest net of its list, of solids the one before, whose frames cost as much. */
 static int side_of(const struct contestant *c, bool quick)
 {
@@ -203,12 +196,14 @@ static void choose_net(const struct study_ensemble_job *job, const struct scene 
     int side[2];
 
     for (int i = 0; i < 2; i++) {
-        int spans = side_of(c, job->quick) - c->degree;
-        if (ensemble < STUDY_ENSEMBLE_TRUTHS)
-            spans = points_of(scene, i, job->quick ? QUICK_COARSE : COARSE, 0);
+        const int repeats = support_knots_repeats(scene, i, c->degree, SUPPORT_KNOTS_SOLID);
+        int spans = job->quick ? QUICK_COARSE : COARSE;
         if (ensemble == STUDY_ENSEMBLE_FINE)
             spans = (int)lround(FINER * spans);
-        side[i] = points_of(scene, i, spans, c->degree);
+        side[i] = ensemble < STUDY_ENSEMBLE_TRUTHS ? spans + c->degree + repeats
+                                                   : side_of(c, job->quick);
+        const int fit = net_fit_points(scene, i, side[i], c->degree);
+        side[i] = fit ? fit : side[i];
     }
     contestant_points(c, side[0], side[1], settings);
 }

@@ -101,7 +101,7 @@ static struct truth_order judge(const struct truth_family *f, const int run[3],
 
 static double span_of(const struct truth_level *level)
 {
-    return 1.0 / (level->side - level->degree);
+    return 1.0 / (level->side - level->degree - level->repeats);
 }
 
 /* Nets and steps apart: three of each. */

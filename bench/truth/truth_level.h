@@ -27,6 +27,7 @@ struct truth_level {
     double step;      /* [s]                                                           */
     bool perturbed;   /* truth_push.h, number 0                                         */
     double grade;     /* knots along u at (i/n)^grade: dense at u = 0; 0: evenly       */
+    int repeats;      /* of the points, for knots that repeat at supports' ends        */
 };
 
 /* What all runs of a scene share; borrowed. */

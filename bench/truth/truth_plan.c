@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/support_knots.h"
 #include "models/contact.h"
 #include "models/grid.h"
 #include "models/metric/metric_rest.h"
@@ -84,15 +85,16 @@ bool truth_plan_judges(const struct scene *scene, double time)
     return judged;
 }
 
-/* Whether so many spans a side have a knot at every edge of what is held or loaded. */
+/* Whether so many spans a side have a knot at every edge of what is loaded; at those of
+ * what is held splines have knots by themselves. */
 static bool fits(const struct scene *scene, int spans)
 {
     bool good = true;
 
     for (int n = 0; n < scene->support_count; n++)
         for (int i = 0; i < 2; i++)
-            good &= is_multiple(scene->supports[n].lo[i], 1.0 / spans) &&
-                    is_multiple(scene->supports[n].hi[i], 1.0 / spans);
+            good &= scene->supports[n].lo[i] < scene->supports[n].hi[i] ||
+                    is_multiple(scene->supports[n].lo[i], 1.0 / spans);
     for (int n = 0; n < scene->load_count; n++)
         for (int i = 0; i < 2; i++)
             good &= is_multiple(scene->loads[n].lo[i], 1.0 / spans) &&
@@ -106,8 +108,11 @@ bool truth_plan_rung(const struct scene *scene, double frame, int k,
     /* Some 1.4 apart: near enough to stop in time, far enough to show an order. */
     static const int sizes[] = {1, 2, 3, 4, 6, 9, 13, 18, 26};
     enum { DEGREE = 3, LEAST = 6, SIZES = sizeof sizes / sizeof *sizes };
-    int unit = 3, first = 0;
+    int unit = 3, first = 0, repeats = 0;
 
+    for (int i = 0; i < 2; i++)
+        repeats = (int)fmax(repeats,
+                            support_knots_repeats(scene, i, DEGREE, SUPPORT_KNOTS_SOLID));
     while (unit < 20 && !fits(scene, unit))
         unit++;
     unit = fits(scene, unit) ? unit : 3;
@@ -115,8 +120,9 @@ bool truth_plan_rung(const struct scene *scene, double frame, int k,
         first++;
     if (k + first >= SIZES)
         return false;
-    *level =
-        (struct truth_level){.degree = DEGREE, .side = unit * sizes[k + first] + DEGREE};
+    *level = (struct truth_level){.degree = DEGREE,
+                                  .side = unit * sizes[k + first] + DEGREE + repeats,
+                                  .repeats = repeats};
     /* Three spans for a piece of the frame. */
     level->step = frame / (sizes[k + first] * fmax(1, round(unit / 3.0)));
     return true;

@@ -148,7 +148,7 @@ static int columns_of(int model)
 
 static double spans_of(const struct truth_level *level)
 {
-    return level->side - level->degree;
+    return level->side - level->degree - level->repeats;
 }
 
 /* The largest bar of a model, and the order seen there. */

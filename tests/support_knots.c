@@ -1,0 +1,168 @@
+/* Supports on part of a sheet: the knots of their ends; and a sheet that is held on a strip
+ * vibrates and falls as its free wing alone does, which is held along an edge. */
+#include "iga/support_knots.h"
+#include "tests/opened_run.h"
+
+enum { MOST = 24, ENDS = 3, SETTINGS = 8, TEXT = 128 };
+#define LENGTH(array) (sizeof(array) / sizeof *(array))
+
+static const struct knots {
+    double at[ENDS][2]; /* supports                                                    */
+    enum support_knots_border border;
+    int degree, points, repeats;
+    double U[MOST]; /* the knots between 0 and 1, all others after them 0              */
+} all[] = {
+    /* An edge, a line, and the whole sheet: any net, evenly. */
+    {{{0, 0}, {0.5, 0.5}, {0, 1}}, SUPPORT_KNOTS_SHELL, 3, 8, 0, {.2, .4, .6, .8}},
+    {{{0, .25}}, SUPPORT_KNOTS_SHELL, 3, 9, 2, {.25, .25, .4375, .625, .8125}},
+    {{{0, .25}}, SUPPORT_KNOTS_SOLID, 3, 9, 3, {.25, .25, .25, .5, .75}},
+    {{{.75, 1}}, SUPPORT_KNOTS_SHELL, 2, 6, 1, {.25, .5, .75}},
+    {{{.75, 1}}, SUPPORT_KNOTS_SOLID, 1, 5, 1, {.25, .5, .75}},
+    {{{.4, .6}}, SUPPORT_KNOTS_SHELL, 3, 11, 4, {.2, .4, .4, .5, .6, .6, .8}},
+    /* The same end twice, or nearly. */
+    {{{0, .5}, {.5, 1}, {.50001, 1}}, SUPPORT_KNOTS_SHELL, 2, 6, 1, {.25, .5, .75}},
+    /* Too few points: all ends repeat less, or not at all. */
+    {{{.4, .6}}, SUPPORT_KNOTS_SOLID, 3, 9, 6, {.2, .4, .4, .6, .6}},
+    {{{.4, .6}}, SUPPORT_KNOTS_SHELL, 3, 6, 4, {.4, .6}},
+    {{{.4, .6}}, SUPPORT_KNOTS_SHELL, 3, 5, 4, {.5}},
+};
+
+static void check_knots(const struct knots *k, int i)
+{
+    struct scene_support support[ENDS] = {{{0}}};
+    struct scene scene = {.support_count = ENDS, .supports = support};
+    struct discretization d = {0};
+    struct bspline b = {0};
+
+    d.degree[i] = k->degree, d.points[i] = k->points;
+    for (int n = 0; n < ENDS; n++)
+        support[n].lo[i] = k->at[n][0], support[n].hi[i] = k->at[n][1];
+    REQUIRE(support_knots_basis(&b, &scene, &d, i, k->border, NULL) == STATUS_OK);
+    CHECK(support_knots_repeats(&scene, i, k->degree, k->border) == k->repeats);
+    REQUIRE(b.n == k->points && b.p == k->degree);
+    for (int n = b.p + 1; n < b.n; n++)
+        if (!CHECK_NEAR(b.U[n], k->U[n - b.p - 1], 1e-15))
+            printf("row %td, knot %d\n", k - all, n - b.p - 1);
+    bspline_clear(&b);
+}
+
+/* Knots that are given stay. */
+static void check_given(void)
+{
+    double U[] = {0, 0, 0, .3, 1, 1, 1};
+    struct scene_support support = {.hi = {.5, .5, 1}};
+    const struct scene scene = {.support_count = 1, .supports = &support};
+    const struct discretization d = {
+        .points = {4}, .degree = {2}, .knot_count = {LENGTH(U)}, .knots = {U}};
+    struct bspline b = {0};
+
+    REQUIRE(support_knots_basis(&b, &scene, &d, 0, SUPPORT_KNOTS_SHELL, NULL) == STATUS_OK);
+    CHECK(b.n == 4 && b.U[3] == .3);
+    bspline_clear(&b);
+}
+
+/* Held are all functions that do not vanish on an area; of lines those that lie there. */
+static void check_held(void)
+{
+    static const double U[] = {0, 0, 0, .25, .5, .75, 1, 1, 1};
+    static const struct {
+        double lo, hi, to_lo, to_hi;
+    } rows[] = {{0, 0, 0, 0},
+                {0, 1, 0, 1},
+                {.5, .5, .5, .5},
+                {0, .25, 0, .375},
+                {0, .26, 0, .625},
+                {.25, .5, .125, .625},
+                {.25, .50001, .125, .625},
+                {.75, 1, .625, 1}};
+    struct bspline basis[2] = {{0}};
+    struct scene_support *held;
+
+    for (int i = 0; i < 2; i++)
+        REQUIRE(bspline_init(&basis[i], 2, LENGTH(U), U, NULL) == STATUS_OK);
+    for (size_t n = 0; n < LENGTH(rows); n++) {
+        struct scene_support s = {{0, rows[n].lo}, {1, rows[n].hi, 1}, .fix = FIX_XYZ};
+        const struct scene scene = {.support_count = 1, .supports = &s};
+        REQUIRE(support_knots_hold(&scene, basis, &held) == STATUS_OK);
+        if (!CHECK(held->lo[1] == fmin(rows[n].lo, rows[n].to_lo) &&
+                   held->hi[1] == fmax(rows[n].hi, rows[n].to_hi) && held->lo[0] == 0 &&
+                   held->hi[0] == 1))
+            printf("row %zu: %g to %g\n", n, held->lo[1], held->hi[1]);
+        free(held);
+    }
+    for (int i = 0; i < 2; i++)
+        bspline_clear(&basis[i]);
+}
+
+/* A sheet of h = 1.5 mm, so long, at rest or at its end, held as said. */
+static void open_sheet(struct run *run, const char *model, int points, double length,
+                       const char *held)
+{
+    char text[SETTINGS][TEXT];
+    const char *setting[SETTINGS];
+    const bool solid = strncmp(model, "iga", 3) == 0;
+
+    for (int n = 0; n < SETTINGS; n++)
+        setting[n] = text[n];
+    snprintf(text[0], TEXT, "sheet={length: %g, width: 0.5, thickness: 0.0015}", length);
+    snprintf(text[1], TEXT, "supports=[{at: {%s}, fix: xyz}]", held);
+    snprintf(text[2], TEXT, "discretization.points=[%d,7%s]", points, solid ? ",2" : "");
+    snprintf(text[3], TEXT, "material={young: 6.9e7, poisson: 0.33, density: 200}");
+    snprintf(text[4], TEXT, "damping={kind: none}");
+    snprintf(text[5], TEXT, "gravity=[0,0,-9.81]");
+    snprintf(text[6], TEXT, "time={step: 0.01, end: 0.1}");
+    snprintf(text[7], TEXT, "pose={origin: [0,0,0], u: [1,0,0], v: [0,1,0]}");
+    opened_run(run, "edge_drop", model, SETTINGS, setting);
+}
+
+/* The lowest frequency [rad/s], and how far the end has sunk after 0.1 s [m]. */
+static void answer(const char *model, int points, double length, const char *held,
+                   double out[2])
+{
+    const double uvw[3] = {1, 0.5, 0.5};
+    struct counters work = {0};
+    struct message why = {""};
+    double xyz[3];
+    struct run run;
+
+    open_sheet(&run, model, points, length, held);
+    REQUIRE(run_modes(&run, 1, out, &why) == STATUS_OK);
+    for (int n = 0; n < 10; n++)
+        REQUIRE(run.model->advance(run.state, &work) == STATUS_OK);
+    run.model->probe(run.state, 1, uvw, xyz);
+    out[1] = -xyz[2];
+    run_close(&run);
+}
+
+/* Where control points were held by their places, these were 6 to 25 % off. */
+static void check_wing(const char *model)
+{
+    static const struct {
+        const char *held;
+        double length;
+    } strips[] = {{"u: [0.4, 0.6], v: [0, 1]", 0.5}, {"u: [0, 0.3], v: [0, 1]", 0.2 / 0.7}};
+    double wing[2], strip[2];
+
+    answer(model, 14, 0.2, "u: 0", wing);
+    for (size_t n = 0; n < LENGTH(strips); n++) {
+        answer(model, 20, strips[n].length, strips[n].held, strip);
+        for (int k = 0; k < 2; k++)
+            if (!CHECK_RELATIVE(strip[k], wing[k], 1e-3))
+                printf("%s, strip %zu, %s: %.6g, not %.6g\n", model, n,
+                       k ? "end [m]" : "frequency [rad/s]", strip[k], wing[k]);
+    }
+}
+
+int main(void)
+{
+    for (size_t n = 0; n < LENGTH(all); n++)
+        for (int i = 0; i < 2; i++)
+            check_knots(&all[n], i);
+    check_given();
+    check_held();
+    check_wing("shell_3");
+    check_wing("shell_selective_3");
+    check_wing("iga_selective_3");
+    check_wing("iga_selective");
+    return check_result();
+}

@@ -58,6 +58,14 @@ while read -r command; do
     [ "$out" = "$help" ] || fail "$command --help is not help $command"
     grep -q "^\.It Cm $command" "$manual" || fail "the manual has no $command"
     grep -o '^  --[a-z]*' out >>options
+    # the manual has every option of it twice: in the synopsis and where the command is told
+    for option in $(sed -n 's/^  --\([a-z]*\).*/\1/p' out | sort -u); do
+        for part in '/^[.]Sh/ { in_part = /SYNOPSIS/ } /^[.]Cm/ { on = in_part && $2 == c }' \
+            '/^[.]It Cm/ { on = $3 == c } /^[.]Sh/ { on = 0 }'; do
+            awk -v c="$command" "$part on" "$manual" | grep -Eq "Fl Fl $option( |\$)" ||
+                fail "the manual's part on $command has no --$option"
+        done
+    done
 done <commands
 # the manual has these options and no others; the pages use no others
 sed -n 's/^\.It Fl Fl \([a-z]*\).*/  --\1/p' "$manual" | sort -u >documented

@@ -25,6 +25,12 @@ ends() { # CODE TEXT: the last run ended so and said TEXT
     [ "$(wc -l <err)" -eq 1 ] || fail "not one line: $(<err)"
 }
 
+# --- the plan that help shows -----------------------------------------------------------
+"$program" help sweep | sed -n '/^    name: /,/^$/p' >shown.yaml
+run shown.yaml --out shown
+[ "$code" -eq 0 ] || fail "the plan of help sweep: exit $code: $(<err)"
+[ "$(grep -c done shown/table.csv)" -eq 6 ] || fail "the plan of help sweep: $(<shown/table.csv)"
+
 # --- jobs -------------------------------------------------------------------------------
 write_plan plan.yaml 2
 run plan.yaml --out one --jobs 1

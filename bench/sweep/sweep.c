@@ -306,6 +306,15 @@ out:
     return st;
 }
 
+#define SWEEP_PLAN                                                                         \
+    "    name: mine\n"                                                                     \
+    "    source: how stretch and drop depend on stiffness and weight\n"                    \
+    "    scene: edge_drop\n"                                                               \
+    "    model: mass_spring\n"                                                             \
+    "    axes:\n"                                                                          \
+    "      - {key: material.young, values: [5e4, 1e5]}\n"                                  \
+    "      - {key: material.density, values: [0.3, 0.5, 0.7]}\n"
+
 static const struct command_option options[] = {
     {"--resume", NULL, false,
      "go on with what is in the folder: cases that ended are not\nrun again"},
@@ -322,16 +331,20 @@ const struct command sweep_command = {
     .text =
         "Runs every case of a plan, each in a process of its own, judges them by the\n"
         "plan's rules and leaves one result file a case, table.csv with all keys and\n"
-        "measures, and map.png (needs gnuplot). PLAN is a name from clothbench list plans\n"
-        "or the path of a YAML file (clothbench help plan). A case that dies, hangs or is\n"
-        "refused is a row.\n"
-        "\n"
+        "measures, and map.png (needs gnuplot). PLAN is feasibility, table4 or a YAML "
+        "file;\n"
+        "the other plans of clothbench list plans have levels and are for clothbench "
+        "study.\n"
+        "A case that dies, hangs or is refused is a row. A plan of two by three cases, "
+        "whose\n"
+        "other keys clothbench help plan has, is\n"
+        "\n" SWEEP_PLAN "\n"
         "Whatever ends a sweep - Ctrl-C, SIGKILL, a full disk -, the cases in flight are\n"
         "lost, no more; --resume goes on. It runs again what was killed or suspended, ran\n"
         "out of memory, or has a damaged file, and refuses files of another plan or of\n"
         "another build of the program. Under mpirun the ranks share the cases; on\n"
         "several machines they must see the same folder.\n",
-    .examples = "sweep feasibility\nsweep plan.yaml --jobs 4 --out results/mine\n"
+    .examples = "sweep feasibility\nsweep mine.yaml --jobs 4 --out results/mine\n"
                 "sweep feasibility --resume\n",
     .least = 1,
     .most = 1,

@@ -209,7 +209,7 @@ static void let_go(int k, int n, double xyz[3])
     xyz[2] -= 9.81 * t * t / 2;
 }
 
-/* Two fifths of the way to a hinge: as the plain angle on 20 cells (doc/export.md). */
+/* Two fifths of the way to a hinge: as with the plain stiffness on 20 cells. */
 static void yielding(int k, int n, double xyz[3])
 {
     for (int c = 0; c < 3; c++)

@@ -22,12 +22,15 @@
  * gravity differs from one by what bending does alone, which a net's own error hides. */
 #define PACE_BETTER 3
 
+/* And no more than this: a flag that is too stiff is slower, too, and leaves a quarter. */
+#define PACE_MOST 0.1
+
 /* A lead of half a step is a first-order step's. Frames come every step or more seldom. */
 #define HALF_STEP 0.55
 
 /* An edge that is less of a hinge than this is a clamp that gives way: springs and hinges
  * on 10 cells are .57 of one where the held row's count as the others do, .98 where it has
- * none (doc/export.md). */
+ * none. */
 #define CLAMP_MOST 0.8
 
 /* A hinge by so much more than one: without bending no edge is clamped, and no sheet stiff.
@@ -233,7 +236,7 @@ static bool say_pace(const struct score *s, const struct score_pace *pace,
     const bool slow = pace->speed < 1;
     char repeats[64] = "", gravity[64] = "";
 
-    if (PACE_BETTER * left_by(pace) > fit->left)
+    if (left_by(pace) > PACE_MOST || PACE_BETTER * left_by(pace) > fit->left)
         return false;
     if (s->repeats)
         snprintf(repeats, sizeof repeats, " (%d are as the one before)", s->repeats);

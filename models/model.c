@@ -1,5 +1,6 @@
 #include "models/model.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,13 +64,15 @@ bool model_folds(const struct scene *scene, const struct discretization *d,
     const double side[2] = {scene->length, scene->width}, L = scene->length;
     const double gamma = scene_gamma(scene), most = L * cbrt(MODEL_FOLDS / gamma);
     double longest = 0;
-    int enough[2];
+    int enough[2], fewest = INT_MAX;
 
     for (int i = 0; i < 2; i++) {
-        longest = fmax(longest, side[i] / (d->points[i] - d->degree[i]));
+        const int spans = d->points[i] - d->degree[i];
+        longest = fmax(longest, side[i] / spans);
+        fewest = spans < fewest ? spans : fewest;
         enough[i] = (int)fmin(ceil(side[i] / most), 1e6) + d->degree[i];
     }
-    if (!(longest > most))
+    if (fewest < MODEL_FEW_SPANS || !(longest > most))
         return false;
     status_fail(
         reason, STATUS_OK,

@@ -64,6 +64,8 @@ struct model;
  * Measured (doc/models.md): cured nets are nearer to the truth up to 5.4 (napkin_hung),
  * uncured ones from 80 on (a flag of Gamma 3e4, 10x10). */
 #define MODEL_FOLDS 10.
+#define MODEL_FEW_SPANS                                                                    \
+    4 /* a side: what has fewer cannot zigzag, and uncured hardly bends */
 bool model_folds(const struct scene *scene, const struct discretization *d,
                  struct message *reason);
 

@@ -120,17 +120,6 @@ awk -F, "$rows"' $at["unknowns"] == "" || $at["repeats"] != "" { seen[$at["conte
     "$folder/refused/compare.csv" || fail "a refusal is no row"
 grep -q repeats "$folder.txt" || fail "the number of repeats is not told"
 
-# Where the truth itself refuses, the others run nevertheless, and no error is told.
-sed 's/^supports:.*/supports: [{at: {u: [0.47, 0.49], v: [0.47, 0.49]}, fix: xyz}]/' "$CLOTHBENCH_SCENES/edge_drop.yaml" |
-    sed '/^  - {at/d' >"$folder/pinned.yaml"
-"$program" compare "$folder/pinned.yaml" --quick --until 0.025 --models mass_spring,iga_linear \
-    --out "$folder/pinned" >"$folder.txt" 2>"$folder.log" || { cat "$folder.log"; fail "a truth that refuses ends it"; }
-grep -q "Truth: none; the .*, that was to be the truth would not" "$folder.txt" || fail "why there is no truth"
-grep -q "mass-spring, matched, 10x10: support 0 holds no node" "$folder.txt" || fail "a refusal beside no truth"
-grep -q "imited by" "$folder.txt" && fail "a limit without truth"
-awk -F, "$rows"' { seen[$at["unknowns"] == ""]++; if ($at["worst_rmse_over_length"] != "") exit 1 }
-         END { exit !(seen[0] && seen[1]) }' "$folder/pinned/compare.csv" || fail "rows without truth"
-
 # Scenes with a stored truth need no other: at its times, and beside its error bar.
 "$program" compare edge_drop --models projective_dynamics --quick --out "$folder/stored" \
     >"$folder.txt" 2>"$folder.log" || { cat "$folder.log"; fail "edge_drop"; }

@@ -10,6 +10,9 @@
 /* Axes written with four digits or more are meant as unit vectors at right angles, which
  * the reader makes of them; what is farther off is a mistake. */
 #define TOL_AXES 1e-3
+/* Axes written with ten digits stay as they are: what is stored of a scene is found by its
+ * numbers. */
+#define TOL_EXACT 1e-9
 /* Round-off of two ways to write the same path, relative to the shift. */
 #define TOL_PATH 1e-12
 
@@ -38,7 +41,7 @@ static enum status check_axis(const struct yaml_tree *node, const char *name,
                                 "as [%.10g, %.10g, %.10g] has",
                                 name, length, axis[0] / length, axis[1] / length,
                                 axis[2] / length);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3 && fabs(length - 1) > TOL_EXACT; i++)
         axis[i] /= length;
     return STATUS_OK;
 }
@@ -112,6 +115,16 @@ static enum status check_loads(const struct yaml_tree *root, const struct scene 
     return STATUS_OK;
 }
 
+/* Takes from v what it has of u, and makes its length one. */
+static void turn_upright(const double u[3], double cosine, double v[3])
+{
+    for (int i = 0; i < 3; i++)
+        v[i] -= cosine * u[i];
+    const double length = sqrt(dot(v, v));
+    for (int i = 0; i < 3; i++)
+        v[i] /= length;
+}
+
 static enum status check_pose(const struct yaml_tree *root, struct scene *scene,
                               struct message *why)
 {
@@ -131,10 +144,8 @@ static enum status check_pose(const struct yaml_tree *root, struct scene *scene,
                                 "pose axes u and v have the product %.10g, but must be at "
                                 "right angles",
                                 cosine);
-    for (int i = 0; i < 3; i++)
-        axis_v[i] -= cosine * axis_u[i];
-    for (double length = sqrt(dot(axis_v, axis_v)), *x = axis_v; x < axis_v + 3; x++)
-        *x /= length;
+    if (fabs(cosine) > TOL_EXACT)
+        turn_upright(axis_u, cosine, axis_v);
     TRY(check_shape(root, scene, why));
 out:
     return st;

@@ -59,17 +59,19 @@ static void list_contestants(void)
         const char *name;
     } places[] = {{CONTESTANT_COMPARE, "compare"},
                   {CONTESTANT_STRESS, "stress"},
-                  {CONTESTANT_SMALL, "verify, bending a little"},
-                  {CONTESTANT_LARGE, "verify, bending a lot"},
+                  {CONTESTANT_SMALL, "verify at small strains"},
+                  {CONTESTANT_LARGE, "verify bending far"},
                   {CONTESTANT_SPEED, "bench"}};
 
     for (const struct contestant *c = contestant_table; c->name; c++) {
-        char text[256];
+        char text[512];
         int used = snprintf(text, sizeof text, "%s", c->title);
         for (size_t n = 0; n < sizeof places / sizeof *places; n++)
             if (c->enters & places[n].where)
                 used += snprintf(text + used, sizeof text - (size_t)used, "; %s",
                                  places[n].name);
+        if (c->note)
+            snprintf(text + used, sizeof text - (size_t)used, ". %s", c->note);
         print_item(c->name, text);
     }
 }

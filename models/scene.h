@@ -205,4 +205,10 @@ double scene_bending_stiffness(const struct scene *scene);
 /* Weight against bending, Gamma = rho |g| h L^3 / D [1]. */
 double scene_gamma(const struct scene *scene);
 
+/* Gammas up to which small-strain linear theory is within 1 % and 10 % of the tip of a
+ * cantilever (heavy elastica), and those of real cloth a metre long. */
+#define SCENE_GAMMA_ONE_PERCENT 0.9
+#define SCENE_GAMMA_TEN_PERCENT 2.9
+#define SCENE_GAMMA_CLOTH       7e4
+
 #endif

@@ -271,6 +271,8 @@ static void check_shipped(void)
         if (path && CHECK(scene_file_read(path, 0, NULL, &s, &d, &why) == STATUS_OK)) {
             CHECK(!strcmp(s.name, entries[i].name));
             CHECK(!strcmp(s.about ? s.about : s.source, entries[i].text));
+            CHECK(!strstr(entries[i].text, "bends a little") ||
+                  scene_gamma(&s) <= SCENE_GAMMA_ONE_PERCENT);
         } else
             printf("%s\n", why.text);
         scene_clear(&s);

@@ -16,8 +16,8 @@ enum { CONTESTANT_SETTINGS = 4, CONTESTANT_STEPS = 4 };
 enum {
     CONTESTANT_COMPARE = 1, /* speed against error                                     */
     CONTESTANT_STRESS = 2,  /* hard cases, and the map of steps and stiffness          */
-    CONTESTANT_SMALL = 4,   /* verify: plates and strips that bend a little            */
-    CONTESTANT_LARGE = 8,   /* verify: those that bend a lot                           */
+    CONTESTANT_SMALL = 4,   /* verify: plates and strips at small strains              */
+    CONTESTANT_LARGE = 8,   /* verify: those that bend far                             */
     CONTESTANT_SPEED = 16,  /* the timing table of `bench`                             */
     CONTESTANT_EVERYWHERE = 31,
 };
@@ -36,6 +36,8 @@ struct contestant {
     int points[CONTESTANT_STEPS];     /* a side                                        */
     int divisors[CONTESTANT_STEPS];   /* steps that the scene's frame is divided into  */
     int iterations[CONTESTANT_STEPS]; /* of a step; none: the model has no such choice */
+
+    const char *note; /* what its readers should know, a sentence for lists; NULL: none */
 };
 
 /* All, in the order of the tables; name NULL ends. */

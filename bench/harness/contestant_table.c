@@ -97,7 +97,10 @@ const struct contestant contestant_table[] = {
      {NONLINEAR, UNCURED}, 2, 1, {10, 20}, {1, 4}, {0}},
     {"hex_incompatible", "hexahedra, incompatible, nonlinear", "hex inc.", &hex_model,
      COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, INCOMPATIBLE}, 2, 1, {10, 20}, {1, 4},
-     {0}},
+     {0},
+     "Hexahedra with incompatible modes twist too stiffly on thin sheets: of a plate 1000 "
+     "times as long as thick the sixth frequency is 16 % high on 20x20x2 nodes and 9 % on "
+     "40x40x2, of the cloak the fifth 31 % and 2 %"},
     {"hex_explicit", "hexahedra, incompatible, explicit", "hex expl.", &hex_model, 0,
      {LEAPFROG, INCOMPATIBLE}, 2, 1, {6, 10}, {1}, {0}},
 

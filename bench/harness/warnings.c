@@ -6,10 +6,9 @@
 #include "bench/harness/net_fit.h"
 #include "iga/support_knots.h"
 
-/* Bounds: span over thickness from which degree 2 loses a tenth; Gamma; thickness over
+/* Bounds: span over thickness from which degree 2 loses a tenth; thickness over
  * side; share of a swing lost in a second; span over the length that a clamp bends. */
-static const double long_span = 20, gamma_one_percent = 0.9, gamma_ten_percent = 2.9,
-                    thick = 0.1, swing_lost = 0.01, bends = 4;
+static const double long_span = 20, thick = 0.1, swing_lost = 0.01, bends = 4;
 
 static bool is_solid(const struct run *r)
 {
@@ -92,12 +91,13 @@ static bool strain_is_small(const struct run *r, struct message *sentence)
 {
     const double gamma = scene_gamma(&r->scene);
 
-    if (r->discretization.kinematics != KINEMATICS_LINEAR || !(gamma > gamma_one_percent))
+    if (r->discretization.kinematics != KINEMATICS_LINEAR ||
+        !(gamma > SCENE_GAMMA_ONE_PERCENT))
         return false;
     status_fail(
         sentence, STATUS_OK,
         "small-strain theory misses a cantilever's tip by more than %s at this Gamma",
-        gamma > gamma_ten_percent ? "10 %" : "1 %");
+        gamma > SCENE_GAMMA_TEN_PERCENT ? "10 %" : "1 %");
     return true;
 }
 

@@ -48,6 +48,17 @@ static void describe_scene(const struct scene *scene, FILE *file)
     fprintf(file, "\ntime            to %g s in steps of %g s\n", scene->end, scene->step);
 }
 
+/* What weight does to a cantilever of this Gamma. */
+static const char *bending(double gamma)
+{
+    return gamma <= SCENE_GAMMA_ONE_PERCENT ? "linear theory is within 1 % of a cantilever"
+           : gamma <= SCENE_GAMMA_TEN_PERCENT
+               ? "linear theory is within 10 % of a cantilever"
+           : gamma < SCENE_GAMMA_CLOTH
+               ? "it bends far, though not as far as cloth, from 7e4"
+               : "as of cloth";
+}
+
 void describe_setup(const struct run *run, FILE *file)
 {
     const struct model *model = run->model;
@@ -58,8 +69,8 @@ void describe_setup(const struct run *run, FILE *file)
     if (model->describe)
         model->describe(run->state, &note);
     describe_scene(&run->scene, file);
-    fprintf(file, "Gamma           %.4g (weight against bending)\n",
-            scene_gamma(&run->scene));
+    fprintf(file, "Gamma           %.4g (weight against bending: %s)\n",
+            scene_gamma(&run->scene), bending(scene_gamma(&run->scene)));
     fprintf(file, "model           %s: %s\n", model->name, model->title);
     describe_discretization(&run->discretization, file);
     fprintf(

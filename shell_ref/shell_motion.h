@@ -9,8 +9,8 @@
  * rows of control points. An edge that a scene fixes in xyz over a stretch of the thickness
  * is clamped that way; an edge of which only some components or only the line w = 1/2 is
  * held is a hinge, its first row alone. A corner is a point: it holds one control point and
- * no slope (a slope held at one point has no limit under refinement). An area holds the
- * control points inside it, and so its border's slopes as well.
+ * no slope (a slope held at one point has no limit under refinement). An area holds all
+ * that does not vanish on it (support_knots.h), and so its border's slopes as well.
  *
  * Obstacles: control points keep half a thickness off, on which the surfaces lie that are
  * sampled; the mid-surface lies in their convex hull. linear steps as contact_step.h says,

@@ -134,7 +134,7 @@ static void answer(const char *model, int points, double length, const char *hel
     run_close(&run);
 }
 
-/* Where control points were held by their places, these were 6 to 25 % off. */
+/* Where control points were held by their places, frequencies were up to 22 % off. */
 static void check_wing(const char *model)
 {
     static const struct {

@@ -12,8 +12,7 @@
 #define MS 1e-3
 
 /* Chosen so that a truth takes a quarter of an hour on one processor, edge_drop two; the
- * last is for scenes that are not named (strip_swing, thick and stiff take a minute). On
- * corners_patch every net has a knot at the patches' edges.
+ * last is for scenes that are not named (strip_swing, thick and stiff take a minute).
  */
 static const struct truth_plan plans[] = {
     {"edge_drop", 2.0, 2.0, {{3, {16, 24, 36}, 2.5 * MS}, {5, {16, 24, 32}, 2.5 * MS}}},

@@ -52,6 +52,7 @@ struct contact_set {
     double (*drag)[9];         /* [nodes] friction's part of the matrix                */
     double (*factored)[18];    /* [nodes] projector and drag of the present factor     */
     bool is_factored;
+    bool settled;   /* the last solve left friction as it found it                     */
     long unsettled; /* steps whose friction was cut short (contact_solve.h)            */
     double *work;   /* [5][nodes][3]                                                   */
 };

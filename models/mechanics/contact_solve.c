@@ -382,8 +382,8 @@ enum status contact_solve(struct contact_set *c, struct system *s,
             if (count)
                 continue;
         }
-        if (p->friction == CONTACT_FRICTION_KEPT || settle_friction(c, p, x) ||
-            p->friction == CONTACT_FRICTION_ONCE)
+        c->settled = p->friction == CONTACT_FRICTION_KEPT || settle_friction(c, p, x);
+        if (c->settled || p->friction == CONTACT_FRICTION_ONCE)
             return STATUS_OK;
         if (++friction_passes == FRICTION_PASSES) {
             c->unsettled++;

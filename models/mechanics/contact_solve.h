@@ -21,8 +21,8 @@
 #include "models/mechanics/system.h"
 
 /* How far a solve goes with friction: until it repeats; one pass, for an outer iteration
- * that goes on with it from call to call; or none, with the drags as they are, which such
- * an iteration that finds no end needs. */
+ * that goes on with it from call to call until contact_set says `settled`; or none, with
+ * the drags as they are, which such an iteration that finds no end needs. */
 enum contact_friction {
     CONTACT_FRICTION_SETTLES,
     CONTACT_FRICTION_ONCE,

@@ -258,7 +258,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                                double *x, struct counters *counters)
 {
     enum status st = STATUS_OK;
-    int calm = 0, since = 0; /* the best of sizes, halved, is of that iteration */
+    int since = 0; /* the best of sizes, halved, is of that iteration */
     double before = 0, best = INFINITY; /* the size of the step before; of the best */
     size_t count = count_of(m);
     double *room = m->room + 2 * count, *swap;
@@ -292,10 +292,11 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
             st = STATUS_DIVERGED;
             goto out;
         }
-        calm = i.size <= i.tolerance && settled(m, i.size, before) ? calm + 1 : 0;
+        bool calm = i.size <= i.tolerance && settled(m, i.size, before);
         before = i.size;
-        /* what friction makes of a step shows in the next */
-        if (calm > in_contact(m, q) || n + 1 == q->enough) {
+        /* how far a step goes says little of what friction still has to become */
+        bool rubbed = in_contact(m, q) && !m->contact->set.settled;
+        if ((calm && !rubbed) || n + 1 == q->enough) {
             for (size_t t = 0; t < count; t++)
                 x[t] += i.d[t];
             return STATUS_OK;

@@ -45,7 +45,7 @@ static enum status scene_deed(const void *what, struct message *why)
         "pose.u=[1,0,0]",
         "supports[0].path=[[0,0,0,0],[1,0,0,1]]",
         "loads=[{at: {u: 1}, force: [0,0,1]}]",
-        "obstacles=[{sphere: {center: [0,0,0], radius: 1}}]",
+        "obstacles=[{sphere: {center: [0,0,-3], radius: 1}}]",
         "discretization.knots_u=[0,0,1,1]",
         "discretization.weights=[1,1]"};
     static const struct scene zero;

@@ -59,6 +59,7 @@ while read -r command; do
     grep -q "^\.It Cm $command" "$manual" || fail "the manual has no $command"
     grep -o '^  --[a-z]*' out >>options
     # the manual has every option of it twice: in the synopsis and where the command is told
+    # shellcheck disable=SC2013,SC2016  # options are words; $2 is awk's
     for option in $(sed -n 's/^  --\([a-z]*\).*/\1/p' out | sort -u); do
         for part in '/^[.]Sh/ { in_part = /SYNOPSIS/ } /^[.]Cm/ { on = in_part && $2 == c }' \
             '/^[.]It Cm/ { on = $3 == c } /^[.]Sh/ { on = 0 }'; do

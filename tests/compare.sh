@@ -59,7 +59,7 @@ done
 
 # Stopped, it leaves what was finished and no parts; called again it takes that, and runs
 # anew what has other settings.
-again=("${light[@]}" --models iga_linear,iga_selective_3 --out "$folder/stopped")
+again=("${light[@]}" --models "iga_linear,iga_selective_3" --out "$folder/stopped")
 timeout -s INT 1 "$program" "${again[@]}" >/dev/null 2>&1
 [ -z "$(find "$folder/stopped" -name '*.part')" ] || fail "stopped: leaves parts"
 "$program" "${again[@]}" >/dev/null 2>"$folder.log" || fail "stopped: does not go on"

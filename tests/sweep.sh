@@ -29,7 +29,7 @@ ends() { # CODE TEXT: the last run ended so and said TEXT
 "$program" help sweep | sed -n '/^    name: /,/^$/p' >shown.yaml
 run shown.yaml --out shown
 [ "$code" -eq 0 ] || fail "the plan of help sweep: exit $code: $(<err)"
-[ "$(grep -c done shown/table.csv)" -eq 6 ] || fail "the plan of help sweep: $(<shown/table.csv)"
+[ "$(grep -c "done" shown/table.csv)" -eq 6 ] || fail "the plan of help sweep: $(<shown/table.csv)"
 
 # --- jobs -------------------------------------------------------------------------------
 write_plan plan.yaml 2

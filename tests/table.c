@@ -260,7 +260,7 @@ static void check_failures_told(void)
 static void check_wide(void)
 {
     struct table_column wide[20] = {{"name", NULL, TABLE_LEFT}, {"net"}};
-    char words[500] = "", names[18][16], text[9000];
+    char words[500] = "", names[18][24], text[9000];
     size_t size, longest = 0;
     int lines = 0, parts = 0;
 

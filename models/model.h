@@ -61,7 +61,7 @@ struct model;
 /* Whether the weight of a spline net's longest span folds the sheet within that span: rho
  * |g| h l^3 / D, Gamma of a span of length l, is above MODEL_FOLDS; then with a sentence. A
  * cured net asks for strain at few points, and where it folds it stretches between them.
- * Measured (doc/models.md): cured nets are nearer to the truth up to 5.4 (napkin_hung),
+ * Measured: cured nets are nearer to the truth up to 5.4 (napkin_hung),
  * uncured ones from 80 on (a flag of Gamma 3e4, 10x10). */
 #define MODEL_FOLDS 10.
 #define MODEL_FEW_SPANS                                                                    \

@@ -12,7 +12,7 @@ enum { FOLDER = 4096 };
 
 static const double BUDGET = 240;
 
-/* Of the budget. */
+/* The share of the budget that runs for a truth may take. */
 static const double FOR_TRUTH = 1.0 / 3;
 
 static enum status read_rate(const struct command_line *line, double *rate,

@@ -167,8 +167,8 @@ static void add_text(unsigned long *sum, const char *text)
     *sum = sealed_text_sum(*sum, text, strlen(text) + 1);
 }
 
-/* Of all that a case's file depends on besides the case: the program's file, its commit,
- * and the machine. */
+/* Sums what a case's file depends on besides the case: the program, its commit and the
+ * machine. */
 static enum status sum_of_program(unsigned long *sum, struct message *why)
 {
     static const char *const keys[] = {"commit", "changed_files", "cpu", "omp_threads",

@@ -21,8 +21,8 @@
  * thickness off, and chords of 2 (10 h R)^(1/2) on a ball of radius R sag by five. */
 #define DISTRUST_DEPTH 5.0
 
-/* Whether a run's numbers say so; then with the sentence "Do not trust this result: ...",
- * what is wrong and what to try. What was not measured (NaN) is no reason. */
+/* Returns true if a run's numbers say so, with the sentence "Do not trust this result:
+ * ...", what is wrong and what to try. What was not measured (NaN) is no reason. */
 bool distrust(const struct scene *scene, const double value[MEASURES],
               struct message *sentence);
 

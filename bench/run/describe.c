@@ -48,7 +48,7 @@ static void describe_scene(const struct scene *scene, FILE *file)
     fprintf(file, "\ntime            to %g s in steps of %g s\n", scene->end, scene->step);
 }
 
-/* What weight does to a cantilever of this Gamma. */
+/* Returns how far its weight bends a cantilever of this Gamma, in words. */
 static const char *bending(double gamma)
 {
     return gamma <= SCENE_GAMMA_ONE_PERCENT ? "linear theory is within 1 % of a cantilever"

@@ -184,7 +184,7 @@ out:
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a scene that cannot be read is input */
 }
 
-/* Without a file so many frames are looked at, for what the run's words open with. */
+/* The frames that are looked at where no file is kept, for what a run's words open with. */
 enum { LOOKS = 20 };
 
 static enum status open_file(struct job *j, const char *path, struct message *why)
@@ -260,7 +260,7 @@ out:
     return st;
 }
 
-/* What the model tells of a success goes to *told. */
+/* Finds equilibrium; what the model says of a success goes to *told. */
 static enum status settle(struct job *j, struct message *told, struct message *why)
 {
     struct counters work = {0};

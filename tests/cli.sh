@@ -331,7 +331,8 @@ good run edge_drop "${short[@]}" --out some.h5 --every 4
 [ "$(times some.xdmf)" = '0 0.02 0.04 0.05' ] || fail "--every 4 keeps $(times some.xdmf)"
 good run edge_drop "${short[@]}" --out some.h5 --every 5
 [ "$(times some.xdmf)" = '0 0.025 0.05' ] || fail "--every 5 keeps $(times some.xdmf)"
-good run edge_drop "${short[@]}" --matrices matrices # the folder may be there
+coarse=("${short[@]}" --set 'discretization.points=[4,4,2]')
+good run edge_drop "${coarse[@]}" --matrices matrices # the folder may be there
 refuse_file() { # TEXT ARGUMENT...: exit 1 and a sentence
     local text=$1
     shift
@@ -340,7 +341,7 @@ refuse_file() { # TEXT ARGUMENT...: exit 1 and a sentence
     says err "$text"
 }
 refused 'leave the supports out' run hinge "${short[@]}" --matrices hinged
-good run hinge "${short[@]}" --set 'supports=[]' --matrices hinged
+good run hinge "${coarse[@]}" --set 'supports=[]' --matrices hinged
 refuse_file 'missing/kept.h5' --out missing/kept.h5
 refuse_file 'missing/matrices' --matrices missing/matrices
 refuse_file 'kept.h5' --matrices kept.h5
@@ -367,7 +368,7 @@ code=${PIPESTATUS[0]} err=$(<err)
 [ "$code" -eq 1 ] || fail "closed pipe: exit $code, want 1"
 says err 'went away'
 if [ -w /dev/full ]; then
-    for words in 'list' 'help' 'run edge_drop --quiet --probe 1,0.5,0.5' \
+    for words in 'list models' 'help' 'run edge_drop --quiet --probe 1,0.5,0.5' \
         'run cantilever --static --quiet'; do
         # shellcheck disable=SC2086 # words
         "$program" $words >/dev/full 2>err
@@ -376,7 +377,7 @@ if [ -w /dev/full ]; then
         says err 'No space left on device'
     done
 fi
-"$program" list >&- 2>err
+"$program" list models >&- 2>err
 [ $? -eq 1 ] || fail 'list to a closed output: not exit 1'
 
 [ "$failures" -eq 0 ]

@@ -20,6 +20,7 @@ static const double TOL_ROUNDING = 1e-12;
 /* Grain of the clocks [s]. */
 static const double TOL_CLOCK = 0.01;
 
+/* Table 2 is timed once: what is made of repeats is seen in Table 3. */
 enum { QUICK_REPEATS = 3, QUICK_STEPS = 20 };
 
 /* A table with what it was read from. */
@@ -33,7 +34,8 @@ struct measured {
 static void measure(bool second, const char *folder, struct measured *m)
 {
     const struct experiment *e = second ? &table23_second : &table23_third;
-    const struct experiment_options options = {.folder = m->folder, .quick = true};
+    const struct experiment_options options = {
+        .folder = m->folder, .quick = true, .repeats = second ? 1 : 0};
     struct message why = {""};
 
     snprintf(m->folder, sizeof m->folder, "%s/%s", folder, e->plan);
@@ -91,13 +93,13 @@ static void paper(const struct table23 *second, const struct table23 *third)
           table23_value(second, TABLE23_GROWTH + 2, TABLE23_PAPER_MS));
 }
 
-static void check_work(const struct run_result *r, enum table23_kind kind)
+static void check_work(const struct run_result *r, enum table23_kind kind, int repeats)
 {
     CHECK(r->outcome == STATUS_OK);
     CHECK(r->work.steps == QUICK_STEPS);
     CHECK(r->work.assemblies == (kind == TABLE23_LINEAR ? 0 : QUICK_STEPS));
     CHECK(r->work.factorisations == (kind == TABLE23_LINEAR ? 2 : QUICK_STEPS));
-    CHECK(r->step.count == QUICK_REPEATS && r->step.median > 0 && r->create.median > 0);
+    CHECK(r->step.count == repeats && r->step.median > 0 && r->create.median > 0);
     for (int phase = 0; phase < BENCH_SOLID_FRAME; phase++)
         CHECK((r->phase[phase].count > 0) == (kind == TABLE23_PRINTED));
 }
@@ -110,7 +112,7 @@ static void check_cells(const struct table23 *t)
             const struct run_result *r = table23_result(t, n, kind);
             REQUIRE(!run_result_refused(r));
             if (!t->second || n != TABLE23_CONTACT)
-                check_work(r, kind);
+                check_work(r, kind, t->second ? 1 : QUICK_REPEATS);
             else
                 CHECK(r->outcome == STATUS_OK && r->work.steps == 60);
         }

@@ -87,7 +87,10 @@ good help plan
 says out 'axes[i].values' time_limit 'map.marks' stretch_max gamma
 
 # --- list -------------------------------------------------------------------------------
-good list
+# empty files stand before the stored truths, which take a second to read
+mkdir light
+for truth in "$2"/bench/truths/*.h5; do : >"light/${truth##*/}"; done
+CLOTHBENCH_TRUTHS=light good list
 says out scenes: models: edge_drop 'Ren et al. 2024'
 good list models
 says out iga hex shell mass_spring projective_dynamics
@@ -138,7 +141,8 @@ says err 'no: the bar is' '0.0001 % up to 0.04 s will take' 'more at best' 'the 
     'known to 0.0001 % at none of its times'
 says out '0.040' 'own by the difference of two'
 [ "$(find t -name '*.h5' | wc -l)" -eq 5 ] || fail "its runs: $(ls t)"
-CLOTHBENCH_TRUTHS=. good list truths
+cp t.h5 light
+CLOTHBENCH_TRUTHS=light good list truths
 says out 't  ' 'cured of locking, p = 3, 12x12'
 good list studies
 says out mesh

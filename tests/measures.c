@@ -154,6 +154,28 @@ static void test_energy_drift(void)
     CHECK(drift[0] == 0 && isnan(drift[1]));
 }
 
+/* The largest distance to a truth, the last one that there is, and the bar beside it. */
+static void test_truth(void)
+{
+    static const double error[] = {NAN, 0.5, 0.25, NAN}, bar[] = {NAN, 0.125, 0.0625, NAN};
+    struct scene scene = sheet();
+    struct looks l = make(LOOKS);
+    double value[MEASURES];
+
+    reduce(&l, &scene, STATUS_OK, value); /* looks alone have none */
+    for (int n = 0; n < 2; n++) {
+        CHECK(isnan(value[MEASURE_TRUTH_ERROR_MAX]));
+        CHECK(isnan(value[MEASURE_TRUTH_ERROR_END]) && isnan(value[MEASURE_TRUTH_BAR_END]));
+        looks_reduce_truth(1, error, bar, value);
+    }
+    looks_reduce_truth(LOOKS, error, bar, value);
+    CHECK(value[MEASURE_TRUTH_ERROR_MAX] == 0.5);
+    CHECK(value[MEASURE_TRUTH_ERROR_END] == 0.25);
+    CHECK(value[MEASURE_TRUTH_BAR_END] == 0.0625);
+    looks_clear(&l);
+    scene_clear(&scene);
+}
+
 static void test_words(void)
 {
     for (int n = 0; n < MEASURES; n++) {
@@ -173,6 +195,7 @@ int main(void)
     test_series();
     test_energy();
     test_energy_drift();
+    test_truth();
     test_words();
     return check_result();
 }

@@ -25,12 +25,13 @@ static const char header[] =
     "stretch_max,stretch_end,drop_max,drop_end,angle_max,angle_end,roughness_max,"
     "roughness_end,penetration_max,intersections_max,intersections_end,intersection_time,"
     "speed_max,speed_end,energy_drift_max,energy_drift_end,blowup_time,end_time,"
-    "gamma_measured,young_over_density_measured,hanging_strain,verdict,labels,outcome\n";
+    "gamma_measured,young_over_density_measured,hanging_strain,truth_error_max,"
+    "truth_error_end,truth_bar_end,verdict,labels,outcome\n";
 
 /* A value that all measures have, and with it every one of them in the table. */
 #define ALL(x)                                                                             \
     x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x  \
-      "," x "," x "," x "," x "," x "," x ","
+      "," x "," x "," x "," x "," x "," x "," x "," x "," x ","
 
 static const struct told {
     struct sweep_row row; /* `value`: of all measures                                  */
@@ -200,8 +201,8 @@ static char *print(const struct plan *plan, const struct pool *pool,
     FILE *memory = open_memstream(&text, &size);
 
     REQUIRE(memory);
-    CHECK(sweep_print(plan, &(struct sweep_folder){.path = "there"}, pool, table, plot,
-                      memory) == STATUS_OK);
+    CHECK(sweep_print(plan, &(struct sweep_folder){.path = "there"}, pool, table, NULL,
+                      plot, memory) == STATUS_OK);
     REQUIRE(fclose(memory) == 0);
     return text;
 }

@@ -154,6 +154,15 @@ static const struct schema_key MAP[] = {
      .read = read_marks, .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
     {NULL}};
 
+static const struct schema_key FALLS[] = {
+    {"measure", "the measure that is to fall", SCHEMA_WORD, .required = true,
+     .word = measure_name, IN(plan, falls.measure)},
+    {"along", "key of an axis, its values from coarse to fine", SCHEMA_TEXT,
+     .required = true, IN(plan, falls.along)},
+    {"by", "measure by which it may grow (not at all)", SCHEMA_WORD, .word = measure_name,
+     IN(plan, falls.by)},
+    {NULL}};
+
 static const struct schema_key PLAN[] = {
     {"name", "key in lists and of the results' folder", SCHEMA_TEXT, .required = true,
      IN(plan, name)},
@@ -186,6 +195,8 @@ static const struct schema_key PLAN[] = {
      SCHEMA_SPECIAL, .read = read_verdicts, IN(plan, learnt),
      .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
              "that has them"},
+    {"falls", "what is to fall along an axis; exit 1 where it grows", SCHEMA_SECTION,
+     .keys = FALLS},
     {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
     PLAN_STUDY_KEYS(offsetof(struct plan, base)),
     {"studies", "each of these levels, times, ... unless it has its own", SCHEMA_SPECIAL,
@@ -227,7 +238,7 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                              struct message *why)
 {
     enum status st = STATUS_OK;
-    const struct yaml_tree *name, *map, *times;
+    const struct yaml_tree *name, *map, *times, *falls;
 
     TRY(schema_read(PLAN, root, "the plan", plan, why));
     name = yaml_tree_find(root, "name");
@@ -239,6 +250,8 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                                 yaml_tree_describe(name).text);
     map = yaml_tree_find(root, "map");
     plan->map.line = map ? map->line : root->line;
+    falls = yaml_tree_find(root, "falls");
+    plan->falls.line = falls ? falls->line : root->line;
     times = yaml_tree_find(root, "times");
     plan->base.times_line = times ? times->line : 0;
     TRY(settle_studies(plan, root, why));
@@ -251,7 +264,8 @@ enum status plan_parse(const char *path, struct plan *plan, struct message *why)
     enum status st = STATUS_OK;
     struct yaml_tree *root = NULL;
 
-    *plan = (struct plan){.look = 10, .time_limit = 600, .base = plan_study_none()};
+    *plan = (struct plan){
+        .look = 10, .time_limit = 600, .falls = {.by = -1}, .base = plan_study_none()};
     if (why)
         why->text[0] = '\0';
     plan->path = strdup(path);
@@ -327,6 +341,7 @@ void plan_clear(struct plan *plan)
     free(plan->axes);
     free(plan->listed);
     free(plan->map.marks);
+    free(plan->falls.along);
     free(plan->map.x);
     free(plan->map.y);
     free(plan->map.panel);

@@ -228,6 +228,15 @@ struct plan_map {
     struct plan_mark *marks; /*                                                  owned */
 };
 
+/* A measure that is to fall along an axis: from one value of the key to any later one, all
+ * other keys equal, it may grow by the measure `by` at most. */
+struct plan_falls {
+    char *along; /* key of an axis; NULL: nothing is to fall                   owned   */
+    int measure; /* enum measure                                                       */
+    int by;      /* likewise; -1: it may not grow at all                               */
+    int line;    /* in the plan                                                        */
+};
+
 enum plan_keep { PLAN_KEEP_NONE, PLAN_KEEP_SNAPSHOTS };
 
 struct plan {
@@ -247,6 +256,7 @@ struct plan {
     struct verdict_rules verdicts;
     struct verdict_rules learnt; /* a second opinion: bounds learnt from the paper's
                                     words; the map hatches what they pass              */
+    struct plan_falls falls;
     struct plan_map map;
     struct plan_study base; /* what its studies have unless they say otherwise         */
     int study_count;        /* 0: it is for sweeps                                     */

@@ -117,6 +117,21 @@ static enum status check_map(const struct plan *plan, struct message *why)
     return STATUS_OK;
 }
 
+/* What is to fall does so along an axis of two values and more. */
+static enum status check_falls(const struct plan *plan, struct message *why)
+{
+    const char *along = plan->falls.along;
+
+    for (int n = 0; along && n < plan->axis_count; n++)
+        if (!strcmp(plan->axes[n].key, along) && plan->axes[n].values.count > 1)
+            return STATUS_OK;
+    return along ? plan_case_refuse(plan, plan->falls.line, why,
+                                    "falls is along %s, but must be along the key of an "
+                                    "axis of two values at least",
+                                    yaml_tree_quote(along).text)
+                 : STATUS_OK;
+}
+
 /* A mark's scene can be read, and it says where on the map it lies. */
 static enum status check_mark(const struct plan *plan, const struct plan_mark *mark,
                               struct message *why)
@@ -295,6 +310,7 @@ static enum status check(struct plan *plan, struct message *why)
     TRY(add_keys(plan));
     TRY(check_twice(plan, why));
     TRY(check_map(plan, why));
+    TRY(check_falls(plan, why));
     if (plan_case_count(plan) > PLAN_MAX_CASES)
         return plan_case_refuse(plan, 1, why,
                                 "the plan has more than %d cases, the most there may be",

@@ -125,11 +125,25 @@ static void reduce_scene(const struct scene *scene, double *value)
     value[MEASURE_HANGING_STRAIN] = weight * scene->length / scene->young;
 }
 
+const char *const looks_truth[LOOKS_TRUTH] = {"truth_error", "truth_bar"};
+
+void looks_reduce_truth(int count, const double *error, const double *bar, double *value)
+{
+    value[MEASURE_TRUTH_ERROR_MAX] = largest(count, error);
+    value[MEASURE_TRUTH_ERROR_END] = value[MEASURE_TRUTH_BAR_END] = NAN;
+    for (int n = 0; n < count; n++)
+        if (!isnan(error[n])) {
+            value[MEASURE_TRUTH_ERROR_END] = error[n];
+            value[MEASURE_TRUTH_BAR_END] = bar[n];
+        }
+}
+
 enum status looks_reduce(const struct looks *l, const struct scene *scene,
                          enum status outcome, double death_time, double *value)
 {
     reduce_series(l, scene, value);
     reduce_scene(scene, value);
+    looks_reduce_truth(0, NULL, NULL, value);
     value[MEASURE_BLOWUP_TIME] = status_is_death(outcome) ? death_time
                                  : outcome == STATUS_OK   ? INFINITY
                                                           : NAN;

@@ -44,8 +44,16 @@ void looks_clear(struct looks *looks); /* all-zero is allowed */
 void looks_add(struct looks *looks, const struct scene *scene, double time,
                const double *xyz, bool intersections);
 
+/* What a sweep stores beside the series, at the looks at which a truth is known: the rms
+ * distance to it and its error bar, both over the length; NaN at other looks. */
+enum { LOOKS_TRUTH_ERROR, LOOKS_TRUTH_BAR, LOOKS_TRUTH };
+extern const char *const looks_truth[LOOKS_TRUTH];
+
+/* The three measures of the truth from these [count] numbers. */
+void looks_reduce_truth(int count, const double *error, const double *bar, double *value);
+
 /* The measures of a run that ended so (STATUS_OK, a death at death_time, or
- * STATUS_UNSUPPORTED) into value[MEASURES]. */
+ * STATUS_UNSUPPORTED) into value[MEASURES]; those of the truth are NaN. */
 enum status looks_reduce(const struct looks *looks, const struct scene *scene,
                          enum status outcome, double death_time, double *value);
 

@@ -7,7 +7,8 @@
 /* Numbers of a run: name, unit, sentence. `Largest` and `end` are of the looks that the run
  * lived to see. A time that did not come is INFINITY; a number that does not exist
  * (penetration without obstacles, the energy of a scheme that has none, anything of a run
- * without looks) is NaN. */
+ * without looks) is NaN. The three of the truth are read from result files in which a sweep
+ * has stored the distances (LOOKS_TRUTH); elsewhere they are NaN. */
 #define MEASURE_LIST(X)                                                                    \
     X(STRETCH_MAX, stretch_max, "1", "largest principal stretch of the mid-surface")       \
     X(STRETCH_END, stretch_end, "1", "the same at the end")                                \
@@ -31,7 +32,11 @@
     X(END_TIME, end_time, "s", "the last look")                                            \
     X(GAMMA, gamma, "1", "weight against bending, rho g h L^3 / D")                        \
     X(YOUNG_OVER_DENSITY, young_over_density, "m^2/s^2", "E / rho")                        \
-    X(HANGING_STRAIN, hanging_strain, "1", "rho g L / E, of a strip that hangs at rest")
+    X(HANGING_STRAIN, hanging_strain, "1", "rho g L / E, of a strip that hangs at rest")   \
+    X(TRUTH_ERROR_MAX, truth_error_max, "1",                                               \
+      "largest rms distance to the scene's known truth, over the length")                  \
+    X(TRUTH_ERROR_END, truth_error_end, "1", "the same at the last time of that truth")    \
+    X(TRUTH_BAR_END, truth_bar_end, "1", "error bar of the truth then, over the length")
 
 enum measure {
 #define MEASURE_CODE(code, name, unit, sentence) MEASURE_##code,

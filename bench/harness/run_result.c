@@ -69,6 +69,29 @@ out:
     return st;
 }
 
+/* The measures of the truth, where the file has distances to one (looks_truth). */
+static enum status read_truth(const struct store_read *file, const char *path, int looks,
+                              double *value, struct message *why)
+{
+    double *number[LOOKS_TRUTH] = {NULL};
+    char name[64];
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < LOOKS_TRUTH; n++) {
+        snprintf(name, sizeof name, "metrics/%s", looks_truth[n]);
+        if (!store_read_has(file, name))
+            goto out;
+        number[n] = calloc((size_t)looks + 1, sizeof *number[n]);
+        TRY(number[n] ? STATUS_OK : STATUS_MEMORY);
+        TRY(read_numbers(file, path, name, looks, 1, number[n], why));
+    }
+    looks_reduce_truth(looks, number[LOOKS_TRUTH_ERROR], number[LOOKS_TRUTH_BAR], value);
+out:
+    for (int n = 0; n < LOOKS_TRUTH; n++)
+        free(number[n]);
+    return st;
+}
+
 /* Summary, over the repeats, of each one's mean over its steps (a death leaves some out) of
  * an array of seconds, if it is there; the first repeat's sum and number of steps. */
 static enum status read_seconds(const struct store_read *file, const char *name,
@@ -244,6 +267,7 @@ enum status run_result_read(const char *path, bool fields, struct run_result *re
     TRY(read_times(file, &r, why));
     TRY(read_work(file, &r.work, why));
     TRY(looks_reduce(&looks, &scene, r.outcome, r.death_time, r.value));
+    TRY(read_truth(file, path, looks.count, r.value, why));
     TRY(read_fields(file, path, fields, &r, why));
     *result = r;
     r = (struct run_result){0};

@@ -7,10 +7,12 @@
 
 #include "bench/harness/pool.h"
 #include "bench/harness/run_file.h"
+#include "bench/sweep/sweep_falls.h"
 #include "bench/sweep/sweep_map.h"
 #include "bench/sweep/sweep_print.h"
 #include "bench/sweep/sweep_row.h"
 #include "bench/sweep/sweep_table.h"
+#include "bench/sweep/sweep_truth.h"
 #include "bench/experiment/plan_read.h"
 
 /* What the processes of a sweep share. */
@@ -29,26 +31,28 @@ static enum status work(void *context, long number, struct message *why)
     const struct sweep *s = context;
     struct plan_case c = {0};
     struct scene scene = {0};
+    struct sweep_truth truth = {{0}};
     char path[SWEEP_FOLDER_PATH], made_for[SWEEP_ROW_MADE_FOR];
     enum status st;
 
     TRY(plan_case_open(s->plan, number, &c, why));
     TRY(plan_case_scene(&c, &scene, why));
+    TRY(sweep_truth_open(&truth, &scene, why));
     const struct run_plan run = plan_case_run(&c);
     sweep_folder_file(&s->folder, number, "h5", path);
     sweep_row_made_for(&s->folder, s->plan, &c, made_for);
-    st = run_file_write(&run,
-                        &(struct run_keep){.file = path,
-                                           .made_for = made_for,
-                                           .every = s->plan->look,
-                                           .times = scene.snapshot_count,
-                                           .time = scene.snapshots,
-                                           .fields = s->plan->keep == PLAN_KEEP_SNAPSHOTS
-                                                         ? RUN_FIELDS_TIMES
-                                                         : RUN_FIELDS_NONE,
-                                           .intersections = s->plan->intersections},
-                        NULL, why);
+    struct run_keep keep = {
+        .file = path,
+        .made_for = made_for,
+        .every = s->plan->look,
+        .times = scene.snapshot_count,
+        .time = scene.snapshots,
+        .fields = s->plan->keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES : RUN_FIELDS_NONE,
+        .intersections = s->plan->intersections};
+    sweep_truth_keep(&truth, &keep);
+    st = run_file_write(&run, &keep, NULL, why);
 out:
+    sweep_truth_close(&truth);
     scene_clear(&scene);
     plan_case_clear(&c);
     return st;
@@ -129,9 +133,10 @@ out:
     return st;
 }
 
-/* Table, seconds and map from the files of the cases. */
+/* Table, seconds, map and what falls from the files of the cases. */
 static enum status collect(const struct sweep *s, struct sweep_table *t,
-                           struct message *plot, struct message *why)
+                           struct sweep_falls *falls, struct message *plot,
+                           struct message *why)
 {
     const struct sweep_folder *folder = &s->folder;
     struct sweep_map *map = NULL;
@@ -148,11 +153,13 @@ static enum status collect(const struct sweep *s, struct sweep_table *t,
         TRY(plan_case_given(s->plan, n, &c));
         const bool learnt = sweep_table_row(t, &c, &row, labels, sizeof labels);
         st = sweep_map_row(map, &c, &row, labels, learnt);
+        sweep_falls_row(falls, n, &row);
         plan_case_clear(&c);
         run_result_clear(&row.result);
         TRY(st);
     }
     TRY(sweep_table_close(t, why));
+    TRY(sweep_falls_judge(falls, folder->path, why));
     TRY(sweep_map_chart(map, &chart, why));
     if (chart)
         st = chart_write(chart, folder->path, "map", plot);
@@ -212,6 +219,7 @@ static enum status lead(struct sweep *s, struct message *why)
     const struct sweep_options *o = &s->options;
     char path[SWEEP_FOLDER_PATH];
     struct sweep_table table = {0};
+    struct sweep_falls *falls = NULL;
     struct message plot = {""};
     enum status st;
 
@@ -219,10 +227,13 @@ static enum status lead(struct sweep *s, struct message *why)
     s->pool.slots = s->pool.ranks ? 1 : o->jobs ? o->jobs : omp_get_num_procs();
     s->pool.quiet = o->quiet;
     TRY(run_all(s, why));
-    TRY(collect(s, &table, &plot, why));
+    TRY(sweep_falls_create(&falls, s->plan));
+    TRY(collect(s, &table, falls, &plot, why));
     if (!o->quiet)
-        TRY(sweep_print(s->plan, &s->folder, &s->pool, &table, plot.text, stdout));
+        TRY(sweep_print(s->plan, &s->folder, &s->pool, &table, falls, plot.text, stdout));
+    TRY(sweep_falls_check(falls, why));
 out:
+    sweep_falls_destroy(falls);
     sweep_folder_close(&s->folder);
     return st;
 }

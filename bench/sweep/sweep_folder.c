@@ -208,8 +208,9 @@ static const char *after_case(const char *name)
 /* Likewise of any other file that a sweep writes. */
 static const char *after_own(const char *name)
 {
-    static const char *const own[] = {"manifest.txt", "log.txt", "table.csv", "seconds.csv",
-                                      "map.gp",       "map.png", "map.svg",   "map.pdf"};
+    static const char *const own[] = {"manifest.txt", "log.txt",   "table.csv",
+                                      "seconds.csv",  "falls.csv", "map.gp",
+                                      "map.png",      "map.svg",   "map.pdf"};
     const char *rest = NULL;
 
     for (size_t n = 0; !rest && n < sizeof own / sizeof *own; n++)

@@ -7,7 +7,7 @@
  *   case_000001.txt    one sentence: why there is none (time limit, signal, no such scene)
  *   log.txt            `start N`, `end N`, `failed N`: a line each, in the order of events
  *   lock               held while a sweep is at work
- *   table.csv, seconds.csv, map.png      made from these in the end
+ *   table.csv, seconds.csv, falls.csv, map.png      made from these in the end
  *
  * Other files in the folder are left alone. A link that stands where one of these is to be
  * written is replaced, what it leads to is left alone, too.

@@ -118,13 +118,17 @@ static void print_cost(const struct pool *p, FILE *file)
 
 enum status sweep_print(const struct plan *plan, const struct sweep_folder *folder,
                         const struct pool *pool, const struct sweep_table *table,
-                        const char *plot, FILE *file)
+                        const struct sweep_falls *falls, const char *plot, FILE *file)
 {
     print_plan(plan, file);
     print_verdicts(plan, table, file);
+    const enum status st = sweep_falls_print(falls, file);
+    if (st != STATUS_OK)
+        return st;
     print_cost(pool, file);
-    fprintf(file, "%s: table.csv, seconds.csv, %sa file a case, %.3g kB on average.\n",
-            folder->path, plan->map.x && !*plot ? "map.png, " : "",
+    fprintf(file, "%s: table.csv, seconds.csv, %s%sa file a case, %.3g kB on average.\n",
+            folder->path, plan->falls.along ? "falls.csv, " : "",
+            plan->map.x && !*plot ? "map.png, " : "",
             file_size(folder, plan_case_count(plan)));
     if (*plot)
         fprintf(file, "%s\n", plot);

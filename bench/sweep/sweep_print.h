@@ -5,12 +5,14 @@
 #include <stdio.h>
 
 #include "bench/harness/pool.h"
+#include "bench/sweep/sweep_falls.h"
 #include "bench/sweep/sweep_table.h"
 
-/* The plan, how many cases have which label and end, what they cost, where they are.
- * `plot`: why there is no picture, or "". STATUS_FILE: the file cannot be written. */
+/* The plan, how many cases have which label and end, what falls (NULL: nothing is to), what
+ * they cost, where they are. `plot`: why there is no picture, or "". STATUS_FILE: the file
+ * cannot be written. */
 enum status sweep_print(const struct plan *plan, const struct sweep_folder *folder,
                         const struct pool *pool, const struct sweep_table *table,
-                        const char *plot, FILE *file);
+                        const struct sweep_falls *falls, const char *plot, FILE *file);
 
 #endif

@@ -114,6 +114,27 @@ static void test_energy(void)
     run_result_clear(&r);
 }
 
+/* Distances to a truth, where both series of it are there; else there are none. */
+static void test_truth(void)
+{
+    static const struct array arrays[] = {
+        {"metrics/truth_error", 5, 0, {NAN, 0.5, NAN, 0.25, NAN}},
+        {"metrics/truth_bar", 5, 0, {NAN, 0.125, NAN, 0.0625, NAN}}};
+    struct run_result r;
+    struct message why;
+
+    for (int count = 0; count <= LENGTH(arrays); count++) {
+        REQUIRE(read_with(count, arrays, NULL, &r, &why) == STATUS_OK);
+        CHECK(isnan(r.value[MEASURE_TRUTH_ERROR_MAX]) == (count < 2));
+        if (count == 2) {
+            CHECK(r.value[MEASURE_TRUTH_ERROR_MAX] == 0.5);
+            CHECK(r.value[MEASURE_TRUTH_ERROR_END] == 0.25);
+            CHECK(r.value[MEASURE_TRUTH_BAR_END] == 0.0625);
+        }
+        run_result_clear(&r);
+    }
+}
+
 /* A file without its scene: nothing to give back, whatever was there before. */
 static void test_no_scene(void)
 {
@@ -141,14 +162,16 @@ static void test_misfits(void)
     static const struct {
         struct array array;
         const char *outcome, *sentence;
-    } want[] = {{{"metrics/drop", 2, 0, {0, 1}}, NULL, "metrics/drop has 2 numbers for 5"},
-                {{"metrics/speed", 5, 2, {0}}, NULL, "metrics/speed has 10 numbers for 5"},
-                {{"energy/kinetic", 1, 0, {0}}, NULL, "energy/kinetic has 1 numbers for 5"},
-                {{"energy/elastic", 0, 0, {0}}, NULL, "has no energy/elastic"},
-                {{"energy/potential", 0, 0, {0}}, NULL, "has no energy/potential"},
-                {{"metrics/none", 0, 0, {0}}, "flew away", "unknown outcome 'flew away'"},
-                {{"xyz_time", 2, 0, {0, 1}}, NULL, "has 0 fields at 2 times"},
-                {{"metrics/none", 0, 0, {0}}, "", "has no text note"}};
+    } want[] = {
+        {{"metrics/drop", 2, 0, {0, 1}}, NULL, "metrics/drop has 2 numbers for 5"},
+        {{"metrics/speed", 5, 2, {0}}, NULL, "metrics/speed has 10 numbers for 5"},
+        {{"metrics/truth_error", 2, 0, {0, 1}}, NULL, "truth_error has 2 numbers for 5"},
+        {{"energy/kinetic", 1, 0, {0}}, NULL, "energy/kinetic has 1 numbers for 5"},
+        {{"energy/elastic", 0, 0, {0}}, NULL, "has no energy/elastic"},
+        {{"energy/potential", 0, 0, {0}}, NULL, "has no energy/potential"},
+        {{"metrics/none", 0, 0, {0}}, "flew away", "unknown outcome 'flew away'"},
+        {{"xyz_time", 2, 0, {0, 1}}, NULL, "has 0 fields at 2 times"},
+        {{"metrics/none", 0, 0, {0}}, "", "has no text note"}};
     struct run_result r;
     struct message why;
 
@@ -287,6 +310,7 @@ int main(void)
     test_seconds();
     test_work();
     test_energy();
+    test_truth();
     test_no_scene();
     test_misfits();
     test_sentences();

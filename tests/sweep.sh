@@ -124,6 +124,47 @@ grep -q '^1,fine,.*,,,,.*,not judged,not judged: penetration,done$' blind/table.
 grep -q '^2,dies,.*,infeasible,chaotic; not judged: penetration,' blind/table.csv ||
     fail "blind: $(<blind/table.csv)"
 
+# --- distances to the truth, and what is to fall ------------------------------------------
+cat >falls.yaml <<'PLAN'
+name: falls
+source: a test
+scene: strip_swing
+settings: {time.end: 0.25}
+axes:
+  - {key: model, values: [mass_spring_leapfrog, triangles]}
+  - {key: discretization.points, values: [[6, 6], [11, 11]]}
+look: 20
+falls: {measure: truth_error_end, along: discretization.points, by: truth_bar_end}
+PLAN
+run falls.yaml --out falls
+{ [ "$code" -eq 0 ] && [ ! -s err ]; } || fail "an error that falls: exit $code: $(<err)"
+grep -q 'It grows in none of 2 rows' out || fail "an error that falls: $(<out)"
+# of the looks at 0.1, 0.2 and 0.25 s the truth has the first two; the bar is that at 0.2 s
+bar=$("$program" truth strip_swing --stored --format csv | awk -F, '/^#/ { next }
+    !names { for (i = 1; i <= NF; i++) column[$i] = i; names = 1; next }
+    $1 - 0.2 < 1e-9 && 0.2 - $1 < 1e-9 { print $column["error_bar_over_length"] }')
+awk -F, -v bar="$bar" 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
+    NR > 1 { off = $column["by"] / bar - 1; fine = $column["at_2"]
+             if (off > 1e-6 || off < -1e-6 || fine <= 0 || fine > 0.05) exit 1 }' \
+    falls/falls.csv || fail "the bar of strip_swing is $bar: $(<falls/falls.csv)"
+# the other way round it grows, in words and by the exit code, also where nothing is left to run
+sed 's/\[\[6, 6\], \[11, 11\]\]/[[11, 11], [6, 6]]/' falls.yaml >grows.yaml
+for more in '' --resume; do
+    run grows.yaml --out grows ${more:+"$more"}
+    ends 1 'truth_error_end grows along discretization.points in 2 of 2 rows'
+    grep -q 'mass_spring_leapfrog .* \[6,6\]$' out || fail "an error that grows: $(<out)"
+done
+run grows.yaml --out quiet --quiet
+{ [ "$code" -eq 1 ] && [ ! -s out ] && [ -s quiet/falls.csv ]; } || fail "--quiet: exit $code"
+# other physics, and velocities that are scaled each step, have no truth
+for other in 'material.young: 2e5' 'damping: {kind: velocity_scale, value: 0.5}'; do
+    sed "s/{time.end/{$other, time.end/" falls.yaml >other.yaml
+    run other.yaml --out "other_${other%%[:.]*}"
+    [ "$code" -eq 0 ] || fail "$other: exit $code: $(<err)"
+    grep -q 'triangles  *no value  *no value' out || fail "$other: $(<out)"
+    grep -q 'none of 0 rows' out || fail "$other is judged: $(<out)"
+done
+
 # --- names are words ----------------------------------------------------------------------
 # whatever a case is called, it is text on the map and one cell of the table
 cat >names.yaml <<'PLAN'

@@ -654,6 +654,40 @@ def timestep_words():
             "timestep_off": f"{100 * off:.3f} %"}
 
 
+# --- sweeps ----------------------------------------------------------------------------------
+
+
+def falls(name):
+    """A row a contestant, a column a scene: errors in per cent from coarse to fine; in bold those
+    that are above a coarser net's by more than the truth's bar."""
+    rows = result(name)[-1][1]
+    nets = [key for key in rows[0] if re.fullmatch(r"at_\d+", key)]
+    scenes = list(dict.fromkeys(r["name"] for r in rows))
+
+    def cell(r):
+        shown, least = [], math.inf
+        for key in nets:
+            error = number(r[key])
+            text = "-" if math.isnan(error) else digits(100 * error, 2)
+            shown.append(f"**{text}**" if error > least + number(r["by"]) else text)
+            least = min(least, math.inf if math.isnan(error) else error)
+        return " ".join(shown)
+
+    bars = [max(number(r["by"]) for r in rows if r["name"] == scene) for scene in scenes]
+    return markdown([""] + [f"`{scene}`" for scene in scenes],
+                    [["the truth's bar"] + [digits(100 * bar, 2) for bar in bars]] +
+                    [[f"`{model}`"] + [cell(row(rows, name=scene, model=model)) for scene in scenes]
+                     for model in dict.fromkeys(r["model"] for r in rows)])
+
+
+def refinement():
+    return falls("refinement")
+
+
+def refinement_nets():
+    return falls("refinement_nets")
+
+
 # --- which is which --------------------------------------------------------------------------
 
 BLOCKS = {"table1": table1, "table23": table23, "table4": table4, "verify": verify,
@@ -662,7 +696,7 @@ BLOCKS = {"table1": table1, "table23": table23, "table4": table4, "verify": veri
           "known": known, "ensembles": ensembles, "truths": truths, "stress": stress,
           "stress_map": stress_map,
           "mesh": mesh, "cures": cures, "peers": peers, "peers_drop": peers_drop,
-          "peers_said": peers_said}
+          "peers_said": peers_said, "refinement": refinement, "refinement_nets": refinement_nets}
 WORDS = {
     paper_words: ["paper_rmse", "paper_iga_s", "paper_fem_s", "paper_ratio"],
     table23_words: ["growth_paper", "growth_paper_3", "growth", "growth_assembly",

@@ -90,10 +90,10 @@ static const struct wrong BAD[] = {
      "map: {x: damping.value, y: gamma, marks: [{text: a, label: b, at: {damping.value: "
      "1, material.colour: 1}}]}",
      "has no key 'colour'"},
-    {16, "falls: {along: gamma}", "falls lacks the key 'measure', one of"},
+    {16, "falls: {along: gamma}", "falls lacks the key 'measure', the name of"},
     {16, "falls: {measure: drop_max}", "falls lacks the key 'along', a line of text"},
-    {16, "falls: {measure: size, along: gamma}", "measure is 'size', but must be one of"},
-    {16, "falls: {measure: drop_max, along: gamma, by: 3}", "by is '3', but must be one"},
+    {16, "falls: {measure: size, along: gamma}", "measure is 'size', but must be the"},
+    {16, "falls: {measure: drop_max, along: gamma, by: 3}", "by is '3', but must be the"},
     {16, "falls: {measure: drop_max, along: drop_end}",
      "falls is along 'drop_end', but must be along the key of an axis of two values"},
     {16, "falls: {measure: drop_max, along: gamma, bye: x}", "no key 'bye'; did you mean"},

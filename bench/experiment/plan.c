@@ -118,7 +118,28 @@ static enum status read_verdicts(const struct schema_key *key, const struct yaml
     return yaml_tree_refuse(node, why, "%s: %s", key->key, reason.text);
 }
 
+static enum status read_measure(const struct schema_key *key, const struct yaml_tree *node,
+                                void *target, struct message *why)
+{
+    int *measure = (void *)((char *)target + key->offset);
+
+    for (int n = 0; n < MEASURES && node->kind == YAML_TREE_SCALAR; n++)
+        if (!strcmp(node->text, measure_name(n))) {
+            *measure = n;
+            return STATUS_OK;
+        }
+    return schema_refuse(key, node, why);
+}
+
 /* clang-format off */
+#define ONE_MEASURE SCHEMA_SPECIAL, .read = read_measure, .want = "the name of a measure"
+static const struct schema_key FALLS[] = {
+    {"measure", "what is to fall", ONE_MEASURE, .required = true, IN(plan, falls.measure)},
+    {"along", "key of an axis, its values from coarse to fine", SCHEMA_TEXT,
+     .required = true, IN(plan, falls.along)},
+    {"by", "by which it may grow (not at all)", ONE_MEASURE, IN(plan, falls.by)},
+    {NULL}};
+
 static const struct schema_key MARK[] = {
     {"text", "on the point", SCHEMA_TEXT, .required = true, IN(plan_mark, text)},
     {"label", "in the legend", SCHEMA_TEXT, .required = true, IN(plan_mark, label)},
@@ -152,15 +173,6 @@ static const struct schema_key MAP[] = {
     {"panel", "key of a panel each, or name (of cases)", SCHEMA_TEXT, IN(plan, map.panel)},
     {"marks", "points that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_LISTED,
      .read = read_marks, .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
-    {NULL}};
-
-static const struct schema_key FALLS[] = {
-    {"measure", "the measure that is to fall", SCHEMA_WORD, .required = true,
-     .word = measure_name, IN(plan, falls.measure)},
-    {"along", "key of an axis, its values from coarse to fine", SCHEMA_TEXT,
-     .required = true, IN(plan, falls.along)},
-    {"by", "measure by which it may grow (not at all)", SCHEMA_WORD, .word = measure_name,
-     IN(plan, falls.by)},
     {NULL}};
 
 static const struct schema_key PLAN[] = {

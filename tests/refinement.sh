@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Where the error of a contestant grows with refinement: the plans refinement and
+# refinement_nets, run anew, have the rows that grow where doc/results says so, and no others.
+# A case that is cut off by its time limit on a slow machine is not judged.
+#   refinement.sh PROGRAM FOLDER
+program=$1
+folder=$2
+# shellcheck source=tests/sweep_fixture.sh
+. "$(dirname "$0")/sweep_fixture.sh"
+results=$(cd "$(dirname "$0")/../doc/results" && pwd)
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
+
+grows() { # FILE...: scene, contestant and where it grows, of the rows that do
+    sed -E '/^#/d; s/^([^,]*,[^,]*),.*,("[^"]*"|)$/\1 \2/; / $/d; 1d' "$1"
+}
+
+for plan in refinement refinement_nets; do
+    sweep "$plan" --out "$plan" --quiet 2>err
+    code=$?
+    [ "$code" -le 1 ] || fail "$plan: exit $code: $(<err)"
+    grows "$plan/falls.csv" >is
+    grows "$results/$plan.csv" >want
+    if grep -q 'timed out' "$plan/table.csv"; then
+        grep -vxFf want is >added && fail "$plan grows where doc/results has it falling: $(<added)"
+    else
+        diff want is || fail "$plan grows elsewhere than doc/results says"
+    fi
+done
+[ "$failures" -eq 0 ]

@@ -13,7 +13,7 @@ mkdir -p "$folder"
 cd "$folder" || exit 1
 
 grows() { # FILE...: scene, contestant and where it grows, of the rows that do
-    sed -E '/^#/d; s/^([^,]*,[^,]*),.*,("[^"]*"|)$/\1 \2/; / $/d; 1d' "$1"
+    sed -E '/^#/d; /^name,/d; s/^([^,]*,[^,]*),.*,("[^"]*"|)$/\1 \2/; / $/d' "$1"
 }
 
 for plan in refinement refinement_nets; do

@@ -385,7 +385,7 @@ static void test_file(struct table4_data *d)
     REQUIRE(file && fgets(line, sizeof line, file));
     CHECK(
         !strncmp(line, "physics,scene,row,young,density,mu,stretch_max,stretch_end,", 59));
-    CHECK(strstr(line, ",hanging_strain,outcome,feasible,labels,paper_feasible,"));
+    CHECK(strstr(line, ",truth_bar_end,outcome,feasible,labels,paper_feasible,"));
     snprintf(begin, sizeof begin, "printed,flag,2,10000,%.17g,%.17g,1.25,%.17g,", 0.1, 0.3,
              *value(d, TABLE4_PRINTED, FLAG, 1, MEASURE_STRETCH_END));
     while (fgets(line, sizeof line, file)) {

@@ -100,7 +100,7 @@ static enum status print_version(void)
 
     provenance_collect(&p);
     for (int n = 0; n < p.count; n++)
-        printf("%-16s%s\n", p.entry[n].key, p.entry[n].value);
+        table_print_item(p.entry[n].key, 16, p.entry[n].value, stdout);
     return STATUS_OK;
 }
 

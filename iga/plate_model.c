@@ -344,6 +344,7 @@ static void adapt(const struct scene *scene, struct discretization *d,
 {
     const bool paper = kinematics_rebuilds(d->kinematics);
 
+    (void)scene;
     for (int i = 0; i < 3; i++)
         if (!d->degree[i])
             d->degree[i] = bspline_open_degree(d, i, i < 2 ? 3 - paper : 2 - paper);
@@ -353,7 +354,7 @@ static void adapt(const struct scene *scene, struct discretization *d,
     if (d->remedy != REMEDY_AUTO)
         return;
     d->remedy = REMEDY_SELECTIVE;
-    if (paper || check_remedy(d, reason) != STATUS_OK || model_folds(scene, d, reason))
+    if (paper || check_remedy(d, reason) != STATUS_OK)
         d->remedy = REMEDY_NONE;
 }
 

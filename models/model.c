@@ -1,6 +1,5 @@
 #include "models/model.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,31 +55,6 @@ enum status model_refuse_net(const struct scene *scene, unsigned serves,
     const enum status st =
         refuse(missing, missing & thickness ? " that leave out the mid-surface" : "", why);
     return st == STATUS_OK ? refuse_depth(scene, why) : st;
-}
-
-bool model_folds(const struct scene *scene, const struct discretization *d,
-                 struct message *reason)
-{
-    const double side[2] = {scene->length, scene->width}, L = scene->length;
-    const double gamma = scene_gamma(scene), most = L * cbrt(MODEL_FOLDS / gamma);
-    double longest = 0;
-    int enough[2], fewest = INT_MAX;
-
-    for (int i = 0; i < 2; i++) {
-        const int spans = d->points[i] - d->degree[i];
-        longest = fmax(longest, side[i] / spans);
-        fewest = spans < fewest ? spans : fewest;
-        enough[i] = (int)fmin(ceil(side[i] / most), 1e6) + d->degree[i];
-    }
-    if (fewest < MODEL_FEW_SPANS || !(longest > most))
-        return false;
-    status_fail(
-        reason, STATUS_OK,
-        "the sheet folds within a span of this net (Gamma of a span is %.3g), where "
-        "a cured net stretches freely and this one is too stiff; from [%d,%d] "
-        "points on the net is fine enough to be cured",
-        gamma * pow(longest / L, 3), enough[0], enough[1]);
-    return true;
 }
 
 void model_open(const struct model *model, struct discretization *d)

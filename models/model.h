@@ -58,17 +58,6 @@ enum status model_refuse_net(const struct scene *scene, unsigned serves,
 
 struct model;
 
-/* Whether the weight of a spline net's longest span folds the sheet within that span: rho
- * |g| h l^3 / D, Gamma of a span of length l, is above MODEL_FOLDS; then with a sentence. A
- * cured net asks for strain at few points, and where it folds it stretches between them.
- * Measured: cured nets are nearer to the truth up to 5.4 (napkin_hung),
- * uncured ones from 80 on (a flag of Gamma 3e4, 10x10). */
-#define MODEL_FOLDS 10.
-#define MODEL_FEW_SPANS                                                                    \
-    4 /* a side: what has fewer cannot zigzag, and uncured hardly bends */
-bool model_folds(const struct scene *scene, const struct discretization *d,
-                 struct message *reason);
-
 /* Points, degrees and the remedy hang on each other: *d as the model has
  * it by default, these left open; and, once settings were read into it, what they still
  * leave open: the defaults, or what serves the rest, with a sentence (else empty) in *told.

@@ -59,6 +59,23 @@ static const char *bending(double gamma)
                : "as of cloth";
 }
 
+/* Each in lines of a table's width. */
+static void describe_warnings(const struct run *run, FILE *file)
+{
+    char *text = NULL, *rest;
+    size_t size;
+    FILE *lines = open_memstream(&text, &size);
+
+    if (!lines)
+        return;
+    warnings_print(run, "", lines);
+    if (fclose(lines) == 0)
+        for (char *line = strtok_r(text, "\n", &rest); line;
+             line = strtok_r(NULL, "\n", &rest))
+            table_print_item("warning:", sizeof "warning:", line, file);
+    free(text);
+}
+
 void describe_setup(const struct run *run, FILE *file)
 {
     const struct model *model = run->model;
@@ -79,11 +96,11 @@ void describe_setup(const struct run *run, FILE *file)
         size.unknowns, size.nodes, size.unknown_basis ? size.unknown_basis : "-",
         size.solver ? size.solver : "none", size.factor_entries);
     if (*run->adapted.text)
-        fprintf(file, "note            %s\n", run->adapted.text);
+        table_print_item("note", 16, run->adapted.text, file);
     if (*note.text)
-        fprintf(file, "note            %s\n", note.text);
+        table_print_item("note", 16, note.text, file);
     fprintf(file, "set-up          %.3f ms\n", 1e3 * run->create_seconds);
-    warnings_print(run, "warning: ", file);
+    describe_warnings(run, file);
 }
 
 void describe_motion(const struct motion *m, FILE *file)

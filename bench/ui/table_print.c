@@ -84,8 +84,8 @@ void table_print_item(const char *name, int column, const char *text, FILE *file
 {
     const int blanks = column - table_width(name);
 
-    fprintf(file, "%s%*s", name, blanks > 2 ? blanks : 2, "");
-    print_words(text, blanks > 2 ? column : column - blanks + 2, LINE_WIDTH, file);
+    fprintf(file, "%s%*s", name, blanks > 0 ? blanks : 2, "");
+    print_words(text, blanks > 0 ? column : column - blanks + 2, LINE_WIDTH, file);
     fputc('\n', file);
 }
 

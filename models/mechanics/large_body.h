@@ -108,7 +108,7 @@ struct large_motion {
     double *room;        /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */
     double factored;     /* mass factor of the tangent that is factored; -1: none       */
     double added;        /* to the factored tangent, of mass; 0: none         [1/s^2]   */
-    bool stressless;     /* this equation's tangents leave out the stress               */
+    bool stressless;     /* the present tangent leaves out the stress                   */
     bool worn;           /* the last equation could not do with one factored tangent    */
     bool started;        /* strain_old belongs to x                                     */
     bool rested;         /* x is an equilibrium (large_rest.h)                          */

@@ -95,8 +95,7 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
     enum status st = STATUS_OK;
 
     m->factored = -1;
-    if (m->rings) /* one tangent that was not positive definite says little of the next */
-        m->stressless = foresight.none;
+    m->stressless = foresight.none; /* one that was indefinite says little of the next */
     for (int attempt = 0; attempt < 2; attempt++) {
         foresight.none = m->stressless;
         TRY(large_body_tangent(&m->body, &q->path, x, foresight, m->K));

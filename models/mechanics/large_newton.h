@@ -15,7 +15,8 @@
  * costs more in first steps astray than in assemblies (edge_drop, undamped, 5 ms, of
  * the time of keeping it always: shell 10x10, p = 2, .74; IGA selective p = 3, 16x16, .79).
  * In time, a tangent that is not positive definite (a sheet about to buckle) is replaced by
- * one without stress, for the rest of that equation.
+ * one without stress; the next is tried with its stress again. (napkin_hung, solid, 13x13,
+ * to 0.4 s: 1101 assemblies, and 2040 where the rest of an equation goes without.)
  */
 #ifndef LARGE_NEWTON_H
 #define LARGE_NEWTON_H

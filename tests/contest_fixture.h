@@ -43,7 +43,7 @@ static inline void unmake(struct contest *c)
     scene_clear(&world.scene);
 }
 
-enum { PROBE = 1, EARLY = 2, DIES = 4, REFUSES = 8 };
+enum { PROBE = 1, EARLY = 2, DIES = 4, REFUSES = 8, LATE = 16 };
 
 /* A run: how refined, seconds, error at its worst time (the later one, unless EARLY). */
 struct run_of {
@@ -67,9 +67,10 @@ static inline void add(struct contest *c, const char *who, const struct run_of *
     row->error[early] = run->worst / 2, row->error[!early] = row->worst = run->worst;
     if (run->how & DIES)
         row->error[0] = 0.3;
-    if (run->how & REFUSES)
+    row->absent = run->how & LATE;
+    if (run->how & (REFUSES | LATE))
         row->error[0] = NAN;
-    if (run->how & (DIES | REFUSES))
+    if (run->how & (DIES | REFUSES | LATE))
         row->error[1] = row->worst = NAN;
     row->result.outcome = run->how & REFUSES ? STATUS_INPUT
                           : run->how & DIES  ? STATUS_ESCAPED

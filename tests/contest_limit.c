@@ -104,6 +104,10 @@ static const struct limit_case {
     /* none lived */
     {CONTEST_DIED, "every run died", {{10, 1, 0, 1, 0, DIES}, {20, 1, 0, 1, 0, DIES}}},
     {CONTEST_DIED, "every run died", {{10, 1, 0, 1, 0, REFUSES}, {20, 1, 0, 1, 0, DIES}}},
+    {CONTEST_DIED, "every run died", {{10, 1, 0, 1, 0, DIES}, {20, 1, 0, 1, 0, LATE}}},
+    {CONTEST_SKIPPED,
+     "skipped: the budget ended before its first run",
+     {{10, 1, 0, 1, 0, LATE}, {20, 1, 0, 1, 0, LATE}}},
     {CONTEST_REFUSED, "not applicable", {{10, 1, 0, 1, 0, REFUSES}}},
     /* one that lives is enough */
     {CONTEST_BY_UNKNOWN,

@@ -122,8 +122,8 @@ static void leave_blunt_times(struct compare_job *j)
 /* So long the coarsest run of each contestant is tried under any budget [s]. */
 static const double LEAST_BUDGET = 10;
 
-/* What runs for a truth are to reach, and take at most: the least target, or of a quick
- * call and of one with a budget less. */
+/* Returns what runs for a truth are to reach, the least target, and how long they may take;
+ * a quick call and one with a budget ask for less. */
 static struct truth_wish wish_of(const struct contest *c)
 {
     const double seconds = c->quick ? 30 : 240;

@@ -110,10 +110,8 @@ const char *truth_bar_name(const struct truth *t)
     return t->alone ? "one model's own bar" : "truth's error bar";
 }
 
-/* From where on a truth of runs is none, and why: what it leaves open, or that its own
- * field cannot be right. */
-static enum status doubt(const struct scene *scene, const struct truth_made *made,
-                         struct truth *t)
+enum status truth_doubt(const struct scene *scene, const struct truth_made *made,
+                        struct truth *t)
 {
     const double percent = 100 / scene->length;
     struct message said;
@@ -164,7 +162,7 @@ static enum status from_sharp(const struct truth_runs *runs, const struct scene 
         t->error[n] = made.value[n][TRUTH_ERROR];
     }
     snprintf(t->source, sizeof t->source, "%s", made.note);
-    TRY(doubt(scene, &made, t));
+    TRY(truth_doubt(scene, &made, t));
 out:
     truth_made_clear(&made);
     return st;

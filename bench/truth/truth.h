@@ -64,6 +64,12 @@ enum status truth_stored_times(const char *path, const struct settings *settings
                                double until, int most, double *time, int *count,
                                struct message *why);
 
+/* Fills in `alone` and `unresolved` of a truth whose runs, fields and bars are made: from
+ * where on it is none, and why, be it what its bars leave open or that its own fields can't
+ * be right. STATUS_MEMORY. */
+enum status truth_doubt(const struct scene *scene, const struct truth_made *made,
+                        struct truth *t);
+
 /* "truth's error bar", or "one model's own bar". */
 const char *truth_bar_name(const struct truth *t);
 

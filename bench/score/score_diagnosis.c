@@ -330,9 +330,9 @@ static void say_support(const struct score *s, const struct score_support *off,
                     : "; are its vertices fixed, or moved by its path?");
 }
 
-/* Fits the flaws twice where what is held is off by the same at all times, to the frames as
- * they are and to the frames put back, as what falls free may begin off since it is ahead;
- * the fit that leaves less is taken. */
+/* Fits the flaws to the frames as they are, or put back where what is held is off by the
+ * same at all times. A sheet that nothing holds may begin off because its frames are ahead:
+ * there the fit that leaves less is taken. */
 static enum status fit_either(const struct score *s, struct score_support *off,
                               struct score_fit *fit)
 {

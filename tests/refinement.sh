@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Where the error of a contestant grows with refinement: the plans refinement and
-# refinement_nets, run anew, have the rows that grow where doc/results says so, and no others.
+# Where the error of a contestant grows with refinement: the plans refinement, refinement_nets
+# and remedies, run anew, have the rows that grow where doc/results says so, and no others.
 # A case that is cut off by its time limit on a slow machine is not judged.
 #   refinement.sh PROGRAM FOLDER
 program=$1
@@ -12,11 +12,11 @@ rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder" || exit 1
 
-grows() { # FILE...: scene, contestant and where it grows, of the rows that do
-    sed -E '/^#/d; /^name,/d; s/^([^,]*,[^,]*),.*,("[^"]*"|)$/\1 \2/; / $/d' "$1"
+grows() { # FILE: scene, contestant, remedy if any, and where it grows, of the rows that do
+    sed -E '/^#/d; /^name,/d; s/^(([a-z_0-9]*,)*[a-z_0-9]*),.*,("[^"]*"|)$/\1 \2/; / $/d' "$1"
 }
 
-for plan in refinement refinement_nets; do
+for plan in refinement refinement_nets remedies; do
     sweep "$plan" --out "$plan" --quiet 2>err
     code=$?
     [ "$code" -le 1 ] || fail "$plan: exit $code: $(<err)"

@@ -14,15 +14,28 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Where supports of some width begin and end inside the sheet, ascending, after 0 and
- * before 1: end[0 .. count + 1] of room 2 support_count + 2. Returns their count. */
+bool support_knots_clamps_line(const struct scene_support *s, int i)
+{
+    return s->hi[i] - s->lo[i] <= APART && s->hi[1 - i] - s->lo[1 - i] > APART &&
+           s->lo[i] > APART && s->hi[i] < 1 - APART && s->fix == FIX_XYZ &&
+           s->lo[2] < s->hi[2];
+}
+
+static bool has_ends(const struct scene_support *s, int i)
+{
+    return s->hi[i] - s->lo[i] > APART || support_knots_clamps_line(s, i);
+}
+
+/* Where supports of some width begin and end inside the sheet, and lines that are clamped
+ * there, ascending, after 0 and before 1: end[0 .. count + 1] of room 2 support_count + 2.
+ * Returns their count. */
 static int find_ends(const struct scene *scene, int i, double *end)
 {
     int all = 0, count = 0;
 
     for (int n = 0; n < scene->support_count; n++) {
         const double lo = scene->supports[n].lo[i], hi = scene->supports[n].hi[i];
-        if (hi - lo > APART)
+        if (has_ends(&scene->supports[n], i))
             end[++all] = lo, end[++all] = hi;
     }
     qsort(end + 1, (size_t)all, sizeof *end, ascending);
@@ -120,13 +133,12 @@ int support_knots_repeats(const struct scene *scene, int i, int degree,
     return count * full(degree, border);
 }
 
-/* Widens [*lo, *hi] to the abscissae of the first and the last function on it. */
+/* Widens [*lo, *hi] to the abscissae of the first and the last function that does not vanish
+ * on it. */
 static void widen(const struct bspline *b, double *lo, double *hi)
 {
     int first = 0, last = b->n - 1;
 
-    if (*hi - *lo <= APART)
-        return;
     while (first < last && b->U[first + b->p + 1] - *lo <= APART)
         first++;
     while (last > first && *hi - b->U[last] <= APART)
@@ -147,6 +159,7 @@ enum status support_knots_hold(const struct scene *scene, const struct bspline b
         memcpy(*held, scene->supports, bytes);
     for (int n = 0; n < scene->support_count; n++)
         for (int i = 0; i < 2; i++)
-            widen(&basis[i], &(*held)[n].lo[i], &(*held)[n].hi[i]);
+            if (has_ends(&scene->supports[n], i))
+                widen(&basis[i], &(*held)[n].lo[i], &(*held)[n].hi[i]);
     return STATUS_OK;
 }

@@ -8,12 +8,22 @@
  * held, and its curvature is free. A solid has p and is C^0: place and director are held,
  * but the director's slope, which is the curvature, is free. (C^1 solids were 10 % too
  * stiff in the frequency of a strip's wings on 22 points and 4 % on 43: first order again.)
+ *
+ * A line inside the sheet that is clamped is an area without width: it has knots and holds
+ * functions likewise. (Where it held the control points that lie on it, a shell turned about
+ * it, and solids were 4 % too soft in frequency on 43 points: first order, too.)
  */
 #ifndef SUPPORT_KNOTS_H
 #define SUPPORT_KNOTS_H
 
+#include <stdbool.h>
+
 #include "iga/bspline.h"
 #include "models/scene.h"
+
+/* Whether a support clamps a line inside the sheet across direction i: not a point, not a
+ * hinge, not an edge. */
+bool support_knots_clamps_line(const struct scene_support *s, int i);
 
 /* How smooth a sheet is at an end: C^0 or C^1. */
 enum support_knots_border { SUPPORT_KNOTS_SOLID, SUPPORT_KNOTS_SHELL };
@@ -30,7 +40,8 @@ int support_knots_repeats(const struct scene *scene, int i, int degree,
                           enum support_knots_border border);
 
 /* Into *held, owned, the scene's supports (paths are borrowed) with areas as wide as the
- * Greville abscissae of all functions that do not vanish on them. Edges and points stay. */
+ * Greville abscissae of all functions that do not vanish on them, and lines that are
+ * clamped inside the sheet likewise. Edges, hinges and points stay. */
 enum status support_knots_hold(const struct scene *scene, const struct bspline basis[2],
                                struct scene_support **held);
 

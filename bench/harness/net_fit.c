@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "iga/support_knots.h"
+
 /* Round-off of a line's place, in sides. */
 static const double ROUNDING = 1e-9;
 
@@ -15,7 +17,10 @@ static bool fits(const struct scene *scene, int along, int spans, int degree)
 {
     for (int n = 0; n < scene->support_count; n++) {
         const double lo = scene->supports[n].lo[along], hi = scene->supports[n].hi[along];
-        if ((degree == 1 || lo == hi) && (!on_line(lo, spans) || !on_line(hi, spans)))
+        const bool own_knots =
+            degree > 1 &&
+            (lo < hi || support_knots_clamps_line(&scene->supports[n], along));
+        if (!own_knots && (!on_line(lo, spans) || !on_line(hi, spans)))
             return false;
     }
     return true;

@@ -11,8 +11,8 @@
 
 /* The least number of points along u (0) or v (1), so many > degree or more, up to twice
  * the spans, with a line at each end of each support; 0: there is none. Splines of degree 2
- * and more have knots at the ends of areas by themselves (support_knots.h): theirs fit if
- * they have a line at each line or point that is held. */
+ * and more have knots at the ends of areas and at clamped lines by themselves
+ * (support_knots.h): theirs fit if they have a line at each hinge or point that is held. */
 int net_fit_points(const struct scene *scene, int along, int points, int degree);
 
 #endif

@@ -358,6 +358,14 @@ static void adapt(const struct scene *scene, struct discretization *d,
         d->remedy = REMEDY_NONE;
 }
 
+/* Knots that repeat at supports make no spans: the default ones stay as many. */
+static int extra_points(const struct scene *scene, const struct discretization *d, int i)
+{
+    return i > 1 || kinematics_rebuilds(d->kinematics)
+               ? 0
+               : support_knots_repeats(scene, i, d->degree[i], SUPPORT_KNOTS_SOLID);
+}
+
 static enum status create(const struct scene *scene, const struct discretization *d,
                           void **state, struct message *why)
 {
@@ -420,6 +428,7 @@ const struct model plate_model = {
     .serves = SOLID_MODEL_SERVES,
     .defaults = defaults,
     .adapt = adapt,
+    .extra_points = extra_points,
     .create = create,
     .advance = solid_model_advance,
     .sample = sample,

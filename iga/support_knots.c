@@ -133,8 +133,8 @@ int support_knots_repeats(const struct scene *scene, int i, int degree,
     return count * full(degree, border);
 }
 
-/* Widens [*lo, *hi] to the abscissae of the first and the last function that does not vanish
- * on it. */
+/* Widens [*lo, *hi] to the abscissae of the first and the last function that does not
+ * vanish on it. */
 static void widen(const struct bspline *b, double *lo, double *hi)
 {
     int first = 0, last = b->n - 1;

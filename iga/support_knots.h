@@ -10,8 +10,8 @@
  * stiff in the frequency of a strip's wings on 22 points and 4 % on 43: first order again.)
  *
  * A line inside the sheet that is clamped is an area without width: it has knots and holds
- * functions likewise. (Where it held the control points that lie on it, a shell turned about
- * it, and solids were 4 % too soft in frequency on 43 points: first order, too.)
+ * functions likewise. (Where it held the control points that lie on it, a shell turned
+ * about it, and solids were 4 % too soft in frequency on 43 points: first order, too.)
  */
 #ifndef SUPPORT_KNOTS_H
 #define SUPPORT_KNOTS_H

@@ -106,9 +106,25 @@ static int at_least(int points, int degree)
     return points > 1 && points <= degree ? degree + 1 : points;
 }
 
+/* Adds the points that the scene needs to the default ones of directions left open. */
+static bool add_points(const struct model *model, const struct scene *scene,
+                       const bool open[3], struct discretization *d)
+{
+    bool added = false;
+
+    for (int i = 0; model->extra_points && i < 3; i++) {
+        const int more =
+            open[i] && !d->knot_count[i] ? model->extra_points(scene, d, i) : 0;
+        d->points[i] += more;
+        added |= more > 0;
+    }
+    return added;
+}
+
 void model_complete(const struct model *model, const struct scene *scene,
                     struct discretization *d, struct message *told)
 {
+    const bool open[3] = {!d->points[0], !d->points[1], !d->points[2]};
     struct discretization usual, all = *d;
 
     model->defaults(&usual);
@@ -122,5 +138,7 @@ void model_complete(const struct model *model, const struct scene *scene,
     if (memcmp(d->points, all.points, sizeof d->points))
         status_fail(told, STATUS_OK, "the degree needs as many");
     fill(&usual, d);
+    if (add_points(model, scene, open, d) && d->remedy == all.remedy)
+        status_fail(told, STATUS_OK, "knots repeat at the ends of supports");
     tell(&all, d, told);
 }

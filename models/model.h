@@ -81,6 +81,10 @@ struct model {
     void (*adapt)(const struct scene *scene, struct discretization *d,
                   struct message *reason);
 
+    /* optional: how many points direction i needs on this scene besides the default ones,
+     * at the degree of *d. */
+    int (*extra_points)(const struct scene *scene, const struct discretization *d, int i);
+
     /* Builds everything that does not depend on time. STATUS_UNSUPPORTED with a sentence
      * ("no contact") if the scene has physics the model leaves out; STATUS_INPUT if the
      * discretization is impossible. Scene and discretization are borrowed until destroy.

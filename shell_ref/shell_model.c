@@ -121,6 +121,12 @@ static void adapt(const struct scene *scene, struct discretization *d,
         d->remedy = REMEDY_NONE;
 }
 
+/* Knots that repeat at supports make no spans: the default ones stay as many. */
+static int extra_points(const struct scene *scene, const struct discretization *d, int i)
+{
+    return i > 1 ? 0 : support_knots_repeats(scene, i, d->degree[i], SUPPORT_KNOTS_SHELL);
+}
+
 static enum status refuse(const struct scene *scene, const struct discretization *d,
                           struct message *why)
 {
@@ -405,6 +411,7 @@ const struct model shell_model = {
               SCENE_NEED_INITIAL_MOTION,
     .defaults = defaults,
     .adapt = adapt,
+    .extra_points = extra_points,
     .create = create,
     .advance = advance,
     .sample = sample,

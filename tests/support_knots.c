@@ -1,5 +1,6 @@
 /* Supports on part of a sheet: the knots of their ends; and a sheet that is held on a strip
- * or along a line vibrates and falls as its free wing alone does, which is held along an edge. */
+ * or along a line vibrates and falls as its free wing alone does, which is held along an
+ * edge. */
 #include "iga/support_knots.h"
 #include "tests/opened_run.h"
 
@@ -61,8 +62,8 @@ static void check_given(void)
     bspline_clear(&b);
 }
 
-/* Held are all functions that do not vanish on an area or a clamped line; of an edge, a hinge
- * or what is not held in all components, those that lie there. */
+/* Held are all functions that do not vanish on an area or a clamped line; of an edge, a
+ * hinge or what is not held in all components, those that lie there. */
 static void check_held(void)
 {
     static const double U[] = {0, 0, 0, .25, .5, .75, 1, 1, 1};

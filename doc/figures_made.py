@@ -2,6 +2,7 @@
 
 A function a result; BLOCKS and WORDS at the end say which is which.
 """
+import csv
 import math
 import re
 
@@ -716,6 +717,21 @@ def remedies():
                      for model in dict.fromkeys(r["model"] for r in rows)
                      for remedy in ("auto", "none")])
 
+def own_rows(name):
+    return list(csv.DictReader((RESULTS / f"{name}.csv").read_text().splitlines()[1:]))
+
+
+def supports():
+    return markdown(["contestant", "median", "largest", "second largest"],
+                    [[f"`{r['contestant']}`", r["median"], f"{r['largest']}, {r['sheet']}",
+                      f"{r['second']}, {r['second_sheet']}"] for r in own_rows("supports")])
+
+
+def supports_orders():
+    return markdown(["", "strip across the middle", "strip along an edge", "two corner patches"],
+                    [[f"`{r['contestant']}`", r["middle_strip"], r["edge_strip"], r["patches"]]
+                     for r in own_rows("supports_orders")])
+
 
 # --- which is which --------------------------------------------------------------------------
 
@@ -726,7 +742,8 @@ BLOCKS = {"table1": table1, "table23": table23, "table4": table4, "verify": veri
           "stress_map": stress_map,
           "mesh": mesh, "cures": cures, "peers": peers, "peers_drop": peers_drop,
           "peers_said": peers_said, "refinement": refinement, "refinement_nets": refinement_nets,
-          "remedies": remedies}
+          "remedies": remedies,
+          "supports": supports, "supports_orders": supports_orders}
 WORDS = {
     paper_words: ["paper_rmse", "paper_iga_s", "paper_fem_s", "paper_ratio"],
     table23_words: ["growth_paper", "growth_paper_3", "growth", "growth_assembly",

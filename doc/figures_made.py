@@ -717,6 +717,7 @@ def remedies():
                      for model in dict.fromkeys(r["model"] for r in rows)
                      for remedy in ("auto", "none")])
 
+
 def own_rows(name):
     return list(csv.DictReader((RESULTS / f"{name}.csv").read_text().splitlines()[1:]))
 

@@ -30,17 +30,6 @@ static int node(const struct calculix_job *job, int i, int j, int k)
     return before + (j + 1) / 2 * corners + j / 2 * l + (j % 2 ? k / 2 : k);
 }
 
-int calculix_deck_corner(const struct calculix_job *job, int i, int j, int k)
-{
-    int f = fineness(job);
-    return node(job, f * i, f * j, f * k);
-}
-
-int calculix_deck_nodes(const struct calculix_job *job)
-{
-    return calculix_deck_corner(job, job->cells[0], job->cells[1], job->cells[2]) + 1;
-}
-
 static void write_nodes(const struct calculix_job *job, FILE *file)
 {
     int f = fineness(job), *n = (int[3]){0};

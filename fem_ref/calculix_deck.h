@@ -34,12 +34,6 @@ struct calculix_job {
 /* "C3D8", ... Static storage. */
 const char *calculix_element_name(enum calculix_element element);
 
-/* Nodes of the job's mesh. */
-int calculix_deck_nodes(const struct calculix_job *job);
-
-/* Number, from 0, of corner (i,j,k) of the boxes; k through the thickness. */
-int calculix_deck_corner(const struct calculix_job *job, int i, int j, int k);
-
 /* Coordinates have 13 digits, which is what the program's 20 columns hold. The same job
  * gives the same bytes. */
 void calculix_deck_write(const struct calculix_job *job, FILE *file);

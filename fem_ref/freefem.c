@@ -1,14 +1,11 @@
 #include "fem_ref/freefem.h"
 #include "fem_ref/kirchhoff_field.h"
-#include "fem_ref/program.h"
 #include "fem_ref/reference.h"
 #include "models/grid.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 enum { POINTS = FREEFEM_SIDE * FREEFEM_SIDE, STRIDE = 9 };
 _Static_assert((FREEFEM_SIDE - 1) * STRIDE == GRID_U - 1 && GRID_U == GRID_V,
@@ -148,9 +145,9 @@ static enum status same_job(const struct reference *table, const char *path,
                                "%s: %s is %s, not %.17g: no stored FreeFEM field for this",
                                path, want[i].key, note ? note : "not told", want[i].value);
     }
-    if ((reference_column(table, "t") >= 0) != (job->steps > 0))
+    if ((reference_column(table, "t") >= 0) != job->moving)
         return status_fail(why, STATUS_UNSUPPORTED, "%s: not a %s field", path,
-                           job->steps > 0 ? "transient" : "static");
+                           job->moving ? "transient" : "static");
     return STATUS_OK;
 }
 
@@ -171,81 +168,6 @@ enum status freefem_stored(const struct freefem_job *job, const char *path,
     *field = f;
 out:
     reference_close(table);
-    return st;
-}
-
-/* ------------------------------------------------------------------ running --------- */
-
-/* Debian's FreeFEM looks for plug-ins under another version's path: tell it. */
-static const char *const setting[] = {"FF_LOADPATH=/usr/lib/freefem++;./",
-                                      "FF_INCLUDEPATH=/usr/include/freefem++/idp;;", NULL};
-
-/* Room for one `-key value` of the script each. */
-struct arguments {
-    char text[8][32];
-};
-
-static void write_arguments(const struct freefem_job *job, struct arguments *a)
-{
-    const double value[] = {job->thickness, job->young, job->poisson, job->density,
-                            job->gravity};
-    for (int i = 0; i < 5; i++)
-        snprintf(a->text[i], sizeof a->text[i], "%.17g", value[i]);
-    snprintf(a->text[5], sizeof a->text[5], "%d", job->cells);
-    snprintf(a->text[6], sizeof a->text[6], "%d", job->steps);
-    snprintf(a->text[7], sizeof a->text[7], "%d", job->layers ? job->layers : 1);
-}
-
-enum status freefem_run(const struct freefem_job *job, const char *script,
-                        const char *program, struct freefem_field *field,
-                        struct message *why)
-{
-    enum status st;
-    struct freefem_field f;
-    struct program_folder folder = {0};
-    struct arguments a;
-    char out[512];
-
-    if (!program)
-        program = "FreeFem++";
-    TRY(program_open(&folder, why));
-    snprintf(out, sizeof out, "%s/field.csv", folder.path);
-    write_arguments(job, &a);
-    const char *argument[] = {program,    "-nw",      "-v",         "0",        script,
-                              "-out",     out,        "-thickness", a.text[0],  "-young",
-                              a.text[1],  "-poisson", a.text[2],    "-density", a.text[3],
-                              "-gravity", a.text[4],  "-cells",     a.text[5],  "-steps",
-                              a.text[6],  "-layers",  a.text[7],    NULL};
-    TRY(program_run(
-        &folder,
-        &(struct program){argument, setting, "freefem++ libfreefem++ libfreefem++-dev"},
-        why));
-    st = freefem_read(out, &f, why);
-    if (st == STATUS_OK && (f.times > 1) != (job->steps > 0))
-        st = status_fail(why, STATUS_LIBRARY, "%s gave another kind of field", program);
-    if (st == STATUS_INPUT || st == STATUS_FILE) /* its output is not the user's input */
-        st = STATUS_LIBRARY;
-    TRY(st);
-    snprintf(f.origin, sizeof f.origin, "FreeFEM, run now: %d x %d x %d boxes, %d steps",
-             job->cells, job->cells, job->layers ? job->layers : 1, job->steps);
-    *field = f;
-out:
-    program_close(&folder);
-    return st;
-}
-
-enum status freefem_get(const struct freefem_job *job, const char *script,
-                        const char *stored, struct freefem_field *field,
-                        struct message *why)
-{
-    enum status st = freefem_run(job, script, NULL, field, why);
-
-    if (st != STATUS_UNSUPPORTED)
-        return st;
-    TRY(freefem_stored(job, stored, field, why));
-    strncat(field->origin, ", FreeFEM not installed",
-            sizeof field->origin - strlen(field->origin) - 1);
-out:
     return st;
 }
 

@@ -1,5 +1,5 @@
-/* freefem.h - a cantilevered sheet as a 3-D elastic solid, by FreeFEM: run if it is
- * installed, otherwise the stored field (tests/reference/freefem_*.csv), and said so.
+/* freefem.h - a cantilevered sheet as a 3-D elastic solid, by FreeFEM: reads the fields
+ * that fem_ref/freefem/store.sh computed (tests/reference/freefem_*.csv).
  *
  * The script is fem_ref/freefem/transient.edp; its header tells mesh, elements and time
  * stepping. A field is the displacement of FREEFEM_SIDE^2 points of the mid-surface, every
@@ -19,21 +19,19 @@ struct freefem_job {
     double young, poisson; /*                                                 [Pa, 1] */
     double density;        /*                                                [kg/m^3] */
     double gravity;        /* along -e_w                                      [m/s^2] */
-    int cells;             /* boxes a side, 1 ..; 10 and 16: about 10 s and 25 s       */
-    int layers;            /* boxes through the thickness; 0: 1, for thin ones         */
-    int steps;             /* time steps to 0.4 s, a multiple of 4; 0: static answer   */
+    bool moving;           /* to 0.4 s; otherwise the static answer                    */
 };
 
 struct freefem_field {
     int times;                  /* FREEFEM_TIMES, or 1: static                       */
     double time[FREEFEM_TIMES]; /* 0.1 .. 0.4 [s]; INFINITY: static                  */
     double shift[FREEFEM_TIMES][FREEFEM_SIDE][FREEFEM_SIDE][3]; /* [t][j][i] [m]     */
-    double error[FREEFEM_TIMES]; /* error bar (rms) [m]; NaN: not known, a run       */
+    double error[FREEFEM_TIMES]; /* error bar (rms) [m]; NaN: not known              */
     char origin[256];            /* for people: what computed this, when             */
 };
 
-/* The job of a scene: what kirchhoff_field_plate accepts, 1 m x 1 m, undamped; cells and
- * steps are left to the caller. STATUS_UNSUPPORTED and a sentence otherwise. */
+/* The job of a scene: what kirchhoff_field_plate accepts, 1 m x 1 m, undamped; whether
+ * it moves is left to the caller. STATUS_UNSUPPORTED and a sentence otherwise. */
 enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
                            struct message *why);
 
@@ -43,25 +41,9 @@ enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
 enum status freefem_read(const char *path, struct freefem_field *field,
                          struct message *why);
 
-/* Reads the stored field of `job`, whose physics must equal the file's notes; its
- * cells, layers and steps are not compared. */
+/* Reads the stored field of `job`, whose physics must equal the file's notes. */
 enum status freefem_stored(const struct freefem_job *job, const char *path,
                            struct freefem_field *field, struct message *why);
-
-/* Runs `program` (NULL: FreeFem++ from the PATH) on the script, one thread, without a
- * shell, in a temporary folder of TMPDIR; `script` and program by whole paths. Checks the
- * exit code (FreeFEM's: 0 done, also after a singular matrix or for want of memory; 1 a
- * mistake in the script, 2 a missing plug-in, 3 the script's own, 8 an assertion, 134 a
- * missing file) and then the field. STATUS_UNSUPPORTED if there is no such program,
- * STATUS_LIBRARY if it failed. */
-enum status freefem_run(const struct freefem_job *job, const char *script,
-                        const char *program, struct freefem_field *field,
-                        struct message *why);
-
-/* freefem_run, or freefem_stored where FreeFEM is not installed; origin tells which. */
-enum status freefem_get(const struct freefem_job *job, const char *script,
-                        const char *stored, struct freefem_field *field,
-                        struct message *why);
 
 /* rms over the points, at time number t, of |a - b| [m]. */
 double freefem_difference(const struct freefem_field *a, const struct freefem_field *b,

@@ -3,8 +3,7 @@
 #ifndef CALCULIX_CASES_H
 #define CALCULIX_CASES_H
 
-#include "fem_ref/calculix.h"
-#include "tests/check.h"
+#include "fem_ref/calculix_deck.h"
 
 /* On dyadic points this is exact in the deck's 13 digits. No angle stays right. */
 static inline void cases_distort(double x[3])
@@ -77,21 +76,6 @@ static inline struct calculix_job cases_swing_job(int cells, double step)
         .end = 0.3,
         .every = (int)(0.01 / step + 0.5),
     };
-}
-
-/* CalculiX's answer; ends the program with 77 if it is not installed, with 1 if it fails.
- */
-static inline struct calculix_answer cases_run(const struct calculix_job *job)
-{
-    struct calculix_answer answer = {0};
-    struct message why = {""};
-    enum status st = calculix_run(job, NULL, &answer, &why);
-
-    if (st != STATUS_OK) {
-        printf("%s\n", why.text);
-        exit(st == STATUS_UNSUPPORTED ? 77 : 1);
-    }
-    return answer;
 }
 
 #endif

@@ -41,7 +41,7 @@ static void check_transient(const char *thickness, const char *points, double gr
     REQUIRE(kirchhoff_field_plate(&run.scene, &plate, &why) == STATUS_OK);
     REQUIRE(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k) == STATUS_OK);
     REQUIRE(freefem_job_of(&run.scene, &job, &why) == STATUS_OK);
-    job.steps = FREEFEM_TIMES; /* not static */
+    job.moving = true;
     REQUIRE(freefem_stored(&job, stored, &field, &why) == STATUS_OK);
     run_start(&run);
     run_sample(&run, rest);

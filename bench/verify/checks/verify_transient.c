@@ -78,7 +78,7 @@ static enum status read_solid(struct transient *t, struct message *why)
     struct freefem_job job;
 
     TRY(freefem_job_of(&t->scene, &job, why));
-    job.steps = FREEFEM_TIMES; /* not static */
+    job.moving = true;
     TRY(truth_table_path("freefem_transient_h1177um", &path, why));
     TRY(freefem_stored(&job, path, &t->solid, why));
     for (int n = 0; n < TIMES; n++) {

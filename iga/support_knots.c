@@ -26,9 +26,9 @@ static bool has_ends(const struct scene_support *s, int i)
     return s->hi[i] - s->lo[i] > APART || support_knots_clamps_line(s, i);
 }
 
-/* Where supports of some width begin and end inside the sheet, and lines that are clamped
- * there, ascending, after 0 and before 1: end[0 .. count + 1] of room 2 support_count + 2.
- * Returns their count. */
+/* Finds where supports of some width begin and end inside the sheet, and lines that are
+ * clamped there, ascending, after 0 and before 1: end[0 .. count + 1] of room
+ * 2 support_count + 2. Returns their count. */
 static int find_ends(const struct scene *scene, int i, double *end)
 {
     int all = 0, count = 0;

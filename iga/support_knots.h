@@ -21,8 +21,8 @@
 #include "iga/bspline.h"
 #include "models/scene.h"
 
-/* Whether a support clamps a line inside the sheet across direction i: not a point, not a
- * hinge, not an edge. */
+/* Returns true if a support clamps a line inside the sheet across direction i: no point,
+ * no hinge, no edge. */
 bool support_knots_clamps_line(const struct scene_support *s, int i);
 
 /* How smooth a sheet is at an end: C^0 or C^1. */

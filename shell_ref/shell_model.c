@@ -74,7 +74,7 @@ static double wrinkle(const struct scene *scene)
                 (scene->density * scene->thickness * push));
 }
 
-/* Whether that is shorter than so many of the longest spans; then with a sentence. At a
+/* Returns true if that is shorter than SPANS of the longest spans, with a sentence. At a
  * clamped edge a cured shell is asked for its strain along u at the edge, where it has
  * none, and once in the span beside it. It folds there, all along the edge, and turns about
  * the corner; an uncured one locks against it. (flag, rms distance to the truth at 0.3 and

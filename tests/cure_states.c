@@ -19,12 +19,12 @@ static const double LENGTH = 1, WIDTH = 0.8, THICKNESS = 0.01;
 
 /* Eigenvalues of round-off, in parts of the largest: n eps, n < 600. */
 static const double ZERO = 600 * DBL_EPSILON;
-/* What is left, at any of these states, of the lowest frequency squared of the free plate
- * on the same net uncured. Measured .75 and more of solids, .9 of shells; of a shape that
- * is not seen it is nothing. */
+/* So much is left, at any of these states, of the lowest frequency squared of the free
+ * plate on the same net uncured. Measured .75 and more of solids, .9 of shells; of a shape
+ * that is not seen it is nothing. */
 static const double LEAST = 0.5;
 
-/* What is left, at rest, of each frequency squared of motions in the plane, by degree.
+/* So much is left, at rest, of each frequency squared of motions in the plane, by degree.
  * Measured: shells .75, .81, .75, .65; solids .95, .73, .30, .20. */
 static const double SHELL_IN_PLANE[] = {[2] = 0.7, [3] = 0.7, [4] = 0.7, [5] = 0.6};
 static const double SOLID_IN_PLANE[] = {[2] = 0.9, [3] = 0.7, [4] = 0.25, [5] = 0.15};

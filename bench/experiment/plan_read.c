@@ -117,7 +117,7 @@ static enum status check_map(const struct plan *plan, struct message *why)
     return STATUS_OK;
 }
 
-/* What is to fall does so along an axis of two values and more. */
+/* Refuses a measure that is to fall along what is no axis of two values and more. */
 static enum status check_falls(const struct plan *plan, struct message *why)
 {
     const char *along = plan->falls.along;

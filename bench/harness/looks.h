@@ -44,7 +44,7 @@ void looks_clear(struct looks *looks); /* all-zero is allowed */
 void looks_add(struct looks *looks, const struct scene *scene, double time,
                const double *xyz, bool intersections);
 
-/* What a sweep stores beside the series, at the looks at which a truth is known: the rms
+/* A sweep stores these beside the series, at the looks at which a truth is known: the rms
  * distance to it and its error bar, both over the length; NaN at other looks. */
 enum { LOOKS_TRUTH_ERROR, LOOKS_TRUTH_BAR, LOOKS_TRUTH };
 extern const char *const looks_truth[LOOKS_TRUTH];

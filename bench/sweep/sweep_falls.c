@@ -84,7 +84,7 @@ void sweep_falls_row(struct sweep_falls *f, long number, const struct sweep_row 
                                                      : LACK_NOTHING;
 }
 
-/* Whether all listed cases have names, which then stand for their keys. */
+/* Says if all listed cases have names, which then stand for their keys. */
 static bool is_named(const struct plan *plan)
 {
     for (int n = 0; n < plan->listed_count; n++)
@@ -93,7 +93,7 @@ static bool is_named(const struct plan *plan)
     return plan->listed_count > 0;
 }
 
-/* Whether a key has a column: one of another axis or of listed cases without names. */
+/* Says if a key has a column: one of another axis or of listed cases without names. */
 static bool is_shown(const struct plan *plan, const char *key)
 {
     bool shown = false;

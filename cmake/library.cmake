@@ -12,7 +12,7 @@ foreach(folder models bench/harness bench/truth)
           FILES_MATCHING PATTERN *.h)
 endforeach()
 
-set(LIBRARY_MODULES "yaml-0.1 lapacke openblas zlib")
+set(LIBRARY_MODULES "yaml-0.1 lapacke openblas zlib libzip")
 set(LIBRARY_FILES ${CHOLMOD_LIBRARY} ${ARPACK_LIBRARY} ${HDF5_C_LIBRARIES})
 list(JOIN LIBRARY_FILES " " LIBRARY_FLAGS)
 file(RELATIVE_PATH LIBRARY_TO_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/cmake/clothbench

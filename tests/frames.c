@@ -4,6 +4,8 @@
  *
  *   frames FOLDER
  */
+#include <zip.h>
+
 #include "bench/files/folder.h"
 #include "bench/frames/frames_bytes.h"
 #include "bench/frames/frames_folder.h"
@@ -95,22 +97,33 @@ static void write_ply(const char *name, int k, const char *format)
     REQUIRE(fclose(file) == 0);
 }
 
+static void add(zip_t *z, const char *name, unsigned char *room, size_t size, bool deflated)
+{
+    const zip_int64_t n =
+        zip_file_add(z, name, zip_source_buffer(z, room, size, 0), ZIP_FL_OVERWRITE);
+
+    REQUIRE(n >= 0 && !zip_set_file_compression(
+                          z, (zip_uint64_t)n, deflated ? ZIP_CM_DEFLATE : ZIP_CM_STORE, 0));
+}
+
 static void write_npz(const char *name, int bytes, bool deflated, const char *shape)
 {
-    unsigned char room[ZIP_ROOM];
+    unsigned char uv[ROOM], xyz[ROOM], t[ROOM];
     const char *type = bytes == 4 ? "<f4" : "<f8";
-    struct zip z;
+    char path[4096];
 
-    zip_start(&z);
-    zip_add(&z, "uv.npy", room, sample_array(room, 'u', bytes, type, "(20, 2)"), deflated);
-    zip_add(&z, "xyz.npy", room, sample_array(room, 'x', bytes, type, shape), deflated);
-    zip_add(&z, "t.npy", room, sample_array(room, 't', 8, "<f8", "(12,)"), false);
-    zip_write(&z, name);
+    snprintf(path, sizeof path, "%s/%s", frames_folder, name);
+    zip_t *z = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, NULL);
+    REQUIRE(z);
+    add(z, "uv.npy", uv, sample_array(uv, 'u', bytes, type, "(20, 2)"), deflated);
+    add(z, "xyz.npy", xyz, sample_array(xyz, 'x', bytes, type, shape), deflated);
+    add(z, "t.npy", t, sample_array(t, 't', 8, "<f8", "(12,)"), false);
+    REQUIRE(zip_close(z) == 0);
 }
 
 static void write_cache(const char *name, bool mdd)
 {
-    unsigned char room[ZIP_ROOM], *p = room;
+    unsigned char room[ROOM], *p = room;
     FILE *file = create(name);
 
     if (mdd) {

@@ -114,6 +114,26 @@ static void bad_sequences(void)
     check_refused("objs", 0, "objs", "--dt");
 }
 
+/* A ZIP file with another size of its second member in its directory. */
+static void write_lie(const char *name, const char *of, unsigned long long size)
+{
+    char path[4096];
+    unsigned char room[ROOM], *p = room;
+
+    snprintf(path, sizeof path, "%s/%s", frames_folder, of);
+    FILE *from = fopen(path, "rb"), *to = create(name);
+    REQUIRE(from);
+    const size_t length = fread(room, 1, sizeof room, from);
+    for (int members = 0; p < room + length - 4; p++)
+        if (!memcmp(p, "PK\1\2", 4) && ++members == 2)
+            break;
+    REQUIRE(p < room + length - 4);
+    p += 24;
+    put_whole(&p, size, 4, false);
+    REQUIRE(fwrite(room, 1, length, to) == length && fclose(to) == 0);
+    fclose(from);
+}
+
 static void bad_binaries(void)
 {
     static const struct {
@@ -132,7 +152,12 @@ static void bad_binaries(void)
         check_refused(array[n].name, 1, array[n].name, array[n].what);
     }
     write_part("cut.npz", "n0.npz", 2000);
-    check_refused("cut.npz", 0, "cut.npz", "it is cut off or no ZIP file");
+    check_refused("cut.npz", 0, "cut.npz", "is cut off or no ZIP file");
+    /* sizes that the directory announces and the member has not: of xyz, in the middle */
+    write_lie("lie.npz", "n2.npz", 0x7fffffff);
+    check_refused("lie.npz", 0, "lie.npz: xyz.npy", "impossible size");
+    write_lie("less.npz", "n2.npz", 2000);
+    check_refused("less.npz", 0, "less.npz: xyz", "cut off");
     write_part("cut.npy", "bare.npy", 2000);
     check_refused("cut.npy", 1, "cut.npy", "cut off");
     write_part("cut.mdd", "c.mdd", 1000);

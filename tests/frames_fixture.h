@@ -4,7 +4,6 @@
 #define FRAMES_FIXTURE_H
 
 #include <hdf5.h>
-#include <zlib.h>
 
 #include "bench/files/hdf5_file.h"
 #include "bench/frames/frames.h"
@@ -66,92 +65,7 @@ static inline void put_whole(unsigned char **at, unsigned long long x, int size,
     *at += size;
 }
 
-/* A ZIP file with one member after the other, then its directory. */
-struct zip {
-    unsigned char *bytes, *at, *directory, *end;
-    int members;
-};
-enum { ZIP_ROOM = 1 << 16 };
-
-static inline void zip_start(struct zip *z)
-{
-    z->bytes = z->at = calloc(1, ZIP_ROOM);
-    z->directory = z->end = calloc(1, ZIP_ROOM);
-    z->members = 0;
-    REQUIRE(z->bytes && z->directory);
-}
-
-static inline size_t pack(const unsigned char *from, size_t size, unsigned char *to)
-{
-    z_stream s = {.next_in = (unsigned char *)(size_t)from,
-                  .avail_in = (unsigned)size,
-                  .next_out = to,
-                  .avail_out = ZIP_ROOM / 2};
-
-    REQUIRE(deflateInit2(&s, 6, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) == Z_OK);
-    REQUIRE(deflate(&s, Z_FINISH) == Z_STREAM_END);
-    deflateEnd(&s);
-    return s.total_out;
-}
-
-static inline void zip_add(struct zip *z, const char *name, const unsigned char *bytes,
-                           size_t size, bool deflated)
-{
-    const unsigned long long at = (unsigned long long)(z->at - z->bytes);
-    unsigned char *const head = z->at;
-    const size_t length = strlen(name);
-
-    z->at += 30;
-    memcpy(z->at, name, length);
-    z->at += length;
-    size_t packed = size;
-    if (deflated)
-        packed = pack(bytes, size, z->at);
-    else
-        memcpy(z->at, bytes, size);
-    z->at += packed;
-    for (int directory = 0; directory < 2; directory++) {
-        unsigned char *p = directory ? z->end : head;
-        memcpy(p, directory ? "PK\1\2\24" : "PK\3\4", 4);
-        p += directory ? 6 : 4;
-        put_whole(&p, 20, 2, false);
-        put_whole(&p, 0, 2, false);
-        put_whole(&p, deflated ? 8 : 0, 2, false);
-        put_whole(&p, 0, 8, false); /* time, checksum: not read */
-        put_whole(&p, packed, 4, false);
-        put_whole(&p, size, 4, false);
-        put_whole(&p, length, 2, false);
-        put_whole(&p, 0, 2, false);
-        if (!directory)
-            continue;
-        put_whole(&p, 0, 10, false);
-        put_whole(&p, at, 4, false);
-        memcpy(p, name, length);
-        z->end = p + length;
-    }
-    z->members++;
-}
-
-static inline void zip_write(struct zip *z, const char *name)
-{
-    const size_t files = (size_t)(z->at - z->bytes), size = (size_t)(z->end - z->directory);
-    unsigned char tail[22], *p = tail;
-    FILE *file = create(name);
-
-    put_whole(&p, 0x06054b50, 4, false);
-    put_whole(&p, 0, 4, false);
-    put_whole(&p, (unsigned)z->members, 2, false);
-    put_whole(&p, (unsigned)z->members, 2, false);
-    put_whole(&p, size, 4, false);
-    put_whole(&p, files, 4, false);
-    put_whole(&p, 0, 2, false);
-    REQUIRE(fwrite(z->bytes, 1, files, file) == files);
-    REQUIRE(fwrite(z->directory, 1, size, file) == size);
-    REQUIRE(fwrite(tail, 1, sizeof tail, file) == sizeof tail);
-    REQUIRE(fclose(file) == 0);
-    free(z->bytes);
-    free(z->directory);
-}
+enum { ROOM = 1 << 16 };
 
 /* An array as NumPy writes it; what = x: xyz, u: uv, t: times. Its size. */
 static inline size_t sample_array(unsigned char *room, char what, int bytes,
@@ -186,7 +100,7 @@ static inline size_t sample_array(unsigned char *room, char what, int bytes,
 static inline void write_npy(const char *name, const char *type, const char *shape,
                              int bytes)
 {
-    unsigned char room[ZIP_ROOM];
+    unsigned char room[ROOM];
     FILE *file = create(name);
     const size_t size = sample_array(room, 'x', bytes, type, shape);
 
@@ -237,7 +151,7 @@ static inline void write_text(const char *name, const char *text)
 /* The first so many bytes of another file. */
 static inline void write_part(const char *name, const char *of, size_t size)
 {
-    char path[4096], room[ZIP_ROOM];
+    char path[4096], room[ROOM];
 
     snprintf(path, sizeof path, "%s/%s", frames_folder, of);
     FILE *from = fopen(path, "rb"), *to = create(name);

@@ -23,6 +23,7 @@ packages=(
     "libarpack2-dev: eigenvalues of large sparse matrices"
     "libhdf5-dev: result files"
     "zlib1g-dev: checksums of result files"
+    "libzip-dev: reads frames in NumPy's .npz"
     "libyaml-dev: reads scene files"
     "gnuplot-nox: draws the charts"
     "python3: holds the figures of README.md and doc/ against doc/results (a test)"

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/frames/frames_zip.h"
+#include "bench/frames/frames_npz.h"
 #include "bench/harness/settings.h"
 #include "bench/truth/truth_physics.h"
 #include "bench/truth/truth_plan.h"
@@ -43,33 +43,33 @@ out:
                                : STATUS_OK; /* where there is no such scene: it is none */
 }
 
-static enum status take(const struct frames_bytes *b, const char *name, size_t count,
+static enum status take(const struct npz *npz, const char *name, size_t count,
                         double **values, struct message *why)
 {
-    struct frames_array a;
-    enum status st = frames_array_load(b, name, count, &a, values, why);
+    struct npz_array a;
+    enum status st = npz_load(npz, name, count, &a, values, why);
 
-    if (st == STATUS_UNSUPPORTED || (st == STATUS_OK && frames_array_count(&a) != count))
+    if (st == STATUS_UNSUPPORTED || (st == STATUS_OK && npz_count(&a) != count))
         st = status_fail(why, STATUS_INPUT,
                          "%s: has no %s of %zu numbers; tools/ladder "
                          "makes such a file",
-                         b->path, name, count);
+                         npz->bytes.path, name, count);
     return st;
 }
 
-static enum status read_all(const struct frames_bytes *b, struct score_ladder *l,
+static enum status read_all(const struct npz *npz, struct score_ladder *l,
                             struct message *why)
 {
-    struct frames_array a;
+    struct npz_array a;
     enum status st;
 
-    TRY(frames_array_load(b, "t.npy", TIMES_MOST, &a, &l->time, why));
-    const size_t times = frames_array_count(&a), field = times * LADDER_POINTS * 3;
-    TRY(take(b, "scale.npy", LADDER_RUNGS, &l->scale, why));
-    TRY(take(b, "size.npy", LADDER_FLAWS, &l->size, why));
-    TRY(take(b, "bending.npy", LADDER_RUNGS * field, &l->rung, why));
-    TRY(take(b, "flaw.npy", LADDER_FLAWS * field, &l->flaw, why));
-    TRY(take(b, "bending_bar.npy", LADDER_RUNGS * times, &l->bar, why));
+    TRY(npz_load(npz, "t.npy", TIMES_MOST, &a, &l->time, why));
+    const size_t times = npz_count(&a), field = times * LADDER_POINTS * 3;
+    TRY(take(npz, "scale.npy", LADDER_RUNGS, &l->scale, why));
+    TRY(take(npz, "size.npy", LADDER_FLAWS, &l->size, why));
+    TRY(take(npz, "bending.npy", LADDER_RUNGS * field, &l->rung, why));
+    TRY(take(npz, "flaw.npy", LADDER_FLAWS * field, &l->flaw, why));
+    TRY(take(npz, "bending_bar.npy", LADDER_RUNGS * times, &l->bar, why));
     l->times = (int)times;
 out:
     return st;
@@ -78,7 +78,7 @@ out:
 enum status score_ladder_read(const struct scene *scene, struct score_ladder *l,
                               struct message *why)
 {
-    struct frames_bytes bytes = {0};
+    struct npz npz = {0};
     char *path = NULL;
     bool does;
     enum status st;
@@ -91,11 +91,11 @@ enum status score_ladder_read(const struct scene *scene, struct score_ladder *l,
         st = st == STATUS_MEMORY ? st : STATUS_OK;
         goto out;
     }
-    TRY(frames_bytes_open(path, &bytes, why));
-    st = read_all(&bytes, l, why);
+    TRY(npz_open(path, &npz, why));
+    st = read_all(&npz, l, why);
 out:
     free(path);
-    frames_bytes_close(&bytes);
+    npz_close(&npz);
     if (st != STATUS_OK)
         score_ladder_clear(l);
     return st == STATUS_UNSUPPORTED ? STATUS_INPUT : st;

@@ -24,7 +24,7 @@ page() { # FOLDER; page.html, $code
 good() { # FOLDER
     page "$1"
     [ "$code" -eq 0 ] || fail "report $1: exit $code: $(<err)"
-    [ "$(stat -c %s page.html)" -lt 5000000 ] || fail "report $1: the page has 5 MB"
+    [ "$(stat -c %s page.html)" -lt 10000000 ] || fail "report $1: the page has 10 MB"
 }
 
 has() { # TEXT; in the page
@@ -188,7 +188,7 @@ assert trouble[0].endswith("table2/cost.png: is cut short"), trouble
 assert trouble[1].endswith("table3/cost.png: is no PNG"), trouble
 assert "table4.png: cannot be read" in trouble[2], trouble
 SCRIPT
-# more frames than there is room for: every so many of them, never beyond 5 MB
+# more frames than there is room for: every so many of them, never beyond 10 MB
 for n in {1..20}; do cp "$sound" "moves/run_edge_drop/more_$n.h5"; done
 "$program" run edge_drop "${sheet[@]}" --set time.end=0.5 --out moves/run_edge_drop/long.h5 2>err
 good moves
@@ -232,7 +232,7 @@ good large
 grep -oP '"data":"\KiVBOR[^"]*' page.html | base64 -d | cmp - large/table2/cost.png ||
     fail 'a picture is not that of its file'
 for name in study_flag/flag study_mesh/corners_sheets study_mesh/edge_sheets; do
-    { printf '\x89PNG\r\n\x1a\n' && head -c 1900000 /dev/zero && printf 'IEND\xae\x42\x60\x82'; } >"large/$name.png"
+    { printf '\x89PNG\r\n\x1a\n' && head -c 3800000 /dev/zero && printf 'IEND\xae\x42\x60\x82'; } >"large/$name.png"
 done
 good large
 has 'study_flag/flag.png","paper":"Fig. 15, flag falling, at 0.75, 1.0 and 2.075 s","trouble":"","data":null'

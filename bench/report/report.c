@@ -189,7 +189,8 @@ const struct command report_command = {
         "(results): the verdict on every claim of the paper, tables, pictures beside the\n"
         "paper's captions, speed against error, verification, hard cases, truths with\n"
         "their error bars, and motions to play. It needs no network and no server, and\n"
-        "stays under 5 MB. What was not run is named with the command that makes it, what\n"
+        "stays under 10 MB. What was not run is named with the command that makes it, "
+        "what\n"
         "is damaged with what is wrong.\n",
     .examples = "report\nreport results --out page.html\n",
     .most = 1,

@@ -5,7 +5,7 @@
 #include "bench/ui/command.h"
 
 /* The page is smaller [bytes]. */
-#define REPORT_MOST 5000000
+#define REPORT_MOST 10000000
 
 extern const struct command report_command;
 

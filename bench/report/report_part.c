@@ -9,7 +9,6 @@
 #include "bench/experiment/judge.h"
 #include "bench/experiment/kept.h"
 #include "bench/report/report_json.h"
-#include "bench/report/report_palette.h"
 
 enum { PATH = 4096, TABLE_MOST = 300000 /* bytes of a table's words */ };
 enum { PICTURE_MOST = 4 << 20 };
@@ -260,11 +259,6 @@ static enum status write_picture(FILE *file, const struct report_part *part,
     unsigned char *bytes;
     size_t size;
     const enum status st = read_picture(path, &bytes, &size, &why);
-    unsigned char *packed = bytes ? report_palette_pack(bytes, size, &size) : NULL;
-    if (packed) {
-        free(bytes);
-        bytes = packed;
-    }
     const long most = 4 * ((long)size + 2) / 3 + 2;
 
     *used = 0;

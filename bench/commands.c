@@ -17,6 +17,7 @@
 #include "bench/truth/truth_file.h"
 #include "bench/verify/verify.h"
 #include "bench/experiment/plan.h"
+#include "bench/experiment/quantity.h"
 #include "bench/harness/contestant.h"
 #include "bench/ui/table.h"
 #include "models/reader/scene_file.h"
@@ -76,6 +77,17 @@ static void list_contestants(void)
     }
 }
 
+static void list_quantities(void)
+{
+    for (int n = 0; n < QUANTITIES; n++) {
+        const struct quantity_row *q = &quantity_table[n];
+        char text[256];
+        snprintf(text, sizeof text, "%s%s%s%s", q->help, q->unit ? " [" : "",
+                 q->unit ? q->unit : "", q->unit ? "]" : "");
+        print_item(q->name, text);
+    }
+}
+
 /* What the commands with this section have. */
 static void list_items(const char *section)
 {
@@ -102,6 +114,7 @@ static const struct section {
     {"tables", NULL, NULL},
     {"studies", &plan_study_kind, NULL},
     {"plans", &plan_kind, NULL},
+    {"quantities", NULL, list_quantities},
     {"truths", &truth_file_kind, NULL},
     {"checks", NULL, NULL},
     {"cases", NULL, NULL},
@@ -111,8 +124,8 @@ enum { SECTIONS = sizeof sections / sizeof *sections };
 
 #define NAMES(between)                                                                     \
     "scenes" between "models" between "contestants" between "tables" between               \
-    "studies" between "plans" between "truths" between "checks" between "cases" between    \
-    "benchmarks"
+    "studies" between "plans" between "quantities" between "truths" between                \
+    "checks" between "cases" between "benchmarks"
 
 static enum status list_section(const struct section *s, struct message *why)
 {

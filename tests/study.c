@@ -164,7 +164,10 @@ static void deaths_and_refusals(void)
 /* Three levels without a run. */
 static struct study bare(const struct plan *plan)
 {
-    struct study s = {.plan = &plan->studies[0], .frames = 2};
+    static struct study_row row[3];
+    struct study s = {.plan = &plan->studies[0], .frames = 2, .row = row};
+
+    memset(row, 0, sizeof row);
 
     for (int n = 0; n < 3; n++)
         s.row[n].level = &plan->studies[0].levels[n];

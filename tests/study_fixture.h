@@ -5,6 +5,7 @@
 #ifndef STUDY_FIXTURE_H
 #define STUDY_FIXTURE_H
 
+#include "bench/experiment/experiment.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/plan_read.h"
 #include "bench/experiment/study.h"
@@ -198,6 +199,8 @@ static inline void study_make(struct study_made *m, const char *name,
     for (int k = 0; k < m->r.count; k++) {
         struct study *s = &m->r.study[k];
         s->plan = &m->plan.studies[k];
+        s->row = calloc((size_t)s->plan->level_count, sizeof *s->row);
+        REQUIRE(s->row);
         s->frames = s->plan->time_count ? s->plan->time_count : 1;
         s->time = s->plan->time_count ? s->plan->times : NULL;
         s->gamma = 300 + k;

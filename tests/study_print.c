@@ -33,7 +33,9 @@ static struct plan plan_of(const char *text)
  * differences from the finest with size^3. */
 static struct study study_of(const struct plan *plan, const double *time, int frames)
 {
+    static struct study_row rows[3];
     struct study s = {.plan = &plan->studies[0],
+                      .row = rows,
                       .frames = frames,
                       .time = time,
                       .gamma = 123.4,

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/dataset.h"
 #include "bench/experiment/gallery.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/kept.h"
@@ -127,6 +128,7 @@ static enum status read_plan(const char *name, struct plan *plan, struct message
 
     TRY(named_file_find(&plan_kind, name, &path, why));
     TRY(plan_read(path, plan, why));
+    TRY(dataset_check(plan, why));
     if (!plan->study_count)
         st = status_fail(why, STATUS_INPUT,
                          "%s: the plan has no levels, so it is no study; clothbench sweep "
@@ -175,7 +177,7 @@ enum status experiment_print(const struct experiment *e, const char *folder,
     TRY(read_plan(e->plan, &plan, why));
     TRY(study_read(&plan, folder, &r, why));
     st = e->tell ? e->tell(&r, folder, format, file, why)
-                 : study_print_all(&r, folder, format, file, why);
+                 : dataset_print(&r, folder, format, file, why);
 out:
     study_clear(&r);
     plan_clear(&plan);

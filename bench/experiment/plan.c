@@ -67,6 +67,74 @@ static enum status read_studies(const struct schema_key *key, const struct yaml_
     return st;
 }
 
+/* A label, or a list of them, on each axis of a map. */
+static enum status read_labels(const struct yaml_tree *node, struct plan_settings *labels,
+                               bool *quick, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_MAP)
+        return yaml_tree_refuse(node, why, "%s, but a map {AXIS: LABEL} is wanted",
+                                yaml_tree_describe(node).text);
+    for (const struct yaml_tree *axis = node->first; axis; axis = axis->next) {
+        const bool list = axis->kind == YAML_TREE_LIST;
+        if (quick && !strcmp(axis->key, "quick") && axis->text) {
+            *quick = !strcmp(axis->text, "true");
+            continue;
+        }
+        for (const struct yaml_tree *n = list ? axis->first : axis; n;
+             n = list ? n->next : NULL) {
+            if (!n->text)
+                return yaml_tree_refuse(n, why, "%s is %s, but must be a label of the axis",
+                                        axis->key, yaml_tree_describe(n).text);
+            TRY(plan_settings_add_text(labels, axis->key, n->text, n->line));
+        }
+    }
+out:
+    return st;
+}
+
+static enum status read_one_skip(const struct yaml_tree *node, void *target,
+                                 struct message *why)
+{
+    struct plan_skip *skip = target;
+
+    return read_labels(node, &skip->labels, &skip->quick, why);
+}
+
+static enum status read_skip(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    enum status st;
+    struct plan *plan = target;
+
+    plan->skip = plan_settings_list(key, node, sizeof *plan->skip, &plan->skip_count,
+                                    read_one_skip, &st, why);
+    return st;
+}
+
+static enum status read_reference(const struct schema_key *key,
+                                  const struct yaml_tree *node, void *target,
+                                  struct message *why)
+{
+    (void)key;
+    return read_labels(node, &((struct plan *)target)->reference, NULL, why);
+}
+
+static enum status read_columns(const struct schema_key *key, const struct yaml_tree *node,
+                                void *target, struct message *why)
+{
+    struct plan_table *table = &((struct plan *)target)->table;
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > key->most)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
+        st = n->text ? plan_settings_add_text(&table->columns, n->text, "", n->line)
+                     : schema_refuse(key, node, why);
+    return st;
+}
+
 /* The text of a plan file as a tree; both are freed by the receiver. */
 static enum status load(const char *path, char **text, struct yaml_tree **root,
                         struct message *why)
@@ -175,6 +243,12 @@ static const struct schema_key MAP[] = {
      .read = read_marks, .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
     {NULL}};
 
+static const struct schema_key TABLE[] = {
+    {"columns", "quantities, a column each", SCHEMA_SPECIAL, .required = true,
+     .read = read_columns, .most = PLAN_TABLE_COLUMNS, .want = "a list of 1 to 16 quantities"},
+    {"note", "below the table", SCHEMA_TEXT, IN(plan, table.note)},
+    {NULL}};
+
 static const struct schema_key PLAN[] = {
     {"name", "key in lists and of the results' folder", SCHEMA_TEXT, .required = true,
      IN(plan, name)},
@@ -214,6 +288,12 @@ static const struct schema_key PLAN[] = {
     {"studies", "each of these levels, times, ... unless it has its own", SCHEMA_SPECIAL,
      .read = read_studies, .low = 1, .most = PLAN_STUDY_MOST, .keys = plan_study_keys,
      .want = "a list of 1 to 100 studies {name: ..., scene: ..., settings: {KEY: VALUE}}"},
+    {"skip", "products of a study's axes that are not run; quick: true, by a quick run",
+     SCHEMA_SPECIAL, .read = read_skip, .low = 1, .most = PLAN_STUDY_MOST,
+     .want = "a list of maps {AXIS: LABEL, AXIS: [LABEL, LABEL]}"},
+    {"reference", "axis and label of what levels are compared with", SCHEMA_SPECIAL,
+     .read = read_reference, .want = "a map {AXIS: LABEL}"},
+    {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
     {NULL}};
 /* clang-format on */
 
@@ -223,7 +303,8 @@ static enum status settle_studies(struct plan *plan, const struct yaml_tree *roo
 {
     enum status st = STATUS_OK;
     const struct yaml_tree *given = NULL;
-    const bool alone = plan->base.level_count && !plan->study_count;
+    const bool alone =
+        (plan->base.level_count || plan->base.axis_count) && !plan->study_count;
 
     for (const char *const *key = (const char *const[]){"times", "truth", "timed", NULL};
          *key && !given; key++)
@@ -241,7 +322,8 @@ static enum status settle_studies(struct plan *plan, const struct yaml_tree *roo
         TRY(plan->studies->name && plan->studies->caption ? STATUS_OK : STATUS_MEMORY);
     }
     for (int n = 0; n < plan->study_count; n++)
-        TRY(plan_study_inherit(&plan->studies[n], &plan->base));
+        TRY(plan_study_inherit(&plan->studies[n], &plan->base, plan->skip_count, plan->skip,
+                               plan->path, why));
 out:
     return st;
 }
@@ -250,7 +332,7 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                              struct message *why)
 {
     enum status st = STATUS_OK;
-    const struct yaml_tree *name, *map, *times, *falls;
+    const struct yaml_tree *name, *map, *times, *falls, *table;
 
     TRY(schema_read(PLAN, root, "the plan", plan, why));
     name = yaml_tree_find(root, "name");
@@ -264,6 +346,8 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
     plan->map.line = map ? map->line : root->line;
     falls = yaml_tree_find(root, "falls");
     plan->falls.line = falls ? falls->line : root->line;
+    table = yaml_tree_find(root, "table");
+    plan->table.line = table ? table->line : root->line;
     times = yaml_tree_find(root, "times");
     plan->base.times_line = times ? times->line : 0;
     TRY(settle_studies(plan, root, why));
@@ -346,6 +430,12 @@ void plan_clear(struct plan *plan)
     for (int n = 0; n < plan->study_count; n++)
         plan_study_clear(&plan->studies[n], &plan->base);
     plan_study_clear(&plan->base, &plan->base);
+    for (int n = 0; n < plan->skip_count; n++)
+        plan_settings_clear(&plan->skip[n].labels);
+    plan_settings_clear(&plan->reference);
+    free(plan->skip);
+    plan_settings_clear(&plan->table.columns);
+    free(plan->table.note);
     plan_settings_clear(&plan->settings);
     verdict_clear(&plan->verdicts);
     verdict_clear(&plan->learnt);

@@ -37,6 +37,17 @@
  *       - {name: edge, caption: ..., scene: edge_drop, settings: {...}}
  *       - {name: corners, scene: corners_drop, times: [0.25]}
  *
+ * Levels may be products of axes, each product a level that has all their settings:
+ *
+ *     levels:
+ *       solver: [{label: direct}, {label: CG, settings: {discretization.solver: cg}}]
+ *       net: [{label: 5x5x2, settings: {...}}, {label: 40x40x2, settings: {...}}]
+ *     skip:                # without these products; quick: a quick run goes without them
+ *       - {solver: CG, net: 40x40x2}
+ *       - {net: [20x20x2, 40x40x2], quick: true}
+ *     reference: {solver: direct}  # what `apart` and `of_reference` compare a level with
+ *     table: {columns: [unknowns, frame_ms, of_reference, apart], note: ...}
+ *
  * Without `studies` the plan is one, of its own name. Settings of a level go before those
  * of a study, these before the plan's.
  */
@@ -53,6 +64,7 @@ enum {
     PLAN_MAX_CASES = 100000,
     PLAN_MAX_LISTED = 10000, /* cases                                                  */
     PLAN_MAX_AXES = 16,
+    PLAN_TABLE_COLUMNS = 16,
 };
 
 /* --- Settings (plan_settings.c): keys and values as a plan gives them, with their lines.
@@ -133,7 +145,12 @@ void plan_axis_clear(struct plan_axis *axis); /* all-zero is allowed */
 
 /* --- Studies (plan_study.c). */
 
-enum { PLAN_STUDY_MOST = 100, PLAN_STUDY_LEVELS = 16, PLAN_STUDY_TIMES = 8 };
+enum {
+    PLAN_STUDY_MOST = 100,
+    PLAN_STUDY_LEVELS = 128, /* of a study, all products of its axes counted           */
+    PLAN_STUDY_TIMES = 8,
+    PLAN_STUDY_AXES = 4,
+};
 
 struct plan_level {
     char *label;     /* short, for tables and pictures                          owned  */
@@ -143,7 +160,24 @@ struct plan_level {
     int phases;      /* 1: a solid that is rebuilt every frame: time its phases, too    */
     struct plan_settings settings;
     struct plan_settings quick; /* on top of them in a quick run                       */
+    int timed; /* repeats; 0: not timed; -1: as the study has it                       */
+    bool slow; /* a quick run leaves it out                                            */
+    const char *word[PLAN_STUDY_AXES]; /* its label on each axis of its study; borrowed */
     int line;
+};
+
+/* Labelled levels whose products with those of the other axes are the levels of a study. */
+struct plan_study_axis {
+    char *name; /* owned                                                                */
+    int count;
+    struct plan_level *levels; /* [count]                                         owned */
+};
+
+/* Products that are not run: a level that has, on each axis that is named here, one of the
+ * labels given for it. The axis "study" has the names of studies as labels. */
+struct plan_skip {
+    bool quick; /* only a quick run leaves them out                                    */
+    struct plan_settings labels; /* axis and label; several of an axis are alternatives  */
 };
 
 struct plan_study {
@@ -152,9 +186,11 @@ struct plan_study {
     struct plan_settings settings;
     int level_count;
     struct plan_level *levels; /* [level_count]; as times owned, unless the plan's */
-    int time_count;            /* 0: static equilibrium, as the only frame; -1: not given */
-    double *times;             /* [time_count] [s]                                       */
-    int quick_count;           /* 0: a quick run has the same times                     */
+    int axis_count;            /* 0: its levels are listed; else products of these       */
+    struct plan_study_axis axis[PLAN_STUDY_AXES]; /* owned by the one that was given them */
+    int time_count;  /* 0: static equilibrium, as the only frame; -1: not given */
+    double *times;   /* [time_count] [s]                                       */
+    int quick_count; /* 0: a quick run has the same times                     */
     double *quick_times;
     int truth;            /* 0 or 1; -1: not given                                 */
     int timed;            /* repeats; 0: not timed; -1: not given                  */
@@ -171,9 +207,11 @@ struct plan_study {
     .most = PLAN_STUDY_TIMES, .offset = (at) + offsetof(struct plan_study, values),        \
     .count_offset = (at) + offsetof(struct plan_study, count)
 #define PLAN_STUDY_KEYS(at)                                                                \
-    {"levels", "from coarse to fine", SCHEMA_SPECIAL, .keys = plan_study_level_keys,       \
-     .read = plan_study_read_levels, .low = 1, .most = PLAN_STUDY_LEVELS, .offset = (at),  \
-     .want = "a list of 1 to 16 levels {label: ..., settings: {KEY: VALUE, ...}}"},        \
+    {"levels", "from coarse to fine; {AXIS: [...], AXIS: [...]}: all products",            \
+     SCHEMA_SPECIAL, .keys = plan_study_level_keys, .read = plan_study_read_levels,        \
+     .low = 1, .most = PLAN_STUDY_LEVELS, .offset = (at),                                  \
+     .want = "a list of 1 to 128 levels {label: ..., settings: {KEY: VALUE, ...}}, or a "  \
+             "map of up to 4 axes with such a list each"},                                 \
     {"times", "at which sheets are compared [s]",                                          \
      PLAN_STUDY_TIMES_AT(at, times, time_count)},                                          \
     {"quick_times", "instead of them in a quick run [s]",                                  \
@@ -199,8 +237,12 @@ struct plan_study plan_study_none(void);
 enum status plan_study_read(const struct yaml_tree *node, void *target,
                             struct message *why);
 
-/* Fills in from `base` what a study does not have; what is given nowhere is none. */
-enum status plan_study_inherit(struct plan_study *study, const struct plan_study *base);
+/* Fills in from `base` what a study does not have; what is given nowhere is none. Products
+ * of axes that no `skip` takes away become its levels. STATUS_INPUT with one sentence
+ * `origin:line: ...`: there are too many of them. */
+enum status plan_study_inherit(struct plan_study *study, const struct plan_study *base,
+                               int skip_count, const struct plan_skip *skip,
+                               const char *origin, struct message *why);
 
 /* `base`: of its plan. All-zero is allowed. */
 void plan_study_clear(struct plan_study *study, const struct plan_study *base);
@@ -237,6 +279,14 @@ struct plan_falls {
     int line;    /* in the plan                                                        */
 };
 
+/* One table of all studies, a row for each level and time. */
+struct plan_table {
+    struct plan_settings columns; /* names of quantities (quantity.h), as keys; none: a
+                                     plan's studies are printed one by one (study.h)   */
+    char *note;                   /* below it, or NULL                         owned */
+    int line;                     /* in the plan                                     */
+};
+
 enum plan_keep { PLAN_KEEP_NONE, PLAN_KEEP_SNAPSHOTS };
 
 struct plan {
@@ -261,6 +311,11 @@ struct plan {
     struct plan_study base; /* what its studies have unless they say otherwise         */
     int study_count;        /* 0: it is for sweeps                                     */
     struct plan_study *studies; /* owned                                               */
+    int skip_count;
+    struct plan_skip *skip;         /* owned                                           */
+    struct plan_settings reference; /* axis and label: levels are compared with the one
+                                       that has these and else their own labels        */
+    struct plan_table table;
     int key_count;
     const char **keys; /* every key that some case has, in the plan's order; array owned */
 };

@@ -271,9 +271,52 @@ out:
     return st;
 }
 
+/* Whether some study has an axis of this name, and this label on it. */
+static bool has_label(const struct plan *plan, const char *axis, const char *label,
+                      bool *known)
+{
+    bool found = false;
+
+    *known = false;
+    for (int n = 0; n < plan->study_count; n++) {
+        const struct plan_study *study = &plan->studies[n];
+        *known |= !strcmp(axis, "study");
+        found |= !strcmp(axis, "study") && !strcmp(label, study->name);
+        for (int a = 0; a < study->axis_count; a++) {
+            if (strcmp(study->axis[a].name, axis))
+                continue;
+            *known = true;
+            for (int k = 0; k < study->axis[a].count; k++)
+                found |= !strcmp(study->axis[a].levels[k].label, label);
+        }
+    }
+    return found;
+}
+
+static enum status check_labels(const struct plan *plan, const struct plan_settings *labels,
+                                struct message *why)
+{
+    bool known;
+
+    for (int n = 0; n < labels->count; n++) {
+        const struct plan_setting *s = &labels->list[n];
+        if (has_label(plan, s->key, s->value, &known))
+            continue;
+        return plan_case_refuse(
+            plan, s->line, why, "%s %s%s%.60s'",
+            known ? "the axis" : "no study has an axis", yaml_tree_quote(s->key).text,
+            known ? ", which has no label '" : ", nor a label '", s->value);
+    }
+    return STATUS_OK;
+}
+
 static enum status check_studies(const struct plan *plan, struct message *why)
 {
     enum status st = STATUS_OK;
+
+    for (int n = 0; n < plan->skip_count; n++)
+        TRY(check_labels(plan, &plan->skip[n].labels, why));
+    TRY(check_labels(plan, &plan->reference, why));
 
     if (plan->axis_count || plan->listed_count || plan->map.x)
         return plan_case_refuse(

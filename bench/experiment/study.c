@@ -72,17 +72,22 @@ static enum status set_up(const struct plan *plan, const struct plan_study *stud
     const bool quick = quick_run && study->quick_count;
     const int times = quick ? study->quick_count : study->time_count;
     const double *time = quick ? study->quick_times : study->times;
-    const int most = quick_run ? TIMING_REPEATS_QUICK : study->timed;
+    const int timed = level->timed < 0 ? study->timed : level->timed;
+    const int most = quick_run ? TIMING_REPEATS_QUICK : timed;
     enum status st;
 
     TRY(plan_case_level(plan, study, level, quick_run, &job->c, why));
     file_of(study, level, folder, job->file);
     *m = (struct measurement_case){
         .plan = plan_case_run(&job->c),
-        .keep = {.file = job->file, .times = times, .time = time, .provenance = provenance},
+        .keep = {.file = job->file,
+                 .times = times,
+                 .time = time,
+                 .doubles = plan->reference.count > 0, /* differences may be small */
+                 .provenance = provenance},
         .rest = times == 0,
-        .timed = study->timed ? MEASUREMENT_FAIR : MEASUREMENT_UNTIMED,
-        .repeats = most < study->timed ? most : study->timed,
+        .timed = timed ? MEASUREMENT_FAIR : MEASUREMENT_UNTIMED,
+        .repeats = most < timed ? most : timed,
         .phases = level->phases};
     m->plan.end = times ? time[times - 1] : 0;
 out:
@@ -112,24 +117,33 @@ enum status study_measure(const struct plan *plan, const char *folder,
                           const struct measurement_options *options, struct message *why)
 {
     struct measurement_options how = *options;
-    struct job *jobs = calloc(PLAN_STUDY_MOST * PLAN_STUDY_LEVELS, sizeof *jobs);
-    struct measurement_case *cases =
-        calloc(PLAN_STUDY_MOST * PLAN_STUDY_LEVELS, sizeof *cases);
+    struct job *jobs = NULL;
+    struct measurement_case *cases = NULL;
     struct provenance provenance;
-    enum status st = jobs && cases ? STATUS_OK : STATUS_MEMORY;
+    size_t most = 1;
+    enum status st;
     int count = 0;
 
-    TRY(st);
+    for (int n = 0; n < plan->study_count; n++)
+        most += (size_t)plan->studies[n].level_count;
+    jobs = calloc(most, sizeof *jobs);
+    cases = calloc(most, sizeof *cases);
+    TRY(jobs && cases ? STATUS_OK : STATUS_MEMORY);
     how.what = plan->name;
     provenance_collect(&provenance);
     for (int n = 0; n < plan->study_count; n++)
-        for (int k = 0; k < plan->studies[n].level_count; k++, count++)
-            TRY(set_up(plan, &plan->studies[n], &plan->studies[n].levels[k], folder,
-                       options->quick, &provenance, &jobs[count], &cases[count], why));
+        for (int k = 0; k < plan->studies[n].level_count; k++) {
+            const struct plan_level *level = &plan->studies[n].levels[k];
+            if (options->quick && level->slow)
+                continue;
+            TRY(set_up(plan, &plan->studies[n], level, folder, options->quick, &provenance,
+                       &jobs[count], &cases[count], why));
+            count++;
+        }
     TRY(measurement_run(&how, count, cases, why));
     TRY(measure_truths(plan, folder, options->quick, why));
 out:
-    for (int n = 0; n < count; n++)
+    for (int n = 0; jobs && n < count; n++)
         plan_case_clear(&jobs[n].c);
     free(jobs);
     free(cases);
@@ -169,7 +183,8 @@ static void fill_row(const struct study *s, struct study_row *row)
     const struct run_result *r = &row->result;
     const int frames = r->frames < s->frames ? r->frames : s->frames;
     const double end = s->time ? s->time[s->frames - 1] : 0;
-    const double frame = s->plan->timed && r->step.count ? r->step.median : NAN;
+    const int timed = row->level->timed < 0 ? s->plan->timed : row->level->timed;
+    const double frame = timed && r->step.count ? r->step.median : NAN;
 
     for (int t = 0; t < PLAN_STUDY_TIMES; t++)
         row->frame[t] = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
@@ -190,7 +205,8 @@ static enum status read_row(const struct plan *plan, const struct plan_study *st
     char path[PATH];
     enum status st;
 
-    row->level = level;
+    if (row->left_out)
+        return STATUS_OK;
     file_of(study, level, folder, path);
     TRY(run_result_read(path, true, &row->result, why));
     TRY(plan_case_level(plan, study, level, false, &c, why));
@@ -233,12 +249,19 @@ static enum status read_scene(const struct plan *plan, const struct plan_study *
 }
 
 static enum status read_one(const struct plan *plan, const struct plan_study *study,
-                            const char *folder, struct study *s, struct message *why)
+                            const char *folder, bool quick, struct study *s,
+                            struct message *why)
 {
     struct scene scene = {0};
     enum status st;
 
     s->plan = study;
+    s->row = calloc((size_t)study->level_count + 1, sizeof *s->row);
+    TRY(s->row ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < study->level_count; n++) {
+        s->row[n].level = &study->levels[n];
+        s->row[n].left_out = quick && study->levels[n].slow;
+    }
     TRY(read_scene(plan, study, &scene, why));
     s->gamma = scene_gamma(&scene);
     s->length = scene.length;
@@ -275,7 +298,7 @@ enum status study_read(const struct plan *plan, const char *folder, struct study
     TRY(r->study ? STATUS_OK : STATUS_MEMORY);
     file_of(&plan->studies[0], &plan->studies[0].levels[0], folder, r->machine);
     for (int n = 0; n < r->count; n++)
-        TRY(read_one(plan, &plan->studies[n], folder, &r->study[n], why));
+        TRY(read_one(plan, &plan->studies[n], folder, r->quick, &r->study[n], why));
 out:
     if (st != STATUS_OK)
         study_clear(r);
@@ -285,11 +308,13 @@ out:
 void study_clear(struct study_results *r)
 {
     for (int n = 0; r->study && n < r->count; n++) {
-        for (int k = 0; k < PLAN_STUDY_LEVELS; k++) {
-            run_result_clear(&r->study[n].row[k].result);
-            run_close(&r->study[n].row[k].run);
+        struct study *s = &r->study[n];
+        for (int k = 0; s->row && k < s->plan->level_count; k++) {
+            run_result_clear(&s->row[k].result);
+            run_close(&s->row[k].run);
         }
-        truth_destroy(r->study[n].truth);
+        free(s->row);
+        truth_destroy(s->truth);
     }
     free(r->study);
     *r = (struct study_results){0};
@@ -301,6 +326,33 @@ const struct study *study_find(const struct study_results *r, const char *name)
         if (!strcmp(r->study[n].plan->name, name))
             return &r->study[n];
     return NULL;
+}
+
+double study_distance(const struct study *s, int level, const struct study *other,
+                      int of_other, int time)
+{
+    const double *a = s->row[level].frame[time].xyz;
+    const double *b = other->row[of_other].frame[time].xyz;
+
+    return a && b ? metric_rmse(a, b) / s->length : NAN;
+}
+
+int study_reference(const struct study_results *d, const struct study *s, int level)
+{
+    const struct plan_settings *reference = &d->plan->reference;
+
+    for (int n = 0; reference->count && n < s->plan->level_count; n++) {
+        bool same = !s->row[n].left_out;
+        for (int a = 0; a < s->plan->axis_count; a++) {
+            const struct plan_setting *given =
+                plan_settings_find(reference, s->plan->axis[a].name);
+            const char *want = given ? given->value : s->row[level].level->word[a];
+            same = same && !strcmp(s->row[n].level->word[a], want);
+        }
+        if (same)
+            return n;
+    }
+    return -1;
 }
 
 double study_order(const struct study *s, int time)

@@ -23,10 +23,11 @@ struct study_frame {
 
 struct study_row {
     const struct plan_level *level; /*                                        borrowed  */
-    struct run_result result;       /* with its fields                           owned  */
-    struct run run;                 /* scene and discretization of the level; owned     */
-    double milliseconds;            /* a frame, or the equilibrium: median over repeats;
-                                       NaN: not timed                                   */
+    bool left_out; /* by a quick run: there is nothing else                            */
+    struct run_result result; /* with its fields                           owned  */
+    struct run run;           /* scene and discretization of the level; owned     */
+    double milliseconds;      /* a frame, or the equilibrium: median over repeats;
+                                 NaN: not timed                                   */
     double seconds;  /* of stepping to the last time, from these; else of the one run   */
     double paper_ms; /* somebody else's; NaN: unknown                                   */
     struct study_frame frame[PLAN_STUDY_TIMES];
@@ -40,7 +41,7 @@ struct study {
     struct truth *truth;     /* owned; NULL: none was asked for, or there is none */
     struct message no_truth; /* why not                                           */
     struct study_frame true_frame[PLAN_STUDY_TIMES]; /* its own numbers                 */
-    struct study_row row[PLAN_STUDY_LEVELS];
+    struct study_row *row; /* [plan->level_count]                                  owned  */
 };
 
 struct study_results {
@@ -68,6 +69,14 @@ const struct study *study_find(const struct study_results *r, const char *name);
 /* Observed order in the levels' size of the error against truth at a time; without a
  * truth, of the difference from the finest. NaN with fewer than three levels. */
 double study_order(const struct study *s, int time);
+
+/* The level that the plan has this one compared with; -1: there is none. */
+int study_reference(const struct study_results *r, const struct study *s, int level);
+
+/* rms distance of two levels at a time of both, over the first one's length; NaN: one did
+ * not live to see it. */
+double study_distance(const struct study *s, int level, const struct study *other,
+                      int of_other, int time);
 
 /* --- What is printed of one (study_print.c). */
 

@@ -1,5 +1,13 @@
 #include "bench/studies/studies.h"
 
+#include "bench/claims/claim.h"
+
+/* Studies that are a plan and the claims on it. */
+static const struct experiment plans[] = {
+    {.item = {"solvers"}, .plan = "solvers", .tell = claim_tell},
+    {.item = {"local-global"}, .plan = "local-global", .tell = claim_tell},
+};
+
 static const struct command_item *const items[] = {
     &study_nets_mesh.item,
     &study_nets_degree.item,
@@ -13,8 +21,8 @@ static const struct command_item *const items[] = {
     &study_flag_experiment.item,
     &study_artefacts_experiment.item,
     &study_contact_experiment.item,
-    &study_solvers_experiment.item,
-    &study_local_global_experiment.item,
+    &plans[0].item,
+    &plans[1].item,
     &study_ensemble_experiment.item,
     NULL,
 };

@@ -31,8 +31,7 @@ extern const struct experiment study_thickness_swing, study_thickness_degree;
 
 /* Of headers of their own. */
 extern const struct experiment study_locking_experiment, study_cures_experiment,
-    study_timestep_experiment, study_contact_experiment, study_solvers_experiment,
-    study_local_global_experiment, study_ensemble_experiment;
+    study_timestep_experiment, study_contact_experiment, study_ensemble_experiment;
 
 enum { STUDIES_SCENES = 8 }; /* most that study ensemble takes */
 

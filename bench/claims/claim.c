@@ -1,0 +1,48 @@
+#include "bench/claims/claim.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *plan;
+    const struct claim *claims;
+} table[] = {
+    {"solvers", claim_solvers},
+    {"local-global", claim_local_global},
+};
+
+const struct claim *claim_find(const char *plan)
+{
+    for (size_t n = 0; n < sizeof table / sizeof *table; n++)
+        if (!strcmp(table[n].plan, plan))
+            return table[n].claims;
+    return NULL;
+}
+
+enum status claim_print(const struct study_results *d, FILE *file)
+{
+    for (const struct claim *c = claim_find(d->plan->name); c && c->quote; c++) {
+        char *because = NULL;
+        size_t size;
+        FILE *text = open_memstream(&because, &size);
+        if (!text)
+            return STATUS_MEMORY;
+        enum judge turn = c->judge(d, text);
+        if (d->quick && (c->full || turn == JUDGE_OPEN))
+            turn = JUDGE_QUICK;
+        if (fclose(text) == 0)
+            judge_print(file, c->quote, turn, "%s", because);
+        free(because);
+    }
+    return STATUS_OK;
+}
+
+enum status claim_tell(const struct study_results *d, const char *folder,
+                       enum table_format format, FILE *file, struct message *why)
+{
+    enum status st = dataset_print(d, folder, format, file, why);
+
+    if (st == STATUS_OK && table_format_is_prose(format))
+        st = claim_print(d, file);
+    return st;
+}

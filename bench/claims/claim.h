@@ -1,0 +1,33 @@
+/* claim.h - a sentence that somebody states, and whether the numbers of a plan's studies
+ * agree.
+ *
+ * A claim is a quote and one predicate on the dataset (dataset.h). The claims on a plan
+ * stand in bench/claims/PLAN.c, and the table in claim.c names them.
+ */
+#ifndef CLAIM_H
+#define CLAIM_H
+
+#include "bench/experiment/dataset.h"
+#include "bench/experiment/judge.h"
+
+struct claim {
+    const char *quote;  /* what is stated, in the words of the source or in ours  */
+    const char *source; /* "Ren et al. 2024, section 3.3"; "" for our own */
+    bool full; /* a quick run, which simulates less, cannot judge it               */
+    /* Judges it, and writes the sentences with the numbers that decide it. */
+    enum judge (*judge)(const struct study_results *d, FILE *because);
+};
+
+/* The claims on the plan of this name, up to one without a quote; NULL: there are none. */
+const struct claim *claim_find(const char *plan);
+
+/* Prints a line on each claim of the plan; a report gets them, too (judge_keep). */
+enum status claim_print(const struct study_results *d, FILE *file);
+
+/* What an experiment with a plan tells: its tables (dataset_print), then the claims. */
+enum status claim_tell(const struct study_results *d, const char *folder,
+                       enum table_format format, FILE *file, struct message *why);
+
+extern const struct claim claim_solvers[], claim_local_global[];
+
+#endif

@@ -1,0 +1,100 @@
+/* What is claimed of the iterations of projective dynamics (plan local-global). */
+#include <math.h>
+
+#include "bench/claims/claim.h"
+
+/* What an iteration leaves of a frame of 5 ms, Euler's. */
+static double left(const struct study_results *d, const char *study, const char *method,
+                   const char *iterations)
+{
+    return dataset_at(d, QUANTITY_APART,
+                      WHERE({"study", study}, {"time", "Euler"}, {"step", "5 ms"},
+                            {"method", method}, {"iterations", iterations}));
+}
+
+/* What a frame of 5 ms takes, iterated to its end, against small steps. */
+static double step_takes(const struct study_results *d, const char *study, const char *time)
+{
+    return dataset_apart(
+        d, WHERE({"study", study}, {"time", time}, {"step", "5 ms"}, {"iterations", "end"}),
+        WHERE({"study", study}, {"step", "small"}, {"iterations", "end"}));
+}
+
+/* Both scenes: the first number below the second. */
+static enum judge in_both(const double value[2], const double bound[2], const char *format,
+                          FILE *because)
+{
+    static const char *const scenes[] = {"edge_drop", "corners_patch"};
+    enum judge turn = JUDGE_HOLDS;
+
+    for (int n = 0; n < 2; n++) {
+        turn = judge_both(turn, judge_below(value[n], bound[n]));
+        fprintf(because, "%s%s: %.2g L ", n ? "; " : "", scenes[n], value[n]);
+        fprintf(because, "%s %.2g L", format, bound[n]);
+    }
+    fputs(".", because);
+    return turn;
+}
+
+static enum judge iterations_limit(const struct study_results *d, FILE *because)
+{
+    return in_both((double[]){step_takes(d, "edge_drop", "Euler"),
+                              step_takes(d, "corners_patch", "Euler")},
+                   (double[]){left(d, "edge_drop", "plain", "20"),
+                              left(d, "corners_patch", "plain", "20")},
+                   "is what Euler's step takes, 20 plain iterations leave", because);
+}
+
+static enum judge chebyshev_pays(const struct study_results *d, FILE *because)
+{
+    return in_both((double[]){left(d, "edge_drop", "Chebyshev", "50"),
+                              left(d, "corners_patch", "Chebyshev", "50")},
+                   (double[]){left(d, "edge_drop", "plain", "50"),
+                              left(d, "corners_patch", "plain", "50")},
+                   "is what 50 iterations leave, without it", because);
+}
+
+static enum judge admm_pays(const struct study_results *d, FILE *because)
+{
+    return in_both((double[]){left(d, "edge_drop", "ADMM", "20"),
+                              left(d, "corners_patch", "ADMM", "20")},
+                   (double[]){left(d, "edge_drop", "plain", "20"),
+                              left(d, "corners_patch", "plain", "20")},
+                   "is what 20 iterations leave, without it", because);
+}
+
+static enum judge second_order_pays(const struct study_results *d, FILE *because)
+{
+    return in_both((double[]){step_takes(d, "edge_drop", "BDF2"),
+                              step_takes(d, "corners_patch", "BDF2")},
+                   (double[]){step_takes(d, "edge_drop", "Euler"),
+                              step_takes(d, "corners_patch", "Euler")},
+                   "is what BDF2's step takes, Euler's", because);
+}
+
+/* What the net of a scene is off by: small steps, to their end, against truth. */
+static double net_takes(const struct study_results *d, const char *study)
+{
+    return dataset_at(d, QUANTITY_ERROR,
+                      WHERE({"study", study}, {"step", "small"}, {"iterations", "end"}));
+}
+
+static enum judge twenty_do(const struct study_results *d, FILE *because)
+{
+    return in_both(
+        (double[]){left(d, "edge_drop", "ADMM", "20"),
+                   left(d, "corners_patch", "ADMM", "20")},
+        (double[]){
+            fmax(step_takes(d, "edge_drop", "Euler"), net_takes(d, "edge_drop")),
+            fmax(step_takes(d, "corners_patch", "Euler"), net_takes(d, "corners_patch"))},
+        "is what they leave, the worse of step and net takes", because);
+}
+
+const struct claim claim_local_global[] = {
+    {"Frames of 5 ms: iterations limit, not the step", "", false, iterations_limit},
+    {"Frames of 5 ms: Chebyshev's acceleration pays", "Wang 2015", true, chebyshev_pays},
+    {"Frames of 5 ms: ADMM's weighting pays", "", false, admm_pays},
+    {"Frames of 5 ms: 20 iterations with ADMM's weighting are enough", "", false,
+     twenty_do},
+    {"Frames of 5 ms: second order in time pays", "", false, second_order_pays},
+    {0}};

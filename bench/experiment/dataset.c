@@ -1,0 +1,265 @@
+#include "bench/experiment/dataset.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "bench/harness/fit.h"
+
+const char *dataset_label(const struct study *s, int level, const char *axis)
+{
+    if (!strcmp(axis, "study"))
+        return s->plan->name;
+    for (int n = 0; n < s->plan->axis_count; n++)
+        if (!strcmp(axis, s->plan->axis[n].name))
+            return s->row[level].level->word[n];
+    return s->plan->axis_count || strcmp(axis, "level") ? NULL : s->row[level].level->label;
+}
+
+/* Whether a level has all of these labels. */
+static bool is_named(const struct study *s, int level, const struct where *where)
+{
+    for (; where->axis; where++) {
+        const char *label = dataset_label(s, level, where->axis);
+        const bool other = where->label[0] == '!';
+        if (!label || !strcmp(label, where->label + other) == other)
+            return false;
+    }
+    return true;
+}
+
+/* Goes on to the next row that the labels name, from the one behind *study and *level;
+ * false: there is none. Begin with 0 and -1. */
+static bool next_row(const struct study_results *d, const struct where *where, int *study,
+                     int *level)
+{
+    for (; *study < d->count; ++*study, *level = -1)
+        while (++*level < d->study[*study].plan->level_count)
+            if (!d->study[*study].row[*level].left_out &&
+                is_named(&d->study[*study], *level, where))
+                return true;
+    return false;
+}
+
+/* The only row that the labels name. */
+static bool find(const struct study_results *d, const struct where *where, int *study,
+                 int *level)
+{
+    int after, last;
+
+    *study = 0, *level = -1;
+    if (!next_row(d, where, study, level))
+        return false;
+    after = *study, last = *level;
+    return !next_row(d, where, &after, &last);
+}
+
+int dataset_labels(const struct study_results *d, const char *axis, int most,
+                   const char **label)
+{
+    int count = 0, study = 0, level = -1;
+
+    while (next_row(d, WHERE({NULL, NULL}), &study, &level)) {
+        const char *word = dataset_label(&d->study[study], level, axis);
+        int n = 0;
+        while (word && n < count && strcmp(label[n], word))
+            n++;
+        if (word && n == count && count < most)
+            label[count++] = word;
+    }
+    return count;
+}
+
+static double value(const struct study_results *d, enum quantity q, int study, int level)
+{
+    const struct study *s = &d->study[study];
+
+    return quantity_table[q].at(d, s, level, s->frames - 1);
+}
+
+double dataset_at(const struct study_results *d, enum quantity q, const struct where *where)
+{
+    int study, level;
+
+    return find(d, where, &study, &level) ? value(d, q, study, level) : NAN;
+}
+
+double dataset_most(const struct study_results *d, enum quantity q,
+                    const struct where *where)
+{
+    int study = 0, level = -1;
+    double most = NAN;
+
+    while (next_row(d, where, &study, &level))
+        most = fmax(most, value(d, q, study, level));
+    return most;
+}
+
+double dataset_least(const struct study_results *d, enum quantity q,
+                     const struct where *where)
+{
+    int study = 0, level = -1;
+    double least = NAN;
+
+    while (next_row(d, where, &study, &level))
+        least = fmin(least, value(d, q, study, level));
+    return least;
+}
+
+double dataset_apart(const struct study_results *d, const struct where *a,
+                     const struct where *b)
+{
+    int study, level, other, of_other;
+
+    if (!find(d, a, &study, &level) || !find(d, b, &other, &of_other))
+        return NAN;
+    return study_distance(&d->study[study], level, &d->study[other], of_other,
+                          d->study[study].frames - 1);
+}
+
+double dataset_exponent(const struct study_results *d, enum quantity x, enum quantity y,
+                        const struct where *where)
+{
+    double xs[PLAN_STUDY_LEVELS], ys[PLAN_STUDY_LEVELS];
+    int count = 0, study = 0, level = -1;
+
+    while (count < PLAN_STUDY_LEVELS && next_row(d, where, &study, &level)) {
+        xs[count] = value(d, x, study, level);
+        ys[count] = value(d, y, study, level);
+        count += isfinite(log(xs[count])) && isfinite(log(ys[count]));
+    }
+    return count < 2 ? NAN : fit_exponent(count, xs, ys);
+}
+
+/* --- the plan's table --------------------------------------------------------------------
+ */
+
+enum status dataset_check(const struct plan *plan, struct message *why)
+{
+    for (int n = 0; n < plan->table.columns.count; n++) {
+        const struct plan_setting *column = &plan->table.columns.list[n];
+        if (quantity_find(column->key) < 0)
+            return plan_case_refuse(plan, column->line, why,
+                                    "a column of the table is %s, which is no quantity; "
+                                    "clothbench list quantities has them",
+                                    yaml_tree_quote(column->key).text);
+    }
+    return STATUS_OK;
+}
+
+/* Column n of a plan's table. */
+static const struct quantity_row *column_of(const struct plan_table *plan, int n)
+{
+    return &quantity_table[quantity_find(plan->columns.list[n].key)];
+}
+
+enum { AXES = 2 + PLAN_STUDY_AXES }; /* with the study's and the time's columns */
+
+/* Whether some study has several times. */
+static bool has_times(const struct study_results *d)
+{
+    for (int n = 0; n < d->count; n++)
+        if (d->study[n].frames > 1)
+            return true;
+    return false;
+}
+
+/* Heads of the label columns: the study where there are several, the axes of the first, the
+ * time where there are several. */
+static int label_columns(const struct study_results *d, struct table_column *columns)
+{
+    const struct plan_study *first = d->study[0].plan;
+    int count = 0;
+
+    if (d->count > 1)
+        columns[count++] = (struct table_column){"study", NULL, TABLE_LEFT};
+    for (int n = 0; n < first->axis_count; n++)
+        columns[count++] = (struct table_column){first->axis[n].name, NULL, TABLE_LEFT};
+    if (!first->axis_count)
+        columns[count++] = (struct table_column){"level", NULL, TABLE_LEFT};
+    if (has_times(d))
+        columns[count++] = (struct table_column){"time", "s"};
+    return count;
+}
+
+static void add_row(struct table *t, const struct study_results *d, const struct study *s,
+                    int level, int time)
+{
+    const struct plan_table *plan = &d->plan->table;
+
+    table_row(t);
+    if (d->count > 1)
+        table_text(t, "%s", s->plan->name);
+    for (int n = 0; n < s->plan->axis_count; n++)
+        table_text(t, "%s", s->row[level].level->word[n]);
+    if (!s->plan->axis_count)
+        table_text(t, "%s", s->row[level].level->label);
+    if (has_times(d))
+        table_number(t, s->time ? s->time[time] : NAN, 3);
+    for (int n = 0; n < plan->columns.count; n++) {
+        const struct quantity_row *q = column_of(plan, n);
+        if (q->digits)
+            table_number(t, q->at(d, s, level, time), q->digits);
+        else
+            table_fixed(t, q->at(d, s, level, time), 0);
+    }
+}
+
+static struct table *fill(const struct study_results *d)
+{
+    const struct plan_table *plan = &d->plan->table;
+    struct table_column columns[AXES + PLAN_TABLE_COLUMNS];
+    int count = label_columns(d, columns);
+
+    for (int n = 0; n < plan->columns.count; n++) {
+        const struct quantity_row *q = column_of(plan, n);
+        columns[count++] = (struct table_column){q->head, q->unit, .key = q->name};
+    }
+    struct table *t =
+        table_create(count, columns, d->plan->what ? d->plan->what : d->plan->source);
+    for (int k = 0; k < d->count; k++)
+        for (int n = 0; n < d->study[k].plan->level_count; n++)
+            for (int time = 0; time < d->study[k].frames; time++)
+                if (!d->study[k].row[n].left_out)
+                    add_row(t, d, &d->study[k], n, time);
+    return t;
+}
+
+/* What the columns mean, how runs ended that did not come to their end, and the truths. */
+static void add_notes(struct table *t, const struct study_results *d)
+{
+    const struct plan_table *plan = &d->plan->table;
+    char text[2048] = "";
+
+    for (int n = 0; n < plan->columns.count; n++) {
+        const struct quantity_row *q = column_of(plan, n);
+        const size_t used = strlen(text);
+        snprintf(text + used, sizeof text - used, "%s%s: %s", n ? "; " : "", q->head,
+                 q->help);
+    }
+    table_note(t, "%s.", text);
+    if (plan->note)
+        table_note(t, "%s", plan->note);
+    for (int k = 0; k < d->count; k++) {
+        const struct study *s = &d->study[k];
+        for (int n = 0; n < s->plan->level_count; n++)
+            if (!s->row[n].left_out && s->row[n].result.outcome)
+                table_note(t, "%s, %s: %s.", s->plan->name, s->row[n].level->label,
+                           s->row[n].result.sentence.text);
+        if (s->truth)
+            table_note(t, "Truth of %s: %s.", s->plan->name, s->truth->source);
+        else if (s->plan->truth)
+            table_note(t, "Truth of %s: none; %s.", s->plan->name, s->no_truth.text);
+    }
+}
+
+enum status dataset_print(const struct study_results *d, const char *folder,
+                          enum table_format format, FILE *file, struct message *why)
+{
+    struct table *t;
+
+    if (!d->plan->table.columns.count)
+        return study_print_all(d, folder, format, file, why);
+    t = fill(d);
+    add_notes(t, d);
+    return table_publish(t, folder, d->plan->name, format, file, why);
+}

@@ -1,0 +1,124 @@
+#include "bench/experiment/quantity.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "bench/experiment/study.h"
+
+/* Numbers that a level has whatever the time. */
+#define OF_LEVEL(name, value)                                                              \
+    static double name(const struct study_results *d, const struct study *s, int level,    \
+                       int time)                                                           \
+    {                                                                                      \
+        const struct study_row *row = &s->row[level];                                      \
+        const struct run_result *r = &row->result;                                         \
+        (void)d, (void)time, (void)r;                                                      \
+        return row->left_out || run_result_refused(r) ? NAN : (value);                     \
+    }
+
+/* Members of its frame at a time. */
+#define OF_FRAME(name)                                                                     \
+    static double name(const struct study_results *d, const struct study *s, int level,    \
+                       int time)                                                           \
+    {                                                                                      \
+        (void)d;                                                                           \
+        return s->row[level].frame[time].name;                                             \
+    }
+
+static double a_step(const struct run_result *r, long count)
+{
+    return r->outcome || !r->work.steps ? NAN : (double)count / (double)r->work.steps;
+}
+
+OF_LEVEL(unknowns, r->unknowns)
+OF_LEVEL(factor_entries, r->factor_entries)
+OF_LEVEL(create, r->create.count ? 1e3 * r->create.median : NAN)
+OF_LEVEL(frame, r->outcome ? NAN : row->milliseconds)
+OF_LEVEL(paper, s->plan->truth ? NAN : row->paper_ms)
+OF_LEVEL(seconds, row->seconds)
+OF_LEVEL(factorisations, a_step(r, r->work.factorisations))
+OF_LEVEL(solves, a_step(r, r->work.solves))
+OF_LEVEL(iterations, a_step(r, r->work.iterations))
+OF_FRAME(next)
+OF_FRAME(finest)
+OF_FRAME(error)
+OF_FRAME(roughness)
+OF_FRAME(inner)
+OF_FRAME(stretch)
+OF_FRAME(drop)
+OF_FRAME(unevenness)
+
+static double of_reference(const struct study_results *d, const struct study *s, int level,
+                           int time)
+{
+    const int other = study_reference(d, s, level);
+
+    return other < 0 ? NAN : frame(d, s, level, time) / frame(d, s, other, time);
+}
+
+static double apart(const struct study_results *d, const struct study *s, int level,
+                    int time)
+{
+    const int other = study_reference(d, s, level);
+
+    return other < 0 || other == level ? NAN : study_distance(s, level, s, other, time);
+}
+
+static double bar(const struct study_results *d, const struct study *s, int level, int time)
+{
+    (void)d, (void)level;
+    return s->truth ? s->truth->error[time] / s->length : NAN;
+}
+
+/* clang-format off */
+const struct quantity_row quantity_table[QUANTITIES] = {
+    [QUANTITY_UNKNOWNS] = {"unknowns", "unknowns", NULL, 0, unknowns,
+        "components of points that are not held"},
+    [QUANTITY_FACTOR_ENTRIES] = {"factor_entries", "factor", NULL, 0, factor_entries,
+        "numbers stored in the factor"},
+    [QUANTITY_CREATE] = {"create_ms", "set-up", "ms", 3, create,
+        "building the model, median over repeats"},
+    [QUANTITY_FRAME] = {"frame_ms", "a frame", "ms", 3, frame,
+        "a time step, or the equilibrium: median over repeats, one thread"},
+    [QUANTITY_OF_REFERENCE] = {"of_reference", "of reference", NULL, 3, of_reference,
+        "a frame's milliseconds over those of the reference"},
+    [QUANTITY_PAPER] = {"paper_ms", "paper", "ms", 4, paper,
+        "what the paper prints for a frame"},
+    [QUANTITY_SECONDS] = {"stepping_s", "stepping", "s", 3, seconds,
+        "all frames to the last time"},
+    [QUANTITY_FACTORISATIONS] = {"factorisations", "factors", "a frame", 3, factorisations,
+        "factorisations, mean over the frames"},
+    [QUANTITY_SOLVES] = {"solves", "solves", "a frame", 3, solves,
+        "products with the factor or the preconditioner, mean over the frames"},
+    [QUANTITY_ITERATIONS] = {"iterations", "iterations", "a frame", 3, iterations,
+        "iterations of the step, mean over the frames"},
+    [QUANTITY_APART] = {"apart", "apart", "L", 2, apart,
+        "rms distance to the reference on the material grid, over the length"},
+    [QUANTITY_NEXT] = {"to_next", "to next", "L", 3, next,
+        "rms distance to the next level"},
+    [QUANTITY_FINEST] = {"to_finest", "to finest", "L", 3, finest,
+        "rms distance to the last level"},
+    [QUANTITY_ERROR] = {"error", "error", "L", 3, error,
+        "rms distance to the scene's truth"},
+    [QUANTITY_BAR] = {"error_bar", "error bar", "L", 2, bar,
+        "error bar of the truth"},
+    [QUANTITY_ROUGHNESS] = {"roughness", "roughness", NULL, 3, roughness,
+        "length times the rms curvature"},
+    [QUANTITY_INNER] = {"inner_roughness", "inner", NULL, 3, inner,
+        "the same away from the edges"},
+    [QUANTITY_STRETCH] = {"stretch", "stretch", NULL, 4, stretch,
+        "largest principal stretch"},
+    [QUANTITY_DROP] = {"drop", "drop", "L", 4, drop,
+        "lowest point below the support"},
+    [QUANTITY_UNEVENNESS] = {"unevenness", "unevenness", NULL, 3, unevenness,
+        "rms change of the curvature over it, per length"},
+};
+/* clang-format on */
+
+int quantity_find(const char *name)
+{
+    for (int n = 0; n < QUANTITIES; n++)
+        if (!strcmp(quantity_table[n].name, name))
+            return n;
+    return -1;
+}

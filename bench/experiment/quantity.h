@@ -1,0 +1,51 @@
+/* quantity.h - every number that can be read off the levels of a study, each defined once:
+ * a plan names it as a column, claims ask for it, CSV and JSON have it under its name. A
+ * new quantity is one function and one row.
+ */
+#ifndef QUANTITY_H
+#define QUANTITY_H
+
+struct study;         /* study.h */
+struct study_results; /* study.h */
+
+enum quantity {
+    QUANTITY_UNKNOWNS,
+    QUANTITY_FACTOR_ENTRIES,
+    QUANTITY_CREATE,
+    QUANTITY_FRAME,
+    QUANTITY_OF_REFERENCE,
+    QUANTITY_PAPER,
+    QUANTITY_SECONDS,
+    QUANTITY_FACTORISATIONS,
+    QUANTITY_SOLVES,
+    QUANTITY_ITERATIONS,
+    QUANTITY_APART,
+    QUANTITY_NEXT,
+    QUANTITY_FINEST,
+    QUANTITY_ERROR,
+    QUANTITY_BAR,
+    QUANTITY_ROUGHNESS,
+    QUANTITY_INNER,
+    QUANTITY_STRETCH,
+    QUANTITY_DROP,
+    QUANTITY_UNEVENNESS,
+    QUANTITIES
+};
+
+struct quantity_row {
+    const char *name; /* "frame_ms": in plans, CSV and JSON                            */
+    const char *head; /* "a frame": column head in a table                             */
+    const char *unit; /* "ms", "L", "1"; NULL for a pure number                        */
+    int digits;       /* significant ones that a table shows; 0: a whole number        */
+    /* Its value, in the unit, of a level at one of its study's times, both from 0. NaN
+     * where the result has none. */
+    double (*at)(const struct study_results *d, const struct study *s, int level, int time);
+    const char *help; /* words that say what it measures                                */
+};
+
+extern const struct quantity_row quantity_table[QUANTITIES];
+
+/* By its name; -1: there is none. */
+int quantity_find(const char *name);
+
+#endif

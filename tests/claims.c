@@ -7,16 +7,21 @@
 #include "tests/study_fixture.h"
 
 /* What a turn sets in all rows that labels name, at the last time. */
-enum what {
+enum {
     COST,  /* milliseconds a frame                                                       */
     PLACE, /* height of the whole sheet, over the length: rows are apart by differences  */
-    ERROR  /* distance to truth                                                          */
+    ERROR, /* distance to truth                                                          */
+    ANGLE, /* at one of its times, from 1, or, 0, at all                                 */
+    STRETCH,
+    ROUGHNESS,
+    MEASURE /* MEASURE + a measure: of the run                                           */
 };
 
 struct change {
-    enum what what;
+    int what;
     double value;
     struct where rows[5];
+    int time;
 };
 
 struct turn {
@@ -37,6 +42,16 @@ static void set(const struct study *s, struct study_row *row, double *xyz,
         row->milliseconds = c->value;
     if (c->what == ERROR)
         f->error = c->value;
+    for (int t = 0; t < s->frames; t++) {
+        struct study_frame *at = &row->frame[t];
+        if (c->time && c->time != t + 1)
+            continue;
+        at->angle = c->what == ANGLE ? c->value : at->angle;
+        at->stretch = c->what == STRETCH ? c->value : at->stretch;
+        at->roughness = c->what == ROUGHNESS ? c->value : at->roughness;
+    }
+    if (c->what >= MEASURE)
+        row->result.value[c->what - MEASURE] = c->value;
     for (int n = 0; c->what == PLACE && n < GRID_POINTS; n++)
         xyz[3 * n + 2] = c->value * s->length;
 }
@@ -52,7 +67,7 @@ static void apply(struct study_made *m, const struct change *change, int count)
             struct study *s = &m->r.study[k];
             for (int n = 0; n < s->plan->level_count; n++, xyz += 3 * GRID_POINTS) {
                 bool all = true;
-                for (const struct where *w = change[c].rows; w->axis; w++)
+                for (const struct where *w = change[c].rows; w->axis && *w->axis; w++)
                     all = all && !strcmp(dataset_label(s, n, w->axis), w->label);
                 if (all)
                     set(s, &s->row[n], xyz, &change[c]), met++;
@@ -259,10 +274,187 @@ static void local_global(void)
     check("local-global", begin, COUNT(begin), turns, COUNT(turns));
 }
 
+/* Both sheets hang at 80 degrees, swing to 120 at the third time, and back to 70. */
+static void drops(void)
+{
+#define PRINTED(study_)                                                                    \
+    {                                                                                      \
+        {"study", study_},                                                                 \
+        {                                                                                  \
+            "level", "printed"                                                             \
+        }                                                                                  \
+    }
+    static const struct change begin[] = {
+        {ANGLE, 80, {{"", ""}}, 0},
+        {ANGLE, 120, {{"level", "printed"}}, 3},
+        {ANGLE, 70, {{"level", "printed"}}, 5},
+        {STRETCH, 1.5, {{"level", "printed"}}, 6},
+        {ANGLE, 60, {{"level", "undamped shell"}}, 0},
+        {ANGLE, 65, {{"level", "undamped shell"}}, 2},
+    };
+    static const struct turn turns[] = {
+        {"Fig. 7",
+         JUDGE_HOLDS,
+         "by 120 degrees at most, where 90 is plumb, by 70 at least after that, and in the "
+         "end stretched by a factor of 1.5; an undamped shell with the same E, nu, rho and "
+         "thickness: 65 degrees",
+         {{0}}},
+        {"Fig. 7", JUDGE_FAILS, "by 89 degrees", {{ANGLE, 89, PRINTED("edge"), 3}}},
+        {"Fig. 7",
+         JUDGE_FAILS,
+         "by 91 at least after",
+         {{ANGLE, 91, PRINTED("edge"), 4},
+          {ANGLE, 91, PRINTED("edge"), 5},
+          {ANGLE, 91, PRINTED("edge"), 6}}},
+        {"Fig. 7", JUDGE_OPEN, "nan", {{ANGLE, NAN, PRINTED("edge"), 6}}},
+        {"Fig. 8", JUDGE_HOLDS, "by 70 at least", {{ANGLE, 10, PRINTED("edge"), 0}}},
+        {"Fig. 8", JUDGE_FAILS, "by 89 degrees", {{ANGLE, 89, PRINTED("corners"), 3}}},
+    };
+#undef PRINTED
+
+    check("drops", begin, COUNT(begin), turns, COUNT(turns));
+}
+
+static void flag(void)
+{
+    static const struct change begin[] = {
+        {ANGLE, 4, {{"", ""}}, 0},
+        {ANGLE, 40, {{"level", "printed (the paper's)"}}, 3},
+        {STRETCH, 1.5, {{"level", "printed (the paper's)"}}, 3},
+        {STRETCH, 1.8, {{"level", "printed, coarser net"}}, 3},
+        {ROUGHNESS, 1, {{"", ""}}, 0},
+        {ROUGHNESS, 19, {{"level", "mass-spring, matched"}}, 2},
+    };
+    static const struct turn turns[] = {
+        {"Fig. 15: most of",
+         JUDGE_HOLDS,
+         "sinks by 40 degrees, stretched by a factor of 1.5; as an elastic solid or shell "
+         "with the same E, nu, rho and thickness it sinks by 4 degrees",
+         {{0}}},
+        {"Fig. 15: most of",
+         JUDGE_FAILS,
+         "by 21 degrees",
+         {{ANGLE, 21, {{"level", "nonlinear shell"}}, 3}}},
+        {"Fig. 15: most of",
+         JUDGE_FAILS,
+         "by 22 degrees",
+         {{ANGLE, 22, {{"level", "nonlinear solid, selective"}}, 3}}},
+        {"Fig. 15: most of",
+         JUDGE_OPEN,
+         "nan",
+         {{ANGLE, NAN, {{"level", "nonlinear shell"}}, 3}}},
+        {"Fig. 15: the printed",
+         JUDGE_HOLDS,
+         "is 1.8 on the coarser net and 1.5 on",
+         {{0}}},
+        {"Fig. 15: the printed",
+         JUDGE_FAILS,
+         "is 1.6 on the coarser",
+         {{STRETCH, 1.6, {{"level", "printed, coarser net"}}, 3}}},
+        {"Fig. 15: nets", JUDGE_HOLDS, "of up to 19, solid and shell one of 1.", {{0}}},
+        {"Fig. 15: nets",
+         JUDGE_FAILS,
+         "one of 9.6.",
+         {{ROUGHNESS, 9.6, {{"level", "nonlinear shell"}}, 1}}},
+        {"Fig. 15: nets",
+         JUDGE_HOLDS,
+         "of up to 30",
+         {{ROUGHNESS, 30, {{"level", "projective dynamics, matched"}}, 1}}},
+    };
+
+    check("flag", begin, COUNT(begin), turns, COUNT(turns));
+}
+
+/* Everything feasible by the rules of Table 4, then one measure beyond one bound. */
+static void artefacts(void)
+{
+#define ROW(label)                                                                         \
+    {                                                                                      \
+        {                                                                                  \
+            "level", label                                                                 \
+        }                                                                                  \
+    }
+#define TURN(quote, label, measure, beyond, number)                                        \
+    {quote, JUDGE_HOLDS, number, {{MEASURE + MEASURE_##measure, beyond, ROW(label)}}},     \
+        {quote, JUDGE_FAILS, "stretch is 1,", {{0}}},                                      \
+    {                                                                                      \
+        quote, JUDGE_OPEN, "stretch",                                                      \
+        {                                                                                  \
+            {                                                                              \
+                MEASURE + MEASURE_##measure, NAN, ROW(label)                               \
+            }                                                                              \
+        }                                                                                  \
+    }
+    static const struct change begin[] = {
+        {MEASURE + MEASURE_STRETCH_MAX, 1, {{"", ""}}},
+        {MEASURE + MEASURE_ANGLE_MAX, 85, {{"", ""}}},
+        {MEASURE + MEASURE_INTERSECTIONS_MAX, 0, {{"", ""}}},
+        {MEASURE + MEASURE_INTERSECTION_TIME, INFINITY, {{"", ""}}},
+        {MEASURE + MEASURE_BLOWUP_TIME, INFINITY, {{"", ""}}},
+        {MEASURE + MEASURE_SPEED_MAX, 1, {{"", ""}}},
+        {MEASURE + MEASURE_ROUGHNESS_MAX, 1, {{"", ""}}},
+    };
+    static const struct turn turns[] = {
+        {"Fig. 16, normal: row 14", JUDGE_HOLDS, "does not cross itself", {{0}}},
+        {"Fig. 16, normal: row 14",
+         JUDGE_FAILS,
+         "stretch is 1.2,",
+         {{MEASURE + MEASURE_STRETCH_MAX, 1.2, ROW("normal: row 14, the paper's")}}},
+        {"Fig. 16, normal: row 4", JUDGE_HOLDS, "angle 85 degrees", {{0}}},
+        {"Fig. 16, normal: row 4",
+         JUDGE_FAILS,
+         "crosses itself at 0.7 s",
+         {{MEASURE + MEASURE_INTERSECTIONS_MAX, 3, ROW("normal: row 4, shell")},
+          {MEASURE + MEASURE_INTERSECTION_TIME, 0.7, ROW("normal: row 4, shell")}}},
+        TURN("Fig. 16, super", "super-elongation: row 4", STRETCH_MAX, 1.2, "is 1.2,"),
+        TURN("Fig. 16, floating: row 13 as", "floating: row 13, shell", ANGLE_MAX, 70,
+             "angle 70 "),
+        TURN("Fig. 16, floating: row 13", "floating: row 13", ANGLE_MAX, 71, "angle 71 "),
+        TURN("Fig. 16, penetration", "penetration: row 2", INTERSECTIONS_MAX, 3, "stretch"),
+    };
+#undef TURN
+#undef ROW
+
+    check("artefacts", begin, COUNT(begin), turns, COUNT(turns));
+}
+
+static void contact(void)
+{
+    static const struct change begin[] = {
+        {MEASURE + MEASURE_LOAD_END, 1.04, {{"", ""}}},
+        {MEASURE + MEASURE_PENETRATION_MAX, 1e-13, {{"", ""}}},
+        {MEASURE + MEASURE_INTERSECTION_TIME, INFINITY, {{"", ""}}},
+    };
+    static const struct turn turns[] = {
+        {"Fig. 9: the sheet", JUDGE_HOLDS, "carries 1.04 of", {{0}}},
+        {"Fig. 9: the sheet",
+         JUDGE_FAILS,
+         "carries 0.94 of",
+         {{MEASURE + MEASURE_LOAD_END, 0.94, {{"level", "IGA, printed (the paper's)"}}}}},
+        {"Fig. 9: it suffices", JUDGE_HOLDS, "than 1e-13 m", {{0}}},
+        {"Fig. 9: it suffices",
+         JUDGE_FAILS,
+         "than 0.002 m",
+         {{MEASURE + MEASURE_PENETRATION_MAX, 0.002, {{"level", "shell, nonlinear"}}}}},
+        {"Fig. 9: sheets", JUDGE_HOLDS, "No sheet", {{0}}},
+        {"Fig. 9: sheets",
+         JUDGE_FAILS,
+         "at 0.6 s",
+         {{MEASURE + MEASURE_INTERSECTION_TIME, 0.6, {{"level", "IGA, linear"}}},
+          {MEASURE + MEASURE_INTERSECTION_TIME, 0.9, {{"level", "shell, nonlinear"}}}}},
+    };
+
+    check("contact", begin, COUNT(begin), turns, COUNT(turns));
+}
+
 int main(int argc, char **argv)
 {
     study_begin(argc, argv);
     solvers();
     local_global();
+    drops();
+    flag();
+    artefacts();
+    contact();
     return check_result();
 }

@@ -44,7 +44,8 @@ static void check_series(const double *value)
                 {LOOKS_ROUGHNESS, MEASURE_ROUGHNESS_MAX, MEASURE_ROUGHNESS_END},
                 {LOOKS_PENETRATION, MEASURE_PENETRATION_MAX, -1},
                 {LOOKS_INTERSECTIONS, MEASURE_INTERSECTIONS_MAX, MEASURE_INTERSECTIONS_END},
-                {LOOKS_SPEED, MEASURE_SPEED_MAX, MEASURE_SPEED_END}};
+                {LOOKS_SPEED, MEASURE_SPEED_MAX, MEASURE_SPEED_END},
+                {LOOKS_LOAD, MEASURE_LOAD_MAX, MEASURE_LOAD_END}};
 
     for (int n = 0; n < LENGTH(want); n++) {
         CHECK(value[want[n].most] == 10 * want[n].series + 3);

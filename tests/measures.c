@@ -70,6 +70,7 @@ static const struct {
     {LOOKS_INTERSECTIONS, MEASURE_INTERSECTIONS_MAX, MEASURE_INTERSECTIONS_END,
      "intersections", "1", NULL},
     {LOOKS_SPEED, MEASURE_SPEED_MAX, MEASURE_SPEED_END, "speed", "m/s", NULL},
+    {LOOKS_LOAD, MEASURE_LOAD_MAX, MEASURE_LOAD_END, "load", "1", NULL},
 };
 
 static void test_series(void)

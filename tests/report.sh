@@ -235,6 +235,6 @@ for name in study_flag/flag study_mesh/corners_sheets study_mesh/edge_sheets; do
     { printf '\x89PNG\r\n\x1a\n' && head -c 3800000 /dev/zero && printf 'IEND\xae\x42\x60\x82'; } >"large/$name.png"
 done
 good large
-has 'study_flag/flag.png","paper":"Fig. 15, flag falling, at 0.75, 1.0 and 2.075 s","trouble":"","data":null'
+has 'study_flag/flag_sheets.png","paper":"Fig. 15, flag falling, at 0.75, 1.0 and 2.075 s","trouble":"","data":null'
 [ "$(grep -oF '"data":null' page.html | wc -l)" -eq 2 ] || fail 'not one of three fits'
 exit $((failures > 0))

@@ -24,14 +24,15 @@ static const char header[] =
     "case,name,scene,time.end,discretization.points,model,material.density,damping.value,"
     "stretch_max,stretch_end,drop_max,drop_end,angle_max,angle_end,roughness_max,"
     "roughness_end,penetration_max,intersections_max,intersections_end,intersection_time,"
-    "speed_max,speed_end,energy_drift_max,energy_drift_end,blowup_time,end_time,"
+    "speed_max,speed_end,energy_drift_max,energy_drift_end,load_max,load_end,blowup_time,"
+    "end_time,"
     "gamma_measured,young_over_density_measured,hanging_strain,truth_error_max,"
     "truth_error_end,truth_bar_end,verdict,labels,outcome\n";
 
 /* A value that all measures have, and with it every one of them in the table. */
 #define ALL(x)                                                                             \
     x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x  \
-      "," x "," x "," x "," x "," x "," x "," x "," x "," x ","
+      "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x ","
 
 static const struct told {
     struct sweep_row row; /* `value`: of all measures                                  */

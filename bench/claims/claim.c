@@ -7,8 +7,9 @@ static const struct {
     const char *plan;
     const struct claim *claims;
 } table[] = {
-    {"solvers", claim_solvers},
-    {"local-global", claim_local_global},
+    {"solvers", claim_solvers},     {"local-global", claim_local_global},
+    {"drops", claim_drops},         {"flag", claim_flag},
+    {"artefacts", claim_artefacts}, {"contact", claim_contact},
 };
 
 const struct claim *claim_find(const char *plan)

@@ -28,6 +28,7 @@ enum status claim_print(const struct study_results *d, FILE *file);
 enum status claim_tell(const struct study_results *d, const char *folder,
                        enum table_format format, FILE *file, struct message *why);
 
-extern const struct claim claim_solvers[], claim_local_global[];
+extern const struct claim claim_solvers[], claim_local_global[], claim_drops[],
+    claim_flag[], claim_artefacts[], claim_contact[];
 
 #endif

@@ -83,6 +83,41 @@ double dataset_at(const struct study_results *d, enum quantity q, const struct w
     return find(d, where, &study, &level) ? value(d, q, study, level) : NAN;
 }
 
+int dataset_times(const struct study_results *d, const struct where *where)
+{
+    int study, level;
+
+    return find(d, where, &study, &level) ? d->study[study].frames : 0;
+}
+
+double dataset_at_time(const struct study_results *d, enum quantity q, int time,
+                       const struct where *where)
+{
+    int study, level;
+
+    return find(d, where, &study, &level) && time < d->study[study].frames
+               ? quantity_table[q].at(d, &d->study[study], level, time)
+               : NAN;
+}
+
+enum judge dataset_verdict(const struct study_results *d, const char *label,
+                           const struct where *where)
+{
+    const struct verdict_rules *rules = &d->plan->verdicts;
+    int study, level;
+
+    if (!find(d, where, &study, &level))
+        return JUDGE_OPEN;
+    const struct verdict v = verdict_of(rules, &d->study[study].row[level].result);
+    if (!label)
+        return v.kind == VERDICT_FEASIBLE     ? JUDGE_HOLDS
+               : v.kind == VERDICT_INFEASIBLE ? JUDGE_FAILS
+                                              : JUDGE_OPEN;
+    return verdict_has(rules, v, label)     ? JUDGE_HOLDS
+           : verdict_lacks(rules, v, label) ? JUDGE_OPEN
+                                            : JUDGE_FAILS;
+}
+
 double dataset_most(const struct study_results *d, enum quantity q,
                     const struct where *where)
 {
@@ -163,9 +198,18 @@ static bool has_times(const struct study_results *d)
     return false;
 }
 
+/* Which columns and rows: those of a run, those of its times, or, for machines, all. */
+enum part { PART_RUN, PART_TIMES, PART_ALL };
+
+static bool is_in(enum part part, const struct quantity_row *q)
+{
+    return part == PART_ALL || q->moves == (part == PART_TIMES);
+}
+
 /* Heads of the label columns: the study where there are several, the axes of the first, the
  * time where there are several. */
-static int label_columns(const struct study_results *d, struct table_column *columns)
+static int label_columns(const struct study_results *d, enum part part,
+                         struct table_column *columns)
 {
     const struct plan_study *first = d->study[0].plan;
     int count = 0;
@@ -176,15 +220,17 @@ static int label_columns(const struct study_results *d, struct table_column *col
         columns[count++] = (struct table_column){first->axis[n].name, NULL, TABLE_LEFT};
     if (!first->axis_count)
         columns[count++] = (struct table_column){"level", NULL, TABLE_LEFT};
-    if (has_times(d))
+    if (part != PART_RUN && has_times(d))
         columns[count++] = (struct table_column){"time", "s"};
     return count;
 }
 
-static void add_row(struct table *t, const struct study_results *d, const struct study *s,
-                    int level, int time)
+static void add_row(struct table *t, const struct study_results *d, enum part part,
+                    const struct study *s, int level, int time)
 {
     const struct plan_table *plan = &d->plan->table;
+    const struct verdict_rules *rules = &d->plan->verdicts;
+    char words[256];
 
     table_row(t);
     if (d->count > 1)
@@ -193,35 +239,56 @@ static void add_row(struct table *t, const struct study_results *d, const struct
         table_text(t, "%s", s->row[level].level->word[n]);
     if (!s->plan->axis_count)
         table_text(t, "%s", s->row[level].level->label);
-    if (has_times(d))
-        table_number(t, s->time ? s->time[time] : NAN, 3);
+    if (part != PART_RUN && has_times(d))
+        table_number(t, s->time ? s->time[time] : NAN, 4);
     for (int n = 0; n < plan->columns.count; n++) {
         const struct quantity_row *q = column_of(plan, n);
-        if (q->digits)
+        if (is_in(part, q) && q->digits)
             table_number(t, q->at(d, s, level, time), q->digits);
-        else
+        else if (is_in(part, q))
             table_fixed(t, q->at(d, s, level, time), 0);
     }
+    if (rules->count && part != PART_TIMES)
+        table_text(t, "%s",
+                   verdict_text(rules, verdict_of(rules, &s->row[level].result), words,
+                                sizeof words));
 }
 
-static struct table *fill(const struct study_results *d)
+static struct table *fill(const struct study_results *d, enum part part,
+                          const char *caption)
 {
     const struct plan_table *plan = &d->plan->table;
-    struct table_column columns[AXES + PLAN_TABLE_COLUMNS];
-    int count = label_columns(d, columns);
+    struct table_column columns[AXES + PLAN_TABLE_COLUMNS + 1];
+    int count = label_columns(d, part, columns);
 
     for (int n = 0; n < plan->columns.count; n++) {
         const struct quantity_row *q = column_of(plan, n);
-        columns[count++] = (struct table_column){q->head, q->unit, .key = q->name};
+        if (is_in(part, q))
+            columns[count++] = (struct table_column){q->head, q->unit, .key = q->name};
     }
-    struct table *t =
-        table_create(count, columns, d->plan->what ? d->plan->what : d->plan->source);
-    for (int k = 0; k < d->count; k++)
-        for (int n = 0; n < d->study[k].plan->level_count; n++)
-            for (int time = 0; time < d->study[k].frames; time++)
-                if (!d->study[k].row[n].left_out)
-                    add_row(t, d, &d->study[k], n, time);
+    if (d->plan->verdicts.count && part != PART_TIMES)
+        columns[count++] = (struct table_column){"by the rules", NULL, TABLE_LEFT};
+    struct table *t = table_create(count, columns, caption);
+    for (int k = 0; k < d->count; k++) {
+        const struct study *s = &d->study[k];
+        for (int n = 0; n < s->plan->level_count; n++)
+            for (int time = part == PART_RUN ? s->frames - 1 : 0; time < s->frames; time++)
+                if (!s->row[n].left_out)
+                    add_row(t, d, part, s, n, time);
+        if (k + 1 < d->count)
+            table_rule(t);
+    }
     return t;
+}
+
+/* Whether the plan's table has columns of a kind. */
+static bool has_part(const struct study_results *d, enum part part)
+{
+    bool any = part == PART_RUN && d->plan->verdicts.count;
+
+    for (int n = 0; n < d->plan->table.columns.count; n++)
+        any |= is_in(part, column_of(&d->plan->table, n));
+    return any;
 }
 
 /* What the columns mean, how runs ended that did not come to their end, and the truths. */
@@ -255,11 +322,25 @@ static void add_notes(struct table *t, const struct study_results *d)
 enum status dataset_print(const struct study_results *d, const char *folder,
                           enum table_format format, FILE *file, struct message *why)
 {
-    struct table *t;
+    const char *caption = d->plan->what ? d->plan->what : d->plan->source;
+    const bool apart = !table_format_is_data(format) && has_times(d) &&
+                       has_part(d, PART_RUN) && has_part(d, PART_TIMES);
+    struct table *all = NULL, *t;
+    enum status st;
 
     if (!d->plan->table.columns.count)
         return study_print_all(d, folder, format, file, why);
-    t = fill(d);
+    all = fill(d, PART_ALL, caption);
+    TRY(table_save(all, folder, d->plan->name, why));
+    if (apart)
+        TRY(table_finish(fill(d, PART_RUN, caption), format, file));
+    t = apart ? fill(d, PART_TIMES, "The same at the times") : fill(d, PART_ALL, caption);
     add_notes(t, d);
-    return table_publish(t, folder, d->plan->name, format, file, why);
+    TRY(table_finish(t, format, file));
+    for (int n = 0; n < d->count; n++)
+        if (!d->study[n].plan->axis_count && d->study[n].time)
+            TRY(study_print_sheets(&d->study[n], folder, why));
+out:
+    table_destroy(all);
+    return st;
 }

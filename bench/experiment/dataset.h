@@ -9,6 +9,7 @@
 #ifndef DATASET_H
 #define DATASET_H
 
+#include "bench/experiment/judge.h"
 #include "bench/experiment/quantity.h"
 #include "bench/experiment/study.h"
 
@@ -28,6 +29,16 @@ int dataset_labels(const struct study_results *d, const char *axis, int most,
  * more than one is named. */
 double dataset_at(const struct study_results *d, enum quantity q,
                   const struct where *where);
+
+/* How many times that row has, and its value at one of them, from 0. */
+int dataset_times(const struct study_results *d, const struct where *where);
+double dataset_at_time(const struct study_results *d, enum quantity q, int time,
+                       const struct where *where);
+
+/* Whether the plan's rules give that row's run a label (verdict.h); NULL: call it feasible.
+ * Open: no such row, or nothing to judge by. */
+enum judge dataset_verdict(const struct study_results *d, const char *label,
+                           const struct where *where);
 
 /* The largest and the smallest of all rows that the labels name; NaN if there is none. */
 double dataset_most(const struct study_results *d, enum quantity q,

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "bench/experiment/dataset.h"
-#include "bench/experiment/gallery.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/kept.h"
 #include "bench/experiment/study.h"
@@ -153,8 +152,6 @@ enum status experiment_measure(const struct experiment *e,
         TRY(read_plan(e->plan, &plan, why));
         TRY(study_measure(&plan, options->folder, &how, why));
     }
-    if (e->gallery)
-        TRY(gallery_measure(e->gallery, options->folder, &how, why));
     if (e->measure)
         TRY(e->measure(options, why));
     judge_mark(options->folder, options->quick);
@@ -170,8 +167,6 @@ enum status experiment_print(const struct experiment *e, const char *folder,
     struct plan plan = {0};
     enum status st;
 
-    if (e->gallery)
-        return gallery_tell(e->gallery, folder, format, file, why);
     if (!e->plan)
         return e->print(folder, format, file, why);
     TRY(read_plan(e->plan, &plan, why));

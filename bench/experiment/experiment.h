@@ -30,7 +30,6 @@ struct experiment_options {
     double until;             /* [s]                                                   */
 };
 
-struct gallery;       /* gallery.h */
 struct study_results; /* study.h */
 
 struct experiment {
@@ -41,9 +40,6 @@ struct experiment {
     const char *plan; /* name or path of the plan whose studies are measured; NULL: none */
     bool chooses;     /* its scenes, --models, --runs and --until are the user's; it times
                          nothing and works in processes of its own, on all processors    */
-
-    const struct gallery
-        *gallery; /* that it shows, with neither of the next two; or NULL */
 
     /* Runs all cases, with a plan those that it does not have (NULL: none), on the one
      * thread it is called on. STATUS_FILE, STATUS_MEMORY with a sentence; deaths of runs

@@ -360,8 +360,8 @@ enum status plan_parse(const char *path, struct plan *plan, struct message *why)
     enum status st = STATUS_OK;
     struct yaml_tree *root = NULL;
 
-    *plan = (struct plan){
-        .look = 10, .time_limit = 600, .falls = {.by = -1}, .base = plan_study_none()};
+    *plan =
+        (struct plan){.time_limit = 600, .falls = {.by = -1}, .base = plan_study_none()};
     if (why)
         why->text[0] = '\0';
     plan->path = strdup(path);

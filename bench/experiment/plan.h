@@ -299,7 +299,7 @@ struct plan {
     struct plan_axis *axes; /* owned                                                   */
     int listed_count;
     struct plan_listed *listed; /* owned                                               */
-    int look;
+    int look; /* frames; 0: not given (sweeps take 10, studies look at their times)      */
     int intersections; /* 0 or 1                                                       */
     enum plan_keep keep;
     double time_limit; /* of a case [s]                                                */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bench/experiment/study.h"
+#include "models/metric/metric.h"
 
 /* Numbers that a level has whatever the time. */
 #define OF_LEVEL(name, value)                                                              \
@@ -47,6 +48,21 @@ OF_FRAME(inner)
 OF_FRAME(stretch)
 OF_FRAME(drop)
 OF_FRAME(unevenness)
+OF_FRAME(angle)
+
+static double crossings(const struct study_results *d, const struct study *s, int level,
+                        int time)
+{
+    const double *xyz = s->row[level].frame[time].xyz;
+
+    (void)d;
+    return xyz ? metric_intersections(xyz) : NAN;
+}
+
+/* Measures that did not come, such as the time of a crossing, are infinite. */
+#define OF_RUN(code, name, unit, sentence)                                                 \
+    OF_LEVEL(of_##name, isfinite(r->value[MEASURE_##code]) ? r->value[MEASURE_##code] : NAN)
+MEASURE_LIST(OF_RUN)
 
 static double of_reference(const struct study_results *d, const struct study *s, int level,
                            int time)
@@ -72,46 +88,54 @@ static double bar(const struct study_results *d, const struct study *s, int leve
 
 /* clang-format off */
 const struct quantity_row quantity_table[QUANTITIES] = {
-    [QUANTITY_UNKNOWNS] = {"unknowns", "unknowns", NULL, 0, unknowns,
+    [QUANTITY_UNKNOWNS] = {"unknowns", "unknowns", NULL, 0, false, unknowns,
         "components of points that are not held"},
-    [QUANTITY_FACTOR_ENTRIES] = {"factor_entries", "factor", NULL, 0, factor_entries,
+    [QUANTITY_FACTOR_ENTRIES] = {"factor_entries", "factor", NULL, 0, false, factor_entries,
         "numbers stored in the factor"},
-    [QUANTITY_CREATE] = {"create_ms", "set-up", "ms", 3, create,
+    [QUANTITY_CREATE] = {"create_ms", "set-up", "ms", 3, false, create,
         "building the model, median over repeats"},
-    [QUANTITY_FRAME] = {"frame_ms", "a frame", "ms", 3, frame,
+    [QUANTITY_FRAME] = {"frame_ms", "a frame", "ms", 3, false, frame,
         "a time step, or the equilibrium: median over repeats, one thread"},
-    [QUANTITY_OF_REFERENCE] = {"of_reference", "of reference", NULL, 3, of_reference,
+    [QUANTITY_OF_REFERENCE] = {"of_reference", "of reference", NULL, 3, false, of_reference,
         "a frame's milliseconds over those of the reference"},
-    [QUANTITY_PAPER] = {"paper_ms", "paper", "ms", 4, paper,
+    [QUANTITY_PAPER] = {"paper_ms", "paper", "ms", 4, false, paper,
         "what the paper prints for a frame"},
-    [QUANTITY_SECONDS] = {"stepping_s", "stepping", "s", 3, seconds,
+    [QUANTITY_SECONDS] = {"stepping_s", "stepping", "s", 3, false, seconds,
         "all frames to the last time"},
-    [QUANTITY_FACTORISATIONS] = {"factorisations", "factors", "a frame", 3, factorisations,
+    [QUANTITY_FACTORISATIONS] = {"factorisations", "factors", "a frame", 3, false, factorisations,
         "factorisations, mean over the frames"},
-    [QUANTITY_SOLVES] = {"solves", "solves", "a frame", 3, solves,
+    [QUANTITY_SOLVES] = {"solves", "solves", "a frame", 3, false, solves,
         "products with the factor or the preconditioner, mean over the frames"},
-    [QUANTITY_ITERATIONS] = {"iterations", "iterations", "a frame", 3, iterations,
+    [QUANTITY_ITERATIONS] = {"iterations", "iterations", "a frame", 3, false, iterations,
         "iterations of the step, mean over the frames"},
-    [QUANTITY_APART] = {"apart", "apart", "L", 2, apart,
+    [QUANTITY_APART] = {"apart", "apart", "L", 2, true, apart,
         "rms distance to the reference on the material grid, over the length"},
-    [QUANTITY_NEXT] = {"to_next", "to next", "L", 3, next,
+    [QUANTITY_NEXT] = {"to_next", "to next", "L", 3, true, next,
         "rms distance to the next level"},
-    [QUANTITY_FINEST] = {"to_finest", "to finest", "L", 3, finest,
+    [QUANTITY_FINEST] = {"to_finest", "to finest", "L", 3, true, finest,
         "rms distance to the last level"},
-    [QUANTITY_ERROR] = {"error", "error", "L", 3, error,
+    [QUANTITY_ERROR] = {"error", "error", "L", 3, true, error,
         "rms distance to the scene's truth"},
-    [QUANTITY_BAR] = {"error_bar", "error bar", "L", 2, bar,
+    [QUANTITY_BAR] = {"error_bar", "error bar", "L", 2, true, bar,
         "error bar of the truth"},
-    [QUANTITY_ROUGHNESS] = {"roughness", "roughness", NULL, 3, roughness,
+    [QUANTITY_ROUGHNESS] = {"roughness", "roughness", NULL, 3, true, roughness,
         "length times the rms curvature"},
-    [QUANTITY_INNER] = {"inner_roughness", "inner", NULL, 3, inner,
+    [QUANTITY_INNER] = {"inner_roughness", "inner", NULL, 3, true, inner,
         "the same away from the edges"},
-    [QUANTITY_STRETCH] = {"stretch", "stretch", NULL, 4, stretch,
+    [QUANTITY_STRETCH] = {"stretch", "stretch", NULL, 4, true, stretch,
         "largest principal stretch"},
-    [QUANTITY_DROP] = {"drop", "drop", "L", 4, drop,
+    [QUANTITY_DROP] = {"drop", "drop", "L", 4, true, drop,
         "lowest point below the support"},
-    [QUANTITY_UNEVENNESS] = {"unevenness", "unevenness", NULL, 3, unevenness,
+    [QUANTITY_UNEVENNESS] = {"unevenness", "unevenness", NULL, 3, true, unevenness,
         "rms change of the curvature over it, per length"},
+    [QUANTITY_ANGLE] = {"angle_degrees", "angle", "degrees", 3, true, angle,
+        "angle of the middle line below level"},
+    [QUANTITY_CROSSINGS] = {"crossings", "crossings", "pairs", 0, true, crossings,
+        "pairs of the mid-surface's triangles that cross"},
+#define QUANTITY_MEASURE(code, name, unit, sentence)                                       \
+    [QUANTITY_##code] = {#name, #name, unit, 3, false, of_##name, sentence},
+    MEASURE_LIST(QUANTITY_MEASURE)
+#undef QUANTITY_MEASURE
 };
 /* clang-format on */
 

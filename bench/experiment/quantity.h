@@ -5,6 +5,10 @@
 #ifndef QUANTITY_H
 #define QUANTITY_H
 
+#include <stdbool.h>
+
+#include "bench/harness/measures.h"
+
 struct study;         /* study.h */
 struct study_results; /* study.h */
 
@@ -29,6 +33,11 @@ enum quantity {
     QUANTITY_STRETCH,
     QUANTITY_DROP,
     QUANTITY_UNEVENNESS,
+    QUANTITY_ANGLE,
+    QUANTITY_CROSSINGS,
+#define QUANTITY_CODE(code, name, unit, sentence) QUANTITY_##code,
+    MEASURE_LIST(QUANTITY_CODE) /* measures.h: over all looks of a run                   */
+#undef QUANTITY_CODE
     QUANTITIES
 };
 
@@ -37,6 +46,7 @@ struct quantity_row {
     const char *head; /* "a frame": column head in a table                             */
     const char *unit; /* "ms", "L", "1"; NULL for a pure number                        */
     int digits;       /* significant ones that a table shows; 0: a whole number        */
+    bool moves;       /* it is another one at each time                                 */
     /* Its value, in the unit, of a level at one of its study's times, both from 0. NaN
      * where the result has none. */
     double (*at)(const struct study_results *d, const struct study *s, int level, int time);

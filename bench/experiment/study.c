@@ -81,6 +81,8 @@ static enum status set_up(const struct plan *plan, const struct plan_study *stud
     *m = (struct measurement_case){
         .plan = plan_case_run(&job->c),
         .keep = {.file = job->file,
+                 .every = plan->look,
+                 .intersections = plan->intersections,
                  .times = times,
                  .time = time,
                  .doubles = plan->reference.count > 0, /* differences may be small */
@@ -159,6 +161,7 @@ static void measure_frame(const struct scene *scene, const double *xyz,
     f->stretch = metric_stretch(scene, xyz);
     f->drop = metric_drop(scene, xyz);
     f->unevenness = metric_unevenness(scene, xyz);
+    f->angle = metric_angle(scene, xyz);
 }
 
 /* Files of a quick run end earlier if the plan has times for it. */
@@ -187,7 +190,8 @@ static void fill_row(const struct study *s, struct study_row *row)
     const double frame = timed && r->step.count ? r->step.median : NAN;
 
     for (int t = 0; t < PLAN_STUDY_TIMES; t++)
-        row->frame[t] = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+        row->frame[t] =
+            (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     for (int t = 0; t < frames; t++)
         measure_frame(&row->run.scene, r->xyz[t], &row->frame[t]);
     row->milliseconds = 1e3 * frame;

@@ -19,6 +19,7 @@ struct study_frame {
     double next, finest; /* RMSE / L to the next level and to the finest that lives [1]  */
     double error;        /* RMSE / L to truth [1]                                        */
     double roughness, inner, stretch, drop, unevenness; /* metric.h; inner: roughness    */
+    double angle;                                       /* likewise [degrees]            */
 };
 
 struct study_row {
@@ -88,6 +89,9 @@ enum status study_print_files(const struct study *s, const char *folder,
 
 /* These files and two tables: cost of the levels; differences, error and metrics at every
  * time, with observed orders and the truth's source below. The same of all studies. */
+/* NAME_sheets.png alone. */
+enum status study_print_sheets(const struct study *s, const char *folder,
+                               struct message *why);
 enum status study_print(const struct study *s, const char *folder, enum table_format format,
                         FILE *file, struct message *why);
 enum status study_print_all(const struct study_results *r, const char *folder,

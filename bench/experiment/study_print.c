@@ -226,7 +226,7 @@ static struct chart *chart_of(const struct study *s, const struct table *t)
 }
 
 /* A row for each time; the truth, if there is one, in the last column. */
-static enum status draw_sheets(const struct study *s, const char *folder,
+enum status study_print_sheets(const struct study *s, const char *folder,
                                struct message *why)
 {
     enum { MOST = PLAN_STUDY_TIMES * (PLAN_STUDY_LEVELS + 1) };
@@ -258,7 +258,7 @@ enum status study_print_files(const struct study *s, const char *folder,
 
     TRY(table_save(t, folder, s->plan->name, why));
     TRY(chart_save(chart_of(s, t), folder, s->plan->name, why));
-    TRY(draw_sheets(s, folder, why));
+    TRY(study_print_sheets(s, folder, why));
 out:
     table_destroy(t);
     return st;

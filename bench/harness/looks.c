@@ -24,6 +24,7 @@ const struct looks_series looks_series[LOOKS_SERIES] = {
     [LOOKS_INTERSECTIONS] = {"intersections", "1", NULL, MEASURE_INTERSECTIONS_MAX,
                              MEASURE_INTERSECTIONS_END},
     [LOOKS_SPEED] = {"speed", "m/s", NULL, MEASURE_SPEED_MAX, MEASURE_SPEED_END},
+    [LOOKS_LOAD] = {"load", "1", NULL, MEASURE_LOAD_MAX, MEASURE_LOAD_END},
 };
 
 enum status looks_init(struct looks *l, int room)
@@ -76,6 +77,18 @@ static double last(int count, const double *value)
     return count ? value[count - 1] : NAN;
 }
 
+/* Mean over the last tenth of the time: impacts come one by one. */
+static double mean_of_end(const struct looks *l, const double *value)
+{
+    const double end = l->count ? (1 + 1e-9) * l->time[l->count - 1] : 0;
+    double sum = 0;
+    int count = 0;
+
+    for (int n = l->count - 1; n >= 0 && l->time[n] > 0.9 * end; n--)
+        sum += value[n], count++;
+    return count ? sum / count : NAN;
+}
+
 static double first_crossing(const struct looks *l)
 {
     const double *crossings = l->series[LOOKS_INTERSECTIONS];
@@ -98,6 +111,7 @@ static void reduce_series(const struct looks *l, const struct scene *scene, doub
     }
     if (!scene->obstacle_count)
         value[MEASURE_PENETRATION_MAX] = NAN;
+    value[MEASURE_LOAD_END] = mean_of_end(l, l->series[LOOKS_LOAD]);
     value[MEASURE_INTERSECTION_TIME] = first_crossing(l);
     value[MEASURE_END_TIME] = last(l->count, l->time);
 }

@@ -18,6 +18,7 @@ enum {
     LOOKS_PENETRATION,
     LOOKS_INTERSECTIONS, /* NaN: not counted                                           */
     LOOKS_SPEED, /* rms over the grid since the look before; NaN at the first    [m/s] */
+    LOOKS_LOAD,  /* force of obstacles against gravity, over the weight; NaN without them */
     LOOKS_SERIES
 };
 
@@ -39,8 +40,8 @@ struct looks {
 enum status looks_init(struct looks *looks, int room);
 void looks_clear(struct looks *looks); /* all-zero is allowed */
 
-/* One more, read off a field (grid.h), its self-intersections only if asked for; speed and
- * energy are NaN. */
+/* One more, read off a field (grid.h), its self-intersections only if asked for; speed,
+ * load and energy are NaN. */
 void looks_add(struct looks *looks, const struct scene *scene, double time,
                const double *xyz, bool intersections);
 

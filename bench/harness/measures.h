@@ -28,6 +28,8 @@
     X(SPEED_END, speed_end, "m/s", "the same between the last two")                        \
     X(ENERGY_DRIFT_MAX, energy_drift_max, "1", "largest share of the energy in play won")  \
     X(ENERGY_DRIFT_END, energy_drift_end, "1", "share won or lost at the end")             \
+    X(LOAD_MAX, load_max, "1", "largest share of the weight that obstacles carry")         \
+    X(LOAD_END, load_end, "1", "the same, mean over the last tenth of the time")           \
     X(BLOWUP_TIME, blowup_time, "s", "when the run died")                                  \
     X(END_TIME, end_time, "s", "the last look")                                            \
     X(GAMMA, gamma, "1", "weight against bending, rho g h L^3 / D")                        \

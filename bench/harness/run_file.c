@@ -23,6 +23,7 @@ struct run_file {
     bool waits;           /* xyz is of a frame that is no look, at:                  */
     double time;
     struct energy energy; /* NaN: the model has none                               */
+    double load;          /* what obstacles carry, over the weight */
     struct counters work;
     double seconds; /* spent looking                                           */
     bool ended;
@@ -104,7 +105,23 @@ static void measure(struct run_file *f)
     if (n)
         l->series[LOOKS_SPEED][n] =
             metric_rmse(f->xyz, f->before) / (l->time[n] - l->time[n - 1]);
+    l->series[LOOKS_LOAD][n] = f->load;
     l->energy[n] = f->energy;
+}
+
+/* What obstacles carry of the sheet's weight; NaN: there is none, or no gravity. */
+static double load_of(const struct run *run)
+{
+    const struct scene *s = &run->scene;
+    const double *g = s->gravity;
+    const double pull = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    struct model_contact c;
+
+    if (!s->obstacle_count || !run->model->contact || !(pull > 0))
+        return NAN;
+    run->model->contact(run->state, &c);
+    return -(c.force[0] * g[0] + c.force[1] * g[1] + c.force[2] * g[2]) /
+           (pull * pull * s->density * s->length * s->width * s->thickness);
 }
 
 /* The present state: a frame that waits is told when the state has moved on, or died. */
@@ -116,6 +133,7 @@ static void sample(struct run_file *f, double time, const struct counters *work)
     f->energy = (struct energy){NAN, NAN, NAN};
     if (run->model->energy)
         run->model->energy(run->state, &f->energy);
+    f->load = load_of(run);
     f->time = time;
     f->work = *work;
 }

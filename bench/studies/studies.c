@@ -6,6 +6,10 @@
 static const struct experiment plans[] = {
     {.item = {"solvers"}, .plan = "solvers", .tell = claim_tell},
     {.item = {"local-global"}, .plan = "local-global", .tell = claim_tell},
+    {.item = {"drops"}, .plan = "drops", .tell = claim_tell},
+    {.item = {"flag"}, .plan = "flag", .tell = claim_tell},
+    {.item = {"artefacts"}, .plan = "artefacts", .tell = claim_tell},
+    {.item = {"contact"}, .plan = "contact", .tell = claim_tell},
 };
 
 static const struct command_item *const items[] = {
@@ -17,10 +21,10 @@ static const struct command_item *const items[] = {
     &study_locking_experiment.item,
     &study_cures_experiment.item,
     &study_timestep_experiment.item,
-    &study_drops_experiment.item,
-    &study_flag_experiment.item,
-    &study_artefacts_experiment.item,
-    &study_contact_experiment.item,
+    &plans[2].item,
+    &plans[3].item,
+    &plans[4].item,
+    &plans[5].item,
     &plans[0].item,
     &plans[1].item,
     &study_ensemble_experiment.item,

@@ -7,20 +7,6 @@
 
 extern const struct command studies_command;
 
-/* Ren et al. 2024, Figs. 7 and 8: falling sheets; Fig. 15: a flag; Fig. 16: what can be
- * wrong with a sheet, shown by runs and found by the rules of Table 4. */
-extern const struct experiment study_drops_experiment, study_flag_experiment,
-    study_artefacts_experiment;
-
-/* What they print of runs that were read. */
-struct gallery_result; /* gallery.h */
-enum status study_drops_tell(const struct gallery_result *r, const char *folder,
-                             enum table_format format, FILE *file, struct message *why);
-enum status study_flag_tell(const struct gallery_result *r, const char *folder,
-                            enum table_format format, FILE *file, struct message *why);
-enum status study_artefacts_tell(const struct gallery_result *r, const char *folder,
-                                 enum table_format format, FILE *file, struct message *why);
-
 /* The paper's sentences on Figs. 12 to 14, judged by the plans of these names: denser nets,
  * higher degrees, and both. */
 extern const struct experiment study_nets_mesh, study_nets_degree, study_nets_both;
@@ -31,7 +17,7 @@ extern const struct experiment study_thickness_swing, study_thickness_degree;
 
 /* Of headers of their own. */
 extern const struct experiment study_locking_experiment, study_cures_experiment,
-    study_timestep_experiment, study_contact_experiment, study_ensemble_experiment;
+    study_timestep_experiment, study_ensemble_experiment;
 
 enum { STUDIES_SCENES = 8 }; /* most that study ensemble takes */
 

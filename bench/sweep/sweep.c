@@ -44,7 +44,7 @@ static enum status work(void *context, long number, struct message *why)
     struct run_keep keep = {
         .file = path,
         .made_for = made_for,
-        .every = s->plan->look,
+        .every = s->plan->look ? s->plan->look : 10,
         .times = scene.snapshot_count,
         .time = scene.snapshots,
         .fields = s->plan->keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES : RUN_FIELDS_NONE,

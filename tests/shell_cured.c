@@ -206,8 +206,7 @@ static void check_fall(void)
 
     REQUIRE(xyz && scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
     settings_set_all(&undamped, 1, settings);
-    REQUIRE(truth_find(path, &undamped, TIMES, time, NULL, TRUTH_READ, &truth, NULL) ==
-            STATUS_OK);
+    REQUIRE(truth_find(path, &undamped, TIMES, time, NULL, &truth, NULL) == STATUS_OK);
     opened_run(&run, path, "shell_selective_3", 2, settings);
     for (int n = 0; n < TIMES; n++) {
         for (; t < time[n] - run.scene.step / 2; t += run.scene.step)

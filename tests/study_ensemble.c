@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "bench/files/folder.h"
-#include "bench/truth/truth_push.h"
+#include "bench/truth/truth_level.h"
 #include "tests/study_fixture.h"
 
 enum {
@@ -220,10 +220,10 @@ static void test_directions(void)
 {
     double sum[3] = {0}, d[3];
 
-    truth_push_direction(0, d);
+    truth_level_direction(0, d);
     CHECK(d[0] == 1 && d[1] == 1 && d[2] == 1);
     for (int n = 1; n <= 1000; n++) {
-        truth_push_direction(n, d);
+        truth_level_direction(n, d);
         CHECK_NEAR(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], 3, 1e-15 * 3 * 4);
         for (int i = 0; i < 3; i++)
             sum[i] += d[i] / 1000;

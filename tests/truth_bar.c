@@ -1,12 +1,12 @@
 /* The bar of a truth from made-up runs: sheets that are shifted by an error c h^p, so that
- * orders, bars, differences and forecasts are known. */
+ * orders, bars and differences are known. */
 #include "bench/truth/truth_bar.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "bench/truth/truth_plan.h"
-#include "bench/truth/truth_sharp.h"
+#include "bench/truth/truth_make.h"
 #include "models/grid.h"
 #include "tests/check.h"
 
@@ -44,7 +44,7 @@ static void fill(struct truth_family *f, enum truth_model model, int count, doub
 {
     const struct scene scene = {0};
 
-    *f = (struct truth_family){.joint = true, .count = count};
+    *f = (struct truth_family){.count = count};
     for (int n = 0; n < count; n++) {
         REQUIRE(truth_plan_rung(&scene, 0.005, n, &f->level[n]));
         f->level[n].model = model;
@@ -84,7 +84,7 @@ static void three(void)
 
     used = 0;
     fill(&family[TRUTH_SOLID], TRUTH_SOLID, 3, 1, 0.3, 1);
-    fill(&family[TRUTH_SHELL], TRUTH_CURED, 3, 1.001, 0.3, 3);
+    fill(&family[TRUTH_SHELL], TRUTH_SHELL, 3, 1.001, 0.3, 3);
     const struct truth_push push = push_of(family, TRUTH_SOLID, 1, 3e-6);
     compare(family, &push, &made);
     for (int t = 0; t < TIMES; t++) {
@@ -102,20 +102,17 @@ static void three(void)
         CHECK(v[TRUTH_ERROR] == fmax(v[TRUTH_SHELL_BAR], v[TRUTH_DIFFERENCE]));
         CHECK(made.xyz[t][0] == family[TRUTH_SHELL].run[2].xyz[t][0]);
     }
-    CHECK(made.level.model == TRUTH_CURED && made.level.side == 15);
+    CHECK(made.level.model == TRUTH_SHELL && made.level.side == 15);
     CHECK(strstr(made.note,
                  "shell, cured of locking, p = 3, 15x15, step 1.25 ms; error bar: "
                  "its own by observed orders or, if larger, its difference from "
-                 "the cured solid, p = 3, 15x15, 1.25 ms"));
+                 "the selective solid, p = 3, 15x15, 1.25 ms"));
     const struct truth_outlook o =
-        truth_sharp_look(family, &push, &scene, 0.005, &made, 0.02);
+        truth_make_look(family, &push, &scene, 0.005, &made, 0.02);
     const struct truth_seen *solid = &o.model[TRUTH_SOLID];
-    CHECK(solid->runs == 3 && o.until == 0.2 && o.lost == INFINITY);
+    CHECK(solid->runs == 3 && !solid->finest && o.lost == INFINITY);
     CHECK_RELATIVE(solid->bar, made.value[1][TRUTH_SOLID_BAR] / LENGTH, SUM);
-    CHECK_NEAR(solid->order, 1, ORDER);
-    CHECK_NEAR(solid->dearer, 4, SUM);
     CHECK_RELATIVE(solid->seconds, 1e-3 * pow(12, 4), SUM);
-    CHECK_RELATIVE(solid->next, 12 / 18.0, SUM);
     CHECK_RELATIVE(o.error, made.value[1][TRUTH_ERROR] / LENGTH, SUM);
     CHECK_RELATIVE(o.difference, made.value[1][TRUTH_DIFFERENCE] / LENGTH, SUM);
     CHECK(o.known == 0.1); /* 1.2 and 2.5 % of two metres */
@@ -131,7 +128,7 @@ static void two_and_none(void)
 
     used = 0;
     fill(&family[TRUTH_SOLID], TRUTH_SOLID, 0, 0, 0, 1);
-    fill(&family[TRUTH_SHELL], TRUTH_CURED, 2, 1, 0.01, 1);
+    fill(&family[TRUTH_SHELL], TRUTH_SHELL, 2, 1, 0.01, 1);
     const struct truth_push push = push_of(family, TRUTH_SHELL, 1, 1.5e-3);
     compare(family, &push, &made);
     for (int t = 0; t < TIMES; t++) {
@@ -141,11 +138,11 @@ static void two_and_none(void)
         CHECK(v[TRUTH_SOLID_BAR] == INFINITY && v[TRUTH_DIFFERENCE] == 0);
         CHECK(v[TRUTH_ERROR] == v[TRUTH_SHELL_BAR]);
     }
-    CHECK(made.level.model == TRUTH_CURED && made.claimed == 1);
+    CHECK(made.level.model == TRUTH_SHELL && made.claimed == 1);
     CHECK(strstr(made.note, "its own by the difference of two runs, three times") &&
           !strstr(made.note, "solid"));
     const struct truth_outlook o =
-        truth_sharp_look(family, &push, &scene, 0.005, &made, 0.02);
+        truth_make_look(family, &push, &scene, 0.005, &made, 0.02);
     CHECK(!o.model[TRUTH_SOLID].runs && o.model[TRUTH_SHELL].runs == 2);
     /* 750 and 1500 times: past the bound at the second time */
     CHECK(o.lost == 0.2 && o.known == 0.1);
@@ -164,7 +161,7 @@ static void crossing(void)
 
     used = 0;
     fill(&family[TRUTH_SOLID], TRUTH_SOLID, 3, 1, 0.3, 1);
-    fill(&family[TRUTH_SHELL], TRUTH_CURED, 0, 0, 0, 1);
+    fill(&family[TRUTH_SHELL], TRUTH_SHELL, 0, 0, 0, 1);
     for (int n = 0; n < 3; n++)
         for (int k = 0; k < GRID_POINTS; k++)
             family[TRUTH_SOLID].run[n].xyz[1][3 * k] = 1;
@@ -175,7 +172,7 @@ static void crossing(void)
                    sqrt(.5) * made.value[0][TRUTH_SOLID_BAR], ORDER);
     /* the largest bar is the first one */
     const struct truth_outlook o =
-        truth_sharp_look(family, &push, &scene, 0.005, &made, 0.02);
+        truth_make_look(family, &push, &scene, 0.005, &made, 0.02);
     CHECK_RELATIVE(o.model[TRUTH_SOLID].bar, made.value[0][TRUTH_SOLID_BAR] / LENGTH, SUM);
     truth_made_clear(&made);
 }
@@ -189,7 +186,7 @@ static void limits(void)
 
     used = 0;
     fill(&family[TRUTH_SOLID], TRUTH_SOLID, 4, 1, 0.3, 1);
-    fill(&family[TRUTH_SHELL], TRUTH_CURED, 4, 1.001, 0.01, 4);
+    fill(&family[TRUTH_SHELL], TRUTH_SHELL, 4, 1.001, 0.01, 4);
     const struct truth_push push = push_of(family, TRUTH_SOLID, 1, 0);
     compare(family, &push, &made);
     for (int t = 0; t < TIMES; t++) {
@@ -228,7 +225,7 @@ static void unsettled(void)
         struct truth_made made;
         used = 0;
         fill(&family[TRUTH_SOLID], TRUTH_SOLID, 4, 1, 0.3, 1);
-        fill(&family[TRUTH_SHELL], TRUTH_CURED, 0, 0, 0, 1);
+        fill(&family[TRUTH_SHELL], TRUTH_SHELL, 0, 0, 0, 1);
         for (int t = 0; t < TIMES; t++)
             for (int k = 0; k < GRID_POINTS; k++)
                 family[TRUTH_SOLID].run[cases[n].run].xyz[t][3 * k] =
@@ -255,7 +252,7 @@ static void moved(void)
 
     used = 0;
     fill(&family[TRUTH_SOLID], TRUTH_SOLID, 4, 1, 0.3, 1);
-    fill(&family[TRUTH_SHELL], TRUTH_CURED, 0, 0, 0, 1);
+    fill(&family[TRUTH_SHELL], TRUTH_SHELL, 0, 0, 0, 1);
     for (int k = 0; k < GRID_POINTS; k++) {
         family[TRUTH_SOLID].run[0].xyz[0][3 * k] = 1.051;
         for (int n = 0; n < 4; n++)
@@ -290,12 +287,12 @@ static void heard(void)
         const struct scene scene = {.length = LENGTH};
         used = 0;
         fill(&family[TRUTH_SOLID], TRUTH_SOLID, 0, 0, 0, 1);
-        fill(&family[TRUTH_SHELL], TRUTH_CURED, 3, 1, 3, 2);
+        fill(&family[TRUTH_SHELL], TRUTH_SHELL, 3, 1, 3, 2);
         const struct truth_push push =
             push_of(family, TRUTH_SHELL, cases[n].run, cases[n].pushed);
         compare(family, &push, &made);
         const struct truth_outlook o =
-            truth_sharp_look(family, &push, &scene, 0.005, &made, 0.06);
+            truth_make_look(family, &push, &scene, 0.005, &made, 0.06);
         char text[TRUTH_WATCH_TEXT];
         truth_bar_horizon(&push, o.blunt, TIMES, times, LENGTH, text);
         CHECK(!strstr(text, "too coarse to know") == !o.blunt);
@@ -304,36 +301,6 @@ static void heard(void)
             printf("heard %zu: %g, %d\n", n, o.lost, (int)o.blunt);
         truth_made_clear(&made);
     }
-}
-
-/* Nets and steps apart: orders 3, better than p = 2 promises, and 1; bars add. */
-static void nets_and_steps(void)
-{
-    static const int side[TRUTH_BAR_RUNS] = {8, 11, 14, 11, 11};
-    static const double step[TRUTH_BAR_RUNS] = {1e-3, 1e-3, 1e-3, 2e-3, 4e-3};
-    const double second = 0.3 * (pow(9, -3) - pow(12, -3));
-    const double nets = 1.25 * second / (pow(12 / 9.0, 2) - 1), steps = 1.25 * 2 * 1e-3;
-    struct truth_family family[2] = {{.count = TRUTH_BAR_RUNS}, {.joint = true}};
-    struct truth_made made;
-
-    used = 0;
-    for (int n = 0; n < TRUTH_BAR_RUNS; n++) {
-        const double off = 0.3 * pow(side[n] - 2, -3) + 2 * step[n];
-        family[TRUTH_SOLID].level[n] =
-            (struct truth_level){TRUTH_SOLID, 2, side[n], step[n], false, 0};
-        family[TRUTH_SOLID].run[n] = run_at(1 + off, 1 + 2 * off, 1);
-    }
-    const struct truth_push push = push_of(family, TRUTH_SOLID, 1, 0);
-    compare(family, &push, &made);
-    for (int t = 0; t < TIMES; t++) {
-        const double *v = made.value[t];
-        CHECK_NEAR(v[TRUTH_SOLID_SPACE], 3, ORDER);
-        CHECK_NEAR(v[TRUTH_SOLID_TIME], 1, ORDER);
-        CHECK_RELATIVE(v[TRUTH_SOLID_BAR], (t + 1) * (nets + steps), ORDER);
-        CHECK(made.xyz[t][0] == family[TRUTH_SOLID].run[TRUTH_BAR_FINE].xyz[t][0]);
-    }
-    CHECK(strstr(made.note, "p = 2, 14x14, step 1 ms; error bar: its own by observed"));
-    truth_made_clear(&made);
 }
 
 /* A thousandfold is the bound: 750 times at the first time, 1500 at the second; and the
@@ -391,7 +358,7 @@ static void shared(void)
         struct truth_made made;
         used = 0;
         fill(&family[TRUTH_SOLID], TRUTH_SOLID, cases[n].runs, 1, 0.1, 1);
-        fill(&family[TRUTH_SHELL], TRUTH_CURED, 3, 1, 0.3, 1);
+        fill(&family[TRUTH_SHELL], TRUTH_SHELL, 3, 1, 0.3, 1);
         const double *solid = family[TRUTH_SOLID].run[cases[n].runs - 1].xyz[0],
                      *shell = family[TRUTH_SHELL].run[2].xyz[1];
         for (int k = 0; k < GRID_POINTS; k++) {
@@ -424,7 +391,6 @@ int main(void)
     unsettled();
     moved();
     heard();
-    nets_and_steps();
     horizon();
     return check_result();
 }

@@ -6,7 +6,7 @@
 #include "bench/harness/motion.h"
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_file.h"
-#include "bench/truth/truth_frames.h"
+#include "bench/truth/truth_print.h"
 #include "bench/truth/truth_plan.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -262,7 +262,7 @@ static void found_by_those_who_ask(void)
     REQUIRE(scene_file_find("free_fall", &path, NULL) == STATUS_OK);
     CHECK(truth_stored_times(path, &none, 0.45, 3, time, &count, &why) == STATUS_OK);
     CHECK(count == 3 && time[0] == 0.2 && time[2] == 0.4);
-    REQUIRE(truth_find(path, &none, 2, any, scratch, TRUTH_READ, &t, &why) == STATUS_OK);
+    REQUIRE(truth_find(path, &none, 2, any, NULL, &t, &why) == STATUS_OK);
     CHECK_NEAR(t->xyz[0][2] + 0.001177 / 2, -9.81 * 0.123 * 0.123 / 2, TOL_EXACT);
     CHECK(t->error[0] < 1e-13 && strstr(t->source, "falls as one body"));
     truth_destroy(t), t = NULL;
@@ -270,11 +270,11 @@ static void found_by_those_who_ask(void)
     REQUIRE(scene_file_find("rest_small", &path, NULL) == STATUS_OK);
     CHECK(truth_stored_times(path, &none, 10, 8, time, &count, &why) == STATUS_OK);
     CHECK(count == 1 && time[0] == 1.5);
-    REQUIRE(truth_find(path, &none, 1, time, scratch, TRUTH_READ, &t, &why) == STATUS_OK);
+    REQUIRE(truth_find(path, &none, 1, time, NULL, &t, &why) == STATUS_OK);
     CHECK(strstr(t->source, "at rest: the heavy elastica"));
     truth_destroy(t), t = NULL;
     /* not so early: then by runs, of which there are none */
-    CHECK(truth_find(path, &none, 1, early, scratch, TRUTH_READ, &t, &why) == STATUS_FILE);
+    CHECK(truth_find(path, &none, 1, early, NULL, &t, &why) == STATUS_FILE);
     free(path);
 }
 
@@ -320,7 +320,7 @@ static void printed_frames(void)
     read_scene("rest_large", NULL, &s);
     REQUIRE(truth_closed_make(&s, &made) == STATUS_OK);
     said_open(&said);
-    CHECK(truth_frames_print(&made, grid, said.file) == STATUS_OK);
+    CHECK(truth_print_frames(&made, grid, said.file) == STATUS_OK);
     said_close(&said, true);
     CHECK(said_count(&said, "# bar: 5,") == 1 &&
           said_count(&said, "# source: at rest") == 1);
@@ -340,7 +340,7 @@ static void printed_frames(void)
     CHECK_NEAR(worst, 0.0, TOL_EXACT);
     said_clear(&said);
     said_open(&said);
-    CHECK(truth_frames_print(&made, three, said.file) == STATUS_OK);
+    CHECK(truth_print_frames(&made, three, said.file) == STATUS_OK);
     said_close(&said, true);
     CHECK(said_count(&said, "\n5,0.5,") == 2 && said_count(&said, "\n5,") == 6);
     said_clear(&said);

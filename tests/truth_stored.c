@@ -6,8 +6,8 @@
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_file.h"
-#include "bench/truth/truth_known.h"
-#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_print.h"
 #include "bench/truth/truth_physics.h"
 #include "bench/truth/truth_table.h"
 #include "models/grid.h"
@@ -44,11 +44,10 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
     REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
     REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
     struct truth_runs runs = {path, &settings, TIMES, times, folder};
-    if (!CHECK(truth_find(path, &settings, TIMES, times, folder, TRUTH_READ, &truth,
-                          &why) == STATUS_OK))
+    if (!CHECK(truth_find(path, &settings, TIMES, times, NULL, &truth, &why) == STATUS_OK))
         printf("%s\n", why.text);
     for (int n = 0; n < 2 && truth; n++)
-        REQUIRE(truth_level_find(&runs, &level[n], false, &run[n], NULL) == STATUS_OK);
+        REQUIRE(truth_level_find(&runs, &level[n], &run[n], NULL) == STATUS_OK);
     for (int n = 0; n < TIMES && truth; n++) {
         double error = metric_rmse(run[0].xyz[n], truth->xyz[n]);
         double own =
@@ -67,9 +66,7 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
     free(path);
 }
 
-/* A commit alone makes it what it is: what is not so is to be made anew (clothbench truth
- * NAME
- * --out bench/truths/NAME.h5). */
+/* A truth that comes with the program was made by a commit with no file changed. */
 static void check_origin(const char *name, const struct scene *s)
 {
     struct truth_made made;
@@ -120,7 +117,7 @@ static void each_scene_is_known(void)
     int count = 0;
     FILE *file = open_memstream(&text, &size);
 
-    REQUIRE(file && truth_known_print(TABLE_CSV, file, NULL) == STATUS_OK);
+    REQUIRE(file && truth_print_all(TABLE_CSV, file, NULL) == STATUS_OK);
     REQUIRE(fclose(file) == 0);
     REQUIRE(named_file_names(&scene_file_kind, &scenes, &count, NULL) == STATUS_OK);
     CHECK(count > 20);
@@ -142,7 +139,8 @@ static void each_scene_is_known(void)
 
 static void made_anew(const char *scene)
 {
-    struct truth_plan plan = truth_plan_of(scene, true);
+    const struct truth_wish wish = {.error = 0.01, .seconds = 60};
+    struct truth_end end;
     struct truth_made made = {0}, stored = {0};
     struct message why = {""};
     struct scene s = {0};
@@ -151,12 +149,11 @@ static void made_anew(const char *scene)
 
     REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
     REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
-    struct truth_runs runs = {path, &settings, TIMES, times, folder};
+    struct truth_runs runs = {path, &settings, TIMES, times, folder, truth_plan_frame(&s)};
     REQUIRE(named_file_find(&truth_file_kind, scene, &file, NULL) == STATUS_OK);
     REQUIRE(truth_file_read(file, &stored, &physics, NULL) == STATUS_OK);
     truth_made_thin(&stored, &s);
-    if (!CHECK(truth_make(&plan, &runs, &s, &(struct truth_make_how){0}, &made, &why) ==
-               STATUS_OK))
+    if (!CHECK(truth_make(&runs, &s, &wish, &made, &end, &why) == STATUS_OK))
         printf("%s\n", why.text);
     CHECK(made.claimed == TIMES && strstr(made.horizon, "can be predicted"));
     for (int n = 0; n < made.claimed; n++) {

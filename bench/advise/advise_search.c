@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "bench/harness/deadline.h"
-#include "bench/truth/truth_sharp.h"
 #include "models/clock.h"
 
 /* The truth is to be so many times sharper than what is asked for. */
@@ -25,9 +24,9 @@ enum status advise_search_truth(struct advise_search *s, double seconds,
                                 struct message *said, struct message *why)
 {
     struct compare_job *j = s->job;
-    const struct truth_wish wish = {s->wish.error / SHARPER, seconds, true};
-    const enum status st = truth_find_sharp(j->path, &j->truth, j->times, j->time,
-                                            j->folder, &wish, &j->found, said);
+    const struct truth_wish wish = {s->wish.error / SHARPER, seconds, .alone = true};
+    const enum status st = truth_find_or_make(j->path, &j->truth, j->times, j->time,
+                                              j->folder, &wish, &j->found, said);
 
     j->contest.truth = j->found;
     if (st == STATUS_OK)

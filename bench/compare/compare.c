@@ -130,7 +130,7 @@ static struct truth_wish wish_of(const struct contest *c)
 
     return (struct truth_wish){contest_target[c->quick ? 2 : CONTEST_TARGETS - 1],
                                c->budget > 0 ? fmin(seconds, c->budget / 3) : seconds,
-                               true};
+                               .alone = true};
 }
 
 /* Where what was to be the truth refuses the scene or dies, the others run nevertheless. */
@@ -141,8 +141,8 @@ static enum status find_truth(struct compare_job *j, bool all_times, struct mess
     struct message said = {""};
 
     deadline_set(wish.seconds);
-    enum status st = truth_find_sharp(j->path, &j->truth, j->times, j->time, j->folder,
-                                      &wish, &j->found, &said);
+    enum status st = truth_find_or_make(j->path, &j->truth, j->times, j->time, j->folder,
+                                        &wish, &j->found, &said);
     if (j->contest.budget > 0)
         deadline_set(fmax(j->contest.budget - (clock_now() - start), LEAST_BUDGET));
     else

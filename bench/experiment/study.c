@@ -24,10 +24,16 @@ static bool begins(const char *text, const char *with)
     return !strncmp(text, with, strlen(with));
 }
 
-/* The physics of a study and no more: its truth is not of its nets and steps. */
+/* What is requested of a study's truth that is not stored yet, over the length, and how
+ * long its runs may take [s]. */
+static const struct truth_wish wish = {.error = 0.01, .seconds = 240, .alone = true},
+                               quick_wish = {.error = TRUTH_MOST_ERROR, .alone = true};
+
+/* The physics of a study and no more: its truth is not of its nets and steps. With a wish
+ * it is made where nothing is known. */
 static enum status find_truth(const struct plan *plan, const struct plan_study *study,
                               int times, const double *time, const char *folder,
-                              enum truth_effort effort, struct truth **truth,
+                              const struct truth_wish *made_by, struct truth **truth,
                               struct message *why)
 {
     struct settings physics = {0};
@@ -42,9 +48,11 @@ static enum status find_truth(const struct plan *plan, const struct plan_study *
             settings_set(&physics, c.settings.text[n]);
     TRY(physics.status);
     snprintf(kept, sizeof kept, "%s/%s_truth", folder, study->name);
-    if (effort != TRUTH_READ)
+    if (made_by)
         TRY(folder_make(kept, why));
-    TRY(truth_find(c.path, &physics, times, time, kept, effort, truth, why));
+    TRY(made_by
+            ? truth_find_or_make(c.path, &physics, times, time, kept, made_by, truth, why)
+            : truth_find(c.path, &physics, times, time, kept, truth, why));
 out:
     settings_clear(&physics);
     plan_case_clear(&c);
@@ -107,7 +115,7 @@ static enum status measure_truths(const struct plan *plan, const char *folder, b
         if (!study->truth)
             continue;
         st = find_truth(plan, study, study->time_count, study->times, folder,
-                        quick ? TRUTH_QUICK : TRUTH_FULL, &truth, why);
+                        quick ? &quick_wish : &wish, &truth, why);
         truth_destroy(truth);
         if (has_none(st))
             st = STATUS_OK;
@@ -275,7 +283,7 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
     for (int n = 0; n < study->level_count; n++)
         fill_row(s, &s->row[n]);
     if (study->truth) {
-        st = find_truth(plan, study, s->frames, s->time, folder, TRUTH_READ, &s->truth,
+        st = find_truth(plan, study, s->frames, s->time, folder, NULL, &s->truth,
                         &s->no_truth);
         if (st != STATUS_OK && !has_none(st))
             TRY(status_fail(why, st, "%s", s->no_truth.text));

@@ -69,7 +69,7 @@ static enum status prepare(struct job *j, const struct command_line *line,
     TRY(read_scene(j, line, why));
     j->sheet.scene = &j->scene;
     TRY(export_held_find(&j->sheet, &j->held, why));
-    TRY(truth_known(&j->scene, &j->known, why));
+    TRY(truth_judged(&j->scene, &j->known, why));
 out:
     return st;
 }

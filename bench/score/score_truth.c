@@ -114,8 +114,7 @@ static enum status from_formula(const char *word, const char *path,
 
     for (int n = 0; n < times; n++)
         time[n] = all < 1 ? t->scene.end : (n + 1) / 10.0;
-    st =
-        truth_find(path, settings, times, time, "results/truths", TRUTH_READ, &truth, NULL);
+    st = truth_find(path, settings, times, time, NULL, &truth, NULL);
     if (st != STATUS_OK && st != STATUS_MEMORY) {
         st = truth_plan_check(&t->scene, why);
         TRY(st == STATUS_UNSUPPORTED ? STATUS_INPUT : st);

@@ -63,20 +63,24 @@ enum status stress_choice_check(const struct stress_choice *choice, struct messa
     return contestant_check(choice->models, why);
 }
 
-enum status stress_find_truth(const struct stress_job *job, enum truth_effort effort,
-                              struct truth **truth, struct message *why)
+enum status stress_find_truth(const struct stress_job *job, bool made, struct truth **truth,
+                              struct message *why)
 {
+    /* Points are held there, which hold nothing of a solid. */
+    static const struct truth_wish wish = {.error = 0.01, .seconds = 30, .shell = true};
     static const double time[] = {0.1, 0.2, 0.3};
+    const int times = sizeof time / sizeof *time;
     char folder[4096];
     struct settings physics = {0};
     enum status st = STATUS_OK;
 
     settings_list(&physics, STRESS_SETTINGS, job->c->physics);
     snprintf(folder, sizeof folder, "%s/%s.truth", job->folder, job->c->item.name);
-    if (effort != TRUTH_READ)
+    if (made)
         TRY(folder_make(folder, why));
-    st = truth_find(job->path, &physics, sizeof time / sizeof *time, time, folder, effort,
-                    truth, why);
+    st = made ? truth_find_or_make(job->path, &physics, times, time, folder, &wish, truth,
+                                   why)
+              : truth_find(job->path, &physics, times, time, folder, truth, why);
 out:
     settings_clear(&physics);
     return st;
@@ -92,7 +96,7 @@ static enum status work(void *context, long number, struct message *why)
 
     child_limit(job->quick && job->contestant ? QUICK_LIMIT : TIME_LIMIT);
     if (!job->contestant) {
-        TRY(stress_find_truth(job, TRUTH_QUICK, &truth, why));
+        TRY(stress_find_truth(job, true, &truth, why));
         truth_destroy(truth);
         return STATUS_OK;
     }

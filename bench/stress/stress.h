@@ -142,9 +142,10 @@ enum status stress_choice_check(const struct stress_choice *choice, struct messa
 enum status stress_judge(const struct stress_job *job, struct stress_result *r,
                          struct message *why);
 
-/* The truth of a case of STRESS_SHELL, at some times, kept in the folder. As truth_find. */
-enum status stress_find_truth(const struct stress_job *job, enum truth_effort effort,
-                              struct truth **truth, struct message *why);
+/* The truth of a case of STRESS_SHELL, at some times: the shell's, kept in the folder, and
+ * made where it is not there yet if `made`. As truth_find. */
+enum status stress_find_truth(const struct stress_job *job, bool made, struct truth **truth,
+                              struct message *why);
 
 /* The stability map: steps of 0.1 ms to 0.1 s by six decades of E/rho, on small nets, for
  * the contestants chosen. A sweep of its own in FOLDER/map. */

@@ -338,7 +338,7 @@ static enum status begin_shell(struct judged *r, struct message *why)
     const struct message *lost = r->job->no_truth;
     struct message missing = {""};
 
-    if (stress_find_truth(r->job, TRUTH_READ, &r->truth, &missing) != STATUS_OK)
+    if (stress_find_truth(r->job, false, &r->truth, &missing) != STATUS_OK)
         return status_fail(why, STATUS_UNSUPPORTED, "no truth to hold it against: %.900s",
                            lost && *lost->text ? lost->text : missing.text);
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,

@@ -2,7 +2,7 @@
  * points cannot be compared, but distributions can.
  *
  * Of each scene an ensemble of runs, the n-th with gravity pushed in direction n
- * (truth_push.h), by the cured shell on two nets, the truth, and by each contestant. Of
+ * (truth_level.h), by the cured shell on two nets, the truth, and by each contestant. Of
  * numbers of the sheet (STUDY_ENSEMBLE_LIST), averaged over windows of time beyond the
  * horizon, means and spreads are compared in standard errors (distribution.h). A run is a
  * file; what is there already of the same program is not run again.

@@ -8,7 +8,7 @@
 #include "bench/files/sealed_text.h"
 #include "bench/harness/net_fit.h"
 #include "bench/truth/truth_plan.h"
-#include "bench/truth/truth_push.h"
+#include "bench/truth/truth_level.h"
 #include "iga/support_knots.h"
 #include "models/reader/scene_file.h"
 
@@ -218,7 +218,7 @@ enum status study_ensemble_settings(const struct study_ensemble_job *job, int n,
     struct scene scene = {0};
     enum status st;
 
-    c = ensemble < STUDY_ENSEMBLE_TRUTHS ? truth_level_contestant(TRUTH_CURED)
+    c = ensemble < STUDY_ENSEMBLE_TRUTHS ? truth_level_contestant(TRUTH_SHELL)
                                          : job->model[ensemble - STUDY_ENSEMBLE_TRUTHS];
     TRY(settings_read_scene(&(struct settings){0}, path, &scene, why));
     contestant_settings(c, settings);
@@ -228,7 +228,7 @@ enum status study_ensemble_settings(const struct study_ensemble_job *job, int n,
     if (damping && !contestant_is_paper_scheme(c))
         settings_set(settings, damping);
     settings_number(settings, "time.step", truth_plan_frame(&scene));
-    st = truth_push(path, &(struct settings){0}, member, settings, why);
+    st = truth_level_push(path, &(struct settings){0}, member, settings, why);
     *contestant = c;
 out:
     scene_clear(&scene);

@@ -6,7 +6,7 @@
 
 #include "bench/studies/distribution.h"
 #include "bench/truth/truth_made.h"
-#include "bench/truth/truth_push.h"
+#include "bench/truth/truth_level.h"
 
 enum { TRUTHS = STUDY_ENSEMBLE_TRUTHS, NUMBERS = STUDY_ENSEMBLE_NUMBERS, LINE = 512 };
 

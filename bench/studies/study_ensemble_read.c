@@ -6,7 +6,7 @@
 
 #include "bench/files/store_read.h"
 #include "bench/harness/run_result.h"
-#include "bench/truth/truth_push.h"
+#include "bench/truth/truth_level.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 

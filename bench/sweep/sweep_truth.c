@@ -11,7 +11,7 @@ enum status sweep_truth_open(struct sweep_truth *truth, const struct scene *scen
 {
     *truth = (struct sweep_truth){.length = scene->length};
     /* A factor a step is no physics that a truth could have: nothing needs to be read. */
-    return truth_plan_damping(scene) ? STATUS_OK : truth_known(scene, &truth->made, why);
+    return truth_plan_damping(scene) ? STATUS_OK : truth_judged(scene, &truth->made, why);
 }
 
 void sweep_truth_close(struct sweep_truth *truth)

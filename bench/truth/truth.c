@@ -8,9 +8,9 @@
 #include "bench/harness/distrust.h"
 #include "bench/truth/truth_closed.h"
 #include "bench/truth/truth_file.h"
+#include "bench/truth/truth_physics.h"
 #include "bench/truth/truth_plate.h"
 #include "bench/truth/truth_plan.h"
-#include "bench/truth/truth_sharp.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
@@ -61,50 +61,6 @@ out:
     return st;
 }
 
-/* Nets and steps of the shell: the truth, and the coarser one that gives its error bar. */
-static const struct {
-    int side, divisor;
-} shells[2][2] = {{{36, 8}, {24, 4}}, {{16, 4}, {12, 2}}};
-
-static enum status from_shell(const struct truth_runs *runs, double step, bool quick,
-                              bool read_only, struct truth *t, struct message *why)
-{
-    struct run_result run[2] = {{0}, {0}};
-    struct truth_level level[2];
-    enum status st = STATUS_OK;
-
-    for (int n = 1; n >= 0; n--) {
-        level[n] = (struct truth_level){TRUTH_SHELL, 3, shells[quick][n].side,
-                                        step / shells[quick][n].divisor, false};
-        TRY(truth_level_find(runs, &level[n], read_only, &run[n], why));
-    }
-    for (int n = 0; n < t->times; n++) {
-        memcpy(t->xyz[n], run[0].xyz[n], 3 * GRID_POINTS * sizeof(double));
-        t->error[n] = metric_rmse(t->xyz[n], run[1].xyz[n]);
-    }
-    snprintf(t->source, sizeof t->source,
-             "nonlinear Kirchhoff-Love shell, p = 3, %dx%d, step %.4g ms; error bar: its "
-             "difference from %dx%d, %.4g ms",
-             level[0].side, level[0].side, 1e3 * level[0].step, level[1].side,
-             level[1].side, 1e3 * level[1].step);
-    t->alone = true;
-out:
-    run_result_clear(&run[0]);
-    run_result_clear(&run[1]);
-    return st;
-}
-
-static enum status find_shell(const struct truth_runs *runs, double step,
-                              enum truth_effort effort, struct truth *t,
-                              struct message *why)
-{
-    bool read_only = effort == TRUTH_READ;
-
-    if (read_only && from_shell(runs, step, false, true, t, NULL) == STATUS_OK)
-        return STATUS_OK;
-    return from_shell(runs, step, effort != TRUTH_FULL, read_only, t, why);
-}
-
 const char *truth_bar_name(const struct truth *t)
 {
     return t->alone ? "one model's own bar" : "truth's error bar";
@@ -143,47 +99,6 @@ out:
     return st;
 }
 
-/* As sharp as is wished. */
-static enum status from_sharp(const struct truth_runs *runs, const struct scene *scene,
-                              const struct truth_wish *wish, struct truth *t,
-                              struct message *why)
-{
-    struct truth_made made = {0};
-    struct truth_verdict verdict;
-    char text[TRUTH_WISH_TEXT];
-    enum status st;
-
-    TRY(truth_sharp_make(runs, scene, &(struct truth_sharp){scene->step, stderr}, wish,
-                         &made, &verdict, text, why));
-    if (verdict.answer == TRUTH_LOST)
-        TRY(status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name, text));
-    for (int n = 0; n < t->times; n++) {
-        memcpy(t->xyz[n], made.xyz[n], 3 * GRID_POINTS * sizeof(double));
-        t->error[n] = made.value[n][TRUTH_ERROR];
-    }
-    snprintf(t->source, sizeof t->source, "%s", made.note);
-    TRY(truth_doubt(scene, &made, t));
-out:
-    truth_made_clear(&made);
-    return st;
-}
-
-/* With a wish; without one, the shell by effort. A factor a step is another damping at
- * every step, the truth's own too. */
-static enum status find_run(const struct truth_runs *runs, const struct scene *scene,
-                            enum truth_effort effort, const struct truth_wish *wish,
-                            struct truth *t, struct message *why)
-{
-    if (truth_plan_damping(scene))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "no truth of %s: its velocities are scaled by a factor each "
-                           "step, which is no rate and has no limit; it has one with "
-                           "damping {kind: none} or {kind: mass}",
-                           scene->name);
-    return wish ? from_sharp(runs, scene, wish, t, why)
-                : find_shell(runs, scene->step, effort, t, why);
-}
-
 /* Index of a stored time, -1 if it has none. */
 static int stored_index(const struct truth_made *made, double time)
 {
@@ -193,42 +108,26 @@ static int stored_index(const struct truth_made *made, double time)
     return -1;
 }
 
-/* Copies what is stored for the times of t. *found is false if a time is missing.
+/* Copies what is stored for the times of t. STATUS_FILE: a time is missing;
  * STATUS_UNSUPPORTED: one is past the horizon. */
 static enum status take(const struct scene *scene, const struct truth_made *made,
-                        struct truth *t, bool *found, struct message *why)
+                        struct truth *t, struct message *why)
 {
-    double horizon = made->claimed ? made->time[made->claimed - 1] : 0;
-    bool ends = made->claimed < made->times;
+    const double horizon = made->claimed ? made->time[made->claimed - 1] : 0;
 
-    *found = false;
     for (int n = 0; n < t->times; n++) {
-        if (ends && t->time[n] > horizon + 1e-9)
+        const int k = stored_index(made, t->time[n]);
+        if (made->claimed < made->times && t->time[n] > horizon + 1e-9)
             return status_fail(why, STATUS_UNSUPPORTED,
                                "no truth is claimed for %s at %.3g s: its motion is known "
                                "to %.3g s (clothbench truth %s --stored)",
                                scene->name, t->time[n], horizon, scene->name);
-        const int k = stored_index(made, t->time[n]);
         if (k < 0)
-            return STATUS_OK;
+            return STATUS_FILE;
         memcpy(t->xyz[n], made->xyz[k], 3 * GRID_POINTS * sizeof(double));
         t->error[n] = made->value[k][TRUTH_ERROR];
     }
-    snprintf(t->source, sizeof t->source, "stored: %s", made->note);
-    *found = true;
     return STATUS_OK;
-}
-
-/* The stored truth of the scene, if its physics are these; else made->times is 0. */
-static enum status read_stored(const struct scene *scene, struct truth_made *made,
-                               struct message *why)
-{
-    struct message said = {""};
-    const enum status st = truth_file_find(scene->name, scene, made, &said);
-
-    if (st == STATUS_FILE || st == STATUS_UNSUPPORTED) /* and that is no error to tell */
-        return STATUS_OK;
-    return st ? status_fail(why, st, "%s", said.text) : st;
 }
 
 enum status truth_known(const struct scene *scene, struct truth_made *made,
@@ -236,12 +135,24 @@ enum status truth_known(const struct scene *scene, struct truth_made *made,
 {
     enum status st = truth_closed_make(scene, made);
 
-    if (st != STATUS_UNSUPPORTED)
-        return st;
-    st = read_stored(scene, made, why);
-    if (st == STATUS_OK)
-        truth_made_thin(made, scene);
+    if (st == STATUS_UNSUPPORTED)
+        st = truth_file_find(scene->name, scene, made, why);
+    if (st == STATUS_FILE && truth_plan_check(scene, why) != STATUS_OK)
+        st = STATUS_UNSUPPORTED;
     return st;
+}
+
+enum status truth_judged(const struct scene *scene, struct truth_made *made,
+                         struct message *why)
+{
+    struct message said = {""};
+    const enum status st = truth_known(scene, made, &said);
+
+    if (st == STATUS_OK && !made->closed)
+        truth_made_thin(made, scene);
+    if (st == STATUS_OK || st == STATUS_FILE || st == STATUS_UNSUPPORTED)
+        return STATUS_OK;
+    return status_fail(why, st, "%s", said.text);
 }
 
 /* STATUS_UNSUPPORTED: none, or not so early. */
@@ -267,7 +178,7 @@ enum status truth_stored_times(const char *path, const struct settings *settings
 
     *count = 0;
     TRY(settings_read_scene(settings, path, &scene, why));
-    TRY(truth_known(&scene, &made, why));
+    TRY(truth_judged(&scene, &made, why));
     while (last < made.claimed && made.time[last] <= until + 1e-9)
         last++;
     *count = last < most ? last : most;
@@ -279,53 +190,155 @@ out:
     return st;
 }
 
-static enum status find(const char *path, const struct settings *settings, int times,
-                        const double *time, const char *folder, enum truth_effort effort,
-                        const struct truth_wish *wish, struct truth **truth,
-                        struct message *why)
+/* Fills t with what needs no file: a closed form, or the plate. */
+static enum status from_theory(const struct scene *scene, struct truth *t,
+                               struct message *why)
 {
-    enum status st;
-    struct scene scene = {0};
     struct kirchhoff_plate plate;
-    struct truth *t = make(times, time);
-    const struct truth_runs runs = {path, settings, times, time, folder};
-    struct truth_made made = {0};
-    bool found;
+    const enum status st = from_closed(scene, t);
 
-    if (!t)
-        return STATUS_MEMORY;
-    TRY(settings_read_scene(settings, path, &scene, why));
-    st = from_closed(&scene, t);
-    if (st != STATUS_UNSUPPORTED) {
-        TRY(st);
-    } else if (scene_gamma(&scene) < TRUTH_GAMMA &&
-               kirchhoff_field_plate(&scene, &plate, NULL) == STATUS_OK) {
-        TRY(from_kirchhoff(&scene, t, why));
-    } else {
-        TRY(read_stored(&scene, &made, why));
-        TRY(take(&scene, &made, t, &found, why));
-        if (!found)
-            TRY(find_run(&runs, &scene, effort, wish, t, why));
-    }
-    *truth = t, t = NULL;
-out:
-    truth_destroy(t);
+    if (st != STATUS_UNSUPPORTED || !(scene_gamma(scene) < TRUTH_GAMMA) ||
+        kirchhoff_field_plate(scene, &plate, NULL) != STATUS_OK)
+        return st;
+    return from_kirchhoff(scene, t, why);
+}
+
+/* Fills t with the truth that comes with the program or is named in the environment. */
+static enum status from_stored(const struct scene *scene, struct truth *t,
+                               struct message *why)
+{
+    struct truth_made made = {0};
+    struct message said = {""};
+    enum status st = truth_file_find(scene->name, scene, &made, &said);
+
+    if (st == STATUS_UNSUPPORTED) /* of other physics */
+        st = STATUS_FILE;
+    if (st == STATUS_OK)
+        st = take(scene, &made, t, why);
+    else if (st != STATUS_FILE)
+        status_fail(why, st, "%s", said.text);
+    snprintf(t->source, sizeof t->source, "stored: %s", made.note);
     truth_made_clear(&made);
-    scene_clear(&scene);
+    return st;
+}
+
+enum { PATH = 4096 };
+
+static void left_in(const char *folder, char path[PATH])
+{
+    snprintf(path, PATH, "%s/truth.h5", folder);
+}
+
+/* Fills t with the truth that truth_find_or_make left in a folder. */
+static enum status from_folder(const char *folder, const struct scene *scene,
+                               struct truth *t, struct message *why)
+{
+    struct truth_made made = {0};
+    char *physics = NULL, path[PATH];
+    enum status st;
+
+    left_in(folder, path);
+    TRY(truth_file_read(path, &made, &physics, why));
+    TRY(truth_physics_check(physics, scene, NULL) == STATUS_OK ? STATUS_OK : STATUS_FILE);
+    TRY(take(scene, &made, t, why));
+    snprintf(t->source, sizeof t->source, "%s", made.note);
+    TRY(truth_doubt(scene, &made, t));
+out:
+    truth_made_clear(&made);
+    free(physics);
+    return st;
+}
+
+/* Fills t with what is known. STATUS_FILE: nothing, but it can be made. */
+static enum status look_up(const struct scene *scene, struct truth *t, struct message *why)
+{
+    enum status st = from_theory(scene, t, why);
+
+    if (st == STATUS_UNSUPPORTED)
+        st = from_stored(scene, t, why);
+    if (st == STATUS_FILE && truth_plan_damping(scene))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "no truth of %s: its velocities are scaled by a factor each "
+                           "step, which is no rate and has no limit; it has one with "
+                           "damping {kind: none} or {kind: mass}",
+                           scene->name);
     return st;
 }
 
 enum status truth_find(const char *path, const struct settings *settings, int times,
-                       const double *time, const char *folder, enum truth_effort effort,
-                       struct truth **truth, struct message *why)
+                       const double *time, const char *folder, struct truth **truth,
+                       struct message *why)
 {
-    return find(path, settings, times, time, folder, effort, NULL, truth, why);
+    struct scene scene = {0};
+    struct truth *t = make(times, time);
+    enum status st;
+
+    TRY(t ? STATUS_OK : STATUS_MEMORY);
+    TRY(settings_read_scene(settings, path, &scene, why));
+    st = look_up(&scene, t, why);
+    if (st == STATUS_FILE && folder)
+        st = from_folder(folder, &scene, t, NULL);
+    if (st == STATUS_FILE)
+        status_fail(why, st, "nothing is known of %s with these physics at these times",
+                    scene.name);
+    TRY(st);
+    *truth = t, t = NULL;
+out:
+    truth_destroy(t);
+    scene_clear(&scene);
+    return st;
 }
 
-enum status truth_find_sharp(const char *path, const struct settings *settings, int times,
-                             const double *time, const char *folder,
-                             const struct truth_wish *wish, struct truth **truth,
-                             struct message *why)
+/* Makes one, and leaves it in the folder of its runs. */
+static enum status make_one(const struct truth_runs *runs, const struct scene *scene,
+                            const struct truth_wish *wish, struct truth *t,
+                            struct message *why)
 {
-    return find(path, settings, times, time, folder, TRUTH_FULL, wish, truth, why);
+    struct truth_made made = {0};
+    struct truth_end end;
+    char path[PATH];
+    enum status st;
+
+    left_in(runs->folder, path);
+    TRY(truth_make(runs, scene, wish, &made, &end, why));
+    if (end.answer == TRUTH_LOST)
+        TRY(status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name,
+                        end.text));
+    for (int n = 0; n < t->times; n++) {
+        memcpy(t->xyz[n], made.xyz[n], 3 * GRID_POINTS * sizeof(double));
+        t->error[n] = made.value[n][TRUTH_ERROR];
+    }
+    snprintf(t->source, sizeof t->source, "%s", made.note);
+    TRY(truth_doubt(scene, &made, t));
+    TRY(truth_file_write(path, runs, &made, why));
+out:
+    truth_made_clear(&made);
+    return st;
+}
+
+enum status truth_find_or_make(const char *path, const struct settings *settings, int times,
+                               const double *time, const char *folder,
+                               const struct truth_wish *wish, struct truth **truth,
+                               struct message *why)
+{
+    struct truth_runs runs = {.path = path,
+                              .settings = settings,
+                              .times = times,
+                              .time = time,
+                              .folder = folder,
+                              .say = stderr};
+    struct scene scene = {0};
+    struct truth *t = make(times, time);
+    enum status st;
+
+    TRY(t ? STATUS_OK : STATUS_MEMORY);
+    TRY(settings_read_scene(settings, path, &scene, why));
+    runs.frame = scene.step;
+    st = look_up(&scene, t, why);
+    TRY(st == STATUS_FILE ? make_one(&runs, &scene, wish, t, why) : st);
+    *truth = t, t = NULL;
+out:
+    truth_destroy(t);
+    scene_clear(&scene);
+    return st;
 }

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bench/truth/truth_push.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 
@@ -62,13 +61,9 @@ void truth_family_clear(struct truth_family *f)
         run_result_clear(&f->run[n]);
 }
 
-/* Splines of degree p bend with errors of order min(p + 1, 2 (p - 1)) in the mean square;
- * both models' steps are of second order. */
-static double promised_order(int degree)
-{
-    return fmin(degree + 1, 2 * (degree - 1));
-}
-static const double STEP_ORDER = 2;
+/* What theory promises: splines of degree 2 and more bend with errors of that order in the
+ * mean square, and steps that shrink alike are of it. */
+static const double PROMISED = 2;
 
 static double between(const struct truth_family *f, int a, int b, int time)
 {
@@ -84,8 +79,7 @@ struct chain {
  * and none of an error: the order is that of their rms up to now, and no difference counts
  * for less than that. */
 static struct truth_order judge(const struct truth_family *f, const int run[3],
-                                const double size[3], double promised, int time,
-                                struct chain *up_to_now)
+                                const double size[3], int time, struct chain *up_to_now)
 {
     const double first = between(f, run[0], run[1], time);
     const double second = between(f, run[1], run[2], time);
@@ -94,7 +88,7 @@ static struct truth_order judge(const struct truth_family *f, const int run[3],
     up_to_now->second += second * second;
     const double rms = sqrt(up_to_now->second / (time + 1));
     struct truth_order o =
-        truth_order(size, sqrt(up_to_now->first), sqrt(up_to_now->second), promised);
+        truth_order(size, sqrt(up_to_now->first), sqrt(up_to_now->second), PROMISED);
     o.bar *= rms > 0 ? fmax(second, rms) / sqrt(up_to_now->second) : 1;
     return o;
 }
@@ -102,31 +96,6 @@ static struct truth_order judge(const struct truth_family *f, const int run[3],
 static double span_of(const struct truth_level *level)
 {
     return 1.0 / (level->side - level->degree - level->repeats);
-}
-
-/* Nets and steps apart: three of each. */
-static void judge_cross(const struct truth_family *f, int time, struct chain chain[2],
-                        double *value)
-{
-    static const int nets[3] = {TRUTH_BAR_COARSE, TRUTH_BAR_MIDDLE, TRUTH_BAR_FINE},
-                     steps[3] = {TRUTH_BAR_FOUR, TRUTH_BAR_TWICE, TRUTH_BAR_MIDDLE};
-    double h[3], step[3];
-
-    for (int n = 0; n < 3; n++) {
-        h[n] = span_of(&f->level[nets[n]]);
-        step[n] = f->level[steps[n]].step;
-    }
-    const struct truth_order space =
-        judge(f, nets, h, promised_order(f->level[TRUTH_BAR_FINE].degree), time, &chain[0]);
-    const struct truth_order in_time = judge(f, steps, step, STEP_ORDER, time, &chain[1]);
-    value[0] = space.order;
-    value[1] = in_time.order;
-    value[2] = space.bar + in_time.bar;
-}
-
-static double joint_order(const struct truth_family *f)
-{
-    return fmin(promised_order(f->level[f->count - 1].degree), STEP_ORDER);
 }
 
 /* The last three of the first `count` runs, up to a time. */
@@ -137,7 +106,7 @@ static struct truth_order judge_three(const struct truth_family *f, int count, i
 
     for (int k = 0; k < 3; k++)
         h[k] = span_of(&f->level[run[k]]);
-    return judge(f, run, h, joint_order(f), time, chain);
+    return judge(f, run, h, time, chain);
 }
 
 /* A field: of two runs, fine + left (fine - middle). */
@@ -149,7 +118,7 @@ struct field {
 static struct field limit_of(const struct truth_family *f, int count, const double h[3],
                              double order, int time)
 {
-    const double left = order >= LEAST ? left_by(h, fmin(order, joint_order(f))) : 0;
+    const double left = order >= LEAST ? left_by(h, fmin(order, PROMISED)) : 0;
 
     return (struct field){f->run[count - 1].xyz[time], f->run[count - 2].xyz[time], left};
 }
@@ -176,7 +145,7 @@ static double apart(const struct field *a, const struct field *b)
 /* What is carried from time to time: of three runs, of the three before, of their limits.
  */
 struct judged {
-    struct chain now[2], before;
+    struct chain now, before;
     double moved;
 };
 
@@ -185,16 +154,16 @@ enum { SETTLED = 4 };
 
 /* An order that the three runs before did not show may be luck: as of two runs, the last
  * difference counts three times. One that they showed lower is believed no higher. */
-static double confirm(const struct truth_family *f, const double h[3],
-                      const struct truth_order *o, const struct truth_order *before)
+static double confirm(const double h[3], const struct truth_order *o,
+                      const struct truth_order *before)
 {
-    const double most = joint_order(f), now = left_by(h, fmin(o->order, most));
+    const double now = left_by(h, fmin(o->order, PROMISED));
 
     if (!(o->order >= LEAST))
         return o->bar;
     if (!(before->order >= LEAST))
         return fmax(o->bar, UNSEEN * o->bar / (SAFETY * now));
-    return o->bar / now * left_by(h, fmin(fmin(o->order, before->order), most));
+    return o->bar / now * left_by(h, fmin(fmin(o->order, before->order), PROMISED));
 }
 
 /* Where the last three runs show an order, and the three before one that goes the same way,
@@ -213,15 +182,15 @@ static void settle(const struct truth_family *f, int time, struct truth_order *o
 
     so_far->moved += moved * moved;
     const double bar = SAFETY * fmax(moved, sqrt(so_far->moved / (time + 1)));
-    o->bar = confirm(f, h, o, &before);
+    o->bar = confirm(h, o, &before);
     if (!(o->order >= LEAST) || !(bar < three))
         return;
     o->bar = bar;
     *field = limit;
 }
 
-static struct field judge_joint(const struct truth_family *f, int time,
-                                struct judged *so_far, double *value)
+static struct field judge_family(const struct truth_family *f, int time,
+                                 struct judged *so_far, double *value)
 {
     const int n = f->count;
     struct field field = {0};
@@ -235,22 +204,12 @@ static struct field judge_joint(const struct truth_family *f, int time,
         value[2] = UNSEEN * between(f, 0, 1, time);
     if (n < 3)
         return field;
-    struct truth_order both = judge_three(f, n, time, &so_far->now[0], h);
+    struct truth_order both = judge_three(f, n, time, &so_far->now, h);
     if (n >= SETTLED)
         settle(f, time, &both, h, so_far, &field);
     value[0] = value[1] = both.order;
     value[2] = both.bar;
     return field;
-}
-
-static struct field judge_family(const struct truth_family *f, int time,
-                                 struct judged *so_far, double *value)
-{
-    if (f->joint)
-        return judge_joint(f, time, so_far, value);
-    judge_cross(f, time, so_far->now, value);
-    const double *fine = f->run[TRUTH_BAR_FINE].xyz[time];
-    return (struct field){fine, fine, 0};
 }
 
 void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz)
@@ -266,7 +225,7 @@ void truth_bar_limit(const struct truth_family *f, double order, int time, doubl
 
 const struct run_result *truth_bar_finest(const struct truth_family *f)
 {
-    return &f->run[f->joint ? f->count - 1 : TRUTH_BAR_FINE];
+    return &f->run[f->count - 1];
 }
 
 static double growth(const struct truth_push *p, int time, double length)
@@ -280,7 +239,7 @@ void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
                        struct truth_made *made)
 {
     const struct truth_family *solid = &family[TRUTH_SOLID], *shell = &family[TRUTH_SHELL];
-    struct judged so_far[TRUTH_MODELS] = {{{{0}}}};
+    struct judged so_far[TRUTH_MODELS] = {{{0}}};
 
     for (int n = 0; n < made->times; n++) {
         double *v = made->value[n];
@@ -295,12 +254,10 @@ void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
 
 void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL])
 {
-    static const char *const first[] = {"solid, cured of locking", "Kirchhoff-Love shell",
-                                        "Kirchhoff-Love shell, cured of locking",
-                                        "selective solid, cured of locking"},
-                             *const other[] = {"cured solid", "Kirchhoff-Love shell",
-                                               "cured Kirchhoff-Love shell",
-                                               "selective solid"};
+    static const char *const first[] = {"selective solid, cured of locking",
+                                        "Kirchhoff-Love shell, cured of locking"},
+                             *const other[] = {"selective solid",
+                                               "cured Kirchhoff-Love shell"};
 
     snprintf(text, TRUTH_BAR_LEVEL, "%s, p = %d, %dx%d, %s%.4g ms",
              (own ? first : other)[l->model], l->degree, l->side, l->side,
@@ -316,7 +273,7 @@ struct share {
 static void fill(const struct truth_family family[TRUTH_MODELS], struct truth_made *made,
                  struct share share[TRUTH_MODELS])
 {
-    struct judged so_far[TRUTH_MODELS] = {{{{0}}}};
+    struct judged so_far[TRUTH_MODELS] = {{{0}}};
     struct field field[TRUTH_MODELS];
     double value[3];
 
@@ -363,9 +320,9 @@ static void add_share(struct truth_made *made, const struct truth_family *f, int
 
 static const char *by_what(const struct truth_family *f, int limits)
 {
-    return limits                     ? "how far its limit moved, and observed orders"
-           : f->joint && f->count < 3 ? "the difference of two runs, three times,"
-                                      : "observed orders";
+    return limits         ? "how far its limit moved, and observed orders"
+           : f->count < 3 ? "the difference of two runs, three times,"
+                          : "observed orders";
 }
 
 static void tell(const struct truth_family family[TRUTH_MODELS],
@@ -425,6 +382,6 @@ void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,
              lost && blunt ? "on a net too coarse to know the motion, which says nothing"
              : lost        ? "from there on the motion cannot be predicted"
                            : "so long the motion can be predicted",
-             truth_level_kind(level->model) == TRUTH_SOLID ? "solid," : "shell,",
-             level->side, level->side, 1e3 * level->step);
+             level->model == TRUTH_SOLID ? "solid," : "shell,", level->side, level->side,
+             1e3 * level->step);
 }

@@ -24,25 +24,14 @@ struct truth_order truth_order(const double h[3], double first, double second,
 
 enum { TRUTH_FAMILY_MOST = 9 };
 
-/* Runs of one model, the count 0 of one that would not. */
+/* Runs of one model, whose nets and steps shrink alike; the count 0 of one that would not.
+ */
 struct truth_family {
-    bool joint; /* net and step shrink alike from run to run; else as truth_bar_at has it */
     int count;
     struct truth_level level[TRUTH_FAMILY_MOST];
     struct run_result run[TRUTH_FAMILY_MOST];
 };
 void truth_family_clear(struct truth_family *f); /* its runs                           */
-
-/* Which run of a family that is not joint is what: three nets, then the middle one with
- * twice the step and four times. */
-enum truth_bar_at {
-    TRUTH_BAR_COARSE,
-    TRUTH_BAR_MIDDLE,
-    TRUTH_BAR_FINE,
-    TRUTH_BAR_TWICE,
-    TRUTH_BAR_FOUR,
-    TRUTH_BAR_RUNS
-};
 
 /* A run, and the same pushed by TRUTH_PERTURBATION. */
 struct truth_push {
@@ -51,16 +40,16 @@ struct truth_push {
 };
 
 /* All numbers of made's times but the error bars, into its values. Orders are of the rms
- * of the differences up to each time. Of a joint family both orders are the one that is
- * seen, NaN of two runs alone, whose difference counts three times. Of four joint runs and
- * more the bar is, where that is less, how far the last run moved the limit that the orders
- * show, and the limit is what is held against the other model. A model that would not has
- * an endless bar. */
+ * of the differences up to each time. Those in space and in time are the one that is seen,
+ * NaN of two runs alone, whose difference counts three times. Of four runs and more the bar
+ * is, where that is less, how far the last run moved the limit that the orders show, and
+ * the limit is what is held against the other model. A model that would not has an endless
+ * bar. */
 void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
                        const struct truth_push *push, double length,
                        struct truth_made *made);
 
-/* Where a joint family of three is going at an index of time, if the order seen there is
+/* Where a family of three is going at an index of time, if the order seen there is
  * believed (truth_order), else where the finest run is: xyz (grid.h). */
 void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz);
 

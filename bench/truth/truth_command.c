@@ -6,19 +6,21 @@
 
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
+#include "bench/truth/truth.h"
 #include "bench/truth/truth_closed.h"
 #include "bench/truth/truth_file.h"
-#include "bench/truth/truth_frames.h"
-#include "bench/truth/truth_known.h"
-#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_plan.h"
 #include "bench/truth/truth_print.h"
-#include "bench/truth/truth_sharp.h"
 #include "bench/truth/truth_third.h"
 #include "models/reader/scene_file.h"
 
 enum { PATH = 4000 };
 
-static const double BUDGET = 3600;
+/* Without --error: what is requested, and how long all runs may take [s]. */
+static const double ERROR = 0.01, BUDGET = 3600;
+
+/* With --quick: the least that is claimed, in so many seconds of the motion. */
+static const double QUICK_UNTIL = 0.2, QUICK_BUDGET = 60;
 
 struct job {
     char *path;
@@ -26,10 +28,10 @@ struct job {
     bool quick;
     struct settings settings;
     enum table_format format;
-    double until; /* NAN: the plan's, or with a wish the scene's end                   */
-    struct truth_wish wish; /* error NAN: none, but the plan                           */
-    struct truth_verdict verdict;
-    char text[TRUTH_WISH_TEXT];
+    double until;
+    bool must; /* the error was requested: exit 1 where it can't be had                */
+    struct truth_wish wish;
+    struct truth_end end;
 };
 
 static enum status read_wish(struct job *j, const struct command_line *line,
@@ -37,18 +39,18 @@ static enum status read_wish(struct job *j, const struct command_line *line,
 {
     enum status st;
 
-    j->wish = (struct truth_wish){.error = NAN, .seconds = BUDGET};
-    j->until = NAN;
+    j->wish.error = j->quick ? TRUTH_MOST_ERROR : ERROR;
+    j->wish.seconds = j->quick ? QUICK_BUDGET : BUDGET;
+    j->until = j->quick ? QUICK_UNTIL : INFINITY;
+    j->must = command_given(line, "--error");
     TRY(command_number(line, "--error", true, &j->wish.error, why));
     TRY(command_number(line, "--budget", false, &j->wish.seconds, why));
     TRY(command_number(line, "--until", false, &j->until, why));
-    if (j->wish.error >= TRUTH_MOST_ERROR)
+    if (j->must && j->wish.error >= TRUTH_MOST_ERROR)
         TRY(status_fail(why, STATUS_INPUT,
                         "--error: below %g%%, what a truth is claimed to",
                         100 * TRUTH_MOST_ERROR));
-    if (isnan(j->wish.error) && !command_given(line, "--budget"))
-        j->wish.seconds = 0; /* a plan has its end */
-    if (j->quick && !isnan(j->wish.error))
+    if (j->quick && j->must)
         TRY(status_fail(why, STATUS_INPUT, "--quick or --error, one of the two"));
 out:
     return st;
@@ -73,50 +75,32 @@ out:
     return st;
 }
 
-/* The nets and steps of the plan, or as many as it takes. */
-static enum status make_at_times(struct job *j, const struct truth_plan *plan,
-                                 struct truth_runs *runs, struct truth_made *made,
-                                 struct message *why)
+/* By runs, which are kept in a folder of their own. */
+static enum status make_by_runs(struct job *j, const char *own, struct truth_runs *runs,
+                                struct truth_made *made, struct message *why)
 {
-    const bool sharp = !isnan(j->wish.error);
-    const double frame = truth_plan_frame(&j->scene);
-    const double until = !isnan(j->until) ? j->until : sharp ? j->scene.end : plan->until;
+    const double until = isfinite(j->until) ? j->until : j->scene.end;
+    char folder[PATH];
     double *time = NULL;
     enum status st;
 
-    runs->times =
-        truth_plan_times(until, sharp ? frame : truth_plan_longest(plan), &j->scene, &time);
+    snprintf(folder, sizeof folder, "results/truth_%s%s", j->scene.name,
+             j->quick ? "_quick" : "");
+    runs->folder = own ? own : folder;
+    runs->frame = truth_plan_frame(&j->scene);
+    runs->times = truth_plan_times(until, runs->frame, &j->scene, &time);
     runs->time = time;
     if (runs->times < 0)
         TRY(STATUS_MEMORY);
     if (!runs->times)
         TRY(status_fail(why, STATUS_INPUT, "--until %g: a frame is %g s long", until,
                         TRUTH_PLAN_FRAME));
-    timing_alone();
-    TRY(sharp ? truth_sharp_make(runs, &j->scene, &(struct truth_sharp){frame, stderr},
-                                 &j->wish, made, &j->verdict, j->text, why)
-              : truth_make(plan, runs, &j->scene,
-                           &(struct truth_make_how){stderr, j->wish.seconds}, made, why));
-out:
-    free(time);
-    return st;
-}
-
-/* By runs, which are kept in a folder of their own. */
-static enum status make_by_runs(struct job *j, const char *own, struct truth_runs *runs,
-                                struct truth_made *made, struct message *why)
-{
-    const struct truth_plan plan = truth_plan_of(j->scene.name, j->quick);
-    char folder[PATH];
-    enum status st;
-
-    snprintf(folder, sizeof folder, "results/truth_%s%s", j->scene.name,
-             j->quick ? "_quick" : "");
-    runs->folder = own ? own : folder;
     TRY(folder_make(runs->folder, why));
-    TRY(make_at_times(j, &plan, runs, made, why));
+    timing_alone();
+    TRY(truth_make(runs, &j->scene, &j->wish, made, &j->end, why));
     fprintf(stderr, "its runs are in %s\n", runs->folder);
 out:
+    free(time);
     return st;
 }
 
@@ -148,7 +132,8 @@ out:
 static enum status make_one(struct job *j, const struct command_line *line,
                             struct message *why)
 {
-    struct truth_runs runs = {.path = j->path, .settings = &j->settings, .ours = true};
+    struct truth_runs runs = {
+        .path = j->path, .settings = &j->settings, .say = stderr, .ours = true};
     struct truth_made made = {0};
     char file[PATH];
     enum status st;
@@ -162,10 +147,10 @@ static enum status make_one(struct job *j, const struct command_line *line,
     TRY(truth_file_write(file, &runs, &made, why));
     TRY(truth_print(&made, &j->scene, j->format, stdout));
     fprintf(stderr, "truth in %s\n", file);
-    if (*j->text && j->verdict.answer != TRUTH_MET)
-        TRY(status_fail(why, STATUS_FAILED, "%s", j->text));
-    if (*j->text)
-        fprintf(stderr, "truth: %s\n", j->text);
+    if (j->must && j->end.answer != TRUTH_MET)
+        TRY(status_fail(why, STATUS_FAILED, "%s", j->end.text));
+    if (*j->end.text)
+        fprintf(stderr, "truth: %s\n", j->end.text);
 out:
     truth_made_clear(&made);
     return st;
@@ -200,10 +185,10 @@ static enum status print_known(const struct job *j, const int points[2],
                                struct message *why)
 {
     struct truth_made made;
-    enum status st = truth_known_find(&j->scene, &made, why);
+    enum status st = truth_known(&j->scene, &made, why);
 
     if (st == STATUS_OK)
-        st = *points ? truth_frames_print(&made, points, stdout)
+        st = *points ? truth_print_frames(&made, points, stdout)
                      : truth_print(&made, &j->scene, j->format, stdout);
     truth_made_clear(&made);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
@@ -221,7 +206,7 @@ static enum status print_all(const struct command_line *line, struct message *wh
                         "truth SCENE; without one --stored alone, what is known of all"));
     if (word)
         TRY(table_format_parse(word, &format, why));
-    TRY(truth_known_print(format, stdout, why));
+    TRY(truth_print_all(format, stdout, why));
 out:
     return st;
 }
@@ -256,9 +241,10 @@ out:
 static const struct command_option options[] = {
     {"--set", "KEY=VALUE", true, "override a key of the scene"},
     {"--error", "PERCENT", false,
-     "as sharp as this, of the length, below 5%: more runs\nuntil the bar is within it"},
-    {"--budget", "SECONDS", false, "that all runs together may take (with --error 3600)"},
-    {"--until", "SECONDS", false, "how much of the motion (the plan's; with --error all)"},
+     "the largest error bar, of the length, below 5% (1%):\nmore runs until the bar is "
+     "within it, else exit 1"},
+    {"--budget", "SECONDS", false, "that all runs together may take (3600)"},
+    {"--until", "SECONDS", false, "how much of the motion (all)"},
     {"--out", "FILE", false, "where the truth goes (results/truths/SCENE.h5)"},
     {"--store", NULL, false, "among those that come with the program"},
     {"--runs", "FOLDER", false, "where its runs are kept (results/truth_SCENE)"},
@@ -283,21 +269,21 @@ const struct command truth_command = {
         "A scene that is a closed form (a free fall; nu = 0, hanging or clamped level, "
         "come\n"
         "to rest under mass damping) is known at once. Else:\n"
-        "Runs the nonlinear solid, cured of locking, and the nonlinear shell, each on\n"
-        "three nets and with three time steps, prints the orders observed, what they\n"
-        "leave as error bars, the difference of the two models, and until which time the\n"
-        "motion is predictable: one run is made again with gravity changed by 1e-6. At\n"
-        "each time the sharper model's field is stored, with the larger of its bar and\n"
-        "the difference.\n"
+        "Runs the nonlinear solid and the nonlinear shell, both cured of locking, on ever\n"
+        "finer nets with ever shorter steps, until the error bar is as small as "
+        "requested,\n"
+        "or the horizon, the budget or the two models forbid it, which is said. Prints "
+        "the\n"
+        "orders observed, what they leave as error bars, the difference of the two "
+        "models,\n"
+        "and until which time the motion is predictable: one run is made again with "
+        "gravity\n"
+        "changed by 1e-6. At each time the field stored is that of the model with the\n"
+        "smaller bar, and the bar is that or, if larger, the difference.\n"
         "Truths of some scenes come with the program; `compare` and others use these and\n"
         "those in $CLOTHBENCH_TRUTHS. A scene damped by velocity_scale, which is no rate,\n"
         "has an undamped truth. Runs of these solvers are not made again: a command\n"
-        "that was killed goes on where it was.\n"
-        "With --error, runs of the cured solid and the cured shell on ever finer nets "
-        "with\n"
-        "ever shorter steps, one at a time, with what they will still take; exit 1 and "
-        "why\n"
-        "where the horizon or the budget forbids, and until when the wish is met.\n",
+        "that was killed goes on where it was.\n",
     .examples =
         "truth edge_drop --stored\ntruth edge_drop --stored --points 21,21\n"
         "truth --stored\ntruth sphere --quick\ntruth mine.yaml --error 0.5% --until 0.3\n"

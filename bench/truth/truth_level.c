@@ -11,14 +11,14 @@
 #include "bench/files/store_read.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_physics.h"
-#include "bench/truth/truth_push.h"
 
 enum { PATH = 4096, KEY = 64 };
 
+static const double EARTH = 9.81; /* [m/s^2] */
+
 const struct contestant *truth_level_contestant(enum truth_model model)
 {
-    static const char *const name[] = {"iga_reduced", "shell_3", "shell_selective_3",
-                                       "iga_selective_3"};
+    static const char *const name[] = {"iga_selective_3", "shell_selective_3"};
     const struct contestant *c = NULL;
     const enum status st = contestant_find(name[model], &c, NULL);
 
@@ -27,22 +27,60 @@ const struct contestant *truth_level_contestant(enum truth_model model)
     return c;
 }
 
-enum truth_model truth_level_kind(enum truth_model model)
+/* SplitMix64, the output of a counter. */
+static uint64_t hash(uint64_t counter)
 {
-    return model == TRUTH_SOLID || model == TRUTH_SELECTIVE ? TRUTH_SOLID : TRUTH_SHELL;
+    uint64_t z = counter * UINT64_C(0x9e3779b97f4a7c15);
+
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return z ^ (z >> 31);
 }
 
-static void grade(const struct truth_level *level, struct settings *settings)
+/* From -1 to 1, exactly. */
+static double uniform(uint64_t counter)
 {
-    const int p = level->degree, spans = level->side - p;
+    return (double)(hash(counter) >> 11) * 0x1p-52 - 1;
+}
 
-    settings_print(settings, "discretization.knots_u=[0");
-    for (int n = 1 - p; n <= level->side; n++)
-        settings_more(settings, ",%.17g",
-                      n < 0       ? 0
-                      : n > spans ? 1
-                                  : pow(n / (double)spans, level->grade));
-    settings_more(settings, "]");
+void truth_level_direction(int number, double direction[3])
+{
+    /* A point of the cube lies in the ball with pi/6: of 64 tries one does. */
+    enum { TRIES = 64 };
+    static const double LEAST = 0.01; /* nearer to the middle, digits are lost         */
+    double *d = direction, size = 3;
+
+    d[0] = d[1] = d[2] = 1;
+    for (uint64_t t = 0; number && t < TRIES; t++) {
+        for (uint64_t i = 0; i < 3; i++)
+            d[i] = uniform(((uint64_t)number * TRIES + t) * 3 + i);
+        size = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        if (size <= 1 && size > LEAST)
+            break;
+    }
+    const double scale = sqrt(3 / size);
+    for (int i = 0; i < 3; i++)
+        d[i] *= scale;
+}
+
+enum status truth_level_push(const char *path, const struct settings *given, int number,
+                             struct settings *settings, struct message *why)
+{
+    struct scene scene = {0};
+    double direction[3];
+    enum status st;
+
+    TRY(settings_read_scene(given, path, &scene, why));
+    double *g = scene.gravity;
+    const double mean = (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / 3;
+    const double by = TRUTH_PERTURBATION * sqrt(mean > 0 ? mean : EARTH * EARTH / 3);
+    truth_level_direction(number, direction);
+    for (int i = 0; i < 3; i++)
+        g[i] += by * direction[i];
+    settings_numbers(settings, "gravity", 3, g);
+    scene_clear(&scene);
+out:
+    return st;
 }
 
 /* The contestant's own once more: nobody's --set makes it another one. */
@@ -57,10 +95,8 @@ enum status truth_level_settings(const struct truth_runs *runs,
     contestant_settings(c, settings);
     contestant_points(c, level->side, level->side, settings);
     settings_integers(settings, "discretization.degree", c->layers ? 3 : 2, degree);
-    if (level->grade > 0)
-        grade(level, settings);
     settings_number(settings, "time.step", level->step);
-    return level->perturbed ? truth_push(runs->path, runs->settings, 0, settings, why)
+    return level->perturbed ? truth_level_push(runs->path, runs->settings, 0, settings, why)
                             : STATUS_OK;
 }
 
@@ -157,27 +193,20 @@ static enum status check(const struct run_result *r, const struct truth_level *l
 }
 
 enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,
-                             bool read_only, struct run_result *r, struct message *why)
+                             struct run_result *r, struct message *why)
 {
     const struct contestant *c = truth_level_contestant(level->model);
     struct settings settings = {0};
     const struct run_plan plan = {runs->path, c, &settings, runs->time[runs->times - 1]};
-    char path[PATH], graded[32] = "", key[KEY];
+    char path[PATH], key[KEY];
     enum status st;
 
     TRY(truth_level_settings(runs, level, &settings, why));
     TRY(key_of(&plan, runs->settings, key, why));
-    if (level->grade > 0)
-        snprintf(graded, sizeof graded, "_g%.3g", level->grade);
-    snprintf(path, sizeof path, "%s/truth_%s_p%d_%d%s_%ldus%s.h5", runs->folder,
-             level->model == TRUTH_CURED       ? "cured"
-             : level->model == TRUTH_SELECTIVE ? "selective"
-                                               : c->model->name,
-             level->degree, level->side, graded, lround(1e6 * level->step),
-             level->perturbed ? "_perturbed" : "");
+    snprintf(path, sizeof path, "%s/truth_%s_p%d_%d_%ldus%s.h5", runs->folder,
+             level->model == TRUTH_SOLID ? "selective" : "cured", level->degree,
+             level->side, lround(1e6 * level->step), level->perturbed ? "_perturbed" : "");
     if (!is_kept(path, key, runs, r)) {
-        if (read_only)
-            TRY(status_fail(why, STATUS_FILE, "%s is not there, or of another run", path));
         TRY(run_file_write(
             &plan,
             &(struct run_keep){

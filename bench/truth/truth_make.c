@@ -2,157 +2,380 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
-#include "bench/truth/truth_bar.h"
+#include "bench/harness/deadline.h"
+#include "bench/truth/truth_plan.h"
+#include "models/metric/metric.h"
 
-static void plan_family(const struct truth_ladder *ladder, enum truth_model model,
-                        struct truth_family *f)
-{
-    f->count = TRUTH_BAR_RUNS;
-    for (int n = 0; n < TRUTH_BAR_RUNS; n++)
-        f->level[n] = (struct truth_level){
-            .model = ladder->cured ? TRUTH_CURED : model,
-            .degree = ladder->degree,
-            .side = ladder->side[n <= TRUTH_BAR_FINE ? n : TRUTH_BAR_MIDDLE],
-            .step = ladder->step,
-            .grade = ladder->grade};
-    f->level[TRUTH_BAR_TWICE].step *= 2;
-    f->level[TRUTH_BAR_FOUR].step *= 4;
-}
+/* Runs from the finest back to that which is pushed at the end. */
+enum { PUSHED_BEHIND = 3 };
 
-/* Cheap ones first: what they take foretells the others. */
-static const enum truth_bar_at order[TRUTH_BAR_RUNS] = {
-    TRUTH_BAR_FOUR, TRUTH_BAR_TWICE, TRUTH_BAR_COARSE, TRUTH_BAR_MIDDLE, TRUTH_BAR_FINE};
+/* Two runs of a model first show something (truth_bar_compare). */
+enum { LEAST_RUNS = 2 };
+
+struct maker {
+    const struct truth_runs *runs;
+    const struct scene *scene;
+    const struct truth_wish *wish;
+    struct truth_family family[TRUTH_MODELS];
+    struct run_result pushed;
+    struct truth_push push;
+    int pushed_side; /* points along of the finest net that was pushed                  */
+    double spent;
+};
 
 static double seconds_of(const struct run_result *r)
 {
     return r->create_seconds + r->step_seconds;
 }
 
-/* Unknowns, bandwidth, steps. */
-static double work_of(const struct truth_level *level)
+/* --- What runs show --------------------------------------------------------------------
+ */
+
+double truth_make_known(const struct truth_made *made, double error)
 {
-    return pow(level->side, 3) / level->step;
+    double known = 0;
+
+    for (int n = 0; n < made->times && made->value[n][TRUTH_ERROR] <= error &&
+                    made->value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH;
+         n++)
+        known = made->time[n];
+    return known;
 }
 
-/* The n-th in this order, by the one before; 0: there is none. */
-static double foresee(const struct truth_family *f, int n)
+/* Whether a run is, up to a time, as near to the truth as one that is claimed: what it says
+ * of the growth of a change counts then. */
+static bool is_near(const struct truth_family *f, const struct run_result *run,
+                    const struct truth_made *made, double until, double length)
 {
-    if (n == 0)
-        return 0;
-    const enum truth_bar_at now = order[n], last = order[n - 1];
-    return seconds_of(&f->run[last]) * work_of(&f->level[now]) / work_of(&f->level[last]);
+    const struct run_result *fine = truth_bar_finest(f);
+
+    for (int n = 0; n < made->times && made->time[n] <= until; n++)
+        if (!(metric_rmse(run->xyz[n], fine->xyz[n]) + made->value[n][TRUTH_ERROR] <=
+              TRUTH_MOST_ERROR * length))
+            return false;
+    return true;
 }
 
-/* What comes next, unless the budget forbids it. */
-static enum status announce(const struct truth_make_how *how, const struct truth_family *f,
-                            int n, int made, double spent, struct message *why)
+/* From when on the change has grown beyond, and whether the run it was seen in may say so.
+ */
+static void see_push(const struct truth_family family[TRUTH_MODELS],
+                     const struct truth_push *push, const struct truth_made *made,
+                     double length, struct truth_outlook *o)
 {
-    const double seconds = foresee(f, n);
+    int n = 0;
+
+    o->lost = INFINITY;
+    while (n < made->times && !(made->value[n][TRUTH_GROWTH] > TRUTH_MOST_GROWTH))
+        n++;
+    if (n == made->times)
+        return;
+    o->lost = made->time[n];
+    o->growth = made->value[n][TRUTH_GROWTH];
+    o->blunt = !is_near(&family[push->level.model], push->plain, made, o->lost, length);
+}
+
+struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODELS],
+                                     const struct truth_push *push,
+                                     const struct scene *scene, double frame,
+                                     const struct truth_made *made, double error)
+{
+    static const int bar[TRUTH_MODELS] = {TRUTH_SOLID_BAR, TRUTH_SHELL_BAR};
+    const double length = scene->length;
+    struct truth_outlook o = {0};
+    struct truth_level next;
+
+    for (int n = 0; n < made->times; n++) {
+        const double *v = made->value[n];
+        o.error = fmax(o.error, v[TRUTH_ERROR] / length);
+        o.difference = fmax(o.difference, v[TRUTH_DIFFERENCE] / length);
+        for (int m = 0; m < TRUTH_MODELS; m++)
+            if (family[m].count)
+                o.model[m].bar = fmax(o.model[m].bar, v[bar[m]] / length);
+    }
+    for (int m = 0; m < TRUTH_MODELS; m++) {
+        const struct truth_family *f = &family[m];
+        o.model[m].runs = f->count;
+        o.model[m].finest = f->count == TRUTH_FAMILY_MOST ||
+                            !truth_plan_rung(scene, frame, f->count, &next);
+        if (f->count)
+            o.model[m].seconds = seconds_of(truth_bar_finest(f));
+    }
+    see_push(family, push, made, length, &o);
+    o.known = truth_make_known(made, error * length);
+    return o;
+}
+
+/* Whether both models' own bars leave no room for their difference. */
+static bool are_apart(const struct truth_wish *wish, const struct truth_outlook *o)
+{
+    const struct truth_seen *m = o->model;
+
+    return m[0].runs && m[1].runs && o->difference > wish->error &&
+           m[0].bar + m[1].bar <= wish->error;
+}
+
+enum truth_answer truth_make_judge(const struct truth_wish *wish,
+                                   const struct truth_outlook *o, enum truth_model *next)
+{
+    const struct truth_seen *solid = &o->model[TRUTH_SOLID],
+                            *shell = &o->model[TRUTH_SHELL];
+
+    *next = solid->runs && (!shell->runs || solid->bar > shell->bar) ? TRUTH_SOLID
+                                                                     : TRUTH_SHELL;
+    if (isfinite(o->lost) && (!o->blunt || o->model[*next].finest))
+        return TRUTH_LOST;
+    if (o->error <= wish->error && !isfinite(o->lost))
+        return TRUTH_MET;
+    if (are_apart(wish, o))
+        return TRUTH_APART;
+    if (o->model[*next].finest)
+        return TRUTH_FINEST;
+    return o->spent + o->model[*next].seconds > wish->seconds ? TRUTH_DEAR : TRUTH_GO;
+}
+
+void truth_make_tell(const struct truth_wish *wish, const struct truth_outlook *o,
+                     enum truth_answer answer, enum truth_model next,
+                     char text[TRUTH_END_TEXT])
+{
+    const double wanted = 100 * wish->error, found = 100 * o->error;
+    char known[96];
+
+    if (o->known > 0)
+        snprintf(known, sizeof known, "known to %.3g %% up to %.3g s", wanted, o->known);
+    else
+        snprintf(known, sizeof known, "known to %.3g %% at none of its times", wanted);
+    switch (answer) {
+    case TRUTH_MET:
+        snprintf(text, TRUTH_END_TEXT, "%s: the error bar is %.2g %% at most", known,
+                 found);
+        break;
+    case TRUTH_GO:
+        snprintf(text, TRUTH_END_TEXT,
+                 "after %.3g s the bar is %.2g %%, and %.3g %% was requested; next: %s",
+                 o->spent, found, wanted, next == TRUTH_SOLID ? "the solid" : "the shell");
+        break;
+    case TRUTH_LOST:
+        snprintf(text, TRUTH_END_TEXT,
+                 "no: a change of gravity by %g has grown %.2g-fold at %.3g s, from where "
+                 "on nothing can be claimed; %s (--until asks for an earlier end)",
+                 TRUTH_PERTURBATION, o->growth, o->lost, known);
+        break;
+    case TRUTH_APART:
+        snprintf(text, TRUTH_END_TEXT,
+                 "no: solid and shell differ by %.2g %%, and their own bars, %.2g %% and "
+                 "%.2g %%, do not explain it: this thickness makes them two sheets; %s",
+                 100 * o->difference, 100 * o->model[TRUTH_SOLID].bar,
+                 100 * o->model[TRUTH_SHELL].bar, known);
+        break;
+    case TRUTH_DEAR:
+        snprintf(text, TRUTH_END_TEXT,
+                 "no: the bar is %.2g %%, its runs took %.3g s, and the budget of %.3g s "
+                 "has no time for a finer one; %s (a larger --budget goes on from here)",
+                 found, o->spent, wish->seconds, known);
+        break;
+    case TRUTH_FINEST:
+        snprintf(text, TRUTH_END_TEXT, "no: the finest nets leave %.2g %%; %s", found,
+                 known);
+        break;
+    }
+}
+
+/* --- Runs ------------------------------------------------------------------------------
+ */
+
+/* Makes one run more of a model. */
+static enum status add_run(struct maker *k, enum truth_model model, struct message *why)
+{
+    struct truth_family *f = &k->family[model];
+    struct truth_level *level = &f->level[f->count];
     char text[TRUTH_BAR_LEVEL];
+    enum status st;
 
-    truth_bar_level(&f->level[order[n]], false, text);
-    if (how->seconds > 0 && seconds > 0 && spent + seconds > how->seconds)
-        return status_fail(why, STATUS_FAILED,
-                           "no: after %d of %d runs in %.3g s the next, the %s, takes some "
-                           "%.2g s more, and the budget is %.3g s (a larger --budget goes "
-                           "on from here)",
-                           made, TRUTH_MODELS * TRUTH_BAR_RUNS, spent, text, seconds,
-                           how->seconds);
-    if (how->say && seconds > 0)
-        fprintf(how->say, "truth: %d of %d runs, %.3g s; next: the %s, some %.2g s\n", made,
-                TRUTH_MODELS * TRUTH_BAR_RUNS, spent, text, seconds);
+    truth_plan_rung(k->scene, k->runs->frame, f->count, level);
+    level->model = model;
+    truth_bar_level(level, false, text);
+    if (k->runs->say && deadline_left() > 0)
+        fprintf(k->runs->say, "truth: %s\n", text);
+    TRY(truth_level_find(k->runs, level, &f->run[f->count], why));
+    k->spent += seconds_of(&f->run[f->count++]);
+out:
+    return st;
+}
+
+/* Whether a model that came to this leaves the other one alone. */
+static bool leaves_other(enum status st)
+{
+    return st == STATUS_UNSUPPORTED || st == STATUS_LATE || status_is_death(st);
+}
+
+/* `count` runs of each model that serves the scene, in turn; fewer where the budget ends,
+ * and none of a model that did not come to two. */
+static enum status begin(struct maker *k, int count, struct message *why)
+{
+    const enum truth_model first = k->wish->shell ? TRUTH_SHELL : TRUTH_SOLID;
+    struct message said[TRUTH_MODELS] = {{""}, {""}};
+    enum status st[TRUTH_MODELS] = {STATUS_OK, STATUS_OK};
+    int serve = 0;
+
+    for (int n = 0; n < count; n++)
+        for (enum truth_model m = first; m < TRUTH_MODELS; m++)
+            if (st[m] == STATUS_OK)
+                st[m] = add_run(k, m, &said[m]);
+    for (enum truth_model m = first; m < TRUTH_MODELS; m++) {
+        if (st[m] == STATUS_LATE && k->family[m].count >= LEAST_RUNS)
+            st[m] = STATUS_OK;
+        if (st[m] != STATUS_OK && !(k->wish->alone && leaves_other(st[m])))
+            return status_fail(why, st[m], "%s", said[m].text);
+        if (st[m] != STATUS_OK)
+            k->family[m].count = 0;
+        serve += st[m] == STATUS_OK;
+    }
+    const int which = st[first] != STATUS_LATE && st[TRUTH_SHELL] == STATUS_LATE
+                          ? TRUTH_SHELL
+                          : (int)first;
+    return serve ? STATUS_OK : status_fail(why, st[which], "%s", said[which].text);
+}
+
+static enum status push(struct maker *k, const struct truth_family *f, int run,
+                        struct message *why)
+{
+    enum status st;
+
+    run_result_clear(&k->pushed);
+    k->push = (struct truth_push){f->level[run], &f->run[run], &k->pushed};
+    k->push.level.perturbed = true;
+    st = truth_level_find(k->runs, &k->push.level, &k->pushed, why);
+    if (st == STATUS_LATE) /* nothing is known of the growth then */
+        k->push.pushed = k->push.plain;
+    else if (st != STATUS_OK)
+        return st;
+    else
+        k->spent += seconds_of(&k->pushed);
+    k->pushed_side = (int)fmax(k->pushed_side, f->level[run].side);
     return STATUS_OK;
 }
 
-static enum status find_all(struct truth_family family[TRUTH_MODELS],
-                            const struct truth_runs *runs, const struct truth_make_how *how,
-                            struct run_result *pushed, struct message *why)
+/* Whose runs are pushed: the solid's, or the shell's where that is alone. */
+static const struct truth_family *pushed_family(const struct maker *k)
 {
-    struct truth_level push = family[TRUTH_SOLID].level[TRUTH_BAR_TWICE];
-    double spent = 0;
-    enum status st = STATUS_OK;
+    return &k->family[k->family[TRUTH_SOLID].count ? TRUTH_SOLID : TRUTH_SHELL];
+}
 
-    for (int n = 0; n < TRUTH_MODELS * TRUTH_BAR_RUNS; n++) {
-        struct truth_family *f = &family[n % TRUTH_MODELS];
-        const int k = n / TRUTH_MODELS, at = order[k];
-        TRY(announce(how, f, k, n, spent, why));
-        TRY(truth_level_find(runs, &f->level[at], false, &f->run[at], why));
-        spent += seconds_of(&f->run[at]);
+/* A coarse net may not show how fast a change grows, and the finest is dear: the third of
+ * the finest. False: one as fine was pushed, or there is no budget. */
+static bool find_finer(const struct maker *k, int *run)
+{
+    const struct truth_family *f = pushed_family(k);
+
+    *run = f->count - PUSHED_BEHIND;
+    return *run >= 0 && k->pushed_side < f->level[*run].side &&
+           k->spent + seconds_of(&f->run[*run]) <= k->wish->seconds;
+}
+
+static struct truth_outlook look(struct maker *k, struct truth_made *made)
+{
+    struct truth_outlook o;
+
+    truth_bar_compare(k->family, &k->push, k->scene->length, made);
+    truth_made_bar(made, k->scene->length);
+    o = truth_make_look(k->family, &k->push, k->scene, k->runs->frame, made,
+                        k->wish->error);
+    o.spent = k->spent;
+    return o;
+}
+
+/* The cheapest run that may say what becomes of a change up to a time; false: none may. */
+static bool find_near(const struct maker *k, const struct truth_made *made, double until,
+                      const struct truth_family **family, int *run)
+{
+    double least = INFINITY;
+
+    for (int m = 0; m < TRUTH_MODELS; m++)
+        for (int n = 0; n < k->family[m].count; n++) {
+            const struct truth_family *f = &k->family[m];
+            const double seconds = seconds_of(&f->run[n]);
+            if (seconds >= least || !is_near(f, &f->run[n], made, until, k->scene->length))
+                continue;
+            least = seconds;
+            *family = f;
+            *run = n;
+        }
+    return isfinite(least);
+}
+
+/* A net too coarse to know the motion does not say that it is lost: the push is made again
+ * on one that does, as soon as there is one and the budget has its time. */
+static enum status look_again(struct maker *k, struct truth_made *made,
+                              struct truth_outlook *o, struct message *why)
+{
+    const struct truth_family *f = NULL;
+    enum status st = STATUS_OK;
+    int run = 0;
+
+    *o = look(k, made);
+    while (o->blunt && find_near(k, made, o->lost, &f, &run) &&
+           k->spent + seconds_of(&f->run[run]) <= k->wish->seconds) {
+        TRY(push(k, f, run, why));
+        *o = look(k, made);
     }
-    push.perturbed = true;
-    TRY(truth_level_find(runs, &push, false, pushed, why));
 out:
     return st;
 }
 
-/* The coarse solid of the plan (with obstacles, the middle one), with twice its step, every
- * tenth of a second up to the scene's end or the plan's; a sentence on the growth into
- * text. A death is one, too. */
-static enum status watch(const struct truth_plan *plan, const struct truth_runs *runs,
-                         const struct scene *scene, char text[TRUTH_WATCH_TEXT],
-                         struct message *why)
+/* Makes runs until there is an answer. */
+static enum status work(struct maker *k, struct truth_made *made, struct truth_outlook *o,
+                        struct truth_end *end, struct message *why)
 {
-    const struct truth_ladder *ladder = &plan->ladder[TRUTH_SOLID];
-    /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
-    int net = scene->obstacle_count ? 1 : 0;
-    struct truth_level level = {TRUTH_SOLID, ladder->degree, ladder->side[net],
-                                2 * ladder->step, false};
-    struct truth_runs far = *runs;
-    struct run_result run[2] = {{0}};
-    struct message death = {""};
+    enum truth_model next;
     enum status st = STATUS_OK;
+    int finer;
 
-    far.times = (int)floor(10 * fmin(scene->end, plan->watch) + 1e-9);
-    double *time = malloc(((size_t)far.times + 1) * sizeof *time);
-    if (!time)
-        return STATUS_MEMORY;
-    for (int n = 0; n < far.times; n++)
-        time[n] = (n + 1) / 10.0;
-    far.time = time;
-    snprintf(text, TRUTH_WATCH_TEXT, "the scene is too short to watch a change grow");
-    for (int n = 0; n < 2 && far.times > 0 && st == STATUS_OK; n++) {
-        level.perturbed = n;
-        st = truth_level_find(&far, &level, false, &run[n], &death);
+    for (;;) {
+        TRY(look_again(k, made, o, why));
+        end->answer = truth_make_judge(k->wish, o, &next);
+        truth_make_tell(k->wish, o, end->answer, next, end->text);
+        if (end->answer == TRUTH_GO) {
+            if (k->runs->say)
+                fprintf(k->runs->say, "truth: %s\n", end->text);
+            st = add_run(k, next, why);
+            if (st == STATUS_LATE) {
+                end->answer = TRUTH_DEAR;
+                truth_make_tell(k->wish, o, end->answer, next, end->text);
+                return STATUS_OK;
+            }
+            TRY(st);
+        } else if (end->answer != TRUTH_LOST && find_finer(k, &finer)) {
+            TRY(push(k, pushed_family(k), finer, why));
+        } else {
+            return STATUS_OK;
+        }
     }
-    if (st == STATUS_OK && far.times > 0)
-        truth_bar_horizon(&(struct truth_push){level, &run[0], &run[1]}, false, far.times,
-                          time, scene->length, text);
-    else if (st == STATUS_DIVERGED) {
-        snprintf(text, TRUTH_WATCH_TEXT, "the growth of a change was not watched: %.200s",
-                 death.text);
-        st = STATUS_OK;
-    } else if (st != STATUS_OK && why)
-        *why = death;
-    run_result_clear(&run[0]);
-    run_result_clear(&run[1]);
-    free(time);
+out:
     return st;
 }
 
-enum status truth_make(const struct truth_plan *plan, const struct truth_runs *runs,
-                       const struct scene *scene, const struct truth_make_how *how,
-                       struct truth_made *made, struct message *why)
+enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
+                       const struct truth_wish *wish, struct truth_made *made,
+                       struct truth_end *end, struct message *why)
 {
-    struct truth_family family[TRUTH_MODELS] = {0};
-    const struct truth_family *solid = &family[TRUTH_SOLID];
-    struct run_result pushed = {0};
-    struct truth_push push = {{0}, &solid->run[TRUTH_BAR_TWICE], &pushed};
+    struct maker k = {.runs = runs, .scene = scene, .wish = wish};
+    struct truth_outlook o;
     enum status st;
 
-    for (int m = 0; m < TRUTH_MODELS; m++)
-        plan_family(&plan->ladder[m], (enum truth_model)m, &family[m]);
     TRY(truth_made_init(made, runs->times, runs->times, runs->time));
-    TRY(find_all(family, runs, how, &pushed, why));
-    push.level = solid->level[TRUTH_BAR_TWICE];
-    truth_bar_compare(family, &push, scene->length, made);
-    truth_bar_choose(family, scene->length, made);
-    TRY(watch(plan, runs, scene, made->horizon, why));
+    /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
+    TRY(begin(&k, scene->obstacle_count ? LEAST_RUNS + 1 : LEAST_RUNS, why));
+    const struct truth_family *f = pushed_family(&k);
+    TRY(push(&k, f, f->count - 1, why));
+    TRY(work(&k, made, &o, end, why));
+    truth_bar_choose(k.family, scene->length, made);
+    truth_bar_horizon(&k.push, o.blunt, made->times, made->time, scene->length,
+                      made->horizon);
 out:
     for (int m = 0; m < TRUTH_MODELS; m++)
-        truth_family_clear(&family[m]);
-    run_result_clear(&pushed);
+        truth_family_clear(&k.family[m]);
+    run_result_clear(&k.pushed);
     if (st != STATUS_OK)
         truth_made_clear(made);
     return st;

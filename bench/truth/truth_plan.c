@@ -2,40 +2,11 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "iga/support_knots.h"
 #include "models/contact.h"
 #include "models/grid.h"
 #include "models/metric/metric_rest.h"
-
-#define MS 1e-3
-
-/* Chosen so that a truth takes a quarter of an hour on one processor, edge_drop two; the
- * last is for scenes that are not named (strip_swing, thick and stiff take a minute).
- */
-static const struct truth_plan plans[] = {
-    {"edge_drop", 2.0, 2.0, {{3, {16, 24, 36}, 2.5 * MS}, {5, {16, 24, 32}, 2.5 * MS}}},
-    {"flag", 0.6, 0.8, {{3, {12, 18, 27}, 5 * MS}, {5, {10, 14, 18}, 5 * MS}}},
-    {"corners_patch", 0.3, 1, {{3, {13, 23, 33}, 5 * MS}, {3, {13, 23, 33}, 5 * MS}}},
-    {"sphere", 0.3, 0.3, {{2, {8, 11, 15}, 2.5 * MS}, {3, {9, 12, 16}, 2.5 * MS}}},
-    {"strip_swing", 0.5, 1, {{3, {12, 18, 27}, 2.5 * MS}, {3, {12, 18, 27}, 2.5 * MS}}},
-    {"thick", 0.5, 1, {{3, {12, 18, 27}, 2.5 * MS}, {3, {12, 18, 27}, 2.5 * MS}}},
-    {"stiff", 0.5, 1, {{3, {12, 18, 27}, 2.5 * MS}, {3, {12, 18, 27}, 2.5 * MS}}},
-    {NULL, 0.5, 5, {{3, {12, 18, 27}, 2.5 * MS}, {4, {12, 18, 27}, 2.5 * MS}}},
-};
-
-static const struct truth_plan quick_plan = {
-    NULL, 0.2, 0.2, {{3, {8, 12, 16}, 2.5 * MS}, {3, {8, 12, 16}, 2.5 * MS}}};
-
-struct truth_plan truth_plan_of(const char *scene, bool quick)
-{
-    const struct truth_plan *p = plans;
-
-    while (p->scene && strcmp(p->scene, scene) != 0)
-        p++;
-    return quick ? quick_plan : *p;
-}
 
 static bool is_multiple(double t, double step)
 {
@@ -47,11 +18,6 @@ static int compare_times(const void *a, const void *b)
     const double *left = a, *right = b;
 
     return (*left > *right) - (*left < *right);
-}
-
-double truth_plan_longest(const struct truth_plan *plan)
-{
-    return 4 * fmax(plan->ladder[0].step, plan->ladder[1].step);
 }
 
 int truth_plan_times(double until, double longest, const struct scene *scene, double **time)

@@ -7,25 +7,6 @@
 
 #include "bench/truth/truth_level.h"
 
-/* Of one model: three nets at `step`; on the middle one twice and four times the step, too.
- */
-struct truth_ladder {
-    int degree, side[3];
-    double step;  /* [s]                                                               */
-    bool cured;   /* the shell of locking, too                                         */
-    double grade; /* of its nets (truth_level.h)                                       */
-};
-
-struct truth_plan {
-    const char *scene; /* name; NULL: of all others                                    */
-    double until;      /* [s]                                                          */
-    double watch;      /* at most so long for the growth of a change [s] */
-    struct truth_ladder ladder[TRUTH_MODELS];
-};
-
-/* Of a scene by its name; `quick`: far coarser. */
-struct truth_plan truth_plan_of(const char *scene, bool quick);
-
 /* Frames of a truth that is stored [s]. */
 #define TRUTH_PLAN_FRAME 0.02
 
@@ -33,9 +14,6 @@ struct truth_plan truth_plan_of(const char *scene, bool quick);
  * the longest step. *time is freed by the receiver; its count, or -1: no memory. */
 int truth_plan_times(double until, double longest, const struct scene *scene,
                      double **time);
-
-/* The longest step of a plan's runs [s]. */
-double truth_plan_longest(const struct truth_plan *plan);
 
 /* Whether tables judge at a time of a truth: every tenth of a second, and the scene's
  * snapshots, however many frames are stored. */

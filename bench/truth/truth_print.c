@@ -1,8 +1,12 @@
 #include "bench/truth/truth_print.h"
 
 #include <math.h>
+#include <stdlib.h>
 
+#include "bench/truth/truth.h"
 #include "bench/truth/truth_plan.h"
+#include "models/grid.h"
+#include "models/reader/scene_file.h"
 
 static void add_row(struct table *t, const struct truth_made *made, int n, double length)
 {
@@ -121,6 +125,110 @@ enum status truth_print(const struct truth_made *made, const struct scene *scene
             add_row(t, made, n, length);
     add_notes(t, made, length);
     const enum status st = table_print(t, format, file);
+    table_destroy(t);
+    return st;
+}
+
+/* --- Positions -------------------------------------------------------------------------
+ */
+
+/* Mean of the two layers at (u, v). */
+static void mid_surface(const double *field, double u, double v, double at[3])
+{
+    double across[2], along[2];
+    const int i = grid_cell(GRID_U, u, along), j = grid_cell(GRID_V, v, across);
+
+    at[0] = at[1] = at[2] = 0;
+    for (int n = 0; n < 4 * GRID_W; n++) {
+        const int di = n % 2, dj = n / 2 % 2, k = n / 4;
+        const double *x = field + 3 * ((k * GRID_V + j + dj) * GRID_U + i + di);
+        for (int c = 0; c < 3; c++)
+            at[c] += along[di] * across[dj] * x[c] / GRID_W;
+    }
+}
+
+enum status truth_print_frames(const struct truth_made *made, const int points[2],
+                               FILE *file)
+{
+    fprintf(file, "# source: %s\n", made->note);
+    for (int t = 0; t < made->claimed; t++)
+        fprintf(file, "# bar: %.17g,%.17g\n", made->time[t], made->value[t][TRUTH_ERROR]);
+    fprintf(file, "t,u,v,x,y,z\n");
+    for (int t = 0; t < made->claimed; t++)
+        for (int n = 0; n < points[0] * points[1]; n++) {
+            const double u = n % points[0] / (points[0] - 1.0);
+            const double v = n / points[0] / (points[1] - 1.0);
+            double x[3];
+            mid_surface(made->xyz[t], u, v, x);
+            fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", made->time[t], u, v,
+                    x[0], x[1], x[2]);
+        }
+    return ferror(file) ? STATUS_FILE : STATUS_OK;
+}
+
+/* --- All scenes ------------------------------------------------------------------------
+ */
+
+static void add_known(struct table *t, const struct truth_made *made, double length)
+{
+    const int last = made->claimed - 1;
+
+    table_text(t, "%s", made->closed ? "closed form" : "stored");
+    table_number(t, made->time[last], 3);
+    table_number(t, made->value[last][TRUTH_ERROR] / length, 2);
+}
+
+static enum status add_scene(struct table *t, const char *name, struct message *why)
+{
+    struct settings settings = {0};
+    struct scene scene = {0};
+    struct truth_made made = {0};
+    struct message lack = {""};
+    char *path = NULL;
+    enum status st;
+
+    TRY(scene_file_find(name, &path, why));
+    TRY(truth_plan_scene(path, &settings, &scene, why));
+    st = truth_known(&scene, &made, &lack);
+    if (st != STATUS_OK && st != STATUS_UNSUPPORTED && st != STATUS_FILE)
+        TRY(status_fail(why, st, "%s", lack.text));
+    table_row(t);
+    table_text(t, "%s", name);
+    if (st == STATUS_OK && made.claimed) {
+        add_known(t, &made, scene.length);
+    } else {
+        table_text(t, "none");
+        table_note(t, "%s.", lack.text);
+    }
+    st = STATUS_OK;
+out:
+    truth_made_clear(&made);
+    scene_clear(&scene);
+    settings_clear(&settings);
+    free(path);
+    return st;
+}
+
+enum status truth_print_all(enum table_format format, FILE *file, struct message *why)
+{
+    static const struct table_column columns[] = {{"scene", NULL, TABLE_LEFT},
+                                                  {"truth", NULL, TABLE_LEFT},
+                                                  {"known to", "s", .key = "known_to_s"},
+                                                  {"error bar there", "% L",
+                                                   .key = "error_bar_over_length",
+                                                   .scale = 100, .key_unit = "L"}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
+                                   "What is known of each scene");
+    struct named_file_entry *scenes = NULL;
+    int count = 0;
+    enum status st;
+
+    TRY(named_file_names(&scene_file_kind, &scenes, &count, why));
+    for (int n = 0; n < count; n++)
+        TRY(add_scene(t, scenes[n].name, why));
+    TRY(table_print(t, format, file));
+out:
+    named_file_list_free(scenes, count);
     table_destroy(t);
     return st;
 }

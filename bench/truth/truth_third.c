@@ -139,7 +139,7 @@ static enum status read_nets(const char *folder, struct truth_family *f,
     struct frames_folder files = {0};
     enum status st;
 
-    *f = (struct truth_family){.joint = true};
+    *f = (struct truth_family){0};
     TRY(frames_folder_read(folder, &files, why));
     for (int n = 0; n < files.count; n++) {
         const int elements = elements_of(files.path[n]);
@@ -189,7 +189,7 @@ static enum status read_note(const char *folder, char *note, size_t size,
 enum status truth_third_make(const char *folder, double length, struct truth_made *third,
                              struct message *why)
 {
-    struct truth_family family[TRUTH_MODELS] = {{.joint = true}};
+    struct truth_family family[TRUTH_MODELS] = {{0}};
     struct truth_family *f = &family[TRUTH_SHELL];
     enum status st;
 

@@ -1,0 +1,157 @@
+/* What a truth is made of and told at: frames, nets, times at which tables judge; and what
+ * has no truth. */
+#include "bench/truth/truth_plan.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "bench/truth/truth_made.h"
+#include "tests/check.h"
+
+static const double SUM = 1e-12; /* of a few products */
+
+static bool same(double a, double b)
+{
+    return isnan(a) || isnan(b) ? isnan(a) && isnan(b) : fabs(a - b) <= SUM * fabs(b);
+}
+
+/* What tables judge at, of times that are more; the last that is claimed, if it is none. */
+static void check_thin(void)
+{
+    static const double time[5] = {.06, .1, .16, .2, .22};
+    double snapshot = .06;
+    const struct scene scene = {.snapshot_count = 1, .snapshots = &snapshot}, plain = {0};
+    static const struct {
+        bool plain;
+        int claimed, times, left;
+        double last;
+    } cases[] = {{false, 5, 3, 3, .2}, {true, 5, 2, 2, .2}, {false, 2, 3, 2, .2},
+                 {false, 1, 3, 1, .2}, {true, 1, 3, 1, .2}, {true, 0, 2, 0, .2}};
+
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        struct truth_made made;
+        REQUIRE(truth_made_init(&made, 5, cases[n].claimed, time) == STATUS_OK);
+        for (int t = 0; t < 5; t++)
+            made.value[t][TRUTH_ERROR] = time[t];
+        truth_made_thin(&made, cases[n].plain ? &plain : &scene);
+        if (!CHECK(made.times == cases[n].times && made.claimed == cases[n].left &&
+                   made.time[made.times - 1] == cases[n].last))
+            printf("thin %zu: %d times, %d claimed\n", n, made.times, made.claimed);
+        for (int t = 0; t < made.times; t++)
+            CHECK(made.value[t][TRUTH_ERROR] == made.time[t] &&
+                  (made.xyz[t] != NULL) == (t < made.claimed));
+        truth_made_clear(&made);
+    }
+}
+
+/* --- Nets, frames, and what has no truth: by what is held. */
+
+static const struct {
+    double lo[2], hi[2];
+    int side[3]; /* of the first nets                                                  */
+    int pieces;  /* of the frame, of the first                                         */
+    bool point;
+} held[] = {
+    {{0, 0}, {0, 1}, {9, 12, 15}, 2, false},      /* an edge: any net                  */
+    {{0, 0}, {.1, .1}, {12, 15, 18}, 2, false},   /* three more points for an end      */
+    {{0, .25}, {0, .75}, {15, 18, 21}, 2, false}, /* six for two                       */
+    {{1, 0}, {1, .05}, {12, 15, 18}, 2, false},   {{0, 0}, {0, 0}, {9, 12, 15}, 2, true},
+    {{.5, 1}, {.5, 1}, {11, 15, 19}, 2, true},
+};
+
+static void check_held(void)
+{
+    for (size_t n = 0; n < sizeof held / sizeof *held; n++) {
+        struct scene_support s = {.hi = {0, 0, 1}, .fix = FIX_XYZ};
+        struct truth_level level, last = {0};
+        struct message why = {""};
+        memcpy(s.lo, held[n].lo, sizeof held[n].lo);
+        memcpy(s.hi, held[n].hi, sizeof held[n].hi);
+        const struct scene scene = {
+            .name = (char[]){"mine"}, .support_count = 1, .supports = &s};
+        int k = 0;
+        for (; truth_plan_rung(&scene, .005, k, &level); k++) {
+            CHECK(level.degree == 3 && level.side > last.side &&
+                  (k > 2 || level.side == held[n].side[k]));
+            CHECK(k > 0 || same(level.step, .005 / held[n].pieces));
+            /* both shrink alike */
+            CHECK(k == 0 ||
+                  same(last.step / level.step, (level.side - 3.0 - level.repeats) /
+                                                   (last.side - 3 - last.repeats)));
+            last = level;
+        }
+        CHECK(k >= 7);
+        CHECK((truth_plan_check(&scene, &why) == STATUS_UNSUPPORTED) == held[n].point);
+        CHECK(!held[n].point ||
+              (strstr(why.text, "mine has no truth: support 0 holds a point") &&
+               strstr(why.text, "corners_patch")));
+    }
+}
+
+/* A ball under the middle of a sheet of 1 mm, so far from its lower side. */
+static void check_drape(void)
+{
+    static const struct {
+        double gap;
+        int supports;
+        bool laid;
+    } cases[] = {{1e-5, 0, true},   {.9e-3, 0, true}, {1.1e-3, 0, false},
+                 {-1e-12, 0, true}, {.05, 0, false},  {1e-5, 1, false}};
+    struct scene_support edge = {.hi = {0, 1, 1}, .fix = FIX_XYZ};
+
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        struct scene_obstacle ball = {.kind = OBSTACLE_SPHERE,
+                                      .point = {.5, .5, -.5005 - cases[n].gap},
+                                      .radius = .5};
+        struct message why = {""};
+        const struct scene scene = {.name = (char[]){"mine"},
+                                    .length = 1,
+                                    .width = 1,
+                                    .thickness = .001,
+                                    .axis_u = {1, 0, 0},
+                                    .axis_v = {0, 1, 0},
+                                    .support_count = cases[n].supports,
+                                    .supports = &edge,
+                                    .obstacle_count = 1,
+                                    .obstacles = &ball};
+        CHECK((truth_plan_check(&scene, &why) == STATUS_UNSUPPORTED) == cases[n].laid);
+        CHECK(!cases[n].laid || strstr(why.text, "mine has no truth: it is laid"));
+    }
+}
+
+static void check_frames(void)
+{
+    /* frames and snapshots that all steps meet; of these, those that are judged */
+    double snapshots[] = {0, 0.05, 0.06, 0.1, 0.14, 0.3, 0.32}, *time = NULL;
+    const struct scene scene = {.snapshot_count = 7, .snapshots = snapshots};
+    const double judged[] = {0.06, 0.1, 0.14, 0.2, 0.3};
+    const int count = truth_plan_times(0.31, 0.02, &scene, &time);
+    int found = 0;
+
+    CHECK(count == 15);
+    for (int n = 0; n < count; n++) {
+        CHECK_NEAR(time[n], 0.02 * (n + 1), SUM);
+        if (truth_plan_judges(&scene, time[n]) && CHECK(found < 5))
+            CHECK_NEAR(time[n], judged[found++], SUM);
+    }
+    CHECK(found == 5);
+    free(time);
+    CHECK(truth_plan_times(0.31, 0.01, &scene, &time) == 16); /* 0.05, too */
+    free(time);
+
+    static const double step[][2] = {{.005, .005}, {.001, .001}, {1 / 60.0, .01},
+                                     {.03, .02},   {.02, .02},   {.003, .02 / 7}};
+
+    for (size_t n = 0; n < sizeof step / sizeof *step; n++)
+        CHECK_RELATIVE(truth_plan_frame(&(struct scene){.step = step[n][0]}), step[n][1],
+                       SUM);
+}
+
+int main(void)
+{
+    check_thin();
+    check_held();
+    check_drape();
+    check_frames();
+    return check_result();
+}

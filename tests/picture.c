@@ -32,9 +32,10 @@ static void data_and_script(bool drawn)
     int points = 0;
 
     high[3 * (51 * GRID_U + 51)] = NAN; /* one of every third: the box takes no notice */
-    enum status st = picture_surfaces(folder, "sheets", 2, 3, panels, &why);
-    CHECK(st == (drawn ? STATUS_OK : STATUS_UNSUPPORTED));
-    CHECK(drawn || strstr(why.text, "gnuplot is not installed"));
+    CHECK(picture_save(folder, "sheets", 2, 3, panels, &why) == STATUS_OK);
+    char *png = drawn ? fresh_text(folder, "sheets.png") : NULL;
+    CHECK(!drawn || !memcmp(png, "\x89PNG", 4));
+    free(png);
 
     char *data = fresh_text(folder, "sheets.dat"),
          *script = fresh_text(folder, "sheets.gp");
@@ -69,15 +70,11 @@ int main(int argc, char **argv)
     REQUIRE(folder_make(folder, &why) == STATUS_OK);
     snprintf(path, sizeof path, "%s/sheets.png", folder);
     remove(path);
-    if (system("gnuplot --version >/dev/null 2>&1") == 0) {
+    if (system("gnuplot --version >/dev/null 2>&1") == 0)
         data_and_script(true);
-        char *png = fresh_text(folder, "sheets.png");
-        CHECK(!memcmp(png, "\x89PNG", 4));
-        free(png);
-    }
     REQUIRE(setenv("PATH", folder, 1) == 0);
     data_and_script(false);
-    CHECK(picture_surfaces("/proc/nowhere", "sheets", 1, 1,
-                           &(struct picture_panel){"", NULL}, &why) == STATUS_FILE);
+    CHECK(picture_save("/proc/nowhere", "sheets", 1, 1, &(struct picture_panel){"", NULL},
+                       &why) == STATUS_FILE);
     return check_result();
 }

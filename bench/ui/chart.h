@@ -61,8 +61,6 @@ enum chart_style {
     CHART_LINESPOINTS,
     CHART_LINE,
     CHART_POINTS,
-    CHART_DOTS,
-    CHART_STEPS,
     CHART_BAND,    /* filled from low to high of chart_bar                             */
     CHART_SQUARES, /* for classes                                                      */
     CHART_CELLS,   /* boxes of chart_cell, for classes                                 */

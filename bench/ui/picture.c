@@ -140,8 +140,9 @@ static void write_script(struct output *out, const char *name, int columns, int 
     }
 }
 
-enum status picture_surfaces(const char *folder, const char *name, int columns, int count,
-                             const struct picture_panel *panels, struct message *why)
+static enum status write_surfaces(const char *folder, const char *name, int columns,
+                                  int count, const struct picture_panel *panels,
+                                  struct message *why)
 {
     struct box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     struct output *out = NULL;
@@ -161,7 +162,7 @@ enum status picture_save(const char *folder, const char *name, int columns, int 
                          const struct picture_panel *panels, struct message *why)
 {
     struct message plot = {""};
-    const enum status st = picture_surfaces(folder, name, columns, count, panels, &plot);
+    const enum status st = write_surfaces(folder, name, columns, count, panels, &plot);
 
     return plot_tell(st, folder, name, ".png", &plot, why);
 }

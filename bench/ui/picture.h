@@ -15,14 +15,9 @@ struct picture_panel {
     const double *xyz; /* field (grid.h) [m]; NULL: the panel has its title only       */
 };
 
-/* `count` panels >= 1 in rows of `columns`. STATUS_OK; STATUS_UNSUPPORTED with a sentence
- * if there is no gnuplot (script and data are there); STATUS_LIBRARY if it fails;
- * STATUS_FILE, STATUS_MEMORY. */
-enum status picture_surfaces(const char *folder, const char *name, int columns, int count,
-                             const struct picture_panel *panels, struct message *why);
-
-/* The same as chart_save (chart.h) does it: a line on standard error, and no failure for
- * want of gnuplot. */
+/* `count` panels >= 1 in rows of `columns`, with a line on standard error: that it is
+ * drawn, or why not. As of chart_save (chart.h), only STATUS_FILE and STATUS_MEMORY are
+ * failures: without gnuplot script and data are there. */
 enum status picture_save(const char *folder, const char *name, int columns, int count,
                          const struct picture_panel *panels, struct message *why);
 

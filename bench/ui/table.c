@@ -1,13 +1,39 @@
-/* table.c - what a table holds; table_print.c says how it looks to people, table_machine.c
- * to machines. */
+/* table.c - what a table holds, and how it looks to machines (CSV after RFC 4180, JSON) and
+ * to people (text, Markdown, LaTeX). */
 #define _GNU_SOURCE /* vasprintf */
-#include "bench/ui/table_parts.h"
+#include "bench/ui/table.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "bench/files/output.h"
+
+/* Columns of the screen that a sentence, and that a line of anything takes at most; and
+ * those that a cell of words may be wrapped to. */
+enum { TEXT_WIDTH = 96, LINE_WIDTH = 120, CELL_WIDTH = 40 };
+
+struct table_cell {
+    char *text; /* as people see it, or why it is missing; NULL: left out        owned */
+    enum { TABLE_CELL_MISSING, TABLE_CELL_TEXT, TABLE_CELL_NUMBER } kind;
+    double value; /* of a number, as machines get it                                   */
+};
+
+struct table {
+    int column_count, row_count, note_count;
+    int room, filled;             /* rows allocated; cells of the last row             */
+    bool failed;                  /* out of memory somewhere                           */
+    bool flushed;                 /* table_flush has printed the keys                  */
+    struct table_column *columns; /* [column_count], each with a key             owned */
+    int *width;                   /* [column_count] of the widest text so far    owned */
+    struct table_cell *cells;     /* [room][column_count]                        owned */
+    bool *ruled;                  /* [room]: a rule above this row               owned */
+    char *caption;                /*                                             owned */
+    char **notes;                 /* [note_count]                                owned */
+};
 
 /* One name a value of enum table_format, in its order. */
 static const char *const format_names[] = {"text", "csv", "markdown", "latex", "json"};
@@ -44,6 +70,65 @@ int table_width(const char *text)
     return width;
 }
 
+enum { KEY = 128, PATH = 4096 };
+
+/* --- keys ----------------------------------------------------------------------------- */
+
+/* Letters, digits and _ of words, behind what `key` has. */
+static void add_words(char key[KEY], const char *words)
+{
+    for (; *words; words++) {
+        const size_t used = strlen(key);
+        const char *as = *words == '%' ? "percent" : *words == '/' ? "_per_" : NULL;
+        if (used + 8 > KEY)
+            return;
+        if (as)
+            strcpy(key + used, as + (*as == '_' && used && key[used - 1] == '_'));
+        else if (isalnum((unsigned char)*words))
+            key[used] = (char)tolower((unsigned char)*words);
+        else if (*words != '^' && used && key[used - 1] != '_')
+            key[used] = '_';
+    }
+}
+
+static void add_unit(char key[KEY], const char *unit)
+{
+    const size_t used = strlen(key);
+    const bool length = !strcmp(unit, "L"), share = !strcmp(unit, "% L");
+
+    if (used + 24 > KEY || !strcmp(unit, "1"))
+        return;
+    strcpy(key + used, length || share ? "_over_length" : "_");
+    if (share)
+        strcat(key, "_percent");
+    else if (!length)
+        add_words(key, unit);
+}
+
+static char *key_of(const struct table_column *columns, int n)
+{
+    const struct table_column *c = &columns[n];
+    char key[KEY] = "";
+    int twins = 1;
+
+    add_words(key, c->header);
+    if (c->unit)
+        add_unit(key, c->unit);
+    for (char *end = key + strlen(key); end > key && end[-1] == '_';)
+        *--end = '\0';
+    for (int k = 0; k < n; k++) {
+        const size_t size = strlen(key);
+        const char *other = columns[k].key;
+        twins += !strncmp(other, key, size) && (!other[size] || other[size] == '_') &&
+                 strspn(other + size, "_0123456789") == strlen(other + size);
+    }
+    if (twins > 1)
+        snprintf(key + strlen(key), KEY - strlen(key), "_%d", twins);
+    return strdup(*key ? key : "column");
+}
+
+/* --- what it holds -------------------------------------------------------------------- */
+
 /* Columns of the table's own, each with a key of its own. */
 static bool copy_columns(struct table *t, const struct table_column *columns)
 {
@@ -56,8 +141,7 @@ static bool copy_columns(struct table *t, const struct table_column *columns)
         const int header = table_width(from->header), unit = table_width(from->unit);
         t->width[n] = header > unit ? header : unit;
         t->columns[n] = *from;
-        t->columns[n].key =
-            from->key ? strdup(from->key) : table_machine_key(t->columns, n);
+        t->columns[n].key = from->key ? strdup(from->key) : key_of(t->columns, n);
         if (!t->columns[n].key)
             return false;
         for (int k = 0; k < n; k++)
@@ -262,14 +346,14 @@ const struct table_column *table_column(const struct table *t, int column)
     return &t->columns[column];
 }
 
-const struct table_cell *table_cell(const struct table *t, int row, int column)
+static const struct table_cell *cell_at(const struct table *t, int row, int column)
 {
     return &t->cells[(long)row * t->column_count + column];
 }
 
 double table_value(const struct table *t, int row, int column)
 {
-    const struct table_cell *cell = table_cell(t, row, column);
+    const struct table_cell *cell = cell_at(t, row, column);
 
     return cell->kind == TABLE_CELL_NUMBER ? cell->value : NAN;
 }
@@ -283,7 +367,591 @@ double table_shown(const struct table *t, int row, int column)
 
 const char *table_words(const struct table *t, int row, int column)
 {
-    const struct table_cell *cell = table_cell(t, row, column);
+    const struct table_cell *cell = cell_at(t, row, column);
 
     return cell->kind == TABLE_CELL_TEXT ? cell->text : "";
+}
+
+/* --- lines of any format -------------------------------------------------------------- */
+
+/* The cells of one row that these readers, people or machines, get, with
+ * what stands before, between and behind them. The row of headers or keys comes first. */
+enum { TABLE_UNITS = -2, TABLE_HEADERS = -1 };
+struct table_line {
+    enum table_readers readers;
+    const char *before, *between, *behind;
+    void (*print)(const struct table *t, int row, int column, FILE *file);
+};
+
+static bool has(const struct table *t, int column, enum table_readers readers)
+{
+    return t->columns[column].readers == readers || t->columns[column].readers == TABLE_ALL;
+}
+
+static void print_line(const struct table *t, const struct table_line *line, int row,
+                       FILE *file)
+{
+    const char *before = line->before;
+
+    for (int n = 0; n < t->column_count; n++)
+        if (has(t, n, line->readers)) {
+            fputs(before, file);
+            line->print(t, row, n, file);
+            before = line->between;
+        }
+    fputs(line->behind, file);
+}
+
+static void print_escaped(const char *text, const char *const escaped[128], FILE *file)
+{
+    for (; *text; text++) {
+        const unsigned char c = (unsigned char)*text;
+        if (c < 128 && escaped[c])
+            fputs(escaped[c], file);
+        else
+            fputc(c, file);
+    }
+}
+
+static const char *text_at(const struct table *t, int row, int column)
+{
+    const struct table_column *c = &t->columns[column];
+    const char *text = row == TABLE_HEADERS ? c->header
+                       : row == TABLE_UNITS ? c->unit
+                                            : cell_at(t, row, column)->text;
+    return text ? text : "";
+}
+
+static bool is_right(const struct table *t, int column)
+{
+    return t->columns[column].align == TABLE_RIGHT;
+}
+
+/* --- CSV ------------------------------------------------------------------------------ */
+
+static void print_comment(const char *text, FILE *file)
+{
+    static const char *const escaped[128] = {['\n'] = "\n# "};
+
+    fputs("# ", file);
+    print_escaped(text, escaped, file);
+    fputc('\n', file);
+}
+
+static void print_field(const char *text, FILE *file)
+{
+    static const char *const escaped[128] = {['"'] = "\"\""};
+    const char *quote = text[strcspn(text, ",\"\n\r")] || *text == '#' ? "\"" : "";
+
+    fputs(quote, file);
+    print_escaped(text, escaped, file);
+    fputs(quote, file);
+}
+
+static void print_cell(const struct table *t, int row, int column, FILE *file)
+{
+    const struct table_cell *cell = row == TABLE_HEADERS ? NULL : cell_at(t, row, column);
+
+    if (!cell)
+        print_field(t->columns[column].key, file);
+    else if (cell->kind == TABLE_CELL_TEXT)
+        print_field(cell->text, file);
+    else if (cell->kind == TABLE_CELL_NUMBER && !isnan(cell->value))
+        fprintf(file, "%.17g", cell->value);
+}
+
+static void print_lines(const struct table *t, bool keys, FILE *file)
+{
+    static const struct table_line line = {TABLE_MACHINES, "", ",", "\n", print_cell};
+
+    for (int row = keys ? TABLE_HEADERS : 0; row < t->row_count; row++)
+        print_line(t, &line, row, file);
+}
+
+static void print_csv(const struct table *t, FILE *file)
+{
+    if (t->caption)
+        print_comment(t->caption, file);
+    print_lines(t, true, file);
+    for (int n = 0; n < t->note_count; n++)
+        print_comment(t->notes[n], file);
+}
+
+/* --- JSON ----------------------------------------------------------------------------- */
+
+static struct {
+    FILE *stream;
+    char *text;
+    size_t size;
+    int count;
+    bool failed;
+} held;
+
+FILE *table_json_open(FILE *file)
+{
+    if (file != stdout)
+        return file;
+    if (!held.stream)
+        held.stream = open_memstream(&held.text, &held.size);
+    held.failed = !held.stream;
+    if (held.stream && held.count++)
+        fputc(',', held.stream);
+    return held.stream;
+}
+
+enum status table_json_close(void)
+{
+    bool failed = held.failed;
+
+    if (held.stream) {
+        failed = ferror(held.stream) || fclose(held.stream) != 0;
+        if (!failed)
+            printf(held.count > 1 ? "[%s]\n" : "%s", held.text);
+        free(held.text);
+        memset(&held, 0, sizeof held);
+    }
+    return failed ? STATUS_MEMORY : STATUS_OK;
+}
+
+void table_json_string(const char *text, FILE *file)
+{
+    fputc('"', file);
+    for (; *text; text++) {
+        const unsigned char c = (unsigned char)*text;
+        if (c == '"' || c == '\\')
+            fprintf(file, "\\%c", c);
+        else if (c < ' ' || c == 127)
+            fprintf(file, "\\u%04x", c);
+        else
+            fputc(c, file);
+    }
+    fputc('"', file);
+}
+
+static void print_pair(const char *key, const char *text, FILE *file)
+{
+    table_json_string(key, file);
+    fputs(": ", file);
+    table_json_string(text, file);
+}
+
+static void print_value(const struct table *t, int row, int column, FILE *file)
+{
+    const struct table_cell *cell = cell_at(t, row, column);
+
+    table_json_string(t->columns[column].key, file);
+    fputs(": ", file);
+    if (cell->kind == TABLE_CELL_TEXT)
+        table_json_string(cell->text, file);
+    else if (cell->kind == TABLE_CELL_MISSING || isnan(cell->value))
+        fputs("null", file);
+    else if (isinf(cell->value))
+        fputs(cell->value > 0 ? "\"inf\"" : "\"-inf\"", file);
+    else
+        fprintf(file, "%.17g", cell->value);
+}
+
+static void print_units(const struct table *t, FILE *file)
+{
+    const char *comma = "";
+
+    for (int n = 0; n < t->column_count; n++) {
+        const struct table_column *c = &t->columns[n];
+        const char *unit = c->key_unit ? c->key_unit : c->unit;
+        if (!unit || !has(t, n, TABLE_MACHINES))
+            continue;
+        fputs(comma, file);
+        print_pair(c->key, unit, file);
+        comma = ", ";
+    }
+}
+
+static void print_json(const struct table *t, FILE *to)
+{
+    static const struct table_line object = {TABLE_MACHINES, "{", ", ", "}", print_value};
+    FILE *file = table_json_open(to);
+
+    if (!file)
+        return;
+    fputc('{', file);
+    print_pair("caption", t->caption ? t->caption : "", file);
+    fputs(", \"units\": {", file);
+    print_units(t, file);
+    fputs("}, \"rows\": [", file);
+    for (int row = 0; row < t->row_count; row++) {
+        fputs(row ? ", " : "", file);
+        print_line(t, &object, row, file);
+    }
+    fputs("], \"notes\": [", file);
+    for (int n = 0; n < t->note_count; n++) {
+        fputs(n ? ", " : "", file);
+        table_json_string(t->notes[n], file);
+    }
+    fputs("]}\n", file);
+}
+/* --- text ---------------------------------------------------------------------------- */
+
+/* Words in lines up to `width`, all but the first after `indent` blanks, which stand
+ * already before the first. */
+static void print_words(const char *text, int indent, int width, FILE *file)
+{
+    int column = indent;
+
+    while (*text) {
+        int size = (int)strcspn(text, " \n");
+        if (column > indent && column + 1 + size > width)
+            column = fprintf(file, "\n%*s", indent, "") - 1;
+        column += fprintf(file, "%s%.*s", column > indent ? " " : "", size, text);
+        text += size;
+        if (*text == '\n')
+            column = fprintf(file, "\n%*s", indent, "") - 1;
+        text += *text != '\0';
+    }
+}
+
+void table_print_wrapped(const char *text, FILE *file)
+{
+    print_words(text, 0, TEXT_WIDTH, file);
+    fputc('\n', file);
+}
+
+void table_print_item(const char *name, int column, const char *text, FILE *file)
+{
+    const int blanks = column - table_width(name);
+
+    fprintf(file, "%s%*s", name, blanks > 0 ? blanks : 2, "");
+    print_words(text, blanks > 0 ? column : column - blanks + 2, LINE_WIDTH, file);
+    fputc('\n', file);
+}
+
+void table_say(FILE *file, const char *format, ...)
+{
+    char *text = NULL;
+    va_list words;
+
+    va_start(words, format);
+    if (vasprintf(&text, format, words) >= 0)
+        table_print_wrapped(text, file);
+    else
+        fputs("out of memory\n", file);
+    va_end(words);
+    free(text);
+}
+
+/* Columns of a table that stand side by side: the first `keys` and [from, to). A table
+ * wider than a line is printed in parts, one below the other, all of which begin with the
+ * keys. */
+struct part {
+    int keys, from, to;
+};
+
+static bool is_shown(const struct table *t, const struct part *p, int n)
+{
+    return has(t, n, TABLE_PEOPLE) && (n < p->keys || n >= p->from) && n < p->to;
+}
+
+/* Of its columns, with the blanks between them; the last may be wrapped. */
+static int part_width(const struct table *t, const struct part *p)
+{
+    int total = -2;
+
+    for (int n = 0; n < p->to; n++)
+        total += is_shown(t, p, n) ? t->width[n] + 2 : 0;
+    return total;
+}
+
+/* One line of cells. Blanks are printed only before something, none at the end. */
+static void print_cells(const struct table *t, const struct part *p, int row, FILE *file)
+{
+    int pending = 0, column = 0;
+
+    for (int n = 0; n < p->to; n++) {
+        if (!is_shown(t, p, n))
+            continue;
+        const char *cell = text_at(t, row, n);
+        int blanks = t->width[n] - table_width(cell);
+
+        pending += is_right(t, n) ? blanks : 0;
+        if (*cell) {
+            column += fprintf(file, "%*s", pending, "");
+            if (column + table_width(cell) > LINE_WIDTH)
+                print_words(cell, column, LINE_WIDTH, file);
+            else
+                fputs(cell, file);
+            column += table_width(cell);
+            pending = 0;
+        }
+        pending += (is_right(t, n) ? 0 : blanks) + 2;
+    }
+    fputc('\n', file);
+}
+
+static void print_rule(const struct table *t, const struct part *p, FILE *file)
+{
+    const int total = part_width(t, p);
+
+    for (int n = 0; n < total && n < LINE_WIDTH; n++)
+        fputc('-', file);
+    fputc('\n', file);
+}
+
+static void print_part(const struct table *t, const struct part *p, FILE *file)
+{
+    bool units = false;
+
+    for (int n = 0; n < p->to; n++)
+        units = units || (is_shown(t, p, n) && t->columns[n].unit);
+    print_cells(t, p, TABLE_HEADERS, file);
+    if (units)
+        print_cells(t, p, TABLE_UNITS, file);
+    print_rule(t, p, file);
+    for (int row = 0; row < t->row_count; row++) {
+        if (row && t->ruled[row])
+            print_rule(t, p, file);
+        print_cells(t, p, row, file);
+    }
+}
+
+static bool same_keys(const struct table *t, int keys, int row, int other)
+{
+    for (int n = 0; n < keys; n++)
+        if (has(t, n, TABLE_PEOPLE) &&
+            strcmp(text_at(t, row, n), text_at(t, other, n)) != 0)
+            return false;
+    return true;
+}
+
+/* The first columns that tell every row from the others; those of names, if none do within
+ * half a line. */
+static int key_columns(const struct table *t)
+{
+    struct part p = {.to = 0};
+
+    while (++p.to < t->column_count && part_width(t, &p) <= LINE_WIDTH / 2) {
+        bool distinct = true;
+        for (int row = 0; row < t->row_count && distinct; row++)
+            for (int other = 0; other < row && distinct; other++)
+                distinct = !same_keys(t, p.to, row, other);
+        if (distinct && part_width(t, &p) > 0)
+            return p.to;
+    }
+    for (p.to = 1; p.to < t->column_count && !is_right(t, p.to);)
+        p.to++;
+    return part_width(t, &p) <= LINE_WIDTH / 2 ? p.to : 1;
+}
+
+/* Takes the columns that a line has room for, one at least; a long one of words, wrapped,
+ * is the last. */
+static void fill_part(const struct table *t, struct part *p)
+{
+    bool wrapped = false, begins = true;
+
+    for (p->to = p->from; p->to < t->column_count; p->to++) {
+        struct part more = {p->keys, p->from, p->to + 1};
+        const int over = part_width(t, &more) - LINE_WIDTH, width = t->width[p->to];
+        if (!has(t, p->to, TABLE_PEOPLE))
+            continue;
+        if (wrapped ||
+            (over > 0 && !begins && (is_right(t, p->to) || width - over < CELL_WIDTH)))
+            return;
+        wrapped = over > 0;
+        begins = false;
+    }
+}
+
+static void print_text(const struct table *t, FILE *file)
+{
+    struct part p = {0, 0, t->column_count};
+
+    if (t->caption) {
+        table_print_wrapped(t->caption, file);
+        fputc('\n', file);
+    }
+    if (part_width(t, &p) > LINE_WIDTH)
+        fill_part(t, &p);
+    print_part(t, &p, file);
+    while (p.to < t->column_count) {
+        fputc('\n', file);
+        p = (struct part){p.keys ? p.keys : key_columns(t), p.to, p.to};
+        fill_part(t, &p);
+        print_part(t, &p, file);
+    }
+    for (int n = 0; n < t->note_count; n++) {
+        fputc('\n', file);
+        table_print_wrapped(t->notes[n], file);
+    }
+}
+
+/* --- Markdown ------------------------------------------------------------------------- */
+
+static void print_markdown_cell(const struct table *t, int row, int column, FILE *file)
+{
+    static const char *const escaped[128] = {
+        ['|'] = "\\|", ['*'] = "\\*", ['_'] = "\\_", ['\n'] = " "};
+
+    print_escaped(text_at(t, row, column), escaped, file);
+    if (row == TABLE_HEADERS && t->columns[column].unit)
+        fprintf(file, " [%s]", t->columns[column].unit);
+}
+
+static void print_markdown_side(const struct table *t, int row, int column, FILE *file)
+{
+    (void)row;
+    fputs(is_right(t, column) ? "---:" : ":---", file);
+}
+
+static void print_markdown(const struct table *t, FILE *file)
+{
+    static const struct table_line cells = {TABLE_PEOPLE, "| ", " | ", " |\n",
+                                            print_markdown_cell},
+                                   sides = {TABLE_PEOPLE, "|", "|", "|\n",
+                                            print_markdown_side};
+
+    if (t->caption)
+        fprintf(file, "**%s**\n\n", t->caption);
+    print_line(t, &cells, TABLE_HEADERS, file);
+    print_line(t, &sides, 0, file);
+    for (int row = 0; row < t->row_count; row++)
+        print_line(t, &cells, row, file);
+    for (int n = 0; n < t->note_count; n++)
+        fprintf(file, "\n%s\n", t->notes[n]);
+}
+
+/* --- LaTeX: plain tabular, no packages ------------------------------------------------ */
+
+/* `text` with what TeX takes for its own told apart, between two that TeX reads. */
+static void print_latex_text(const char *before, const char *text, const char *behind,
+                             FILE *file)
+{
+    static const char *const escaped[128] = {['&'] = "\\&",
+                                             ['%'] = "\\%",
+                                             ['$'] = "\\$",
+                                             ['#'] = "\\#",
+                                             ['_'] = "\\_",
+                                             ['{'] = "\\{",
+                                             ['}'] = "\\}",
+                                             ['<'] = "$<$",
+                                             ['~'] = "\\~{}",
+                                             ['>'] = "$>$",
+                                             ['^'] = "\\^{}",
+                                             ['|'] = "$|$",
+                                             ['\\'] = "\\textbackslash{}"};
+
+    fputs(before, file);
+    print_escaped(text, escaped, file);
+    fputs(behind, file);
+}
+
+static void print_latex_cell(const struct table *t, int row, int column, FILE *file)
+{
+    print_latex_text("", text_at(t, row, column), "", file);
+    if (row == TABLE_HEADERS && t->columns[column].unit)
+        print_latex_text(" [", t->columns[column].unit, "]", file);
+}
+
+static void print_latex_side(const struct table *t, int row, int column, FILE *file)
+{
+    (void)row;
+    fputc(is_right(t, column) ? 'r' : 'l', file);
+}
+
+static void print_latex(const struct table *t, FILE *file)
+{
+    static const struct table_line cells = {TABLE_PEOPLE, "", " & ", " \\\\\n",
+                                            print_latex_cell},
+                                   sides = {TABLE_PEOPLE, "", "", "", print_latex_side};
+
+    fputs("\\begin{table}\n\\centering\n", file);
+    if (t->caption)
+        print_latex_text("\\caption{", t->caption, "}\n", file);
+    fputs("\\begin{tabular}{", file);
+    print_line(t, &sides, 0, file);
+    fputs("}\n\\hline\n", file);
+    print_line(t, &cells, TABLE_HEADERS, file);
+    fputs("\\hline\n", file);
+    for (int row = 0; row < t->row_count; row++) {
+        fputs(row && t->ruled[row] ? "\\hline\n" : "", file);
+        print_line(t, &cells, row, file);
+    }
+    fputs("\\hline\n\\end{tabular}\n", file);
+    for (int n = 0; n < t->note_count; n++)
+        print_latex_text("\n\\smallskip\\footnotesize ", t->notes[n], "\n", file);
+    fputs("\\end{table}\n", file);
+}
+
+static FILE *kept;
+
+void table_keep(FILE *copy)
+{
+    kept = copy;
+}
+
+enum status table_print(const struct table *t, enum table_format format, FILE *file)
+{
+    static void (*const print[])(const struct table *, FILE *) = {
+        [TABLE_TEXT] = print_text,         [TABLE_CSV] = print_csv,
+        [TABLE_MARKDOWN] = print_markdown, [TABLE_LATEX] = print_latex,
+        [TABLE_JSON] = print_json,
+    };
+
+    if (!t || t->failed)
+        return STATUS_MEMORY;
+    print[format](t, file);
+    if (kept) {
+        print_csv(t, kept);
+        fputc('\n', kept);
+    }
+    return ferror(file) ? STATUS_FILE : STATUS_OK;
+}
+
+enum status table_finish(struct table *t, enum table_format format, FILE *file)
+{
+    enum status st = table_print(t, format, file);
+
+    table_destroy(t);
+    if (st == STATUS_OK && format != TABLE_JSON)
+        fputc('\n', file);
+    return st;
+}
+
+enum status table_publish(struct table *t, const char *folder, const char *name,
+                          enum table_format format, FILE *file, struct message *why)
+{
+    const enum status st = table_save(t, folder, name, why);
+
+    if (st == STATUS_OK)
+        return table_finish(t, format, file);
+    table_destroy(t);
+    return st;
+}
+
+enum status table_flush(struct table *t, FILE *file)
+{
+    if (!t || t->failed)
+        return STATUS_MEMORY;
+    print_lines(t, !t->flushed, file);
+    for (long n = 0; n < (long)t->row_count * t->column_count; n++)
+        free(t->cells[n].text);
+    if (t->cells)
+        memset(t->cells, 0, (size_t)t->room * (size_t)t->column_count * sizeof *t->cells);
+    t->flushed = true;
+    t->row_count = t->filled = 0;
+    return ferror(file) ? STATUS_FILE : STATUS_OK;
+}
+
+enum status table_save(const struct table *t, const char *folder, const char *name,
+                       struct message *why)
+{
+    struct output *out = NULL;
+    char path[PATH];
+    enum status st;
+
+    if (!t || t->failed)
+        return STATUS_MEMORY;
+    snprintf(path, sizeof path, "%s/%s.csv", folder, name);
+    TRY(output_create(path, &out, why));
+    print_lines(t, true, output_stream(out));
+    st = output_close(out, why);
+out:
+    return st;
 }

@@ -8,7 +8,6 @@
 
 #include "bench/files/folder.h"
 #include "bench/frames/frames_bytes.h"
-#include "bench/frames/frames_folder.h"
 #include "tests/frames_fixture.h"
 
 const char *frames_folder;
@@ -245,8 +244,6 @@ static void round_trips(void)
 /* --- small things ------------------------------------------------------------------------
  */
 
-enum { RANDOM_NUMBERS = 100000 };
-
 /* To the bit as strtod has it. */
 static void check_number(const char *text)
 {
@@ -262,40 +259,29 @@ static void check_number(const char *text)
 
 static void numbers(void)
 {
-    static const char *const text[] = {
-        "0", "-0.5", "1e-3", "+2.5E+4", ".5", "5.", "123456789012345678901234567890", "0.1",
-        "-9.81000000000000049960e-02", "1e-310", "1e400", "0x1p-3", "1e", "3.14,2",
-        "0.00000000000000000000000000000123", "179769313486231570000e288",
-        /* halfway between two doubles, or nearly */
-        "9007199254740993", "9007199254740993.00000000000000000000000000001",
-        "9007199254740992.999", "-9007199254740995e-3", "4503599627370497.5",
-        "1.00000000000000011102", "1.00000000000000033307", "1e23", "8.5e22",
-        "6929495644600919.5e0", "3.7455744005952583e15"};
+    static const char *const text[] = {"0",
+                                       "-0.5",
+                                       "1e-3",
+                                       "+2.5E+4",
+                                       ".5",
+                                       "5.",
+                                       "123456789012345678901234567890",
+                                       "0.1",
+                                       "-9.81000000000000049960e-02",
+                                       "1e-310",
+                                       "1e400",
+                                       "0x1p-3",
+                                       "1e",
+                                       "3.14,2",
+                                       "0.00000000000000000000000000000123",
+                                       "179769313486231570000e288",
+                                       "9007199254740993"};
 
     for (size_t n = 0; n < sizeof text / sizeof *text; n++)
         check_number(text[n]);
-    static const char *const exponent[] = {"", "e-07", "e+05"};
-    srand(1);
-    for (int n = 0; n < RANDOM_NUMBERS; n++) {
-        char word[64];
-        const long long digits =
-            ((long long)rand() << 32 ^ (long long)rand() << 8) + rand();
-        snprintf(word, sizeof word, "%s%d.%0*lld%s", n % 3 ? "" : "-", rand() % 10,
-                 n % 18 + 1, digits % 1000000000000000000 >> 3 * (n % 18), exponent[n % 3]);
-        check_number(word);
-    }
     const char *none = "x1", *p = none;
     double x;
     CHECK(!frames_text_number(&p, none + 2, &x));
-}
-
-static void order_of_names(void)
-{
-    static const char *const name[] = {"s1", "s2", "s10", "s010b", "s11", "t"};
-
-    for (int a = 0; a < 6; a++)
-        for (int b = 0; b < 6; b++)
-            CHECK((frames_folder_compare(name[a], name[b]) < 0) == (a < b) || a == b);
 }
 
 int main(int argc, char **argv)
@@ -306,7 +292,6 @@ int main(int argc, char **argv)
     frames_folder = argv[1];
     REQUIRE(folder_make(frames_folder, &why) == STATUS_OK);
     numbers();
-    order_of_names();
     round_trips();
     const int bad = frames_bad();
     return check_result() || bad;

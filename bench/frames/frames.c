@@ -1,11 +1,14 @@
+#define _GNU_SOURCE /* versionsort */
 #include "bench/frames/frames.h"
 
+#include <dirent.h>
+#include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "bench/frames/frames_folder.h"
 #include "bench/frames/frames_parts.h"
 
 enum status frames_room(struct frames *f, long vertices, struct message *why)
@@ -83,6 +86,49 @@ static enum status open_files(struct frames *f, int count, const char *const *pa
     free(f->path); /* one of a folder */
     f->path = strdup(paths[0]);
     return f->path ? kinds[kind].open(f, paths[0], why) : STATUS_MEMORY;
+}
+
+static int is_seen(const struct dirent *entry)
+{
+    return entry->d_name[0] != '.';
+}
+
+enum status frames_folder_read(const char *path, struct frames_folder *folder,
+                               struct message *why)
+{
+    struct dirent **entry = NULL;
+    const int count = scandir(path, &entry, is_seen, versionsort);
+    enum status st = STATUS_OK;
+
+    *folder = (struct frames_folder){0};
+    if (count < 0)
+        return errno == ENOMEM
+                   ? STATUS_MEMORY
+                   : status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
+    folder->path = calloc((size_t)count + 1, sizeof *folder->path);
+    for (int n = 0; n < count; n++) {
+        const size_t size = strlen(path) + strlen(entry[n]->d_name) + 2;
+        char *text = folder->path ? malloc(size) : NULL;
+        if (text) {
+            snprintf(text, size, "%s/%s", path, entry[n]->d_name);
+            folder->path[folder->count++] = text;
+        }
+        free(entry[n]);
+    }
+    free(entry);
+    if (folder->count < count || !folder->path) {
+        frames_folder_clear(folder);
+        st = STATUS_MEMORY;
+    }
+    return st;
+}
+
+void frames_folder_clear(struct frames_folder *folder)
+{
+    for (int n = 0; n < folder->count; n++)
+        free(folder->path[n]);
+    free(folder->path);
+    *folder = (struct frames_folder){0};
 }
 
 /* A folder's files are a sequence. */

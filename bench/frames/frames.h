@@ -64,6 +64,17 @@ const struct frames_net *frames_net(const struct frames *f);
 enum status frames_next(struct frames *f, double *t, const double **xyz,
                         struct message *why);
 
+/* What is in a folder, in the order of the numbers in its names: s2 before s10. */
+struct frames_folder {
+    int count;
+    char **path; /* [count] FOLDER/NAME, hidden ones left out         all owned */
+};
+
+/* STATUS_FILE with a sentence; *folder is overwritten; free with frames_folder_clear. */
+enum status frames_folder_read(const char *path, struct frames_folder *folder,
+                               struct message *why);
+void frames_folder_clear(struct frames_folder *folder);
+
 /* Whether a name ends as one of the files above does. */
 bool frames_is_name(const char *name);
 

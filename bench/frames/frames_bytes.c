@@ -3,7 +3,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <float.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -136,11 +135,13 @@ static bool is_blank(char c)
 
 /* What strtod says of as much as may be a number: the text has no end of its own. 767
  * digits tell the last bit of any. */
-static bool slow_number(const char **p, const char *end, double *x)
+bool frames_text_number(const char **p, const char *end, double *x)
 {
     char room[1024], *stop;
     size_t size = 0;
 
+    while (*p < end && is_blank(**p))
+        ++*p;
     for (const char *c = *p; c < end && size < sizeof room - 1; c++) {
         if (is_blank(*c) || *c == ',')
             break;
@@ -150,88 +151,6 @@ static bool slow_number(const char **p, const char *end, double *x)
     *x = strtod(room, &stop);
     *p += stop - room;
     return stop != room;
-}
-
-/* Digits taken up, as many as fit, and how many do not. */
-static int digits(const char **p, const char *end, uint64_t *mantissa, int *left)
-{
-    int count = 0;
-
-    for (; *p < end && **p >= '0' && **p <= '9'; ++*p, count++)
-        if (*mantissa < UINT64_C(1000000000000000000))
-            *mantissa = 10 * *mantissa + (uint64_t)(**p - '0');
-        else
-            ++*left;
-    return count;
-}
-
-/* e and a whole number, if they are there. */
-static int exponent(const char **p, const char *end)
-{
-    const char *at = *p;
-    int power = 0;
-
-    if (at == end || (*at != 'e' && *at != 'E'))
-        return 0;
-    at++;
-    const bool minus = at < end && *at == '-';
-    at += at < end && (*at == '-' || *at == '+');
-    if (at == end || *at < '0' || *at > '9')
-        return 0;
-    for (; at < end && *at >= '0' && *at <= '9'; at++)
-        power = power < 10000 ? 10 * power + *at - '0' : power;
-    *p = at;
-    return minus ? -power : power;
-}
-
-enum { EXACT = 27 }; /* 10^27 = 2^27 5^27, and 5^27 has 63 bits */
-#define TEN(n) 1e##n##L
-static const long double tens[EXACT + 1] = {
-    TEN(0),  TEN(1),  TEN(2),  TEN(3),  TEN(4),  TEN(5),  TEN(6),
-    TEN(7),  TEN(8),  TEN(9),  TEN(10), TEN(11), TEN(12), TEN(13),
-    TEN(14), TEN(15), TEN(16), TEN(17), TEN(18), TEN(19), TEN(20),
-    TEN(21), TEN(22), TEN(23), TEN(24), TEN(25), TEN(26), TEN(27)};
-
-/* The mantissa and such a power of ten are exact in 64 bits (Clinger, PLDI 1990): their
- * quotient or product is off by half its last place. False: rounded to a double that may
- * be the wrong one of two, or 64 bits are not to be had. */
-static bool fast_number(uint64_t mantissa, int power, double *x)
-{
-    if (LDBL_MANT_DIG < 64 || abs(power) > EXACT)
-        return false;
-    const long double value = power < 0 ? (long double)mantissa / tens[-power]
-                                        : (long double)mantissa * tens[power];
-    const long double place = value * LDBL_EPSILON;
-
-    *x = (double)(value - place);
-    return *x == (double)(value + place);
-}
-
-bool frames_text_number(const char **p, const char *end, double *x)
-{
-    const char *at;
-    uint64_t mantissa = 0;
-    int count, power, left = 0;
-
-    while (*p < end && is_blank(**p))
-        ++*p;
-    at = *p;
-    const bool minus = at < end && *at == '-';
-    at += at < end && (*at == '-' || *at == '+');
-    count = digits(&at, end, &mantissa, &left);
-    power = 0;
-    if (at < end && *at == '.') {
-        at++;
-        power = -digits(&at, end, &mantissa, &left);
-        count -= power;
-    }
-    power += exponent(&at, end);
-    if (!count || left || (at < end && (*at == 'x' || *at == 'X')) ||
-        !fast_number(mantissa, power, x))
-        return slow_number(p, end, x);
-    *x = minus ? -*x : *x;
-    *p = at;
-    return true;
 }
 
 int frames_text_word(const char **p, const char *end, const char **word)

@@ -8,7 +8,7 @@
 #include <string.h>
 
 enum { T, U, V, X, Y, Z, COLUMNS, COLUMNS_MOST = 64 };
-static const char names[COLUMNS] = "tuvxyz";
+static const char names[] = "tuvxyz";
 
 /* uv are the same to this: texts of them may be rounded. */
 #define SAME_UV 1e-7
@@ -26,13 +26,13 @@ struct key { /* a vertex by its uv, rounded */
 
 struct csv {
     struct frames_bytes bytes;
-    int column[COLUMNS]; /* which cell of a line it is; `width`: as far as is read      */
-    int width;
-    struct frames_text text; /* from the first row on                                  */
-    struct place *place;     /* [rows] sorted; NULL: rows are in order          owned */
-    long rows, taken;        /* taken: of `place`                                       */
-    struct key *key;         /* [vertices] sorted                               owned */
-    char *seen;              /* [vertices] in this frame                        owned */
+    int column[COLUMNS_MOST]; /* of a cell: what it is, -1: passed over               */
+    int time_cell, width;     /* which the time is; how many are read                 */
+    struct frames_text text;  /* from the first row on                                  */
+    struct place *place;      /* [rows] sorted; NULL: rows are in order          owned */
+    long rows, taken;         /* taken: of `place`                                       */
+    struct key *key;          /* [vertices] sorted                               owned */
+    char *seen;               /* [vertices] in this frame                        owned */
 };
 
 static void close_csv(void *state)
@@ -59,20 +59,20 @@ static bool take_names(struct csv *c, const char *line, const char *end)
 {
     bool any = false;
 
-    for (int n = 0; n < COLUMNS; n++)
-        c->column[n] = -1;
+    for (int cell = 0; cell < COLUMNS_MOST; cell++)
+        c->column[cell] = -1;
     for (int cell = 0; line <= end && cell < COLUMNS_MOST; cell++) {
         const char *stop = memchr(line, ',', (size_t)(end - line)), *from = line;
         line = stop ? stop : end;
-        while (from < line && (*from == ' ' || *from == '"'))
-            from++;
         const char *till = line;
+        while (from < till && (*from == ' ' || *from == '"'))
+            from++;
         while (till > from && (till[-1] == ' ' || till[-1] == '"'))
             till--;
         any = any || (from < till && strchr("abcdefghijklmnopqrstuvwxyz", *from | 32));
-        for (int n = 0; n < COLUMNS; n++)
-            if (till == from + 1 && (*from | 32) == names[n])
-                c->column[n] = cell;
+        const char *name = till == from + 1 ? strchr(names, *from | 32) : NULL;
+        if (name)
+            c->column[cell] = (int)(name - names);
         line++;
     }
     for (int n = 0; !any && n < COLUMNS; n++)
@@ -92,38 +92,38 @@ static enum status take_header(struct frames *f, struct csv *c, struct message *
             break;
         }
     for (int n = 0; n < COLUMNS; n++) {
-        if (c->column[n] < 0)
+        int cell = 0;
+        while (cell < COLUMNS_MOST && c->column[cell] != n)
+            cell++;
+        if (cell == COLUMNS_MOST)
             return status_fail(why, STATUS_INPUT,
                                "%s: line %ld: names no column %c; t,u,v,x,y,z would be "
                                "right",
                                f->path, c->text.line, names[n]);
-        c->width = c->column[n] >= c->width ? c->column[n] + 1 : c->width;
+        c->time_cell = n == T ? cell : c->time_cell;
+        c->width = cell >= c->width ? cell + 1 : c->width;
     }
     return STATUS_OK;
 }
 
-/* The numbers of a line that have a column, as far as cell `until`. */
-static bool take_row(const struct csv *c, const char *line, const char *end, int until,
+/* The numbers of the first `cells` cells of a line. */
+static bool take_row(const struct csv *c, const char *line, const char *end, int cells,
                      double row[COLUMNS])
 {
-    for (int cell = 0; cell <= until; cell++) {
-        double x = 0;
-        bool wanted = false;
-        for (int n = 0; n < COLUMNS; n++)
-            wanted = wanted || c->column[n] == cell;
-        if (wanted && !frames_text_number(&line, end, &x))
+    for (int cell = 0; cell < cells; cell++) {
+        if (line > end)
             return false;
-        for (int n = 0; n < COLUMNS; n++)
-            if (c->column[n] == cell)
-                row[n] = x;
-        const char *stop = memchr(line, ',', (size_t)(end - line));
-        while (wanted && line < end && (*line == ' ' || *line == '\t'))
-            line++;
-        if (cell < until && (!stop || (wanted && stop != line)))
-            return false;
-        if (cell == until && wanted && line < end && *line != ',')
-            return false;
-        line = stop ? stop + 1 : end;
+        const char *comma = memchr(line, ',', (size_t)(end - line)),
+                   *stop = comma ? comma : end;
+        if (c->column[cell] >= 0) {
+            if (!frames_text_number(&line, stop, &row[c->column[cell]]))
+                return false;
+            while (line < stop && (*line == ' ' || *line == '\t'))
+                line++;
+            if (line < stop)
+                return false;
+        }
+        line = stop + 1;
     }
     return true;
 }
@@ -156,7 +156,7 @@ static enum status look_at_times(struct frames *f, struct csv *c, bool *grow,
     for (c->rows = 0; frames_text_line(&text, &line, &end);) {
         if (is_empty(line, end))
             continue;
-        if (!take_row(c, line, end, c->column[T], row) || !isfinite(row[T]))
+        if (!take_row(c, line, end, c->time_cell + 1, row) || !isfinite(row[T]))
             return bad_row(f, text.line, why);
         *grow = *grow && row[T] >= last;
         last = row[T];
@@ -181,7 +181,7 @@ static enum status make_index(struct csv *c)
         return STATUS_MEMORY;
     for (long n = 0; n < c->rows && frames_text_line(&text, &line, &end);)
         if (!is_empty(line, end)) {
-            take_row(c, line, end, c->column[T], row);
+            take_row(c, line, end, c->time_cell + 1, row);
             c->place[n++] = (struct place){row[T], line, text.line};
         }
     qsort(c->place, (size_t)c->rows, sizeof *c->place, compare_places);
@@ -206,7 +206,7 @@ static enum status next_row(struct frames *f, struct csv *c, double t, double ro
         if (!frames_text_line(&text, &line, &end))
             return STATUS_OK;
     while (is_empty(line, end));
-    if (!take_row(c, line, end, c->width - 1, row))
+    if (!take_row(c, line, end, c->width, row))
         return bad_row(f, text.line, why);
     if (!isnan(t) && row[T] != t)
         return STATUS_OK;

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "bench/frames/frames_folder.h"
+#include "bench/frames/frames.h"
 #include "bench/score/score_print.h"
 #include "models/reader/scene_file.h"
 

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "bench/frames/frames.h"
-#include "bench/frames/frames_folder.h"
 #include "bench/truth/truth_bar.h"
 #include "models/grid.h"
 

@@ -1,10 +1,9 @@
-#define _GNU_SOURCE /* environ, MAP_ANONYMOUS */
+#define _GNU_SOURCE /* environ */
 /* main.c - finds the command, prints what went wrong and exits; nobody else does. */
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include "bench/files/atomic_file.h"
@@ -173,29 +172,39 @@ static bool threads_are_few(struct message *why)
     return true;
 }
 
-/* OpenBLAS starts a thread a core when it is loaded, and waits for ever for those that a
- * limit on memory lets it not have. So this runs before what libraries do at their start;
- * most of C's library is not there yet. */
-static void before_libraries(int argc, char **argv, char **variables)
+/* The OpenBLAS kernel for this CPU; NULL: the library's own choice is as good. */
+static char *kernel_for_cpu(void)
 {
-    enum { LEAST = 64 << 20 }; /* what it works in, and the threads' stacks [bytes] */
-    static const char few[] =
-        "clothbench: the limit on memory (ulimit -v) leaves less than 64 MB for what "
-        "the libraries work in; raise it\n";
-    void *room = mmap(NULL, LEAST, PROT_READ | PROT_WRITE,
-                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    static char wide[] = "SKYLAKEX", narrow[] = "HASWELL";
 
-    (void)argc;
-    if (room == MAP_FAILED)
-        _exit(write(STDERR_FILENO, few, sizeof few - 1) < 0 ? EXIT_DIED : EXIT_USAGE);
-    munmap(room, LEAST);
-    environ = variables;
-    blas_kernel_choose(argv);
+#if defined(__x86_64__)
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))
+        return wide;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return narrow;
+#endif
+    (void)wide, (void)narrow;
+    return NULL;
 }
 
-__attribute__((section(".preinit_array"),
-               used)) static void (*const first)(int argc, char **argv,
-                                                 char **variables) = before_libraries;
+/* Answers for the C library, also when OpenBLAS asks while it is loaded. Unless told how
+ * many threads to have, it starts one a core then, and waits for ever for those that a
+ * limit on memory does not allow; unless told a kernel, it takes a slow one on CPUs newer
+ * than itself. Both are too late in main, and the program uses one thread of it. */
+char *getenv(const char *name)
+{
+    static char one[] = "1";
+    const size_t length = strlen(name);
+
+    for (char **at = environ; at && *at; at++)
+        if (!strncmp(*at, name, length) && (*at)[length] == '=')
+            return *at + length + 1;
+    if (!strcmp(name, "OPENBLAS_NUM_THREADS"))
+        return one;
+    return strcmp(name, "OPENBLAS_CORETYPE") ? NULL : kernel_for_cpu();
+}
 
 int main(int argc, char **argv)
 {

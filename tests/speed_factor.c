@@ -197,7 +197,6 @@ int main(int argc, char **argv)
     /* Above this the band is hopeless and takes gigabytes. */
     const int band_columns = 2500;
     int count;
-    blas_kernel_choose(argv);
     const struct net_shape *shapes = list_shapes(&count);
     printf("BLAS kernel %s; times in ms: median and least\n", blas_kernel_name());
     printf("net               unknowns method    order  half   entries    Mflop    factor "

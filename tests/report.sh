@@ -231,7 +231,7 @@ printf 'IEND\xae\x42\x60\x82' >>large/table2/cost.png
 good large
 grep -oP '"data":"\KiVBOR[^"]*' page.html | base64 -d | cmp - large/table2/cost.png ||
     fail 'a picture is not that of its file'
-for name in study_flag/flag study_mesh/corners_sheets study_mesh/edge_sheets; do
+for name in study_flag/flag_sheets study_mesh/corners_sheets study_mesh/edge_sheets; do
     { printf '\x89PNG\r\n\x1a\n' && head -c 3800000 /dev/zero && printf 'IEND\xae\x42\x60\x82'; } >"large/$name.png"
 done
 good large

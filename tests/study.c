@@ -1,5 +1,6 @@
 /* The engine of studies: plans with levels, differences, errors, orders and metrics from
  * result files, levels that die or are refused, truth found again. */
+#include "bench/experiment/dataset.h"
 #include "bench/experiment/experiment.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
@@ -223,28 +224,39 @@ static void truth_again(void)
     free(path);
 }
 
+static void writes(const struct study_results *d, const char *at, const char *want)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+
+    REQUIRE(file);
+    dataset_write(d, QUANTITY_DROP, WHERE({"at", at}), file);
+    fclose(file);
+    CHECK(!strcmp(text, want));
+    free(text);
+}
+
 /* Words for sentences: a number of every level. */
-static void trends(void)
+static void words(void)
 {
     struct plan plan = plan_of("light", light);
     struct study s = bare(&plan);
-    const size_t drop = offsetof(struct study_frame, drop);
-    struct study_trend trend;
+    s.time = s.plan->times;
+    const struct study_results d = {.plan = &plan, .count = 1, .study = &s};
 
     for (int n = 0; n < 3; n++) {
         s.row[n].frame[1].drop = 0.5 + n;
         s.row[n].frame[0].drop = 7 - n;
     }
-    trend = study_print_last(&s, drop);
-    CHECK(trend.count == 3 && !strcmp(trend.text, "0.5, 1.5, 2.5"));
-    CHECK(trend.value[0] == 0.5 && trend.value[1] == 1.5 && trend.value[2] == 2.5);
-    CHECK(!strcmp(study_print_trend(&s, 0, drop).text, "7, 6, 5"));
+    writes(&d, "*", "7, 0.5, 6, 1.5, 5, 2.5");
     s.row[0].frame[1].drop = s.row[1].frame[1].drop = NAN;
     s.row[0].result.outcome = STATUS_UNSUPPORTED;
-    trend = study_print_last(&s, drop);
-    CHECK(isnan(trend.value[1]) && !strcmp(trend.text, "refused, died, 2.5"));
+    s.row[1].frame[0].xyz = &s.length; /* lives, and has a number */
+    writes(&d, "0.1", "refused, died, 2.5");
     s.row[1].frame[1].xyz = &s.length; /* lives, without this number */
-    CHECK(!strcmp(study_print_last(&s, drop).text, "refused, nan, 2.5"));
+    writes(&d, "0.1", "refused, nan, 2.5");
+    writes(&d, "0.3", "");
     plan_clear(&plan);
 }
 
@@ -310,7 +322,7 @@ int main(int argc, char **argv)
     folder = argv[1];
     fresh_folder(folder);
     orders();
-    trends();
+    words();
     truth_again();
     rest_and_quick();
     REQUIRE(!setenv("CLOTHBENCH_TRUTHS", SOURCE_DIR "/tests/truths", 1));

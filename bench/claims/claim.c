@@ -7,9 +7,15 @@ static const struct {
     const char *plan;
     const struct claim *claims;
 } table[] = {
-    {"solvers", claim_solvers},     {"local-global", claim_local_global},
-    {"drops", claim_drops},         {"flag", claim_flag},
-    {"artefacts", claim_artefacts}, {"contact", claim_contact},
+    {"solvers", claim_solvers},
+    {"local-global", claim_local_global},
+    {"drops", claim_drops},
+    {"flag", claim_flag},
+    {"artefacts", claim_artefacts},
+    {"contact", claim_contact},
+    {"mesh", claim_mesh},
+    {"degree", claim_degree},
+    {"mesh-degree", claim_mesh_degree},
 };
 
 const struct claim *claim_find(const char *plan)

@@ -10,41 +10,45 @@
 /* Down along gravity [degrees]. */
 static const double PLUMB = 90;
 
-/* The largest angle of a row, and the least one after it; NaN: it died before its end. */
-static void swing_of(const struct study_results *d, const struct where *row, double *most,
-                     double *after)
+/* The largest angle of a level over its times, and the least one after it; NaN: it died
+ * before its end. */
+static void swing_of(const struct study_results *d, const char *study, const char *level,
+                     double *most, double *after)
 {
-    const int times = dataset_times(d, row);
+    double angle[PLAN_STUDY_TIMES];
+    const int times = dataset_values(d, QUANTITY_ANGLE,
+                                     WHERE({"study", study}, {"level", level}, {"at", "*"}),
+                                     PLAN_STUDY_TIMES, angle);
     int top = 0;
 
     *most = *after = NAN;
     for (int t = 0; t < times; t++)
-        if (isnan(dataset_at_time(d, QUANTITY_ANGLE, t, row)))
+        if (isnan(angle[t]))
             return;
-        else if (dataset_at_time(d, QUANTITY_ANGLE, t, row) >
-                 dataset_at_time(d, QUANTITY_ANGLE, top, row))
+        else if (angle[t] > angle[top])
             top = t;
     for (int t = top; t < times; t++)
-        *after = fmin(*after, dataset_at_time(d, QUANTITY_ANGLE, t, row));
-    *most = dataset_at_time(d, QUANTITY_ANGLE, top, row);
+        *after = fmin(*after, angle[t]);
+    *most = times ? angle[top] : NAN;
 }
 
 static enum judge swings(const struct study_results *d, const char *study, FILE *because)
 {
-    const struct where *printed = WHERE({"study", study}, {"level", "printed"});
-    const struct where *elastic = WHERE({"study", study}, {"level", "undamped shell"});
-    double most, after, shell, unused;
+    static const char *const levels[] = {"printed", "undamped shell"};
+    double most, after, shell, unused, stretch[2];
 
-    swing_of(d, printed, &most, &after);
-    swing_of(d, elastic, &shell, &unused);
+    swing_of(d, study, levels[0], &most, &after);
+    swing_of(d, study, levels[1], &shell, &unused);
+    for (int n = 0; n < 2; n++)
+        stretch[n] =
+            dataset_at(d, QUANTITY_STRETCH, WHERE({"study", study}, {"level", levels[n]}));
     fprintf(
         because,
         "At the paper's six times the printed scheme's sheet is inclined by %.3g degrees "
         "at most, where %g is plumb, by %.3g at least after that, and in the end "
         "stretched by a factor of %.3g; an undamped shell with the same E, nu, rho and "
         "thickness: %.3g degrees, a factor of %.3g.",
-        most, PLUMB, after, dataset_at(d, QUANTITY_STRETCH, printed), shell,
-        dataset_at(d, QUANTITY_STRETCH, elastic));
+        most, PLUMB, after, stretch[0], shell, stretch[1]);
     return judge_both(judge_below(PLUMB, most), judge_below(after, PLUMB));
 }
 
@@ -101,23 +105,25 @@ static enum judge net_decides(const struct study_results *d, FILE *because)
     return judge_below(0.1, fabs(fine / coarse - 1));
 }
 
-/* The larger roughness of two rows over all times; NaN: one died. */
-static double roughest(const struct study_results *d, const struct where *a,
-                       const struct where *b)
+/* The largest roughness of a level over all times; NaN: it died. */
+static double roughest(const struct study_results *d, const char *level)
 {
-    double most = 0;
+    double value[PLAN_STUDY_TIMES], most = 0;
+    const int times =
+        dataset_values(d, QUANTITY_ROUGHNESS, WHERE({"level", level}, {"at", "*"}),
+                       PLAN_STUDY_TIMES, value);
 
-    for (int t = 0; t < dataset_times(d, a); t++)
-        most = judge_most(most, judge_most(dataset_at_time(d, QUANTITY_ROUGHNESS, t, a),
-                                           dataset_at_time(d, QUANTITY_ROUGHNESS, t, b)));
+    for (int t = 0; t < times; t++)
+        most = judge_most(most, value[t]);
     return most;
 }
 
 static enum judge nets_crumple(const struct study_results *d, FILE *because)
 {
-    const double smooth = roughest(d, SOLID, SHELL);
-    const double rough = roughest(d, WHERE({"level", "mass-spring, matched"}),
-                                  WHERE({"level", "projective dynamics, matched"}));
+    const double smooth = judge_most(roughest(d, "nonlinear solid, selective"),
+                                     roughest(d, "nonlinear shell"));
+    const double rough = judge_most(roughest(d, "mass-spring, matched"),
+                                    roughest(d, "projective dynamics, matched"));
 
     fprintf(because, "They have a roughness of up to %.3g, solid and shell one of %.3g.",
             rough, smooth);

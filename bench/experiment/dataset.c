@@ -1,6 +1,7 @@
 #include "bench/experiment/dataset.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "bench/harness/fit.h"
@@ -15,51 +16,70 @@ const char *dataset_label(const struct study *s, int level, const char *axis)
     return s->plan->axis_count || strcmp(axis, "level") ? NULL : s->row[level].level->label;
 }
 
-/* Whether a level has all of these labels. */
-static bool is_named(const struct study *s, int level, const struct where *where)
+/* A level of a study at one of the study's times. */
+struct place {
+    int study, level, time;
+};
+
+/* Whether a row has all of these labels; without a time, whether it is the last. */
+static bool is_named(const struct study *s, const struct place *p,
+                     const struct where *where)
 {
+    bool timed = false;
+
     for (; where->axis; where++) {
-        const char *label = dataset_label(s, level, where->axis);
+        const char *label = dataset_label(s, p->level, where->axis);
         const bool other = where->label[0] == '!';
-        if (!label || !strcmp(label, where->label + other) == other)
+        if (!strcmp(where->axis, "at")) {
+            const double want = strtod(where->label, NULL);
+            timed = true;
+            if (strcmp(where->label, "*") &&
+                (!s->time || fabs(s->time[p->time] - want) > 1e-9))
+                return false;
+        } else if (!label || !strcmp(label, where->label + other) == other) {
             return false;
+        }
     }
-    return true;
+    return timed || p->time == s->frames - 1;
 }
 
-/* Goes on to the next row that the labels name, from the one behind *study and *level;
- * false: there is none. Begin with 0 and -1. */
-static bool next_row(const struct study_results *d, const struct where *where, int *study,
-                     int *level)
+/* Goes on to the next row that the labels name, times being the last to change; false:
+ * there is none. Begin with FIRST. */
+static bool next_row(const struct study_results *d, const struct where *where,
+                     struct place *p)
 {
-    for (; *study < d->count; ++*study, *level = -1)
-        while (++*level < d->study[*study].plan->level_count)
-            if (!d->study[*study].row[*level].left_out &&
-                is_named(&d->study[*study], *level, where))
-                return true;
+    for (; p->study < d->count; ++p->study, p->level = 0, p->time = -1) {
+        const struct study *s = &d->study[p->study];
+        for (; p->level < s->plan->level_count; ++p->level, p->time = -1)
+            while (++p->time < s->frames)
+                if (!s->row[p->level].left_out && is_named(s, p, where))
+                    return true;
+    }
     return false;
 }
 
-/* The only row that the labels name. */
-static bool find(const struct study_results *d, const struct where *where, int *study,
-                 int *level)
-{
-    int after, last;
+static const struct place FIRST = {0, 0, -1};
 
-    *study = 0, *level = -1;
-    if (!next_row(d, where, study, level))
+/* The only row that the labels name. */
+static bool find(const struct study_results *d, const struct where *where, struct place *p)
+{
+    struct place after;
+
+    *p = FIRST;
+    if (!next_row(d, where, p))
         return false;
-    after = *study, last = *level;
-    return !next_row(d, where, &after, &last);
+    after = *p;
+    return !next_row(d, where, &after);
 }
 
 int dataset_labels(const struct study_results *d, const char *axis, int most,
                    const char **label)
 {
-    int count = 0, study = 0, level = -1;
+    struct place p = FIRST;
+    int count = 0;
 
-    while (next_row(d, WHERE({NULL, NULL}), &study, &level)) {
-        const char *word = dataset_label(&d->study[study], level, axis);
+    while (next_row(d, WHERE({NULL, NULL}), &p)) {
+        const char *word = dataset_label(&d->study[p.study], p.level, axis);
         int n = 0;
         while (word && n < count && strcmp(label[n], word))
             n++;
@@ -69,46 +89,27 @@ int dataset_labels(const struct study_results *d, const char *axis, int most,
     return count;
 }
 
-static double value(const struct study_results *d, enum quantity q, int study, int level)
+static double value(const struct study_results *d, enum quantity q, const struct place *p)
 {
-    const struct study *s = &d->study[study];
-
-    return quantity_table[q].at(d, s, level, s->frames - 1);
+    return quantity_table[q].at(d, &d->study[p->study], p->level, p->time);
 }
 
 double dataset_at(const struct study_results *d, enum quantity q, const struct where *where)
 {
-    int study, level;
+    struct place p;
 
-    return find(d, where, &study, &level) ? value(d, q, study, level) : NAN;
-}
-
-int dataset_times(const struct study_results *d, const struct where *where)
-{
-    int study, level;
-
-    return find(d, where, &study, &level) ? d->study[study].frames : 0;
-}
-
-double dataset_at_time(const struct study_results *d, enum quantity q, int time,
-                       const struct where *where)
-{
-    int study, level;
-
-    return find(d, where, &study, &level) && time < d->study[study].frames
-               ? quantity_table[q].at(d, &d->study[study], level, time)
-               : NAN;
+    return find(d, where, &p) ? value(d, q, &p) : NAN;
 }
 
 enum judge dataset_verdict(const struct study_results *d, const char *label,
                            const struct where *where)
 {
     const struct verdict_rules *rules = &d->plan->verdicts;
-    int study, level;
+    struct place p;
 
-    if (!find(d, where, &study, &level))
+    if (!find(d, where, &p))
         return JUDGE_OPEN;
-    const struct verdict v = verdict_of(rules, &d->study[study].row[level].result);
+    const struct verdict v = verdict_of(rules, &d->study[p.study].row[p.level].result);
     if (!label)
         return v.kind == VERDICT_FEASIBLE     ? JUDGE_HOLDS
                : v.kind == VERDICT_INFEASIBLE ? JUDGE_FAILS
@@ -121,45 +122,73 @@ enum judge dataset_verdict(const struct study_results *d, const char *label,
 double dataset_most(const struct study_results *d, enum quantity q,
                     const struct where *where)
 {
-    int study = 0, level = -1;
+    struct place p = FIRST;
     double most = NAN;
 
-    while (next_row(d, where, &study, &level))
-        most = fmax(most, value(d, q, study, level));
+    while (next_row(d, where, &p))
+        most = fmax(most, value(d, q, &p));
     return most;
 }
 
 double dataset_least(const struct study_results *d, enum quantity q,
                      const struct where *where)
 {
-    int study = 0, level = -1;
+    struct place p = FIRST;
     double least = NAN;
 
-    while (next_row(d, where, &study, &level))
-        least = fmin(least, value(d, q, study, level));
+    while (next_row(d, where, &p))
+        least = fmin(least, value(d, q, &p));
     return least;
+}
+
+int dataset_values(const struct study_results *d, enum quantity q,
+                   const struct where *where, int most, double *values)
+{
+    struct place p = FIRST;
+    int count = 0;
+
+    while (count < most && next_row(d, where, &p))
+        values[count++] = value(d, q, &p);
+    return count;
+}
+
+void dataset_write(const struct study_results *d, enum quantity q,
+                   const struct where *where, FILE *file)
+{
+    struct place p = FIRST;
+
+    for (const char *comma = ""; next_row(d, where, &p); comma = ", ") {
+        const struct study_row *row = &d->study[p.study].row[p.level];
+        const double v = value(d, q, &p);
+        if (isnan(v) && !row->frame[p.time].xyz)
+            fprintf(file, "%s%s", comma,
+                    run_result_refused(&row->result) ? "refused" : "died");
+        else
+            fprintf(file, "%s%.3g", comma, v);
+    }
 }
 
 double dataset_apart(const struct study_results *d, const struct where *a,
                      const struct where *b)
 {
-    int study, level, other, of_other;
+    struct place p, other;
 
-    if (!find(d, a, &study, &level) || !find(d, b, &other, &of_other))
+    if (!find(d, a, &p) || !find(d, b, &other))
         return NAN;
-    return study_distance(&d->study[study], level, &d->study[other], of_other,
-                          d->study[study].frames - 1);
+    return study_distance(&d->study[p.study], p.level, &d->study[other.study], other.level,
+                          p.time);
 }
 
 double dataset_exponent(const struct study_results *d, enum quantity x, enum quantity y,
                         const struct where *where)
 {
     double xs[PLAN_STUDY_LEVELS], ys[PLAN_STUDY_LEVELS];
-    int count = 0, study = 0, level = -1;
+    struct place p = FIRST;
+    int count = 0;
 
-    while (count < PLAN_STUDY_LEVELS && next_row(d, where, &study, &level)) {
-        xs[count] = value(d, x, study, level);
-        ys[count] = value(d, y, study, level);
+    while (count < PLAN_STUDY_LEVELS && next_row(d, where, &p)) {
+        xs[count] = value(d, x, &p);
+        ys[count] = value(d, y, &p);
         count += isfinite(log(xs[count])) && isfinite(log(ys[count]));
     }
     return count < 2 ? NAN : fit_exponent(count, xs, ys);

@@ -2,7 +2,8 @@
  * and claims ask.
  *
  * The labels of a level are its study's name on the axis "study", and its label on each
- * axis of the study, or on the axis "level" where levels are listed.
+ * axis of the study, or on the axis "level" where levels are listed. A row is a level at
+ * the study's last time unless {"at", "0.5"} names another, or {"at", "*"} all of them.
  *
  *     dataset_at(d, QUANTITY_FRAME, WHERE({"solver", "direct"}, {"net", "5x5x2"}))
  */
@@ -25,15 +26,9 @@ const char *dataset_label(const struct study *s, int level, const char *axis);
 int dataset_labels(const struct study_results *d, const char *axis, int most,
                    const char **label);
 
-/* The value in the row that all labels name, at its study's last time; NaN if no row or
- * more than one is named. */
+/* The value in the row that all labels name; NaN if no row or more than one is named. */
 double dataset_at(const struct study_results *d, enum quantity q,
                   const struct where *where);
-
-/* How many times that row has, and its value at one of them, from 0. */
-int dataset_times(const struct study_results *d, const struct where *where);
-double dataset_at_time(const struct study_results *d, enum quantity q, int time,
-                       const struct where *where);
 
 /* Whether the plan's rules give that row's run a label (verdict.h); NULL: call it feasible.
  * Open: no such row, or nothing to judge by. */
@@ -46,7 +41,15 @@ double dataset_most(const struct study_results *d, enum quantity q,
 double dataset_least(const struct study_results *d, enum quantity q,
                      const struct where *where);
 
-/* rms distance of two rows at their last time, over the length; NaN unless both are one. */
+/* The values of the first `most` rows that the labels name, in the plan's order; returns
+ * how many there are. The second writes them as "2.1, died, 5.6". */
+int dataset_values(const struct study_results *d, enum quantity q,
+                   const struct where *where, int most, double *values);
+void dataset_write(const struct study_results *d, enum quantity q,
+                   const struct where *where, FILE *file);
+
+/* rms distance of two rows at the first one's time, over the length; NaN unless both are
+ * one. */
 double dataset_apart(const struct study_results *d, const struct where *a,
                      const struct where *b);
 

@@ -100,15 +100,4 @@ enum status study_print_all(const struct study_results *r, const char *folder,
 /* The next cells of a row: a number for each digit, to so many significant ones. */
 void study_print_numbers(struct table *t, const char *digits, const double *value);
 
-/* A number of every level at a time, for a sentence. */
-struct study_trend {
-    char text[160]; /* "2.1, died, 5.6"                                                  */
-    int count;
-    double value[PLAN_STUDY_LEVELS]; /* NaN: there is none                               */
-};
-
-/* Of a member of study_frame: offsetof(struct study_frame, roughness); at the last time. */
-struct study_trend study_print_trend(const struct study *s, int time, size_t member);
-struct study_trend study_print_last(const struct study *s, size_t member);
-
 #endif

@@ -286,27 +286,3 @@ enum status study_print_all(const struct study_results *r, const char *folder,
 out:
     return st;
 }
-
-struct study_trend study_print_trend(const struct study *s, int time, size_t member)
-{
-    struct study_trend trend = {"", s->plan->level_count, {0}};
-
-    for (int n = 0; n < trend.count; n++) {
-        const struct study_frame *f = &s->row[n].frame[time];
-        const double value = *(const double *)((const char *)f + member);
-        const size_t used = strlen(trend.text), room = sizeof trend.text - used;
-        const char *comma = n ? ", " : "";
-        if (isnan(value) && !f->xyz)
-            snprintf(trend.text + used, room, "%s%s", comma,
-                     run_result_refused(&s->row[n].result) ? "refused" : "died");
-        else
-            snprintf(trend.text + used, room, "%s%.3g", comma, value);
-        trend.value[n] = value;
-    }
-    return trend;
-}
-
-struct study_trend study_print_last(const struct study *s, size_t member)
-{
-    return study_print_trend(s, s->frames - 1, member);
-}

@@ -2,31 +2,25 @@
 
 #include "bench/claims/claim.h"
 
-/* Studies that are a plan and the claims on it. */
-static const struct experiment plans[] = {
-    {.item = {"solvers"}, .plan = "solvers", .tell = claim_tell},
-    {.item = {"local-global"}, .plan = "local-global", .tell = claim_tell},
-    {.item = {"drops"}, .plan = "drops", .tell = claim_tell},
-    {.item = {"flag"}, .plan = "flag", .tell = claim_tell},
-    {.item = {"artefacts"}, .plan = "artefacts", .tell = claim_tell},
-    {.item = {"contact"}, .plan = "contact", .tell = claim_tell},
-};
+/* A study that is a plan and the claims on it. */
+#define PLAN(name)                                                                         \
+    &((const struct experiment){.item = {name}, .plan = name, .tell = claim_tell}).item
 
 static const struct command_item *const items[] = {
-    &study_nets_mesh.item,
-    &study_nets_degree.item,
-    &study_nets_both.item,
+    PLAN("mesh"),
+    PLAN("degree"),
+    PLAN("mesh-degree"),
     &study_thickness_swing.item,
     &study_thickness_degree.item,
     &study_locking_experiment.item,
     &study_cures_experiment.item,
     &study_timestep_experiment.item,
-    &plans[2].item,
-    &plans[3].item,
-    &plans[4].item,
-    &plans[5].item,
-    &plans[0].item,
-    &plans[1].item,
+    PLAN("drops"),
+    PLAN("flag"),
+    PLAN("artefacts"),
+    PLAN("contact"),
+    PLAN("solvers"),
+    PLAN("local-global"),
     &study_ensemble_experiment.item,
     NULL,
 };

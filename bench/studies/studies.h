@@ -7,10 +7,6 @@
 
 extern const struct command studies_command;
 
-/* The paper's sentences on Figs. 12 to 14, judged by the plans of these names: denser nets,
- * higher degrees, and both. */
-extern const struct experiment study_nets_mesh, study_nets_degree, study_nets_both;
-
 /* On thickness (Fig. 10: a cloak of 1 mm and one of 5 mm swings) and on the degree through
  * it (Fig. 11). */
 extern const struct experiment study_thickness_swing, study_thickness_degree;

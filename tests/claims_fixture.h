@@ -1,0 +1,160 @@
+/* claims_fixture.h - claims on made-up results of their plans: each is turned round by the
+ * numbers that decide it, and its sentence has these numbers.
+ */
+#ifndef CLAIMS_FIXTURE_H
+#define CLAIMS_FIXTURE_H
+
+#include "bench/claims/claim.h"
+#include "tests/study_fixture.h"
+
+/* What a turn sets in all rows that labels name, at the last time unless "at" is among
+ * them. From NEXT to ANGLE: members of struct study_frame. */
+enum {
+    COST,  /* milliseconds a frame                                                       */
+    PLACE, /* height of the whole sheet, over the length: rows are apart by differences  */
+    NEXT,
+    FINEST,
+    ERROR,
+    ROUGHNESS,
+    INNER,
+    STRETCH,
+    DROP,
+    UNEVENNESS,
+    ANGLE,
+    MEASURE /* MEASURE + a measure: of the run                                           */
+};
+
+struct change {
+    int what;
+    double value;
+    struct where rows[5];
+};
+
+struct turn {
+    const char *quote; /* begins with                                                    */
+    enum judge want;
+    const char *number; /* that its sentence has                                         */
+    struct change change[6];
+};
+
+static double *fields; /* of all rows and times */
+
+static inline void set(const struct study *s, struct study_row *row, int time, double *xyz,
+                       const struct change *c)
+{
+    struct study_frame *f = &row->frame[time];
+
+    if (c->what == COST)
+        row->milliseconds = c->value;
+    if (c->what >= MEASURE)
+        row->result.value[c->what - MEASURE] = c->value;
+    else if (c->what >= NEXT)
+        (&f->next)[c->what - NEXT] = c->value;
+    for (int n = 0; c->what == PLACE && n < GRID_POINTS; n++)
+        xyz[3 * n + 2] = c->value * s->length;
+}
+
+static inline bool is_meant(const struct study *s, int level, int time,
+                            const struct where *w)
+{
+    const double last = s->time ? s->time[s->frames - 1] : 0;
+    double at = last;
+
+    for (; w->axis; w++) {
+        const bool is_time = !strcmp(w->axis, "at");
+        if (is_time && !strcmp(w->label, "*")) {
+            at = s->time[time];
+            continue;
+        }
+        const char *label = is_time ? w->label : dataset_label(s, level, w->axis);
+        if (!label || strcmp(label, w->label))
+            return false;
+        at = is_time ? strtod(label, NULL) : at;
+    }
+    return fabs(at - (s->time ? s->time[time] : 0)) < 1e-9;
+}
+
+/* Applies changes up to the first without rows. A change that no row has is a fault of the
+ * test. */
+static inline void apply(struct study_made *m, const struct change *change, int count)
+{
+    for (int c = 0; c < count && change[c].rows->axis; c++) {
+        double *xyz = fields;
+        int met = 0;
+        for (int k = 0; k < m->r.count; k++) {
+            struct study *s = &m->r.study[k];
+            for (int n = 0; n < s->plan->level_count; n++)
+                for (int t = 0; t < s->frames; t++, xyz += 3 * GRID_POINTS)
+                    if (is_meant(s, n, t, change[c].rows))
+                        set(s, &s->row[n], t, xyz, &change[c]), met++;
+        }
+        CHECK(met > 0);
+    }
+}
+
+/* Made-up numbers, and sheets at zero. */
+static inline void fill(struct study_made *m)
+{
+    size_t rows = 0;
+    double *xyz;
+
+    for (int k = 0; k < m->r.count; k++)
+        rows += (size_t)(m->r.study[k].plan->level_count * m->r.study[k].frames);
+    free(fields);
+    fields = xyz = calloc(rows * 3 * GRID_POINTS, sizeof *fields);
+    REQUIRE(fields);
+    study_fill(m);
+    for (int k = 0; k < m->r.count; k++)
+        for (int n = 0; n < m->r.study[k].plan->level_count; n++)
+            for (int t = 0; t < m->r.study[k].frames; t++, xyz += 3 * GRID_POINTS)
+                m->r.study[k].row[n].frame[t].xyz = xyz;
+}
+
+static inline const struct claim *claim_of(const char *plan, const char *quote)
+{
+    for (const struct claim *c = claim_find(plan); c && c->quote; c++)
+        if (!strncmp(c->quote, quote, strlen(quote)))
+            return c;
+    REQUIRE(!"a claim with this quote");
+    return NULL;
+}
+
+/* All claims of a plan before changes and after each turn's. `begin`: what all turns begin
+ * with. */
+static inline void check(const char *plan, const struct change *begin, int begins,
+                         const struct turn *turn, int turns)
+{
+    struct study_made made;
+
+    study_make(&made, plan, NULL);
+    for (int n = 0; n < turns; n++) {
+        const struct claim *claim = claim_of(plan, turn[n].quote);
+        struct study_printed p;
+        fill(&made);
+        apply(&made, begin, begins);
+        apply(&made, turn[n].change, 6);
+        const enum judge got = claim->judge(&made.r, study_print_to(&p));
+        char *text = study_printed_text(&p);
+        if (!CHECK(got == turn[n].want) || !CHECK(strstr(text, turn[n].number)))
+            printf("  %s, turn %d: verdict %d, wanted %d with %s: %s\n", plan, n, got,
+                   turn[n].want, turn[n].number, text);
+        free(text);
+    }
+    for (const struct claim *c = claim_find(plan); c->quote; c++) {
+        bool holds = false, fails = false;
+        for (int n = 0; n < turns; n++)
+            if (claim_of(plan, turn[n].quote) == c) {
+                holds |= turn[n].want == JUDGE_HOLDS;
+                fails |= turn[n].want == JUDGE_FAILS;
+            }
+        if (!CHECK(holds && fails)) /* a new claim is turned round, too */
+            printf("  %s: \"%s\" is not turned both ways\n", plan, c->quote);
+    }
+    free(fields);
+    fields = NULL;
+    study_unmake(&made);
+}
+
+#define COUNT(list) (int)(sizeof(list) / sizeof *(list))
+
+#endif

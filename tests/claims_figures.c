@@ -4,6 +4,68 @@
  */
 #include "tests/claims_fixture.h"
 
+/* Springs stretch, cross and are rough; projective dynamics is rough; the plate is smooth.
+ */
+static void fig6(void)
+{
+#define ALL(label)                                                                         \
+    {                                                                                      \
+        {"level", label},                                                                  \
+        {                                                                                  \
+            "at", "*"                                                                      \
+        }                                                                                  \
+    }
+    static const struct change begin[] = {
+        {STRETCH, 1.01, {{"at", "*"}}},
+        {ROUGHNESS, 10, {{"at", "*"}}},
+        {ROUGHNESS, 1, ALL("IGA, paper's")},
+        {ROUGHNESS, 1.2, ALL("IGA, 20x20")},
+        {ROUGHNESS, 1.2, ALL("IGA, incremental, undamped")},
+    };
+    static const struct turn turns[] = {
+        {"mass-spring over",
+         JUDGE_FAILS,
+         "mass-spring, paper's: stretch up to 1.01, roughness 10, 0 crossings. It is so in "
+         "all 2 variants.",
+         {{0}}},
+        {"mass-spring over",
+         JUDGE_FAILS,
+         "The opposite is true of mass-spring, matched: stretch up to 1.2,",
+         {{STRETCH, 1.2, ALL("mass-spring, matched")}}},
+        {"mass-spring over",
+         JUDGE_HOLDS,
+         "stretch up to inf, roughness 10, 0 crossings. The opposite is true of "
+         "mass-spring, paper's, 20x20: ",
+         {{STRETCH, NAN, {{"level", "mass-spring, paper's"}, {"at", "2"}}}}},
+        {"mass-spring penetrates", JUDGE_FAILS, "0 crossings", {{0}}},
+        {"mass-spring penetrates",
+         JUDGE_HOLDS,
+         "inf crossings",
+         {{LOST, 0, ALL("mass-spring, paper's")}}},
+        {"projective dynamics does", JUDGE_HOLDS, "It is so in all 4 variants", {{0}}},
+        {"projective dynamics does",
+         JUDGE_FAILS,
+         "paper's: stretch up to 1.3,",
+         {{STRETCH, 1.3, {{"at", "*"}}}}},
+        {"projective dynamics is", JUDGE_HOLDS, "roughness 10, 0", {{0}}},
+        {"projective dynamics is",
+         JUDGE_FAILS,
+         "roughness 1.4,",
+         {{ROUGHNESS, 1.4, {{"at", "*"}}}, {ROUGHNESS, 1, ALL("IGA, paper's")}}},
+        {"IGA is", JUDGE_HOLDS, "roughness 1, 0 crossings. It is so in all 2", {{0}}},
+        {"IGA is",
+         JUDGE_HOLDS,
+         "The opposite is true of IGA, 20x20: stretch up to 1.01, roughness 1.6,",
+         {{ROUGHNESS, 1.6, ALL("IGA, 20x20")}}},
+        {"IGA is", JUDGE_FAILS, "roughness 9,", {{ROUGHNESS, 9, {{"at", "*"}}}}},
+        {"IGA does", JUDGE_HOLDS, "stretch up to 1.01", {{0}}},
+        {"IGA does", JUDGE_FAILS, "stretch up to 1.3,", {{STRETCH, 1.3, {{"at", "*"}}}}},
+    };
+#undef ALL
+
+    check("fig6", begin, COUNT(begin), turns, COUNT(turns));
+}
+
 /* Both sheets hang at 80 degrees, swing to 120 at the third time, and back to 70. */
 static void drops(void)
 {
@@ -184,6 +246,7 @@ static void contact(void)
 int main(int argc, char **argv)
 {
     study_begin(argc, argv);
+    fig6();
     drops();
     flag();
     artefacts();

@@ -11,6 +11,7 @@
  * them. From NEXT to ANGLE: members of struct study_frame. */
 enum {
     COST,  /* milliseconds a frame                                                       */
+    LOST,  /* the sheet, after a death                                                   */
     PLACE, /* height of the whole sheet, over the length: rows are apart by differences  */
     NEXT,
     FINEST,
@@ -46,6 +47,8 @@ static inline void set(const struct study *s, struct study_row *row, int time, d
 
     if (c->what == COST)
         row->milliseconds = c->value;
+    if (c->what == LOST)
+        f->xyz = NULL;
     if (c->what >= MEASURE)
         row->result.value[c->what - MEASURE] = c->value;
     else if (c->what >= NEXT)
@@ -106,8 +109,11 @@ static inline void fill(struct study_made *m)
     study_fill(m);
     for (int k = 0; k < m->r.count; k++)
         for (int n = 0; n < m->r.study[k].plan->level_count; n++)
-            for (int t = 0; t < m->r.study[k].frames; t++, xyz += 3 * GRID_POINTS)
+            for (int t = 0; t < m->r.study[k].frames; t++, xyz += 3 * GRID_POINTS) {
+                for (int i = 0; i < GRID_POINTS; i++) /* flat: nothing crosses */
+                    xyz[3 * i] = i % GRID_U, xyz[3 * i + 1] = i / GRID_U % GRID_V;
                 m->r.study[k].row[n].frame[t].xyz = xyz;
+            }
 }
 
 static inline const struct claim *claim_of(const char *plan, const char *quote)

@@ -43,7 +43,7 @@ mkdir empty
 good empty
 has '"verdict":"not run","text":"clothbench table 1"'
 has '"verdict":"not run","text":"clothbench study mesh"'
-has '"verdict":"not run","text":"clothbench compare corners_drop"'
+has '"verdict":"not run","text":"clothbench study fig6"'
 [ "$(grep -o '"there":true' page.html)" = '' ] || fail 'an empty folder has a part'
 page nowhere
 [ "$code" -eq 2 ] || fail "no folder: exit $code"

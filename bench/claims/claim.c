@@ -7,6 +7,7 @@ static const struct {
     const char *plan;
     const struct claim *claims;
 } table[] = {
+    {"fig6", claim_fig6},
     {"solvers", claim_solvers},
     {"local-global", claim_local_global},
     {"drops", claim_drops},

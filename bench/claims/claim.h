@@ -29,7 +29,7 @@ enum status claim_tell(const struct study_results *d, const char *folder,
                        enum table_format format, FILE *file, struct message *why);
 
 extern const struct claim claim_solvers[], claim_local_global[], claim_drops[],
-    claim_flag[], claim_artefacts[], claim_contact[], claim_mesh[], claim_degree[],
-    claim_mesh_degree[];
+    claim_flag[], claim_artefacts[], claim_contact[], claim_fig6[], claim_mesh[],
+    claim_degree[], claim_mesh_degree[];
 
 #endif

@@ -1,8 +1,139 @@
 /* What is claimed of the paper's figures of falling sheets (plans drops, flag, artefacts).
  */
 #include <math.h>
+#include <string.h>
 
 #include "bench/claims/claim.h"
+
+/* --- fig6 --------------------------------------------------------------------------------
+ */
+
+/* Over-stretched: beyond Provot's limit (1995), 10 %. Rough: more than half again as rough
+ * as the IGA plate at its roughest. */
+static const double OVER_STRETCHED = 1.1, ROUGH = 1.5;
+
+static const char PLATE[] = "IGA, paper's";
+
+/* The most of a level over its times; INFINITY: it died before the last. */
+static double most_of(const struct study_results *d, const char *level, enum quantity q)
+{
+    double value[PLAN_STUDY_TIMES], most = 0;
+    const int times =
+        dataset_values(d, q, WHERE({"level", level}, {"at", "*"}), PLAN_STUDY_TIMES, value);
+
+    for (int t = 0; t < times; t++)
+        most = fmax(most, isnan(value[t]) ? INFINITY : value[t]);
+    return times ? most : NAN;
+}
+
+/* A word on a level: over-stretched, rough, ... */
+typedef enum judge word(const struct study_results *d, const char *level);
+
+static enum judge over_stretches(const struct study_results *d, const char *level)
+{
+    return judge_below(OVER_STRETCHED, most_of(d, level, QUANTITY_STRETCH));
+}
+
+static enum judge keeps_length(const struct study_results *d, const char *level)
+{
+    return judge_below(most_of(d, level, QUANTITY_STRETCH), OVER_STRETCHED);
+}
+
+static enum judge crosses(const struct study_results *d, const char *level)
+{
+    return judge_below(0, most_of(d, level, QUANTITY_CROSSINGS));
+}
+
+static enum judge is_rough(const struct study_results *d, const char *level)
+{
+    return judge_below(ROUGH * most_of(d, PLATE, QUANTITY_ROUGHNESS),
+                       most_of(d, level, QUANTITY_ROUGHNESS));
+}
+
+static enum judge is_smooth(const struct study_results *d, const char *level)
+{
+    const double others =
+        fmax(most_of(d, "mass-spring, paper's", QUANTITY_ROUGHNESS),
+             most_of(d, "projective dynamics, paper's", QUANTITY_ROUGHNESS));
+    const double own = most_of(d, level, QUANTITY_ROUGHNESS);
+
+    return judge_both(judge_below(own, ROUGH * most_of(d, PLATE, QUANTITY_ROUGHNESS)),
+                      judge_below(own * ROUGH, others));
+}
+
+/* What is true of the first of all levels that begin with the word, the paper's; its
+ * variants, of which the opposite is true, are named. */
+static enum judge of_all(const struct study_results *d, const char *first, word *is,
+                         FILE *because)
+{
+    const char *level[PLAN_STUDY_LEVELS];
+    const int levels = dataset_labels(d, "level", PLAN_STUDY_LEVELS, level);
+    const size_t size = strlen(first);
+    enum judge turn = JUDGE_OPEN;
+    int count = 0, others = 0;
+
+    for (int n = 0; n < levels; n++) {
+        if (strncmp(level[n], first, size))
+            continue;
+        const enum judge here = is(d, level[n]);
+        if (!count++)
+            turn = here;
+        else if (here == turn)
+            continue;
+        else
+            others++;
+        fprintf(because, "%s%s: stretch up to %.4g, roughness %.3g, %.0f crossings",
+                others ? (others > 1 ? "; " : ". The opposite is true of ") : "", level[n],
+                most_of(d, level[n], QUANTITY_STRETCH),
+                most_of(d, level[n], QUANTITY_ROUGHNESS),
+                most_of(d, level[n], QUANTITY_CROSSINGS));
+    }
+    if (others)
+        fputs(".", because);
+    else
+        fprintf(because, ". It is so in all %d variants.", count - 1);
+    return turn;
+}
+
+static enum judge springs_stretch(const struct study_results *d, FILE *because)
+{
+    return of_all(d, "mass-spring", over_stretches, because);
+}
+
+static enum judge springs_cross(const struct study_results *d, FILE *because)
+{
+    return of_all(d, "mass-spring", crosses, because);
+}
+
+static enum judge projective_keeps(const struct study_results *d, FILE *because)
+{
+    return of_all(d, "projective", keeps_length, because);
+}
+
+static enum judge projective_is_rough(const struct study_results *d, FILE *because)
+{
+    return of_all(d, "projective", is_rough, because);
+}
+
+static enum judge plate_is_smooth(const struct study_results *d, FILE *because)
+{
+    return of_all(d, "IGA", is_smooth, because);
+}
+
+static enum judge plate_keeps(const struct study_results *d, FILE *because)
+{
+    return of_all(d, "IGA", keeps_length, because);
+}
+
+#define FIG6 "Ren et al. 2024, Fig. 6", false
+const struct claim claim_fig6[] = {
+    {"mass-spring over-stretches", FIG6, springs_stretch},
+    {"mass-spring penetrates itself", FIG6, springs_cross},
+    {"projective dynamics does not over-stretch", FIG6, projective_keeps},
+    {"projective dynamics is rough at this resolution", FIG6, projective_is_rough},
+    {"IGA is smooth (and the others are not)", FIG6, plate_is_smooth},
+    {"IGA does not over-stretch", FIG6, plate_keeps},
+    {0}};
 
 /* --- drops -------------------------------------------------------------------------------
  */

@@ -5,9 +5,7 @@
 #include <string.h>
 
 #include "bench/compare/compare_job.h"
-#include "bench/compare/fig6.h"
 #include "bench/compare/league.h"
-#include "bench/experiment/kept.h"
 #include "bench/files/folder.h"
 #include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
@@ -210,7 +208,6 @@ static enum status run_scene(struct call *call, const char *word, struct message
 {
     enum status st;
     struct compare_job j = {0};
-    struct kept *kept = NULL;
     char folder[4096];
 
     TRY(prepare(&j, call->line, word, why));
@@ -220,12 +217,6 @@ static enum status run_scene(struct call *call, const char *word, struct message
     if (!j.read_only)
         TRY(folder_make(j.folder, why));
     timing_alone();
-    if (!strcmp(j.scene.name, "corners_drop")) {
-        kept_open(j.folder, "compare", j.scene.name, &kept);
-        TRY(fig6_compare(j.path, &j.user, j.folder, j.read_only, call->format, stdout,
-                         why));
-        TRY(kept_close(&kept, why));
-    }
     TRY(find_truth(&j, command_value(call->line, "--until"), why));
     if (*j.contest.truth->unresolved && table_format_is_prose(call->format))
         table_say(stdout, "%s", j.contest.truth->unresolved);
@@ -233,7 +224,6 @@ static enum status run_scene(struct call *call, const char *word, struct message
     TRY(compare_print(&j.contest, j.folder, call->format, stdout, why));
     TRY(league_add(&call->league, &j.contest));
 out:
-    kept_discard(&kept);
     compare_job_close(&j);
     return st;
 }

@@ -7,6 +7,7 @@
     &((const struct experiment){.item = {name}, .plan = name, .tell = claim_tell}).item
 
 static const struct command_item *const items[] = {
+    PLAN("fig6"),
     PLAN("mesh"),
     PLAN("degree"),
     PLAN("mesh-degree"),

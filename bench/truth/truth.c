@@ -155,18 +155,6 @@ enum status truth_judged(const struct scene *scene, struct truth_made *made,
     return status_fail(why, st, "%s", said.text);
 }
 
-/* STATUS_UNSUPPORTED: none, or not so early. */
-static enum status from_closed(const struct scene *scene, struct truth *t)
-{
-    char source[TRUTH_CLOSED_SOURCE];
-    const enum status st =
-        truth_closed_fields(scene, t->times, t->time, t->xyz, t->error, source);
-
-    if (st == STATUS_OK)
-        snprintf(t->source, sizeof t->source, "%s", source);
-    return st;
-}
-
 enum status truth_stored_times(const char *path, const struct settings *settings,
                                double until, int most, double *time, int *count,
                                struct message *why)
@@ -195,7 +183,8 @@ static enum status from_theory(const struct scene *scene, struct truth *t,
                                struct message *why)
 {
     struct kirchhoff_plate plate;
-    const enum status st = from_closed(scene, t);
+    const enum status st =
+        truth_closed_fields(scene, t->times, t->time, t->xyz, t->error, t->source);
 
     if (st != STATUS_UNSUPPORTED || !(scene_gamma(scene) < TRUTH_GAMMA) ||
         kirchhoff_field_plate(scene, &plate, NULL) != STATUS_OK)

@@ -301,53 +301,45 @@ __attribute__((format(printf, 2, 3))) static void add(struct truth_made *made,
     va_end(arguments);
 }
 
-/* A model's finest run and, if the truth is somewhere its limit, what that is made of. */
+/* Adds a model's finest run and, if the truth is somewhere its limit, what that is made of.
+ */
 static void add_share(struct truth_made *made, const struct truth_family *f, int limits,
                       bool own)
 {
-    char level[TRUTH_BAR_LEVEL], times[24] = "once";
+    const struct truth_level *l = &f->level[f->count - (limits ? SETTLED : 1)];
+    char level[TRUTH_BAR_LEVEL];
 
-    truth_bar_level(&f->level[truth_bar_finest(f) - f->run], own, level);
+    truth_bar_level(&f->level[f->count - 1], own, level);
     add(made, "%s", level);
-    if (!limits)
-        return;
-    const struct truth_level *l = &f->level[f->count - 4];
-    if (limits > 1)
-        snprintf(times, sizeof times, "%d times", limits);
-    add(made, ", %s extrapolated from %dx%d, %dx%d, %dx%d and that", times, l[0].side,
-        l[0].side, l[1].side, l[1].side, l[2].side, l[2].side);
-}
-
-static const char *by_what(const struct truth_family *f, int limits)
-{
-    return limits         ? "how far its limit moved, and observed orders"
-           : f->count < 3 ? "the difference of two runs, three times,"
-                          : "observed orders";
+    if (limits)
+        add(made, ", %d times extrapolated from %dx%d, %dx%d, %dx%d and that", limits,
+            l[0].side, l[0].side, l[1].side, l[1].side, l[2].side, l[2].side);
 }
 
 static void tell(const struct truth_family family[TRUTH_MODELS],
                  const struct share share[TRUTH_MODELS], enum truth_model most,
                  struct truth_made *made)
 {
-    const struct truth_family *f = &family[most], *other = &family[!most];
     const struct share *more = &share[most], *less = &share[!most];
+    const struct truth_family *other = &family[!most];
 
     made->note[0] = '\0';
     add(made, "nonlinear ");
-    add_share(made, f, more->limits, true);
+    add_share(made, &family[most], more->limits, true);
     if (less->times) {
         add(made, "; at %d of %d times the ", less->times, less->times + more->times);
         add_share(made, other, less->limits, false);
-        add(made,
-            "; error bar: the smaller one's own by %s or, if larger, their difference",
-            by_what(f, more->limits + less->limits));
-        return;
     }
-    add(made, "; error bar: its own by %s", by_what(f, more->limits));
-    if (other->count) {
+    add(made, "; error bar: its own by %s",
+        more->limits + less->limits ? "how far its limit moved, and observed orders"
+        : family[most].count < 3    ? "the difference of two runs, three times"
+                                    : "observed orders");
+    if (other->count)
         add(made, " or, if larger, its difference from the ");
+    if (less->times)
+        add(made, "other");
+    else if (other->count)
         add_share(made, other, 0, false);
-    }
 }
 
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,

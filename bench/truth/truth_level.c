@@ -1,13 +1,14 @@
 #include "bench/truth/truth_level.h"
 
 #include <assert.h>
-#include <inttypes.h>
+#include <stdint.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/files/provenance.h"
+#include "bench/files/sealed_text.h"
 #include "bench/files/store_read.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_physics.h"
@@ -126,14 +127,6 @@ static bool is_ours(const struct store_read *file)
     return same;
 }
 
-/* FNV-1a, 64 bits (Fowler, Noll, Vo 1991). */
-static uint64_t add(uint64_t sum, const char *text)
-{
-    for (; *text; text++)
-        sum = (sum ^ (unsigned char)*text) * UINT64_C(0x100000001b3);
-    return sum;
-}
-
 /* What a level's file is made for: the physics, and what the caller sets besides; its name
  * has the rest. */
 static enum status key_of(const struct run_plan *plan, const struct settings *given,
@@ -141,16 +134,16 @@ static enum status key_of(const struct run_plan *plan, const struct settings *gi
 {
     struct run run = {0};
     char *physics = NULL;
-    uint64_t sum = UINT64_C(0xcbf29ce484222325);
+    unsigned long sum;
     enum status st;
 
     TRY(run_read(&run, plan, why));
     TRY(truth_physics(&run.scene, &physics));
-    sum = add(sum, physics);
+    sum = sealed_text_sum(0, physics, strlen(physics));
     for (int n = 0; n < given->count; n++)
         if (strncmp(given->text[n], "discretization", 14) == 0)
-            sum = add(add(sum, "\n"), given->text[n]);
-    snprintf(key, KEY, "a level of %016" PRIx64, sum);
+            sum = sealed_text_sum(sum, given->text[n], strlen(given->text[n]) + 1);
+    snprintf(key, KEY, "a level of %08lx", sum);
 out:
     run_close(&run);
     free(physics);

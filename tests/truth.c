@@ -5,8 +5,6 @@
 #include <sys/stat.h>
 
 #include "bench/files/folder.h"
-#include "bench/files/hdf5_file.h"
-#include "bench/files/seal.h"
 #include "bench/truth/truth_bar.h"
 #include "bench/truth/truth_file.h"
 #include "models/grid.h"
@@ -74,17 +72,9 @@ static void make_up(struct truth_made *made)
 static char *write_made_up(struct truth_made *made)
 {
     static char file[4096];
-    struct message why = {""};
-    char *path = NULL;
 
     snprintf(file, sizeof file, "%s/edge_drop.h5", folder);
-    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
-    struct settings settings = settings_of(1, undamped);
-    struct truth_runs runs = {path, &settings, TIMES, times, folder};
-    if (!CHECK(truth_file_write(file, &runs, made, &why) == STATUS_OK))
-        printf("%s\n", why.text);
-    settings_clear(&settings);
-    free(path);
+    write_truth(file, made, 1, undamped);
     return file;
 }
 
@@ -166,19 +156,6 @@ static void who_gets_it(const struct truth_made *made)
     settings_clear(&s);
     settings_clear(&o);
     free(path);
-}
-
-/* By somebody who knows of the seal. */
-static void change(const char *file, const char *group, const char *key, const char *text)
-{
-    hid_t h = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
-    hid_t in = h < 0 ? h : H5Gopen2(h, group, H5P_DEFAULT);
-
-    REQUIRE(in >= 0 && H5Adelete(in, key) >= 0);
-    if (text)
-        REQUIRE(hdf5_file_put_text(in, key, text) >= 0);
-    REQUIRE(H5Gclose(in) >= 0 && H5Fclose(h) >= 0);
-    REQUIRE(seal_write(file, NULL) == STATUS_OK);
 }
 
 /* A line on each for lists; of one that is none, what is wrong with it. */
@@ -372,21 +349,6 @@ static void levels(void)
     free(path);
 }
 
-/* Claims end at the first time that passes a bound, and do not begin again. */
-static void horizon(void)
-{
-    double value[4][TRUTH_COLUMNS] = {{0}};
-
-    CHECK(truth_made_claimed(4, value, 1) == 4);
-    value[2][TRUTH_GROWTH] = 1.1 * TRUTH_MOST_GROWTH;
-    CHECK(truth_made_claimed(4, value, 1) == 2);
-    value[1][TRUTH_ERROR] = 1.1 * TRUTH_MOST_ERROR;
-    CHECK(truth_made_claimed(4, value, 1) == 1);
-    CHECK(truth_made_claimed(4, value, 2) == 2);
-    value[0][TRUTH_ERROR] = NAN;
-    CHECK(truth_made_claimed(4, value, 1) == 0);
-}
-
 int main(int argc, char **argv)
 {
     struct truth_made made;
@@ -396,7 +358,6 @@ int main(int argc, char **argv)
     REQUIRE(folder_make(folder, NULL) == STATUS_OK);
     REQUIRE(!setenv("CLOTHBENCH_TRUTHS", folder, 1));
     orders();
-    horizon();
     kept_runs();
     levels();
     make_up(&made);

@@ -1,8 +1,11 @@
-/* truth_fixture.h - what tests of truths need: settings in a list, a scene's physics. */
+/* truth_fixture.h - what tests of truths need: settings in a list, a scene's physics,
+ * made-up files and changed ones. */
 #ifndef TRUTH_FIXTURE_H
 #define TRUTH_FIXTURE_H
 
-#include "bench/harness/settings.h"
+#include "bench/files/hdf5_file.h"
+#include "bench/files/seal.h"
+#include "bench/truth/truth_file.h"
 #include "bench/truth/truth_physics.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
@@ -31,6 +34,37 @@ static inline char *physics_of(const char *scene, int count, const char *const *
     discretization_clear(&d);
     free(path);
     return text;
+}
+
+/* Writes a made-up truth of edge_drop with these settings. */
+static inline void write_truth(const char *file, const struct truth_made *made, int count,
+                               const char *const *settings)
+{
+    struct settings s = settings_of(count, settings);
+    struct truth_runs runs = {.settings = &s};
+    struct message why = {""};
+    char *path = NULL;
+
+    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
+    runs.path = path;
+    if (!CHECK(truth_file_write(file, &runs, made, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    settings_clear(&s);
+    free(path);
+}
+
+/* By somebody who knows of the seal. */
+static inline void change(const char *file, const char *group, const char *key,
+                          const char *text)
+{
+    hid_t h = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
+    hid_t in = h < 0 ? h : H5Gopen2(h, group, H5P_DEFAULT);
+
+    REQUIRE(in >= 0 && H5Adelete(in, key) >= 0);
+    if (text)
+        REQUIRE(hdf5_file_put_text(in, key, text) >= 0);
+    REQUIRE(H5Gclose(in) >= 0 && H5Fclose(h) >= 0);
+    REQUIRE(seal_write(file, NULL) == STATUS_OK);
 }
 
 #endif

@@ -264,6 +264,21 @@ void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_
              own ? "step " : "", 1e3 * l->step);
 }
 
+void truth_bar_claim(struct truth_made *made, double length)
+{
+    int n = 0;
+
+    for (int t = 0; t < made->times; t++) {
+        double *v = made->value[t];
+        v[TRUTH_ERROR] =
+            fmax(fmin(v[TRUTH_SOLID_BAR], v[TRUTH_SHELL_BAR]), v[TRUTH_DIFFERENCE]);
+    }
+    while (n < made->times && made->value[n][TRUTH_ERROR] <= TRUTH_MOST_ERROR * length &&
+           made->value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH)
+        n++;
+    made->claimed = n;
+}
+
 /* At how many times that are claimed (of all, if none is) a model's field is the truth, and
  * at how many of these its limit is. */
 struct share {
@@ -278,7 +293,9 @@ static void fill(const struct truth_family family[TRUTH_MODELS], struct truth_ma
     double value[3];
 
     for (int t = 0; t < made->times; t++) {
-        const enum truth_model whose = truth_made_whose(made->value[t]);
+        const double *v = made->value[t];
+        const enum truth_model whose =
+            v[TRUTH_SOLID_BAR] <= v[TRUTH_SHELL_BAR] ? TRUTH_SOLID : TRUTH_SHELL;
         for (int m = 0; m < TRUTH_MODELS; m++)
             field[m] = judge_family(&family[m], t, &so_far[m], value);
         for (int n = 0; n < 3 * GRID_POINTS; n++)
@@ -347,7 +364,7 @@ void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double len
 {
     struct share share[TRUTH_MODELS] = {{0}};
 
-    truth_made_bar(made, length);
+    truth_bar_claim(made, length);
     fill(family, made, share);
     const enum truth_model most =
         share[TRUTH_SOLID].times >= share[TRUTH_SHELL].times ? TRUTH_SOLID : TRUTH_SHELL;

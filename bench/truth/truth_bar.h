@@ -49,6 +49,11 @@ void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
                        const struct truth_push *push, double length,
                        struct truth_made *made);
 
+/* Fills the error bars, at each time the larger of the smaller of both models' own bars and
+ * their difference, and `claimed`: the times before one of the bounds is passed
+ * (TRUTH_MOST_ERROR, TRUTH_MOST_GROWTH). */
+void truth_bar_claim(struct truth_made *made, double length);
+
 /* Where a family of three is going at an index of time, if the order seen there is
  * believed (truth_order), else where the finest run is: xyz (grid.h). */
 void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz);
@@ -62,7 +67,8 @@ enum { TRUTH_BAR_LEVEL = 128 };
 void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL]);
 
 /* At each time the field (the finest run's or the limit, as the bars have it) of the model
- * that is sharper there (truth_made_whose), then the error bars, level and note. */
+ * whose own bar is the smaller one there (the solid's where they
+ * are equal), then the error bars, level and note. */
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
                       struct truth_made *made);
 

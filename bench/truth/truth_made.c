@@ -7,31 +7,6 @@
 #include "bench/truth/truth_plan.h"
 #include "models/grid.h"
 
-int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length)
-{
-    int n = 0;
-
-    while (n < times && value[n][TRUTH_ERROR] <= TRUTH_MOST_ERROR * length &&
-           value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH)
-        n++;
-    return n;
-}
-
-enum truth_model truth_made_whose(const double value[TRUTH_COLUMNS])
-{
-    return value[TRUTH_SOLID_BAR] <= value[TRUTH_SHELL_BAR] ? TRUTH_SOLID : TRUTH_SHELL;
-}
-
-void truth_made_bar(struct truth_made *made, double length)
-{
-    for (int n = 0; n < made->times; n++) {
-        double *v = made->value[n];
-        v[TRUTH_ERROR] =
-            fmax(fmin(v[TRUTH_SOLID_BAR], v[TRUTH_SHELL_BAR]), v[TRUTH_DIFFERENCE]);
-    }
-    made->claimed = truth_made_claimed(made->times, made->value, length);
-}
-
 enum status truth_made_init(struct truth_made *made, int times, int claimed,
                             const double *time)
 {

@@ -65,15 +65,4 @@ void truth_made_clear(struct truth_made *made); /* all-zero is allowed, and left
  * stays. */
 void truth_made_thin(struct truth_made *made, const struct scene *scene);
 
-/* Times before one of the bounds is passed. */
-int truth_made_claimed(int times, double (*value)[TRUTH_COLUMNS], double length);
-
-/* Whose field is the truth at a time: the model's with the smaller bar of its own; the
- * solid's where they are equal. */
-enum truth_model truth_made_whose(const double value[TRUTH_COLUMNS]);
-
-/* Fills the error bars, at each time the larger of that model's own bar, the smaller one,
- * and the difference, and `claimed`. */
-void truth_made_bar(struct truth_made *made, double length);
-
 #endif

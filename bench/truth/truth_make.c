@@ -278,7 +278,7 @@ static struct truth_outlook look(struct maker *k, struct truth_made *made)
     struct truth_outlook o;
 
     truth_bar_compare(k->family, &k->push, k->scene->length, made);
-    truth_made_bar(made, k->scene->length);
+    truth_bar_claim(made, k->scene->length);
     o = truth_make_look(k->family, &k->push, k->scene, k->runs->frame, made,
                         k->wish->error);
     o.spent = k->spent;

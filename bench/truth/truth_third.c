@@ -202,7 +202,7 @@ enum status truth_third_make(const char *folder, double length, struct truth_mad
     /* Nobody pushed it: nothing is known of the growth. */
     truth_bar_compare(family, &(struct truth_push){.plain = f->run, .pushed = f->run},
                       length, third);
-    truth_made_bar(third, length);
+    truth_bar_claim(third, length);
     for (int n = 0; n < times; n++)
         truth_bar_limit(f, third->value[n][TRUTH_SHELL_SPACE], n, third->xyz[n]);
     TRY(read_note(folder, third->note, sizeof third->note, why));

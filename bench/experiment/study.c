@@ -26,7 +26,7 @@ static bool begins(const char *text, const char *with)
 
 /* What is requested of a study's truth that is not stored yet, over the length, and how
  * long its runs may take [s]. */
-static const struct truth_wish wish = {.error = 0.01, .seconds = 240, .alone = true},
+static const struct truth_wish wish = {.error = 0.005, .seconds = 240, .alone = true},
                                quick_wish = {.error = TRUTH_MOST_ERROR, .alone = true};
 
 /* The physics of a study and no more: its truth is not of its nets and steps. With a wish

@@ -67,7 +67,7 @@ enum status stress_find_truth(const struct stress_job *job, bool made, struct tr
                               struct message *why)
 {
     /* Points are held there, which hold nothing of a solid. */
-    static const struct truth_wish wish = {.error = 0.01, .seconds = 30, .shell = true};
+    static const struct truth_wish wish = {.error = 0.005, .seconds = 30, .shell = true};
     static const double time[] = {0.1, 0.2, 0.3};
     const int times = sizeof time / sizeof *time;
     char folder[4096];

@@ -115,14 +115,26 @@ static bool are_apart(const struct truth_wish *wish, const struct truth_outlook 
            m[0].bar + m[1].bar <= wish->error;
 }
 
-enum truth_answer truth_make_judge(const struct truth_wish *wish,
-                                   const struct truth_outlook *o, enum truth_model *next)
+/* Returns the model of the next run: where both are too blunt, the one whose finest run
+ * took less time; else the blunter one. */
+static enum truth_model choose(const struct truth_wish *wish, const struct truth_outlook *o)
 {
     const struct truth_seen *solid = &o->model[TRUTH_SOLID],
                             *shell = &o->model[TRUTH_SHELL];
+    const bool both = !solid->finest && !shell->finest && solid->bar > wish->error &&
+                      shell->bar > wish->error;
 
-    *next = solid->runs && (!shell->runs || solid->bar > shell->bar) ? TRUTH_SOLID
-                                                                     : TRUTH_SHELL;
+    if (!solid->runs || !shell->runs)
+        return solid->runs ? TRUTH_SOLID : TRUTH_SHELL;
+    if (both)
+        return solid->seconds < shell->seconds ? TRUTH_SOLID : TRUTH_SHELL;
+    return solid->bar > shell->bar ? TRUTH_SOLID : TRUTH_SHELL;
+}
+
+enum truth_answer truth_make_judge(const struct truth_wish *wish,
+                                   const struct truth_outlook *o, enum truth_model *next)
+{
+    *next = choose(wish, o);
     if (isfinite(o->lost) && (!o->blunt || o->model[*next].finest))
         return TRUTH_LOST;
     if (o->error <= wish->error && !isfinite(o->lost))

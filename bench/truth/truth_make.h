@@ -70,8 +70,9 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
                                      const struct scene *scene, double frame,
                                      const struct truth_made *made, double error);
 
-/* What comes next: with TRUTH_GO a run of `next`, the model whose own bar is the larger. No
- * run is begun that the budget has no time for if it took as long as the one before it. */
+/* What comes next, with TRUTH_GO a run of `next`: of two models that are too blunt the one
+ * whose finest run took less time, else the blunter one. No run is begun that the budget
+ * has no time for if it took as long as the one before it. */
 enum truth_answer truth_make_judge(const struct truth_wish *wish,
                                    const struct truth_outlook *o, enum truth_model *next);
 

@@ -141,16 +141,21 @@ out:
     return st;
 }
 
-/* How far the first frame is from rest. */
-static void take_start(struct score *s, const struct window *w, double *part)
+void score_coarse_rest(const struct score *s, double *rest)
 {
-    double rest[3 * LADDER_POINTS];
-
     for (int n = 0; n < LADDER_POINTS; n++) {
         const double uv[2] = {n % LADDER_U / (LADDER_U - 1.),
                               n / LADDER_U / (LADDER_V - 1.)};
         score_net_sample(GRID_U, GRID_V, s->truth.rest, uv, rest + 3 * n);
     }
+}
+
+/* How far the first frame is from rest. */
+static void take_start(struct score *s, const struct window *w, double *part)
+{
+    double rest[3 * LADDER_POINTS];
+
+    score_coarse_rest(s, rest);
     score_map_apply(&s->coarse, w->xyz[WINDOW - 1], part);
     for (int n = 0; n < 3 * LADDER_POINTS; n++)
         s->begin[n % 3] += (part[n] - rest[n]) / LADDER_POINTS;
@@ -196,21 +201,20 @@ out:
     return st;
 }
 
-void score_seen(const struct score *s, int n, double *field)
+void score_seen(const struct score *s, const struct score_map *map, const double *field,
+                double *seen)
 {
-    const double *truth = score_truth_field(&s->truth, n);
-
-    memset(field, 0, 3 * SCORE_POINTS * sizeof *field);
-    for (int p = 0; p < SCORE_POINTS; p++)
+    memset(seen, 0, 3 * (size_t)map->nu * (size_t)map->nv * sizeof *seen);
+    for (int p = 0; p < map->nu * map->nv; p++)
         for (int k = 0; k < 4; k++) {
-            const double weight = s->grid.weight[p][k];
+            const double weight = map->weight[p][k];
             double x[3];
             if (weight == 0)
                 continue;
-            score_net_sample(GRID_U, GRID_V, truth, s->net.uv + 2L * s->grid.vertex[p][k],
+            score_net_sample(map->nu, map->nv, field, s->net.uv + 2L * map->vertex[p][k],
                              x);
             for (int c = 0; c < 3; c++)
-                field[3 * p + c] += weight * x[c];
+                seen[3 * p + c] += weight * x[c];
         }
 }
 
@@ -226,7 +230,7 @@ static enum status judge(struct score *s)
         row->bar = s->truth.bar[n] / length;
         if (!row->known)
             continue;
-        score_seen(s, n, seen);
+        score_seen(s, &s->grid, truth, seen);
         row->floor = score_rms(SCORE_POINTS, seen, truth) / length;
         row->floor = row->floor < ROUNDING ? 0 : row->floor;
         row->error =

@@ -48,9 +48,12 @@ void score_clear(struct score *score); /* all-zero is allowed, and left */
 /* The last time of the truth that frames tell of; -1: none. */
 int score_last(const struct score *score);
 
-/* The truth at its n-th time, bilinear between the net's vertices: field[SCORE_POINTS][3].
- */
-void score_seen(const struct score *score, int n, double *field);
+/* A field on the map's points, bilinear between the net's vertices. */
+void score_seen(const struct score *score, const struct score_map *map, const double *field,
+                double *seen);
+
+/* The sheet at rest on the ladder's points: rest[LADDER_POINTS][3]. */
+void score_coarse_rest(const struct score *score, double *rest);
 
 /* sqrt(mean over points of |a - b|^2). */
 double score_rms(int points, const double *a, const double *b);

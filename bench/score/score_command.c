@@ -1,6 +1,5 @@
 #include "bench/score/score_command.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,21 +16,6 @@ struct job {
     int count;
 };
 
-static enum status take_number(const struct command_line *line, const char *option,
-                               double *number, struct message *why)
-{
-    const char *word = command_value(line, option);
-    char *end;
-
-    if (!word)
-        return STATUS_OK;
-    *number = strtod(word, &end);
-    if (end == word || *end || !(*number > 0) || isinf(*number))
-        return status_fail(why, STATUS_INPUT, "%s %s: a number above 0 would be right",
-                           option, word);
-    return STATUS_OK;
-}
-
 static enum status prepare(struct job *j, const struct command_line *line,
                            struct message *why)
 {
@@ -45,8 +29,8 @@ static enum status prepare(struct job *j, const struct command_line *line,
     if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
         TRY(status_fail(why, STATUS_INPUT, "--up %s: x, y or z would be right", up));
     j->look.up = up ? *up : 'z';
-    TRY(take_number(line, "--dt", &j->look.frames.dt, why));
-    TRY(take_number(line, "--scale", &j->look.scale, why));
+    TRY(command_number(line, "--dt", false, &j->look.frames.dt, why));
+    TRY(command_number(line, "--scale", false, &j->look.scale, why));
 out:
     return st;
 }

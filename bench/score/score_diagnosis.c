@@ -7,10 +7,6 @@
 #include <string.h>
 
 #include "bench/score/score_fit.h"
-#include "bench/score/score_pace.h"
-#include "bench/score/score_stretch.h"
-#include "bench/score/score_support.h"
-#include "bench/score/score_turned.h"
 
 /* Frames that move by less than this share of what the truth does are still. */
 #define STILL_MOST 0.01
@@ -43,6 +39,469 @@
 #define TIMES_FLOOR 2
 #define SOUND_MOST  0.005
 #define SOUND_SHARE 0.05
+
+/* --- other axes, units or orders -------------------------------------------------------
+ */
+
+struct turned {
+    int axis[3];    /* the scene's x, y, z are the frames' so many-th */
+    double sign[3]; /* 1 or -1 of it                                  */
+    double scale;   /* and times this                                 */
+    int order;    /* bits: 1: u and v exchanged, 2: u, 4: v runs the other way           */
+    double error; /* rms over all known times, over the length                           */
+    double as_is; /* the same of the frames as they are                                  */
+};
+
+/* Something else is better where it leaves less than this share of the error, which is more
+ * than this share of the length. */
+#define MUCH_BETTER 0.25
+#define WORTH_IT    0.02
+
+/* Of two that fit as well, the one that changes less. */
+#define CHANGE_COSTS 0.02
+
+static const double scales[] = {1, 1e-3, 1e-2, 1e3, 1e2, 0.0254, 0.3048};
+enum {
+    SCALES = sizeof scales / sizeof *scales,
+    LAST = GRID_U - 1,
+};
+enum { PERMUTATIONS = 6, SIGNS = 8, ORDERS = 8 };
+static const int permutation[PERMUTATIONS][3] = {{0, 1, 2}, {1, 0, 2}, {0, 2, 1},
+                                                 {2, 1, 0}, {1, 2, 0}, {2, 0, 1}};
+
+static int moved(int n, int order)
+{
+    int i = n % GRID_U, j = n / GRID_U;
+
+    if (order & 1) {
+        const int other = i;
+        i = j, j = other;
+    }
+    i = order & 2 ? LAST - i : i;
+    j = order & 4 ? LAST - j : j;
+    return j * GRID_U + i;
+}
+
+/* Squared error of all known times; ends early where it is no better than `least`. */
+static double squared(const struct score *s, const struct turned *t, double least,
+                      int *points)
+{
+    double sum = 0;
+
+    *points = 0;
+    for (int n = 0; n < s->truth.times; n++) {
+        const double *truth = score_truth_field(&s->truth, n),
+                     *got = s->field + 3L * SCORE_POINTS * n;
+        if (!s->row[n].known)
+            continue;
+        for (int k = 0; k < SCORE_FEW; k++) {
+            const int p = score_truth_few(k);
+            const double *x = got + 3 * moved(p, t->order);
+            for (int c = 0; c < 3; c++) {
+                const double d = t->sign[c] * t->scale * x[t->axis[c]] - truth[3 * p + c];
+                sum += d * d;
+            }
+        }
+        *points += SCORE_FEW;
+        if (sum > least)
+            return INFINITY;
+    }
+    return sum;
+}
+
+static int changes(const struct turned *t)
+{
+    int count = (t->scale != 1) + (t->order != 0);
+
+    for (int c = 0; c < 3; c++)
+        count += (t->axis[c] != c) + (t->sign[c] < 0);
+    return count;
+}
+
+static struct turned candidate(int n)
+{
+    struct turned t = {.order = n % ORDERS};
+    const int signs = n / ORDERS % SIGNS,
+              *axis = permutation[n / (ORDERS * SIGNS) % PERMUTATIONS];
+
+    for (int c = 0; c < 3; c++) {
+        t.axis[c] = axis[c];
+        t.sign[c] = signs >> c & 1 ? -1 : 1;
+    }
+    t.scale = scales[n / (ORDERS * SIGNS * PERMUTATIONS)];
+    return t;
+}
+
+/* rms distance of few of the frames' points at the n-th time of the truth, which is known,
+ * from the truth's nearest, over the length. */
+static double nearest(const struct score *s, int n)
+{
+    const double *truth = score_truth_field(&s->truth, n),
+                 *got = s->field + 3L * SCORE_POINTS * n;
+    double sum = 0;
+
+    for (int k = 0; k < SCORE_FEW; k++) {
+        const double *a = got + 3 * score_truth_few(k);
+        double least = INFINITY;
+        for (const double *b = truth; b < truth + 3 * SCORE_POINTS; b += 3) {
+            const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+            least = fmin(least, x * x + y * y + z * z);
+        }
+        sum += least;
+    }
+    return sqrt(sum / SCORE_FEW) / s->truth.scene.length;
+}
+
+/* Whether an error is so much smaller than that of the frames as they are, which is worth
+ * it, that something else must be meant; both over the length. */
+static bool is_better(double error, double as_is)
+{
+    return as_is > WORTH_IT && error < MUCH_BETTER * as_is;
+}
+
+/* The best of all of them; as they are, if nothing is much better. */
+static struct turned best_turn(const struct score *s)
+{
+    const double length = s->truth.scene.length;
+    struct turned as_is = candidate(0), best = as_is;
+    int points;
+    const double all = squared(s, &as_is, INFINITY, &points);
+    double least = all;
+
+    as_is.error = as_is.as_is = points ? sqrt(all / points) / length : 0;
+    if (!points || as_is.error < WORTH_IT)
+        return as_is;
+    for (int n = 1; n < ORDERS * SIGNS * PERMUTATIONS * SCALES; n++) {
+        struct turned t = candidate(n);
+        const double more = 1 + CHANGE_COSTS * changes(&t);
+        int counted;
+        const double sum = squared(s, &t, least / (more * more), &counted);
+        if (sum * more * more < least) {
+            least = sum * more * more;
+            t.error = sqrt(sum / points) / length;
+            best = t;
+        }
+    }
+    best.as_is = as_is.as_is;
+    return changes(&best) && is_better(best.error, as_is.error) ? best : as_is;
+}
+
+/* --- another pace ----------------------------------------------------------------------
+ */
+
+struct pace {
+    double speed; /* frames show at t what the truth does at t times this; 1: no other   */
+    double error; /* rms over the times at which both are known, over the length         */
+    double as_is; /* the same of the frames as they are                                  */
+};
+
+/* Looked for in steps of one per cent, then between two of them. */
+enum { STEPS = 210, HALVINGS = 20 };
+#define STEP 1.01
+
+/* One time alone would be met by many a speed. */
+enum { TIMES_LEAST = 2 };
+
+/* The truth at one of the few points at any time up to its last frame: the cubic through
+ * four frames, the first at rest. */
+static void truth_at(const struct score_truth *t, double time, double (*xyz)[3])
+{
+    const double *at = t->motion_time;
+    int first = 0;
+
+    while (first + 4 < t->motions && at[first + 2] < time)
+        first++;
+    for (int p = 0; p < SCORE_FEW; p++)
+        xyz[p][0] = xyz[p][1] = xyz[p][2] = 0;
+    for (int a = first; a < first + 4; a++) {
+        double weight = 1;
+        for (int b = first; b < first + 4; b++)
+            weight *= a == b ? 1 : (time - at[b]) / (at[a] - at[b]);
+        for (int p = 0; p < SCORE_FEW; p++)
+            for (int c = 0; c < 3; c++)
+                xyz[p][c] += weight * t->motion[a][p][c];
+    }
+}
+
+/* rms of the frames off the truth at another speed and at its own, at the same times; both
+ * stay NaN where these are too few. */
+static struct pace compare(const struct score *s, double speed)
+{
+    const struct score_truth *t = &s->truth;
+    struct pace pace = {speed, NAN, NAN};
+    double sum[2] = {0, 0}, there[SCORE_FEW][3];
+    int times = 0;
+
+    for (int n = 0; n < t->times; n++) {
+        const double *got = s->field + 3L * SCORE_POINTS * n,
+                     *truth = score_truth_field(t, n);
+        const double time = speed * t->time[n];
+        if (!s->row[n].known || time > t->motion_time[t->motions - 1])
+            continue;
+        times++;
+        truth_at(t, time, there);
+        for (int p = 0; p < SCORE_FEW; p++)
+            for (int c = 0; c < 3; c++) {
+                const int at = 3 * score_truth_few(p) + c;
+                sum[0] += (got[at] - there[p][c]) * (got[at] - there[p][c]);
+                sum[1] += (got[at] - truth[at]) * (got[at] - truth[at]);
+            }
+    }
+    if (times < TIMES_LEAST)
+        return pace;
+    pace.error = sqrt(sum[0] / (times * SCORE_FEW)) / t->scene.length;
+    pace.as_is = sqrt(sum[1] / (times * SCORE_FEW)) / t->scene.length;
+    return pace;
+}
+
+static double share(const struct pace *p)
+{
+    return p->as_is > 0 ? p->error / p->as_is : 1;
+}
+
+/* The best between an eighth and eight; as they are, if no other is much better. */
+static struct pace best_pace(const struct score *s)
+{
+    struct pace best = {1, 0, 0};
+    double step = STEP;
+
+    if (s->truth.motions < 4)
+        return best;
+    for (int n = -STEPS; n <= STEPS; n++) {
+        const struct pace p = compare(s, pow(STEP, n));
+        best = share(&p) < share(&best) ? p : best;
+    }
+    for (int n = 0; n < HALVINGS; n++, step = sqrt(step)) {
+        const struct pace less = compare(s, best.speed / step),
+                          more = compare(s, best.speed * step);
+        best = share(&less) < share(&best) ? less : best;
+        best = share(&more) < share(&best) ? more : best;
+    }
+    return is_better(best.error, best.as_is) ? best
+                                             : (struct pace){1, best.as_is, best.as_is};
+}
+
+/* --- lengths of lines ------------------------------------------------------------------
+ */
+
+/* Lines along u, or along v: lengths, and how unlike each other the frames' pieces are. */
+struct lines {
+    double rest, truth, got;
+    double spread; /* standard deviation of got over truth, a piece */
+    double floor;  /* share of the truth's length by which got may be off */
+};
+
+/* Lines of the net longer, or shorter, than the truth's by this share are said: chords of a
+ * coarse net and what lies between two frames are too short, never too long. */
+#define STRETCH_LEAST 0.005
+#define SHRINK_LEAST  0.01
+
+/* Where the truth itself stretches by more than this, its stretch is the measure: frames
+ * whose differs by this share of it have a sentence. */
+#define STRAIN_LEAST 1e-3
+#define STRAIN_OFF   0.1
+
+static double piece(const double *field, int point, int to)
+{
+    const double *a = field + 3L * point, *b = field + 3L * to;
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* By which share lines are longer than the truth's. */
+static double longer_by(const struct lines *l)
+{
+    return l->got / l->truth - 1;
+}
+
+/* Whether the truth itself stretches, so that its stretch is the measure. */
+static bool truth_stretches(const struct lines *l)
+{
+    return l->truth / l->rest - 1 > STRAIN_LEAST && l->got > l->rest;
+}
+
+/* A share of the truth's own stretch, where it has one; and what chords of this net cut off
+ * the truth's lines, which are `whole` long. */
+static double floor_of(const struct lines *l, double whole)
+{
+    const double cut = fabs(whole / l->truth - 1);
+
+    if (truth_stretches(l))
+        return cut + STRAIN_OFF * (1 - l->rest / l->truth);
+    return cut + (longer_by(l) > 0 ? STRETCH_LEAST : SHRINK_LEAST);
+}
+
+/* Of the grid's lines, `truth` as the net sees it, `whole` as it is: fields
+ * [SCORE_POINTS][3]. */
+static struct lines lines_of(const struct score *s, const double *whole,
+                             const double *truth, const double *got, bool along_v)
+{
+    double length = 0;
+    struct lines l = {0};
+    double sum = 0, squares = 0;
+    int pieces = 0;
+
+    for (int j = 0; j < GRID_V - along_v; j++)
+        for (int i = 0; i < GRID_U - !along_v; i++) {
+            const int a = j * GRID_U + i, b = a + (along_v ? GRID_U : 1);
+            const double wanted = piece(truth, a, b), there = piece(got, a, b);
+            l.rest += piece(s->truth.rest, a, b);
+            length += piece(whole, a, b);
+            l.truth += wanted;
+            l.got += there;
+            sum += there / wanted;
+            squares += there / wanted * (there / wanted);
+            pieces++;
+        }
+    l.spread = sqrt(fmax(0, squares / pieces - sum / pieces * (sum / pieces)));
+    l.floor = floor_of(&l, length);
+    return l;
+}
+
+/* Of both directions at all times, the one that is farthest beyond its own floor, and when
+ * [s]; 0: none is. */
+static enum status find_stretch(const struct score *s, struct lines *most, double *when)
+{
+    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), far = 1;
+
+    *when = 0;
+
+    for (int n = 0; seen && n < s->truth.times; n++) {
+        if (!s->row[n].known)
+            continue;
+        score_seen(s, &s->grid, score_truth_field(&s->truth, n), seen);
+        for (int k = 0; k < 2; k++) {
+            const struct lines l = lines_of(s, score_truth_field(&s->truth, n), seen,
+                                            s->field + 3L * SCORE_POINTS * n, k);
+            if (fabs(longer_by(&l)) > far * l.floor) {
+                far = fabs(longer_by(&l)) / l.floor;
+                *most = l;
+                *when = s->row[n].time;
+            }
+        }
+    }
+    free(seen);
+    return seen ? STATUS_OK : STATUS_MEMORY;
+}
+
+/* --- supports --------------------------------------------------------------------------
+ */
+
+struct held_off {
+    int which;   /* the support that is farthest off:                                    */
+    double most; /* rms over its points in what it fixes, over the length; 0: no more   */
+                 /* than penalties give way                                             */
+    double time, by[3]; /* then [s]; so much on average [m] */
+    bool steady; /* all supports are off by the same, `shift`, at all times             */
+    double shift[3]; /* [m]; else zero */
+};
+
+/* What is held is where the truth has it, to this share of the length: penalties give way.
+ */
+#define HELD_MOST 0.01
+
+/* Of what is said [m]. */
+#define DIGIT 1e-6
+
+/* One shift of all where what is held is off by the same to this share of it. */
+#define SAME 0.25
+
+/* Sums over points, in what their supports fix [m]. */
+struct sums {
+    int points;
+    double off[3], square;
+};
+
+static void add_points(const struct scene_support *held, const double *seen,
+                       const double *got, struct sums *sums)
+{
+    const double NEAR = 1e-9;
+
+    for (int p = 0; p < SCORE_POINTS; p++) {
+        const double uv[2] = {p % GRID_U / (GRID_U - 1.), p / GRID_U / (GRID_V - 1.)};
+        if (uv[0] < held->lo[0] - NEAR || uv[0] > held->hi[0] + NEAR ||
+            uv[1] < held->lo[1] - NEAR || uv[1] > held->hi[1] + NEAR)
+            continue;
+        sums->points++;
+        for (int c = 0; c < 3; c++)
+            if (held->fix & 1u << c) {
+                const double off = got[3 * p + c] - seen[3 * p + c];
+                sums->off[c] += off;
+                sums->square += off * off;
+            }
+    }
+}
+
+/* The mean into by[3]; its length. */
+static double mean(const struct sums *sums, double by[3])
+{
+    double square = 0;
+
+    for (int c = 0; c < 3; c++) {
+        by[c] = sums->points ? sums->off[c] / sums->points : 0;
+        square += by[c] * by[c];
+    }
+    return sqrt(square);
+}
+
+/* What nothing holds is off as it begins. */
+static void begins_off(const struct score *s, struct held_off *support)
+{
+    const double *by = s->begin, length = s->truth.scene.length,
+                 far = sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+
+    support->steady = far > HELD_MOST * length && s->start - far < SAME * far;
+    support->most = support->steady ? far / length : 0;
+    memcpy(support->by, by, sizeof support->by);
+    memcpy(support->shift, by, sizeof support->shift);
+}
+
+/* Against what the net sees of the truth. */
+static enum status find_support(const struct score *s, struct held_off *support)
+{
+    const struct scene *scene = &s->truth.scene;
+    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), square = 0;
+    struct sums all = {0};
+
+    memset(support, 0, sizeof *support);
+    for (int n = 0; seen && n < s->truth.times; n++) {
+        const double *got = s->field + 3L * SCORE_POINTS * n;
+        if (!s->row[n].known)
+            continue;
+        score_seen(s, &s->grid, score_truth_field(&s->truth, n), seen);
+        for (int k = 0; k < scene->support_count; k++) {
+            struct sums one = {0};
+            add_points(&scene->supports[k], seen, got, &one);
+            add_points(&scene->supports[k], seen, got, &all);
+            if (one.points && one.square / one.points > square) {
+                square = one.square / one.points;
+                support->which = k;
+                support->time = s->row[n].time;
+                mean(&one, support->by);
+            }
+        }
+    }
+    free(seen);
+    if (!seen)
+        return STATUS_MEMORY;
+    support->most = sqrt(square) / scene->length;
+    const double shift = mean(&all, support->shift);
+    support->steady = shift > HELD_MOST * scene->length &&
+                      all.square / all.points - shift * shift < SAME * SAME * shift * shift;
+    if (!scene->support_count)
+        begins_off(s, support);
+    if (!support->steady)
+        memset(support->shift, 0, sizeof support->shift);
+    if (support->most <= HELD_MOST)
+        support->most = 0;
+    for (int c = 0; c < 3; c++)
+        support->by[c] = round(support->by[c] / DIGIT) * DIGIT + 0.0;
+    return STATUS_OK;
+}
+
+/* --- sentences -------------------------------------------------------------------------
+ */
 
 static const char *const names[SCORE_KINDS] = {
 #define SCORE_NAME(code, name) name,
@@ -88,7 +547,7 @@ static bool say_still(const struct score *s, struct score_diagnosis *d)
     return true;
 }
 
-static void axes_text(const struct score_turned *t, char text[32])
+static void axes_text(const struct turned *t, char text[32])
 {
     char *at = text;
 
@@ -104,7 +563,7 @@ static void axes_text(const struct score_turned *t, char text[32])
 
 static bool say_turned(const struct score *s, struct score_diagnosis *d)
 {
-    const struct score_turned t = score_turned_best(s);
+    const struct turned t = best_turn(s);
     const double now = 100 * t.as_is, then = 100 * t.error;
     char axes[32];
 
@@ -132,12 +591,11 @@ static bool say_turned(const struct score *s, struct score_diagnosis *d)
     return d->count > 0;
 }
 
-static void stretch_text(const struct score_lines *l, double when,
-                         struct score_diagnosis *d)
+static void stretch_text(const struct lines *l, double when, struct score_diagnosis *d)
 {
-    const double more = score_stretch_share(l), strain = l->truth / l->rest - 1;
+    const double more = longer_by(l), strain = l->truth / l->rest - 1;
 
-    if (score_stretch_has(l))
+    if (truth_stretches(l))
         say(d, SCORE_STRETCH, more,
             "Stretches %.2g times as much as the truth (its lines, on average, by %.2g %% "
             "in "
@@ -158,11 +616,11 @@ static void stretch_text(const struct score_lines *l, double when,
 
 static enum status say_stretch(const struct score *s, struct score_diagnosis *d)
 {
-    struct score_lines most;
+    struct lines most = {0};
     double when;
     enum status st;
 
-    TRY(score_stretch_find(s, &most, &when));
+    TRY(find_stretch(s, &most, &when));
     if (when > 0)
         stretch_text(&most, when, d);
 out:
@@ -178,13 +636,13 @@ static bool say_scattered(const struct score *s, struct score_diagnosis *d)
         n++;
     const double *truth = score_truth_field(&s->truth, n),
                  *got = s->field + 3L * SCORE_POINTS * n;
-    const struct score_lines u = score_stretch_lines(s, truth, truth, got, false),
-                             v = score_stretch_lines(s, truth, truth, got, true);
+    const struct lines u = lines_of(s, truth, truth, got, false),
+                       v = lines_of(s, truth, truth, got, true);
     const double apart = fmax(u.got / u.truth, v.got / v.truth);
     if (apart < SCATTERED_LEAST)
         return false;
-    const double off = score_turned_nearest(s, n);
-    if (!score_turned_is_better(off, s->row[n].error))
+    const double off = nearest(s, n);
+    if (!is_better(off, s->row[n].error))
         return false;
     say(d, SCORE_ORDER, off,
         "Vertices are in another order than their uv: neighbours lie %.2g times as far "
@@ -223,14 +681,14 @@ static void say_lead(const struct score *s, double lead, const double shift[3],
                        "(explicit Euler).");
 }
 
-static double left_by(const struct score_pace *pace)
+static double left_by(const struct pace *pace)
 {
     return pace->speed == 1 ? 1 : pace->error / pace->as_is;
 }
 
 /* Another multiple of the time puts far more right than all that was fitted: nothing else
  * is said, as all that was is held against other times. */
-static bool say_pace(const struct score *s, const struct score_pace *pace,
+static bool say_pace(const struct score *s, const struct pace *pace,
                      const struct score_fit *fit, struct score_diagnosis *d)
 {
     const bool slow = pace->speed < 1;
@@ -254,7 +712,7 @@ static bool say_pace(const struct score *s, const struct score_pace *pace,
 }
 
 /* A free fall cannot tell another gravity from another pace, other scenes hardly. */
-static void say_gravity(const struct score *s, double g, const struct score_pace *pace,
+static void say_gravity(const struct score *s, double g, const struct pace *pace,
                         const struct score_fit *fit, struct score_diagnosis *d)
 {
     const double speed = !s->truth.motions ? sqrt(fmax(g, 0))
@@ -271,7 +729,7 @@ static void say_gravity(const struct score *s, double g, const struct score_pace
 }
 
 static void say_fit(const struct score *s, const struct score_fit *fit,
-                    const struct score_support *support, const struct score_pace *pace,
+                    const struct held_off *support, const struct pace *pace,
                     struct score_diagnosis *d)
 {
     const double *value = fit->value;
@@ -308,7 +766,7 @@ static void say_fit(const struct score *s, const struct score_fit *fit,
             fit->at_end ? ", or beyond: the ladder of truths ends there" : "");
 }
 
-static void say_support(const struct score *s, const struct score_support *off,
+static void say_support(const struct score *s, const struct held_off *off,
                         struct score_diagnosis *d)
 {
     const struct scene *scene = &s->truth.scene;
@@ -333,7 +791,7 @@ static void say_support(const struct score *s, const struct score_support *off,
 /* Fits the flaws to the frames as they are, or put back where what is held is off by the
  * same at all times. A sheet that nothing holds may begin off because its frames are ahead:
  * there the fit that leaves less is taken. */
-static enum status fit_either(const struct score *s, struct score_support *off,
+static enum status fit_either(const struct score *s, struct held_off *off,
                               struct score_fit *fit)
 {
     struct score_fit back;
@@ -412,17 +870,17 @@ static void say_sound(const struct score *s, struct score_diagnosis *d)
 
 enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
 {
-    struct score_support support;
-    struct score_pace pace;
+    struct held_off support;
+    struct pace pace;
     struct score_fit fit;
     enum status st = STATUS_OK;
 
     memset(d, 0, sizeof *d);
     if (score_last(s) < 0 || say_still(s, d) || say_turned(s, d) || say_scattered(s, d))
         goto out;
-    TRY(score_support_find(s, &support));
+    TRY(find_support(s, &support));
     TRY(fit_either(s, &support, &fit));
-    pace = score_pace_best(s);
+    pace = best_pace(s);
     if (say_pace(s, &pace, &fit, d))
         goto out;
     if (support.steady)

@@ -69,24 +69,6 @@ static void add_noise(struct sums *s, int points, double weight, double noise)
 /* --- on the ladder ----------------------------------------------------------------------
  */
 
-/* A field of the ladder, through the frames' net. */
-static void see(const struct score *s, const double *field, double *seen)
-{
-    for (int p = 0; p < LADDER_POINTS; p++) {
-        seen[3 * p] = seen[3 * p + 1] = seen[3 * p + 2] = 0;
-        for (int k = 0; k < 4; k++) {
-            const double w = s->coarse.weight[p][k];
-            double x[3];
-            if (w == 0)
-                continue;
-            score_net_sample(LADDER_U, LADDER_V, field,
-                             s->net.uv + 2L * s->coarse.vertex[p][k], x);
-            for (int c = 0; c < 3; c++)
-                seen[3 * p + c] += w * x[c];
-        }
-    }
-}
-
 /* Fields of one time as the columns have them, and the base itself in place of Y. */
 static void fields_at(const struct score *s, int time, const double *rest,
                       double (*field)[3 * LADDER_POINTS])
@@ -107,12 +89,12 @@ static void fields_at(const struct score *s, int time, const double *rest,
                        (after[n] - 2 * before[n] +
                         score_ladder_rung(l, LADDER_BASE, time - 2)[n]) /
                        step;
-    see(s, score_ladder_rung(l, LADDER_BASE, time), field[Y]);
-    see(s, rate, field[LEAD]);
+    score_seen(s, &s->coarse, score_ladder_rung(l, LADDER_BASE, time), field[Y]);
+    score_seen(s, &s->coarse, rate, field[LEAD]);
     for (int f = 0; f < LADDER_FLAWS; f++)
-        see(s, score_ladder_flaw(l, f, time), field[flaws[f]]);
+        score_seen(s, &s->coarse, score_ladder_flaw(l, f, time), field[flaws[f]]);
     for (int r = 0; r < LADDER_RUNGS; r++)
-        see(s, score_ladder_rung(l, r, time), field[RUNG + r]);
+        score_seen(s, &s->coarse, score_ladder_rung(l, r, time), field[RUNG + r]);
 }
 
 static void add_time(const struct score *s, int time, const double *rest,
@@ -156,11 +138,7 @@ static enum status sum_ladder(const struct score *s, struct sums *sums)
 
     if (!field)
         return STATUS_MEMORY;
-    for (int n = 0; n < LADDER_POINTS; n++) {
-        const double uv[2] = {n % LADDER_U / (LADDER_U - 1.),
-                              n / LADDER_U / (LADDER_V - 1.)};
-        score_net_sample(GRID_U, GRID_V, s->truth.rest, uv, rest + 3 * n);
-    }
+    score_coarse_rest(s, rest);
     sums->ladder = true;
     for (int time = 0; time < s->ladder.times; time++)
         if (s->coarse_tells[time]) {
@@ -224,11 +202,6 @@ struct trial {
     double value[FIT_KINDS], stiffness;
 };
 
-static double product(const struct sums *s, int a, int b)
-{
-    return s->gram[a][b];
-}
-
 /* x of a x = b, a symmetric and positive, by elimination; what has no size stays out. */
 static void solve(int count, double a[][COLUMNS], double *b)
 {
@@ -255,24 +228,24 @@ static struct trial try_set(const struct sums *s, unsigned set,
 {
     int column[COLUMNS], kind[COLUMNS], count = 0;
     double a[COLUMNS][COLUMNS], b[COLUMNS], right[COLUMNS];
-    struct trial t = {.left = product(s, Y, Y)};
+    struct trial t = {.left = s->gram[Y][Y]};
 
     for (int k = 0; k < FIT_BENDING; k++)
         for (int n = 0; (set >> k & 1) && n < (k == FIT_STRETCH ? 2 : 1); n++)
-            if (product(s, first_column[k] + n, first_column[k] + n) > 0)
+            if (s->gram[first_column[k] + n][first_column[k] + n] > 0)
                 column[count] = first_column[k] + n, kind[count++] = k;
     for (int q = 0; q < LADDER_RUNGS; q++) {
-        t.left -= 2 * rung[q] * product(s, Y, RUNG + q);
+        t.left -= 2 * rung[q] * s->gram[Y][RUNG + q];
         for (int r = 0; r < LADDER_RUNGS; r++)
-            t.left += rung[q] * rung[r] * product(s, RUNG + q, RUNG + r);
+            t.left += rung[q] * rung[r] * s->gram[RUNG + q][RUNG + r];
     }
     for (int i = 0; i < count; i++) {
-        b[i] = product(s, Y, column[i]);
+        b[i] = s->gram[Y][column[i]];
         for (int q = 0; q < LADDER_RUNGS; q++)
-            b[i] -= rung[q] * product(s, RUNG + q, column[i]);
+            b[i] -= rung[q] * s->gram[RUNG + q][column[i]];
         right[i] = b[i];
         for (int j = 0; j < count; j++)
-            a[i][j] = product(s, column[i], column[j]);
+            a[i][j] = s->gram[column[i]][column[j]];
     }
     solve(count, a, b);
     for (int i = 0; i < count; i++) {
@@ -333,7 +306,7 @@ static bool all_matter(const struct sums *s, unsigned set, const struct trial *t
  * is left to any larger one; 0: none. */
 static unsigned choose(const struct sums *s)
 {
-    const double all = product(s, Y, Y);
+    const double all = s->gram[Y][Y];
     const unsigned most = s->ladder ? 1U << FIT_KINDS : 1U << FIT_HINGE;
     unsigned chosen = 0;
     double least = fmax(LEFT_MOST * all, TIMES_NOISE * TIMES_NOISE * s->noise);
@@ -382,7 +355,7 @@ enum status score_fit_make(const struct score *score, const double shift[3],
             scale[0] * pow(scale[LADDER_RUNGS - 1] / scale[0], t.stiffness);
     }
     fit->rest = sqrt(t.left);
-    fit->left = set ? sqrt(t.left / product(&sums, Y, Y)) : 1;
+    fit->left = set ? sqrt(t.left / sums.gram[Y][Y]) : 1;
 out:
     return st;
 }

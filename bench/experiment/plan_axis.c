@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/output.h"
 #include "bench/harness/derived_key.h"
 
 #define IN(type, member) .offset = offsetof(struct type, member)
@@ -50,16 +51,6 @@ const struct schema_key plan_axis_keys[] = {
     {NULL}};
 /* clang-format on */
 
-/* The shortest digits that are this number. */
-static void write_number(double value, char text[32])
-{
-    for (int digits = 15; digits <= 17; digits++) {
-        snprintf(text, 32, "%.*g", digits, value);
-        if (strtod(text, NULL) == value)
-            break;
-    }
-}
-
 static enum status fill_range(struct axis_reading *r)
 {
     enum status st = STATUS_OK;
@@ -71,7 +62,8 @@ static enum status fill_range(struct axis_reading *r)
                            : r->from + (r->to - r->from) * share;
         char text[32];
 
-        write_number(n == r->count - 1 ? r->to : value, text);
+        value = n == r->count - 1 ? r->to : value;
+        snprintf(text, sizeof text, "%.*g", output_digits(value), value);
         TRY(plan_settings_add_text(&r->axis.values, r->axis.key, text, r->axis.line));
     }
 out:

@@ -5,12 +5,369 @@
 
 #include "bench/export/export_held.h"
 #include "bench/export/export_numbers.h"
-#include "bench/export/export_readme.h"
-#include "bench/export/export_scene.h"
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_plan.h"
+#include "models/damping.h"
 #include "models/reader/scene_file.h"
+
+/* --- scene.yaml: what was set is in it, and what its truth changes; comments are not ----
+ */
+
+/* With as many digits as it takes to read it again; never -0. */
+static void put_number(struct output *out, double value)
+{
+    output_print(out, "%.*g", output_digits(value), value + 0.0);
+}
+
+static void put_key(struct output *out, const char *key, double value)
+{
+    output_print(out, "%s: ", key);
+    put_number(out, value);
+}
+
+static void put_list(struct output *out, const char *before, int count, const double *value,
+                     const char *after)
+{
+    output_print(out, "%s[", before);
+    for (int n = 0; n < count; n++) {
+        output_print(out, "%s", n ? ", " : "");
+        put_number(out, value[n]);
+    }
+    output_print(out, "]%s", after);
+}
+
+static void put_text(struct output *out, const char *key, const char *text)
+{
+    output_print(out, "%s: \"", key);
+    for (; *text; text++)
+        output_print(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+    output_print(out, "\"\n");
+}
+
+static void put_sheet(const struct scene *s, struct output *out)
+{
+    put_key(out, "sheet: {length", s->length);
+    put_key(out, ", width", s->width);
+    put_key(out, ", thickness", s->thickness);
+    output_print(out, "}\n");
+    output_print(out, "pose:\n  kind: %s\n", scene_shape_name((int)s->shape));
+    put_list(out, "  origin: ", 3, s->origin, "\n");
+    put_list(out, "  u: ", 3, s->axis_u, "\n");
+    put_list(out, "  v: ", 3, s->axis_v, "\n");
+    if (s->shape == SCENE_CLOAK) {
+        put_key(out, "  opening", s->opening);
+        put_key(out, "\n  flare", s->flare);
+        output_print(out, "\n");
+    }
+    put_key(out, "material: {young", s->young);
+    put_key(out, ", poisson", s->poisson);
+    put_key(out, ", density", s->density);
+    output_print(out, "}\n");
+}
+
+static void put_forces(const struct scene *s, struct output *out)
+{
+    const struct scene_damping *d = &s->damping;
+
+    put_list(out, "gravity: ", 3, s->gravity, "\n");
+    if (s->drag > 0) {
+        put_key(out, "drag: {coefficient", s->drag);
+        put_list(out, ", wind: ", 3, s->wind, "}\n");
+    }
+    output_print(out, "damping: {kind: %s", damping_name((int)d->kind));
+    if (d->kind == DAMPING_RAYLEIGH) {
+        put_key(out, ", alpha", d->alpha);
+        put_key(out, ", beta", d->beta);
+    } else if (d->kind != DAMPING_NONE)
+        put_key(out, ", value", d->value);
+    output_print(out, "}\n");
+    if (scene_needs(s) & SCENE_NEED_INITIAL_MOTION) {
+        put_list(out, "motion: {velocity: ", 3, s->velocity, ", ");
+        put_list(out, "spin: ", 3, s->spin, "}\n");
+    }
+}
+
+static void put_region(struct output *out, const double lo[3], const double hi[3])
+{
+    output_print(out, "  - at: {");
+    for (int c = 0; c < 3; c++) {
+        output_print(out, "%s%c: ", c ? ", " : "", "uvw"[c]);
+        if (lo[c] == hi[c])
+            put_number(out, lo[c]);
+        else
+            put_list(out, "", 2, (double[]){lo[c], hi[c]}, "");
+    }
+    output_print(out, "}\n");
+}
+
+static void put_supports(const struct scene *s, struct output *out)
+{
+    for (int n = 0; n < s->support_count; n++) {
+        const struct scene_support *p = &s->supports[n];
+        output_print(out, "%s", n ? "" : "supports:\n");
+        put_region(out, p->lo, p->hi);
+        output_print(out, "    fix: %s\n%s", export_sheet_axes(p->fix),
+                     p->path_count ? "    path:\n" : "");
+        for (int k = 0; k < p->path_count; k++)
+            put_list(out, "      - ", 4, p->path[k], "\n");
+    }
+    for (int n = 0; n < s->load_count; n++) {
+        output_print(out, "%s", n ? "" : "loads:\n");
+        put_region(out, s->loads[n].lo, s->loads[n].hi);
+        put_list(out, "    force: ", 3, s->loads[n].force, "\n");
+    }
+}
+
+static void put_obstacles(const struct scene *s, struct output *out)
+{
+    for (int n = 0; n < s->obstacle_count; n++) {
+        const struct scene_obstacle *o = &s->obstacles[n];
+        const bool plane = o->kind == OBSTACLE_PLANE;
+        output_print(out, "%s  - %s:\n", n ? "" : "obstacles:\n",
+                     plane ? "plane" : "sphere");
+        put_list(out, plane ? "      point: " : "      center: ", 3, o->point, "\n");
+        if (plane)
+            put_list(out, "      normal: ", 3, o->normal, "\n");
+        else
+            put_key(out, "      radius", o->radius);
+        put_key(out, plane ? "      friction" : "\n      friction", o->friction);
+        output_print(out, "\n");
+    }
+}
+
+static enum status write_scene(const struct export_sheet *s, struct message *why)
+{
+    const struct scene *scene = s->scene;
+    struct output *out = NULL;
+    enum status st;
+
+    TRY(export_sheet_open(s, "scene.yaml", &out, why));
+    output_print(out, "name: %s\n", scene->name);
+    put_text(out, "source", scene->source);
+    put_sheet(scene, out);
+    put_forces(scene, out);
+    put_supports(scene, out);
+    put_obstacles(scene, out);
+    put_key(out, "time: {step", scene->step);
+    put_key(out, ", end", scene->end);
+    output_print(out, "}\n");
+    if (scene->snapshot_count)
+        put_list(out, "snapshots: ", scene->snapshot_count, scene->snapshots, "\n");
+    TRY(output_close(out, why));
+out:
+    return st;
+}
+
+/* --- README.md: the rules on one page ------------------------------------------------- */
+
+/* What README.md tells besides the sheet. */
+struct readme {
+    const struct export_held *held;
+    const struct truth_made *known; /* no times: no truth is known                     */
+    const char *misfit;             /* of the matched springs; empty: none             */
+    bool undamped;                  /* the scene is damped by a factor a step          */
+};
+
+static void put_title(const struct export_sheet *s, struct output *out)
+{
+    const struct scene *c = s->scene;
+    const double *g = c->gravity;
+
+    output_print(
+        out,
+        "# %s for your simulator\n\nA %s sheet, %g m (u) by %g m (v), %g m thick: E = "
+        "%g Pa, nu = %g, rho = %g kg/m^3; gravity\n%g %g %g m/s^2; Gamma = rho g h L^3 "
+        "/ D = %.4g.\nSource: %s.\n\n",
+        c->name, scene_shape_name((int)c->shape), c->length, c->width, c->thickness,
+        c->young, c->poisson, c->density, g[0] + 0.0, g[1] + 0.0, g[2] + 0.0,
+        scene_gamma(c), c->source);
+    output_print(out, "SI units; x, y, z right-handed.");
+    for (int n = 0; n < 3; n++) {
+        static const double corner[3][3] = {{0, 0, 0.5}, {1, 0, 0.5}, {0, 1, 0.5}};
+        double x[3];
+        scene_rest_point(c, corner[n], x);
+        output_print(out, "%s u = %g, v = %g is at (%.4g, %.4g, %.4g)",
+                     n ? "," : " At rest", corner[n][0], corner[n][1], x[0] + 0.0,
+                     x[1] + 0.0, x[2] + 0.0);
+    }
+    output_print(
+        out,
+        ".\nVertex j %d + i is at u = i/%d, v = j/%d. Files count vertices from 0, "
+        "OBJ from 1.\nTriangles are counter-clockwise seen from u x v; the diagonals "
+        "alternate.\n\n",
+        s->points[0], s->points[0] - 1, s->points[1] - 1);
+}
+
+static void put_damping(const struct scene *c, bool undamped, bool at_rest,
+                        struct output *out)
+{
+    const struct scene_damping *d = &c->damping;
+
+    if (at_rest)
+        output_print(out, "- Damping: any, as long as the sheet is at rest at the end. The "
+                          "truth is the shape at rest.\n");
+    else if (undamped)
+        output_print(out, "- No damping: the scene scales velocities by a factor a step, "
+                          "which is no rate; its truth is undamped.\n");
+    else if (d->kind == DAMPING_NONE)
+        output_print(out, "- No damping, no drag of the air but what is said here.\n");
+    else if (d->kind == DAMPING_RAYLEIGH)
+        output_print(out,
+                     "- Damping %g M + %g s K: forces against velocity by mass and "
+                     "stiffness.\n",
+                     d->alpha, d->beta);
+    else
+        output_print(out,
+                     "- Damping: a force of %g 1/s times mass against the velocity of "
+                     "each point.\n",
+                     d->value);
+}
+
+static void put_physics(const struct scene *c, const struct readme *r, struct output *out)
+{
+    const unsigned needs = scene_needs(c);
+
+    output_print(out, "## Physics of the truth\n\n");
+    put_damping(c, r->undamped, r->known->closed && c->support_count, out);
+    output_print(out,
+                 "- From t = 0 at rest in the rest shape%s, without stress; large "
+                 "displacements; no self-contact.\n",
+                 needs & SCENE_NEED_INITIAL_MOTION ? " but for velocities.csv [m/s]" : "");
+    if (needs & SCENE_NEED_DRAG)
+        output_print(out,
+                     "- Body drag: %g kg/m^3/s times (wind - velocity) per volume, wind "
+                     "%g %g %g m/s: times area and h per vertex.\n",
+                     c->drag, c->wind[0], c->wind[1], c->wind[2]);
+    if (needs & SCENE_NEED_CONTACT)
+        output_print(out,
+                     "- Obstacles stand still: obstacles.csv; normals point outward; "
+                     "Coulomb friction. The sheet's faces, h/2 off its middle, touch.\n");
+    if (needs & SCENE_NEED_LOADS)
+        output_print(out,
+                     "- Forces that keep their direction from t = 0: loads.csv [N].\n");
+    if (needs & SCENE_NEED_MOVING_SUPPORTS)
+        output_print(out, "- Held vertices with a `path` move: rest + paths.csv [s, m], "
+                          "linear between rows, constant outside.\n");
+    output_print(out, "\n");
+}
+
+static void put_held(const struct readme *r, struct output *out)
+{
+    const struct export_held *h = r->held;
+
+    output_print(out, "## What is held\n\n");
+    if (!h->count) {
+        output_print(out, "Nothing.\n\n");
+        return;
+    }
+    output_print(out, "held.csv: %d vertices of the sheet, in the components `fix`.",
+                 h->count - h->outside);
+    if (h->outside)
+        output_print(
+            out,
+            "\nIts last %d rows, with `beside`, are vertices outside the sheet, one cell "
+            "off "
+            "the vertex beside.\nWhere bending is an angle between elements, a held row "
+            "alone "
+            "is a hinge: add these, held\nlikewise, and elements between them and the held "
+            "row, without mass; leave them out of your\nframes. The angle over the held "
+            "row "
+            "stands for half a cell of the sheet: its stiffness is doubled\n(Parameters). "
+            "A "
+            "simulator with rotations holds those of the held vertices instead and needs "
+            "none.",
+            h->outside);
+    else
+        output_print(out, " No row outside the sheet is needed.");
+    output_print(out, "%s%s\n\n", *h->doubt.text ? "\nNote: " : "", h->doubt.text);
+}
+
+static void put_parameters(const struct export_sheet *s, const char *misfit,
+                           struct output *out)
+{
+    const bool flat = s->scene->shape == SCENE_FLAT;
+
+    output_print(
+        out, "## Parameters\n\n"
+             "materials.csv. They follow from E, nu, rho and h by rule; none is fitted.\n\n"
+             "- finite elements and shells: E, nu, rho, h as they are;\n"
+             "- mass of a vertex: areal mass times its share of the area;\n");
+    if (flat)
+        output_print(
+            out, "- springs along u, v and both diagonals of each cell: `value` [N/m]; on "
+                 "square cells\n  E h/(1-nu^2) - G h straight, G h diagonal, half on the "
+                 "rim;\n- XPBD: `compliance` = 1/stiffness [m/N], of C = length - "
+                 "rest_length;\n");
+    else
+        output_print(out,
+                     "- springs: none are told; the matched ones are for flat sheets;\n");
+    output_print(
+        out,
+        "- bending by the angle between two triangles, k theta^2 / 2: k = D |e|^2 "
+        "/ (A1 + A2) [N m],\n  e their edge, A1, A2 their areas%s.\n  A triangle whose "
+        "three vertices are held does not bend and counts as no area: at a clamp\n  k is D "
+        "|e|^2 / A, twice as much%s. With the plain k\n  a clamp is too soft, by an error "
+        "of first order in the cell; with this one of second.\n",
+        flat ? " (`hinge u`, `hinge v`, `hinge diagonal`)" : "",
+        flat ? " (`hinge u held`, `hinge v held`)" : "");
+    if (*misfit)
+        output_print(out, "\nSprings are no plane stress: %s.\n", misfit);
+    output_print(out, "\n");
+}
+
+static void put_score(const struct export_sheet *s, const struct truth_made *known,
+                      struct output *out)
+{
+    struct message why = {""};
+
+    output_print(out,
+                 "## Frames, and how they are scored\n\n"
+                 "Positions of all vertices of the sheet at each time: a CSV with lines "
+                 "t,u,v,x,y,z in any\norder, OBJ or PLY a frame, or NPZ or HDF5 with "
+                 "xyz [frames][n][3], uv [n][2], t [frames]\n(clothbench.py: "
+                 "frames.write(path, t, uv, xyz)).\n\n");
+    if (known->claimed == 1)
+        output_print(out, "The truth is known at %g s", known->time[0]);
+    else if (known->claimed)
+        output_print(out, "The truth is known at %d times from %g to %g s", known->claimed,
+                     known->time[0], known->time[known->claimed - 1]);
+    else if (truth_plan_check(s->scene, &why) == STATUS_OK)
+        output_print(out,
+                     "No truth is stored: `clothbench truth scene.yaml` makes one in "
+                     "results/truths, where score\nfinds it if CLOTHBENCH_TRUTHS names "
+                     "that folder");
+    else
+        output_print(out, "No truth is stored: %s", why.text);
+    output_print(out, "%s.\n",
+                 known->claimed ? " (times.csv, with its error bar [m])" : "");
+    if (known->claimed)
+        output_print(out, "What it is: %s.\n", known->note);
+    output_print(
+        out, "Every point of a 100 x 100 grid over (u,v) is compared, yours bilinear "
+             "between vertices:\n\n    clothbench score scene.yaml FRAMES\n\n"
+             "prints the rms distance over the length at each of these times, the truth's "
+             "error bar, and what\nyour net alone would cost.\n");
+}
+
+static enum status write_readme(const struct export_sheet *s, const struct readme *r,
+                                struct message *why)
+{
+    struct output *out = NULL;
+    enum status st;
+
+    TRY(export_sheet_open(s, "README.md", &out, why));
+    put_title(s, out);
+    put_physics(s->scene, r, out);
+    put_held(r, out);
+    put_parameters(s, r->misfit, out);
+    put_score(s, r->known, out);
+    TRY(output_close(out, why));
+out:
+    return st;
+}
+
+/* --- the command ---------------------------------------------------------------------- */
 
 struct job {
     struct scene scene; /* as its truth moves                                          */
@@ -81,13 +438,10 @@ static enum status write_all(const struct job *j, struct message *why)
 
     TRY(export_sheet_write(&j->sheet, j->formats, why));
     TRY(export_held_write(&j->sheet, &j->held, why));
-    TRY(export_numbers_materials(&j->sheet, &misfit, why));
-    TRY(export_numbers_times(&j->sheet, &j->known, why));
-    TRY(export_numbers_world(&j->sheet, &j->held, why));
-    TRY(export_scene_write(&j->sheet, why));
-    TRY(export_readme_write(
-        &j->sheet, &(struct export_readme){&j->held, &j->known, misfit.text, j->undamped},
-        why));
+    TRY(export_numbers_write(&j->sheet, &j->held, &j->known, &misfit, why));
+    TRY(write_scene(&j->sheet, why));
+    TRY(write_readme(&j->sheet,
+                     &(struct readme){&j->held, &j->known, misfit.text, j->undamped}, why));
 out:
     return st;
 }

@@ -14,15 +14,22 @@ static const double NOTHING = 1e-12;
  * the mass of a vertex, a spring's length. */
 static const double SAME = 1e-9;
 
+struct number {
+    const char *quantity;
+    int a, b; /* vertices; -1: none                                                    */
+    double value;
+    const char *unit;
+    double length, compliance; /* at rest [m], 1/value; NaN: none                      */
+};
 /* Who takes the numbers. */
 struct taker {
-    export_numbers_take *take;
+    void (*take)(void *context, const struct number *number);
     void *context;
 };
 
 static void put(const struct taker *t, const char *quantity, double value, const char *unit)
 {
-    t->take(t->context, &(struct export_number){quantity, -1, -1, value, unit, NAN, NAN});
+    t->take(t->context, &(struct number){quantity, -1, -1, value, unit, NAN, NAN});
 }
 
 static void put_material(const struct scene *scene, const struct taker *t)
@@ -54,7 +61,7 @@ static void put_hinges(const struct export_sheet *s, const struct taker *t)
     for (int n = 0; n < 5; n++) {
         const double area = n < 3 ? a * b : a * b / 2;
         const double k = scene_bending_stiffness(s->scene) * square[n % 3] / area;
-        t->take(t->context, &(struct export_number){name[n], -1, -1, k, "N m", NAN, 1 / k});
+        t->take(t->context, &(struct number){name[n], -1, -1, k, "N m", NAN, 1 / k});
     }
 }
 
@@ -79,11 +86,11 @@ static enum status put_springs(const struct export_sheet *s, const struct taker 
         const int di = k->b / net.points[1] != k->a / net.points[1];
         const int dj = k->b % net.points[1] != k->a % net.points[1];
         t->take(t->context,
-                &(struct export_number){name[di && dj ? SPRING_DIAGONAL
-                                             : di     ? SPRING_U
-                                                      : SPRING_V],
-                                        vertex_of(&net, k->a), vertex_of(&net, k->b),
-                                        k->stiffness, "N/m", k->length, 1 / k->stiffness});
+                &(struct number){name[di && dj ? SPRING_DIAGONAL
+                                      : di     ? SPRING_U
+                                               : SPRING_V],
+                                 vertex_of(&net, k->a), vertex_of(&net, k->b), k->stiffness,
+                                 "N/m", k->length, 1 / k->stiffness});
     }
     spring_law_tell(&net.law, net.cell, s->scene, misfit);
 out:
@@ -91,20 +98,25 @@ out:
     return st;
 }
 
-enum status export_numbers_each(const struct export_sheet *s, export_numbers_take *take,
-                                void *context, struct message *misfit)
+/* What a net of points is made of, one by one: the material; the mass of each vertex a; of
+ * a flat sheet the stiffness of a hinge between two triangles over an inner edge along u,
+ * along v and along a diagonal, D |e|^2 / (A1 + A2) (theta^2 / 2 times it is the energy;
+ * Grinspun et al. 2003), and twice that where one of the two is held; and each matched
+ * spring from a to b (mass_spring/spring_net.h). *misfit: what those springs are not, for
+ * people; empty: none. */
+static enum status each(const struct export_sheet *s, const struct taker *t,
+                        struct message *misfit)
 {
     const double areal = s->scene->density * s->scene->thickness;
-    const struct taker t = {take, context};
 
-    put_material(s->scene, &t);
+    put_material(s->scene, t);
     for (int n = 0; n < export_sheet_vertices(s); n++)
-        take(context, &(struct export_number){
-                          "mass", n, -1, areal * export_sheet_area(s, n), "kg", NAN, NAN});
+        t->take(t->context, &(struct number){"mass", n, -1, areal * export_sheet_area(s, n),
+                                             "kg", NAN, NAN});
     if (s->scene->shape != SCENE_FLAT)
         return STATUS_OK;
-    put_hinges(s, &t);
-    return put_springs(s, &t, misfit);
+    put_hinges(s, t);
+    return put_springs(s, t, misfit);
 }
 
 /* --- as a table: what is the same is a row ----------------------------------------------
@@ -114,7 +126,7 @@ enum { KINDS = 32 };
 struct kinds {
     int count;
     long uses[KINDS];
-    struct export_number kind[KINDS];
+    struct number kind[KINDS];
 };
 
 static bool is_near(double a, double b)
@@ -122,7 +134,7 @@ static bool is_near(double a, double b)
     return (isnan(a) && isnan(b)) || fabs(a - b) <= SAME * fabs(b);
 }
 
-static void take_kind(void *context, const struct export_number *number)
+static void take_kind(void *context, const struct number *number)
 {
     struct kinds *k = context;
     int n = 0;
@@ -152,9 +164,9 @@ enum status export_numbers_table(const struct export_sheet *s, struct table **ta
 
     *table = table_create(sizeof columns / sizeof *columns, columns,
                           "Parameters of this net of points, for an engine of your own");
-    TRY(export_numbers_each(s, take_kind, &kinds, &misfit));
+    TRY(each(s, &(struct taker){take_kind, &kinds}, &misfit));
     for (int n = 0; n < kinds.count; n++) {
-        const struct export_number *k = &kinds.kind[n];
+        const struct number *k = &kinds.kind[n];
         table_row(*table);
         table_text(*table, "%s", k->quantity);
         table_number(*table, k->value, 6);
@@ -183,7 +195,6 @@ out:
 /* --- as files ---------------------------------------------------------------------------
  */
 
-/* What their rows are made from, as far as the file needs it. */
 struct numbers {
     const struct export_sheet *sheet;
     const struct export_held *held;
@@ -191,7 +202,7 @@ struct numbers {
     struct message *misfit;
 };
 struct file {
-    unsigned need; /* of the scene, 0: none                                            */
+    unsigned need; /* of the scene; 0: the file is always there                         */
     const char *name, *header;
     enum status (*rows)(const struct numbers *of, struct output *out);
 };
@@ -220,7 +231,7 @@ static void print_cell(struct output *out, double value)
         output_print(out, "%.17g", value);
 }
 
-static void take_line(void *context, const struct export_number *n)
+static void take_line(void *context, const struct number *n)
 {
     struct output *out = context;
 
@@ -235,7 +246,7 @@ static void take_line(void *context, const struct export_number *n)
 
 static enum status material_rows(const struct numbers *of, struct output *out)
 {
-    return export_numbers_each(of->sheet, take_line, out, of->misfit);
+    return each(of->sheet, &(struct taker){take_line, out}, of->misfit);
 }
 
 static enum status time_rows(const struct numbers *of, struct output *out)
@@ -319,38 +330,25 @@ static enum status velocity_rows(const struct numbers *of, struct output *out)
     return STATUS_OK;
 }
 
-enum status export_numbers_materials(const struct export_sheet *s, struct message *misfit,
-                                     struct message *why)
-{
-    static const struct file file = {0, "materials.csv",
-                                     "quantity,a,b,value,unit,rest_length,compliance",
-                                     material_rows};
-
-    return write_file(&(struct numbers){.sheet = s, .misfit = misfit}, &file, why);
-}
-
-enum status export_numbers_times(const struct export_sheet *s,
-                                 const struct truth_made *known, struct message *why)
-{
-    static const struct file file = {0, "times.csv", "what,time,bar", time_rows};
-
-    return write_file(&(struct numbers){.sheet = s, .known = known}, &file, why);
-}
-
-enum status export_numbers_world(const struct export_sheet *s,
-                                 const struct export_held *held, struct message *why)
+enum status export_numbers_write(const struct export_sheet *s,
+                                 const struct export_held *held,
+                                 const struct truth_made *known, struct message *misfit,
+                                 struct message *why)
 {
     static const struct file files[] = {
+        {0, "materials.csv", "quantity,a,b,value,unit,rest_length,compliance",
+         material_rows},
+        {0, "times.csv", "what,time,bar", time_rows},
         {SCENE_NEED_CONTACT, "obstacles.csv",
          "kind,x,y,z,normal_x,normal_y,normal_z,radius,friction", obstacle_rows},
         {SCENE_NEED_MOVING_SUPPORTS, "paths.csv", "path,t,x,y,z", path_rows},
         {SCENE_NEED_LOADS, "loads.csv", "vertex,x,y,z", load_rows},
         {SCENE_NEED_INITIAL_MOTION, "velocities.csv", "vertex,x,y,z", velocity_rows}};
-    const struct numbers of = {.sheet = s, .held = held};
+    const struct numbers of = {s, held, known, misfit};
     enum status st = STATUS_OK;
 
     for (size_t n = 0; n < sizeof files / sizeof *files; n++)
-        if (scene_needs(s->scene) & files[n].need)
+        if (!files[n].need || scene_needs(s->scene) & files[n].need)
             TRY(write_file(&of, &files[n], why));
 out:
     return st;

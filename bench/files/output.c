@@ -46,6 +46,18 @@ void output_print(struct output *out, const char *format, ...)
     va_end(args);
 }
 
+int output_digits(double value)
+{
+    char text[32];
+
+    for (int digits = 15; digits < 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, value);
+        if (strtod(text, NULL) == value)
+            return digits;
+    }
+    return 17;
+}
+
 FILE *output_stream(struct output *out)
 {
     return out->file;

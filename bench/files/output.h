@@ -17,6 +17,9 @@ enum status output_create(const char *path, struct output **out, struct message 
 void output_print(struct output *out, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* The fewest digits of %.*g, 15 to 17, that read back as the same number. */
+int output_digits(double value);
+
 /* What output_print prints to, for others that print; not to be closed. */
 FILE *output_stream(struct output *out);
 

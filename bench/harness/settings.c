@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/output.h"
 #include "models/reader/scene_file.h"
 
 void settings_clear(struct settings *s)
@@ -94,23 +95,9 @@ void settings_word(struct settings *s, const char *key, const char *value)
     settings_print(s, "%s=%s", key, value);
 }
 
-/* The fewest digits that read back as the same number: people read them, too. */
-static int digits_of(double value)
-{
-    int digits = 15;
-    char text[32];
-
-    for (; digits < 17; digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, value);
-        if (strtod(text, NULL) == value)
-            break;
-    }
-    return digits;
-}
-
 void settings_number(struct settings *s, const char *key, double value)
 {
-    settings_print(s, "%s=%.*g", key, digits_of(value), value);
+    settings_print(s, "%s=%.*g", key, output_digits(value), value);
 }
 
 void settings_integer(struct settings *s, const char *key, long value)
@@ -130,7 +117,7 @@ void settings_numbers(struct settings *s, const char *key, int count, const doub
 {
     settings_print(s, "%s=[", key);
     for (int n = 0; n < count; n++)
-        settings_more(s, "%s%.*g", n ? "," : "", digits_of(value[n]), value[n]);
+        settings_more(s, "%s%.*g", n ? "," : "", output_digits(value[n]), value[n]);
     settings_more(s, "]");
 }
 

@@ -4,8 +4,7 @@
  */
 
 #include "bench/harness/run_file.h"
-#include "bench/files/store_read.h"
-#include "bench/files/store_scene.h"
+#include "bench/files/store.h"
 #include "models/reader/scene_file.h"
 #include "models/solid/solid_model.h"
 #include "tests/cloak_fixture.h"

@@ -11,7 +11,7 @@
 #include "bench/experiment/plan_read.h"
 #include "bench/files/folder.h"
 #include "bench/files/provenance.h"
-#include "bench/files/store_scene.h"
+#include "bench/files/store.h"
 #include "bench/harness/run_file.h"
 #include "bench/score/score_ladder.h"
 #include "bench/truth/truth_file.h"

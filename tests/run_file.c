@@ -8,7 +8,7 @@
 #include "bench/experiment/measurement.h"
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
-#include "bench/files/store_read.h"
+#include "bench/files/store.h"
 #include "models/metric/metric.h"
 #include "tests/run_fixture.h"
 #include "tests/scratch.h"

@@ -6,7 +6,7 @@
 
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
-#include "bench/files/store_scene.h"
+#include "bench/files/store.h"
 #include "bench/harness/run_file.h"
 #include "models/metric/metric.h"
 #include "tests/run_fixture.h"

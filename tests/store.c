@@ -10,7 +10,6 @@
 #include "bench/files/hdf5_file.h"
 #include "bench/files/matrix_market.h"
 #include "bench/files/output.h"
-#include "bench/files/store_read.h"
 #include "models/grid.h"
 #include "tests/scratch.h"
 
@@ -293,7 +292,7 @@ static void test_without_fields(const struct fixture *f)
         for (int n = 0; n < FRAMES; n++)
             CHECK(store_frame(store, 0.1 * n, kept && n == 1 ? f->xyz + n * COUNT : NULL,
                               NULL, NULL, &why) == STATUS_OK);
-        CHECK(store_note(store, "a note", &why) == STATUS_OK);
+        CHECK(store_text(store, "note", "a note", &why) == STATUS_OK);
         CHECK(store_close(store, &why) == STATUS_OK);
         CHECK(scratch_files(scratch) ==
               3 + kept); /* XDMF only where there is something to see */

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "bench/files/folder.h"
-#include "bench/files/sealed_text.h"
+#include "bench/files/seal.h"
 #include "models/reader/scene_file.h"
 #include "tests/stress_fixture.h"
 
@@ -100,7 +100,7 @@ static void check_broken(const char *folder)
         struct message why = {""};
         const size_t k = n - SEALED, count = k < size ? k : size;
         if (n < SEALED) {
-            REQUIRE(sealed_text_write(path, sealed[n], NULL) == STATUS_OK);
+            REQUIRE(seal_text_write(path, sealed[n], NULL) == STATUS_OK);
         } else {
             good[k % size] ^= k >= size;
             file = fopen(path, "w");

@@ -7,7 +7,7 @@
 #include "bench/experiment/plan_read.h"
 
 #include "bench/files/folder.h"
-#include "bench/files/store_read.h"
+#include "bench/files/store.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"

@@ -5,8 +5,7 @@
  *   study_locking FOLDER
  */
 #include "bench/files/folder.h"
-#include "bench/files/store_read.h"
-#include "bench/files/store_scene.h"
+#include "bench/files/store.h"
 #include "bench/harness/run_result.h"
 #include "bench/studies/studies.h"
 #include "bench/studies/study_locking.h"

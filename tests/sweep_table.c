@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include "bench/files/sealed_text.h"
+#include "bench/files/seal.h"
 #include "bench/sweep/sweep_print.h"
 #include "tests/sweep_fixture.h"
 
@@ -392,7 +392,7 @@ static void check_damaged(const struct plan *plan)
     static const char *const no_sentence[] = {"", "case\n", "case\nfailed\n",
                                               "case\nslept\nso it is\n"};
     for (size_t n = 0; n < sizeof no_sentence / sizeof *no_sentence; n++) {
-        REQUIRE(sealed_text_write(path, no_sentence[n], NULL) == STATUS_OK);
+        REQUIRE(seal_text_write(path, no_sentence[n], NULL) == STATUS_OK);
         sweep_row_read(&here, 0, NULL, false, &row);
         CHECK(row.state == (n == 2 ? SWEEP_ROW_FAILED : SWEEP_ROW_DAMAGED));
     }

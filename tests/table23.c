@@ -3,7 +3,7 @@
  *
  *   table23 FOLDER
  */
-#include "bench/files/store_read.h"
+#include "bench/files/store.h"
 #include "bench/harness/fit.h"
 #include "bench/tables/table23.h"
 #include "bench/truth/paper.h"

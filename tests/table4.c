@@ -1,7 +1,7 @@
 /* Table 4 on a quick run of all its cases: what its columns and sentences rest on. */
 #include "bench/tables/table4.h"
 
-#include "bench/files/store_scene.h"
+#include "bench/files/store.h"
 #include "bench/experiment/plan.h"
 #include "bench/experiment/plan_read.h"
 #include "tests/fresh.h"

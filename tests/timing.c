@@ -8,7 +8,7 @@
 
 #include "bench/experiment/bench_solid.h"
 #include "bench/experiment/measurement.h"
-#include "bench/files/store_read.h"
+#include "bench/files/store.h"
 #include "models/clock.h"
 #include "models/solid/solid_motion.h"
 #include "tests/run_fixture.h"

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "bench/files/provenance.h"
-#include "bench/files/sealed_text.h"
-#include "bench/files/store_read.h"
+#include "bench/files/seal.h"
+#include "bench/files/store.h"
 #include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
 #include "bench/experiment/bench_solid.h"
@@ -164,7 +164,7 @@ out:
 
 static void add_text(unsigned long *sum, const char *text)
 {
-    *sum = sealed_text_sum(*sum, text, strlen(text) + 1);
+    *sum = seal_text_sum(*sum, text, strlen(text) + 1);
 }
 
 /* Sums what a case's file depends on besides the case: the program, its commit and the
@@ -174,7 +174,7 @@ static enum status sum_of_program(unsigned long *sum, struct message *why)
     static const char *const keys[] = {"commit", "changed_files", "cpu", "omp_threads",
                                        "blas_threads"};
     struct provenance here;
-    const enum status st = sealed_text_program(sum, why);
+    const enum status st = seal_text_program(sum, why);
 
     provenance_collect(&here);
     for (size_t n = 0; n < sizeof keys / sizeof *keys; n++)
@@ -197,12 +197,12 @@ static enum status key_of(const struct measurement_options *o,
 
     TRY(scene_file_find(c->plan.path, &path, why));
     TRY(named_file_read(&scene_file_kind, path, &text, &size, why));
-    sum = sealed_text_sum(sum, text, size);
+    sum = seal_text_sum(sum, text, size);
     add_text(&sum, c->plan.contestant->name);
     for (int n = 0; c->plan.settings && n < c->plan.settings->count; n++)
         add_text(&sum, c->plan.settings->text[n]);
-    sum = sealed_text_sum(sum, numbers, sizeof numbers);
-    sum = sealed_text_sum(sum, c->keep.time, (size_t)c->keep.times * sizeof *c->keep.time);
+    sum = seal_text_sum(sum, numbers, sizeof numbers);
+    sum = seal_text_sum(sum, c->keep.time, (size_t)c->keep.times * sizeof *c->keep.time);
     snprintf(key, MADE_FOR, "a case of %08lx", sum);
 out:
     free(path);

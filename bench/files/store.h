@@ -80,10 +80,8 @@ enum status store_metric(struct store *store, const char *name, const char *unit
 enum status store_size(struct store *store, const struct model_size *size,
                        struct message *why);
 
-/* A sentence on the run that its outcome does not say. Once. */
-enum status store_note(struct store *store, const char *text, struct message *why);
-
-/* One more text attribute of /, [a-z_]+, that this list does not have. Once per key. */
+/* One more text attribute of /, [a-z_]+, that this list does not have, as
+ * "note", a sentence on the run that its outcome does not say. Once per key. */
 enum status store_text(struct store *store, const char *key, const char *text,
                        struct message *why);
 
@@ -100,5 +98,43 @@ enum status store_close(struct store *store, struct message *why);
 
 /* Gives the run up: removes the temporary file. NULL is allowed. */
 void store_discard(struct store *store);
+
+/* Reads them: tables, plots and scores are made from them. */
+struct store_read;
+
+/* Opens FILE.h5 for reading. STATUS_FILE: cannot be read; STATUS_INPUT: HDF5, but not a
+ * run. *file is freed with store_read_close. */
+enum status store_read_open(const char *path, struct store_read **file,
+                            struct message *why);
+void store_read_close(struct store_read *file); /* NULL is allowed */
+
+/* Frames with a field in the file; their times are its array "xyz_time". */
+int store_read_frames(const struct store_read *file);
+
+/* The n-th field, 0 <= n < frames, into xyz (grid.h) [m]. */
+enum status store_read_frame(const struct store_read *file, int n, double *xyz,
+                             struct message *why);
+
+bool store_read_has(const struct store_read *file, const char *name);
+
+/* Array of doubles by its name in the file ("time", "metrics/drop", "seconds/advance"):
+ * *values [rows][columns], freed by the receiver; columns >= 1, 1 for one number a row. */
+enum status store_read_array(const struct store_read *file, const char *name,
+                             double **values, int *rows, int *columns, struct message *why);
+
+/* Text attribute `key` of `group` ("/", "provenance", "metrics/drop"); *text is freed by
+ * the receiver. */
+enum status store_read_text(const struct store_read *file, const char *group,
+                            const char *key, char **text, struct message *why);
+
+/* Number attribute `key` of "/" ("length", "unknowns"). */
+enum status store_read_number(const struct store_read *file, const char *key,
+                              double *number, struct message *why);
+
+/* The scene of a result file, with the settings it was run with: the file keeps its text
+ * with its settings below as lines `# --set KEY=VALUE`; they are applied again. *scene is
+ * overwritten, and freed with scene_clear. */
+enum status store_scene(const struct store_read *file, const char *path,
+                        struct scene *scene, struct message *why);
 
 #endif

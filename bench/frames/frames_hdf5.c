@@ -1,7 +1,7 @@
 /* HDF5: data sets xyz [frames][n][3], uv [n][2], t [frames]; or a result file of the
  * program's (bench/files/store.h), whose layers' middle is taken. */
 #include "bench/files/hdf5_file.h"
-#include "bench/files/store_read.h"
+#include "bench/files/store.h"
 #include "bench/frames/frames_parts.h"
 #include "models/grid.h"
 

@@ -301,7 +301,7 @@ static enum status complete(struct run_file *f, const struct motion *m,
         TRY(store_seconds(store, "advance", m->seconds, 1, m->steps, why));
     TRY(store_seconds(store, "look", &f->seconds, 1, 0, why));
     if (f->refused)
-        TRY(store_note(store, f->sentence.text, why));
+        TRY(store_text(store, "note", f->sentence.text, why));
     if (r->outcome)
         store_death(store, r->outcome, r->death_time);
     f->store = NULL; /* closing frees it, whatever comes of it */

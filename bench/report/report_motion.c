@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "bench/files/store_read.h"
+#include "bench/files/store.h"
 #include "bench/report/report_json.h"
 #include "bench/truth/truth_file.h"
 #include "models/grid.h"

@@ -7,7 +7,7 @@
 
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
-#include "bench/files/store_scene.h"
+#include "bench/files/store.h"
 #include "bench/stress/stress.h"
 #include "bench/sweep/sweep.h"
 #include "bench/sweep/sweep_map.h"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/sealed_text.h"
+#include "bench/files/seal.h"
 #include "bench/stress/stress.h"
 
 enum { PATH = 4096 };
@@ -48,7 +48,7 @@ enum status stress_result_write(const char *folder, const struct stress_case *c,
              "outcome %s\nerror %.17g\ntime %.17g\nseconds %.17g\nquick %d\nsentence %s\n",
              outcome_words[r->outcome], r->error, r->time, r->seconds, r->quick,
              r->sentence.text);
-    return sealed_text_write(path, text, why);
+    return seal_text_write(path, text, why);
 }
 
 /* As stress_result_write has it, to the last line's end. */
@@ -79,7 +79,7 @@ enum status stress_result_read(const char *folder, const struct stress_case *c,
 
     *r = (struct stress_result){.error = NAN, .time = NAN, .seconds = NAN};
     find_file(folder, c, contestant, path);
-    TRY(sealed_text_read(path, &text, why));
+    TRY(seal_text_read(path, &text, why));
     if (!read_result(text, r))
         st = status_fail(why, STATUS_INPUT, "%s is no result of this `stress`", path);
 out:

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "bench/files/folder.h"
-#include "bench/files/sealed_text.h"
+#include "bench/files/seal.h"
 #include "bench/harness/pool.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_plan.h"
@@ -62,9 +62,9 @@ static enum status made_for(const struct work *w, struct place at,
 
     TRY(named_file_read(&scene_file_kind, w->job->scene[at.scene].path, &bytes, &size,
                         why));
-    sum = sealed_text_sum(0, bytes, size);
+    sum = seal_text_sum(0, bytes, size);
     for (int n = 0; n < settings->count; n++)
-        sum = sealed_text_sum(sum, settings->text[n], strlen(settings->text[n]) + 1);
+        sum = seal_text_sum(sum, settings->text[n], strlen(settings->text[n]) + 1);
     snprintf(text, MADE_FOR, "a run of an ensemble to %g s, settings %08lx program %08lx",
              w->job->scene[at.scene].until, sum, w->program);
 out:
@@ -195,7 +195,7 @@ enum status study_ensemble_run(const struct study_ensemble_job *job, int slots, 
 
     pool.count = (long)job->scenes * (STUDY_ENSEMBLE_TRUTHS + job->models) * job->runs;
     TRY(folder_make(job->folder, why));
-    TRY(sealed_text_program(&w.program, why));
+    TRY(seal_text_program(&w.program, why));
     done = calloc((size_t)pool.count, sizeof *done);
     TRY(done ? STATUS_OK : STATUS_MEMORY);
     for (long n = 0; n < pool.count; n++)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/sealed_text.h"
+#include "bench/files/seal.h"
 #include "bench/harness/net_fit.h"
 #include "bench/truth/truth_plan.h"
 #include "bench/truth/truth_level.h"
@@ -125,7 +125,7 @@ enum status study_ensemble_keep(const struct study_ensemble_job *job, struct mes
         at += snprintf(text + at, sizeof text - (size_t)at, "model %s\n",
                        job->model[n]->name);
     job_file(job->folder, path);
-    return sealed_text_write(path, text, why);
+    return seal_text_write(path, text, why);
 }
 
 static bool read_line(const char *line, struct study_ensemble_job *job)
@@ -154,7 +154,7 @@ enum status study_ensemble_find(const char *folder, struct study_ensemble_job *j
 
     *job = (struct study_ensemble_job){.folder = folder};
     job_file(folder, path);
-    TRY(sealed_text_read(path, &text, why));
+    TRY(seal_text_read(path, &text, why));
     for (char *line = strtok_r(text, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest))
         if (!read_line(line, job))
             TRY(status_fail(why, STATUS_INPUT, "%s: of another version of the program: %s",

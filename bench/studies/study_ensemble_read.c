@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/store_read.h"
+#include "bench/files/store.h"
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth_level.h"
 #include "models/grid.h"

@@ -13,7 +13,7 @@
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
-#include "bench/files/sealed_text.h"
+#include "bench/files/seal.h"
 #include "bench/experiment/plan_case.h"
 #include "models/reader/scene_file.h"
 
@@ -108,8 +108,8 @@ static enum status make_manifest(struct sweep_folder *folder, const struct plan 
         return STATUS_MEMORY;
     TRY(write_manifest(plan, memory, why));
     TRY(fflush(memory) == 0 ? STATUS_OK : STATUS_MEMORY);
-    folder->plan = sealed_text_sum(0, *text, size);
-    TRY(sealed_text_program(&folder->program, why));
+    folder->plan = seal_text_sum(0, *text, size);
+    TRY(seal_text_program(&folder->program, why));
     provenance_collect(&here);
     fprintf(memory, "\n--- program %s, commit %s, file with the sum %08lx\n",
             provenance_value(&here, "program"), provenance_value(&here, "commit"),

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "bench/files/sealed_text.h"
+#include "bench/files/seal.h"
 
 bool sweep_row_is_open(const struct sweep_row *row)
 {
@@ -25,8 +25,8 @@ const char *sweep_row_made_for(const struct sweep_folder *folder, const struct p
         const struct plan_setting *s = c->given[k];
         if (!s)
             continue;
-        sum = sealed_text_sum(sum, s->key, strlen(s->key) + 1);
-        sum = sealed_text_sum(sum, s->value, strlen(s->value) + 1);
+        sum = seal_text_sum(sum, s->key, strlen(s->key) + 1);
+        sum = seal_text_sum(sum, s->value, strlen(s->value) + 1);
     }
     snprintf(text, SWEEP_ROW_MADE_FOR, MADE_FOR, sum, folder->plan, folder->program);
     return text;
@@ -82,7 +82,7 @@ static enum status read_text(const char *path, const char *made_for, struct swee
                  "its file is gone; --resume runs it again");
         return STATUS_OK;
     }
-    const enum status st = sealed_text_read(path, &text, NULL);
+    const enum status st = seal_text_read(path, &text, NULL);
     if (st == STATUS_OK)
         row->state = read_sentence(text, path, made_for, &row->why);
     free(text);
@@ -140,7 +140,7 @@ enum status sweep_row_write(const struct sweep_folder *folder, long number,
     sweep_folder_file(folder, number, "txt", path);
     snprintf(text, sizeof text, "%s\n%s\n%s\n", made_for,
              state == SWEEP_ROW_CUT ? "cut" : "failed", sentence);
-    return sealed_text_write(path, text, why);
+    return seal_text_write(path, text, why);
 }
 
 void sweep_row_remove(const struct sweep_folder *folder, long number)

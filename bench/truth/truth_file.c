@@ -10,7 +10,6 @@
 #include <sys/stat.h>
 
 #include "bench/files/store.h"
-#include "bench/files/store_read.h"
 #include "bench/harness/run.h"
 #include "bench/truth/truth_physics.h"
 #include "bench/truth/truth_third.h"
@@ -91,7 +90,7 @@ static enum status put_all(struct store *store, const struct scene *scene,
         TRY(store_frame(store, made->time[n], n < made->claimed ? made->xyz[n] : NULL, NULL,
                         NULL, why));
     TRY(put_columns(store, made, why));
-    TRY(store_note(store, made->note, why));
+    TRY(store_text(store, "note", made->note, why));
     TRY(store_text(store, "horizon", made->horizon, why));
     TRY(store_text(store, "physics", physics, why));
     TRY(store_text(store, "checksum", sum, why));

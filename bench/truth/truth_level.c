@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "bench/files/provenance.h"
-#include "bench/files/sealed_text.h"
-#include "bench/files/store_read.h"
+#include "bench/files/seal.h"
+#include "bench/files/store.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_physics.h"
 

@@ -8,7 +8,6 @@
 #include "bench/harness/run_file.h"
 #include "models/grid.h"
 #include "tests/check.h"
-#include "tests/score_falls.h"
 #include "tests/score_said.h"
 
 enum { SIDE = 34, NET = SIDE * SIDE }; /* every third point of the grid */
@@ -78,30 +77,25 @@ static void physics(void)
          .005,
          "under gravity x 0.97",
          SCORE_DAMPING},
-        {"gravity.h5",
-         {"gravity=[0,0,-10.0062]"},
-         SCORE_GRAVITY,
-         1.02,
-         .003,
-         "under gravity x 1.0"},
+        {"gravity.h5", {"gravity=[0,0,-10.0062]"}, SCORE_GRAVITY, 1.02, .003, "x 1.0"},
         {"light.h5",
          {"gravity=[0,0,-9.32]"},
          SCORE_GRAVITY,
          .95,
          .003,
-         "or does it run 1.03 times as slow?"},
+         "1.03 times as slow?"},
         {"damping.h5",
          {"damping={kind: mass, value: 0.2}"},
          SCORE_DAMPING,
          .2,
          .02,
-         "Is damped like by 0.2"},
+         "like by 0.2"},
         {"hinge.h5",
          {"supports=[{at: {u: 0, w: 0.5}, fix: xyz}]"},
          SCORE_HINGE,
          1,
          .1,
-         "of the way to a hinge)"},
+         "hinge)"},
         {"soft.h5", {D_047}, SCORE_BENDING, .47, .06, "Bends like D x 0.4"},
         {"stiff.h5", {D_300}, SCORE_BENDING, 3, .2, "(D = E h^3"},
         {"end.h5", {D_500}, SCORE_BENDING, 4, .2, "or beyond: the ladder"},
@@ -262,64 +256,100 @@ static void frames_of_others(void)
         const char *name;
         turn *make;
         int every, until;
-        struct score_look look;
         enum score_kind kind;
         double value, tolerance;
         enum score_kind also; /* 0: none */
+        char up;              /* 0: z    */
+        double scale;         /* 0: 1    */
     } row[] = {
-        {"as_is.csv", as_is, 5, 100, {.up = 'z', .scale = 1}, SCORE_SOUND, 0, .01},
-        {"seldom.csv", as_is, 20, 100, {.up = 'z', .scale = 1}, SCORE_SOUND, 0, .01},
-        {"short.csv", as_is, 5, 60, {.up = 'z', .scale = 1}, SCORE_SOUND, 0, .01},
-        {"odd.csv", as_is, 7, 98, {.up = 'z', .scale = 1}, SCORE_SOUND, 0, .01},
-        {"first.csv",
-         first_order,
-         5,
-         95,
-         {.up = 'z', .scale = 1},
-         SCORE_FIRST_ORDER_STEP,
-         STEP,
-         .001},
-        {"late.csv", late, 5, 100, {.up = 'z', .scale = 1}, SCORE_LAG, 2 * STEP, .001},
-        {"early.csv", early, 5, 95, {.up = 'z', .scale = 1}, SCORE_LAG, -3 * STEP, .002},
-        {"let_go.csv",
-         let_go,
-         5,
-         100,
-         {.up = 'z', .scale = 1},
-         SCORE_SUPPORT,
-         9.81 / 8,
-         1e-4},
-        {"above.csv",
-         above,
-         5,
-         100,
-         {.up = 'z', .scale = 1},
-         SCORE_SUPPORT,
-         .1,
-         1e-3,
-         SCORE_HINGE},
-        {"twice.csv", twice, 1, 100, {.up = 'z', .scale = 1}, SCORE_TIME, .5, .01},
-        {"second.csv", every_second, 1, 50, {.up = 'z', .scale = 1}, SCORE_TIME, 2, .02},
-        {"yields.csv", yielding, 5, 100, {.up = 'z', .scale = 1}, SCORE_CLAMP, .4, .05},
-        {"shuffled.csv", shuffled, 5, 100, {.up = 'z', .scale = 1}, SCORE_ORDER, 0, .02},
-        {"still.csv", still, 20, 100, {.up = 'z', .scale = 1}, SCORE_STILL, 0, 1e-3},
-        {"mm.csv", millimetres, 20, 100, {.up = 'z', .scale = 1}, SCORE_UNITS, 1e-3, 0},
-        {"mm.csv", NULL, 0, 0, {.up = 'z', .scale = 1e-3}, SCORE_SOUND, 0, .01},
-        {"y_up.csv", y_up, 20, 100, {.up = 'z', .scale = 1}, SCORE_AXES, 0, .01},
-        {"y_up.csv", NULL, 0, 0, {.up = 'y', .scale = 1}, SCORE_SOUND, 0, .01},
-        {"x_up.csv", x_up, 20, 100, {.up = 'z', .scale = 1}, SCORE_AXES, 0, .01},
-        {"x_up.csv", NULL, 0, 0, {.up = 'x', .scale = 1}, SCORE_SOUND, 0, .01},
-        {"reversed.csv", reversed, 20, 100, {.up = 'z', .scale = 1}, SCORE_ORDER, 0, .01},
-        {"order.csv", transposed, 20, 100, {.up = 'z', .scale = 1}, SCORE_ORDER, 0, .01},
+        {"as_is.csv", as_is, 5, 100, SCORE_SOUND, 0, .01},
+        {"seldom.csv", as_is, 20, 100, SCORE_SOUND, 0, .01},
+        {"short.csv", as_is, 5, 60, SCORE_SOUND, 0, .01},
+        {"odd.csv", as_is, 7, 98, SCORE_SOUND, 0, .01},
+        {"first.csv", first_order, 5, 95, SCORE_FIRST_ORDER_STEP, STEP, .001},
+        {"late.csv", late, 5, 100, SCORE_LAG, 2 * STEP, .001},
+        {"early.csv", early, 5, 95, SCORE_LAG, -3 * STEP, .002},
+        {"let_go.csv", let_go, 5, 100, SCORE_SUPPORT, 9.81 / 8, 1e-4},
+        {"above.csv", above, 5, 100, SCORE_SUPPORT, .1, 1e-3, .also = SCORE_HINGE},
+        {"twice.csv", twice, 1, 100, SCORE_TIME, .5, .01},
+        {"second.csv", every_second, 1, 50, SCORE_TIME, 2, .02},
+        {"yields.csv", yielding, 5, 100, SCORE_CLAMP, .4, .05},
+        {"shuffled.csv", shuffled, 5, 100, SCORE_ORDER, 0, .02},
+        {"still.csv", still, 20, 100, SCORE_STILL, 0, 1e-3},
+        {"mm.csv", millimetres, 20, 100, SCORE_UNITS, 1e-3, 0},
+        {"mm.csv", NULL, 0, 0, SCORE_SOUND, 0, .01, .scale = 1e-3},
+        {"y_up.csv", y_up, 20, 100, SCORE_AXES, 0, .01},
+        {"y_up.csv", NULL, 0, 0, SCORE_SOUND, 0, .01, .up = 'y'},
+        {"x_up.csv", x_up, 20, 100, SCORE_AXES, 0, .01},
+        {"x_up.csv", NULL, 0, 0, SCORE_SOUND, 0, .01, .up = 'x'},
+        {"reversed.csv", reversed, 20, 100, SCORE_ORDER, 0, .01},
+        {"order.csv", transposed, 20, 100, SCORE_ORDER, 0, .01},
     };
 
     for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
         if (row[n].make)
             write_turned(row[n].name, row[n].make, row[n].every, row[n].until);
         said_also = row[n].also ? row[n].also : SCORE_KINDS;
-        check_said("edge_drop", row[n].name, &row[n].look, row[n].kind, row[n].value,
+        const struct score_look look = {.up = row[n].up ? row[n].up : 'z',
+                                        .scale = row[n].scale > 0 ? row[n].scale : 1};
+        check_said("edge_drop", row[n].name, &look, row[n].kind, row[n].value,
                    row[n].tolerance);
         said_also = SCORE_KINDS;
+    }
+}
+
+/* --- free falls
+ * --------------------------------------------------------------------------- */
+
+/* Of a sheet under g at frames 10 ms apart; the physics of the scene are g t^2 / 2. */
+struct fall {
+    double first_order, g, damping, late, above;
+};
+
+static double fallen(const struct fall *f, double t)
+{
+    t = t > f->late ? t - f->late : 0;
+    if (f->damping != 0)
+        return f->g * (f->damping * t - 1 + exp(-f->damping * t)) /
+               (f->damping * f->damping);
+    return .5 * f->g * t * (t + f->first_order);
+}
+
+static void falls(void)
+{
+    static const struct {
+        const char *name;
+        int from; /* frame */
+        struct fall fall;
+        enum score_kind kind;
+        double value, tolerance;
+        const char *words;
+    } row[] = {
+        {"fall.csv", 0, {0, 9.81, 0, 0}, SCORE_SOUND, 0, 1e-4, "Nothing wrong"},
+        {"fall_1.csv", 0, {.01, 9.81, 0, 0}, SCORE_FIRST_ORDER_STEP, .01, 1e-4, "10 ms"},
+        {"fall_5.csv", 5, {.01, 9.81, 0, 0}, SCORE_FIRST_ORDER_STEP, .01, 1e-4, "10 ms"},
+        {"fall_g.csv", 0, {0, 1.02 * 9.81, 0, 0}, SCORE_GRAVITY, 1.02, 1e-4, "x 1.020:"},
+        {"fall_c.csv", 0, {0, 9.81, .3, 0}, SCORE_DAMPING, .3, .02, "Is damped like by 0."},
+        {"fall_e.csv", 0, {0, 9.81, -.3, 0}, SCORE_DAMPING, -.3, .02, "Gains energy"},
+        {"fall_z.csv", 0, {0, 9.81, 0, 0, .1}, SCORE_SUPPORT, .1, 1e-3, "(0, 0, 0.1) m"},
+        {"fall_p.csv", 0, {0, 4 * 9.81, 0, 0}, SCORE_GRAVITY, 4, 1e-3, "2 times as fast"},
+        {"fall_t.csv", 0, {0, 9.81, 0, .004}, SCORE_LAG, .004, 1e-4, "Lags behind"},
+        {"fall_a.csv", 0, {0, 9.81, 0, -.004}, SCORE_LAG, -.004, 2e-4, "Is ahead of"}};
+
+    for (size_t r = 0; r < sizeof row / sizeof *row; r++) {
+        char path[4096];
+        file_of(row[r].name, path);
+        FILE *file = fopen(path, "w");
+        REQUIRE(file);
+        for (int k = row[r].from; k <= 50; k++)
+            for (int n = 0; n < 16; n++)
+                fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", k / 100., n % 4 / 3.,
+                        n / 4 / 3., n % 4 / 3., n / 4 / 3.,
+                        row[r].fall.above - fallen(&row[r].fall, k / 100.));
+        REQUIRE(fclose(file) == 0);
+        check_said("free_fall", row[r].name, &plain, row[r].kind, row[r].value,
+                   row[r].tolerance);
+        check_words(row[r].name, row[r].words);
     }
 }
 

@@ -149,18 +149,6 @@ static void check_readers(void)
           "\"to_next_over_length\": null, \"p\": \"-inf\", \"unknowns\": null}, "
           "{\"case\": \"short\", \"frame_s\": null, \"to_next_over_length\": null, "
           "\"p\": null, \"unknowns\": null}], \"notes\": [\"A \\\"note\\\".\"]}\n");
-    print(t, TABLE_MARKDOWN,
-          "**Both**\n\n| case | a frame [ms] | net | to next [% L] | unknowns |\n"
-          "|:---|---:|:---|---:|---:|\n| a \"b\"\\ \x01 | 12.5 | 10x10 | 12.5 | 540 |\n"
-          "| # no comment, a name | - | - | not reached | - |\n| short |  |  |  |  |\n"
-          "\nA \"note\".\n");
-    print(
-        t, TABLE_LATEX,
-        "\\begin{table}\n\\centering\n\\caption{Both}\n\\begin{tabular}{lrlrr}\n\\hline\n"
-        "case & a frame [ms] & net & to next [\\% L] & unknowns \\\\\n\\hline\n"
-        "a \"b\"\\textbackslash{}\n\x01 & 12.5 & 10x10 & 12.5 & 540 \\\\\n"
-        "\\# no comment, a name & - & - & not reached & - \\\\\nshort &  &  &  &  \\\\\n"
-        "\\hline\n\\end{tabular}\n\n\\smallskip\\footnotesize A \"note\".\n\\end{table}\n");
     CHECK(table_rows(t) == 3 && table_find(t, "p") == 4);
     CHECK(table_find(t, "case") == 0 && table_find(t, "unknowns") == 5);
     CHECK(table_value(t, 0, 1) == 0.0125 && table_shown(t, 0, 1) == 12.5);
@@ -340,24 +328,6 @@ static void check_sentences(void)
     check_said("- 5 %\n- 6 %", "- 5 %\n- 6 %\n");
 }
 
-/* A long note is cut at blanks, never inside a word. */
-static void check_wrapping(void)
-{
-    static const struct table_column one[] = {{"x", NULL, TABLE_RIGHT}};
-    struct table *t = table_create(1, one, NULL);
-    char *text = NULL;
-    size_t size = 0;
-    FILE *file = open_memstream(&text, &size);
-
-    for (int n = 0; n < 1; n++)
-        table_note(t, "%0150d %090d end", 0, 0);
-    REQUIRE(file && table_print(t, TABLE_TEXT, file) == STATUS_OK);
-    fclose(file);
-    CHECK(size == 4 + 1 + 151 + 90 + 1 + 3 + 1);
-    free(text);
-    table_destroy(t);
-}
-
 int main(void)
 {
     check_formats();
@@ -366,7 +336,6 @@ int main(void)
     check_keys();
     check_files();
     check_failures_told();
-    check_wrapping();
     check_escapes();
     check_wide();
     check_sentences();

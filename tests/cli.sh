@@ -206,16 +206,11 @@ refused 'whole number from 1' run edge_drop --modes many
 refused 'modes: 1 to 540' run edge_drop --modes 541 --quiet
 refused '--probe makes no sense' run edge_drop --modes 1 --probe 0,0,0
 refused '--out makes no sense' run edge_drop --modes 1 --out a.h5
-refused 'no --values to choose' table 1 --values 1,2
-for values in '' 0 -1 x '1,' ',1' 2,1 1,1 nan 1e400 0.001x; do
-    refused 'increasing positive numbers' study locking --values "$values"
-done
 refused "no check 'dance'; there are elastica" verify dance
 refused "no model or contestant 'ibm'" verify elastica --models iga,ibm
 refused 'give one of the two' verify elastica --from a --out b
 refused 'are for a new run' verify elastica --from a --quick
 refused 'text, csv, markdown, latex or json' verify elastica --format html
-refused 'not for --from' study locking --values 0.001 --from nowhere
 refused 'takes no scenes' study locking flag
 refused 'not for --from' study ensemble flag --from nowhere
 refused 'whole number from 1 to 256' study ensemble --runs 0

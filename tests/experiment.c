@@ -22,8 +22,7 @@ static struct {
     int measured, printed, kept, told;
     char folder[64], from[64];
     bool quick, marked, bar;
-    int repeats, count;
-    double value[32];
+    int repeats;
     enum table_format format;
     enum status end;
     int processors;
@@ -60,9 +59,6 @@ static enum status measure(const struct experiment_options *o, struct message *w
     seen.marked = judge_marked(o->folder);
     seen.bar = o->progress != NULL;
     seen.repeats = o->repeats;
-    seen.count = o->value_count;
-    if (o->value_count)
-        memcpy(seen.value, o->value, (size_t)o->value_count * sizeof *o->value);
     CHECK(sched_getaffinity(0, sizeof set, &set) == 0);
     seen.processors = CPU_COUNT(&set);
     if (showing)
@@ -90,21 +86,14 @@ static enum status tell(const struct study_results *r, const char *folder,
     return print(folder, format, file, why);
 }
 
-static const struct experiment chosen = {.item = {"1", "with values"},
-                                         .values = "lengths [m]",
-                                         .measure = measure,
-                                         .print = print},
-                               plain = {.item = {"plain", "without"},
-                                        .measure = measure,
-                                        .print = print},
-                               planned = {.item = {"told", NULL},
-                                          .plan = "./tiny.yaml",
-                                          .measure = measure,
-                                          .tell = tell},
-                               lost = {.item = {"lost", NULL},
-                                       .plan = "nowhere",
-                                       .measure = measure,
-                                       .tell = tell};
+static const struct experiment
+    chosen = {.item = {"1", "a number"}, .measure = measure, .print = print},
+    plain = {.item = {"plain", "without"}, .measure = measure, .print = print},
+    planned = {.item = {"told", NULL},
+               .plan = "./tiny.yaml",
+               .measure = measure,
+               .tell = tell},
+    lost = {.item = {"lost", NULL}, .plan = "nowhere", .measure = measure, .tell = tell};
 static const struct command_item *const items[] = {&chosen.item, &plain.item, &planned.item,
                                                    &lost.item, NULL};
 
@@ -159,27 +148,20 @@ static enum status call(const char *text, struct message *why)
 
 /* --- what is done -------------------------------------------------------------------- */
 
-#define SIXTEEN "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16"
-
 static const struct {
     const char *line, *folder; /* where it runs; NULL: it does not                       */
     const char *from;          /* where it prints from, if elsewhere                     */
     bool quick;
     enum table_format format;
-    int count;
-    double last; /* of the values */
 } done[] = {
-    {"table 1", "results/table1", NULL, false, TABLE_TEXT, 0, 0},
-    {"study plain", "results/study_plain", NULL, false, TABLE_TEXT, 0, 0},
-    {"study told", "results/study_told", NULL, false, TABLE_TEXT, 0, 0},
-    {"table told --out o/p", "o/p", NULL, false, TABLE_TEXT, 0, 0},
-    {"table 1 --from else", NULL, "else", false, TABLE_TEXT, 0, 0},
-    {"table 1 --from else --format json", NULL, "else", false, TABLE_JSON, 0, 0},
-    {"table 1 --out q --quick --format csv", "q", NULL, true, TABLE_CSV, 0, 0},
-    {"table 1 --out q", "q", NULL, false, TABLE_TEXT, 0, 0},
-    {"table 1 --values 0.5", "results/table1", NULL, false, TABLE_TEXT, 1, 0.5},
-    {"study 1 --values 0.001,0.02", "results/study_1", NULL, false, TABLE_TEXT, 2, 0.02},
-    {"study 1 --values " SIXTEEN, "results/study_1", NULL, false, TABLE_TEXT, 16, 16},
+    {"table 1", "results/table1", NULL, false, TABLE_TEXT},
+    {"study plain", "results/study_plain", NULL, false, TABLE_TEXT},
+    {"study told", "results/study_told", NULL, false, TABLE_TEXT},
+    {"table told --out o/p", "o/p", NULL, false, TABLE_TEXT},
+    {"table 1 --from else", NULL, "else", false, TABLE_TEXT},
+    {"table 1 --from else --format json", NULL, "else", false, TABLE_JSON},
+    {"table 1 --out q --quick --format csv", "q", NULL, true, TABLE_CSV},
+    {"table 1 --out q", "q", NULL, false, TABLE_TEXT},
 };
 
 static void check_done(size_t n)
@@ -198,10 +180,8 @@ static void check_done(size_t n)
         fine = fine && !strcmp(seen.folder, folder) && access(kept, F_OK) == 0;
         fine = fine && seen.quick == done[n].quick && (seen.marked || !seen.quick);
         fine = fine && judge_marked(folder) == done[n].quick && seen.bar;
-        fine = fine && seen.processors == 1 && seen.count == done[n].count;
+        fine = fine && seen.processors == 1;
     }
-    if (done[n].count)
-        fine = fine && seen.value[done[n].count - 1] == done[n].last;
     if (!CHECK(fine))
         printf("  %s: %s\n", done[n].line, why.text);
 }
@@ -223,23 +203,11 @@ static const struct {
      "./none.yaml: cannot be read as a plan: No such file or directory", STATUS_INPUT},
     {"table 1 --from a --out b",
      "--from reads result files and --out writes them; give one of the two", STATUS_INPUT},
-    {"table 1 --from a --values 1", "--values is for a new run, not for --from",
-     STATUS_INPUT},
-    {"table plain --values 1", "plain has no --values to choose", STATUS_INPUT},
-    {"table told --values 1", "./tiny.yaml has no --values to choose", STATUS_INPUT},
-    {"study tiny --values 1", "tiny has no --values to choose", STATUS_INPUT},
-    {"table 1 --values " SIXTEEN ",17",
-     "--values '" SIXTEEN ",17': at most 16 increasing positive numbers, as in "
-     "0.001,0.02: lengths [m]",
-     STATUS_INPUT},
     {"table 1 --format words",
      "--format words: a format is text, csv, markdown, latex or json", STATUS_INPUT},
     {"table told --from nowhere",
      "nowhere/tiny_a.h5: cannot be read: No such file or directory", STATUS_FILE},
 };
-
-static const char *const values[] = {"0",  "-1",  "1,",    ",1",    "2,1", "1,1",  "x",
-                                     "1x", "nan", "1,2;3", "1e999", "inf", "1,,2", "1,0"};
 
 /* Plans of studies are told where they may be given, those that are none and those that an
  * experiment goes before are not. */
@@ -259,18 +227,12 @@ static void check_known(void)
 static void check_refused(void)
 {
     struct message why;
-    char line[256];
 
     for (size_t n = 0; n < sizeof refused / sizeof *refused; n++)
         if (!CHECK(call(refused[n].line, &why) == refused[n].status &&
                    !strcmp(why.text, refused[n].sentence) && !seen.measured &&
                    !seen.printed))
             printf("  %s: %s\n", refused[n].line, why.text);
-    for (size_t n = 0; n < sizeof values / sizeof *values; n++) {
-        snprintf(line, sizeof line, "table 1 --values=%s", values[n]);
-        if (!CHECK(call(line, &why) == STATUS_INPUT && !seen.measured))
-            printf("  %s\n", line);
-    }
     CHECK(access("a", F_OK) && access("b", F_OK)); /* and leaves no folder */
 }
 

@@ -163,6 +163,7 @@ static inline void study_fill(struct study_made *m)
             row->result.factor_entries = 2000 * (k + 1) + n;
             row->milliseconds = 10 * (k + 1) + n;
             row->seconds = k + 1 + n / 10.;
+            row->theory = 1;
             row->paper_ms = 500 * (k + 1) + n;
             snprintf(row->result.sentence.text, sizeof row->result.sentence.text, "done");
             for (int t = 0; t < s->frames; t++) {

@@ -7,16 +7,18 @@ static const struct {
     const char *plan;
     const struct claim *claims;
 } table[] = {
-    {"fig6", claim_fig6},
-    {"solvers", claim_solvers},
-    {"local-global", claim_local_global},
-    {"drops", claim_drops},
-    {"flag", claim_flag},
     {"artefacts", claim_artefacts},
     {"contact", claim_contact},
-    {"mesh", claim_mesh},
+    {"cures", claim_cures},
     {"degree", claim_degree},
+    {"drops", claim_drops},
+    {"fig6", claim_fig6},
+    {"flag", claim_flag},
+    {"local-global", claim_local_global},
+    {"locking", claim_locking},
+    {"mesh", claim_mesh},
     {"mesh-degree", claim_mesh_degree},
+    {"solvers", claim_solvers},
 };
 
 const struct claim *claim_find(const char *plan)

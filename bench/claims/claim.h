@@ -28,8 +28,18 @@ enum status claim_print(const struct study_results *d, FILE *file);
 enum status claim_tell(const struct study_results *d, const char *folder,
                        enum table_format format, FILE *file, struct message *why);
 
-extern const struct claim claim_solvers[], claim_local_global[], claim_drops[],
-    claim_flag[], claim_artefacts[], claim_contact[], claim_fig6[], claim_mesh[],
-    claim_degree[], claim_mesh_degree[];
+/* A list for each plan. */
+extern const struct claim claim_artefacts[];
+extern const struct claim claim_contact[];
+extern const struct claim claim_cures[];
+extern const struct claim claim_degree[];
+extern const struct claim claim_drops[];
+extern const struct claim claim_fig6[];
+extern const struct claim claim_flag[];
+extern const struct claim claim_local_global[];
+extern const struct claim claim_locking[];
+extern const struct claim claim_mesh[];
+extern const struct claim claim_mesh_degree[];
+extern const struct claim claim_solvers[];
 
 #endif

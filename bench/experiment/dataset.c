@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bench/harness/fit.h"
+#include "bench/ui/chart.h"
 
 const char *dataset_label(const struct study *s, int level, const char *axis)
 {
@@ -197,17 +198,29 @@ double dataset_exponent(const struct study_results *d, enum quantity x, enum qua
 /* --- the plan's table --------------------------------------------------------------------
  */
 
+static enum status check_quantity(const struct plan *plan, const char *name, int line,
+                                  const char *where, struct message *why)
+{
+    return quantity_find(name) >= 0
+               ? STATUS_OK
+               : plan_case_refuse(plan, line, why,
+                                  "%s is %s, which is no quantity; clothbench list "
+                                  "quantities has them",
+                                  where, yaml_tree_quote(name).text);
+}
+
 enum status dataset_check(const struct plan *plan, struct message *why)
 {
-    for (int n = 0; n < plan->table.columns.count; n++) {
-        const struct plan_setting *column = &plan->table.columns.list[n];
-        if (quantity_find(column->key) < 0)
-            return plan_case_refuse(plan, column->line, why,
-                                    "a column of the table is %s, which is no quantity; "
-                                    "clothbench list quantities has them",
-                                    yaml_tree_quote(column->key).text);
-    }
-    return STATUS_OK;
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < plan->table.columns.count; n++)
+        TRY(check_quantity(plan, plan->table.columns.list[n].key,
+                           plan->table.columns.list[n].line, "a column of the table", why));
+    if (plan->chart.y)
+        TRY(check_quantity(plan, plan->chart.y, plan->chart.panel.list->line,
+                           "y of the chart", why));
+out:
+    return st;
 }
 
 /* Column n of a plan's table. */
@@ -216,7 +229,7 @@ static const struct quantity_row *column_of(const struct plan_table *plan, int n
     return &quantity_table[quantity_find(plan->columns.list[n].key)];
 }
 
-enum { AXES = 2 + PLAN_STUDY_AXES }; /* with the study's and the time's columns */
+enum { AXES = 12 }; /* most label columns */
 
 /* Whether some study has several times. */
 static bool has_times(const struct study_results *d)
@@ -235,22 +248,24 @@ static bool is_in(enum part part, const struct quantity_row *q)
     return part == PART_ALL || q->moves == (part == PART_TIMES);
 }
 
-/* Heads of the label columns: the study where there are several, the axes of the first, the
- * time where there are several. */
-static int label_columns(const struct study_results *d, enum part part,
-                         struct table_column *columns)
+/* The axes that some study has, each once. */
+static int find_axes(const struct study_results *d, const char *axis[AXES])
 {
-    const struct plan_study *first = d->study[0].plan;
     int count = 0;
 
     if (d->count > 1)
-        columns[count++] = (struct table_column){"study", NULL, TABLE_LEFT};
-    for (int n = 0; n < first->axis_count; n++)
-        columns[count++] = (struct table_column){first->axis[n].name, NULL, TABLE_LEFT};
-    if (!first->axis_count)
-        columns[count++] = (struct table_column){"level", NULL, TABLE_LEFT};
-    if (part != PART_RUN && has_times(d))
-        columns[count++] = (struct table_column){"time", "s"};
+        axis[count++] = "study";
+    for (int k = 0; k < d->count; k++) {
+        const struct plan_study *plan = d->study[k].plan;
+        for (int n = 0; n < plan->axis_count || n == 0; n++) {
+            const char *name = plan->axis_count ? plan->axis[n].name : "level";
+            int at = 0;
+            while (at < count && strcmp(axis[at], name))
+                at++;
+            if (at == count && count < AXES)
+                axis[count++] = name;
+        }
+    }
     return count;
 }
 
@@ -259,15 +274,18 @@ static void add_row(struct table *t, const struct study_results *d, enum part pa
 {
     const struct plan_table *plan = &d->plan->table;
     const struct verdict_rules *rules = &d->plan->verdicts;
+    const char *axis[AXES];
     char words[256];
+    const int axes = find_axes(d, axis);
 
     table_row(t);
-    if (d->count > 1)
-        table_text(t, "%s", s->plan->name);
-    for (int n = 0; n < s->plan->axis_count; n++)
-        table_text(t, "%s", s->row[level].level->word[n]);
-    if (!s->plan->axis_count)
-        table_text(t, "%s", s->row[level].level->label);
+    for (int n = 0; n < axes; n++) {
+        const char *label = dataset_label(s, level, axis[n]);
+        if (label)
+            table_text(t, "%s", label);
+        else
+            table_dash(t);
+    }
     if (part != PART_RUN && has_times(d))
         table_number(t, s->time ? s->time[time] : NAN, 4);
     for (int n = 0; n < plan->columns.count; n++) {
@@ -287,9 +305,14 @@ static struct table *fill(const struct study_results *d, enum part part,
                           const char *caption)
 {
     const struct plan_table *plan = &d->plan->table;
-    struct table_column columns[AXES + PLAN_TABLE_COLUMNS + 1];
-    int count = label_columns(d, part, columns);
+    struct table_column columns[AXES + 2 + PLAN_TABLE_COLUMNS];
+    const char *axis[AXES];
+    int count = find_axes(d, axis);
 
+    for (int n = 0; n < count; n++)
+        columns[n] = (struct table_column){axis[n], NULL, TABLE_LEFT};
+    if (part != PART_RUN && has_times(d))
+        columns[count++] = (struct table_column){"time", "s"};
     for (int n = 0; n < plan->columns.count; n++) {
         const struct quantity_row *q = column_of(plan, n);
         if (is_in(part, q))
@@ -348,6 +371,108 @@ static void add_notes(struct table *t, const struct study_results *d)
     }
 }
 
+/* --- the plan's chart --------------------------------------------------------------------
+ */
+
+struct dot {
+    const struct study *study;
+    int level;
+    double x, y;
+};
+
+/* Every level that has a place in the chart; freed by the receiver. */
+static struct dot *find_dots(const struct study_results *d, int *count)
+{
+    const struct plan_chart *plan = &d->plan->chart;
+    struct dot *dots = NULL;
+    size_t most = 1;
+
+    for (int k = 0; k < d->count; k++)
+        most += (size_t)d->study[k].plan->level_count;
+    dots = calloc(most, sizeof *dots);
+    for (int k = 0; dots && k < d->count; k++)
+        for (int n = 0; n < d->study[k].plan->level_count; n++) {
+            const struct place last = {k, n, d->study[k].frames - 1};
+            const double y = value(d, quantity_find(plan->y), &last);
+            const struct dot dot = {&d->study[k], n, d->study[k].row[n].level->size,
+                                    isnan(plan->from) ? y : fabs(y - plan->from)};
+            if (dot.x > 0 && isfinite(dot.y))
+                dots[(*count)++] = dot;
+        }
+    return dots;
+}
+
+/* Whether both have the same labels on the axes of panels and, if `line`, of lines. */
+static bool alike(const struct plan_chart *plan, bool line, const struct dot *a,
+                  const struct dot *b)
+{
+    for (int n = 0; n < plan->panel.count + (line ? plan->line.count : 0); n++) {
+        const struct plan_setting *axis = n < plan->panel.count
+                                              ? &plan->panel.list[n]
+                                              : &plan->line.list[n - plan->panel.count];
+        const char *one = dataset_label(a->study, a->level, axis->key);
+        const char *other = dataset_label(b->study, b->level, axis->key);
+        if (strcmp(one ? one : "", other ? other : ""))
+            return false;
+    }
+    return true;
+}
+
+/* Whether no dot before it is alike. */
+static bool is_first(const struct plan_chart *plan, bool line, const struct dot *dots,
+                     const struct dot *dot)
+{
+    while (!alike(plan, line, dots, dot))
+        dots++;
+    return dots == dot;
+}
+
+/* "poisson 0.3, thickness 1 mm"; of a single axis its label alone. */
+static const char *name_of(const struct dot *dot, const struct plan_settings *axes,
+                           char text[128])
+{
+    *text = '\0';
+    for (int n = 0; n < axes->count; n++) {
+        const char *axis = axes->list[n].key;
+        const char *label = dataset_label(dot->study, dot->level, axis);
+        const bool bare = axes->count == 1 || !strcmp(axis, "study");
+        const size_t used = strlen(text);
+        if (label)
+            snprintf(text + used, 128 - used, "%s%s%s%s", used ? ", " : "",
+                     bare ? "" : axis, bare ? "" : " ", label);
+    }
+    return text;
+}
+
+static struct chart *chart_of(const struct study_results *d)
+{
+    const struct plan_chart *plan = &d->plan->chart;
+    const struct quantity_row *q = &quantity_table[quantity_find(plan->y)];
+    struct chart *c = chart_create(d->plan->what ? d->plan->what : d->plan->source);
+    char text[128], y[128];
+    int count = 0;
+    struct dot *dots = find_dots(d, &count);
+
+    snprintf(y, sizeof y, isnan(plan->from) ? "%s" : "|%s - %g|", q->head, plan->from);
+    chart_axes(c, &(struct chart_axis){plan->x, .log = true},
+               &(struct chart_axis){y, isnan(plan->from) ? q->unit : NULL, .log = true});
+    for (const struct dot *p = dots; p < dots + count; p++) {
+        if (!is_first(plan, false, dots, p))
+            continue;
+        chart_panel(c, name_of(p, &plan->panel, text));
+        for (const struct dot *l = p; l < dots + count; l++) {
+            if (!alike(plan, false, p, l) || !is_first(plan, true, dots, l))
+                continue;
+            chart_series(c, &(struct chart_series){name_of(l, &plan->line, text)});
+            for (const struct dot *at = l; at < dots + count; at++)
+                if (alike(plan, true, l, at))
+                    chart_point(c, at->x, at->y);
+        }
+    }
+    free(dots);
+    return c;
+}
+
 enum status dataset_print(const struct study_results *d, const char *folder,
                           enum table_format format, FILE *file, struct message *why)
 {
@@ -355,8 +480,10 @@ enum status dataset_print(const struct study_results *d, const char *folder,
     const bool apart = !table_format_is_data(format) && has_times(d) &&
                        has_part(d, PART_RUN) && has_part(d, PART_TIMES);
     struct table *all = NULL, *t;
-    enum status st;
+    enum status st = STATUS_OK;
 
+    if (d->plan->chart.y)
+        TRY(chart_save(chart_of(d), folder, d->plan->name, why));
     if (!d->plan->table.columns.count)
         return study_print_all(d, folder, format, file, why);
     all = fill(d, PART_ALL, caption);

@@ -23,9 +23,6 @@ const struct command_option experiment_command_options[] = {
      "where result files, plots and pictures go\n"
      "(results/table1, results/study_mesh, ...)"},
     {"--from", "DIR", false, "print again from result files of an earlier run"},
-    {"--values", "A,B,...", false,
-     "levels of the parameter varied instead of the usual\n"
-     "ones (study locking: thicknesses in metres)"},
     {"--quick", NULL, false, "a smaller job of the same shape"},
     {NULL, NULL, false, NULL},
 };
@@ -91,33 +88,6 @@ static enum status refuse(const struct command *command, const char *name, bool 
     return status_fail(why, STATUS_INPUT, "%s: there is no '%s'; there are %s%s",
                        command->name, name, known,
                        plans ? ", or give the path of a plan with levels" : "");
-}
-
-enum { MOST_VALUES = 16 };
-
-/* "0.001,0.02", increasing. */
-static enum status read_values(const char *text, const struct experiment *experiment,
-                               int *count, double *value, struct message *why)
-{
-    if (!experiment->values)
-        return status_fail(why, STATUS_INPUT, "%s has no --values to choose",
-                           experiment->plan ? experiment->plan : experiment->item.name);
-    for (const char *rest = text;; rest++) {
-        char *end;
-        double v = strtod(rest, &end);
-        bool good = end != rest && (*end == ',' || !*end) && isfinite(v) && v > 0 &&
-                    *count < MOST_VALUES && (!*count || v > value[*count - 1]);
-        if (!good)
-            return status_fail(
-                why, STATUS_INPUT,
-                "--values '%s': at most %d increasing positive numbers, as in "
-                "0.001,0.02: %s",
-                text, MOST_VALUES, experiment->values);
-        value[(*count)++] = v;
-        rest = end;
-        if (!*rest)
-            return STATUS_OK;
-    }
 }
 
 static enum status read_plan(const char *name, struct plan *plan, struct message *why)
@@ -290,11 +260,9 @@ enum status experiment_command(const struct command_line *line, bool plans,
 {
     const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
     const char *word = command_value(line, "--format");
-    const char *values = command_value(line, "--values");
     const struct experiment *e = NULL;
     struct experiment own;
     enum table_format format = TABLE_TEXT;
-    double value[MOST_VALUES];
     char usual[128];
     enum status st;
 
@@ -309,14 +277,9 @@ enum status experiment_command(const struct command_line *line, bool plans,
     struct experiment_options options = {.folder = from  ? from
                                                    : out ? out
                                                          : usual,
-                                         .quick = command_given(line, "--quick"),
-                                         .value = value};
+                                         .quick = command_given(line, "--quick")};
     if (plans)
         TRY(read_choice(line, e, from, &options, why));
-    if (values)
-        TRY(read_values(values, e, &options.value_count, value, why));
-    if (values && from)
-        return status_fail(why, STATUS_INPUT, "--values is for a new run, not for --from");
     if (!from)
         TRY(measure(e, options, why));
     TRY(print(line, e, options.folder, format, why));

@@ -17,8 +17,6 @@ struct experiment_options {
     const char *folder; /* result files go here; there already                         */
     bool quick;         /* a smaller job of the same shape, for trying out             */
     int repeats;        /* of what is timed, up to nine; 0: nine, three if quick       */
-    int value_count; /* levels of the parameter that an experiment with `values` varies; */
-    const double *value; /* [value_count] > 0, increasing; 0 of them: its usual ones    */
     void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
     void *context;
 
@@ -35,8 +33,6 @@ struct study_results; /* study.h */
 struct experiment {
     struct command_item item; /* name and a line on it; first: the command's items are
                                  pointers to these. No line: its plan has it            */
-    const char
-        *values;      /* what --values gives, with its unit; NULL: the option is refused */
     const char *plan; /* name or path of the plan whose studies are measured; NULL: none */
     bool chooses;     /* its scenes, --models, --runs and --until are the user's; it times
                          nothing and works in processes of its own, on all processors    */

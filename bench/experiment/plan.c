@@ -1,6 +1,7 @@
 /* plan.c - a plan from YAML: one schema reads, refuses and documents. */
 #include "bench/experiment/plan.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -121,16 +122,16 @@ static enum status read_reference(const struct schema_key *key,
     return read_labels(node, &((struct plan *)target)->reference, NULL, why);
 }
 
-static enum status read_columns(const struct schema_key *key, const struct yaml_tree *node,
-                                void *target, struct message *why)
+static enum status read_words(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
 {
-    struct plan_table *table = &((struct plan *)target)->table;
+    struct plan_settings *words = (void *)((char *)target + key->offset);
     enum status st = STATUS_OK;
 
     if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > key->most)
         return schema_refuse(key, node, why);
     for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
-        st = n->text ? plan_settings_add_text(&table->columns, n->text, "", n->line)
+        st = n->text ? plan_settings_add_text(words, n->text, "", n->line)
                      : schema_refuse(key, node, why);
     return st;
 }
@@ -245,8 +246,20 @@ static const struct schema_key MAP[] = {
 
 static const struct schema_key TABLE[] = {
     {"columns", "quantities, a column each", SCHEMA_SPECIAL, .required = true,
-     .read = read_columns, .most = PLAN_TABLE_COLUMNS, .want = "a list of 1 to 16 quantities"},
+     .read = read_words, .most = PLAN_TABLE_COLUMNS, IN(plan, table.columns),
+     .want = "a list of 1 to 16 quantities"},
     {"note", "below the table", SCHEMA_TEXT, IN(plan, table.note)},
+    {NULL}};
+
+#define AXES SCHEMA_SPECIAL, .required = true, .read = read_words, .most = PLAN_STUDY_AXES, \
+    .want = "a list of 1 to 4 axes"
+static const struct schema_key CHART[] = {
+    {"x", "what the size of the levels is", SCHEMA_TEXT, .required = true, IN(plan, chart.x)},
+    {"y", "quantity", SCHEMA_TEXT, .required = true, IN(plan, chart.y)},
+    {"from", "how far the quantity is from this (itself)", SCHEMA_NUMBER, .low = -1e30,
+     .high = 1e30, IN(plan, chart.from)},
+    {"panel", "axes whose labels have a panel each", AXES, IN(plan, chart.panel)},
+    {"line", "axes whose labels have a line each", AXES, IN(plan, chart.line)},
     {NULL}};
 
 static const struct schema_key PLAN[] = {
@@ -294,6 +307,7 @@ static const struct schema_key PLAN[] = {
     {"reference", "axis and label of what levels are compared with", SCHEMA_SPECIAL,
      .read = read_reference, .want = "a map {AXIS: LABEL}"},
     {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
+    {"chart", "of the studies' levels that have a size", SCHEMA_SECTION, .keys = CHART},
     {NULL}};
 /* clang-format on */
 
@@ -360,8 +374,11 @@ enum status plan_parse(const char *path, struct plan *plan, struct message *why)
     enum status st = STATUS_OK;
     struct yaml_tree *root = NULL;
 
-    *plan =
-        (struct plan){.time_limit = 600, .falls = {.by = -1}, .base = plan_study_none()};
+    *plan = (struct plan){.look = 10,
+                          .time_limit = 600,
+                          .falls = {.by = -1},
+                          .chart.from = NAN,
+                          .base = plan_study_none()};
     if (why)
         why->text[0] = '\0';
     plan->path = strdup(path);
@@ -436,6 +453,10 @@ void plan_clear(struct plan *plan)
     free(plan->skip);
     plan_settings_clear(&plan->table.columns);
     free(plan->table.note);
+    plan_settings_clear(&plan->chart.panel);
+    plan_settings_clear(&plan->chart.line);
+    free(plan->chart.x);
+    free(plan->chart.y);
     plan_settings_clear(&plan->settings);
     verdict_clear(&plan->verdicts);
     verdict_clear(&plan->learnt);

@@ -47,6 +47,7 @@
  *       - {net: [20x20x2, 40x40x2], quick: true}
  *     reference: {solver: direct}  # what `apart` and `of_reference` compare a level with
  *     table: {columns: [unknowns, frame_ms, of_reference, apart], note: ...}
+ *     chart: {x: "thickness [m]", y: tip, from: 1, panel: [study], line: [solver]}
  *
  * Without `studies` the plan is one, of its own name. Settings of a level go before those
  * of a study, these before the plan's.
@@ -287,6 +288,14 @@ struct plan_table {
     int line;                     /* in the plan                                     */
 };
 
+/* A chart of all studies, both axes logarithmic: a quantity at the last time over the size
+ * of levels; those that have none are not in it. */
+struct plan_chart {
+    char *x, *y; /* what the size is, in words; the quantity; NULL: no chart     owned */
+    double from; /* it shows how far the quantity is from this; NaN: the quantity      */
+    struct plan_settings panel, line; /* axes, as keys, whose labels have one each     */
+};
+
 enum plan_keep { PLAN_KEEP_NONE, PLAN_KEEP_SNAPSHOTS };
 
 struct plan {
@@ -316,6 +325,7 @@ struct plan {
     struct plan_settings reference; /* axis and label: levels are compared with the one
                                        that has these and else their own labels        */
     struct plan_table table;
+    struct plan_chart chart;
     int key_count;
     const char **keys; /* every key that some case has, in the plan's order; array owned */
 };

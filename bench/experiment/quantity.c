@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bench/experiment/study.h"
+#include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
 
 /* Numbers that a level has whatever the time. */
@@ -80,6 +81,24 @@ static double apart(const struct study_results *d, const struct study *s, int le
     return other < 0 || other == level ? NAN : study_distance(s, level, s, other, time);
 }
 
+static double tip(const struct study_results *d, const struct study *s, int level, int time)
+{
+    const struct study_row *row = &s->row[level];
+    const double *xyz = row->frame[time].xyz;
+
+    (void)d;
+    return xyz ? -truth_plate_edge(xyz, NULL) / s->length / row->theory : NAN;
+}
+
+static double tip_of_reference(const struct study_results *d, const struct study *s,
+                               int level, int time)
+{
+    const int other = study_reference(d, s, level);
+    const double own = tip(d, s, level, time);
+
+    return other < 0 ? own : own / tip(d, s, other, time);
+}
+
 static double bar(const struct study_results *d, const struct study *s, int level, int time)
 {
     (void)d, (void)level;
@@ -110,6 +129,11 @@ const struct quantity_row quantity_table[QUANTITIES] = {
         "iterations of the step, mean over the frames"},
     [QUANTITY_APART] = {"apart", "apart", "L", 2, true, apart,
         "rms distance to the reference on the material grid, over the length"},
+    [QUANTITY_TIP] = {"tip", "tip", NULL, 4, false, tip,
+        "how far the middle of a cantilever's free edge drops, over Kirchhoff's plate or, "
+        "not linear, over a strip, the elastica"},
+    [QUANTITY_TIP_OF_REFERENCE] = {"tip_of_reference", "over reference", NULL, 4, false,
+        tip_of_reference, "tip over that of the reference; without one, tip"},
     [QUANTITY_NEXT] = {"to_next", "to next", "L", 3, true, next,
         "rms distance to the next level"},
     [QUANTITY_FINEST] = {"to_finest", "to finest", "L", 3, true, finest,

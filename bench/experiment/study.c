@@ -9,6 +9,7 @@
 #include "bench/files/folder.h"
 #include "bench/harness/fit.h"
 #include "bench/harness/timing.h"
+#include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
 
 enum { PATH = 4096 };
@@ -189,6 +190,20 @@ static void choose_times(const struct plan_study *plan, struct study *s)
         s->frames = 1;
 }
 
+/* Rows share it where nothing that it depends on differs. */
+static double theory_of(const struct study *s, const struct study_row *row)
+{
+    const struct scene *scene = &row->run.scene;
+    const bool linear = row->run.discretization.kinematics == KINEMATICS_LINEAR;
+
+    for (const struct study_row *r = s->row; r < row && !s->time; r++)
+        if (scene->poisson == r->run.scene.poisson && scene->width == r->run.scene.width &&
+            fabs(scene_gamma(&r->run.scene) / scene_gamma(scene) - 1) < 1e-12 &&
+            (r->run.discretization.kinematics == KINEMATICS_LINEAR) == linear)
+            return r->theory;
+    return s->time ? NAN : truth_plate_drop(scene, linear);
+}
+
 static void fill_row(const struct study *s, struct study_row *row)
 {
     const struct run_result *r = &row->result;
@@ -202,6 +217,7 @@ static void fill_row(const struct study *s, struct study_row *row)
             (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     for (int t = 0; t < frames; t++)
         measure_frame(&row->run.scene, r->xyz[t], &row->frame[t]);
+    row->theory = row->left_out ? NAN : theory_of(s, row);
     row->milliseconds = 1e3 * frame;
     row->seconds = !s->time       ? frame
                    : isnan(frame) ? r->step_seconds

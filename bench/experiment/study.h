@@ -31,6 +31,8 @@ struct study_row {
                                  NaN: not timed                                   */
     double seconds;  /* of stepping to the last time, from these; else of the one run   */
     double paper_ms; /* somebody else's; NaN: unknown                                   */
+    double
+        theory; /* drop of a cantilever's tip at rest over L (truth_plate_drop), or NaN */
     struct study_frame frame[PLAN_STUDY_TIMES];
 };
 

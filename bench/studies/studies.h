@@ -12,8 +12,7 @@ extern const struct command studies_command;
 extern const struct experiment study_thickness_swing, study_thickness_degree;
 
 /* Of headers of their own. */
-extern const struct experiment study_locking_experiment, study_cures_experiment,
-    study_timestep_experiment, study_ensemble_experiment;
+extern const struct experiment study_timestep_experiment, study_ensemble_experiment;
 
 enum { STUDIES_SCENES = 8 }; /* most that study ensemble takes */
 

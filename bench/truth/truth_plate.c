@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fem_ref/elastica.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
@@ -74,6 +75,27 @@ double truth_plate_edge(const double *xyz, const double *rest)
 double truth_plate_tip(const struct truth_plate *t, const double *xyz)
 {
     return truth_plate_edge(xyz, t->rest) / truth_plate_edge(t->xyz[t->times], t->rest);
+}
+
+double truth_plate_drop(const struct scene *scene, bool linear)
+{
+    enum { TERMS = 24 }; /* six digits */
+    const double L = scene->length, W = scene->width, gamma = scene_gamma(scene);
+    struct kirchhoff_plate plate;
+    struct kirchhoff *k = NULL;
+    struct elastica e;
+    double drop = NAN;
+
+    if (kirchhoff_field_plate(scene, &plate, NULL) != STATUS_OK)
+        return NAN;
+    if (!linear)
+        return elastica_solve(gamma, &e) == STATUS_OK ? e.drop : NAN;
+    if (kirchhoff_create(&plate, TERMS, &k) == STATUS_OK)
+        drop = kirchhoff_static(k, gamma * scene_bending_stiffness(scene) / (L * L * L), L,
+                                W / 2) /
+               L;
+    kirchhoff_destroy(k);
+    return drop;
 }
 
 enum status truth_plate_coefficient(double nu, int terms, double *coefficient)

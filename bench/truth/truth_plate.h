@@ -38,6 +38,10 @@ double truth_plate_edge(const double *xyz, const double *rest);
 /* Deflection there over the truth's, static. */
 double truth_plate_tip(const struct truth_plate *t, const double *xyz);
 
+/* Drop of a cantilever's tip under its own weight, over its length: Kirchhoff's plate or,
+ * if displacements are not `linear`, the elastica. NaN: the scene is no such sheet. */
+double truth_plate_drop(const struct scene *scene, bool linear);
+
 /* Kirchhoff's w D / (q L^4) there, of a square that `terms` functions a direction solve. */
 enum status truth_plate_coefficient(double nu, int terms, double *coefficient);
 

@@ -270,7 +270,7 @@ static enum status parse_node(struct parse *p, int depth, struct yaml_tree **out
     if (is_tagged(e))
         return refuse_at(p, event_line(p), "a tag (!...); write the value alone");
     if (depth > YAML_TREE_MAX_DEPTH)
-        return refuse_at(p, event_line(p), "nested more than %d deep; no scene is",
+        return refuse_at(p, event_line(p), "nested more than %d deep; no scene or plan is",
                          YAML_TREE_MAX_DEPTH);
     node = calloc(1, sizeof *node);
     if (!node)

@@ -13,7 +13,7 @@
 #include "models/status.h"
 
 enum {
-    YAML_TREE_MAX_DEPTH = 8,
+    YAML_TREE_MAX_DEPTH = 12,
     YAML_TREE_MAX_KEYS = 64,      /* in one map */
     YAML_TREE_MAX_TEXT = 1 << 20, /* [bytes] */
 };

@@ -139,10 +139,10 @@ static enum status key_of(const struct run_plan *plan, const struct settings *gi
 
     TRY(run_read(&run, plan, why));
     TRY(truth_physics(&run.scene, &physics));
-    sum = sealed_text_sum(0, physics, strlen(physics));
+    sum = seal_text_sum(0, physics, strlen(physics));
     for (int n = 0; n < given->count; n++)
         if (strncmp(given->text[n], "discretization", 14) == 0)
-            sum = sealed_text_sum(sum, given->text[n], strlen(given->text[n]) + 1);
+            sum = seal_text_sum(sum, given->text[n], strlen(given->text[n]) + 1);
     snprintf(key, KEY, "a level of %08lx", sum);
 out:
     run_close(&run);

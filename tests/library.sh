@@ -17,7 +17,10 @@ mv "a tree" tree
 PKG_CONFIG_PATH=$PWD/$(dirname "tree${pc#a tree}")
 export PKG_CONFIG_PATH
 
-read -ra flags <<<"$(pkg-config --cflags --libs clothbench)"
+# A cross compiler's sysroot; pkg-config puts it before what lies outside of it, too.
+sysroot=${PKG_CONFIG_SYSROOT_DIR-}
+read -ra flags <<<"$(pkg-config --cflags --libs clothbench | sed "s|$sysroot$PWD|$PWD|g")"
+[ -z "$sysroot" ] || flags+=("--sysroot=$sysroot")
 "$compiler" -o by_pkg_config "$source/doc/library/example.c" "${flags[@]}" 2>log.txt ||
     { cat log.txt; fail "pkg-config: does not build"; }
 if ! cmake -S "$source/doc/library" -B by_cmake -D CMAKE_C_COMPILER="$compiler" \

@@ -10,7 +10,8 @@ own_folder
 
 # E is twice the stored truth's: it does not hold here.
 ask=(advise edge_drop --set material.young=2e5 --until 0.1)
-"$program" "${ask[@]}" --error 3% --models mass_spring_single,shell_selective_2,hex \
+long=(--budget 3600) # for slow builds and emulators
+"$program" "${ask[@]}" --error 3% --models mass_spring_single,shell_selective_2,hex "${long[@]}" \
     --out kept >answer.txt 2>log.txt || { cat log.txt; fail "exit $?"; }
 grep -q "cured of locking" answer.txt || fail "the truth is not a shell run for it"
 grep -q "^mass-spring.* yes " answer.txt || fail "springs do not serve"
@@ -31,8 +32,8 @@ eval "\"$program\" $command --set time.end=0.1 --quiet --probe 1,0.5,0.5" >probe
 [[ $(wc -l <probe.csv) -gt 20 ]] || fail "the command shows no motion"
 
 # Asked again it takes the files that it left and says the same of the truth.
-"$program" "${ask[@]}" --error 3% --models mass_spring_single --out kept >again.txt 2>log.txt ||
-    fail "a second time: exit $?"
+"$program" "${ask[@]}" --error 3% --models mass_spring_single "${long[@]}" \
+    --out kept >again.txt 2>log.txt || fail "a second time: exit $?"
 bar() { tr '\n' ' ' <"$1" | grep -o 'truth leaves [0-9.]* %'; }
 [[ $(bar again.txt) == $(bar answer.txt) && -n $(bar again.txt) ]] || fail "the truth's bar differs a second time"
 
@@ -47,7 +48,7 @@ tr '\n' ' ' <blunt.txt | grep -Eq "Cannot be decided: (the truth is known to .* 
 sed 's/^name: .*/name: own/; s/young: [^,]*/young: 2e5/' "$CLOTHBENCH_SCENES/edge_drop.yaml" >own.yaml
 SECONDS=0
 "$program" advise own.yaml --error 1% --budget 0.5 --out own >own.txt 2>log.txt
-[[ $? == 1 && $SECONDS -lt 5 ]] || fail "own: not exit 1, or $SECONDS s of half a second"
+[[ $? == 1 && $SECONDS -lt 20 ]] || fail "own: not exit 1, or $SECONDS s of half a second"
 tr '\n' ' ' <own.txt | grep -q "was stopped at t = .* s, as the budget is over" || fail "own: $(cat own.txt)"
 grep -q "no truth" log.txt && fail "own: $(cat log.txt)"
 [ -z "$(find own -name '*.part')" ] || fail "own: leaves parts"

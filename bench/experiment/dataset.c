@@ -396,7 +396,7 @@ static struct dot *find_dots(const struct study_results *d, int *count)
             const double y = value(d, quantity_find(plan->y), &last);
             const struct dot dot = {&d->study[k], n, d->study[k].row[n].level->size,
                                     isnan(plan->from) ? y : fabs(y - plan->from)};
-            if (dot.x > 0 && isfinite(dot.y))
+            if (dot.x > 0 && dot.y > 0 && isfinite(dot.y))
                 dots[(*count)++] = dot;
         }
     return dots;

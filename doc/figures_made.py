@@ -630,10 +630,12 @@ def locking_words():
     whole("study_locking")
     tips = part("study_locking", "tip of a cantilevered sheet", "tip")
 
-    def kept(space):
-        return percent(100 * float(row(tips, space=space, poisson="0", thickness="1 mm")["tip"]))
+    def kept(space, column="tip", poisson="0"):
+        cells = row(tips, space=space, poisson=poisson, thickness="1 mm")
+        return percent(100 * float(cells[column]))
 
-    return {"locking_2": kept("IGA (2,2,1) 10x10x2"), "locking_3": kept("IGA (3,3,1) 10x10x2")}
+    return {"locking_2": kept("IGA (2,2,1) 10x10x2"), "locking_3": kept("IGA (3,3,1) 10x10x2"),
+            "locking_layer": kept("IGA (4,4,1) 10x10x2", "tip_of_reference", "0.3")}
 
 
 def timestep_words():
@@ -753,6 +755,6 @@ WORDS = {
                     "compare_triangles", "compare_position"],
     truth_words: ["bar_half_second"],
     ensemble_words: ["ensemble_until", "ensemble_growth", "ensemble_nets", "ensemble_lost"],
-    locking_words: ["locking_2", "locking_3"],
+    locking_words: ["locking_2", "locking_3", "locking_layer"],
     timestep_words: ["timestep_rate", "timestep_mass", "timestep_off"],
 }

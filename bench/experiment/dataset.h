@@ -62,7 +62,7 @@ double dataset_exponent(const struct study_results *d, enum quantity x, enum qua
 enum status dataset_check(const struct plan *plan, struct message *why);
 
 /* The table that the plan asks for, also as FOLDER/PLAN.csv; of a plan that asks for none,
- * study_print_all. */
+ * study_print_all. The chart that it asks for is drawn as FOLDER/PLAN.png. */
 enum status dataset_print(const struct study_results *d, const char *folder,
                           enum table_format format, FILE *file, struct message *why);
 

@@ -640,18 +640,34 @@ def locking_words():
 
 def timestep_words():
     whole("study_timestep")
-    order = part("study_timestep", "Differences from step to half step", "exponent_of_dt")
-    fall = part("study_timestep", "A free sheet", "ratio")
-    creep = part("study_timestep", "creeps", "speed_dt_per_sag")
-    off = max(abs(float(r[key]) - 1) for rows, key in
-              [(fall, "ratio"), (fall, "ratio_2"), (creep, "speed_dt_per_sag")] for r in rows)
+    rows = part("study_timestep", "the printed scheme is a viscous sheet", "to_next")
 
-    def exponent(scheme):
-        return f"{float(row(order, scheme=scheme)['exponent_of_dt']):.1f}"
+    def last(**cells):
+        return [r for r in rows if all(r[key] == want for key, want in cells.items())][-1]
 
-    return {"timestep_rate": exponent("nonlinear, v <- (1 - 2 dt) v"),
-            "timestep_mass": exponent("nonlinear, C = 2 M"),
-            "timestep_off": f"{100 * off:.3f} %"}
+    def steps(r):
+        return float((r["step"] or r["dt"]).split()[0]) / 1000
+
+    def order(study):
+        """The slope of the difference from the next step over the step, in logarithms."""
+        found = [last(study=study, step=f"{ms} ms") for ms in ("10", "5", "2.5", "1.25")]
+        x = [math.log(steps(r)) for r in found]
+        y = [math.log(float(r["to_next"])) for r in found]
+        mean = sum(x) / len(x)
+        return f"{sum((a - mean) * b for a, b in zip(x, y)) / sum((a - mean)**2 for a in x):.1f}"
+
+    off = []
+    for r in [r for r in rows if r["study"] == "fall" and float(r["time_s"]) == 1]:
+        mu = 1 / 3 if r["mu"] == "1/3" else float(r["mu"])
+        theory, speed = (1 + mu) / (2 * (1 - mu)), float(r["speed"])
+        before = [q for q in rows if all(q[key] == r[key] for key in ("scheme", "mu", "dt"))][1]
+        off.append((speed - float(before["speed"])) / 0.25 / theory - 1
+                   if r["scheme"] == "printed" else speed / steps(r) / theory - 1)
+    for r in [r for r in rows if r["study"] == "creep" and float(r["time_s"]) == 0.75]:
+        sag = float(last(study="sag", young=r["young"])["depth"])
+        off.append(float(r["speed"]) * steps(r) / sag - 1)
+    return {"timestep_rate": order("nonlinear_rate"), "timestep_mass": order("nonlinear_mass"),
+            "timestep_off": f"{100 * max(map(abs, off)):.3f} %"}
 
 
 # --- sweeps ----------------------------------------------------------------------------------

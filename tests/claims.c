@@ -145,8 +145,8 @@ static void local_global(void)
 static const struct turn mesh[] = {
     {"the denser",
      JUDGE_HOLDS,
-     "corners, 1.025 s: roughness 4, 4.1, 4.2, 4.3 (away from edges 5, 5.1, 5.2, 5.3), "
-     "stretch 6, 6.1, 6.2, 6.3; edge, 1.025 s: roughness 8, 8.2, 8.4, 8.6 ",
+     "corners, 1.025 s, so: roughness 4, 4.1, 4.2, 4.3 (away from edges 5, 5.1, 5.2, 5.3), "
+     "stretch 6, 6.1, 6.2, 6.3; edge, 1.025 s, so: roughness 8, 8.2, 8.4, 8.6 ",
      {{0}}},
     {"the denser",
      JUDGE_FAILS,
@@ -172,19 +172,19 @@ static const struct turn mesh[] = {
 static const struct turn degree[] = {
     {"the higher the degree, the more",
      JUDGE_HOLDS,
-     "physics, 0.5 s: roughness 12.1, ",
+     "physics, 0.5 s, so: roughness 12.1, ",
      {{0}}},
     {"the higher the degree, the more",
      JUDGE_FAILS,
-     "edge, 1.7 s: roughness 8, 9, 8.4 ",
+     "edge, 1.7 s, not so: roughness 8, 9, 8.4 ",
      {{ROUGHNESS, 9, {{"study", "edge"}, {"level", "p = q = 3"}}}}},
     {"the higher the degree, the smoother",
      JUDGE_HOLDS,
-     "corners, 1.7 s: unevenness 8, 7.9, 7.8; ",
+     "corners, 1.7 s, so: unevenness 8, 7.9, 7.8; ",
      {{0}}},
     {"the higher the degree, the smoother",
      JUDGE_FAILS,
-     "physics, 0.5 s: unevenness 1, 23.8, 23.5.",
+     "physics, 0.5 s, not so: unevenness 1, 23.8, 23.5.",
      {{UNEVENNESS, 1, {{"study", "physics"}, {"level", "p = q = 2"}}}}},
     {"elevation", JUDGE_HOLDS, "error 9.12, 8.82, 8.52 L", {{0}}},
     {"elevation",
@@ -205,10 +205,13 @@ static const struct change begin[] = {
     {PLACE, 0.004, {{"level", "elevated, then refined"}, {"at", "0.2"}}},
 };
 static const struct turn both[] = {
-    {"refinement and elevation both", JUDGE_HOLDS, "edge, 1.7 s: roughness 8.02, ", {{0}}},
+    {"refinement and elevation both",
+     JUDGE_HOLDS,
+     "edge, 1.7 s, so: roughness 8.02, ",
+     {{0}}},
     {"refinement and elevation both",
      JUDGE_FAILS,
-     "corners, 1.7 s: roughness 4.01, 4, ",
+     "corners, 1.7 s, not so: roughness 4.01, 4, ",
      {{ROUGHNESS, 4, LEVEL("corners", "15x15x2, p = 2")}}},
     {"refinement and elevation both",
      JUDGE_FAILS,
@@ -218,14 +221,14 @@ static const struct turn both[] = {
      JUDGE_HOLDS,
      "roughness 4.01, 4.11, 4.21, 4 ",
      {{ROUGHNESS, 4, LEVEL("corners", "15x15x2, p = 3")}}},
-    {"elevation makes", JUDGE_HOLDS, "edge, 1.7 s: unevenness 16, 15.8, 15.6, ", {{0}}},
+    {"elevation makes", JUDGE_HOLDS, "edge, 1.7 s, so: unevenness 16, 15.8, 15.6, ", {{0}}},
     {"elevation makes",
      JUDGE_FAILS,
      "15.6, 15.9;",
      {{UNEVENNESS, 15.9, LEVEL("edge", "15x15x2, p = 3")}}},
     {"elevation makes", /* what refinement alone does is not its matter */
      JUDGE_HOLDS,
-     "edge, 1.7 s: unevenness 16, 17, ",
+     "edge, 1.7 s, so: unevenness 16, 17, ",
      {{UNEVENNESS, 17, LEVEL("edge", "15x15x2, p = 2")}}},
     {"refinement and elevation raise", JUDGE_HOLDS, "(error bar 0.05)", {{0}}},
     {"refinement and elevation raise",
@@ -254,11 +257,244 @@ static void nets(void)
     check("mesh-degree", begin, COUNT(begin), both, COUNT(both));
 }
 
+#define SWINGS(by, name, label)                                                            \
+    {                                                                                      \
+        TURN, by,                                                                          \
+        {                                                                                  \
+            {"study", name}, {"thickness", label},                                         \
+            {                                                                              \
+                "at", "0.4"                                                                \
+            }                                                                              \
+        }                                                                                  \
+    }
+#define SHELL(by, label, with)                                                             \
+    {                                                                                      \
+        TURN, by,                                                                          \
+        {                                                                                  \
+            {"study", "nonlinear_shell"}, {"thickness", label}, {"net", with},             \
+            {                                                                              \
+                "at", "0.6"                                                                \
+            }                                                                              \
+        }                                                                                  \
+    }
+static const struct change cloak_begin[] = {
+    SWINGS(10, "printed", "1 mm"),
+    SWINGS(8, "printed", "5 mm"),
+    SWINGS(16, "printed_better", "1 mm"),
+    SWINGS(11, "printed_better", "5 mm"),
+    SWINGS(30, "incremental", "1 mm"),
+    SWINGS(28, "incremental", "5 mm"),
+    SHELL(40.5, "1 mm", "coarse"),
+    SHELL(42, "1 mm", "fine"),
+    SHELL(35, "5 mm", "coarse"),
+    SHELL(34, "5 mm", "fine"),
+    {SUNK, 0.12, {{"study", "linear"}, {"thickness", "1 mm"}}},
+    {SUNK, 0.012, {{"study", "linear"}, {"thickness", "5 mm"}}},
+};
+
+static const struct turn cloak[] = {
+    {"the thinner",
+     JUDGE_HOLDS,
+     "printed, so: 10.0 degrees at 1 mm, 8.0 at 5 mm; printed_better, so: 16.0 degrees "
+     "at 1 "
+     "mm, 11.0 at 5 mm; incremental, so: 30.0 ",
+     {{0}}},
+    {"the thinner",
+     JUDGE_FAILS,
+     "incremental, not so: 27.0 degrees at 1 mm, 28.0 ",
+     {SWINGS(27, "incremental", "1 mm")}},
+    {"A thinner",
+     JUDGE_HOLDS,
+     "42.0 degrees at 1 mm, by 34.0 at 5 mm; its nets differ by up to 1.5.",
+     {{0}}},
+    {"A thinner",
+     JUDGE_FAILS,
+     "by 20.0 degrees at 1 mm",
+     {SHELL(20, "1 mm", "fine"), SHELL(20, "1 mm", "coarse")}},
+    {"A thinner", JUDGE_OPEN, "up to 4.5.", {SHELL(37.5, "1 mm", "coarse")}},
+    {"The cloak", JUDGE_HOLDS, "10 times as far (0.12 m and 0.012 m)", {{0}}},
+    {"The cloak",
+     JUDGE_FAILS,
+     "15 times as far",
+     {{SUNK, 0.008, {{"study", "linear"}, {"thickness", "5 mm"}}}}},
+    {"The paper's",
+     JUDGE_HOLDS,
+     "6.0 degrees farther and the thick one 3.0; on the paper's they differ by 2.0.",
+     {{0}}},
+    {"The paper's",
+     JUDGE_FAILS,
+     "1.0 degrees farther",
+     {SWINGS(11, "printed_better", "1 mm")}},
+};
+
+static const struct change layers_begin[] = {
+    {FINEST, 0.005, {{"study", "cloak"}, {"at", "0.4"}}},
+    {FINEST, 0.001, {{"study", "cloak"}, {"at", "0.2"}}},
+    {FINEST, 0.002, {{"study", "cloak"}, {"at", "0.6"}}},
+    {FINEST, 0.003, {{"study", "cloak"}, {"at", "0.8"}}},
+    {FINEST, 0.01, {{"study", "better"}, {"at", "0.2"}}},
+    {FINEST, 0.02, {{"study", "better"}, {"at", "0.4"}}},
+    {FINEST, 0.03, {{"study", "better"}, {"at", "0.6"}}},
+    {FINEST, 0.02, {{"study", "better"}, {"at", "0.8"}}},
+    {TIP, 0.85, {{"study", "plate"}, {"level", "r = 1"}}},
+    {TIP, 0.98, {{"study", "plate"}, {"level", "r = 2"}}},
+    {TIP, 0.99, {{"study", "plate"}, {"level", "r = 3"}}},
+};
+
+static const struct turn layers[] = {
+    {"little",
+     JUDGE_HOLDS,
+     "up to 0.005 m apart (RMSE), of degree 4 in the plane r = 1 and r = 2 up to 0.03 "
+     "m",
+     {{0}}},
+    {"little",
+     JUDGE_FAILS,
+     "up to 0.06 m",
+     {{FINEST, 0.06, {{"study", "better"}, {"at", "0.4"}}}}},
+    {"little",
+     JUDGE_OPEN,
+     "up to nan m",
+     {{FINEST, NAN, {{"study", "better"}, {"at", "0.4"}}}}},
+    {"considering", JUDGE_HOLDS, "10, 11, 12 ms", {{0}}},
+    {"considering",
+     JUDGE_FAILS,
+     "10, 9, 12 ms",
+     {{COST, 9, {{"study", "cloak"}, {"level", "r = 2"}}}}},
+    {"Little", JUDGE_HOLDS, "15 % with r = 1, 2 % with r = 2 and 1 % with r = 3", {{0}}},
+    {"Little",
+     JUDGE_FAILS,
+     "15 % with r = 3",
+     {{TIP, 1.15, {{"study", "plate"}, {"level", "r = 3"}}}}},
+};
+#undef SWINGS
+#undef SHELL
+
+static void thickness(void)
+{
+    check("thickness", cloak_begin, COUNT(cloak_begin), cloak, COUNT(cloak));
+    check("thickness-degree", layers_begin, COUNT(layers_begin), layers, COUNT(layers));
+}
+
+/* A thousandth more than in theory, of the creep two; orders 0 and 1. */
+static int timestep_begin(struct change *change)
+{
+    static const char *const
+        mu[] = {"0.2", "1/3", "0.5", "0.7"},
+        *const dt[] = {"10 ms", "2.5 ms", "5 ms", "1.25 ms"},
+        *const at[] = {"0.5", "0.75", "1"}, *const young[] = {"4e7 Pa", "2e7 Pa", "8e7 Pa"},
+        *const step[] = {"10 ms", "5 ms", "2.5 ms", "1.25 ms", "0.625 ms"};
+    static const double value[] = {0.2, 1 / 3., 0.5, 0.7};
+    struct change *c = change;
+
+    for (int n = 0; n < 24; n++) {
+        const char *const m = mu[n / 6], *const s = dt[n / 3 % 2], *const t = at[n % 3];
+        const double time = strtod(t, NULL), half = 0.5; /* sheets are 2 m long */
+        const double a = (1 + value[n / 6]) / (2 * (1 - value[n / 6]));
+        *c++ = (struct change){PLACE,
+                               -half * (1.001 * a * time * time / 2 + 0.3 * time),
+                               {{"scheme", "printed"}, {"mu", m}, {"dt", s}, {"at", t}}};
+        *c++ =
+            (struct change){PLACE,
+                            -half * 1.001 * a * strtod(s, NULL) * 1e-3 * time,
+                            {{"scheme", "incremental"}, {"mu", m}, {"dt", s}, {"at", t}}};
+    }
+    for (int n = 0; n < 6; n++) {
+        const char *const e = young[n < 4 ? 0 : n - 3], *const s = dt[n < 4 ? n : 2];
+        const double sag = 4e5 / strtod(e, NULL);
+        *c++ = (struct change){PLACE, -sag / 2, {{"study", "sag"}, {"young", e}}};
+        for (int t = 0; t < 2; t++)
+            *c++ = (struct change){
+                PLACE,
+                -1.002 * sag / (strtod(s, NULL) * 1e-3) * strtod(at[t], NULL) / 2,
+                {{"study", "creep"}, {"young", e}, {"dt", s}, {"at", at[t]}}};
+    }
+    for (int n = 0; n < 5; n++) {
+        const double size = strtod(step[n], NULL);
+        *c++ = (struct change){NEXT, 1, {{"step", step[n]}}};
+        *c++ = (struct change){DROP, 0.5, {{"step", step[n]}}};
+        *c++ =
+            (struct change){NEXT, size, {{"study", "nonlinear_rate"}, {"step", step[n]}}};
+        *c++ = (struct change){
+            NEXT, pow(size, 1.5), {{"study", "nonlinear_mass"}, {"step", step[n]}}};
+        *c++ = (struct change){DEATH, 0.1, {{"study", "printed_mass"}, {"step", step[n]}}};
+    }
+    *c++ = (struct change){PLACE, 0.1, {{"study", "nonlinear_rate"}, {"step", "0.625 ms"}}};
+    return (int)(c - change);
+}
+
+static const struct turn steps[] = {
+    {"one damping", JUDGE_HOLDS, "drops 0.500 L by 0.4 s at 10 ms and 0.5000 L", {{0}}},
+    {"one damping",
+     JUDGE_FAILS,
+     "drops 8.000 L by 0.4 s at 10 ms and 0.5000 L at 0.625 ms, as dt^1.10; the "
+     "incremental one as dt^0.00.",
+     {{DROP, 8, {{"study", "nonlinear_scale"}, {"step", "10 ms"}}},
+      {DROP, 4, {{"study", "nonlinear_scale"}, {"step", "5 ms"}}}}},
+    {"implicit integration does",
+     JUDGE_FAILS,
+     "by 1, 1, 1, 1 L at 0.4 s, as dt^0.00; its largest stretch is ",
+     {{0}}},
+    {"implicit integration does",
+     JUDGE_HOLDS,
+     "by 8, 4, 1, 1 L at 0.4 s, as dt^",
+     {{NEXT, 8, {{"study", "printed_scale"}, {"step", "10 ms"}}},
+      {NEXT, 4, {{"study", "printed_scale"}, {"step", "5 ms"}}}}},
+    {"implicit integration is",
+     JUDGE_FAILS,
+     "dies at 5 of 5 steps, after 0.1, 0.1, 0.1, 0.1, 0.1 s",
+     {{0}}},
+    {"implicit integration is",
+     JUDGE_HOLDS,
+     "dies at 0 of 5 steps.",
+     {{DEATH, NAN, {{"study", "printed_mass"}}}}},
+    {"The printed sheet",
+     JUDGE_HOLDS,
+     "(2 (1 - mu)) to 1.0e-03, whatever the step, and incremental with that times the "
+     "step for a speed; a loaded cantilever creeps by its elastic sag every step to "
+     "2.0e-03",
+     {{0}}},
+    {"The printed sheet",
+     JUDGE_FAILS,
+     "every step to 5.0e-01",
+     {{PLACE, -0.02, {{"study", "sag"}, {"young", "2e7 Pa"}}}}},
+    {"The printed sheet",
+     JUDGE_FAILS,
+     "(2 (1 - mu)) to ",
+     {{PLACE, 0, {{"scheme", "incremental"}, {"mu", "0.7"}, {"at", "1"}}}}},
+    {"An elastic",
+     JUDGE_HOLDS,
+     "has order 1.00, C = 2 M order 1.50, and at 0.625 ms their motions are 0.1 L",
+     {{0}}},
+    {"An elastic",
+     JUDGE_FAILS,
+     "are 3 L apart, where 2.5 L may be left",
+     {{PLACE, 3, {{"study", "nonlinear_rate"}, {"step", "0.625 ms"}}}}},
+    {"An elastic",
+     JUDGE_FAILS,
+     "C = 2 M order 0.00",
+     {{NEXT, 1, {{"study", "nonlinear_mass"}}}}},
+    {"An incremental", JUDGE_FAILS, "as dt^0.00, and its stretch", {{0}}},
+    {"An incremental",
+     JUDGE_HOLDS,
+     "as dt^",
+     {{NEXT, 8, {{"study", "incremental_mass"}, {"step", "10 ms"}}},
+      {NEXT, 4, {{"study", "incremental_mass"}, {"step", "5 ms"}}}}},
+};
+
+static void timestep(void)
+{
+    static struct change first[128];
+
+    check("timestep", first, timestep_begin(first), steps, COUNT(steps));
+}
+
 int main(int argc, char **argv)
 {
     study_begin(argc, argv);
     solvers();
     local_global();
     nets();
+    thickness();
+    timestep();
     return check_result();
 }

@@ -5,6 +5,7 @@
 #define CLAIMS_FIXTURE_H
 
 #include "bench/claims/claim.h"
+#include "models/metric/metric.h"
 #include "tests/study_fixture.h"
 
 /* What a turn sets in all rows that labels name, at the last time unless "at" is among
@@ -12,7 +13,11 @@
 enum {
     COST,  /* milliseconds a frame                                                       */
     LOST,  /* the sheet, after a death                                                   */
+    DEATH, /* when it died                                                          [s]  */
     PLACE, /* height of the whole sheet, over the length: rows are apart by differences  */
+    TURN,  /* of the line between the edges u = 0 and 1 out of rest           [degrees]  */
+    SUNK,  /* the edge u = 1 below where it rests                                   [m]  */
+    TIP,   /* the whole sheet this far below, over the length and a theory of 1          */
     NEXT,
     FINEST,
     ERROR,
@@ -40,6 +45,34 @@ struct turn {
 
 static double *fields; /* of all rows and times */
 
+/* Gives the sheet a place of one of these kinds. */
+static inline void place(const struct study *s, const struct scene *scene, double *xyz,
+                         const struct change *c)
+{
+    const bool rest = c->what == SUNK || c->what == TURN;
+    const double place = (c->what == TIP ? -1 : 1) * c->value * s->length;
+    double uvw[3];
+
+    for (int n = 0; n < GRID_POINTS; n++) {
+        xyz[3 * n + 2] = place;
+        if (!rest)
+            continue;
+        grid_point(n, uvw);
+        scene_rest_point(scene, uvw, xyz + 3 * n);
+        if (c->what == SUNK && uvw[0] > 0.999)
+            xyz[3 * n + 2] -= c->value;
+    }
+    if (c->what != TURN)
+        return;
+    const double angle = (metric_angle(scene, xyz) + c->value) * acos(-1) / 180;
+    for (int n = 0; n < GRID_POINTS; n++) {
+        grid_point(n, uvw);
+        xyz[3 * n] = uvw[0] * cos(angle);
+        xyz[3 * n + 1] = 0;
+        xyz[3 * n + 2] = -uvw[0] * sin(angle);
+    }
+}
+
 static inline void set(const struct study *s, struct study_row *row, int time, double *xyz,
                        const struct change *c)
 {
@@ -47,14 +80,18 @@ static inline void set(const struct study *s, struct study_row *row, int time, d
 
     if (c->what == COST)
         row->milliseconds = c->value;
-    if (c->what == LOST)
+    else if (c->what == LOST)
         f->xyz = NULL;
-    if (c->what >= MEASURE)
+    else if (c->what == DEATH)
+        row->result.death_time = c->value;
+    else if (c->what == TIP)
+        row->theory = 1, place(s, &row->run.scene, xyz, c);
+    else if (c->what >= MEASURE)
         row->result.value[c->what - MEASURE] = c->value;
     else if (c->what >= NEXT)
         (&f->next)[c->what - NEXT] = c->value;
-    for (int n = 0; c->what == PLACE && n < GRID_POINTS; n++)
-        xyz[3 * n + 2] = c->value * s->length;
+    else
+        place(s, &row->run.scene, xyz, c);
 }
 
 static inline bool is_meant(const struct study *s, int level, int time,

@@ -66,8 +66,6 @@ static void turns(void)
     for (enum judge turn = JUDGE_FAILS; turn <= JUDGE_QUICK; turn++) {
         const char *const want[] = {"no", "yes", "perhaps", "perhaps"};
         CHECK(!strcmp(judge_words(turn, "yes", "no", "perhaps"), want[turn]));
-        CHECK(judge_quick(turn, false) == turn);
-        CHECK(judge_quick(turn, true) == (turn == JUDGE_OPEN ? JUDGE_QUICK : turn));
     }
     CHECK(judge_most(1, 2) == 2 && judge_most(2, 1) == 2);
     CHECK(isnan(judge_most(NAN, 1)) && isnan(judge_most(1, NAN)));

@@ -19,6 +19,9 @@ static const struct {
     {"mesh", claim_mesh},
     {"mesh-degree", claim_mesh_degree},
     {"solvers", claim_solvers},
+    {"thickness", claim_thickness},
+    {"thickness-degree", claim_thickness_degree},
+    {"timestep", claim_timestep},
 };
 
 const struct claim *claim_find(const char *plan)

@@ -41,5 +41,8 @@ extern const struct claim claim_locking[];
 extern const struct claim claim_mesh[];
 extern const struct claim claim_mesh_degree[];
 extern const struct claim claim_solvers[];
+extern const struct claim claim_thickness[];
+extern const struct claim claim_thickness_degree[];
+extern const struct claim claim_timestep[];
 
 #endif

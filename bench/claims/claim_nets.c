@@ -1,5 +1,7 @@
 /* What is claimed of denser nets, higher degrees and both (plans mesh, degree and
  * mesh-degree; Ren et al. 2024, Figs. 12 to 14). */
+#include <math.h>
+
 #include "bench/claims/claim.h"
 
 enum { LEVELS = 4, TIMES = 3 };
@@ -34,8 +36,10 @@ static enum judge judge_sheets(const struct study_results *d, const struct sheet
             WHERE({"study", sheets->name[n]}, {"at", sheets->time[n]});
         double value[LEVELS];
         const int count = dataset_values(d, q, sheet, LEVELS, value);
-        turn = judge_both(turn, judge(count, value));
-        fprintf(because, "%s%s, %s s: %s ", n ? "; " : "", sheets->name[n], sheets->time[n],
+        const enum judge one = judge(count, value);
+        turn = judge_both(turn, one);
+        fprintf(because, "%s%s, %s s, %s: %s ", n ? "; " : "", sheets->name[n],
+                sheets->time[n], judge_words(one, "so", "not so", "open"),
                 quantity_table[q].head);
         dataset_write(d, q, sheet, because);
         if (q == QUANTITY_ROUGHNESS) {
@@ -73,38 +77,19 @@ static enum judge elevated_less(int count, const double *value)
                                        judge_below(value[BOTH], value[REFINED]));
 }
 
-static enum judge denser_wrinkles(const struct study_results *d, FILE *because)
-{
-    return judge_sheets(d, &mesh_sheets, QUANTITY_ROUGHNESS, grows, because);
-}
+#define OF_SHEETS(name, sheets, quantity, how)                                             \
+    static enum judge name(const struct study_results *d, FILE *because)                   \
+    {                                                                                      \
+        return judge_sheets(d, &sheets, quantity, how, because);                           \
+    }
+OF_SHEETS(denser_wrinkles, mesh_sheets, QUANTITY_ROUGHNESS, grows)
+OF_SHEETS(higher_details, degree_sheets, QUANTITY_ROUGHNESS, grows)
+OF_SHEETS(higher_smooths, degree_sheets, QUANTITY_UNEVENNESS, shrinks)
+OF_SHEETS(both_detail, both_sheets, QUANTITY_ROUGHNESS, both_add)
+OF_SHEETS(elevation_smooths, both_sheets, QUANTITY_UNEVENNESS, elevated_less)
 
-static enum judge higher_details(const struct study_results *d, FILE *because)
-{
-    return judge_sheets(d, &degree_sheets, QUANTITY_ROUGHNESS, grows, because);
-}
-
-static enum judge higher_smooths(const struct study_results *d, FILE *because)
-{
-    return judge_sheets(d, &degree_sheets, QUANTITY_UNEVENNESS, shrinks, because);
-}
-
-static enum judge both_detail(const struct study_results *d, FILE *because)
-{
-    return judge_sheets(d, &both_sheets, QUANTITY_ROUGHNESS, both_add, because);
-}
-
-static enum judge elevation_smooths(const struct study_results *d, FILE *because)
-{
-    return judge_sheets(d, &both_sheets, QUANTITY_UNEVENNESS, elevated_less, because);
-}
-
-/* Errors fall from each level to the next by more than the truth's bar leaves open, which
- * may bring two of them nearer to each other by its double. */
-static enum judge falls(int count, const double *error, double bar)
-{
-    return judge_order(count, error, -1, 2 * bar);
-}
-
+/* Returns what an error has to fall by, which is more than the truth's bar leaves open: it
+ * may bring two errors nearer to each other by its double. */
 static double write_errors(const struct study_results *d, FILE *because)
 {
     const struct where *sheet = WHERE({"study", "physics"});
@@ -115,7 +100,7 @@ static double write_errors(const struct study_results *d, FILE *because)
     fprintf(because, " L (error bar %.1g) for ", bar);
     dataset_write(d, QUANTITY_FRAME, sheet, because);
     fputs(" ms a frame.", because);
-    return bar;
+    return 2 * bar;
 }
 
 static enum judge errors_fall(const struct study_results *d, FILE *because)
@@ -124,19 +109,17 @@ static enum judge errors_fall(const struct study_results *d, FILE *because)
     const int count =
         dataset_values(d, QUANTITY_ERROR, WHERE({"study", "physics"}), LEVELS, error);
 
-    return falls(count, error, write_errors(d, because));
+    return judge_order(count, error, -1, write_errors(d, because));
 }
 
 static enum judge both_raise_accuracy(const struct study_results *d, FILE *because)
 {
     const double bar = write_errors(d, because);
-    double error[LEVELS];
+    double error[LEVELS] = {NAN, NAN, NAN, NAN};
 
-    if (dataset_values(d, QUANTITY_ERROR, WHERE({"study", "physics"}), LEVELS, error) <
-        LEVELS)
-        return JUDGE_OPEN;
-    return judge_both(falls(2, (double[]){error[START], error[REFINED]}, bar),
-                      falls(2, (double[]){error[START], error[ELEVATED]}, bar));
+    dataset_values(d, QUANTITY_ERROR, WHERE({"study", "physics"}), LEVELS, error);
+    return judge_both(judge_order(2, (double[]){error[START], error[REFINED]}, -1, bar),
+                      judge_order(2, (double[]){error[START], error[ELEVATED]}, -1, bar));
 }
 
 /* What a stored frame leaves of a difference is 1e-7 of the length. */
@@ -157,9 +140,7 @@ static enum judge order_matters(const struct study_results *d, FILE *because)
             "Elevation doubles the knots that are there, and a new knot inserted after it "
             "is single: %g unknowns instead of %g, and motions that differ by %.2g, %.2g, "
             "%.2g L at 0.05, 0.1, 0.2 s. Inserted twice, the new knots are those of the "
-            "other order, so net and motion are, too. The paper makes its nets anew at "
-            "each density and degree, with uniform knots, and so has no order of "
-            "operations.",
+            "other order, so net and motion are, too.",
             dataset_at(d, QUANTITY_UNKNOWNS, WHERE({"level", last})),
             dataset_at(d, QUANTITY_UNKNOWNS, WHERE({"level", first})), apart[0], apart[1],
             apart[2]);

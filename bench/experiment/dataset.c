@@ -219,6 +219,16 @@ enum status dataset_check(const struct plan *plan, struct message *why)
     if (plan->chart.y)
         TRY(check_quantity(plan, plan->chart.y, plan->chart.panel.list->line,
                            "y of the chart", why));
+    for (int n = 0; n < plan->table.pictures.count; n++) {
+        const struct plan_setting *name = &plan->table.pictures.list[n];
+        int study = 0;
+        while (study < plan->study_count && strcmp(plan->studies[study].name, name->key))
+            study++;
+        if (study == plan->study_count)
+            return plan_case_refuse(plan, name->line, why,
+                                    "pictures of the table has %s, which is no study",
+                                    yaml_tree_quote(name->key).text);
+    }
 out:
     return st;
 }
@@ -301,7 +311,8 @@ static void add_row(struct table *t, const struct study_results *d, enum part pa
                                 sizeof words));
 }
 
-static struct table *fill(const struct study_results *d, enum part part,
+/* `last`: without the times before the last. */
+static struct table *fill(const struct study_results *d, enum part part, bool last,
                           const char *caption)
 {
     const struct plan_table *plan = &d->plan->table;
@@ -324,23 +335,14 @@ static struct table *fill(const struct study_results *d, enum part part,
     for (int k = 0; k < d->count; k++) {
         const struct study *s = &d->study[k];
         for (int n = 0; n < s->plan->level_count; n++)
-            for (int time = part == PART_RUN ? s->frames - 1 : 0; time < s->frames; time++)
+            for (int time = part == PART_RUN || last ? s->frames - 1 : 0; time < s->frames;
+                 time++)
                 if (!s->row[n].left_out)
                     add_row(t, d, part, s, n, time);
         if (k + 1 < d->count)
             table_rule(t);
     }
     return t;
-}
-
-/* Whether the plan's table has columns of a kind. */
-static bool has_part(const struct study_results *d, enum part part)
-{
-    bool any = part == PART_RUN && d->plan->verdicts.count;
-
-    for (int n = 0; n < d->plan->table.columns.count; n++)
-        any |= is_in(part, column_of(&d->plan->table, n));
-    return any;
 }
 
 /* What the columns mean, how runs ended that did not come to their end, and the truths. */
@@ -473,12 +475,40 @@ static struct chart *chart_of(const struct study_results *d)
     return c;
 }
 
+/* Whether the plan's table has columns of a kind. */
+static bool has_part(const struct study_results *d, enum part part)
+{
+    bool any = part == PART_RUN && d->plan->verdicts.count;
+
+    for (int n = 0; n < d->plan->table.columns.count; n++)
+        any |= is_in(part, column_of(&d->plan->table, n));
+    return any;
+}
+
+/* Sheets of the studies that the plan names; it names none: of those without axes. */
+static enum status draw_sheets(const struct study_results *d, const char *folder,
+                               struct message *why)
+{
+    const struct plan_settings *named = &d->plan->table.pictures;
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < d->count && st == STATUS_OK; n++) {
+        const struct study *s = &d->study[n];
+        if (named->count ? plan_settings_find(named, s->plan->name) != NULL
+                         : !s->plan->axis_count && s->time)
+            st = study_print_sheets(s, folder, why);
+    }
+    return st;
+}
+
 enum status dataset_print(const struct study_results *d, const char *folder,
                           enum table_format format, FILE *file, struct message *why)
 {
     const char *caption = d->plan->what ? d->plan->what : d->plan->source;
-    const bool apart = !table_format_is_data(format) && has_times(d) &&
-                       has_part(d, PART_RUN) && has_part(d, PART_TIMES);
+    const bool people = !table_format_is_data(format);
+    const bool apart =
+        people && has_times(d) && has_part(d, PART_RUN) && has_part(d, PART_TIMES);
+    const bool last = people && d->plan->table.last;
     struct table *all = NULL, *t;
     enum status st = STATUS_OK;
 
@@ -486,16 +516,16 @@ enum status dataset_print(const struct study_results *d, const char *folder,
         TRY(chart_save(chart_of(d), folder, d->plan->name, why));
     if (!d->plan->table.columns.count)
         return study_print_all(d, folder, format, file, why);
-    all = fill(d, PART_ALL, caption);
+    all = fill(d, PART_ALL, false, caption);
     TRY(table_save(all, folder, d->plan->name, why));
     if (apart)
-        TRY(table_finish(fill(d, PART_RUN, caption), format, file));
-    t = apart ? fill(d, PART_TIMES, "The same at the times") : fill(d, PART_ALL, caption);
+        TRY(table_finish(fill(d, PART_RUN, last, caption), format, file));
+    t = apart ? fill(d, PART_TIMES, last,
+                     last ? "The same at the last time" : "The same at the times")
+              : fill(d, PART_ALL, last, caption);
     add_notes(t, d);
     TRY(table_finish(t, format, file));
-    for (int n = 0; n < d->count; n++)
-        if (!d->study[n].plan->axis_count && d->study[n].time)
-            TRY(study_print_sheets(&d->study[n], folder, why));
+    TRY(draw_sheets(d, folder, why));
 out:
     table_destroy(all);
     return st;

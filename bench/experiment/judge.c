@@ -39,11 +39,6 @@ enum judge judge_both(enum judge a, enum judge b)
     return a == JUDGE_FAILS || b == JUDGE_FAILS ? JUDGE_FAILS : a == JUDGE_HOLDS ? b : a;
 }
 
-enum judge judge_quick(enum judge turn, bool quick)
-{
-    return quick && turn == JUDGE_OPEN ? JUDGE_QUICK : turn;
-}
-
 const char *judge_words(enum judge turn, const char *holds, const char *fails,
                         const char *open)
 {

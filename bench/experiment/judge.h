@@ -30,9 +30,6 @@ enum judge judge_below(double value, double bound);
 /* Both of two. */
 enum judge judge_both(enum judge a, enum judge b);
 
-/* What of it stands after a quick run that only measures less well: what it settles. */
-enum judge judge_quick(enum judge turn, bool quick);
-
 /* One of three: if it holds, if it does not, and else. */
 const char *judge_words(enum judge turn, const char *holds, const char *fails,
                         const char *open);

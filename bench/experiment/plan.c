@@ -248,6 +248,11 @@ static const struct schema_key TABLE[] = {
     {"columns", "quantities, a column each", SCHEMA_SPECIAL, .required = true,
      .read = read_words, .most = PLAN_TABLE_COLUMNS, IN(plan, table.columns),
      .want = "a list of 1 to 16 quantities"},
+    {"last", "people see the last time of each study alone", SCHEMA_WORD,
+     .word = plan_settings_truth, IN(plan, table.last)},
+    {"pictures", "studies whose sheets are drawn", SCHEMA_SPECIAL, .read = read_words,
+     .most = PLAN_TABLE_COLUMNS, IN(plan, table.pictures),
+     .want = "a list of 1 to 16 names of studies"},
     {"note", "below the table", SCHEMA_TEXT, IN(plan, table.note)},
     {NULL}};
 
@@ -452,6 +457,7 @@ void plan_clear(struct plan *plan)
     plan_settings_clear(&plan->reference);
     free(plan->skip);
     plan_settings_clear(&plan->table.columns);
+    plan_settings_clear(&plan->table.pictures);
     free(plan->table.note);
     plan_settings_clear(&plan->chart.panel);
     plan_settings_clear(&plan->chart.line);

@@ -282,10 +282,12 @@ struct plan_falls {
 
 /* One table of all studies, a row for each level and time. */
 struct plan_table {
-    struct plan_settings columns; /* names of quantities (quantity.h), as keys; none: a
-                                     plan's studies are printed one by one (study.h)   */
-    char *note;                   /* below it, or NULL                         owned */
-    int line;                     /* in the plan                                     */
+    struct plan_settings columns;  /* names of quantities (quantity.h), as keys; none: a
+                                      plan's studies are printed one by one (study.h)   */
+    struct plan_settings pictures; /* names of studies whose sheets are drawn, as keys */
+    int last;                      /* 1: people see the last time of each study alone   */
+    char *note;                    /* below it, or NULL                         owned */
+    int line;                      /* in the plan                                     */
 };
 
 /* A chart of all studies, both axes logarithmic: a quantity at the last time over the size

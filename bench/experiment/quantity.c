@@ -1,6 +1,7 @@
 #include "bench/experiment/quantity.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "bench/experiment/study.h"
@@ -32,6 +33,8 @@ static double a_step(const struct run_result *r, long count)
     return r->outcome || !r->work.steps ? NAN : (double)count / (double)r->work.steps;
 }
 
+OF_LEVEL(size, row->level->size > 0 ? row->level->size : NAN)
+OF_LEVEL(death, r->death_time)
 OF_LEVEL(unknowns, r->unknowns)
 OF_LEVEL(factor_entries, r->factor_entries)
 OF_LEVEL(create, r->create.count ? 1e3 * r->create.median : NAN)
@@ -81,6 +84,24 @@ static double apart(const struct study_results *d, const struct study *s, int le
     return other < 0 || other == level ? NAN : study_distance(s, level, s, other, time);
 }
 
+/* The middle of the edge u = 1. */
+static double depth(const struct study_results *d, const struct study *s, int level,
+                    int time)
+{
+    const double *xyz = s->row[level].frame[time].xyz;
+
+    (void)d;
+    return xyz ? -truth_plate_edge(xyz, NULL) : NAN;
+}
+
+static double speed(const struct study_results *d, const struct study *s, int level,
+                    int time)
+{
+    return time ? (depth(d, s, level, time) - depth(d, s, level, time - 1)) /
+                      (s->time[time] - s->time[time - 1])
+                : NAN;
+}
+
 static double tip(const struct study_results *d, const struct study *s, int level, int time)
 {
     const struct study_row *row = &s->row[level];
@@ -99,6 +120,48 @@ static double tip_of_reference(const struct study_results *d, const struct study
     return other < 0 ? own : own / tip(d, s, other, time);
 }
 
+/* Positions at rest; freed by the receiver; NULL: no memory. */
+static double *rest_of(const struct study_row *row)
+{
+    double *rest = malloc(3 * GRID_POINTS * sizeof *rest), uvw[3];
+
+    for (int n = 0; rest && n < GRID_POINTS; n++) {
+        grid_point(n, uvw);
+        scene_rest_point(&row->run.scene, uvw, rest + 3 * n);
+    }
+    return rest;
+}
+
+static double swing(const struct study_results *d, const struct study *s, int level,
+                    int time)
+{
+    const struct study_row *row = &s->row[level];
+    double *rest = row->left_out ? NULL : rest_of(row);
+    const double angle = rest ? metric_angle(&row->run.scene, rest) : NAN;
+    double most = NAN;
+
+    (void)d;
+    for (int t = 0; t <= time; t++)
+        if (row->frame[t].xyz)
+            most = fmax(most, metric_angle(&row->run.scene, row->frame[t].xyz) - angle);
+    free(rest);
+    return most;
+}
+
+static double edge_moved(const struct study_results *d, const struct study *s, int level,
+                         int time)
+{
+    const double *xyz = s->row[level].frame[time].xyz;
+    double *rest = xyz ? rest_of(&s->row[level]) : NULL, sum = rest ? 0 : NAN;
+
+    (void)d;
+    for (int n = GRID_U - 1; rest && n < GRID_POINTS; n += GRID_U)
+        for (int c = 0; c < 3; c++)
+            sum += pow(xyz[3 * n + c] - rest[3 * n + c], 2);
+    free(rest);
+    return sqrt(sum / (GRID_V * GRID_W));
+}
+
 static double bar(const struct study_results *d, const struct study *s, int level, int time)
 {
     (void)d, (void)level;
@@ -107,6 +170,8 @@ static double bar(const struct study_results *d, const struct study *s, int leve
 
 /* clang-format off */
 const struct quantity_row quantity_table[QUANTITIES] = {
+    [QUANTITY_SIZE] = {"size", "size", NULL, 3, false, size,
+        "what the plan calls the size of a level: a mesh width, a step [s], ..."},
     [QUANTITY_UNKNOWNS] = {"unknowns", "unknowns", NULL, 0, false, unknowns,
         "components of points that are not held"},
     [QUANTITY_FACTOR_ENTRIES] = {"factor_entries", "factor", NULL, 0, false, factor_entries,
@@ -134,6 +199,17 @@ const struct quantity_row quantity_table[QUANTITIES] = {
         "not linear, over a strip, the elastica"},
     [QUANTITY_TIP_OF_REFERENCE] = {"tip_of_reference", "over reference", NULL, 4, false,
         tip_of_reference, "tip over that of the reference; without one, tip"},
+    [QUANTITY_DEPTH] = {"depth", "depth", "m", 4, true, depth,
+        "how far the middle of the edge u = 1 is below z = 0"},
+    [QUANTITY_SPEED] = {"speed", "speed", "m/s", 4, true, speed,
+        "mean speed at which it sinks, since the time before"},
+    [QUANTITY_SWING] = {"swing", "swing", "degrees", 3, true, swing,
+        "largest turn, at any of the times so far, of the line between the middles of the "
+        "edges u = 0 and 1 out of its angle at rest"},
+    [QUANTITY_EDGE_MOVED] = {"edge_moved", "edge moved", "m", 3, true, edge_moved,
+        "rms displacement of the edge u = 1"},
+    [QUANTITY_DEATH] = {"death_s", "death", "s", 3, false, death,
+        "when the run died"},
     [QUANTITY_NEXT] = {"to_next", "to next", "L", 3, true, next,
         "rms distance to the next level"},
     [QUANTITY_FINEST] = {"to_finest", "to finest", "L", 3, true, finest,

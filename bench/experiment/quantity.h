@@ -13,6 +13,7 @@ struct study;         /* study.h */
 struct study_results; /* study.h */
 
 enum quantity {
+    QUANTITY_SIZE,
     QUANTITY_UNKNOWNS,
     QUANTITY_FACTOR_ENTRIES,
     QUANTITY_CREATE,
@@ -26,6 +27,11 @@ enum quantity {
     QUANTITY_APART,
     QUANTITY_TIP,
     QUANTITY_TIP_OF_REFERENCE,
+    QUANTITY_DEPTH,
+    QUANTITY_SPEED,
+    QUANTITY_SWING,
+    QUANTITY_EDGE_MOVED,
+    QUANTITY_DEATH,
     QUANTITY_NEXT,
     QUANTITY_FINEST,
     QUANTITY_ERROR,

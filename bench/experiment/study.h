@@ -83,21 +83,18 @@ double study_distance(const struct study *s, int level, const struct study *othe
 
 /* --- What is printed of one (study_print.c). */
 
-/* NAME.csv, a row for each level and time; NAME.png, error (without truth: the difference
- * from the finest) against seconds; NAME_sheets.png (picture.h), a row for each time, a
- * column for each level and one for the truth. */
-enum status study_print_files(const struct study *s, const char *folder,
-                              struct message *why);
-
-/* These files and two tables: cost of the levels; differences, error and metrics at every
- * time, with observed orders and the truth's source below. The same of all studies. */
-/* NAME_sheets.png alone. */
-enum status study_print_sheets(const struct study *s, const char *folder,
-                               struct message *why);
+/* Cost of the levels; differences, error and metrics at every time, with observed orders
+ * and the truth's source below; NAME.csv, a row for each level and time; NAME.png, error
+ * (without truth: the difference from the finest) against seconds; the sheets. */
 enum status study_print(const struct study *s, const char *folder, enum table_format format,
                         FILE *file, struct message *why);
 enum status study_print_all(const struct study_results *r, const char *folder,
                             enum table_format format, FILE *file, struct message *why);
+
+/* NAME_sheets.png (picture.h), a row for each time, a column for each level and one for the
+ * truth. */
+enum status study_print_sheets(const struct study *s, const char *folder,
+                               struct message *why);
 
 /* The next cells of a row: a number for each digit, to so many significant ones. */
 void study_print_numbers(struct table *t, const char *digits, const double *value);

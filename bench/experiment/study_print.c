@@ -225,7 +225,6 @@ static struct chart *chart_of(const struct study *s, const struct table *t)
     return c;
 }
 
-/* A row for each time; the truth, if there is one, in the last column. */
 enum status study_print_sheets(const struct study *s, const char *folder,
                                struct message *why)
 {
@@ -250,8 +249,8 @@ enum status study_print_sheets(const struct study *s, const char *folder,
     return picture_save(folder, name, columns, count, panels, why);
 }
 
-enum status study_print_files(const struct study *s, const char *folder,
-                              struct message *why)
+static enum status print_files(const struct study *s, const char *folder,
+                               struct message *why)
 {
     struct table *t = motion_of(s);
     enum status st;
@@ -271,7 +270,7 @@ enum status study_print(const struct study *s, const char *folder, enum table_fo
 
     TRY(print_cost(s, format, file));
     TRY(print_motion(s, format, file));
-    TRY(study_print_files(s, folder, why));
+    TRY(print_files(s, folder, why));
 out:
     return st;
 }

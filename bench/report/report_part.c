@@ -56,7 +56,7 @@ const struct report_part report_part_list[] = {
     STUDY("mesh-degree", "Net and degree together (Fig. 14)", true,
           {"corners_sheets.png", FIG14}, {"edge_sheets.png", FIG14}),
     STUDY("thickness", "A thicker cloak (Fig. 10)", true,
-          {"thickness_sheets.png", "Fig. 10, leather cloak, 1 mm and 5 mm: the thinner one "
+          {"printed_sheets.png", "Fig. 10, leather cloak, 1 mm and 5 mm: the thinner one "
            "swings more"}, {"thickness.png", NULL}),
     STUDY("thickness-degree", "Degree through the thickness (Fig. 11)", true,
           {"cloak_sheets.png", "Fig. 11, degree 1, 2 and 3 through the thickness: little "

@@ -7,12 +7,8 @@
 
 extern const struct command studies_command;
 
-/* On thickness (Fig. 10: a cloak of 1 mm and one of 5 mm swings) and on the degree through
- * it (Fig. 11). */
-extern const struct experiment study_thickness_swing, study_thickness_degree;
-
 /* Of headers of their own. */
-extern const struct experiment study_timestep_experiment, study_ensemble_experiment;
+extern const struct experiment study_ensemble_experiment;
 
 enum { STUDIES_SCENES = 8 }; /* most that study ensemble takes */
 

@@ -1,0 +1,154 @@
+/* What is claimed of a cloak's thickness and of the degree through it (plans thickness and
+ * thickness-degree; Ren et al. 2024, Figs. 10 and 11). The cloak's shape, size and pose are
+ * ours, as the paper does not give them. */
+#include <math.h>
+
+#include "bench/claims/claim.h"
+
+#define PAPER "Ren et al. 2024"
+
+/* --- thickness */
+
+static double swing(const struct study_results *d, const char *study, const char *thickness)
+{
+    return dataset_at(d, QUANTITY_SWING, WHERE({"study", study}, {"thickness", thickness}));
+}
+
+static enum judge thin_swings(const struct study_results *d, FILE *because)
+{
+    static const char *const study[] = {"printed", "printed_better", "incremental"};
+    enum judge turn = JUDGE_HOLDS;
+
+    for (int n = 0; n < 3; n++) {
+        const double thin = swing(d, study[n], "1 mm"), thick = swing(d, study[n], "5 mm");
+        const enum judge one = judge_below(thick, thin);
+        turn = judge_both(turn, one);
+        fprintf(because, "%s%s, %s: %.1f degrees at 1 mm, %.1f at 5 mm", n ? "; " : "",
+                study[n], judge_words(one, "so", "not so", "open"), thin, thick);
+    }
+    fputs(".", because);
+    return turn;
+}
+
+static double shell(const struct study_results *d, const char *thickness, const char *net)
+{
+    return dataset_at(
+        d, QUANTITY_SWING,
+        WHERE({"study", "nonlinear_shell"}, {"thickness", thickness}, {"net", net}));
+}
+
+/* The difference of its nets is the error bar of each. */
+static enum judge thin_shell_swings(const struct study_results *d, FILE *because)
+{
+    const double thin = shell(d, "1 mm", "fine"), thick = shell(d, "5 mm", "fine");
+    const double apart = judge_most(fabs(thin - shell(d, "1 mm", "coarse")),
+                                    fabs(thick - shell(d, "5 mm", "coarse")));
+
+    fprintf(because,
+            "The nonlinear shell swings by %.1f degrees at 1 mm, by %.1f at 5 mm; its nets "
+            "differ by up to %.1f.",
+            thin, thick, apart);
+    return judge_order(2, (double[]){thick, thin}, 1, 2 * apart);
+}
+
+/* What only bends sinks at rest as 1/h^2, what only stretches by as much at any h. */
+static enum judge cloak_stretches(const struct study_results *d, FILE *because)
+{
+    const double thin = dataset_at(d, QUANTITY_EDGE_MOVED,
+                                   WHERE({"study", "linear"}, {"thickness", "1 mm"}));
+    const double thick = dataset_at(d, QUANTITY_EDGE_MOVED,
+                                    WHERE({"study", "linear"}, {"thickness", "5 mm"}));
+
+    fprintf(because,
+            "At rest and in linear theory, what only bends would sink 25 times as far at "
+            "1 mm as at 5 mm, what only stretches just as far; this cloak's hem sinks %.3g "
+            "times as far (%.3g m and %.3g m).",
+            thin / thick, thin, thick);
+    return judge_below(2 * thin / thick, 25);
+}
+
+static enum judge net_locks(const struct study_results *d, FILE *because)
+{
+    const double thin = swing(d, "printed", "1 mm"), thick = swing(d, "printed", "5 mm");
+    const double more = swing(d, "printed_better", "1 mm") - thin;
+
+    fprintf(because,
+            "A better net lets the thin cloak swing %.1f degrees farther and the thick one "
+            "%.1f; on the paper's they differ by %.1f.",
+            more, swing(d, "printed_better", "5 mm") - thick, fabs(thin - thick));
+    return judge_below(fabs(thin - thick), more);
+}
+
+const struct claim claim_thickness[] = {
+    {"the thinner one swings more", PAPER, false, thin_swings},
+    {"A thinner cloak swings more as a nonlinear shell, too", "", true, thin_shell_swings},
+    {"The cloak's curvature makes it stretch rather than bend", "", false, cloak_stretches},
+    {"The paper's net locks by more than its two thicknesses differ", "", false, net_locks},
+    {0}};
+
+/* --- thickness-degree */
+
+/* How far r = 1 and the highest r are apart at most [m]; the cloak is 1 m long. */
+static double farthest(const struct study_results *d, const char *study)
+{
+    double apart[PLAN_STUDY_TIMES], most = 0;
+    const int count = dataset_values(
+        d, QUANTITY_FINEST, WHERE({"study", study}, {"level", "r = 1"}, {"at", "*"}),
+        PLAN_STUDY_TIMES, apart);
+
+    for (int n = 0; n < count; n++)
+        most = judge_most(most, apart[n]);
+    return count ? most : NAN;
+}
+
+static enum judge looks_alike(const struct study_results *d, FILE *because)
+{
+    static const double ALIKE = 0.04; /* m: what the paper's Table 1 takes for one look */
+    const double paper = farthest(d, "cloak"), better = farthest(d, "better");
+
+    fprintf(because,
+            "On the paper's net r = 1 and r = 3 are up to %.3g m apart (RMSE), of degree 4 "
+            "in the plane r = 1 and r = 2 up to %.3g m; Table 1 takes %g m for the same "
+            "look.",
+            paper, better, ALIKE);
+    return judge_both(judge_below(paper, ALIKE), judge_below(better, ALIKE));
+}
+
+static enum judge linear_is_cheaper(const struct study_results *d, FILE *because)
+{
+    const struct where *cloak = WHERE({"study", "cloak"});
+    double ms[3];
+    const int count = dataset_values(d, QUANTITY_FRAME, cloak, 3, ms);
+
+    fputs("A frame costs ", because);
+    dataset_write(d, QUANTITY_FRAME, cloak, because);
+    fputs(" ms with r = 1, 2, 3.", because);
+    return judge_order(count, ms, 1, 0);
+}
+
+/* With a strain that cannot vary through the thickness, the sheet cannot narrow where it is
+ * stretched and widen where it is pressed. A degree helps if it more than halves the
+ * error. */
+static enum judge degree_helps(const struct study_results *d, FILE *because)
+{
+    double off[3] = {NAN, NAN, NAN};
+
+    dataset_values(d, QUANTITY_TIP, WHERE({"study", "plate"}), 3, off);
+    for (int n = 0; n < 3; n++)
+        off[n] = fabs(off[n] - 1);
+    fprintf(
+        because,
+        "On a plate whose answer is known, the tip is off by %.3g %% with r = 1, %.3g "
+        "%% with r = 2 and %.3g %% with r = 3; the cloak moves %.2g m (the paper's net) "
+        "or %.2g m (degree 4) for it.",
+        100 * off[0], 100 * off[1], 100 * off[2], farthest(d, "cloak"),
+        farthest(d, "better"));
+    return judge_both(judge_below(2 * off[1], off[0]), judge_below(2 * off[2], off[0]));
+}
+
+const struct claim claim_thickness_degree[] = {
+    {"little difference to the linear basis", PAPER, false, looks_alike},
+    {"considering the cost, the linear basis", PAPER, false, linear_is_cheaper},
+    {"Little difference is not accuracy: a higher degree halves the error of a plate", "",
+     false, degree_helps},
+    {0}};

@@ -96,7 +96,4 @@ enum status study_print_all(const struct study_results *r, const char *folder,
 enum status study_print_sheets(const struct study *s, const char *folder,
                                struct message *why);
 
-/* The next cells of a row: a number for each digit, to so many significant ones. */
-void study_print_numbers(struct table *t, const char *digits, const double *value);
-
 #endif

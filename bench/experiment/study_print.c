@@ -9,7 +9,8 @@
 
 enum { PATH = 4096 };
 
-void study_print_numbers(struct table *t, const char *digits, const double *value)
+/* The next cells of a row: a number for each digit, to so many significant ones. */
+static void print_numbers(struct table *t, const char *digits, const double *value)
 {
     for (; *digits; digits++)
         table_number(t, *value++, *digits - '0');
@@ -65,8 +66,8 @@ static enum status print_cost(const struct study *s, enum table_format format, F
 /* The columns of a row that stand for a sheet at a time, the truth's or a level's. */
 static void metric_cells(struct table *t, const struct study_frame *f)
 {
-    study_print_numbers(
-        t, "33443", (double[]){f->roughness, f->inner, f->stretch, f->drop, f->unevenness});
+    print_numbers(t, "33443",
+                  (double[]){f->roughness, f->inner, f->stretch, f->drop, f->unevenness});
 }
 
 static double bar_of(const struct study *s, int time)
@@ -86,9 +87,9 @@ static void motion_row(struct table *t, const struct study *s, int n, int time)
     table_number(t, time_of(s, time), 3);
     table_fixed(t, run_result_refused(&row->result) ? NAN : row->result.unknowns, 0);
     table_fixed(t, run_result_refused(&row->result) ? NAN : row->result.factor_entries, 0);
-    study_print_numbers(t, "343333",
-                        (double[]){row->milliseconds, paper_of(s, n), row->seconds, f->next,
-                                   f->finest, f->error});
+    print_numbers(t, "343333",
+                  (double[]){row->milliseconds, paper_of(s, n), row->seconds, f->next,
+                             f->finest, f->error});
     table_missing(t, "%s", "");
     table_number(t, f->error, 3);
     table_number(t, bar_of(s, time), 2);

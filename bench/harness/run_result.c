@@ -58,7 +58,10 @@ static enum status read_looks(const struct store_read *file, const char *path,
     TRY(read_numbers(file, path, "time", count, 1, l->time, why));
     for (int n = 0; n < LOOKS_SERIES; n++) {
         snprintf(name, sizeof name, "metrics/%s", looks_series[n].name);
-        TRY(read_numbers(file, path, name, count, 1, l->series[n], why));
+        st = read_numbers(file, path, name, count, 1, l->series[n], why);
+        for (int k = 0; st != STATUS_OK && n == LOOKS_LOAD && k < count; k++)
+            l->series[n][k] = NAN; /* files of before have none */
+        TRY(n == LOOKS_LOAD ? STATUS_OK : st);
     }
     TRY(read_numbers(file, path, "energy/kinetic", count, 3, &l->energy->kinetic, why));
     TRY(read_numbers(file, path, "energy/elastic", count, 3, &l->energy->elastic, why));

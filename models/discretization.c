@@ -154,8 +154,6 @@ WORDS(parameters, [PARAMETERS_MATCHED] = "matched", [PARAMETERS_PAPER] = "paper"
 WORDS(integrator, [INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit",
       [INTEGRATOR_LEAPFROG] = "leapfrog", [INTEGRATOR_MOMENTUM] = "momentum",
       [INTEGRATOR_BDF2] = "bdf2", [INTEGRATOR_MIDPOINT] = "midpoint")
-WORDS(mass, [MASS_AUTO] = "auto", [MASS_ROW_SUM] = "row_sum",
-      [MASS_CONSISTENT] = "consistent")
 WORDS(precision, [PRECISION_DOUBLE] = "double", [PRECISION_SINGLE] = "single")
 WORDS(constraint, [CONSTRAINT_TRIANGLES] = "triangles", [CONSTRAINT_EDGES] = "edges")
 WORDS(acceleration, [ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev",

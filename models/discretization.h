@@ -64,11 +64,6 @@ enum integrator {
 };
 
 /* Of leapfrog steps of shell and solids. */
-enum mass {
-    MASS_AUTO,       /* row sums in leapfrog steps, consistent in others                */
-    MASS_ROW_SUM,    /* lumped: a node has the sum of its row                           */
-    MASS_CONSISTENT, /* one solve a step, by a factor made once                         */
-};
 
 /* Of positions in leapfrog steps and in position_based. */
 enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
@@ -120,7 +115,6 @@ struct discretization {
     /* Of some models; zero: the model's own. */
     enum parameters parameters;
     enum integrator integrator;
-    enum mass mass;
     enum precision precision;
     int substeps;        /* of one frame; 0: as many as the model needs, mostly one    */
     int iterations;      /* at most, in a step; 0: until the tolerance is met          */
@@ -140,7 +134,6 @@ struct discretization {
     X(VISCOSITY, viscosity)                                                                \
     X(PARAMETERS, parameters)                                                              \
     X(INTEGRATOR, integrator)                                                              \
-    X(MASS, mass)                                                                          \
     X(PRECISION, precision)                                                                \
     X(SUBSTEPS, substeps)                                                                  \
     X(ITERATIONS, iterations)                                                              \
@@ -200,7 +193,6 @@ const char *newton_tangents_name(int newton);
 const char *viscosity_name(int viscosity);
 const char *parameters_name(int parameters);
 const char *integrator_name(int integrator);
-const char *mass_name(int mass);
 const char *precision_name(int precision);
 const char *constraint_name(int constraint);
 const char *acceleration_name(int acceleration);

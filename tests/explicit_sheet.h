@@ -24,13 +24,7 @@ static const struct kind {
      &shell_model,
      {"discretization.points=[7,6]", "discretization.degree=[2,2]"}},
     {"shell, row sums, p = 3", &shell_model, {"discretization.points=[7,6]"}},
-    {"shell, consistent, p = 3",
-     &shell_model,
-     {"discretization.points=[7,6]", "discretization.mass=consistent"}},
     {"iga, row sums, p = 3", &plate_model, {"discretization.points=[6,5,2]"}},
-    {"iga, consistent, p = 3",
-     &plate_model,
-     {"discretization.points=[6,5,2]", "discretization.mass=consistent"}},
     {"hex, row sums", &hex_model, {"discretization.points=[7,4,2]"}},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };

@@ -96,8 +96,7 @@ static void try_contestant(const struct contestant *c, const char *kind, bool at
     if (!CHECK(settings_read(&all, SOURCE_DIR "/models/scenes/edge_drop.yaml", &s.scene,
                              &s.d, &why) == STATUS_OK))
         printf("  %s: %s\n", name, why.text);
-    else if (!model_refuse(&s.scene, c->model->serves, NULL) &&
-             !(s.d.mass == MASS_CONSISTENT && s.scene.obstacle_count)) /* refused */
+    else if (!model_refuse(&s.scene, c->model->serves, NULL))
         try_all(&(struct deed){name, live_through, &s});
     settings_clear(&all);
     scene_clear(&s.scene);

@@ -187,7 +187,6 @@ static void check_printed(void)
         "discretization.viscosity=none",
         "discretization.parameters=paper",
         "discretization.integrator=explicit",
-        "discretization.mass=consistent",
         "discretization.precision=single",
         "discretization.substeps=7",
         "discretization.iterations=8",

@@ -33,7 +33,6 @@
 #define QUADRATIC_2  "discretization.degree=[2,2]"
 #define CUBIC_2      "discretization.degree=[3,3]"
 #define LEAPFROG     "discretization.integrator=leapfrog"
-#define CONSISTENT   "discretization.mass=consistent"
 #define PAPER        "discretization.parameters=paper"
 #define MATCHED      "discretization.parameters=matched"
 
@@ -124,9 +123,6 @@ const struct contestant contestant_table[] = {
      COMPARE | SPEED, {LEAPFROG, SELECTIVE, QUADRATIC_2}, 0, 2, {6, 10, 16, 24}, {1}, {0}},
     {"shell_explicit_3", "shell, explicit, p = 3", "shell expl. 3", &shell_model,
      COMPARE | SPEED, {LEAPFROG, SELECTIVE, CUBIC_2}, 0, 3, {6, 10, 16, 24}, {1}, {0}},
-    {"shell_explicit_consistent_3", "shell, explicit, consistent mass, p = 3",
-     "shell cons. 3", &shell_model, COMPARE | SPEED,
-     {LEAPFROG, CONSISTENT, SELECTIVE, CUBIC_2}, 0, 3, {6, 10, 16}, {1}, {0}},
 
     /* Triangles. */
     {"triangles", "triangles", "triangles", &tri_model, CONTESTANT_EVERYWHERE, {0}, 0, 1,

@@ -9,17 +9,14 @@ enum { LANCZOS_STEPS = 200, LANCZOS_LOOK = 8 };
 /* Of omega^2: it has converged when it gains less in LANCZOS_LOOK steps. */
 static const double LANCZOS_GAIN = 1e-3;
 
-/* y = A x among the free unknowns, self-adjoint in the inner product x . W y: with lumped
- * mass A = m^-1/2 K m^-1/2 and W = 1, else A = M^-1 K and W = M. */
+/* y = m^-1/2 K m^-1/2 x among the free unknowns. */
 struct operator
 {
     const struct blocks *graph;
     const struct supports *supports;
     const double(*K)[9];
-    double *scale;       /* [nodes][3] m^-1/2 of the free unknowns, 0 of the others     */
-    struct system *mass; /* NULL: lumped                                                */
-    const double *M;
-    double *work; /* [nodes][3]                                                         */
+    double *scale; /* [nodes][3] m^-1/2 of the free unknowns, 0 of the others           */
+    double *work;  /* [nodes][3]                                                        */
 };
 
 static size_t count_of(const struct operator* o)
@@ -27,28 +24,21 @@ static size_t count_of(const struct operator* o)
     return 3 * (size_t)o->graph->nodes;
 }
 
-static enum status multiply(const struct operator* o, const double *x, double *y)
+static void multiply(const struct operator* o, const double *x, double *y)
 {
-    if (o->mass) {
-        blocks_multiply(o->graph, o->K, x, y);
-        return system_solve(o->mass, y);
-    }
     for (size_t t = 0; t < count_of(o); t++)
         o->work[t] = o->scale[t] * x[t];
     blocks_multiply(o->graph, o->K, o->work, y);
     for (size_t t = 0; t < count_of(o); t++)
         y[t] *= o->scale[t];
-    return STATUS_OK;
 }
 
 static double product(const struct operator* o, const double *x, const double *y)
 {
     double sum = 0;
 
-    if (o->mass)
-        blocks_multiply_mass(o->graph, o->M, y, o->work);
     for (size_t t = 0; t < count_of(o); t++)
-        sum += x[t] * (o->mass ? o->work[t] : y[t]);
+        sum += x[t] * y[t];
     return sum;
 }
 
@@ -97,9 +87,8 @@ static double ritz(int n, const double *alpha, const double *beta)
 }
 
 /* room: 3 [nodes][3], zero. */
-static enum status iterate(const struct operator* o, double *room, double *omega)
+static double iterate(const struct operator* o, double *room)
 {
-    enum status st = STATUS_OK;
     size_t count = count_of(o);
     double alpha[LANCZOS_STEPS], beta[LANCZOS_STEPS], square = 0, last = 0;
     double *q = room, *before = room + count, *y = room + 2 * count;
@@ -107,7 +96,7 @@ static enum status iterate(const struct operator* o, double *room, double *omega
 
     start_vector(o, q);
     while (n < LANCZOS_STEPS && n < o->supports->free_count) {
-        TRY(multiply(o, q, y));
+        multiply(o, q, y);
         alpha[n] = product(o, q, y);
         for (size_t t = 0; t < count; t++)
             y[t] -= alpha[n] * q[t] + last * before[t];
@@ -123,41 +112,24 @@ static enum status iterate(const struct operator* o, double *room, double *omega
         for (size_t t = 0; t < count; t++)
             q[t] /= last;
     }
-    *omega = sqrt(fmax(0, ritz(n, alpha, beta)));
-out:
-    return st;
-}
-
-static enum status largest(struct operator* o, const double *mass, double *omega)
-{
-    size_t count = count_of(o);
-    double *room = calloc(5 * count, sizeof *room);
-    enum status st = STATUS_OK;
-
-    *omega = 0;
-    if (!room)
-        return STATUS_MEMORY;
-    o->work = room + 3 * count, o->scale = room + 4 * count;
-    for (size_t t = 0; mass && t < count; t++)
-        o->scale[t] = o->supports->free_index[t] < 0 ? 0 : 1 / sqrt(mass[t / 3]);
-    if (o->supports->free_count)
-        st = iterate(o, room, omega);
-    free(room);
-    return st;
+    return sqrt(fmax(0, ritz(n, alpha, beta)));
 }
 
 enum status frequency_largest(const struct blocks *graph, const struct supports *supports,
                               const double *mass, const double (*K)[9], double *omega)
 {
-    return largest(&(struct operator){.graph = graph, .supports = supports, .K = K}, mass,
-                   omega);
-}
+    struct operator o = {.graph = graph, .supports = supports, .K = K};
+    const size_t count = count_of(&o);
+    double *room = calloc(5 * count, sizeof *room);
 
-enum status frequency_consistent(struct system *mass, const double *M, const double (*K)[9],
-                                 double *omega)
-{
-    return largest(
-        &(struct operator){
-            .graph = mass->graph, .supports = mass->held, .K = K, .mass = mass, .M = M},
-        NULL, omega);
+    *omega = 0;
+    if (!room)
+        return STATUS_MEMORY;
+    o.work = room + 3 * count, o.scale = room + 4 * count;
+    for (size_t t = 0; t < count; t++)
+        o.scale[t] = supports->free_index[t] < 0 ? 0 : 1 / sqrt(mass[t / 3]);
+    if (supports->free_count)
+        *omega = iterate(&o, room);
+    free(room);
+    return STATUS_OK;
 }

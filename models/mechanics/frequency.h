@@ -5,14 +5,11 @@
 #ifndef FREQUENCY_H
 #define FREQUENCY_H
 
-#include "models/mechanics/system.h"
+#include "models/linalg/blocks.h"
+#include "models/mechanics/supports.h"
 
 /* With lumped mass[nodes]; K[pairs of graph][9]. 0 if nothing can move. */
 enum status frequency_largest(const struct blocks *graph, const struct supports *supports,
                               const double *mass, const double (*K)[9], double *omega);
-
-/* With the mass M[pairs] that `mass` is the factor of. */
-enum status frequency_consistent(struct system *mass, const double *M, const double (*K)[9],
-                                 double *omega);
 
 #endif

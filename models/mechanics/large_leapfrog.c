@@ -27,11 +27,8 @@ static const double GAIN = 0.05;
 static const double ROUND_OFF = 1e-10;
 
 struct large_leapfrog {
-    struct large_motion *m;   /* borrowed                                              */
-    bool consistent;          /* mass                                                  */
-    struct system mass;       /* consistent: its factor                                */
-    unsigned char *component; /* [nodes][3] 0, 1, 2                                     */
-    void *room;               /* of the arrays                                 owned   */
+    struct large_motion *m; /* borrowed                                              */
+    void *room;             /* of the arrays                                 owned   */
     int asked, substeps, doublings;
     double limit;              /* greatest stable step about rest                   [s]   */
     double least, most;        /* energy so far, see judge                          [J]   */
@@ -67,14 +64,11 @@ enum status large_leapfrog_refuse(const struct discretization *d, unsigned more,
         return status_fail(why, STATUS_UNSUPPORTED,
                            "integrator=leapfrog: with kinematics=nonlinear only, not %s",
                            kinematics_name(d->kinematics));
-    if (d->integrator != INTEGRATOR_LEAPFROG && d->mass == MASS_ROW_SUM)
-        return status_fail(why, STATUS_INPUT,
-                           "mass=row_sum: with integrator=leapfrog only");
     if (d->integrator != INTEGRATOR_LEAPFROG && d->substeps)
         return status_fail(why, STATUS_INPUT, "substeps: with integrator=leapfrog only");
     return discretization_refuse(d,
                                  more | DISCRETIZATION_NEWTON | DISCRETIZATION_INTEGRATOR |
-                                     DISCRETIZATION_MASS | DISCRETIZATION_SUBSTEPS,
+                                     DISCRETIZATION_SUBSTEPS,
                                  why);
 }
 
@@ -82,31 +76,20 @@ void large_leapfrog_free(struct large_leapfrog *l)
 {
     if (!l)
         return;
-    system_clear(&l->mass);
     free(l->room);
     free(l);
 }
 
-static enum status make_mass(struct large_leapfrog *l)
+static void make_mass(struct large_leapfrog *l)
 {
-    enum status st = STATUS_OK;
     const struct large_motion *m = l->m;
 
     for (size_t t = 0; t < count_of(l); t++) {
         double mass = m->M[m->graph->start[t / 3]];
-        if (l->consistent)
-            l->component[t] = (unsigned char)(t % 3);
-        else
-            l->inverse[t] = m->supports->free_index[t] < 0 ? 0 : 1 / mass;
+        l->inverse[t] = m->supports->free_index[t] < 0 ? 0 : 1 / mass;
         if (l->weight)
             l->weight[t / 3] = mass;
     }
-    if (!l->consistent)
-        return STATUS_OK;
-    TRY(system_init(&l->mass, m->graph, m->supports, l->component, NULL, NULL));
-    TRY(system_factor(&l->mass, 0, (const double(*)[9])m->K, 1, m->M));
-out:
-    return st;
 }
 
 /* Of m->K. l->a is work. */
@@ -115,8 +98,6 @@ static enum status largest_frequency(struct large_leapfrog *l, double *omega)
     struct large_motion *m = l->m;
     const double(*K)[9] = (const double(*)[9])m->K;
 
-    if (l->consistent)
-        return frequency_consistent(&l->mass, m->M, K, omega);
     for (int a = 0; a < m->graph->nodes; a++)
         l->a[a] = m->M[m->graph->start[a]];
     return frequency_largest(m->graph, m->supports, l->a, K, omega);
@@ -152,23 +133,18 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
 
     if (d->integrator != INTEGRATOR_LEAPFROG)
         return STATUS_OK;
-    if (d->mass == MASS_CONSISTENT && (obstacles || moving))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "mass=consistent: explicit steps meet no obstacles with it, and "
-                           "no supports that move; use mass=row_sum");
     l = calloc(1, sizeof *l);
     if (!l)
         return STATUS_MEMORY;
-    l->m = m, l->asked = d->substeps, l->consistent = d->mass == MASS_CONSISTENT;
+    l->m = m, l->asked = d->substeps;
     TRY(room_cut(&l->room, ROOM(l->a, count), ROOM(l->x_start, count),
-                 ROOM(l->v_start, count), ROOM(l->inverse, l->consistent ? 0 : count),
-                 ROOM(l->component, l->consistent ? count : 0),
+                 ROOM(l->v_start, count), ROOM(l->inverse, count),
                  ROOM(l->before, obstacles ? count : 0),
                  ROOM(l->weight, obstacles ? count / 3 : 0), ROOM(l->pull, held),
                  ROOM(l->shift, held)));
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &statics, m->rest, (struct large_foresight){0}, m->K));
-    TRY(make_mass(l));
+    make_mass(l);
     TRY(choose_step(l, why));
     m->leapfrog = l, l = NULL;
 out:
@@ -191,15 +167,8 @@ static enum status accelerate(struct large_leapfrog *l, struct counters *counter
     for (int h = 0; m->supports->moving && h < m->supports->held_count; h++)
         l->pull[h] = a[m->supports->held[h]] - m->load[m->supports->held[h]];
     counters->assemblies++;
-    if (!l->consistent) {
-        for (size_t t = 0; t < count_of(l); t++)
-            a[t] = l->inverse[t] * (m->load[t] - a[t]);
-        return STATUS_OK;
-    }
     for (size_t t = 0; t < count_of(l); t++)
-        a[t] = m->load[t] - a[t];
-    TRY(system_solve(&l->mass, a));
-    counters->solves++;
+        a[t] = l->inverse[t] * (m->load[t] - a[t]);
 out:
     return st;
 }
@@ -364,9 +333,9 @@ void large_leapfrog_describe(const struct large_motion *m, struct message *line)
     *line->text = '\0';
     if (l)
         snprintf(line->text, sizeof line->text,
-                 "explicit steps of %.3g s, %d a frame; about rest %.3g s are stable; %s",
-                 step_of(l), l->substeps, l->limit,
-                 l->consistent ? "consistent mass" : "row sums of the mass");
+                 "explicit steps of %.3g s, %d a frame; about rest %.3g s are stable; row "
+                 "sums of the mass",
+                 step_of(l), l->substeps, l->limit);
 }
 
 enum status large_leapfrog_step(struct large_motion *m, double t, struct counters *counters)

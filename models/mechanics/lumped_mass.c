@@ -4,7 +4,7 @@
 
 bool lumped_mass_wanted(const struct discretization *d)
 {
-    return d->integrator == INTEGRATOR_LEAPFROG && d->mass != MASS_CONSISTENT;
+    return d->integrator == INTEGRATOR_LEAPFROG;
 }
 
 enum status lumped_mass_make(const struct discretization *d, const struct blocks *graph,
@@ -28,8 +28,9 @@ enum status lumped_mass_make(const struct discretization *d, const struct blocks
     for (int a = 0; a < graph->nodes; a++) {
         if (!(sum[a] > 0))
             TRY(status_fail(why, STATUS_UNSUPPORTED,
-                            "mass=row_sum: the row of node %d sums to %g kg, and an "
-                            "explicit step needs masses > 0; use mass=consistent",
+                            "integrator=leapfrog: the mass's row of node %d sums to %g kg, "
+                            "and an explicit step needs masses > 0; use "
+                            "integrator=implicit",
                             a, sum[a]));
         M[graph->start[a]] = sum[a];
     }

@@ -7,7 +7,7 @@
 #include "models/discretization.h"
 #include "models/linalg/blocks.h"
 
-/* True if d wants row sums: leapfrog steps, unless mass=consistent. */
+/* True if d wants row sums: leapfrog steps. */
 bool lumped_mass_wanted(const struct discretization *d);
 
 /* Row sums in place of M[pairs] if d wants them, on the diagonal, zero elsewhere.

@@ -222,8 +222,6 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, parameters)},
     {"integrator", "Euler's methods, leapfrog, energy-momentum, bdf2, midpoint", SCHEMA_WORD,
      .word = integrator_name, IN(discretization, integrator)},
-    {"mass", "of leapfrog steps of shell and solids", SCHEMA_WORD, .word = mass_name,
-     IN(discretization, mass)},
     {"precision", "of leapfrog and position_based", SCHEMA_WORD, .word = precision_name,
      IN(discretization, precision)},
     {"substeps", "of a frame, 0: as many as needed", SCHEMA_COUNT, .low = 0, .high = 1e6,

@@ -5,6 +5,7 @@ A function a result; BLOCKS and WORDS at the end say which is which.
 import csv
 import math
 import re
+import statistics
 
 from figures_read import (RESULTS, TOP, digits, is_quick, markdown, number, part, percent, result, row,
                           tables, whole)
@@ -31,82 +32,78 @@ def paper_words():
 
 # --- Table 1 ---------------------------------------------------------------------------------
 
-PRINTED = "Table 1, printed"
-TIMES = ["rmse_0_1_s_m", "rmse_0_2_s_m", "rmse_0_3_s_m", "rmse_0_4_s_m"]
-
 
 def table1():
-    shown = [
-        ("IGA, paper's", "iga", "10x10x2"),
-        ("hexahedra", "hex", "32x32x2"),
-        ("hexahedra, incompatible modes", "hex incompatible", "10x10x2"),
-        ("shell, p = 2, nonlinear", "shell", "10x10"),
-    ]
-    rows = []
-    for title, model, net in shown:
-        timed = row(part("table1", PRINTED, "cost_over_iga"), model=model, net=net)
-        truth = row(part("table1", "against truth", "static_rmse_percent"), model=model, net=net)
-        near = " ".join(f"{number(timed[t]):.3f}" for t in TIMES)
-        rows.append([title, net, digits(timed["median_ms"], 3),
-                     digits(timed["cost_over_iga"], 2),
-                     "baseline" if model == "iga" else near,
-                     percent(float(truth["static_rmse_percent"]))])
-    for title, who in [("IGA", "IGA-Galerkin"), ("FEM", "FEM"), ("shell", "shell IGA")]:
-        p = row(part("table1", PRINTED, "cost_over_iga"), model=f"paper: {who}")
-        rows.append([f"paper: {title}", p["net"], f"{float(p['median_ms']):.0f}",
-                     digits(p["cost_over_iga"], 3),
-                     {"baseline": "baseline", "yes": '"<= 0.04"'}.get(p["within_0_04_m"], "-"),
-                     "-"])
+    rows = part("table1", "Table 1", "apart_most")
+
+    def line(title, model, net, truth):
+        timed = [r for r in rows if (r["study"], r["model"], r["net"]) == ("printed", model, net)]
+        near = " ".join(f"{number(r['apart']):.3f}" for r in timed)
+        error = row(rows, study="static", model=truth, net=net)["off"]
+        return [title, net, digits(timed[0]["frame_ms"], 3), digits(timed[0]["of_reference"], 2),
+                "baseline" if model == "iga" else near, percent(100 * float(error))]
+
+    made = [line("IGA, paper's", "iga", "10x10x2", "iga"),
+            line("hexahedra", "hex", "32x32x2", "hex"),
+            line("hexahedra, incompatible modes", "hex incompatible", "10x10x2",
+                 "hex incompatible"),
+            line("shell, p = 2, nonlinear", "shell", "10x10", "shell linear")]
+    for title, model, net, near in [("IGA", "iga", "10x10x2", "baseline"),
+                                    ("FEM", "hex", "32x32x2", '"<= 0.04"'),
+                                    ("shell", "shell", "10x10", "-")]:
+        p = row(rows, study="printed", model=model, net=net)
+        made.append([f"paper: {title}", net, f"{float(p['paper_ms']):.0f}",
+                     digits(p["paper_of_reference"], 3), near, "-"])
     return markdown(["", "net", "ms a frame", "cost / IGA",
-                     "RMSE to IGA at 0.1 ... 0.4 s [m]", "error"], rows)
+                     "RMSE to IGA at 0.1 ... 0.4 s [m]", "error"], made)
 
 
 # --- Tables 2 and 3 --------------------------------------------------------------------------
 
 
-def frames(name):
-    return part(name, "milliseconds a frame", "printed_ms")
-
-
-def frame_rows(name, run, unit):
-    """Rows of a table's costs, over the row `unit`."""
-    rows = []
-    for what, cost in zip(run, frames(name)):
-        ours, theirs = float(cost["printed_ms"]), float(cost["paper_ms"])
-        rows.append([what["row"], what["degree"], what["net"], digits(ours, 3),
-                     digits(cost["prefactored_ms"], 2), f"{theirs:.0f}",
-                     f"{ours / float(unit['printed_ms']):.2f}",
-                     f"{theirs / float(unit['paper_ms']):.2f}"])
-    return rows
+def frames(name, kinematics="printed"):
+    return [r for r in part(name, "milliseconds a frame", "frame_ms")
+            if r["kinematics"] == kinematics]
 
 
 def table23():
-    unit2 = row(frames("table2"), figure="Fig. 12b, 13a")
-    rows = frame_rows("table2", part("table2", "what was run", "degree"), unit2)
-    rows += frame_rows("table3", part("table3", "what was run", "degree"),
-                       frames("table3")[0])[-1:]
+    """Each over the row Fig. 12b; of Table 3 the last row, which alone is new."""
+    plan = (TOP / "bench" / "plans" / "table2.yaml").read_text()
+    captions = dict(re.findall(r'name: (\w+), caption: "([^"]*)"', plan))
+    made = []
+    for name, unit in [("table2", row(frames("table2"), study="fig12b")),
+                       ("table3", frames("table3")[0])]:
+        for r, linear in zip(frames(name), frames(name, "linear")):
+            caption = captions[r["study"]] if "study" in r else \
+                f"Table 3: {r['degree']} {r['net']}"
+            what, _, net = caption.partition(": ")
+            made.append([what, *net.split(), digits(r["frame_ms"], 3),
+                         digits(linear["frame_ms"], 2), f"{float(r['paper_ms']):.0f}",
+                         f"{float(r['frame_ms']) / float(unit['frame_ms']):.2f}",
+                         f"{float(r['paper_ms']) / float(unit['paper_ms']):.2f}"])
     return markdown(["", "degree", "net", "printed", "prefactored", "paper", "relative",
-                     "paper's"], rows)
+                     "paper's"], made[:-4] + made[-1:])
 
 
 def table23_words():
-    growth = part("table2", "Growth", "exponent_all_four")
+    nets = [r for r in frames("table2") if r["study"].startswith("fig12")]
 
-    def exponent(quantity, column="exponent_all_four"):
-        return f"{float(row(growth, quantity=quantity)[column]):.2f}"
+    def exponent(quantity, rows=nets):
+        x, y = ([math.log(float(r[key])) for r in rows] for key in ("control_points", quantity))
+        return f"{statistics.linear_regression(x, y).slope:.2f}"
 
-    times = [float(r["paper_ms"]) / float(r["printed_ms"]) for r in frames("table2")]
-    ground = row(frames("table2"), figure="Fig. 9, ground contact")
-    flag = row(frames("table2"), figure="Fig. 15, falling flag")
+    times = [float(r["paper_ms"]) / float(r["frame_ms"]) for r in frames("table2")]
+    ground = row(frames("table2"), study="fig9")
+    flag = row(frames("table2"), study="fig15")
     return {
-        "growth_paper": exponent("paper"),
-        "growth_paper_3": exponent("paper", "exponent_last_three"),
-        "growth": exponent("frame, printed"),
-        "growth_assembly": exponent("K and M alone"),
-        "growth_factor": exponent("factor alone"),
+        "growth_paper": exponent("paper_ms"),
+        "growth_paper_3": exponent("paper_ms", nets[1:]),
+        "growth": exponent("frame_ms"),
+        "growth_assembly": exponent("assemble_ms"),
+        "growth_factor": exponent("factor_ms"),
         "times_low": digits(min(times), 2),
         "times_high": digits(max(times), 3),
-        "ground": digits(float(ground["printed_ms"]) / float(flag["printed_ms"]), 2),
+        "ground": digits(float(ground["frame_ms"]) / float(flag["frame_ms"]), 2),
         "ground_paper": digits(float(ground["paper_ms"]) / float(flag["paper_ms"]), 2),
     }
 

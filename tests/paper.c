@@ -101,19 +101,20 @@ static void scene_of(const struct plan *plan, const struct plan_study *s,
 
 static void add_first(struct cells *c)
 {
+    static const char *const method[][2] = {
+        {"iga", "IGA-Galerkin"}, {"hex", "FEM"}, {"shell", "shell IGA"}};
     struct plan plan;
     struct scene scene;
 
-    for (int n = 0; n < PAPER_TABLE1_ROWS; n++) {
-        const struct paper_table1_row *p = &paper_table1[n];
-        if (p->points[2])
-            ADD(c, 1, p->method, "net", "%dx%dx%d", p->points[0], p->points[1],
-                p->points[2]);
-        else
-            ADD(c, 1, p->method, "net", "%dx%d", p->points[0], p->points[1]);
-        ADD(c, 1, p->method, "seconds", "%.17g", p->seconds);
-    }
     open_plan(SOURCE_DIR "/bench/plans/table1.yaml", &plan);
+    for (int n = 0; n < plan.studies[0].level_count; n++) {
+        const struct plan_level *level = &plan.studies[0].levels[n];
+        for (int m = 0; m < 3; m++)
+            if (!strcmp(level->word[0], method[m][0]) && level->paper_ms > 0) {
+                ADD(c, 1, method[m][1], "net", "%s", level->word[1]);
+                ADD(c, 1, method[m][1], "seconds", "%.17g", level->paper_ms / 1000);
+            }
+    }
     scene_of(&plan, &plan.studies[0], &scene);
     ADD(c, 1, "shell IGA", "thickness", "%.17g", scene.thickness);
     ADD(c, 1, "FEM", "RMSE at most", "%.17g", PAPER_TABLE1_RMSE);
@@ -121,30 +122,31 @@ static void add_first(struct cells *c)
     plan_clear(&plan);
 }
 
-/* Degree "2 2 1" and net "10x10x2" as the paper has them. */
-static void net_of(const struct plan_study *s, char degree[WORD], char net[WORD],
-                   int *points)
+/* Degree "2 2 1" and net "10x10x2" as the paper has them in a text, "(2,2,1) 10x10x2". What
+ * runs is the same, with the thickness last. */
+static void net_of(const struct plan *plan, const struct plan_study *s,
+                   const struct plan_level *level, const char *text, char degree[WORD],
+                   char net[WORD], int *points)
 {
-    const struct plan_setting *p =
-        plan_settings_find(&s->settings, "discretization.points");
-    const struct plan_setting *q =
-        plan_settings_find(&s->settings, "discretization.degree");
-    int at[3], of[3];
+    struct plan_case c = {0};
+    struct run run;
+    int by[3], to[3];
 
-    REQUIRE(p && sscanf(p->value, "[%d,%d,%d]", &at[0], &at[1], &at[2]) == 3);
-    REQUIRE(q && sscanf(q->value, "[%d,%d,%d]", &of[0], &of[1], &of[2]) == 3);
-    *points = at[0] * at[1] * at[2];
-    if (s->paper_net) { /* the thickness first; ours is the same, last */
-        int to[3], by[3];
-        REQUIRE(sscanf(s->paper_net, "(%d,%d,%d) %dx%dx%d", &by[0], &by[1], &by[2], &to[0],
-                       &to[1], &to[2]) == 6);
-        for (int i = 0; i < 3; i++)
-            CHECK(to[i] == at[(i + 2) % 3] && by[i] == of[(i + 2) % 3]);
-        memcpy(at, to, sizeof at);
-        memcpy(of, by, sizeof of);
+    REQUIRE(sscanf(text, "(%d,%d,%d) %dx%dx%d", &by[0], &by[1], &by[2], &to[0], &to[1],
+                   &to[2]) == 6);
+    REQUIRE(plan_case_level(plan, s, level, false, &c, NULL) == STATUS_OK);
+    const struct run_plan what = plan_case_run(&c);
+    REQUIRE(run_read(&run, &what, NULL) == STATUS_OK);
+    for (int i = 0; i < 3; i++) {
+        const int ours = to[0] == 2 ? (i + 2) % 3 : i;
+        CHECK(to[i] == run.discretization.points[ours] &&
+              by[i] == run.discretization.degree[ours]);
     }
-    snprintf(degree, WORD, "%d %d %d", of[0], of[1], of[2]);
-    snprintf(net, WORD, "%dx%dx%d", at[0], at[1], at[2]);
+    run_close(&run);
+    plan_case_clear(&c);
+    snprintf(degree, WORD, "%d %d %d", by[0], by[1], by[2]);
+    snprintf(net, WORD, "%dx%dx%d", to[0], to[1], to[2]);
+    *points = to[0] * to[1] * to[2];
 }
 
 /* "Fig. 12b, 13a" is of 12b+13a; "Fig. 7, edge fixed" of 7, and a scene with a name. */
@@ -158,7 +160,7 @@ static void figure_of(const struct plan_study *s, const char *scene, char figure
     char rest[WORD] = "";
 
     *what = '\0';
-    REQUIRE(sscanf(s->caption, "Fig. %63[^,], %63[^\n]", figure, rest) >= 1);
+    REQUIRE(sscanf(s->caption, "Fig. %63[^,:], %63[^:]", figure, rest) >= 1);
     if (*rest >= '0' && *rest <= '9')
         snprintf(figure + strlen(figure), WORD - strlen(figure), "+%.*s", WORD / 2, rest);
     else if (*rest)
@@ -181,7 +183,8 @@ static void add_second(struct cells *c)
         struct scene scene;
         int points;
         scene_of(&plan, s, &scene);
-        net_of(s, degree, net, &points);
+        const struct plan_level *printed = &s->levels[0];
+        net_of(&plan, s, printed, strchr(s->caption, '('), degree, net, &points);
         figure_of(s, scene.name, figure, what);
         snprintf(row, WORD, "%d", n + 1);
         ADD(c, 2, row, "figure", "%s", figure);
@@ -194,7 +197,7 @@ static void add_second(struct cells *c)
         ADD(c, 2, row, "mu", "%.17g", scene.damping.value);
         ADD(c, 2, row, "control points", "%d", points);
         ADD(c, 2, row, "ms", "%.17g", paper_table2_ms[n]);
-        CHECK(s->paper_ms == paper_table2_ms[n]);
+        CHECK(printed->paper_ms == paper_table2_ms[n]);
         scene_clear(&scene);
     }
     plan_clear(&plan);
@@ -205,11 +208,15 @@ static void add_third(struct cells *c)
     struct plan plan;
 
     open_plan(SOURCE_DIR "/bench/plans/table3.yaml", &plan);
-    for (int n = 0; n < plan.study_count; n++) {
-        char degree[WORD], net[WORD];
+    for (int n = 0; n < plan.studies->level_count; n++) {
+        const struct plan_level *level = &plan.studies->levels[n];
+        char text[2 * WORD], degree[WORD], net[WORD];
         int points;
-        net_of(&plan.studies[n], degree, net, &points);
-        ADD(c, 3, degree, net, "%.17g", plan.studies[n].paper_ms);
+        if (!(level->paper_ms > 0)) /* of another scheme */
+            continue;
+        snprintf(text, sizeof text, "%s %s", level->word[0], level->word[1]);
+        net_of(&plan, plan.studies, level, text, degree, net, &points);
+        ADD(c, 3, degree, net, "%.17g", level->paper_ms);
     }
     plan_clear(&plan);
 }

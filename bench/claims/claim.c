@@ -19,6 +19,9 @@ static const struct {
     {"mesh", claim_mesh},
     {"mesh-degree", claim_mesh_degree},
     {"solvers", claim_solvers},
+    {"table1", claim_table1},
+    {"table2", claim_table2},
+    {"table3", claim_table3},
     {"thickness", claim_thickness},
     {"thickness-degree", claim_thickness_degree},
     {"timestep", claim_timestep},
@@ -55,7 +58,9 @@ enum status claim_tell(const struct study_results *d, const char *folder,
 {
     enum status st = dataset_print(d, folder, format, file, why);
 
-    if (st == STATUS_OK && table_format_is_prose(format))
+    if (st == STATUS_OK && table_format_is_prose(format)) {
         st = claim_print(d, file);
+        measurement_machine(d->machine, file);
+    }
     return st;
 }

@@ -24,7 +24,8 @@ const struct claim *claim_find(const char *plan);
 /* Prints a line on each claim of the plan; a report gets them, too (judge_keep). */
 enum status claim_print(const struct study_results *d, FILE *file);
 
-/* What an experiment with a plan tells: its tables (dataset_print), then the claims. */
+/* What an experiment with a plan tells: its tables (dataset_print), then the claims and
+ * the machine. */
 enum status claim_tell(const struct study_results *d, const char *folder,
                        enum table_format format, FILE *file, struct message *why);
 
@@ -41,6 +42,9 @@ extern const struct claim claim_locking[];
 extern const struct claim claim_mesh[];
 extern const struct claim claim_mesh_degree[];
 extern const struct claim claim_solvers[];
+extern const struct claim claim_table1[];
+extern const struct claim claim_table2[];
+extern const struct claim claim_table3[];
 extern const struct claim claim_thickness[];
 extern const struct claim claim_thickness_degree[];
 extern const struct claim claim_timestep[];

@@ -11,6 +11,8 @@ const char *dataset_label(const struct study *s, int level, const char *axis)
 {
     if (!strcmp(axis, "study"))
         return s->plan->name;
+    if (!strcmp(axis, "caption"))
+        return s->plan->caption;
     for (int n = 0; n < s->plan->axis_count; n++)
         if (!strcmp(axis, s->plan->axis[n].name))
             return s->row[level].level->word[n];
@@ -31,13 +33,15 @@ static bool is_named(const struct study *s, const struct place *p,
     for (; where->axis; where++) {
         const char *label = dataset_label(s, p->level, where->axis);
         const bool other = where->label[0] == '!';
+        const char *text = where->label + other;
+        const size_t size = strlen(text) - (*text && text[strlen(text) - 1] == '*');
         if (!strcmp(where->axis, "at")) {
             const double want = strtod(where->label, NULL);
             timed = true;
             if (strcmp(where->label, "*") &&
                 (!s->time || fabs(s->time[p->time] - want) > 1e-9))
                 return false;
-        } else if (!label || !strcmp(label, where->label + other) == other) {
+        } else if (!label || !strncmp(label, text, size + !text[size]) == other) {
             return false;
         }
     }
@@ -169,6 +173,12 @@ void dataset_write(const struct study_results *d, enum quantity q,
     }
 }
 
+double dataset_ratio(const struct study_results *d, enum quantity q, const struct where *a,
+                     const struct where *b)
+{
+    return dataset_at(d, q, a) / dataset_at(d, q, b);
+}
+
 double dataset_apart(const struct study_results *d, const struct where *a,
                      const struct where *b)
 {
@@ -195,7 +205,7 @@ double dataset_exponent(const struct study_results *d, enum quantity x, enum qua
     return count < 2 ? NAN : fit_exponent(count, xs, ys);
 }
 
-/* --- the plan's table --------------------------------------------------------------------
+/* --- the plan's table and chart ----------------------------------------------------------
  */
 
 static enum status check_quantity(const struct plan *plan, const char *name, int line,
@@ -216,8 +226,8 @@ enum status dataset_check(const struct plan *plan, struct message *why)
     for (int n = 0; n < plan->table.columns.count; n++)
         TRY(check_quantity(plan, plan->table.columns.list[n].key,
                            plan->table.columns.list[n].line, "a column of the table", why));
-    if (plan->chart.y)
-        TRY(check_quantity(plan, plan->chart.y, plan->chart.panel.list->line,
+    for (int n = 0; n < plan->chart.y.count; n++)
+        TRY(check_quantity(plan, plan->chart.y.list[n].key, plan->chart.y.list[n].line,
                            "y of the chart", why));
     for (int n = 0; n < plan->table.pictures.count; n++) {
         const struct plan_setting *name = &plan->table.pictures.list[n];
@@ -233,10 +243,10 @@ out:
     return st;
 }
 
-/* Column n of a plan's table. */
-static const struct quantity_row *column_of(const struct plan_table *plan, int n)
+/* One of a list of quantities. */
+static const struct quantity_row *quantity_of(const struct plan_settings *list, int n)
 {
-    return &quantity_table[quantity_find(plan->columns.list[n].key)];
+    return &quantity_table[quantity_find(list->list[n].key)];
 }
 
 enum { AXES = 12 }; /* most label columns */
@@ -258,13 +268,13 @@ static bool is_in(enum part part, const struct quantity_row *q)
     return part == PART_ALL || q->moves == (part == PART_TIMES);
 }
 
-/* The axes that some study has, each once. */
+/* The axes that some study has, each once; people see captions, machines the names. */
 static int find_axes(const struct study_results *d, const char *axis[AXES])
 {
     int count = 0;
 
     if (d->count > 1)
-        axis[count++] = "study";
+        axis[count++] = "caption", axis[count++] = "study";
     for (int k = 0; k < d->count; k++) {
         const struct plan_study *plan = d->study[k].plan;
         for (int n = 0; n < plan->axis_count || n == 0; n++) {
@@ -299,7 +309,7 @@ static void add_row(struct table *t, const struct study_results *d, enum part pa
     if (part != PART_RUN && has_times(d))
         table_number(t, s->time ? s->time[time] : NAN, 4);
     for (int n = 0; n < plan->columns.count; n++) {
-        const struct quantity_row *q = column_of(plan, n);
+        const struct quantity_row *q = quantity_of(&plan->columns, n);
         if (is_in(part, q) && q->digits)
             table_number(t, q->at(d, s, level, time), q->digits);
         else if (is_in(part, q))
@@ -322,10 +332,15 @@ static struct table *fill(const struct study_results *d, enum part part, bool la
 
     for (int n = 0; n < count; n++)
         columns[n] = (struct table_column){axis[n], NULL, TABLE_LEFT};
+    if (d->count > 1) {
+        columns[0] =
+            (struct table_column){"study", NULL, TABLE_LEFT, "caption", TABLE_PEOPLE};
+        columns[1].readers = TABLE_MACHINES;
+    }
     if (part != PART_RUN && has_times(d))
         columns[count++] = (struct table_column){"time", "s"};
     for (int n = 0; n < plan->columns.count; n++) {
-        const struct quantity_row *q = column_of(plan, n);
+        const struct quantity_row *q = quantity_of(&plan->columns, n);
         if (is_in(part, q))
             columns[count++] = (struct table_column){q->head, q->unit, .key = q->name};
     }
@@ -352,7 +367,7 @@ static void add_notes(struct table *t, const struct study_results *d)
     char text[2048] = "";
 
     for (int n = 0; n < plan->columns.count; n++) {
-        const struct quantity_row *q = column_of(plan, n);
+        const struct quantity_row *q = quantity_of(&plan->columns, n);
         const size_t used = strlen(text);
         snprintf(text + used, sizeof text - used, "%s%s: %s", n ? "; " : "", q->head,
                  q->help);
@@ -379,8 +394,17 @@ static void add_notes(struct table *t, const struct study_results *d)
 struct dot {
     const struct study *study;
     int level;
+    const struct quantity_row *of;
     double x, y;
 };
+
+/* What x of the chart is; NULL: the size of levels. */
+static const struct quantity_row *x_of(const struct plan_chart *plan)
+{
+    const int n = quantity_find(plan->x);
+
+    return n < 0 ? NULL : &quantity_table[n];
+}
 
 /* Every level that has a place in the chart; freed by the receiver. */
 static struct dot *find_dots(const struct study_results *d, int *count)
@@ -391,20 +415,24 @@ static struct dot *find_dots(const struct study_results *d, int *count)
 
     for (int k = 0; k < d->count; k++)
         most += (size_t)d->study[k].plan->level_count;
-    dots = calloc(most, sizeof *dots);
-    for (int k = 0; dots && k < d->count; k++)
-        for (int n = 0; n < d->study[k].plan->level_count; n++) {
-            const struct place last = {k, n, d->study[k].frames - 1};
-            const double y = value(d, quantity_find(plan->y), &last);
-            const struct dot dot = {&d->study[k], n, d->study[k].row[n].level->size,
-                                    isnan(plan->from) ? y : fabs(y - plan->from)};
-            if (dot.x > 0 && dot.y > 0 && isfinite(dot.y))
-                dots[(*count)++] = dot;
-        }
+    dots = calloc(most * (size_t)plan->y.count, sizeof *dots);
+    for (int i = 0; dots && i < plan->y.count; i++)
+        for (int k = 0; k < d->count; k++)
+            for (int n = 0; n < d->study[k].plan->level_count; n++) {
+                const struct study *s = &d->study[k];
+                const struct quantity_row *x = x_of(plan), *of = quantity_of(&plan->y, i);
+                const double y = of->at(d, s, n, s->frames - 1);
+                const struct dot dot = {
+                    s, n, of, x ? x->at(d, s, n, s->frames - 1) : s->row[n].level->size,
+                    isnan(plan->from) ? y : fabs(y - plan->from)};
+                if (dot.x > 0 && dot.y > 0 && isfinite(dot.y))
+                    dots[(*count)++] = dot;
+            }
     return dots;
 }
 
-/* Whether both have the same labels on the axes of panels and, if `line`, of lines. */
+/* Whether both have the same labels on the axes of panels and, if `line`, of lines, and are
+ * of one quantity then. */
 static bool alike(const struct plan_chart *plan, bool line, const struct dot *a,
                   const struct dot *b)
 {
@@ -417,7 +445,7 @@ static bool alike(const struct plan_chart *plan, bool line, const struct dot *a,
         if (strcmp(one ? one : "", other ? other : ""))
             return false;
     }
-    return true;
+    return !line || a->of == b->of;
 }
 
 /* Whether no dot before it is alike. */
@@ -431,9 +459,9 @@ static bool is_first(const struct plan_chart *plan, bool line, const struct dot 
 
 /* "poisson 0.3, thickness 1 mm"; of a single axis its label alone. */
 static const char *name_of(const struct dot *dot, const struct plan_settings *axes,
-                           char text[128])
+                           const char *first, char text[128])
 {
-    *text = '\0';
+    snprintf(text, 128, "%s", first);
     for (int n = 0; n < axes->count; n++) {
         const char *axis = axes->list[n].key;
         const char *label = dataset_label(dot->study, dot->level, axis);
@@ -449,23 +477,27 @@ static const char *name_of(const struct dot *dot, const struct plan_settings *ax
 static struct chart *chart_of(const struct study_results *d)
 {
     const struct plan_chart *plan = &d->plan->chart;
-    const struct quantity_row *q = &quantity_table[quantity_find(plan->y)];
+    const struct quantity_row *q = quantity_of(&plan->y, 0), *x = x_of(plan);
     struct chart *c = chart_create(d->plan->what ? d->plan->what : d->plan->source);
     char text[128], y[128];
     int count = 0;
     struct dot *dots = find_dots(d, &count);
 
     snprintf(y, sizeof y, isnan(plan->from) ? "%s" : "|%s - %g|", q->head, plan->from);
-    chart_axes(c, &(struct chart_axis){plan->x, .log = true},
+    chart_axes(c,
+               &(struct chart_axis){x ? x->head : plan->x, x ? x->unit : NULL, .log = true},
                &(struct chart_axis){y, isnan(plan->from) ? q->unit : NULL, .log = true});
     for (const struct dot *p = dots; p < dots + count; p++) {
         if (!is_first(plan, false, dots, p))
             continue;
-        chart_panel(c, name_of(p, &plan->panel, text));
+        if (plan->panel.count)
+            chart_panel(c, name_of(p, &plan->panel, "", text));
         for (const struct dot *l = p; l < dots + count; l++) {
             if (!alike(plan, false, p, l) || !is_first(plan, true, dots, l))
                 continue;
-            chart_series(c, &(struct chart_series){name_of(l, &plan->line, text)});
+            name_of(l, &plan->line, plan->y.count > 1 ? l->of->head : "", text);
+            chart_series(
+                c, &(struct chart_series){text, x ? CHART_POINTS : CHART_LINESPOINTS});
             for (const struct dot *at = l; at < dots + count; at++)
                 if (alike(plan, true, l, at))
                     chart_point(c, at->x, at->y);
@@ -481,7 +513,7 @@ static bool has_part(const struct study_results *d, enum part part)
     bool any = part == PART_RUN && d->plan->verdicts.count;
 
     for (int n = 0; n < d->plan->table.columns.count; n++)
-        any |= is_in(part, column_of(&d->plan->table, n));
+        any |= is_in(part, quantity_of(&d->plan->table.columns, n));
     return any;
 }
 
@@ -504,20 +536,22 @@ static enum status draw_sheets(const struct study_results *d, const char *folder
 enum status dataset_print(const struct study_results *d, const char *folder,
                           enum table_format format, FILE *file, struct message *why)
 {
+    const struct plan_table *plan = &d->plan->table;
     const char *caption = d->plan->what ? d->plan->what : d->plan->source;
     const bool people = !table_format_is_data(format);
     const bool apart =
         people && has_times(d) && has_part(d, PART_RUN) && has_part(d, PART_TIMES);
     const bool last = people && d->plan->table.last;
+    const char *name = plan->file ? plan->file : d->plan->name;
     struct table *all = NULL, *t;
     enum status st = STATUS_OK;
 
-    if (d->plan->chart.y)
-        TRY(chart_save(chart_of(d), folder, d->plan->name, why));
-    if (!d->plan->table.columns.count)
+    if (d->plan->chart.x)
+        TRY(chart_save(chart_of(d), folder, name, why));
+    if (!plan->columns.count)
         return study_print_all(d, folder, format, file, why);
     all = fill(d, PART_ALL, false, caption);
-    TRY(table_save(all, folder, d->plan->name, why));
+    TRY(table_save(all, folder, name, why));
     if (apart)
         TRY(table_finish(fill(d, PART_RUN, last, caption), format, file));
     t = apart ? fill(d, PART_TIMES, last,

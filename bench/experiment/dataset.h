@@ -15,7 +15,7 @@
 #include "bench/experiment/study.h"
 
 struct where {
-    const char *axis, *label; /* "!LABEL": any other                                   */
+    const char *axis, *label; /* "!LABEL": any other; "WORD*": any that begins so      */
 };
 #define WHERE(...) ((const struct where[]){__VA_ARGS__, {NULL, NULL}})
 
@@ -48,6 +48,10 @@ int dataset_values(const struct study_results *d, enum quantity q,
 void dataset_write(const struct study_results *d, enum quantity q,
                    const struct where *where, FILE *file);
 
+/* The value of one row over that of another; NaN unless both are one. */
+double dataset_ratio(const struct study_results *d, enum quantity q, const struct where *a,
+                     const struct where *b);
+
 /* rms distance of two rows at the first one's time, over the length; NaN unless both are
  * one. */
 double dataset_apart(const struct study_results *d, const struct where *a,
@@ -62,7 +66,8 @@ double dataset_exponent(const struct study_results *d, enum quantity x, enum qua
 enum status dataset_check(const struct plan *plan, struct message *why);
 
 /* The table that the plan asks for, also as FOLDER/PLAN.csv; of a plan that asks for none,
- * study_print_all. The chart that it asks for is drawn as FOLDER/PLAN.png. */
+ * study_print_all. The chart that it asks for is drawn as FOLDER/PLAN.png; or under
+ * the name that the plan gives them. */
 enum status dataset_print(const struct study_results *d, const char *folder,
                           enum table_format format, FILE *file, struct message *why);
 

@@ -34,6 +34,13 @@ enum judge judge_below(double value, double bound)
                                         : JUDGE_FAILS;
 }
 
+enum judge judge_near(double ours, double paper)
+{
+    return isnan(ours) || isnan(paper)               ? JUDGE_OPEN
+           : fabs(ours - paper) <= 0.1 * fabs(paper) ? JUDGE_HOLDS
+                                                     : JUDGE_FAILS;
+}
+
 enum judge judge_both(enum judge a, enum judge b)
 {
     return a == JUDGE_FAILS || b == JUDGE_FAILS ? JUDGE_FAILS : a == JUDGE_HOLDS ? b : a;

@@ -27,6 +27,9 @@ enum judge judge_order(int count, const double *value, int sign, double bar);
 /* value < bound. */
 enum judge judge_below(double value, double bound);
 
+/* Ours is within a tenth of the paper's. */
+enum judge judge_near(double ours, double paper);
+
 /* Both of two. */
 enum judge judge_both(enum judge a, enum judge b);
 

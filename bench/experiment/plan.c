@@ -68,10 +68,11 @@ static enum status read_studies(const struct schema_key *key, const struct yaml_
     return st;
 }
 
-/* A label, or a list of them, on each axis of a map. */
+/* A label, or a list of them, on each axis of a map; of a product what is no axis, too. */
 static enum status read_labels(const struct yaml_tree *node, struct plan_settings *labels,
-                               bool *quick, struct message *why)
+                               struct plan_product *product, struct message *why)
 {
+    static const struct schema_key ms = {"paper_ms", .high = 1e9, .open = true};
     enum status st = STATUS_OK;
 
     if (node->kind != YAML_TREE_MAP)
@@ -79,8 +80,12 @@ static enum status read_labels(const struct yaml_tree *node, struct plan_setting
                                 yaml_tree_describe(node).text);
     for (const struct yaml_tree *axis = node->first; axis; axis = axis->next) {
         const bool list = axis->kind == YAML_TREE_LIST;
-        if (quick && !strcmp(axis->key, "quick") && axis->text) {
-            *quick = !strcmp(axis->text, "true");
+        if (product && !strcmp(axis->key, "quick") && axis->text) {
+            product->quick = !strcmp(axis->text, "true");
+            continue;
+        }
+        if (product && !strcmp(axis->key, ms.key)) {
+            TRY(schema_number(&ms, axis, &product->paper_ms, why));
             continue;
         }
         for (const struct yaml_tree *n = list ? axis->first : axis; n;
@@ -95,22 +100,22 @@ out:
     return st;
 }
 
-static enum status read_one_skip(const struct yaml_tree *node, void *target,
-                                 struct message *why)
+static enum status read_product(const struct yaml_tree *node, void *target,
+                                struct message *why)
 {
-    struct plan_skip *skip = target;
+    struct plan_product *product = target;
 
-    return read_labels(node, &skip->labels, &skip->quick, why);
+    return read_labels(node, &product->labels, product, why);
 }
 
-static enum status read_skip(const struct schema_key *key, const struct yaml_tree *node,
-                             void *target, struct message *why)
+static enum status read_products(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
 {
+    struct plan_products *products = (void *)((char *)target + key->offset);
     enum status st;
-    struct plan *plan = target;
 
-    plan->skip = plan_settings_list(key, node, sizeof *plan->skip, &plan->skip_count,
-                                    read_one_skip, &st, why);
+    products->list = plan_settings_list(key, node, sizeof *products->list, &products->count,
+                                        read_product, &st, why);
     return st;
 }
 
@@ -254,17 +259,21 @@ static const struct schema_key TABLE[] = {
      .most = PLAN_TABLE_COLUMNS, IN(plan, table.pictures),
      .want = "a list of 1 to 16 names of studies"},
     {"note", "below the table", SCHEMA_TEXT, IN(plan, table.note)},
+    {"file", "of its CSV and the chart (the plan's name)", SCHEMA_TEXT, IN(plan, table.file)},
     {NULL}};
 
-#define AXES SCHEMA_SPECIAL, .required = true, .read = read_words, .most = PLAN_STUDY_AXES, \
+#define AXES SCHEMA_SPECIAL, .read = read_words, .most = PLAN_STUDY_AXES, \
     .want = "a list of 1 to 4 axes"
 static const struct schema_key CHART[] = {
-    {"x", "what the size of the levels is", SCHEMA_TEXT, .required = true, IN(plan, chart.x)},
-    {"y", "quantity", SCHEMA_TEXT, .required = true, IN(plan, chart.y)},
+    {"x", "a quantity, or what the size of the levels is", SCHEMA_TEXT, .required = true,
+     IN(plan, chart.x)},
+    {"y", "quantities, a line each", SCHEMA_SPECIAL, .required = true, IN(plan, chart.y),
+     .read = read_words, .most = PLAN_TABLE_COLUMNS, .want = "a list of 1 to 16 quantities"},
     {"from", "how far the quantity is from this (itself)", SCHEMA_NUMBER, .low = -1e30,
      .high = 1e30, IN(plan, chart.from)},
     {"panel", "axes whose labels have a panel each", AXES, IN(plan, chart.panel)},
-    {"line", "axes whose labels have a line each", AXES, IN(plan, chart.line)},
+    {"line", "axes whose labels have a line each", AXES, .required = true,
+     IN(plan, chart.line)},
     {NULL}};
 
 static const struct schema_key PLAN[] = {
@@ -307,12 +316,15 @@ static const struct schema_key PLAN[] = {
      .read = read_studies, .low = 1, .most = PLAN_STUDY_MOST, .keys = plan_study_keys,
      .want = "a list of 1 to 100 studies {name: ..., scene: ..., settings: {KEY: VALUE}}"},
     {"skip", "products of a study's axes that are not run; quick: true, by a quick run",
-     SCHEMA_SPECIAL, .read = read_skip, .low = 1, .most = PLAN_STUDY_MOST,
-     .want = "a list of maps {AXIS: LABEL, AXIS: [LABEL, LABEL]}"},
+     SCHEMA_SPECIAL, .read = read_products, .low = 1, .most = PLAN_STUDY_MOST,
+     IN(plan, skip), .want = "a list of maps {AXIS: LABEL, AXIS: [LABEL, LABEL]}"},
+    {"paper", "milliseconds of somebody else's frame, of such products", SCHEMA_SPECIAL,
+     .read = read_products, .low = 1, .most = PLAN_STUDY_MOST, IN(plan, paper),
+     .want = "a list of maps {AXIS: LABEL, paper_ms: NUMBER}"},
     {"reference", "axis and label of what levels are compared with", SCHEMA_SPECIAL,
      .read = read_reference, .want = "a map {AXIS: LABEL}"},
     {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
-    {"chart", "of the studies' levels that have a size", SCHEMA_SECTION, .keys = CHART},
+    {"chart", "a point for each level", SCHEMA_SECTION, .keys = CHART},
     {NULL}};
 /* clang-format on */
 
@@ -341,8 +353,7 @@ static enum status settle_studies(struct plan *plan, const struct yaml_tree *roo
         TRY(plan->studies->name && plan->studies->caption ? STATUS_OK : STATUS_MEMORY);
     }
     for (int n = 0; n < plan->study_count; n++)
-        TRY(plan_study_inherit(&plan->studies[n], &plan->base, plan->skip_count, plan->skip,
-                               plan->path, why));
+        TRY(plan_study_inherit(&plan->studies[n], plan, why));
 out:
     return st;
 }
@@ -436,6 +447,13 @@ const struct named_file_kind plan_kind = {
 const struct named_file_kind plan_study_kind = {
     .what = "study", .describe = describe_study, PLAN_FOLDERS};
 
+static void clear_products(struct plan_products *products)
+{
+    for (int n = 0; n < products->count; n++)
+        plan_settings_clear(&products->list[n].labels);
+    free(products->list);
+}
+
 void plan_clear(struct plan *plan)
 {
     for (int n = 0; n < plan->axis_count; n++)
@@ -452,17 +470,17 @@ void plan_clear(struct plan *plan)
     for (int n = 0; n < plan->study_count; n++)
         plan_study_clear(&plan->studies[n], &plan->base);
     plan_study_clear(&plan->base, &plan->base);
-    for (int n = 0; n < plan->skip_count; n++)
-        plan_settings_clear(&plan->skip[n].labels);
+    clear_products(&plan->skip);
+    clear_products(&plan->paper);
     plan_settings_clear(&plan->reference);
-    free(plan->skip);
     plan_settings_clear(&plan->table.columns);
     plan_settings_clear(&plan->table.pictures);
     free(plan->table.note);
     plan_settings_clear(&plan->chart.panel);
     plan_settings_clear(&plan->chart.line);
     free(plan->chart.x);
-    free(plan->chart.y);
+    plan_settings_clear(&plan->chart.y);
+    free(plan->table.file);
     plan_settings_clear(&plan->settings);
     verdict_clear(&plan->verdicts);
     verdict_clear(&plan->learnt);

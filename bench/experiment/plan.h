@@ -46,8 +46,10 @@
  *       - {solver: CG, net: 40x40x2}
  *       - {net: [20x20x2, 40x40x2], quick: true}
  *     reference: {solver: direct}  # what `apart` and `of_reference` compare a level with
+ *     paper:                       # what somebody else's frame costs
+ *       - {solver: direct, net: 40x40x2, paper_ms: 16048}
  *     table: {columns: [unknowns, frame_ms, of_reference, apart], note: ...}
- *     chart: {x: "thickness [m]", y: tip, from: 1, panel: [study], line: [solver]}
+ *     chart: {x: "thickness [m]", y: [tip], from: 1, panel: [study], line: [solver]}
  *
  * Without `studies` the plan is one, of its own name. Settings of a level go before those
  * of a study, these before the plan's.
@@ -174,12 +176,21 @@ struct plan_study_axis {
     struct plan_level *levels; /* [count]                                         owned */
 };
 
-/* Products that are not run: a level that has, on each axis that is named here, one of the
- * labels given for it. The axis "study" has the names of studies as labels. */
-struct plan_skip {
-    bool quick; /* only a quick run leaves them out                                    */
+/* Some products: the levels that have, on each axis that is named here, one of the labels
+ * given for it. The axis "study" has the names of studies as labels. */
+struct plan_product {
     struct plan_settings labels; /* axis and label; several of an axis are alternatives  */
+    bool quick;      /* of skip: only a quick run leaves them out                      */
+    double paper_ms; /* of paper: what somebody else's frame costs                     */
 };
+struct plan_products {
+    int count;
+    struct plan_product *list; /* owned                                                */
+};
+
+/* What a study is held against: nothing, the scene's truth (truth.h), or the Kirchhoff
+ * plate, which is that of linear kinematics, at rest, too. */
+enum plan_truth { PLAN_TRUTH_NONE, PLAN_TRUTH_SCENE, PLAN_TRUTH_PLATE };
 
 struct plan_study {
     char *name;    /* of its files, [a-z0-9_]+                                  owned  */
@@ -193,10 +204,8 @@ struct plan_study {
     double *times;   /* [time_count] [s]                                       */
     int quick_count; /* 0: a quick run has the same times                     */
     double *quick_times;
-    int truth;            /* 0 or 1; -1: not given                                 */
+    int truth;            /* enum plan_truth; -1: not given                        */
     int timed;            /* repeats; 0: not timed; -1: not given                  */
-    double paper_ms;      /* of its levels that have none of their own; NaN        */
-    char *paper_net;      /* how somebody else writes degree and net       owned  */
     int line, times_line; /* in the plan                                           */
 };
 
@@ -217,13 +226,17 @@ struct plan_study {
      PLAN_STUDY_TIMES_AT(at, times, time_count)},                                          \
     {"quick_times", "instead of them in a quick run [s]",                                  \
      PLAN_STUDY_TIMES_AT(at, quick_times, quick_count)},                                   \
-    {"truth", "errors against the scene's truth", SCHEMA_WORD,                             \
-     .word = plan_settings_truth, .offset = (at) + offsetof(struct plan_study, truth)},    \
+    {"truth", "errors against the scene's truth; plate: Kirchhoff's, of linear theory",    \
+     SCHEMA_WORD, .word = plan_study_truth,                                                \
+     .offset = (at) + offsetof(struct plan_study, truth)},                                 \
     {"timed", "repeats of the milliseconds a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
      .offset = (at) + offsetof(struct plan_study, timed)}
 /* clang-format on */
 
 extern const struct schema_key plan_study_keys[], plan_study_level_keys[];
+
+/* The words of schema.h for enum plan_truth. */
+const char *plan_study_truth(int value);
 
 /* A reader of schema.h, into the struct plan_study at key->offset. */
 enum status plan_study_read_levels(const struct schema_key *key,
@@ -238,12 +251,12 @@ struct plan_study plan_study_none(void);
 enum status plan_study_read(const struct yaml_tree *node, void *target,
                             struct message *why);
 
-/* Fills in from `base` what a study does not have; what is given nowhere is none. Products
- * of axes that no `skip` takes away become its levels. STATUS_INPUT with one sentence
- * `origin:line: ...`: there are too many of them. */
-enum status plan_study_inherit(struct plan_study *study, const struct plan_study *base,
-                               int skip_count, const struct plan_skip *skip,
-                               const char *origin, struct message *why);
+/* Fills in from the plan's base what a study does not have; what is given nowhere is none.
+ * Products of axes that the plan's `skip` does not take away become its levels.
+ * STATUS_INPUT with one sentence: there are too many of them. */
+struct plan;
+enum status plan_study_inherit(struct plan_study *study, const struct plan *plan,
+                               struct message *why);
 
 /* `base`: of its plan. All-zero is allowed. */
 void plan_study_clear(struct plan_study *study, const struct plan_study *base);
@@ -286,16 +299,18 @@ struct plan_table {
                                       plan's studies are printed one by one (study.h)   */
     struct plan_settings pictures; /* names of studies whose sheets are drawn, as keys */
     int last;                      /* 1: people see the last time of each study alone   */
+    char *file;                    /* of its CSV and chart; NULL: the plan's name owned */
     char *note;                    /* below it, or NULL                         owned */
     int line;                      /* in the plan                                     */
 };
 
-/* A chart of all studies, both axes logarithmic: a quantity at the last time over the size
- * of levels; those that have none are not in it. */
+/* A chart of all studies, both axes logarithmic: quantities at the last time over another,
+ * or over the size of levels; those that have none are not in it. */
 struct plan_chart {
-    char *x, *y; /* what the size is, in words; the quantity; NULL: no chart     owned */
-    double from; /* it shows how far the quantity is from this; NaN: the quantity      */
-    struct plan_settings panel, line; /* axes, as keys, whose labels have one each     */
+    char *x; /* the quantity, or in words what the size is; NULL: no chart       owned */
+    double from; /* it shows how far the quantities are from this; NaN: themselves     */
+    struct plan_settings y, panel, line; /* quantities; axes whose labels have one
+                                            each, as keys                              */
 };
 
 enum plan_keep { PLAN_KEEP_NONE, PLAN_KEEP_SNAPSHOTS };
@@ -322,8 +337,7 @@ struct plan {
     struct plan_study base; /* what its studies have unless they say otherwise         */
     int study_count;        /* 0: it is for sweeps                                     */
     struct plan_study *studies; /* owned                                               */
-    int skip_count;
-    struct plan_skip *skip;         /* owned                                           */
+    struct plan_products skip, paper;
     struct plan_settings reference; /* axis and label: levels are compared with the one
                                        that has these and else their own labels        */
     struct plan_table table;

@@ -253,7 +253,7 @@ static enum status check_study(const struct plan *plan, int n, struct message *w
         return plan_case_refuse(plan, study->line, why,
                                 "the study %s has no levels, and the plan has none for it",
                                 yaml_tree_quote(study->name).text);
-    if (study->truth && !study->time_count)
+    if (study->truth == PLAN_TRUTH_SCENE && !study->time_count)
         return plan_case_refuse(
             plan, study->line, why,
             "the study %s has truth, but no times; a truth is of a motion",
@@ -314,8 +314,16 @@ static enum status check_studies(const struct plan *plan, struct message *why)
 {
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < plan->skip_count; n++)
-        TRY(check_labels(plan, &plan->skip[n].labels, why));
+    for (int n = 0; n < plan->skip.count; n++)
+        TRY(check_labels(plan, &plan->skip.list[n].labels, why));
+    for (int n = 0; n < plan->paper.count; n++) {
+        const struct plan_product *paper = &plan->paper.list[n];
+        TRY(check_labels(plan, &paper->labels, why));
+        if (!(paper->paper_ms > 0))
+            return plan_case_refuse(plan,
+                                    paper->labels.count ? paper->labels.list->line : 1, why,
+                                    "an entry of paper lacks the key paper_ms");
+    }
     TRY(check_labels(plan, &plan->reference, why));
 
     if (plan->axis_count || plan->listed_count || plan->map.x)

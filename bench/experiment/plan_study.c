@@ -39,12 +39,14 @@ const struct schema_key plan_study_keys[] = {
      .read = plan_settings_read_key, IN(plan_study, settings),
      .want = "a map {KEY: VALUE, ...}"},
     PLAN_STUDY_KEYS(0),
-    {"paper_ms", "what somebody else's frame costs [ms]", SCHEMA_NUMBER, .low = 0,
-     .high = 1e9, .open = true, IN(plan_study, paper_ms)},
-    {"paper_net", "somebody else's words for degree and net", SCHEMA_TEXT,
-     IN(plan_study, paper_net)},
     {NULL}};
 /* clang-format on */
+
+const char *plan_study_truth(int value)
+{
+    static const char *const words[] = {"false", "true", "plate"};
+    return 0 <= value && value < 3 ? words[value] : "unknown";
+}
 
 /* "10x10x2, p = 2": "10x10x2_p_2". */
 static char *make_name(const char *label)
@@ -116,7 +118,7 @@ enum status plan_study_read_levels(const struct schema_key *key,
 
 struct plan_study plan_study_none(void)
 {
-    return (struct plan_study){.time_count = -1, .truth = -1, .timed = -1, .paper_ms = NAN};
+    return (struct plan_study){.time_count = -1, .truth = -1, .timed = -1};
 }
 
 enum status plan_study_read(const struct yaml_tree *node, void *target, struct message *why)
@@ -143,18 +145,18 @@ static void clear_level(struct plan_level *level)
     *level = (struct plan_level){0};
 }
 
-/* Whether a skip takes away a level of a study. */
-static bool skips(const struct plan_skip *skip, const struct plan_study *study,
-                  const struct plan_level *level)
+/* Whether a level of a study is among these products. */
+static bool is_among(const struct plan_product *product, const struct plan_study *study,
+                     const struct plan_level *level)
 {
     for (int axis = -1; axis < study->axis_count; axis++) {
         const char *name = axis < 0 ? "study" : study->axis[axis].name;
         const char *word = axis < 0 ? study->name : level->word[axis];
         bool named = false, met = false;
-        for (int n = 0; n < skip->labels.count; n++)
-            if (!strcmp(skip->labels.list[n].key, name)) {
+        for (int n = 0; n < product->labels.count; n++)
+            if (!strcmp(product->labels.list[n].key, name)) {
                 named = true;
-                met |= !strcmp(skip->labels.list[n].value, word);
+                met |= !strcmp(product->labels.list[n].value, word);
             }
         if (named && !met)
             return false;
@@ -217,11 +219,10 @@ out:
 }
 
 /* Makes the levels of a study with axes. */
-static enum status multiply_all(struct plan_study *study, int skip_count,
-                                const struct plan_skip *skip, const char *origin,
+static enum status multiply_all(struct plan_study *study, const struct plan *plan,
                                 struct message *why)
 {
-    const struct yaml_tree place = {.origin = origin, .line = study->line};
+    const struct yaml_tree place = {.origin = plan->path, .line = study->line};
     double all = 1;
     enum status st = STATUS_OK;
 
@@ -238,11 +239,14 @@ static enum status multiply_all(struct plan_study *study, int skip_count,
         struct plan_level *level = &study->levels[study->level_count++];
         bool gone = false;
         TRY(multiply(study, n, level));
-        for (int k = 0; k < skip_count; k++)
-            if (skips(&skip[k], study, level)) {
-                level->slow |= skip[k].quick;
-                gone |= !skip[k].quick;
+        for (int k = 0; k < plan->skip.count; k++)
+            if (is_among(&plan->skip.list[k], study, level)) {
+                level->slow |= plan->skip.list[k].quick;
+                gone |= !plan->skip.list[k].quick;
             }
+        for (int k = 0; k < plan->paper.count; k++)
+            if (is_among(&plan->paper.list[k], study, level))
+                level->paper_ms = plan->paper.list[k].paper_ms;
         if (gone)
             clear_level(&study->levels[--study->level_count]);
     }
@@ -250,10 +254,10 @@ out:
     return st;
 }
 
-enum status plan_study_inherit(struct plan_study *study, const struct plan_study *base,
-                               int skip_count, const struct plan_skip *skip,
-                               const char *origin, struct message *why)
+enum status plan_study_inherit(struct plan_study *study, const struct plan *plan,
+                               struct message *why)
 {
+    const struct plan_study *base = &plan->base;
     enum status st = STATUS_OK;
 
     if (!study->level_count && !study->axis_count) {
@@ -263,7 +267,7 @@ enum status plan_study_inherit(struct plan_study *study, const struct plan_study
         memcpy(study->axis, base->axis, sizeof study->axis);
     }
     if (study->axis_count)
-        TRY(multiply_all(study, skip_count, skip, origin, why));
+        TRY(multiply_all(study, plan, why));
     if (study->time_count < 0) {
         study->time_count = base->time_count < 0 ? 0 : base->time_count;
         study->times = base->times;
@@ -274,7 +278,7 @@ enum status plan_study_inherit(struct plan_study *study, const struct plan_study
         }
     }
     if (study->truth < 0)
-        study->truth = base->truth > 0;
+        study->truth = base->truth < 0 ? PLAN_TRUTH_NONE : base->truth;
     if (study->timed < 0)
         study->timed = base->timed < 0 ? 0 : base->timed;
     if (!study->caption)
@@ -306,6 +310,5 @@ void plan_study_clear(struct plan_study *study, const struct plan_study *base)
     plan_settings_clear(&study->settings);
     free(study->name);
     free(study->caption);
-    free(study->paper_net);
     *study = (struct plan_study){0};
 }

@@ -4,9 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/bench_solid.h"
+#include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 
 /* Numbers that a level has whatever the time. */
 #define OF_LEVEL(name, value)                                                              \
@@ -35,10 +38,29 @@ static double a_step(const struct run_result *r, long count)
 
 OF_LEVEL(size, row->level->size > 0 ? row->level->size : NAN)
 OF_LEVEL(death, r->death_time)
+
+/* Of what was timed, in milliseconds. */
+#define MILLISECONDS(summary, member) ((summary).count ? 1e3 * (summary).member : NAN)
+
+static double net(const struct discretization *d)
+{
+    double points = 1;
+
+    for (int i = 0; i < 3; i++)
+        points *= d->points[i] ? d->points[i] : 1;
+    return points;
+}
+
+OF_LEVEL(control_points, net(&row->run.discretization))
 OF_LEVEL(unknowns, r->unknowns)
 OF_LEVEL(factor_entries, r->factor_entries)
-OF_LEVEL(create, r->create.count ? 1e3 * r->create.median : NAN)
-OF_LEVEL(frame, r->outcome ? NAN : row->milliseconds)
+OF_LEVEL(create, MILLISECONDS(r->create, median))
+OF_LEVEL(frame, row->milliseconds)
+OF_LEVEL(frame_lower, isnan(row->milliseconds) ? NAN : MILLISECONDS(r->step, lower))
+OF_LEVEL(frame_upper, isnan(row->milliseconds) ? NAN : MILLISECONDS(r->step, upper))
+OF_LEVEL(assemble, MILLISECONDS(r->phase[BENCH_SOLID_ASSEMBLE], median))
+OF_LEVEL(factor, MILLISECONDS(r->phase[BENCH_SOLID_FACTOR], median))
+OF_LEVEL(solve, MILLISECONDS(r->phase[BENCH_SOLID_SOLVE], median))
 OF_LEVEL(paper, s->plan->truth ? NAN : row->paper_ms)
 OF_LEVEL(seconds, row->seconds)
 OF_LEVEL(factorisations, a_step(r, r->work.factorisations))
@@ -68,12 +90,23 @@ static double crossings(const struct study_results *d, const struct study *s, in
     OF_LEVEL(of_##name, isfinite(r->value[MEASURE_##code]) ? r->value[MEASURE_##code] : NAN)
 MEASURE_LIST(OF_RUN)
 
+/* A run that died is no solution, and its cost is compared with none. */
 static double of_reference(const struct study_results *d, const struct study *s, int level,
                            int time)
 {
     const int other = study_reference(d, s, level);
 
-    return other < 0 ? NAN : frame(d, s, level, time) / frame(d, s, other, time);
+    return other < 0 || s->row[level].result.outcome || s->row[other].result.outcome
+               ? NAN
+               : frame(d, s, level, time) / frame(d, s, other, time);
+}
+
+static double paper_of_reference(const struct study_results *d, const struct study *s,
+                                 int level, int time)
+{
+    const int other = study_reference(d, s, level);
+
+    return other < 0 ? NAN : paper(d, s, level, time) / paper(d, s, other, time);
 }
 
 static double apart(const struct study_results *d, const struct study *s, int level,
@@ -120,23 +153,11 @@ static double tip_of_reference(const struct study_results *d, const struct study
     return other < 0 ? own : own / tip(d, s, other, time);
 }
 
-/* Positions at rest; freed by the receiver; NULL: no memory. */
-static double *rest_of(const struct study_row *row)
-{
-    double *rest = malloc(3 * GRID_POINTS * sizeof *rest), uvw[3];
-
-    for (int n = 0; rest && n < GRID_POINTS; n++) {
-        grid_point(n, uvw);
-        scene_rest_point(&row->run.scene, uvw, rest + 3 * n);
-    }
-    return rest;
-}
-
 static double swing(const struct study_results *d, const struct study *s, int level,
                     int time)
 {
     const struct study_row *row = &s->row[level];
-    double *rest = row->left_out ? NULL : rest_of(row);
+    double *rest = row->left_out ? NULL : metric_rest_field(&row->run.scene);
     const double angle = rest ? metric_angle(&row->run.scene, rest) : NAN;
     double most = NAN;
 
@@ -152,7 +173,8 @@ static double edge_moved(const struct study_results *d, const struct study *s, i
                          int time)
 {
     const double *xyz = s->row[level].frame[time].xyz;
-    double *rest = xyz ? rest_of(&s->row[level]) : NULL, sum = rest ? 0 : NAN;
+    double *rest = xyz ? metric_rest_field(&s->row[level].run.scene) : NULL,
+           sum = rest ? 0 : NAN;
 
     (void)d;
     for (int n = GRID_U - 1; rest && n < GRID_POINTS; n += GRID_U)
@@ -160,6 +182,29 @@ static double edge_moved(const struct study_results *d, const struct study *s, i
             sum += pow(xyz[3 * n + c] - rest[3 * n + c], 2);
     free(rest);
     return sqrt(sum / (GRID_V * GRID_W));
+}
+
+static double apart_most(const struct study_results *d, const struct study *s, int level,
+                         int time)
+{
+    double most = apart(d, s, level, 0);
+
+    (void)time;
+    for (int t = 1; t < s->frames; t++)
+        most = judge_most(most, apart(d, s, level, t));
+    return most;
+}
+
+/* Over how far the truth has moved. */
+static double off(const struct study_results *d, const struct study *s, int level, int time)
+{
+    double *rest = s->truth ? metric_rest_field(&s->row[level].run.scene) : NULL;
+    double moved = NAN;
+
+    if (rest)
+        moved = metric_rmse(s->truth->xyz[time], rest);
+    free(rest);
+    return error(d, s, level, time) * s->length / moved;
 }
 
 static double bar(const struct study_results *d, const struct study *s, int level, int time)
@@ -172,6 +217,8 @@ static double bar(const struct study_results *d, const struct study *s, int leve
 const struct quantity_row quantity_table[QUANTITIES] = {
     [QUANTITY_SIZE] = {"size", "size", NULL, 3, false, size,
         "what the plan calls the size of a level: a mesh width, a step [s], ..."},
+    [QUANTITY_CONTROL_POINTS] = {"control_points", "points", NULL, 0, false, control_points,
+        "points of the net"},
     [QUANTITY_UNKNOWNS] = {"unknowns", "unknowns", NULL, 0, false, unknowns,
         "components of points that are not held"},
     [QUANTITY_FACTOR_ENTRIES] = {"factor_entries", "factor", NULL, 0, false, factor_entries,
@@ -180,10 +227,22 @@ const struct quantity_row quantity_table[QUANTITIES] = {
         "building the model, median over repeats"},
     [QUANTITY_FRAME] = {"frame_ms", "a frame", "ms", 3, false, frame,
         "a time step, or the equilibrium: median over repeats, one thread"},
+    [QUANTITY_FRAME_LOWER] = {"frame_lower_ms", "from", "ms", 3, false, frame_lower,
+        "lower quartile of a frame's milliseconds"},
+    [QUANTITY_FRAME_UPPER] = {"frame_upper_ms", "to", "ms", 3, false, frame_upper,
+        "upper quartile of them"},
     [QUANTITY_OF_REFERENCE] = {"of_reference", "of reference", NULL, 3, false, of_reference,
         "a frame's milliseconds over those of the reference"},
-    [QUANTITY_PAPER] = {"paper_ms", "paper", "ms", 4, false, paper,
+    [QUANTITY_ASSEMBLE] = {"assemble_ms", "K and M", "ms", 3, false, assemble,
+        "assembly of K and M alone"},
+    [QUANTITY_FACTOR] = {"factor_ms", "factor", "ms", 3, false, factor,
+        "one factorisation alone"},
+    [QUANTITY_SOLVE] = {"solve_ms", "solve", "ms", 3, false, solve,
+        "one solution with the factor alone"},
+    [QUANTITY_PAPER] = {"paper_ms", "paper", "ms", 0, false, paper,
         "what the paper prints for a frame"},
+    [QUANTITY_PAPER_OF_REFERENCE] = {"paper_of_reference", "paper's", NULL, 3, false,
+        paper_of_reference, "the paper's milliseconds over its own for the reference"},
     [QUANTITY_SECONDS] = {"stepping_s", "stepping", "s", 3, false, seconds,
         "all frames to the last time"},
     [QUANTITY_FACTORISATIONS] = {"factorisations", "factors", "a frame", 3, false, factorisations,
@@ -210,12 +269,16 @@ const struct quantity_row quantity_table[QUANTITIES] = {
         "rms displacement of the edge u = 1"},
     [QUANTITY_DEATH] = {"death_s", "death", "s", 3, false, death,
         "when the run died"},
+    [QUANTITY_APART_MOST] = {"apart_most", "most apart", "L", 2, false, apart_most,
+        "the largest of these distances over all times"},
     [QUANTITY_NEXT] = {"to_next", "to next", "L", 3, true, next,
         "rms distance to the next level"},
     [QUANTITY_FINEST] = {"to_finest", "to finest", "L", 3, true, finest,
         "rms distance to the last level"},
     [QUANTITY_ERROR] = {"error", "error", "L", 3, true, error,
         "rms distance to the scene's truth"},
+    [QUANTITY_OFF] = {"off", "off", NULL, 3, true, off,
+        "rms distance to the truth over the rms way that the truth has moved"},
     [QUANTITY_BAR] = {"error_bar", "error bar", "L", 2, true, bar,
         "error bar of the truth"},
     [QUANTITY_ROUGHNESS] = {"roughness", "roughness", NULL, 3, true, roughness,

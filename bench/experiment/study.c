@@ -48,6 +48,11 @@ static enum status find_truth(const struct plan *plan, const struct plan_study *
             !begins(c.settings.text[n], "time."))
             settings_set(&physics, c.settings.text[n]);
     TRY(physics.status);
+    if (study->truth == PLAN_TRUTH_PLATE) {
+        TRY(truth_of_plate(c.path, &physics, times, time ? time : (double[]){INFINITY},
+                           truth, why));
+        goto out;
+    }
     snprintf(kept, sizeof kept, "%s/%s_truth", folder, study->name);
     if (made_by)
         TRY(folder_make(kept, why));
@@ -113,7 +118,7 @@ static enum status measure_truths(const struct plan *plan, const char *folder, b
     for (int n = 0; n < plan->study_count && st == STATUS_OK; n++) {
         const struct plan_study *study = &plan->studies[n];
         struct truth *truth = NULL;
-        if (!study->truth)
+        if (study->truth != PLAN_TRUTH_SCENE)
             continue;
         st = find_truth(plan, study, study->time_count, study->times, folder,
                         quick ? &quick_wish : &wish, &truth, why);
@@ -222,7 +227,7 @@ static void fill_row(const struct study *s, struct study_row *row)
     row->seconds = !s->time       ? frame
                    : isnan(frame) ? r->step_seconds
                                   : frame * end / row->run.scene.step;
-    row->paper_ms = isnan(row->level->paper_ms) ? s->plan->paper_ms : row->level->paper_ms;
+    row->paper_ms = row->level->paper_ms;
 }
 
 static enum status read_row(const struct plan *plan, const struct plan_study *study,

@@ -1,12 +1,6 @@
 #include "bench/truth/paper.h"
 
 /* clang-format off */
-const struct paper_table1_row paper_table1[PAPER_TABLE1_ROWS] = {
-    {"IGA-Galerkin", "iga",   {10, 10, 2}, 0.091},
-    {"FEM",          "hex",   {32, 32, 2}, 16.048},
-    {"shell IGA",    "shell", {10, 10, 0}, 0.130},
-};
-
 const double paper_table2_ms[PAPER_TABLE2_ROWS] = {89,  102,  403, 10,  82,
                                                    408, 1281, 173, 276, 405};
 

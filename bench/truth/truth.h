@@ -40,6 +40,11 @@ enum status truth_find_or_make(const char *path, const struct settings *settings
                                const struct truth_wish *wish, struct truth **truth,
                                struct message *why);
 
+/* Truth of linear kinematics, whatever the load: the Kirchhoff plate, at time INFINITY its
+ * rest. STATUS_UNSUPPORTED with a sentence: the scene is no undamped cantilever. */
+enum status truth_of_plate(const char *path, const struct settings *settings, int times,
+                           const double *time, struct truth **truth, struct message *why);
+
 /* Reads what is known of a scene as its truth moves: a closed form, or what is stored under
  * its name. STATUS_FILE: none is stored; STATUS_UNSUPPORTED: it can have none
  * (truth_plan_check), or what is stored is of other physics; STATUS_INPUT: it was changed;

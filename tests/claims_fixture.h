@@ -47,7 +47,8 @@ struct turn {
     struct change change[6];
 };
 
-static double *fields; /* of all rows and times */
+static double *fields; /* of all rows and times that have a place of their own */
+static double *flat;   /* of the others: nothing crosses */
 static double *far;    /* of truths: two metres from rest, the length of a study's sheet */
 
 /* Gives the sheet a place of one of these kinds. */
@@ -83,6 +84,10 @@ static inline void set(const struct study *s, struct study_row *row, int time, d
 {
     struct study_frame *f = &row->frame[time];
 
+    if (f->xyz == flat && PLACE <= c->what && c->what <= TIP) {
+        memcpy(xyz, flat, 3 * GRID_POINTS * sizeof *xyz);
+        f->xyz = xyz;
+    }
     if (c->what == COST)
         row->milliseconds = c->value;
     else if (c->what == LOST)
@@ -142,25 +147,27 @@ static inline void apply(struct study_made *m, const struct change *change, int 
     }
 }
 
-/* Made-up numbers, and sheets at zero. */
+/* Made-up numbers, and all sheets flat. */
 static inline void fill(struct study_made *m)
 {
-    size_t rows = 0;
-    double *xyz;
-
-    for (int k = 0; k < m->r.count; k++)
-        rows += (size_t)(m->r.study[k].plan->level_count * m->r.study[k].frames);
-    free(fields);
-    fields = xyz = calloc(rows * 3 * GRID_POINTS, sizeof *fields);
-    REQUIRE(fields);
     study_fill(m);
     for (int k = 0; k < m->r.count; k++)
         for (int n = 0; n < m->r.study[k].plan->level_count; n++)
-            for (int t = 0; t < m->r.study[k].frames; t++, xyz += 3 * GRID_POINTS) {
-                for (int i = 0; i < GRID_POINTS; i++) /* flat: nothing crosses */
-                    xyz[3 * i] = i % GRID_U, xyz[3 * i + 1] = i / GRID_U % GRID_V;
-                m->r.study[k].row[n].frame[t].xyz = xyz;
-            }
+            for (int t = 0; t < m->r.study[k].frames; t++)
+                m->r.study[k].row[n].frame[t].xyz = flat;
+}
+
+static inline void allocate(const struct study_made *m)
+{
+    size_t rows = 0;
+
+    for (int k = 0; k < m->r.count; k++)
+        rows += (size_t)(m->r.study[k].plan->level_count * m->r.study[k].frames);
+    fields = malloc(rows * 3 * GRID_POINTS * sizeof *fields);
+    flat = calloc(3 * GRID_POINTS, sizeof *flat);
+    REQUIRE(fields && flat);
+    for (int i = 0; i < GRID_POINTS; i++)
+        flat[3 * i] = i % GRID_U, flat[3 * i + 1] = i / GRID_U % GRID_V;
 }
 
 static inline const struct claim *claim_of(const char *plan, const char *quote)
@@ -186,6 +193,7 @@ static inline void check(const char *plan, const struct change *begin, int begin
         far[3 * n + 2] += 2;
     for (int t = 0; t < PLAN_STUDY_TIMES; t++)
         made.xyz[t] = far;
+    allocate(&made);
     for (int n = 0; n < turns; n++) {
         const struct claim *claim = claim_of(plan, turn[n].quote);
         struct study_printed p;
@@ -211,6 +219,7 @@ static inline void check(const char *plan, const struct change *begin, int begin
             printf("  %s: \"%s\" is not turned both ways\n", plan, c->quote);
     }
     free(fields);
+    free(flat);
     free(far);
     fields = NULL;
     study_unmake(&made);

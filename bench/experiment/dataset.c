@@ -342,7 +342,9 @@ static struct table *fill(const struct study_results *d, enum part part, bool la
     for (int n = 0; n < plan->columns.count; n++) {
         const struct quantity_row *q = quantity_of(&plan->columns, n);
         if (is_in(part, q))
-            columns[count++] = (struct table_column){q->head, q->unit, .key = q->name};
+            columns[count++] =
+                (struct table_column){q->head, q->unit, .key = q->name,
+                                      .readers = *q->head ? TABLE_ALL : TABLE_MACHINES};
     }
     if (d->plan->verdicts.count && part != PART_TIMES)
         columns[count++] = (struct table_column){"by the rules", NULL, TABLE_LEFT};
@@ -369,8 +371,9 @@ static void add_notes(struct table *t, const struct study_results *d)
     for (int n = 0; n < plan->columns.count; n++) {
         const struct quantity_row *q = quantity_of(&plan->columns, n);
         const size_t used = strlen(text);
-        snprintf(text + used, sizeof text - used, "%s%s: %s", n ? "; " : "", q->head,
-                 q->help);
+        if (*q->head)
+            snprintf(text + used, sizeof text - used, "%s%s: %s", n ? "; " : "", q->head,
+                     q->help);
     }
     table_note(t, "%s.", text);
     if (plan->note)

@@ -60,7 +60,7 @@ enum quantity {
 
 struct quantity_row {
     const char *name; /* "frame_ms": in plans, CSV and JSON                            */
-    const char *head; /* "a frame": column head in a table                             */
+    const char *head; /* "a frame": column head in a table; "": for machines alone      */
     const char *unit; /* "ms", "L", "1"; NULL for a pure number                        */
     int digits;       /* significant ones that a table shows; 0: a whole number        */
     bool moves;       /* it is another one at each time                                 */

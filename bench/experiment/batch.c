@@ -2,9 +2,11 @@
 #include "bench/experiment/batch.h"
 
 #include <assert.h>
+#include <omp.h>
 #include <stdlib.h>
 
 #include "bench/files/folder.h"
+#include "bench/harness/pool.h"
 
 enum status batch_init(struct batch *b, const char *folder, int most)
 {
@@ -68,6 +70,57 @@ enum status batch_run(struct batch *b, const struct measurement_options *options
         TRY(b->files[n] ? STATUS_OK : STATUS_MEMORY);
     TRY(folder_make(b->folder, why));
     TRY(measurement_run(options, b->count, b->cases, why));
+out:
+    return st;
+}
+
+struct apart {
+    struct batch *b;
+    const struct measurement_options *options;
+};
+
+static enum status run_one(void *context, long n, struct message *why)
+{
+    const struct apart *all = context;
+    struct measurement_options options = *all->options;
+
+    options.taken = &(struct measurement_taken){0};
+    return measurement_run(&options, 1, &all->b->cases[n], why);
+}
+
+/* What a case came to is in its file; that it came to no file ends all. */
+static enum status settle(void *context, long n, const struct child_end *end,
+                          struct message *why)
+{
+    const struct apart *all = context;
+
+    return end->outcome == CHILD_DONE
+               ? STATUS_OK
+               : status_fail(why, STATUS_FAILED, "%s: %s", all->b->files[n], end->why.text);
+}
+
+enum status batch_run_apart(struct batch *b, int count,
+                            const struct measurement_options *options, struct message *why)
+{
+    struct apart all = {b, options};
+    struct pool pool = {.count = count,
+                        .slots = omp_get_num_procs(),
+                        .time_limit = 3600,
+                        .context = &all,
+                        .work = run_one,
+                        .settle = settle};
+    enum status st;
+
+    for (int n = 0; n < count; n++)
+        TRY(b->files[n] ? STATUS_OK : STATUS_MEMORY);
+    TRY(folder_make(b->folder, why));
+    TRY(pool_run(&pool, why));
+    if (pool.stopped_by) {
+        fprintf(stderr,
+                "clothbench: stopped; the same command goes on with what is in %s\n",
+                b->folder);
+        pool_raise(&pool);
+    }
 out:
     return st;
 }

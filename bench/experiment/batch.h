@@ -43,6 +43,12 @@ void batch_keep_end(struct measurement_case *c, const double *end);
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why);
 
+/* The first `count` of them, untimed, each in a process of its own for an hour at most, as
+ * many at a time as there are processors. A signal that asks to stop ends the program after
+ * a sentence. STATUS_FAILED: one came to no result. */
+enum status batch_run_apart(struct batch *b, int count,
+                            const struct measurement_options *options, struct message *why);
+
 /* All of it for an experiment: what `plan` fills an all-zero batch with. */
 typedef enum status batch_plan(struct batch *b, const char *folder, bool quick,
                                struct message *why);

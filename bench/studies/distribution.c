@@ -9,31 +9,24 @@ static const double PI = 3.14159265358979323846;
 /* Of all comparisons together, found by chance. */
 static const double BY_CHANCE = 0.05;
 
-struct distribution distribution_of(int n, const double *value)
+double distribution_mean(int n, const double *value, double *error)
 {
-    struct distribution d = {NAN, NAN, NAN, NAN};
     double sum = 0, squares = 0;
 
     for (int i = 0; i < n; i++)
         sum += value[i];
-    if (n)
-        d.mean = sum / n;
-    if (n < 2)
-        return d;
+    const double mean = n ? sum / n : NAN;
     for (int i = 0; i < n; i++)
-        squares += (value[i] - d.mean) * (value[i] - d.mean);
-    d.sd = sqrt(squares / (n - 1));
-    d.mean_error = d.sd / sqrt(n);
-    d.sd_error = d.sd / sqrt(2 * (n - 1));
-    return d;
+        squares += (value[i] - mean) * (value[i] - mean);
+    *error = n > 1 ? sqrt(squares / (n - 1)) / sqrt(n) : NAN;
+    return mean;
 }
 
 double distribution_apart(int n, const double *a, int m, const double *b, double bar)
 {
-    const struct distribution p = distribution_of(n, a), q = distribution_of(m, b);
-    const double apart = p.mean - q.mean;
-    const double error =
-        sqrt(p.mean_error * p.mean_error + q.mean_error * q.mean_error + bar * bar);
+    double p, q;
+    const double apart = distribution_mean(n, a, &p) - distribution_mean(m, b, &q);
+    const double error = sqrt(p * p + q * q + bar * bar);
 
     return apart == 0 && error == 0 ? 0 : apart / error;
 }

@@ -6,12 +6,8 @@
 
 enum { DISTRIBUTION_RUNS = 256 };
 
-/* Of value[n]. NaN where there are too few: errors need two. */
-struct distribution {
-    double mean, sd;             /* sd over n - 1                                      */
-    double mean_error, sd_error; /* sd / sqrt(n), sd / sqrt(2 (n - 1))                 */
-};
-struct distribution distribution_of(int n, const double *value);
+/* The mean of value[n], and its standard error, sd / sqrt(n); NaN of too few. */
+double distribution_mean(int n, const double *value, double *error);
 
 /* How far the means of a[n] and b[m] are apart in standard errors, (mean a - mean b) /
  * sqrt(se^2 + se^2 + bar^2): Welch (1938), and `bar`, what b's mean may be off by besides.

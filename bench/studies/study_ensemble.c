@@ -3,87 +3,47 @@
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
-#include "bench/files/folder.h"
+#include "bench/experiment/batch.h"
+#include "bench/experiment/judge.h"
 #include "bench/files/seal.h"
-#include "bench/harness/pool.h"
-#include "bench/harness/run_file.h"
+#include "bench/files/store.h"
+#include "bench/harness/net_fit.h"
+#include "bench/studies/distribution.h"
+#include "bench/studies/studies.h"
+#include "bench/truth/truth_made.h"
 #include "bench/truth/truth_plan.h"
+#include "iga/support_knots.h"
+#include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/waves.h"
 #include "models/reader/scene_file.h"
 
-#define STUDY_ENSEMBLE_TEXT(code, name, unit, words) name,
-const char *const study_ensemble_name[] = {STUDY_ENSEMBLE_LIST(STUDY_ENSEMBLE_TEXT)};
-#undef STUDY_ENSEMBLE_TEXT
-#define STUDY_ENSEMBLE_TEXT(code, name, unit, words) unit,
-const char *const study_ensemble_unit[] = {STUDY_ENSEMBLE_LIST(STUDY_ENSEMBLE_TEXT)};
-#undef STUDY_ENSEMBLE_TEXT
-#define STUDY_ENSEMBLE_TEXT(code, name, unit, words) words,
-const char *const study_ensemble_words[] = {STUDY_ENSEMBLE_LIST(STUDY_ENSEMBLE_TEXT)};
-#undef STUDY_ENSEMBLE_TEXT
+enum { COARSE, FINE, TRUTHS, NUMBERS = STUDY_ENSEMBLE_NUMBERS };
+enum { FIELD = 3 * GRID_POINTS, FIELDS = STUDY_ENSEMBLE_FIELDS };
+enum { RUNS = 32, FEW = 4 }; /* of each; enough to see a change grow                    */
+enum { WINDOWS = 3 };        /* of time, beyond the horizon                             */
 
-/* A run is given up after [s]: the longest takes a minute. */
-static const double TIME_LIMIT = 3600;
+/* What is compared: where a run's file has it, and the table's column. */
+static const struct {
+    const char *path, *header, *key;
+} numbers[NUMBERS] = {{"metrics/mean_drop", "drop", NULL},
+                      {"metrics/angle", "angle", NULL},
+                      {"metrics/stretch", "stretch", NULL},
+                      {"metrics/roughness", "rough", NULL},
+                      {"energy/kinetic", "kinetic", NULL},
+                      {"metrics/waves_long", ">L", "waves_long"},
+                      {"metrics/waves_half", ">L/2", "waves_half"},
+                      {"metrics/waves_quarter", ">L/4", "waves_quarter"},
+                      {"metrics/waves_eighth", ">L/8", "waves_eighth"}};
 
-/* Where a job is. */
-struct place {
-    int scene, ensemble, member;
-};
-
-static struct place place_of(const struct study_ensemble_job *job, long number)
-{
-    const int ensembles = STUDY_ENSEMBLE_TRUTHS + job->models;
-    const long rest = number / job->runs;
-
-    return (struct place){(int)(rest / ensembles), (int)(rest % ensembles),
-                          (int)(number % job->runs)};
-}
-
-/* What the pool's calls need. */
-struct work {
-    const struct study_ensemble_job *job;
-    unsigned long program;
-};
-
-enum { MADE_FOR = 96 };
-
-/* Sums of all that a run depends on. */
-static enum status made_for(const struct work *w, struct place at,
-                            const struct settings *settings, char text[MADE_FOR],
-                            struct message *why)
-{
-    char *bytes = NULL;
-    size_t size = 0;
-    unsigned long sum = 0;
-    enum status st;
-
-    TRY(named_file_read(&scene_file_kind, w->job->scene[at.scene].path, &bytes, &size,
-                        why));
-    sum = seal_text_sum(0, bytes, size);
-    for (int n = 0; n < settings->count; n++)
-        sum = seal_text_sum(sum, settings->text[n], strlen(settings->text[n]) + 1);
-    snprintf(text, MADE_FOR, "a run of an ensemble to %g s, settings %08lx program %08lx",
-             w->job->scene[at.scene].until, sum, w->program);
-out:
-    free(bytes);
-    return st;
-}
-
-static int times_of(double until, double time[STUDY_ENSEMBLE_FIELDS])
-{
-    const long frames = lround(until / TRUTH_PLAN_FRAME);
-    const int count = frames < STUDY_ENSEMBLE_FIELDS ? (int)frames : STUDY_ENSEMBLE_FIELDS;
-
-    for (int n = 0; n < count; n++)
-        time[n] = TRUTH_PLAN_FRAME * round((double)((n + 1) * frames) / count);
-    return count;
-}
-
-/* The program's own numbers of a look. */
-enum { OWN = 1 + STUDY_ENSEMBLE_WAVES_8 - STUDY_ENSEMBLE_WAVES + 1 };
+/* Those of them that no other run keeps. */
+static const struct run_own own[] = {{"mean_drop", "1"},
+                                     {"waves_long", "1"},
+                                     {"waves_half", "1"},
+                                     {"waves_quarter", "1"},
+                                     {"waves_eighth", "1"}};
+enum { OWN = sizeof own / sizeof *own };
 
 static enum status look(void *context, const struct motion *m, const double *xyz,
                         double *value)
@@ -97,172 +57,491 @@ static enum status look(void *context, const struct motion *m, const double *xyz
     return STATUS_OK;
 }
 
-static enum status write_run(const struct work *w, struct place at, struct message *why)
+struct job {
+    struct study_ensemble e;
+    char *path; /* of the scene                                                   owned */
+    struct scene scene;
+    const struct contestant *model[STUDY_ENSEMBLE_MOST]; /* of each ensemble            */
+    struct batch batch; /* all first runs, one of each ensemble, all second ones, ...   */
+};
+
+static void job_clear(struct job *job)
 {
-    const struct study_ensemble_job *job = w->job;
-    struct settings settings = {0};
-    struct run_plan plan = {.path = job->scene[at.scene].path, .settings = &settings};
-    double time[STUDY_ENSEMBLE_FIELDS];
-    char path[STUDY_ENSEMBLE_PATH], key[MADE_FOR];
-    struct run_own own[OWN] = {{"mean_drop", "1"}};
-    struct scene scene = {0};
+    for (int k = 0; k < job->e.count; k++)
+        free(job->e.one[k].value);
+    free(job->e.time);
+    batch_clear(&job->batch);
+    scene_clear(&job->scene);
+    free(job->path);
+}
+
+static enum status choose(const struct experiment_options *o, const char *scene,
+                          struct job *job, struct message *why)
+{
+    struct study_ensemble *e = &job->e;
     enum status st;
 
-    for (int n = 1; n < OWN; n++)
-        own[n].name = study_ensemble_name[STUDY_ENSEMBLE_WAVES + n - 1], own[n].unit = "1";
-    TRY(settings_read_scene(&settings, plan.path, &scene, why));
-    plan.end = job->scene[at.scene].until;
-    TRY(study_ensemble_settings(job, at.scene, at.ensemble, at.member, &plan.contestant,
-                                &settings, why));
-    TRY(made_for(w, at, &settings, key, why));
-    study_ensemble_file(job, at.scene, at.ensemble, at.member, path);
-    st = run_file_write(&plan,
-                        &(struct run_keep){.file = path,
-                                           .every = (int)lround(TRUTH_PLAN_FRAME /
-                                                                truth_plan_frame(&scene)),
-                                           .times = times_of(plan.end, time),
-                                           .time = time,
-                                           .packed = true,
-                                           .quick = job->quick,
-                                           .made_for = key,
-                                           .own_count = OWN,
-                                           .own = own,
-                                           .own_look = look},
-                        NULL, why);
+    *e = (struct study_ensemble){.quick = o->quick, .count = TRUTHS};
+    job->model[COARSE] = job->model[FINE] = truth_level_contestant(TRUTH_SHELL);
+    for (const char *at = o->models; *at; at += strcspn(at, ","), at += *at == ',') {
+        char name[64];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
+        TRY(e->count < STUDY_ENSEMBLE_MOST
+                ? contestant_find(name, &job->model[e->count++], why)
+                : status_fail(why, STATUS_INPUT, "--models: too many contestants"));
+    }
+    TRY(scene_file_find(scene, &job->path, why));
+    TRY(settings_read_scene(&(struct settings){0}, job->path, &job->scene, why));
+    snprintf(e->scene, sizeof e->scene, "%s", job->scene.name);
+    const double usual = o->quick ? fmin(0.3, job->scene.end) : job->scene.end;
+    const double until = o->until > 0 ? o->until : usual;
+    const int frames = (int)floor((until + job->scene.step / 2) / TRUTH_PLAN_FRAME);
+    if (frames < 4)
+        TRY(status_fail(why, STATUS_INPUT, "%s, %g s: an ensemble takes %g s at least",
+                        scene, until, 4 * TRUTH_PLAN_FRAME));
+    e->fields = frames < FIELDS ? frames : FIELDS;
+    for (int n = 0; n < e->fields; n++)
+        e->field_time[n] = TRUTH_PLAN_FRAME * round((double)((n + 1) * frames) / e->fields);
 out:
-    scene_clear(&scene);
-    settings_clear(&settings);
     return st;
 }
 
-static enum status work(void *context, long number, struct message *why)
+/* Points along u (0) or v (1): of the truth by its spans and what knots at supports' ends
+ * take; of others the finest net, of solids the one before, whose frames cost as much. */
+static int side_of(const struct job *job, int ensemble, int along)
 {
-    const struct work *w = context;
+    static const int spans[2][TRUTHS] = {{14, 20}, {5, 7}};
+    const struct contestant *c = job->model[ensemble];
+    const bool quick = job->e.quick;
+    int side, last = quick ? 0 : CONTESTANT_STEPS - 1;
 
-    return write_run(w, place_of(w->job, number), why);
+    while (last && !c->points[last])
+        last--;
+    side = c->points[c->layers && last ? last - 1 : last];
+    if (ensemble < TRUTHS)
+        side = spans[quick][ensemble] + c->degree +
+               support_knots_repeats(&job->scene, along, c->degree, SUPPORT_KNOTS_SOLID);
+    const int fit = net_fit_points(&job->scene, along, side, c->degree);
+    return fit ? fit : side;
 }
 
-/* A run that came to no result is none of the model's: it ends the study. */
-static enum status settle(void *context, long number, const struct child_end *end,
-                          struct message *why)
+static enum status add_run(struct job *job, int ensemble, int member, struct message *why)
 {
-    const struct work *w = context;
-    const struct place at = place_of(w->job, number);
-    char path[STUDY_ENSEMBLE_PATH];
+    static const char *const truth[] = {"truth_coarse", "truth_fine"};
+    const struct contestant *c = job->model[ensemble];
+    const char *damping = truth_plan_damping(&job->scene);
+    const double frame = truth_plan_frame(&job->scene);
+    char name[256];
 
-    if (end->outcome == CHILD_DONE)
-        return STATUS_OK;
-    study_ensemble_file(w->job, at.scene, at.ensemble, at.member, path);
-    return status_fail(why, STATUS_FAILED, "%s: %s", path, end->why.text);
+    snprintf(name, sizeof name, "%s_%.99s_%03d", job->e.scene,
+             ensemble < TRUTHS ? truth[ensemble] : c->name, member);
+    for (int k = TRUTHS; k < ensemble; k++)
+        if (job->model[k] == c)
+            return status_fail(why, STATUS_INPUT, "--models: %s is given twice", c->name);
+    struct measurement_case *run = batch_add(&job->batch, job->path, c, name);
+    struct settings *s = batch_settings(&job->batch);
+    run->plan.end = job->e.field_time[job->e.fields - 1];
+    run->keep = (struct run_keep){.file = run->keep.file,
+                                  .every = (int)lround(TRUTH_PLAN_FRAME / frame),
+                                  .times = job->e.fields,
+                                  .time = job->e.field_time,
+                                  .packed = true,
+                                  .own_count = OWN,
+                                  .own = own,
+                                  .own_look = look};
+    contestant_points(c, side_of(job, ensemble, 0), side_of(job, ensemble, 1), s);
+    /* As compare has it: a factor on the velocity is the paper's scheme's alone. */
+    if (damping && !contestant_is_paper_scheme(c))
+        settings_set(s, damping);
+    settings_number(s, "time.step", frame);
+    return truth_level_push(job->path, &(struct settings){0}, member, s, why);
 }
 
-static enum status is_done(const struct work *w, long number, bool *done,
-                           struct message *why)
+static enum status read_numbers(const char *path, struct study_ensemble *e,
+                                struct study_ensemble_one *one, struct message *why)
 {
-    const struct place at = place_of(w->job, number);
-    const struct contestant *c;
-    struct settings settings = {0};
-    struct run_result r = {0};
-    char path[STUDY_ENSEMBLE_PATH], key[MADE_FOR];
+    struct store_read *file = NULL;
+    double *value = NULL;
+    int rows, columns;
     enum status st;
 
-    *done = at.member >= w->job->scene[at.scene].runs;
-    if (*done)
-        return STATUS_OK;
-    TRY(study_ensemble_settings(w->job, at.scene, at.ensemble, at.member, &c, &settings,
-                                why));
-    TRY(made_for(w, at, &settings, key, why));
-    study_ensemble_file(w->job, at.scene, at.ensemble, at.member, path);
-    *done = access(path, F_OK) == 0 &&
-            run_result_read(path, false, &r, NULL) == STATUS_OK && !strcmp(r.made_for, key);
+    TRY(store_read_open(path, &file, why));
+    if (!e->time)
+        TRY(store_read_array(file, "time", &e->time, &e->looks, &columns, why));
+    if (!one->value)
+        one->value = calloc((size_t)(NUMBERS * e->looks * e->runs), sizeof *one->value);
+    TRY(one->value ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < NUMBERS; n++) {
+        TRY(store_read_array(file, numbers[n].path, &value, &rows, &columns, why));
+        for (int t = 0; t < rows && t < e->looks; t++)
+            one->value[(n * e->looks + t) * e->runs + one->lived] = value[t];
+        free(value), value = NULL;
+    }
+    one->lived++;
+out:
+    store_read_close(file);
+    return st;
+}
+
+/* An ensemble and its mean fields; `truth` has those of the truth, NULL: this is the truth.
+ * Sums are less the first run's fields, `from`, for the sake of rounding. */
+static enum status read_one(struct job *job, int ensemble, double *mean,
+                            const double *truth, struct message *why)
+{
+    struct study_ensemble *e = &job->e;
+    struct study_ensemble_one *one = &e->one[ensemble];
+    double *from = calloc(FIELDS * FIELD, sizeof *from), squares[FIELDS] = {0};
+    const double length = job->scene.length;
+    struct run_result r = {0};
+    enum status st = from ? STATUS_OK : STATUS_MEMORY;
+
+    TRY(st);
+    free(one->value);
+    *one = (struct study_ensemble_one){0};
+    memset(mean, 0, FIELDS * FIELD * sizeof *mean);
+    snprintf(one->net, sizeof one->net, "%dx%d", side_of(job, ensemble, 0),
+             side_of(job, ensemble, 1));
+    snprintf(one->title, sizeof one->title, "%s%s", ensemble < TRUTHS ? "truth: " : "",
+             job->model[ensemble]->title);
+    for (int m = 0; m < e->runs; m++) {
+        const int n = m * e->count + ensemble;
+        run_result_clear(&r);
+        TRY(batch_read(&job->batch, n, true, &r, why));
+        if (r.outcome != STATUS_OK) {
+            one->sentence = one->died++ ? one->sentence : r.sentence;
+            continue;
+        }
+        if (r.frames != e->fields)
+            TRY(status_fail(why, STATUS_INPUT, "%s: it is of another study",
+                            job->batch.files[n]));
+        for (int k = 0; k < e->fields * FIELD; k++) {
+            const double x = r.xyz[k / FIELD][k % FIELD];
+            from[k] = one->lived ? from[k] : x;
+            mean[k] += x - from[k];
+            squares[k / FIELD] += (x - from[k]) * (x - from[k]);
+        }
+        TRY(read_numbers(job->batch.files[n], e, one, why));
+    }
+    for (int t = 0; t < e->fields; t++) {
+        double *sum = mean + t * FIELD;
+        for (int n = 0; n < FIELD; n++) {
+            squares[t] -= sum[n] * sum[n] / one->lived;
+            sum[n] = from[t * FIELD + n] + sum[n] / one->lived;
+        }
+        const double spread = sqrt(fmax(squares[t], 0) / (one->lived - 1) / GRID_POINTS);
+        one->growth[t] = one->lived > 1 ? spread / (TRUTH_PERTURBATION * length) : NAN;
+        one->points[t] = truth ? metric_rmse(sum, truth + t * FIELD) / length : NAN;
+    }
 out:
     run_result_clear(&r);
-    settings_clear(&settings);
+    free(from);
     return st;
 }
 
-enum status study_ensemble_run(const struct study_ensemble_job *job, int slots, long *ran,
-                               struct message *why)
+/* The first `count` ensembles, the finer truth before all that is held against it. */
+static enum status read_runs(struct job *job, int count, struct message *why)
 {
-    struct work w = {.job = job};
-    struct pool pool = {.slots = slots,
-                        .time_limit = TIME_LIMIT,
-                        .context = &w,
-                        .work = work,
-                        .settle = settle};
-    bool *done = NULL;
-    enum status st;
+    double *mean = malloc(2 * FIELDS * FIELD * sizeof *mean);
+    enum status st = mean ? STATUS_OK : STATUS_MEMORY;
 
-    pool.count = (long)job->scenes * (STUDY_ENSEMBLE_TRUTHS + job->models) * job->runs;
-    TRY(folder_make(job->folder, why));
-    TRY(seal_text_program(&w.program, why));
-    done = calloc((size_t)pool.count, sizeof *done);
-    TRY(done ? STATUS_OK : STATUS_MEMORY);
-    for (long n = 0; n < pool.count; n++)
-        TRY(is_done(&w, n, &done[n], why));
-    pool.done = done;
-    TRY(pool_run(&pool, why));
-    if (pool.stopped_by) {
-        fprintf(stderr,
-                "clothbench: stopped; the same command goes on with what is in %s\n",
-                job->folder);
-        pool_raise(&pool);
+    for (int n = 0; n < count && st == STATUS_OK; n++)
+        st = read_one(job, n < TRUTHS ? FINE - n : n, n ? mean + FIELDS * FIELD : mean,
+                      n ? mean : NULL, why);
+    free(mean);
+    return st;
+}
+
+/* Where a change has grown a thousandfold, as an index of field_time; -1: nowhere. */
+static int find_horizon(const struct study_ensemble *e, int ensemble)
+{
+    for (int t = 0; t < e->fields; t++)
+        if (e->one[ensemble].growth[t] >= TRUTH_MOST_GROWTH)
+            return t;
+    return -1;
+}
+
+/* What is judged: windows of time from the horizon on; count 0: nothing. */
+struct windows {
+    int horizon, count; /* horizon -1: there is none                                    */
+    double begin, end;  /* [s]                                                          */
+    double bound;       /* standard errors                                              */
+};
+
+static struct windows find_windows(const struct study_ensemble *e)
+{
+    const int coarse = find_horizon(e, COARSE), fine = find_horizon(e, FINE);
+    struct windows w = {.horizon = -1};
+
+    if (coarse < 0 || fine < 0 || e->one[COARSE].died || e->one[FINE].died || e->runs < 2)
+        return w;
+    w.horizon = coarse > fine ? coarse : fine;
+    w.begin = e->field_time[w.horizon];
+    w.end = e->time[e->looks - 1];
+    for (int t = 0; t < e->looks && w.count < WINDOWS; t++)
+        w.count += e->time[t] > w.begin;
+    w.bound = distribution_bound(2 * NUMBERS * w.count, e->runs);
+    return w;
+}
+
+/* Of each run a number's mean over a window, and how far it is from all runs' median. */
+struct sample {
+    int count;
+    double value[2][DISTRIBUTION_RUNS];
+};
+
+static void take(const struct study_ensemble *e, const struct windows *w, int ensemble,
+                 int number, int window, struct sample *s)
+{
+    const struct study_ensemble_one *one = &e->one[ensemble];
+    const double size = (w->end - w->begin) / w->count;
+    int looks = 0;
+
+    *s = (struct sample){.count = one->lived};
+    for (int t = 0; t < e->looks; t++) {
+        /* A look at the end of a window belongs to it. */
+        if (ceil((e->time[t] - w->begin) / size - 1e-9) - 1 != window)
+            continue;
+        looks++;
+        for (int m = 0; m < s->count; m++)
+            s->value[0][m] += one->value[(number * e->looks + t) * e->runs + m];
     }
-    st = study_ensemble_keep(job, why);
-    if (ran)
-        *ran = pool.ran;
-out:
-    free(done);
-    return st;
+    for (int m = 0; m < s->count; m++)
+        s->value[0][m] /= looks;
+    distribution_deviations(s->count, s->value[0], s->value[1]);
 }
 
-/* Enough to see a change grow. */
-enum { FEW = 4 };
-
-static enum status choose_runs(struct study_ensemble_job *job, int scene,
-                               struct message *why)
+/* Means and spreads apart in standard errors, z[0] and z[1]: holds if both are in bound. */
+static enum judge apart(const struct sample *a, const struct sample *b, const double bar[2],
+                        double bound, double z[2])
 {
-    struct study_ensemble e;
-    const enum status st = study_ensemble_read(job, scene, &e, why);
-
-    if (st != STATUS_OK)
-        return st;
-    for (int n = 0; n < STUDY_ENSEMBLE_TRUTHS; n++)
-        if (study_ensemble_horizon(&e, n) >= 0)
-            job->scene[scene].runs = job->runs;
-    study_ensemble_clear(&e);
-    return st;
+    for (int i = 0; i < 2; i++)
+        z[i] = distribution_apart(a->count, a->value[i], b->count, b->value[i], bar[i]);
+    return judge_both(judge_below(fabs(z[0]), bound), judge_below(fabs(z[1]), bound));
 }
 
-enum status study_ensemble_run_all(struct study_ensemble_job *job, int slots,
-                                   struct message *why)
+static double farther(double a, double b)
 {
+    return !isnan(b) && !(fabs(b) <= fabs(a)) ? b : a;
+}
+
+/* Into worst[] the means that are farthest off, and behind them the spread. What the
+ * truth's nets differ by beyond chance is an error of its own, and near a truth that is not
+ * known is not right yet. A number that a model does not have is not held against it. */
+static enum judge judge_one(const struct study_ensemble *e, const struct windows *w,
+                            int ensemble, double worst[NUMBERS + 1])
+{
+    enum judge all = e->one[ensemble].died ? JUDGE_FAILS : JUDGE_HOLDS;
+    struct sample fine, coarse, s;
+
+    for (int n = 0; n <= NUMBERS; n++)
+        worst[n] = NAN;
+    for (int k = 0; ensemble >= TRUTHS && k < NUMBERS * w->count; k++) {
+        const int n = k / w->count;
+        double z[2], bar[2] = {0}, error;
+        take(e, w, FINE, n, k % w->count, &fine);
+        take(e, w, COARSE, n, k % w->count, &coarse);
+        take(e, w, ensemble, n, k % w->count, &s);
+        const bool known = apart(&coarse, &fine, bar, w->bound, z) == JUDGE_HOLDS;
+        for (int i = 0; !known && i < 2; i++)
+            bar[i] = distribution_mean(coarse.count, coarse.value[i], &error) -
+                     distribution_mean(fine.count, fine.value[i], &error);
+        const enum judge turn = apart(&s, &fine, bar, w->bound, z);
+        worst[n] = farther(worst[n], z[0]);
+        worst[NUMBERS] = farther(worst[NUMBERS], z[1]);
+        if (!isnan(z[0]))
+            all = judge_both(all, turn == JUDGE_HOLDS && !known ? JUDGE_OPEN : turn);
+    }
+    return all;
+}
+
+static void tell_case(const struct study_ensemble *e, const struct windows *w, FILE *file)
+{
+    const struct study_ensemble_one *coarse = &e->one[COARSE], *fine = &e->one[FINE];
+    const bool grown = find_horizon(e, FINE) >= 0;
+    const int last = e->fields - 1;
+
+    table_say(file,
+              "%s: %s. By %.3g s a change of %g has grown %.2g-fold on the truth's %s net "
+              "and %.2g-fold on the %s one.",
+              e->scene,
+              e->quick                     ? "distributions are not judged: quick"
+              : coarse->died || fine->died ? "nothing can be judged: the truth died"
+              : e->runs < 2                ? "nothing can be judged: one run has no spread"
+              : grown != (find_horizon(e, COARSE) >= 0)
+                  ? "the truth is not known in distribution: its nets differ about whether "
+                    "the motion can be predicted"
+              : !grown    ? "nothing to judge in distribution: the motion is still "
+                            "predictable, and its points can be compared"
+              : !w->count ? "nothing can be judged: the motion ends at its horizon"
+                          : "distributions are compared beyond the horizon",
+              e->field_time[last], TRUTH_PERTURBATION, coarse->growth[last], coarse->net,
+              fine->growth[last], fine->net);
+}
+
+/* A row of the table, and for people a claim. */
+static void tell_one(const struct study_ensemble *e, const struct windows *w, int ensemble,
+                     struct table *t, FILE *file)
+{
+    const struct study_ensemble_one *one = &e->one[ensemble];
+    double worst[NUMBERS + 1];
+    const enum judge turn = judge_one(e, w, ensemble, worst);
+    const bool judged = ensemble >= TRUTHS && w->count && !e->quick;
+    char quote[256];
+
+    table_row(t);
+    table_text(t, "%s", e->scene);
+    table_text(t, "%s", one->title);
+    table_text(t, "%s", one->net);
+    table_integer(t, one->lived);
+    table_number(t, one->points[w->horizon < 0 ? e->fields - 1 : w->horizon], 2);
+    table_number(t, one->growth[e->fields - 1], 2);
+    for (int n = 0; n <= NUMBERS; n++)
+        table_number(t, worst[n], 2);
+    table_text(t, "%s",
+               ensemble < TRUTHS ? "truth"
+               : one->died       ? "died"
+               : judged          ? judge_words(turn, "right", "wrong", "not told apart")
+               : e->quick        ? "not judged: quick"
+                                 : "not judged");
+    snprintf(quote, sizeof quote, "%s: %s is right in distribution", e->scene, one->title);
+    if (judged && file)
+        judge_print(file, quote, turn,
+                    "%d of %d runs died%s%s; points are %.2g %% of L off at the horizon, "
+                    "%.3g s.",
+                    one->died, e->runs, one->died ? ", the first " : "", one->sentence.text,
+                    100 * one->points[w->horizon], w->begin);
+}
+
+static enum status tell_models(const struct study_ensemble *e, const char *folder,
+                               enum table_format format, FILE *file, struct message *why)
+{
+    const struct windows w = find_windows(e);
+    const enum table_readers judged = w.count ? TABLE_ALL : TABLE_MACHINES;
+    struct table_column columns[8 + NUMBERS] = {
+        {"scene", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+        {"model", NULL, TABLE_LEFT},
+        {"net", NULL, TABLE_LEFT},
+        {"lived"},
+        {"points", "% L", .key = "points", .key_unit = "L", .scale = 100},
+        {"growth"},
+        [6 + NUMBERS] = {"spread", .readers = judged},
+        [7 + NUMBERS] = {"verdict", NULL, TABLE_LEFT}};
+    const bool prose = table_format_is_prose(format);
+    char caption[256], name[128];
+
+    for (int n = 0; n < NUMBERS; n++)
+        columns[6 + n] = (struct table_column){numbers[n].header, .key = numbers[n].key,
+                                               .readers = judged};
+    snprintf(name, sizeof name, "%s_models", e->scene);
+    snprintf(caption, sizeof caption, "%s: ensembles of %d runs, gravity changed by %g",
+             e->scene, e->runs, TRUTH_PERTURBATION);
+    struct table *t = table_create(8 + NUMBERS, columns, caption);
+    if (prose)
+        tell_case(e, &w, file);
+    for (int k = 0; k < e->count; k++)
+        tell_one(e, &w, k, t, prose ? file : NULL);
+    table_note(
+        t,
+        "Points: mean positions off the truth's, rms over L, at the horizon, where a "
+        "change has grown %g-fold on both of the truth's nets (without one, at the "
+        "end). Growth: rms spread of points at the end over %g L.",
+        TRUTH_MOST_GROWTH, TRUTH_PERTURBATION);
+    if (w.count)
+        table_note(
+            t,
+            "Other numbers (> L: heights of waves longer than that): how far their "
+            "means are from the truth's, and the worst of their spreads, in standard "
+            "errors, in the worst of %d windows from %.3g to %.3g s. What the truth's "
+            "nets differ by beyond chance is an error of its own. Right: none beyond "
+            "%.3g, which %d comparisons with a right one pass in 5 of 100 cases.",
+            w.count, w.begin, w.end, w.bound, 2 * NUMBERS * w.count);
+    return table_publish(t, folder, name, format, file, why);
+}
+
+static struct table *fill_growth(const struct study_ensemble *e)
+{
+    static const struct table_column columns[] = {
+        {"scene", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+        {"model", NULL, TABLE_LEFT},
+        {"time", "s"},
+        {"growth"},
+        {"points", "L"}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
+                                   "Growth of the change, points against the truth");
+
+    for (int n = 0; n < e->count * e->fields; n++) {
+        const struct study_ensemble_one *one = &e->one[n / e->fields];
+        table_row(t);
+        table_text(t, "%s", e->scene);
+        table_text(t, "%s", one->title);
+        table_fixed(t, e->field_time[n % e->fields], 2);
+        table_number(t, one->growth[n % e->fields], 3);
+        table_number(t, one->points[n % e->fields], 3);
+    }
+    return t;
+}
+
+enum status study_ensemble_tell(const struct study_ensemble *e, const char *folder,
+                                enum table_format format, FILE *file, struct message *why)
+{
+    const enum status st = tell_models(e, folder, format, file, why);
+
+    return st == STATUS_OK && table_format_is_data(format)
+               ? table_finish(fill_growth(e), format, file)
+               : st;
+}
+
+/* A few runs of each first: a scene without a horizon has nothing to judge, and no more.
+ * `file` NULL: they are made, else told. */
+static enum status do_scene(const struct experiment_options *o, const char *scene,
+                            enum table_format format, FILE *file, struct message *why)
+{
+    const struct measurement_options options = {.quick = o->quick};
+    const int most = o->runs ? o->runs : o->quick ? FEW : RUNS;
+    struct job job = {0};
+    struct study_ensemble *e = &job.e;
     enum status st;
 
-    for (int n = 0; n < job->scenes; n++)
-        job->scene[n].runs = job->runs < FEW ? job->runs : FEW;
-    TRY(study_ensemble_run(job, slots, NULL, why));
-    if (job->runs <= FEW)
-        return st;
-    for (int n = 0; n < job->scenes; n++)
-        TRY(choose_runs(job, n, why));
-    st = study_ensemble_run(job, slots, NULL, why);
+    TRY(choose(o, scene, &job, why));
+    TRY(batch_init(&job.batch, o->folder, e->count * most));
+    for (int n = 0; n < e->count * most; n++)
+        TRY(add_run(&job, n % e->count, n / e->count, why));
+    e->runs = most < FEW ? most : FEW;
+    if (!file)
+        TRY(batch_run_apart(&job.batch, e->count * e->runs, &options, why));
+    TRY(read_runs(&job, TRUTHS, why));
+    if (find_horizon(e, COARSE) >= 0 || find_horizon(e, FINE) >= 0)
+        e->runs = most;
+    if (!file)
+        st = batch_run_apart(&job.batch, e->count * e->runs, &options, why);
+    else if ((st = read_runs(&job, e->count, why)) == STATUS_OK)
+        st = study_ensemble_tell(e, o->folder, format, file, why);
 out:
+    job_clear(&job);
     return st;
 }
 
-/* --- the experiment ----------------------------------------------------------------------
- */
-
-static enum status measure(const struct experiment_options *options, struct message *why)
+/* FOLDER/ensemble.txt has what was chosen for --from. */
+static enum status measure(const struct experiment_options *given, struct message *why)
 {
-    struct study_ensemble_job job;
+    static const char *const usual[] = {"corners_patch", "flag"};
+    struct experiment_options o = *given;
+    char path[4096], text[8192];
     enum status st;
 
-    TRY(study_ensemble_choose(options, &job, why));
-    const int slots = omp_get_num_procs();
-    omp_set_num_threads(1);
-    st = study_ensemble_run_all(&job, slots, why);
+    if (!o.scene_count)
+        o.scene_count = 2, o.scene = usual;
+    if (!o.models)
+        o.models = "mass_spring_single,triangles_explicit,position_based_single,"
+                   "projective_dynamics_admm,hex_incompatible_incremental,iga_paper";
+    int at =
+        snprintf(text, sizeof text, "%d %d %.17g %s\n", o.quick, o.runs, o.until, o.models);
+    for (int n = 0; n < o.scene_count; n++) {
+        at += snprintf(text + at, sizeof text - (size_t)at, "%s\n", o.scene[n]);
+        TRY(do_scene(&o, o.scene[n], TABLE_TEXT, NULL, why));
+    }
+    snprintf(path, sizeof path, "%s/ensemble.txt", o.folder);
+    st = seal_text_write(path, text, why);
 out:
     return st;
 }
@@ -270,18 +549,21 @@ out:
 static enum status print(const char *folder, enum table_format format, FILE *file,
                          struct message *why)
 {
-    struct study_ensemble_job job;
-    struct study_ensemble e;
+    char path[4096], scene[512], models[1024], *text = NULL;
+    struct experiment_options o = {.folder = folder, .models = models};
+    int quick, size = 0;
     enum status st;
 
-    TRY(study_ensemble_find(folder, &job, why));
-    for (int n = 0; n < job.scenes; n++) {
-        TRY(study_ensemble_read(&job, n, &e, why));
-        st = study_ensemble_tell(&e, folder, format, file, why);
-        study_ensemble_clear(&e);
-        TRY(st);
-    }
+    snprintf(path, sizeof path, "%s/ensemble.txt", folder);
+    TRY(seal_text_read(path, &text, why));
+    if (sscanf(text, "%d %d %lf %1023s%n", &quick, &o.runs, &o.until, models, &size) != 4)
+        TRY(status_fail(why, STATUS_INPUT, "%s: of another version of the program", path));
+    o.quick = quick;
+    for (const char *at = text + size; sscanf(at, " %511[^\n]%n", scene, &size) == 1;
+         at += size)
+        TRY(do_scene(&o, scene, format, file, why));
 out:
+    free(text);
     return st;
 }
 

@@ -151,6 +151,7 @@ static const struct wrong BAD_STUDIES[] = {
     {13, "paper: [{study: ege, paper_ms: 9}]",
      "the axis 'study', which has no label 'ege'"},
     {13, "cases: [{name: a}]", "a plan with levels has no axes, cases and map"},
+    {13, "table: {columns: [stretch], shown: {colour: red}}", "no study has an axis"},
     {13, "axes: [{key: gamma, values: [1]}]", "a plan with levels has no axes, cases and"},
 };
 

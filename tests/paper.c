@@ -231,7 +231,7 @@ static void words_of(unsigned labels, char text[WORD])
                      paper_label[n % PAPER_LABELS]);
 }
 
-/* E, rho and mu of the plan are those of paper.c: tests/table4.c. */
+/* E, rho and mu of the plan are those of paper.c: tests/plans.c. */
 static void add_fourth(struct cells *c)
 {
     struct plan plan;

@@ -22,6 +22,7 @@ static const struct {
     {"table1", claim_table1},
     {"table2", claim_table2},
     {"table3", claim_table3},
+    {"table4-readings", claim_table4},
     {"thickness", claim_thickness},
     {"thickness-degree", claim_thickness_degree},
     {"timestep", claim_timestep},

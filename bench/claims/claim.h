@@ -29,6 +29,10 @@ enum status claim_print(const struct study_results *d, FILE *file);
 enum status claim_tell(const struct study_results *d, const char *folder,
                        enum table_format format, FILE *file, struct message *why);
 
+/* The same of the paper's Table 4, whose words stand beside those of the rules. */
+enum status claim_table4_tell(const struct study_results *d, const char *folder,
+                              enum table_format format, FILE *file, struct message *why);
+
 /* A list for each plan. */
 extern const struct claim claim_artefacts[];
 extern const struct claim claim_contact[];
@@ -45,6 +49,7 @@ extern const struct claim claim_solvers[];
 extern const struct claim claim_table1[];
 extern const struct claim claim_table2[];
 extern const struct claim claim_table3[];
+extern const struct claim claim_table4[];
 extern const struct claim claim_thickness[];
 extern const struct claim claim_thickness_degree[];
 extern const struct claim claim_timestep[];

@@ -321,11 +321,25 @@ static void add_row(struct table *t, const struct study_results *d, enum part pa
                                 sizeof words));
 }
 
-/* `last`: without the times before the last. */
-static struct table *fill(const struct study_results *d, enum part part, bool last,
+/* Whether people see a level. */
+static bool is_shown(const struct study_results *d, const struct study *s, int level)
+{
+    const struct plan_settings *shown = &d->plan->table.shown;
+
+    for (int n = 0; n < shown->count; n++) {
+        const char *label = dataset_label(s, level, shown->list[n].key);
+        if (!label || strcmp(label, shown->list[n].value))
+            return false;
+    }
+    return true;
+}
+
+/* For people, what the plan has them see. */
+static struct table *fill(const struct study_results *d, enum part part, bool people,
                           const char *caption)
 {
     const struct plan_table *plan = &d->plan->table;
+    const bool last = part == PART_RUN || (people && plan->last);
     struct table_column columns[AXES + 2 + PLAN_TABLE_COLUMNS];
     const char *axis[AXES];
     int count = find_axes(d, axis);
@@ -351,12 +365,12 @@ static struct table *fill(const struct study_results *d, enum part part, bool la
     struct table *t = table_create(count, columns, caption);
     for (int k = 0; k < d->count; k++) {
         const struct study *s = &d->study[k];
+        const int rows = table_rows(t);
         for (int n = 0; n < s->plan->level_count; n++)
-            for (int time = part == PART_RUN || last ? s->frames - 1 : 0; time < s->frames;
-                 time++)
-                if (!s->row[n].left_out)
+            for (int time = last ? s->frames - 1 : 0; time < s->frames; time++)
+                if (!s->row[n].left_out && (!people || is_shown(d, s, n)))
                     add_row(t, d, part, s, n, time);
-        if (k + 1 < d->count)
+        if (k + 1 < d->count && table_rows(t) > rows)
             table_rule(t);
     }
     return t;
@@ -366,6 +380,7 @@ static struct table *fill(const struct study_results *d, enum part part, bool la
 static void add_notes(struct table *t, const struct study_results *d)
 {
     const struct plan_table *plan = &d->plan->table;
+    const struct verdict_rules *rules = &d->plan->verdicts;
     char text[2048] = "";
 
     for (int n = 0; n < plan->columns.count; n++) {
@@ -378,6 +393,14 @@ static void add_notes(struct table *t, const struct study_results *d)
     table_note(t, "%s.", text);
     if (plan->note)
         table_note(t, "%s", plan->note);
+    for (int n = 0; n < rules->count; n++) {
+        const struct verdict_rule *r = &rules->rule[n];
+        const char *unit = measure_unit(r->measure);
+        const bool pure = !strcmp(unit, "1");
+        table_note(t, "%s: %s %s %g%s%s; %s.", r->label, measure_name(r->measure),
+                   r->above ? "above" : "below", r->bound, pure ? "" : " ",
+                   pure ? "" : unit, r->why);
+    }
     for (int k = 0; k < d->count; k++) {
         const struct study *s = &d->study[k];
         for (int n = 0; n < s->plan->level_count; n++)
@@ -556,10 +579,10 @@ enum status dataset_print(const struct study_results *d, const char *folder,
     all = fill(d, PART_ALL, false, caption);
     TRY(table_save(all, folder, name, why));
     if (apart)
-        TRY(table_finish(fill(d, PART_RUN, last, caption), format, file));
-    t = apart ? fill(d, PART_TIMES, last,
+        TRY(table_finish(fill(d, PART_RUN, people, caption), format, file));
+    t = apart ? fill(d, PART_TIMES, people,
                      last ? "The same at the last time" : "The same at the times")
-              : fill(d, PART_ALL, last, caption);
+              : fill(d, PART_ALL, people, caption);
     add_notes(t, d);
     TRY(table_finish(t, format, file));
     TRY(draw_sheets(d, folder, why));

@@ -119,6 +119,13 @@ static enum status read_products(const struct schema_key *key, const struct yaml
     return st;
 }
 
+static enum status read_shown(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
+{
+    (void)key;
+    return read_labels(node, &((struct plan *)target)->table.shown, NULL, why);
+}
+
 static enum status read_reference(const struct schema_key *key,
                                   const struct yaml_tree *node, void *target,
                                   struct message *why)
@@ -255,6 +262,8 @@ static const struct schema_key TABLE[] = {
      .want = "a list of 1 to 16 quantities"},
     {"last", "people see the last time of each study alone", SCHEMA_WORD,
      .word = plan_settings_truth, IN(plan, table.last)},
+    {"shown", "people see the levels with these labels alone", SCHEMA_SPECIAL,
+     .read = read_shown, .want = "a map {AXIS: LABEL}"},
     {"pictures", "studies whose sheets are drawn", SCHEMA_SPECIAL, .read = read_words,
      .most = PLAN_TABLE_COLUMNS, IN(plan, table.pictures),
      .want = "a list of 1 to 16 names of studies"},
@@ -474,6 +483,7 @@ void plan_clear(struct plan *plan)
     clear_products(&plan->paper);
     plan_settings_clear(&plan->reference);
     plan_settings_clear(&plan->table.columns);
+    plan_settings_clear(&plan->table.shown);
     plan_settings_clear(&plan->table.pictures);
     free(plan->table.note);
     plan_settings_clear(&plan->chart.panel);

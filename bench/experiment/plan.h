@@ -49,6 +49,7 @@
  *     paper:                       # what somebody else's frame costs
  *       - {solver: direct, net: 40x40x2, paper_ms: 16048}
  *     table: {columns: [unknowns, frame_ms, of_reference, apart], note: ...}
+ *                          # shown: {solver: direct}: people see these levels alone
  *     chart: {x: "thickness [m]", y: [tip], from: 1, panel: [study], line: [solver]}
  *
  * Without `studies` the plan is one, of its own name. Settings of a level go before those
@@ -300,6 +301,7 @@ struct plan_table {
     struct plan_settings pictures; /* names of studies whose sheets are drawn, as keys */
     int last;                      /* 1: people see the last time of each study alone   */
     char *file;                    /* of its CSV and chart; NULL: the plan's name owned */
+    struct plan_settings shown;    /* axis and label: people see levels with these alone */
     char *note;                    /* below it, or NULL                         owned */
     int line;                      /* in the plan                                     */
 };

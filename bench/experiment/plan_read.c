@@ -325,6 +325,7 @@ static enum status check_studies(const struct plan *plan, struct message *why)
                                     "an entry of paper lacks the key paper_ms");
     }
     TRY(check_labels(plan, &plan->reference, why));
+    TRY(check_labels(plan, &plan->table.shown, why));
 
     if (plan->axis_count || plan->listed_count || plan->map.x)
         return plan_case_refuse(

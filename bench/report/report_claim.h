@@ -1,5 +1,5 @@
-/* report_claim.h - the paper's claims, and what of each stands: of Table 4 judged here
- * from the tables that were kept, else as the commands judged them (kept.h).
+/* report_claim.h - the paper's claims, and what of each stands, as the commands judged them
+ * (kept.h).
  */
 #ifndef REPORT_CLAIM_H
 #define REPORT_CLAIM_H

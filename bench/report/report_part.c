@@ -44,7 +44,7 @@ const struct report_part report_part_list[] = {
     TABLE("1", "cost at comparable looks", {0}),
     TABLE("2", "milliseconds a frame", {"cost.png", NULL}),
     TABLE("3", "cost of degree and net", {"cost.png", NULL}),
-    TABLE("4", "which E, rho and mu give cloth", {"table4.png", NULL}),
+    TABLE("4", "which E, rho and mu give cloth", {0}),
     STUDY("drops", "Falling sheets (Figs. 7 and 8)", true,
           {"edge_sheets.png", "Fig. 7, top edge fixed, at 0.5, 1.5, 2.0, 3.25, 3.5 and "
            "4.25 s: the sheet starts at rest, falls, swings through, and back"},

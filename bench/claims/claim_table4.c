@@ -1,0 +1,508 @@
+/* The paper's Table 4 (plan table4-readings): its words beside the rules', a second opinion
+ * that is learnt from its words, and what is claimed of both. */
+#include <math.h>
+#include <string.h>
+
+#include "bench/claims/claim.h"
+#include "bench/experiment/learn.h"
+#include "bench/truth/paper.h"
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+/* An answer is whether a row is feasible (0), or has the paper's label n - 1; answers of a
+ * row are bits. */
+enum { ROWS = PAPER_TABLE4_ROWS, ANSWERS = PAPER_LABELS + 1 };
+
+/* What answers are learnt from: on a scene, each label from the measure that its rule
+ * judges by (feasible is who has no label); or each answer from one parameter alone. */
+enum { FLAG, DROP, SCENES, RATIO = SCENES, MU, TEACHERS };
+static const char *const scene_name[SCENES] = {"flag", "edge_drop"};
+
+static const char PRINTED[] = "printed", SOLID[] = "nonlinear solid",
+                  SHELL[] = "nonlinear shell";
+
+static const char *const number[ROWS] = {"1",  "2",  "3",  "4",  "5",  "6",
+                                         "7",  "8",  "9",  "10", "11", "12",
+                                         "13", "14", "15", "16", "17", "18"};
+#define AT(reading, scene, row)                                                            \
+    WHERE({"reading", reading}, {"scene", scene_name[scene]}, {"row", number[row]})
+
+static const char *name_of(int answer)
+{
+    return answer ? paper_label[answer - 1] : "feasible";
+}
+
+static int papers(int row)
+{
+    const int labels = (int)paper_table4[row].labels;
+
+    return labels ? labels << 1 : 1;
+}
+
+/* By the rules; -1: they cannot judge it. */
+static int ours(const struct study_results *d, const char *reading, int scene, int row)
+{
+    int bits = 0;
+
+    for (int n = 0; n < ANSWERS; n++) {
+        const enum judge is =
+            dataset_verdict(d, n ? name_of(n) : NULL, AT(reading, scene, row));
+        if (is == JUDGE_OPEN)
+            return -1;
+        bits |= (is == JUDGE_HOLDS) << n;
+    }
+    return bits;
+}
+
+/* Of the rows that can be judged: how many are called so, are answered as the paper answers
+ * them, and have all of its words. `paper`: how many it calls so. */
+struct count {
+    int judged, called, agree, same, paper;
+};
+
+static struct count count(const struct study_results *d, const char *reading, int scene,
+                          int answer)
+{
+    struct count c = {0};
+
+    for (int row = 0; row < ROWS; row++) {
+        const int we = ours(d, reading, scene, row), they = papers(row);
+        c.paper += they >> answer & 1;
+        c.judged += we >= 0;
+        c.called += we >= 0 && we >> answer & 1;
+        c.agree += we >= 0 && !((we ^ they) >> answer & 1);
+        c.same += we == they;
+    }
+    return c;
+}
+
+/* --- The second opinion. */
+
+static const struct verdict_rule *rule_of(const struct verdict_rules *rules, int answer)
+{
+    for (int n = 0; n < rules->count && answer; n++)
+        if (!strcmp(rules->rule[n].label, name_of(answer)))
+            return &rules->rule[n];
+    return NULL;
+}
+
+/* What a rule judges a printed row by; a time that did not come is infinite. */
+static double measured(const struct study_results *d, int scene, int row,
+                       const struct verdict_rule *rule)
+{
+    const enum quantity q = (enum quantity)(QUANTITIES - MEASURES + rule->measure);
+    const double v = dataset_at(d, q, AT(PRINTED, scene, row));
+
+    return isnan(v) && !strcmp(measure_unit(rule->measure), "s") ? INFINITY : v;
+}
+
+static void learn_from(const struct study_results *d, int teacher,
+                       struct learnt answer[ANSWERS])
+{
+    const bool scene = teacher < SCENES;
+    double value[ROWS];
+    bool yes[ROWS];
+
+    for (int n = ANSWERS - 1; n >= scene; n--) {
+        const struct verdict_rule *rule = rule_of(&d->plan->verdicts, n);
+        for (int row = 0; row < ROWS; row++) {
+            const struct paper_table4_row *p = &paper_table4[row];
+            yes[row] = papers(row) >> n & 1;
+            value[row] = teacher == RATIO ? p->young / p->density
+                         : teacher == MU  ? p->damping
+                         : rule           ? measured(d, teacher, row, rule)
+                                          : NAN;
+        }
+        answer[n] = learn(ROWS, value, yes,
+                          !scene                ? LEARN_ANY
+                          : rule && rule->above ? LEARN_ABOVE
+                                                : LEARN_BELOW);
+    }
+    for (int row = 0; scene && row < ROWS; row++) {
+        answer->fitted[row] = answer->left_out[row] = true;
+        for (int n = 1; n < ANSWERS; n++) {
+            answer->fitted[row] &= !answer[n].fitted[row];
+            answer->left_out[row] &= !answer[n].left_out[row];
+        }
+    }
+}
+
+static int right(int answer, const bool said[ROWS])
+{
+    int agree = 0;
+
+    for (int row = 0; row < ROWS; row++)
+        agree += said[row] == (papers(row) >> answer & 1);
+    return agree;
+}
+
+/* --- The tables. */
+
+/* "yes", "no: over-stretched, penetration". */
+static void words_cell(struct table *t, int answers)
+{
+    char text[128];
+
+    snprintf(text, sizeof text, "%s",
+             answers < 0   ? "not judged"
+             : answers & 1 ? "yes"
+                           : "no");
+    for (int n = 1; answers > 0 && n < ANSWERS; n++)
+        if (answers >> n & 1)
+            snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s",
+                     strchr(text, ':') ? ", " : ": ", name_of(n));
+    table_text(t, "%s", text);
+}
+
+static struct table *words_table(const struct study_results *d)
+{
+    static const struct table_column columns[] = {{"row"},
+                                                  {"E", "Pa"},
+                                                  {"rho", "kg/m^3"},
+                                                  {"mu"},
+                                                  {"ours, flag", NULL, TABLE_LEFT},
+                                                  {"ours, edge_drop", NULL, TABLE_LEFT},
+                                                  {"paper", NULL, TABLE_LEFT}};
+    struct table *t = table_create(COUNT(columns), columns,
+                                   "Feasible, and if not, why: the paper's scheme by the "
+                                   "rules, and the paper");
+
+    for (int row = 0; row < ROWS; row++) {
+        const struct paper_table4_row *p = &paper_table4[row];
+        table_row(t);
+        table_integer(t, row + 1);
+        table_number(t, p->young, 1);
+        table_number(t, p->density, 1);
+        table_number(t, p->damping, 1);
+        for (int s = 0; s < SCENES; s++)
+            words_cell(t, ours(d, PRINTED, s, row));
+        words_cell(t, papers(row));
+    }
+    return t;
+}
+
+static struct table *counts_table(const struct study_results *d)
+{
+    enum { BEFORE = 2, MOST = 16 };
+    struct table_column columns[BEFORE + ANSWERS] = {{"reading", NULL, TABLE_LEFT},
+                                                     {"scene", NULL, TABLE_LEFT}};
+    const char *reading[MOST];
+    const int readings = dataset_labels(d, "reading", MOST, reading) - 1; /* not fourfold */
+
+    for (int n = 0; n < ANSWERS; n++)
+        columns[BEFORE + n].header = name_of(n);
+    struct table *t = table_create(COUNT(columns), columns,
+                                   "Physics, or the scheme's? Rows of 18 that are called "
+                                   "so, and that are judged as the paper judges them");
+    for (int r = 0; r < SCENES * readings; r++) {
+        table_row(t);
+        table_text(t, "%s", reading[r / SCENES]);
+        table_text(t, "%s", scene_name[r % SCENES]);
+        for (int n = 0; n < ANSWERS; n++) {
+            const struct count c = count(d, reading[r / SCENES], r % SCENES, n);
+            table_text(t, "%d, %d", c.called, c.agree);
+        }
+    }
+    return t;
+}
+
+static struct table *lessons_table(const struct study_results *d)
+{
+    static const struct table_column columns[] = {{"answer", NULL, TABLE_LEFT},
+                                                  {"paper's rows"},
+                                                  {"always no"},
+                                                  {"flag: learnt"},
+                                                  {"left out", .key = "flag_left_out"},
+                                                  {"edge_drop: learnt"},
+                                                  {"left out", .key = "edge_drop_left_out"},
+                                                  {"E/rho: learnt", .key = "ratio_learnt"},
+                                                  {"left out", .key = "ratio_left_out"},
+                                                  {"mu: learnt", .key = "mu_learnt"},
+                                                  {"left out", .key = "mu_left_out"}};
+    struct learnt lesson[TEACHERS][ANSWERS];
+    struct table *t =
+        table_create(COUNT(columns), columns,
+                     "A second verdict: bounds learnt from the paper's own words, printed "
+                     "scheme; rows of 18 that they get right");
+
+    for (int k = 0; k < TEACHERS; k++)
+        learn_from(d, k, lesson[k]);
+    for (int n = 0; n < ANSWERS; n++) {
+        const struct verdict_rule *rule = rule_of(&d->plan->verdicts, n);
+        const int paper = count(d, PRINTED, FLAG, n).paper;
+        table_row(t);
+        table_text(t, "%s", name_of(n));
+        table_integer(t, paper);
+        table_integer(t, ROWS - paper);
+        for (int k = 0; k < TEACHERS; k++) {
+            table_integer(t, right(n, lesson[k][n].fitted));
+            table_integer(t, right(n, lesson[k][n].left_out));
+        }
+        for (int s = 0; rule && s < SCENES; s++) {
+            const struct learnt *l = &lesson[s][n];
+            if (l->low > l->high)
+                table_note(t, "%s, %s: never.", rule->label, scene_name[s]);
+            else
+                table_note(t, "%s, %s: %s %s %.3g.", rule->label, scene_name[s],
+                           measure_name(rule->measure), rule->above ? "above" : "below",
+                           rule->above ? l->low : l->high);
+        }
+    }
+    table_note(t,
+               "Left out: each row judged by bounds learnt from the 17 others. Feasible: "
+               "no label; of E/rho and mu, two bounds of its own.");
+    return t;
+}
+
+enum status claim_table4_tell(const struct study_results *d, const char *folder,
+                              enum table_format format, FILE *file, struct message *why)
+{
+    enum status st;
+
+    TRY(dataset_print(d, folder, format, file, why));
+    if (!d->quick) { /* whose runs are given no verdicts */
+        TRY(table_finish(words_table(d), format, file));
+        TRY(table_finish(counts_table(d), format, file));
+        TRY(table_finish(lessons_table(d), format, file));
+    }
+    if (table_format_is_prose(format)) {
+        TRY(claim_print(d, file));
+        measurement_machine(d->machine, file);
+    }
+out:
+    return st;
+}
+
+/* --- The claims. */
+
+/* Whether there are verdicts that can be counted. */
+static bool has_verdicts(const struct study_results *d, FILE *because)
+{
+    if (d->quick)
+        fputs("Runs that end early are given no verdicts.", because);
+    return !d->quick;
+}
+
+static enum judge of_all(int agree, int judged)
+{
+    return judged < ROWS ? JUDGE_OPEN : agree == ROWS ? JUDGE_HOLDS : JUDGE_FAILS;
+}
+
+static enum judge two_are_feasible(const struct study_results *d, FILE *because)
+{
+    const struct count flag = count(d, PRINTED, FLAG, 0), drop = count(d, PRINTED, DROP, 0);
+    struct learnt ratio[ANSWERS];
+
+    if (!has_verdicts(d, because))
+        return JUDGE_OPEN;
+    learn_from(d, RATIO, ratio);
+    fprintf(because,
+            "%d of 18 rows are yes or no as in the paper on flag, %d on edge_drop; `no` to "
+            "every row is right in %d, two bounds on E/rho alone, chosen in hindsight, in "
+            "%d.",
+            flag.agree, drop.agree, ROWS - flag.paper, right(0, ratio->fitted));
+    return of_all(flag.agree, flag.judged);
+}
+
+static enum judge words_are_the_same(const struct study_results *d, FILE *because)
+{
+    const struct count flag = count(d, PRINTED, FLAG, 0), drop = count(d, PRINTED, DROP, 0);
+
+    if (!has_verdicts(d, because))
+        return JUDGE_OPEN;
+    fprintf(because, "%d of 18 rows have the paper's words on flag, %d on edge_drop.",
+            flag.same, drop.same);
+    return of_all(flag.same, flag.judged);
+}
+
+/* Whether a label is physics: elastic models of the same sheet give it, too. */
+static enum judge physics(const struct study_results *d, enum paper_label label,
+                          FILE *because)
+{
+    static const char *const reading[] = {PRINTED, SOLID, SHELL};
+    int called[3], judged = 0;
+
+    if (!has_verdicts(d, because))
+        return JUDGE_OPEN;
+    fputs("Rows of 18 that are called so on flag and on edge_drop:", because);
+    for (int n = 0; n < 3; n++) {
+        const struct count flag = count(d, reading[n], FLAG, (int)label + 1),
+                           drop = count(d, reading[n], DROP, (int)label + 1);
+        called[n] = flag.called + drop.called;
+        judged += flag.judged + drop.judged;
+        fprintf(because, "%s %d and %d (%s)", n ? "," : "", flag.called, drop.called,
+                reading[n]);
+    }
+    fputs(".", because);
+    return judged < 6 * ROWS || !called[0] || !called[1] != !called[2] ? JUDGE_OPEN
+           : called[1]                                                 ? JUDGE_HOLDS
+                                                                       : JUDGE_FAILS;
+}
+
+static enum judge stretch_is_physics(const struct study_results *d, FILE *because)
+{
+    fprintf(because,
+            "A strip that hangs by its end stretches by %.2g at most in these rows, the "
+            "shell, in motion, by a factor of %.3f. ",
+            dataset_most(d, QUANTITY_HANGING_STRAIN, WHERE({"reading", PRINTED})),
+            dataset_most(d, QUANTITY_STRETCH_MAX, WHERE({"reading", SHELL})));
+    return physics(d, PAPER_OVER_STRETCHED, because);
+}
+
+#define PHYSICS(name, label)                                                               \
+    static enum judge name(const struct study_results *d, FILE *because)                   \
+    {                                                                                      \
+        return physics(d, label, because);                                                 \
+    }
+PHYSICS(penetration_is_physics, PAPER_PENETRATION)
+PHYSICS(lightness_is_physics, PAPER_TOO_LIGHT)
+PHYSICS(chaos_is_physics, PAPER_CHAOTIC)
+PHYSICS(wrinkles_are_physics, PAPER_FINE_WRINKLES)
+
+static enum judge one_parameter(const struct study_results *d, FILE *because)
+{
+    static const char *const row[] = {"4", "7", "14"};
+    double most = 0;
+
+    for (int n = 0; n < COUNT(row); n++)
+        most = judge_most(
+            most,
+            dataset_apart(d, WHERE({"reading", "printed, fourfold"}, {"row", row[n]}),
+                          WHERE({"reading", PRINTED}, {"scene", "flag"}, {"row", row[n]})));
+    fprintf(because,
+            "Gravity is the only load, and so rho divides out of the printed scheme: with "
+            "four times the E and four times the rho rows 4, 7 and 14 are %.2g L away from "
+            "where they were at %.2g s, at most.",
+            most, dataset_most(d, QUANTITY_END_TIME, WHERE({"reading", PRINTED})));
+    return isnan(most) ? JUDGE_OPEN : most == 0 ? JUDGE_HOLDS : JUDGE_FAILS;
+}
+
+static enum judge crossings_tell(const struct study_results *d, FILE *because)
+{
+    int most = 0, judged = 0, no = 0;
+
+    if (!has_verdicts(d, because))
+        return JUDGE_OPEN;
+    fputs("The printed sheet passes through itself in", because);
+    for (int s = 0; s < SCENES; s++) {
+        const struct count c = count(d, PRINTED, s, PAPER_PENETRATION + 1);
+        const struct where *where = WHERE({"reading", PRINTED}, {"scene", scene_name[s]});
+        most = c.agree > most ? c.agree : most;
+        judged += c.judged;
+        no = ROWS - c.paper;
+        fprintf(because, "%s %d of 18 rows on %s", s ? " and in" : "", c.called,
+                scene_name[s]);
+        if (c.called)
+            fprintf(because, " (first at %.3g to %.3g s)",
+                    dataset_least(d, QUANTITY_INTERSECTION_TIME, where),
+                    dataset_most(d, QUANTITY_INTERSECTION_TIME, where));
+    }
+    fprintf(because,
+            ", as the paper has it in %d rows at best; `no` to all is right in %d.", most,
+            no);
+    return judged < SCENES * ROWS ? JUDGE_OPEN : judge_below(no, most);
+}
+
+static enum judge row_7_is_chaos(const struct study_results *d, FILE *because)
+{
+    static const double FREE_FALL = 3.132; /* rms speed after L/2, sqrt(g L) [m/s] */
+    double died = NAN;
+    int others = 0, fast = 0;
+
+    for (int s = 0; s < 2; s++)
+        for (int row = 0; row < ROWS; row++) {
+            const struct where *at = AT(PRINTED, s, row);
+            const double time = dataset_at(d, QUANTITY_BLOWUP_TIME, at);
+            if (row == 6)
+                died = fmin(died, time);
+            else
+                others += !isnan(time);
+            fast += s == DROP && dataset_at(d, QUANTITY_SPEED_MAX, at) > FREE_FALL;
+        }
+    if (isnan(died))
+        fputs("Row 7 lives", because);
+    else
+        fprintf(because, "Row 7 blows up at %.3g s", died);
+    fprintf(because,
+            ", and %d runs of other rows blow up. On edge_drop %d rows move faster than "
+            "the sheet could by falling: under v <- mu v the scheme falls with "
+            "g (1 + mu) / 2 (1 - mu), which is 9.5 g at mu = 0.9.",
+            others, fast);
+    return isnan(died) || others ? JUDGE_FAILS : JUDGE_HOLDS;
+}
+
+/* Row 4 is the softest and heaviest sheet. */
+static enum judge it_flows(const struct study_results *d, FILE *because)
+{
+    const struct where *rows = WHERE({"reading", PRINTED}, {"scene", "flag"});
+    const double shell = dataset_at(d, QUANTITY_ANGLE_MAX, AT(SHELL, FLAG, 3));
+    const double printed = dataset_at(d, QUANTITY_ANGLE_MAX, AT(PRINTED, FLAG, 3));
+
+    fprintf(
+        because,
+        "Boards, not cloth: Gamma, weight against bending, is %.3g to %.3g in these rows "
+        "and 5e4 or more in measured fabrics of 1 m. The undamped shell, an elastic sheet "
+        "with these numbers, sinks with its middle line by %.2g degrees at most on flag "
+        "in row 4, the printed one's by %.3g.",
+        dataset_least(d, QUANTITY_GAMMA, rows), dataset_most(d, QUANTITY_GAMMA, rows),
+        shell, printed);
+    return judge_both(judge_below(dataset_most(d, QUANTITY_GAMMA, rows), 5e4),
+                      judge_below(shell, printed));
+}
+
+static enum judge words_teach(const struct study_results *d, FILE *because)
+{
+    struct learnt answer[ANSWERS];
+    int agree[TEACHERS], no = ROWS - count(d, PRINTED, FLAG, 0).paper;
+
+    for (int n = 0; n < TEACHERS; n++) {
+        learn_from(d, n, answer);
+        agree[n] = right(0, answer->left_out);
+    }
+    fprintf(because,
+            "Yes or no, of rows that the bounds were not learnt from: %d of 18 right from "
+            "what the runs on flag show, %d on edge_drop, %d from E/rho alone, %d by `no` "
+            "to all.",
+            agree[FLAG], agree[DROP], agree[RATIO], no);
+    return agree[FLAG] > no || agree[DROP] > no ? JUDGE_HOLDS : JUDGE_FAILS;
+}
+
+static enum judge maps_draw_it(const struct study_results *d, FILE *because)
+{
+    struct learnt answer[ANSWERS];
+    int same = 0;
+
+    learn_from(d, FLAG, answer);
+    for (int row = 0; row < ROWS; row++) {
+        bool is = true;
+        for (int n = 1; n < ANSWERS; n++) {
+            const struct verdict_rule *rule = rule_of(&d->plan->learnt, n);
+            const double v = rule ? measured(d, FLAG, row, rule) : NAN;
+            is &= answer[n].fitted[row] ==
+                  (rule && (rule->above ? v > rule->bound : v < rule->bound));
+        }
+        same += is;
+    }
+    fprintf(because,
+            "The bounds under `learnt` in the plan table4 judge %d of 18 rows as those "
+            "learnt on flag do.",
+            same);
+    return of_all(same, ROWS);
+}
+
+#define PAPER "Ren et al. 2024, Table 4", true
+const struct claim claim_table4[] = {
+    {"Rows 14 and 15 alone are feasible", PAPER, two_are_feasible},
+    {"What is wrong with each of the others", PAPER, words_are_the_same},
+    {"Over-stretching comes from E, rho and mu", PAPER, stretch_is_physics},
+    {"Penetration comes from E, rho and mu", PAPER, penetration_is_physics},
+    {"Lightness comes from E, rho and mu", PAPER, lightness_is_physics},
+    {"Chaos comes from E, rho and mu", PAPER, chaos_is_physics},
+    {"Too fine wrinkles come from E, rho and mu", PAPER, wrinkles_are_physics},
+    {"Row 7 alone is chaotic", PAPER, row_7_is_chaos},
+    {"E and rho are one parameter", "", false, one_parameter},
+    {"Crossings tell the paper's rows from the others", "", true, crossings_tell},
+    {"The printed scheme has no elastic memory, and flows", "", true, it_flows},
+    {"What the runs show teaches the paper's eye", "", true, words_teach},
+    {"Maps draw what the paper's words teach", "", true, maps_draw_it},
+    {0}};

@@ -65,16 +65,6 @@ struct job {
     struct batch batch; /* all first runs, one of each ensemble, all second ones, ...   */
 };
 
-static void job_clear(struct job *job)
-{
-    for (int k = 0; k < job->e.count; k++)
-        free(job->e.one[k].value);
-    free(job->e.time);
-    batch_clear(&job->batch);
-    scene_clear(&job->scene);
-    free(job->path);
-}
-
 static enum status choose(const struct experiment_options *o, const char *scene,
                           struct job *job, struct message *why)
 {
@@ -517,7 +507,12 @@ static enum status do_scene(const struct experiment_options *o, const char *scen
     else if ((st = read_runs(&job, e->count, why)) == STATUS_OK)
         st = study_ensemble_tell(e, o->folder, format, file, why);
 out:
-    job_clear(&job);
+    for (int k = 0; k < e->count; k++)
+        free(e->one[k].value);
+    free(e->time);
+    batch_clear(&job.batch);
+    scene_clear(&job.scene);
+    free(job.path);
     return st;
 }
 

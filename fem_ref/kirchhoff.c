@@ -205,11 +205,6 @@ out:
 
 /* -------------------------------------------------------------------- modes --------- */
 
-int kirchhoff_count(const struct kirchhoff *k)
-{
-    return k->count;
-}
-
 double kirchhoff_frequency(const struct kirchhoff *k, int i)
 {
     assert(i >= 0 && i < k->count);

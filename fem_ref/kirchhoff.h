@@ -40,9 +40,8 @@ enum status kirchhoff_create(const struct kirchhoff_plate *plate, int terms,
                              struct kirchhoff **k);
 void kirchhoff_destroy(struct kirchhoff *k);
 
-/* Number of modes, and angular frequency of mode i = 0, 1, ... ascending [rad/s]. About
- * the lowest third is converged. */
-int kirchhoff_count(const struct kirchhoff *k);
+/* Angular frequency of mode i = 0, 1, ... ascending [rad/s]. About the lowest third is
+ * converged. */
 double kirchhoff_frequency(const struct kirchhoff *k, int i);
 
 /* Mode i at (x, y): mean square over the plate 1, sign free. */

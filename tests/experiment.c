@@ -43,7 +43,7 @@ static void show(const struct experiment_options *o)
     for (size_t n = 0; n < sizeof steps / sizeof *steps; n++) {
         if (steps[n].done && steps[n].done < steps[n].total)
             usleep(110000);
-        experiment_progress(o, steps[n].what, steps[n].done, steps[n].total);
+        o->progress(o->context, steps[n].what, steps[n].done, steps[n].total);
         if (steps[n].done == steps[n].total)
             fputc('|', stderr);
     }
@@ -295,7 +295,6 @@ static void check_bar(void)
         for (const char *c = text; *c; c++)
             printf(*c < ' ' ? "<%d>" : "%c", *c);
     close(master);
-    experiment_progress(&(struct experiment_options){.folder = "shown"}, "nobody", 1, 2);
 }
 
 /* --- plans --------------------------------------------------------------------------- */

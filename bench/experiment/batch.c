@@ -52,15 +52,6 @@ struct settings *batch_settings(struct batch *b)
     return &b->settings[b->count - 1];
 }
 
-void batch_keep_end(struct measurement_case *c, const double *end)
-{
-    c->plan.end = *end;
-    c->keep.fields = RUN_FIELDS_TIMES;
-    c->keep.doubles = true;
-    c->keep.times = 1;
-    c->keep.time = end;
-}
-
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why)
 {
@@ -122,20 +113,6 @@ enum status batch_run_apart(struct batch *b, int count,
         pool_raise(&pool);
     }
 out:
-    return st;
-}
-
-enum status batch_measure(batch_plan *plan, const struct experiment_options *options,
-                          const char *what, struct message *why)
-{
-    const struct measurement_options how = experiment_measurement(options, what);
-    struct batch b = {0};
-    enum status st;
-
-    TRY(plan(&b, options->folder, options->quick, why));
-    TRY(batch_run(&b, &how, why));
-out:
-    batch_clear(&b);
     return st;
 }
 

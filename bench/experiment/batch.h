@@ -36,9 +36,6 @@ struct measurement_case *batch_add(struct batch *b, const char *path,
 /* Settings of the case added last, on top of the contestant's. */
 struct settings *batch_settings(struct batch *b);
 
-/* The case runs to *end [s] and keeps its field there alone, in 64 bits; borrowed. */
-void batch_keep_end(struct measurement_case *c, const double *end);
-
 /* Makes the folder and measures all of them. Errors as measurement_run. */
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why);
@@ -48,12 +45,6 @@ enum status batch_run(struct batch *b, const struct measurement_options *options
  * a sentence. STATUS_FAILED: one came to no result. */
 enum status batch_run_apart(struct batch *b, int count,
                             const struct measurement_options *options, struct message *why);
-
-/* All of it for an experiment: what `plan` fills an all-zero batch with. */
-typedef enum status batch_plan(struct batch *b, const char *folder, bool quick,
-                               struct message *why);
-enum status batch_measure(batch_plan *plan, const struct experiment_options *options,
-                          const char *what, struct message *why);
 
 /* run_result_read of the n-th. STATUS_MEMORY: there was none for its file's name. */
 enum status batch_read(const struct batch *b, int n, bool fields, struct run_result *r,

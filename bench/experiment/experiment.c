@@ -27,13 +27,6 @@ const struct command_option experiment_command_options[] = {
     {NULL, NULL, false, NULL},
 };
 
-void experiment_progress(const struct experiment_options *options, const char *what,
-                         int done, int total)
-{
-    if (options->progress)
-        options->progress(options->context, what, done, total);
-}
-
 struct measurement_options experiment_measurement(const struct experiment_options *options,
                                                   const char *what)
 {

@@ -52,10 +52,6 @@ struct experiment {
                         enum table_format format, FILE *file, struct message *why);
 };
 
-/* Calls options->progress if there is one. */
-void experiment_progress(const struct experiment_options *options, const char *what,
-                         int done, int total);
-
 /* For runs that are measured together, as the experiment is. */
 struct measurement_options experiment_measurement(const struct experiment_options *options,
                                                   const char *what);

@@ -84,17 +84,6 @@ void judge_print(FILE *file, const char *quote, enum judge turn, const char *for
     judge_kept(quote, word[turn], sentence);
 }
 
-void judge_say(FILE *file, const char *format, ...)
-{
-    char text[1400] = "- ";
-    va_list words;
-
-    va_start(words, format);
-    vsnprintf(text + 2, sizeof text - 2, format, words);
-    va_end(words);
-    table_print_wrapped(text, file);
-}
-
 static void path_of(const char *folder, char path[4096])
 {
     snprintf(path, 4096, "%s/quick.txt", folder);

@@ -49,9 +49,6 @@ void judge_keep(struct table *rows);
 /* Such a row alone, for a sentence that was printed in another way. */
 void judge_kept(const char *quote, const char *verdict, const char *sentence);
 
-/* `- SENTENCE`, likewise in lines that fit. */
-void judge_say(FILE *file, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 /* FOLDER/quick.txt says that what is there is of a quick run: set before the first run of a
  * quick one, taken away after the last of a full one. */
 void judge_mark(const char *folder, bool quick);

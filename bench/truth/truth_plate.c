@@ -55,11 +55,6 @@ out:
     return st;
 }
 
-double truth_plate_error(const struct truth_plate *t, int n, const double *xyz)
-{
-    return metric_rmse(xyz, t->xyz[n]) / metric_rmse(t->xyz[n], t->rest);
-}
-
 double truth_plate_edge(const double *xyz, const double *rest)
 {
     double sum = 0;
@@ -70,11 +65,6 @@ double truth_plate_edge(const double *xyz, const double *rest)
             sum += xyz[n] - (rest ? rest[n] : 0);
         }
     return sum / 4;
-}
-
-double truth_plate_tip(const struct truth_plate *t, const double *xyz)
-{
-    return truth_plate_edge(xyz, t->rest) / truth_plate_edge(t->xyz[t->times], t->rest);
 }
 
 double truth_plate_drop(const struct scene *scene, bool linear)

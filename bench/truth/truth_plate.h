@@ -27,16 +27,9 @@ enum status truth_plate_init(struct truth_plate *t, const struct scene *scene, i
                              const double *time, struct message *why);
 void truth_plate_clear(struct truth_plate *t); /* all-zero is allowed, and left */
 
-/* RMSE of a field against the truth at the n-th time (`times`: static), over the truth's
- * rms displacement. */
-double truth_plate_error(const struct truth_plate *t, int n, const double *xyz);
-
 /* Where the middle of the free edge is along z in a field, or how far from `rest` [m]: of
  * the two grid points nearest it, either side, both layers. */
 double truth_plate_edge(const double *xyz, const double *rest);
-
-/* Deflection there over the truth's, static. */
-double truth_plate_tip(const struct truth_plate *t, const double *xyz);
 
 /* Drop of a cantilever's tip under its own weight, over its length: Kirchhoff's plate or,
  * if displacements are not `linear`, the elastica. NaN: the scene is no such sheet. */

@@ -38,7 +38,7 @@ struct chart_pane {
 
 struct chart {
     char *title; /*                                                              owned */
-    int columns, pane_count, look_count;
+    int pane_count, look_count;
     struct chart_pane *pane; /*                                                  owned */
     bool failed;             /* out of memory somewhere                                */
 };
@@ -128,12 +128,6 @@ void chart_destroy(struct chart *c)
     free(c->pane);
     free(c->title);
     free(c);
-}
-
-void chart_columns(struct chart *c, int columns)
-{
-    if (c)
-        c->columns = columns;
 }
 
 static void copy_axis(struct chart *c, struct chart_axis *to, const struct chart_axis *from)
@@ -700,7 +694,7 @@ static struct layout layout_of(const struct chart *c)
     const int panes = c->pane_count;
     struct layout y = {.pane_height = panes == 1 ? HIGH : LOW};
 
-    y.columns = c->columns ? c->columns : panes < 10 ? columns_of[panes] : 4;
+    y.columns = panes < 10 ? columns_of[panes] : 4;
     y.rows = (panes + y.columns - 1) / y.columns;
     y.width = y.columns == 1 ? WIDE : NARROW * y.columns;
     y.legend = legend_of(c, y.width);

@@ -31,9 +31,6 @@ enum { CHART_LINES_MOST = 8 };
 struct chart *chart_create(const char *title);
 void chart_destroy(struct chart *c); /* NULL is allowed */
 
-/* Panels side by side in a row; 0, as at the start: by their number. */
-void chart_columns(struct chart *c, int columns);
-
 struct chart_tic {
     double at;
     const char *text; /* NULL: the number */

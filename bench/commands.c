@@ -12,7 +12,6 @@
 #include "bench/stress/stress.h"
 #include "bench/studies/studies.h"
 #include "bench/sweep/sweep.h"
-#include "bench/tables/tables.h"
 #include "bench/truth/truth_command.h"
 #include "bench/truth/truth_file.h"
 #include "bench/verify/verify.h"
@@ -168,9 +167,11 @@ static const struct command list_command = {
 };
 
 const struct command *const commands[] = {
-    &list_command,    &run_command,    &compare_command, &advise_command, &tables_command,
-    &studies_command, &sweep_command,  &truth_command,   &export_command, &score_command,
-    &verify_command,  &stress_command, &bench_command,   &report_command, NULL,
+    &list_command,   &run_command,           &compare_command,
+    &advise_command, &studies_table_command, &studies_command,
+    &sweep_command,  &truth_command,         &export_command,
+    &score_command,  &verify_command,        &stress_command,
+    &bench_command,  &report_command,        NULL,
 };
 
 enum status commands_find(const char *name, const struct command **command,

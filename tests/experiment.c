@@ -2,6 +2,7 @@
 /* What the commands `table` and `study` make of their words and options, on experiments
  * that only note what they are given: which is run, into which folder, with what, what is
  * printed from where, and what is refused with which sentence. */
+#include "bench/experiment/dataset.h"
 #include "bench/experiment/experiment.h"
 
 #include <fcntl.h>
@@ -141,7 +142,8 @@ static enum status call(const char *text, struct message *why)
     const enum status end = seen.end;
     memset(&seen, 0, sizeof seen);
     seen.end = end;
-    const enum status st = experiment_command(&line, !strcmp(command.name, "study"), why);
+    const enum status st = experiment_command(
+        &line, strcmp(command.name, "study") ? NULL : dataset_print, why);
     command_line_clear(&line);
     return st;
 }

@@ -203,7 +203,7 @@ out:
 }
 
 /* What the word means: `own` is filled in if it is a plan. */
-static enum status choose(const struct command_line *line, bool plans,
+static enum status choose(const struct command_line *line, experiment_tell *plans,
                           struct experiment *own, const struct experiment **e,
                           struct message *why)
 {
@@ -216,9 +216,9 @@ static enum status choose(const struct command_line *line, bool plans,
     const enum status st =
         plans ? named_file_find(&plan_study_kind, word, &path, NULL) : STATUS_INPUT;
     if (st != STATUS_OK)
-        return st == STATUS_MEMORY ? st : refuse(line->command, word, plans, why);
+        return st == STATUS_MEMORY ? st : refuse(line->command, word, plans != NULL, why);
     free(path);
-    *own = (struct experiment){.plan = word};
+    *own = (struct experiment){.plan = word, .tell = plans};
     *e = own;
     return STATUS_OK;
 }
@@ -248,7 +248,7 @@ out:
     return st;
 }
 
-enum status experiment_command(const struct command_line *line, bool plans,
+enum status experiment_command(const struct command_line *line, experiment_tell *plans,
                                struct message *why)
 {
     const char *out = command_value(line, "--out"), *from = command_value(line, "--from");

@@ -2,9 +2,8 @@
  * files in a folder, and what is printed from these files alone, so that a new format or
  * plot needs no new run. One runner serves the commands `table` and `study`.
  *
- * Most are the studies of a plan (plan.h), and have sentences on them at most. An
- * experiment is one `const struct experiment`, named in bench/tables/tables.c or
- * bench/studies/studies.c and nowhere else; a plan of the user's needs none.
+ * Most are the studies of a plan (plan.h), which need no more than the plan. What has
+ * another name or is no plan is one `const struct experiment` in bench/studies/studies.c.
  */
 #ifndef EXPERIMENT_H
 #define EXPERIMENT_H
@@ -30,6 +29,12 @@ struct experiment_options {
 
 struct study_results; /* study.h */
 
+/* Prints tables and sentences of what came of a plan's studies to `file`; CSV, plots and
+ * pictures go into the folder, with a line on each. */
+typedef enum status experiment_tell(const struct study_results *r, const char *folder,
+                                    enum table_format format, FILE *file,
+                                    struct message *why);
+
 struct experiment {
     struct command_item item; /* name and a line on it; first: the command's items are
                                  pointers to these. No line: its plan has it            */
@@ -47,9 +52,7 @@ struct experiment {
     enum status (*print)(const char *folder, enum table_format format, FILE *file,
                          struct message *why);
 
-    /* The same with a plan, from what came of it. NULL: study_print_all. */
-    enum status (*tell)(const struct study_results *r, const char *folder,
-                        enum table_format format, FILE *file, struct message *why);
+    experiment_tell *tell; /* the same with a plan; NULL: dataset_print                */
 };
 
 /* For runs that are measured together, as the experiment is. */
@@ -57,9 +60,9 @@ struct measurement_options experiment_measurement(const struct experiment_option
                                                   const char *what);
 
 /* What the commands `table` and `study` do: the experiment that the first word names, or,
- * with `plans`, the studies of the plan that it names. Results go to
- * results/<command><name> unless said otherwise. */
-enum status experiment_command(const struct command_line *line, bool plans,
+ * if there is a `plans` to tell of them, the studies of the plan that it names. Results go
+ * to results/<command><name> unless said otherwise. */
+enum status experiment_command(const struct command_line *line, experiment_tell *plans,
                                struct message *why);
 
 /* Runs all of it into options->folder (measure), prints all of it from a folder: for the

@@ -2,23 +2,6 @@
  * for each, with NAME(x) giving its names. Arithmetic is contracted (a b + c in one
  * rounding): see CMakeLists.txt. */
 
-/* x, v, y: positions, velocities, new positions of the strip, by component; c: coefficients
- * [SWEEP_COUNT][wide]; count a multiple of the padding; pitch from row to row; t:
- * tensions of cells, [CELL_SIDES][stride] and the row before; NULL without. */
-static inline __attribute__((always_inline)) void
-NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
-             ptrdiff_t pitch, REAL dt, REAL lag, const bool lags, const REAL *restrict t,
-             ptrdiff_t stride, const REAL *restrict c, const REAL *restrict x0,
-             const REAL *restrict x1, const REAL *restrict x2, REAL *restrict v0,
-             REAL *restrict v1, REAL *restrict v2, REAL *restrict y0, REAL *restrict y1,
-             REAL *restrict y2)
-{
-    const REAL NOT_ZERO = (REAL)1e-30; /* m^2: where points meet, in padding, as 0 / 0 */
-
-    count -= count % SWEEP_PAD; /* tells the compiler that no rest is left */
-    for (ptrdiff_t j = 0; j < count; j++) {
-        const REAL push = law == SWEEP_CELLS ? c[SWEEP_PUSH * wide + j] : 0;
-        REAL f0 = 0, f1 = 0, f2 = 0;
 /* A neighbour `offset` behind: pull A e, (A + B |e|^2) e, (A + B / |e|) e, or of cells
  * (A + tension) e. */
 #define EDGE(offset)                                                                       \
@@ -47,6 +30,24 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
         const REAL pull = C(part, n) * (law == SWEEP_STRUTS ? OVER : 1);                   \
         ADD(pull);                                                                         \
     }
+
+/* x, v, y: positions, velocities, new positions of the strip, by component; c: coefficients
+ * [SWEEP_COUNT][wide]; count a multiple of the padding; pitch from row to row; t:
+ * tensions of cells, [CELL_SIDES][stride] and the row before; NULL without. */
+static inline __attribute__((always_inline)) void
+NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
+             ptrdiff_t pitch, REAL dt, REAL lag, const bool lags, const REAL *restrict t,
+             ptrdiff_t stride, const REAL *restrict c, const REAL *restrict x0,
+             const REAL *restrict x1, const REAL *restrict x2, REAL *restrict v0,
+             REAL *restrict v1, REAL *restrict v2, REAL *restrict y0, REAL *restrict y1,
+             REAL *restrict y2)
+{
+    const REAL NOT_ZERO = (REAL)1e-30; /* m^2: where points meet, in padding, as 0 / 0 */
+
+    count -= count % SWEEP_PAD; /* tells the compiler that no rest is left */
+    for (ptrdiff_t j = 0; j < count; j++) {
+        const REAL push = law == SWEEP_CELLS ? c[SWEEP_PUSH * wide + j] : 0;
+        REAL f0 = 0, f1 = 0, f2 = 0;
         NEAR(0, -pitch - 1, T(CELL_RISING, -pitch - 1))
         NEAR(1, -pitch, T(CELL_BOTTOM, -pitch) + T(CELL_TOP, -pitch - 1))
         NEAR(2, -pitch + 1, T(CELL_FALLING, -pitch))
@@ -65,14 +66,6 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
             FAR(SWEEP_CORNER, 2, 2 * pitch - 2)
             FAR(SWEEP_CORNER, 3, 2 * pitch + 2)
         }
-#undef EDGE
-#undef SQUARE
-#undef OVER
-#undef ADD
-#undef C
-#undef NEAR
-#undef T
-#undef FAR
         REAL keep = c[SWEEP_KEEP * wide + j];
         const REAL *free = c + SWEEP_FREE * wide + j, *kick = c + SWEEP_KICK * wide + j;
         REAL new0 = keep * v0[j] + (free[0] * f0 + kick[0]);
@@ -84,6 +77,15 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
         v0[j] = new0, v1[j] = new1, v2[j] = new2;
     }
 }
+
+#undef EDGE
+#undef SQUARE
+#undef OVER
+#undef ADD
+#undef C
+#undef NEAR
+#undef T
+#undef FAR
 
 #define STRIP(name, law, lags)                                                             \
     CLONES static void NAME(name)(                                                         \

@@ -68,8 +68,6 @@ static void solvers(void)
 }
 
 /* Iterated to the end all are at 0, small steps .01 away with Euler, .001 with BDF2. */
-static void local_global(void)
-{
 #define AT(method, count)                                                                  \
     {                                                                                      \
         {"time", "Euler"}, {"method", method},                                             \
@@ -77,68 +75,70 @@ static void local_global(void)
             "iterations", count                                                            \
         }                                                                                  \
     }
-    static const struct change begin[] = {
-        {PLACE, 0.5, AT("plain", "20")},
-        {PLACE, 0.5, AT("plain", "50")},
-        {PLACE, 0.05, AT("Chebyshev", "50")},
-        {PLACE, 0.005, AT("ADMM", "20")},
-        {PLACE, 0.01, {{"iterations", "end"}}},
-        {PLACE, 0, AT("ADMM", "end")},
-        {PLACE, 0.009, {{"time", "BDF2"}, {"step", "5 ms"}, {"iterations", "end"}}},
-        {ERROR, 0.001, {{"iterations", "end"}}},
-    };
-    static const struct turn turns[] = {
-        {"Frames of 5 ms: iterations",
-         JUDGE_HOLDS,
-         "edge_drop: 0.01 L is what Euler's step takes, 20 plain iterations leave 0.5 L",
-         {{0}}},
-        {"Frames of 5 ms: iterations",
-         JUDGE_FAILS,
-         "corners_patch: 0.01 L is what Euler's step takes, 20 plain iterations leave "
-         "0.004 L",
-         {{PLACE,
-           0.004,
-           {{"study", "corners_patch"}, {"method", "plain"}, {"iterations", "20"}}}}},
-        {"Frames of 5 ms: Chebyshev",
-         JUDGE_HOLDS,
-         "0.05 L is what 50 iterations leave, without it 0.5 L",
-         {{0}}},
-        {"Frames of 5 ms: Chebyshev",
-         JUDGE_FAILS,
-         "edge_drop: 0.6 L",
-         {{PLACE,
-           0.6,
-           {{"study", "edge_drop"},
-            {"time", "Euler"},
-            {"method", "Chebyshev"},
-            {"iterations", "50"}}}}},
-        {"Frames of 5 ms: ADMM",
-         JUDGE_HOLDS,
-         "0.005 L is what 20 iterations leave, without it 0.5 L",
-         {{0}}},
-        {"Frames of 5 ms: ADMM", JUDGE_FAILS, "0.7 L", {{PLACE, 0.7, AT("ADMM", "20")}}},
-        {"Frames of 5 ms: 20",
-         JUDGE_HOLDS,
-         "0.005 L is what they leave, the worse of step and net takes 0.01 L",
-         {{0}}},
-        {"Frames of 5 ms: 20", JUDGE_FAILS, "0.7 L", {{PLACE, 0.7, AT("ADMM", "20")}}},
-        {"Frames of 5 ms: 20",
-         JUDGE_HOLDS,
-         "takes 0.9 L",
-         {{PLACE, 0.7, AT("ADMM", "20")},
-          {ERROR, 0.9, {{"step", "small"}, {"iterations", "end"}}}}},
-        {"Frames of 5 ms: second",
-         JUDGE_HOLDS,
-         "0.001 L is what BDF2's step takes, Euler's 0.01 L",
-         {{0}}},
-        {"Frames of 5 ms: second",
-         JUDGE_FAILS,
-         "Euler's 0.01 L",
-         {{PLACE, 0.5, {{"time", "BDF2"}, {"step", "5 ms"}, {"iterations", "end"}}}}},
-    };
+static const struct change local_begin[] = {
+    {PLACE, 0.5, AT("plain", "20")},
+    {PLACE, 0.5, AT("plain", "50")},
+    {PLACE, 0.05, AT("Chebyshev", "50")},
+    {PLACE, 0.005, AT("ADMM", "20")},
+    {PLACE, 0.01, {{"iterations", "end"}}},
+    {PLACE, 0, AT("ADMM", "end")},
+    {PLACE, 0.009, {{"time", "BDF2"}, {"step", "5 ms"}, {"iterations", "end"}}},
+    {ERROR, 0.001, {{"iterations", "end"}}},
+};
+static const struct turn local_turns[] = {
+    {"Frames of 5 ms: iterations",
+     JUDGE_HOLDS,
+     "edge_drop: 0.01 L is what Euler's step takes, 20 plain iterations leave 0.5 L",
+     {{0}}},
+    {"Frames of 5 ms: iterations",
+     JUDGE_FAILS,
+     "corners_patch: 0.01 L is what Euler's step takes, 20 plain iterations leave "
+     "0.004 L",
+     {{PLACE,
+       0.004,
+       {{"study", "corners_patch"}, {"method", "plain"}, {"iterations", "20"}}}}},
+    {"Frames of 5 ms: Chebyshev",
+     JUDGE_HOLDS,
+     "0.05 L is what 50 iterations leave, without it 0.5 L",
+     {{0}}},
+    {"Frames of 5 ms: Chebyshev",
+     JUDGE_FAILS,
+     "edge_drop: 0.6 L",
+     {{PLACE,
+       0.6,
+       {{"study", "edge_drop"},
+        {"time", "Euler"},
+        {"method", "Chebyshev"},
+        {"iterations", "50"}}}}},
+    {"Frames of 5 ms: ADMM",
+     JUDGE_HOLDS,
+     "0.005 L is what 20 iterations leave, without it 0.5 L",
+     {{0}}},
+    {"Frames of 5 ms: ADMM", JUDGE_FAILS, "0.7 L", {{PLACE, 0.7, AT("ADMM", "20")}}},
+    {"Frames of 5 ms: 20",
+     JUDGE_HOLDS,
+     "0.005 L is what they leave, the worse of step and net takes 0.01 L",
+     {{0}}},
+    {"Frames of 5 ms: 20", JUDGE_FAILS, "0.7 L", {{PLACE, 0.7, AT("ADMM", "20")}}},
+    {"Frames of 5 ms: 20",
+     JUDGE_HOLDS,
+     "takes 0.9 L",
+     {{PLACE, 0.7, AT("ADMM", "20")},
+      {ERROR, 0.9, {{"step", "small"}, {"iterations", "end"}}}}},
+    {"Frames of 5 ms: second",
+     JUDGE_HOLDS,
+     "0.001 L is what BDF2's step takes, Euler's 0.01 L",
+     {{0}}},
+    {"Frames of 5 ms: second",
+     JUDGE_FAILS,
+     "Euler's 0.01 L",
+     {{PLACE, 0.5, {{"time", "BDF2"}, {"step", "5 ms"}, {"iterations", "end"}}}}},
+};
 #undef AT
 
-    check("local-global", begin, COUNT(begin), turns, COUNT(turns));
+static void local_global(void)
+{
+    check("local-global", local_begin, COUNT(local_begin), local_turns, COUNT(local_turns));
 }
 
 /* As they are made up, roughness grows from level to level, unevenness and errors fall. */

@@ -94,49 +94,50 @@ static void check_partly_held(const struct model *model)
 }
 
 /* What carries a sheet away as a whole is no blow-up, as far as it can: by rows. */
+enum { GRAVITY = 8, LOAD, WIND, PATH, HELD_XZ, HELD };
+static const struct {
+    int with; /* bits 1 << the above                                               */
+    double v[3], t, shift[3], corner;
+    enum status want;
+} carried[] = {
+    {0, {30, 0, 0}, 1, {30, 0, 0}, 0, STATUS_OK},
+    {0, {30, 0, 0}, 1, {30, 0, 0}, 9.9, STATUS_OK},
+    {0, {30, 0, 0}, 1, {30, 0, 0}, 10.1, STATUS_ESCAPED},
+    {0, {30, 0, 0}, 1, {0, -30, 0}, 0, STATUS_OK}, /* round a corner               */
+    {0, {30, 0, 0}, 1, {39.9, 0, 0}, 0, STATUS_OK},
+    {0, {30, 0, 0}, 1, {40.1, 0, 0}, 0, STATUS_ESCAPED},
+    {0, {30, 0, 0}, 0.5, {26, 0, 0}, 0, STATUS_ESCAPED},
+    {0, {0, 0, 0}, 1, {9.9, 0, 0}, 0, STATUS_OK},
+    {0, {0, 0, 0}, 1, {10.1, 0, 0}, 0, STATUS_ESCAPED},
+    {1 << GRAVITY, {0, 0, 0}, 4, {0, 0, -78}, 0, STATUS_OK}, /* g t^2 / 2 = 80      */
+    {1 << GRAVITY, {0, 0, 0}, 4, {0, 0, -91}, 0, STATUS_ESCAPED},
+    {1 << GRAVITY, {0, 0, 0}, 4, {0, 0, 9.9}, 0, STATUS_OK}, /* it cannot rise      */
+    {1 << GRAVITY, {0, 0, 0}, 4, {0, 0, 10.1}, 0, STATUS_ESCAPED},
+    {1 << GRAVITY, {20, 0, 0}, 4, {0, 0, 29.9}, 0, STATUS_OK}, /* v^2 / 2 g = 20    */
+    {1 << GRAVITY, {20, 0, 0}, 4, {0, 0, 30.1}, 0, STATUS_ESCAPED},
+    {1 << LOAD, {0, 0, 0}, 2, {0, 44, 0}, 0, STATUS_OK}, /* 20 m/s^2: 40            */
+    {1 << LOAD, {0, 0, 0}, 2, {0, 51, 0}, 0, STATUS_ESCAPED},
+    {1 << WIND, {0, 0, 0}, 2, {29, 0, 0}, 0, STATUS_OK}, /* 10 m/s                  */
+    {1 << WIND, {0, 0, 0}, 2, {31, 0, 0}, 0, STATUS_ESCAPED},
+    {1 << HELD, {30, 0, 0}, 1, {11, 0, 0}, 0, STATUS_ESCAPED},
+    {1 << HELD_XZ, {0, 30, 0}, 1, {0, 30, 0}, 0, STATUS_OK},
+    {1 << HELD_XZ, {0, 30, 0}, 1, {11, 0, 0}, 0, STATUS_ESCAPED},
+    {1 << HELD | 1 << PATH, {0, 0, 0}, 1, {20, 0, 0}, 0, STATUS_OK},
+    {1 << HELD | 1 << PATH, {0, 0, 0}, 0, {20, 0, 0}, 0, STATUS_ESCAPED},
+    {1 << HELD | 1 << PATH, {0, 0, 0}, 1, {0, 0, 0}, 0, STATUS_ESCAPED},
+};
+
 static void test_carried(void)
 {
-    enum { GRAVITY = 8, LOAD, WIND, PATH, HELD_XZ, HELD };
-    static const struct {
-        int with; /* bits 1 << the above                                               */
-        double v[3], t, shift[3], corner;
-        enum status want;
-    } rows[] = {
-        {0, {30, 0, 0}, 1, {30, 0, 0}, 0, STATUS_OK},
-        {0, {30, 0, 0}, 1, {30, 0, 0}, 9.9, STATUS_OK},
-        {0, {30, 0, 0}, 1, {30, 0, 0}, 10.1, STATUS_ESCAPED},
-        {0, {30, 0, 0}, 1, {0, -30, 0}, 0, STATUS_OK}, /* round a corner               */
-        {0, {30, 0, 0}, 1, {39.9, 0, 0}, 0, STATUS_OK},
-        {0, {30, 0, 0}, 1, {40.1, 0, 0}, 0, STATUS_ESCAPED},
-        {0, {30, 0, 0}, 0.5, {26, 0, 0}, 0, STATUS_ESCAPED},
-        {0, {0, 0, 0}, 1, {9.9, 0, 0}, 0, STATUS_OK},
-        {0, {0, 0, 0}, 1, {10.1, 0, 0}, 0, STATUS_ESCAPED},
-        {1 << GRAVITY, {0, 0, 0}, 4, {0, 0, -78}, 0, STATUS_OK}, /* g t^2 / 2 = 80      */
-        {1 << GRAVITY, {0, 0, 0}, 4, {0, 0, -91}, 0, STATUS_ESCAPED},
-        {1 << GRAVITY, {0, 0, 0}, 4, {0, 0, 9.9}, 0, STATUS_OK}, /* it cannot rise      */
-        {1 << GRAVITY, {0, 0, 0}, 4, {0, 0, 10.1}, 0, STATUS_ESCAPED},
-        {1 << GRAVITY, {20, 0, 0}, 4, {0, 0, 29.9}, 0, STATUS_OK}, /* v^2 / 2 g = 20    */
-        {1 << GRAVITY, {20, 0, 0}, 4, {0, 0, 30.1}, 0, STATUS_ESCAPED},
-        {1 << LOAD, {0, 0, 0}, 2, {0, 44, 0}, 0, STATUS_OK}, /* 20 m/s^2: 40            */
-        {1 << LOAD, {0, 0, 0}, 2, {0, 51, 0}, 0, STATUS_ESCAPED},
-        {1 << WIND, {0, 0, 0}, 2, {29, 0, 0}, 0, STATUS_OK}, /* 10 m/s                  */
-        {1 << WIND, {0, 0, 0}, 2, {31, 0, 0}, 0, STATUS_ESCAPED},
-        {1 << HELD, {30, 0, 0}, 1, {11, 0, 0}, 0, STATUS_ESCAPED},
-        {1 << HELD_XZ, {0, 30, 0}, 1, {0, 30, 0}, 0, STATUS_OK},
-        {1 << HELD_XZ, {0, 30, 0}, 1, {11, 0, 0}, 0, STATUS_ESCAPED},
-        {1 << HELD | 1 << PATH, {0, 0, 0}, 1, {20, 0, 0}, 0, STATUS_OK},
-        {1 << HELD | 1 << PATH, {0, 0, 0}, 0, {20, 0, 0}, 0, STATUS_ESCAPED},
-        {1 << HELD | 1 << PATH, {0, 0, 0}, 1, {0, 0, 0}, 0, STATUS_ESCAPED},
-    };
     double path[][4] = {{0, 0, 0, 0}, {1, 20, 0, 0}};
 
-    for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
-        const int with = rows[r].with;
+    for (size_t r = 0; r < sizeof carried / sizeof *carried; r++) {
+        const int with = carried[r].with;
         struct scene scene;
         struct scene_support edge = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .fix = FIX_XYZ};
         REQUIRE(scene_init(&scene) == STATUS_OK);
         scene.gravity[2] = with & 1 << GRAVITY ? -10 : 0;
-        memcpy(scene.velocity, rows[r].v, sizeof scene.velocity);
+        memcpy(scene.velocity, carried[r].v, sizeof scene.velocity);
         scene.drag = with & 1 << WIND ? 1 : 0;
         scene.wind[0] = 10;   /* nothing without drag */
         if (with & 1 << LOAD) /* of a sheet of 0.01 kg */
@@ -152,9 +153,9 @@ static void test_carried(void)
         REQUIRE(xyz);
         for (int n = 0; n < GRID_POINTS; n++)
             for (int c = 0; c < 3; c++)
-                xyz[3 * n + c] += rows[r].shift[c];
-        xyz[3 * (GRID_POINTS - 1) + 1] += rows[r].corner;
-        if (!CHECK(metric_blowup(&scene, rows[r].t, xyz) == rows[r].want))
+                xyz[3 * n + c] += carried[r].shift[c];
+        xyz[3 * (GRID_POINTS - 1) + 1] += carried[r].corner;
+        if (!CHECK(metric_blowup(&scene, carried[r].t, xyz) == carried[r].want))
             printf("row %zu\n", r);
         scene_clear(&scene);
         free(xyz);

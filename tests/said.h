@@ -79,13 +79,4 @@ static inline void said_clear(struct said *s)
     *s = (struct said){0};
 }
 
-/* Ends it, and all of a list must be in it, whose end is NULL. */
-static inline void said_all(struct said *s, const char *what, const char *const *part)
-{
-    said_close(s, false);
-    for (; *part; part++)
-        said_has(s, what, *part);
-    said_clear(s);
-}
-
 #endif

@@ -82,14 +82,6 @@ static inline char *study_file(const char *name)
     return fresh_text(study_folder, name);
 }
 
-static inline void study_wants_file(const char *name, const char *want)
-{
-    char *text = study_squeeze(study_file(name));
-
-    study_wants(text, want);
-    free(text);
-}
-
 /* In `text`, CSV: of the lines below the line of keys `keys`, the one that comes `nth` of
  * those that begin with `label`, and has these numbers behind it; text cells are NaN. */
 static inline void study_row(const char *text, const char *keys, const char *label, int nth,
@@ -226,73 +218,6 @@ static inline void study_unmake(struct study_made *m)
         m->r.study[k].truth = NULL; /* not its own */
     study_clear(&m->r);
     plan_clear(&m->plan);
-}
-
-static inline struct study *study_of(struct study_made *m, const char *name)
-{
-    for (int k = 0; k < m->r.count; k++)
-        if (!strcmp(m->r.study[k].plan->name, name))
-            return &m->r.study[k];
-    REQUIRE(!"a study of that name");
-    return NULL;
-}
-
-/* What an experiment tells of it: sentences squeezed, CSV as it is. */
-static inline char *study_told(const struct experiment *e, const struct study_made *m,
-                               enum table_format format)
-{
-    struct message why = {""};
-    struct study_printed p;
-
-    if (!CHECK(e->tell(&m->r, study_folder, format, study_print_to(&p), &why) == STATUS_OK))
-        printf("%s\n", why.text);
-    char *text = study_printed_text(&p);
-    return format == TABLE_CSV ? text : study_squeeze(text);
-}
-
-/* One number of the last time, or of the only one, and what is said of it then. */
-struct study_turn {
-    const char *study; /* NULL: as it is                                                */
-    int level;
-    size_t member; /* of struct study_frame                                             */
-    double value;
-    const char *want;
-    bool quick;
-    void (*change)(struct study_made *m); /* or NULL                                    */
-};
-
-static inline bool study_same(const struct study_turn *a, const struct study_turn *b)
-{
-    return a->study == b->study && a->level == b->level && a->member == b->member &&
-           (!a->study || a->value == b->value) && a->quick == b->quick &&
-           a->change == b->change;
-}
-
-static inline void study_turns(const struct experiment *e, struct study_made *m,
-                               size_t count, const struct study_turn *turn)
-{
-    char *text = NULL;
-
-    for (size_t n = 0; n < count; n++) {
-        if (n && study_same(&turn[n], &turn[n - 1])) {
-            study_wants(text, turn[n].want);
-            continue;
-        }
-        study_fill(m);
-        m->r.quick = turn[n].quick;
-        if (turn[n].study) {
-            struct study *s = study_of(m, turn[n].study);
-            struct study_frame *f = &s->row[turn[n].level].frame[s->frames - 1];
-            *(double *)((char *)f + turn[n].member) = turn[n].value;
-        }
-        if (turn[n].change)
-            turn[n].change(m);
-        free(text);
-        text = study_told(e, m, TABLE_TEXT);
-        study_wants(text, turn[n].want);
-    }
-    free(text);
-    study_fill(m);
 }
 
 #endif

@@ -48,7 +48,10 @@ enum status claim_print(const struct study_results *d, FILE *file)
         if (d->quick && (c->full || turn == JUDGE_OPEN))
             turn = JUDGE_QUICK;
         if (fclose(text) == 0)
-            judge_print(file, c->quote, turn, "%s", because);
+            judge_print(file, c->quote, turn, "%s",
+                        turn == JUDGE_QUICK && strstr(because, "nan")
+                            ? "A quick run leaves out what decides this."
+                            : because);
         free(because);
     }
     return STATUS_OK;

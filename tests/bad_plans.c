@@ -102,6 +102,9 @@ static const struct wrong BAD[] = {
     {16, "times: [0.1]", "times is for studies, but the plan has no levels"},
     {16, "truth: true", "truth is for studies, but the plan has no levels"},
     {16, "timed: 3", "timed is for studies, but the plan has no levels"},
+    {16, "table: {columns: [drop]}", "table is for studies, but the plan has no levels"},
+    {16, "skip: [{study: edge}]", "skip is for studies, but the plan has no levels"},
+    {16, "reference: {study: edge}", "reference is for studies, but the plan has no"},
     {16, "- x", "not YAML"},
 };
 
@@ -151,6 +154,13 @@ static const struct wrong BAD_STUDIES[] = {
     {13, "paper: [{study: ege, paper_ms: 9}]",
      "the axis 'study', which has no label 'ege'"},
     {13, "cases: [{name: a}]", "a plan with levels has no axes, cases and map"},
+    {13, "skip: [{study: ege}]", "the axis 'study', which has no label 'ege'"},
+    {13, "skip: [{colour: red}]", "no study has an axis 'colour', nor a label 'red'"},
+    {13, "skip: [{study: edge, quick: maybe}]", "quick is 'maybe', but must be true or"},
+    {13, "skip: [5]", "a map {AXIS: LABEL} is wanted"},
+    {13, "reference: {level: [5x5x2, [a]]}", "but must be a label of the axis"},
+    {11, "  - {name: edge, levels: {net: []}}", "levels is an empty list, but must be"},
+    {11, "  - {name: edge, levels: {}}", "or a map of up to 4 axes"},
     {13, "table: {columns: [stretch], shown: {colour: red}}", "no study has an axis"},
     {13, "axes: [{key: gamma, values: [1]}]", "a plan with levels has no axes, cases and"},
 };

@@ -65,6 +65,24 @@ static void check_energy(const struct looks *l, const double *value)
     CHECK(value[MEASURE_ENERGY_DRIFT_END] == drift[LOOKS - 1]);
 }
 
+/* What obstacles carry at the end is a mean over the last tenth of the time. */
+static void test_load(void)
+{
+    static const double time[LOOKS] = {0, 0.9, 0.95, 1}, load[LOOKS] = {9, 7, 3, 1};
+    struct scene scene;
+    struct looks l;
+    double value[MEASURES];
+
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    fill(&l);
+    memcpy(l.time, time, sizeof time);
+    memcpy(l.series[LOOKS_LOAD], load, sizeof load);
+    REQUIRE(looks_reduce(&l, &scene, STATUS_OK, NAN, value) == STATUS_OK);
+    CHECK(value[MEASURE_LOAD_END] == 2 && value[MEASURE_LOAD_MAX] == 9);
+    looks_clear(&l);
+    scene_clear(&scene);
+}
+
 static void test_reduction(void)
 {
     struct scene scene;
@@ -232,6 +250,7 @@ static void test_flight(void)
 
 int main(void)
 {
+    test_load();
     test_reduction();
     test_crossing();
     test_derived_keys();

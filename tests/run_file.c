@@ -166,6 +166,28 @@ static void test_own_metrics(void)
 
 /* Undamped springs keep their energy up to their scheme's loss; the printed scheme has no
  * elastic energy at all. */
+/* A sheet that has come to rest on the ground is carried by it, and one that hangs by
+ * nothing. */
+static void test_load(void)
+{
+    static const double AT_REST = 0.05; /* its last small bounces, over its weight */
+    struct settings s = {0};
+    struct run_result r;
+
+    settings_set(&s, "damping={kind: none}");
+    settings_set(&s, "discretization.points=[6,6]");
+    write_run(&(struct run_plan){SOURCE_DIR "/models/scenes/ground.yaml",
+                                 named("mass_spring"), &s, 0},
+              &(struct run_keep){.every = 1}, &r);
+    CHECK_NEAR(r.value[MEASURE_LOAD_END], 1, AT_REST);
+    CHECK(r.value[MEASURE_LOAD_MAX] > 1.5); /* it fell */
+    settings_set(&s, "time.end=0.1");
+    write_run(&(struct run_plan){DROP, named("mass_spring"), &s, 0},
+              &(struct run_keep){.every = 1}, &r);
+    CHECK(isnan(r.value[MEASURE_LOAD_END]) && isnan(r.value[MEASURE_LOAD_MAX]));
+    settings_clear(&s);
+}
+
 static void test_energy(void)
 {
     struct settings s = LIST("damping={kind: none}");
@@ -418,6 +440,7 @@ int main(void)
     view = scratch_path("run.xdmf");
     test_same_bits();
     test_own_metrics();
+    test_load();
     test_energy();
     test_last_frame();
     test_made_for();

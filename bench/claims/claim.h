@@ -24,7 +24,7 @@ const struct claim *claim_find(const char *plan);
 /* Prints a line on each claim of the plan; a report gets them, too (judge_keep). */
 enum status claim_print(const struct study_results *d, FILE *file);
 
-/* What an experiment with a plan tells: its tables (dataset_print), then the claims and
+/* Prints what an experiment with a plan tells: its tables (dataset_print), the claims and
  * the machine. */
 enum status claim_tell(const struct study_results *d, const char *folder,
                        enum table_format format, FILE *file, struct message *why);

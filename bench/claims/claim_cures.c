@@ -1,4 +1,4 @@
-/* What is claimed of the cures for locking (plan cures). */
+/* This file judges what is claimed of the cures for locking (plan cures). */
 #include <math.h>
 
 #include "bench/claims/claim.h"

@@ -1,5 +1,5 @@
-/* What is claimed of the paper's figures of falling sheets (plans drops, flag, artefacts).
- */
+/* This file judges what is claimed of the paper's figures of falling sheets (plans fig6,
+ * drops, flag, artefacts, contact). */
 #include <math.h>
 #include <string.h>
 
@@ -61,8 +61,8 @@ static enum judge is_smooth(const struct study_results *d, const char *level)
                       judge_below(own * ROUGH, others));
 }
 
-/* What is true of the first of all levels that begin with the word, the paper's; its
- * variants, of which the opposite is true, are named. */
+/* Judges the first of all levels that begin with the word, the paper's, and names
+ * those of its variants of which the opposite is true. */
 static enum judge of_all(const struct study_results *d, const char *first, word *is,
                          FILE *because)
 {
@@ -276,7 +276,7 @@ const struct claim claim_flag[] = {
 /* --- artefacts ---------------------------------------------------------------------------
  */
 
-/* By the rules of Table 4 the row has the label; NULL: none at all. */
+/* Judges whether the rules of Table 4 give the row the label; NULL: none at all. */
 static enum judge shows(const struct study_results *d, const char *label,
                         const struct where *row, FILE *because)
 {

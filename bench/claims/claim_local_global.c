@@ -1,9 +1,10 @@
-/* What is claimed of the iterations of projective dynamics (plan local-global). */
+/* This file judges what is claimed of projective dynamics' iterations (plan local-global).
+ */
 #include <math.h>
 
 #include "bench/claims/claim.h"
 
-/* What an iteration leaves of a frame of 5 ms, Euler's. */
+/* Returns how far so many iterations are from the end of a frame of 5 ms, Euler's. */
 static double left(const struct study_results *d, const char *study, const char *method,
                    const char *iterations)
 {
@@ -12,7 +13,7 @@ static double left(const struct study_results *d, const char *study, const char 
                             {"method", method}, {"iterations", iterations}));
 }
 
-/* What a frame of 5 ms takes, iterated to its end, against small steps. */
+/* Returns how far frames of 5 ms, iterated to their end, are from small steps. */
 static double step_takes(const struct study_results *d, const char *study, const char *time)
 {
     return dataset_apart(
@@ -72,7 +73,7 @@ static enum judge second_order_pays(const struct study_results *d, FILE *because
                    "is what BDF2's step takes, Euler's", because);
 }
 
-/* What the net of a scene is off by: small steps, to their end, against truth. */
+/* Returns how far the net is from truth: small steps, iterated to their end. */
 static double net_takes(const struct study_results *d, const char *study)
 {
     return dataset_at(d, QUANTITY_ERROR,

@@ -82,6 +82,9 @@ static enum status read_labels(const struct yaml_tree *node, struct plan_setting
         const bool list = axis->kind == YAML_TREE_LIST;
         if (product && !strcmp(axis->key, "quick") && axis->text) {
             product->quick = !strcmp(axis->text, "true");
+            if (!product->quick && strcmp(axis->text, "false"))
+                return yaml_tree_refuse(axis, why, "quick is %s, but must be true or false",
+                                        yaml_tree_describe(axis).text);
             continue;
         }
         if (product && !strcmp(axis->key, ms.key)) {
@@ -346,7 +349,9 @@ static enum status settle_studies(struct plan *plan, const struct yaml_tree *roo
     const bool alone =
         (plan->base.level_count || plan->base.axis_count) && !plan->study_count;
 
-    for (const char *const *key = (const char *const[]){"times", "truth", "timed", NULL};
+    for (const char *const *key =
+             (const char *const[]){"times", "truth", "timed", "skip", "reference", "paper",
+                                   "table", "chart", NULL};
          *key && !given; key++)
         given = yaml_tree_find(root, *key);
     if (given && !alone && !plan->study_count)

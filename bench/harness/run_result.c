@@ -58,10 +58,11 @@ static enum status read_looks(const struct store_read *file, const char *path,
     TRY(read_numbers(file, path, "time", count, 1, l->time, why));
     for (int n = 0; n < LOOKS_SERIES; n++) {
         snprintf(name, sizeof name, "metrics/%s", looks_series[n].name);
-        st = read_numbers(file, path, name, count, 1, l->series[n], why);
-        for (int k = 0; st != STATUS_OK && n == LOOKS_LOAD && k < count; k++)
-            l->series[n][k] = NAN; /* files of before have none */
-        TRY(n == LOOKS_LOAD ? STATUS_OK : st);
+        if (n == LOOKS_LOAD && !store_read_has(file, name)) /* older files have none */
+            for (int k = 0; k < count; k++)
+                l->series[n][k] = NAN;
+        else
+            TRY(read_numbers(file, path, name, count, 1, l->series[n], why));
     }
     TRY(read_numbers(file, path, "energy/kinetic", count, 3, &l->energy->kinetic, why));
     TRY(read_numbers(file, path, "energy/elastic", count, 3, &l->energy->elastic, why));

@@ -300,8 +300,8 @@ void plan_study_clear(struct plan_study *study, const struct plan_study *base)
         free(study->times);
     if (own || study->quick_times != base->quick_times)
         free(study->quick_times);
-    for (int n = 0;
-         (own || study->axis->levels != base->axis->levels) && n < study->axis_count; n++) {
+    for (int n = 0; (own || study->axis->name != base->axis->name) && n < study->axis_count;
+         n++) {
         for (int k = 0; k < study->axis[n].count; k++)
             clear_level(&study->axis[n].levels[k]);
         free(study->axis[n].levels);

@@ -85,6 +85,7 @@ nm -D "$program" | grep __asan_init >/dev/null || [ "$emulated" ] || for limit i
     case $code in
     0) [ -s out ] || fail "ulimit -v $limit: prints nothing" ;;
     127) grep -q 'failed to map' err || fail "ulimit -v $limit: $(<err)" ;; # the loader
+    1) grep -qi memory err || fail "ulimit -v $limit: $(<err)" ;; # or a library as it starts
     *) fail "ulimit -v $limit: exit $code: $(<err)" ;;
     esac
 done

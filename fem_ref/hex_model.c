@@ -144,7 +144,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct hex *h = NULL;
 
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
-    TRY(large_leapfrog_refuse(d, 0, why));
+    TRY(large_leapfrog_refuse(d, why));
     TRY(refuse(d, why));
     TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));
     h = aligned_alloc(64, (sizeof *h + 63) / 64 * 64);

@@ -375,7 +375,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct plate *p = NULL;
 
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
-    TRY(large_leapfrog_refuse(d, 0, why));
+    TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
     if (d->remedy == REMEDY_CLAMPED && scene->shape != SCENE_FLAT)
         TRY(status_fail(why, STATUS_UNSUPPORTED,

@@ -7,10 +7,6 @@
 #include "models/linalg/order.h"
 #include "models/room.h"
 
-/* As of a shell's membrane: against its ringing in energy-momentum steps, which nothing
- * else damps, mean stress is taken from (1/2 + lag) of the step. */
-static const double MEMBRANE_LAG = 0.1;
-
 /* Rows that an element reaches. */
 enum { REACH = 2 };
 
@@ -81,7 +77,7 @@ enum status spring_large_init(struct spring_large *l, const struct spring_large_
         .K = l->K,
         .x = plan->x,
         .held = l->held,
-        .lag = euler ? 0 : MEMBRANE_LAG,
+        .lag = euler ? 0 : large_motion_lag,
         .euler = euler,
         .enough = plan->d->iterations,
         .contact = scene->obstacle_count ? &l->contact : NULL,

@@ -86,7 +86,7 @@ enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 /* Tangents of Newton's method: kept while they serve, or new in each iteration. */
 enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
 
-/* What takes the energy of a shell's membrane that rings: the scheme's own, or nothing. */
+/* What takes the energy of a membrane that rings: the scheme's own, or nothing. */
 enum viscosity { VISCOSITY_MEMBRANE, VISCOSITY_NONE };
 
 enum acceleration {

@@ -15,6 +15,7 @@
 struct counters {
     long steps, assemblies, factorisations, solves, iterations;
     long substeps; /* that the steps were taken in; 0: by a model that never divides them */
+    long viscous;  /* steps with a viscosity that Newton's method failed without          */
 };
 
 struct energy {

@@ -148,7 +148,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
                            "shell takes no weights: a flat sheet has no use for them, and "
                            "a curved one brings its own");
     st = check_remedy(d, why);
-    return st == STATUS_OK ? large_leapfrog_refuse(d, DISCRETIZATION_VISCOSITY, why) : st;
+    return st == STATUS_OK ? large_leapfrog_refuse(d, why) : st;
 }
 
 /* The flat sheet: control points at Greville abscissae, so that parameter = coordinate. */

@@ -12,13 +12,6 @@
 #include "models/mechanics/lumped_mass.h"
 #include "models/room.h"
 
-/* The membrane's mean stress is taken from (1/2 + lag) of the step: a viscosity lag dt
- * against its ringing, which nothing else damps. Stretching is small wherever a thin sheet
- * can bend, so that positions do not notice (pendulums A5 and C0 at 2.5 ms: worst distance
- * the same to 1 % with lag 0, 0.1 and 1/2), but undamped swings of coarse nets need far
- * fewer assemblies (shipped cantilever, p = 3: 1259 for 8857). */
-static const double MEMBRANE_LAG = 0.1;
-
 static void compute_load(struct shell_motion *m)
 {
     const struct scene *s = m->scene;
@@ -147,7 +140,7 @@ static enum status make_large(struct shell_motion *m, const struct discretizatio
         .K = m->K,
         .x = m->x,
         .held = m->held,
-        .lag = rings ? 0 : MEMBRANE_LAG,
+        .lag = rings ? 0 : large_motion_lag,
         .rings = rings,
         .full = d->newton == NEWTON_FULL,
         .contact = m->scene->obstacle_count ? &m->contact : NULL,

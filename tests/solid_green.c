@@ -126,24 +126,32 @@ static void check_rigid(const struct solid_green *g, double deformed)
     free(x);
 }
 
-/* A change that a linearisation takes for a rotation: foreseen strains are none, whatever
- * the body has there, and so is their part of the tangent. */
+/* A turned body and a change d that a linearisation takes for another turn: foreseen
+ * strains are none, whatever the body has there, and so is their part of the tangent. With
+ * e the way of the turn before, what the change's linearisation missed is (d + 2 e) d / 2.
+ */
 static void check_foresight(const struct solid_green *g)
 {
     const struct blocks *graph = &g->assembly->graph;
     const double *rest = g->assembly->space->rest, spin[3] = {0.2, -0.1, 0.3};
+    const double turn[3][3] = {{-0.2, -0.6, 0}, {0.6, -0.2, 0}}; /* less the unit matrix */
     long pairs = graph->start[graph->nodes];
     size_t count = 3 * (size_t)graph->nodes;
     double(*K)[9] = malloc(2 * (size_t)pairs * sizeof *K), most = 0, apart = 0;
-    double *x = malloc(2 * count * sizeof *x), *d = x + count;
+    double *x = malloc(3 * count * sizeof *x), *d = x + count, *beside = d + count;
 
     REQUIRE(K && x);
     for (size_t t = 0; t < count; t++) {
         size_t node = t - t % 3, j = (t % 3 + 1) % 3, k = (t % 3 + 2) % 3;
         d[t] = spin[j] * rest[node + k] - spin[k] * rest[node + j];
-        x[t] = rest[t] + d[t];
+        double e = 0;
+        for (size_t i = 0; i < 3; i++)
+            e += turn[t % 3][i] * rest[node + i];
+        x[t] = rest[t] + e + d[t];
+        beside[t] = d[t] + 2 * e;
     }
-    CHECK(large_body_tangent(&g->body, &statics, x, (struct large_foresight){.change = d},
+    CHECK(large_body_tangent(&g->body, &statics, x,
+                             (struct large_foresight){.change = d, .beside = beside},
                              K) == STATUS_OK);
     CHECK(large_body_tangent(&g->body, &statics, x, (struct large_foresight){.none = true},
                              K + pairs) == STATUS_OK);

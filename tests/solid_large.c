@@ -30,8 +30,8 @@ static const struct net nets[] = {
  * work of what is left: 100 times 1e-7 of the energy turned over, at most. */
 static const double ENERGY_DRIFT = 1e-5;
 /* The same for momenta; their forces cancel to round-off whatever Newton leaves, but the
- * positions at which they act are as good as it. */
-static const double LINEAR_MOMENTUM = 1e-12, ANGULAR_MOMENTUM = 1e-6;
+ * positions at which they act are as good as it: sixty steps of 1e-7 L. */
+static const double LINEAR_MOMENTUM = 1e-12, ANGULAR_MOMENTUM = 6e-6;
 
 static void check_elastica(const struct net *net)
 {

@@ -123,6 +123,12 @@ void describe_motion(const struct motion *m, FILE *file)
             "%ld solves, %ld iterations\n",
             c->steps, c->substeps > c->steps ? c->substeps : c->steps, c->assemblies,
             c->factorisations, c->solves, c->iterations);
+    if (c->viscous)
+        fprintf(
+            file,
+            "viscosity       in the last %ld steps, since Newton's method failed without "
+            "(discretization.viscosity)\n",
+            c->viscous);
     if (m->model->doubt)
         m->model->doubt(m->state, &doubt);
     if (*doubt.text)

@@ -95,7 +95,9 @@ struct large_motion {
     double (*K)[9];          /* [pairs] room for tangents                      [N/m]   */
     double *x;               /* [nodes][3] present coefficients                [m]     */
     double *held;            /* [4][held_count] supports_motion                        */
-    double lag;              /* algorithmic viscosity, in steps; see above             */
+    double lag;              /* algorithmic viscosity, in steps                        */
+    bool relief;             /* lag is large_motion_lag from the first step on that Newton's
+                                method cannot take without                             */
     bool euler;              /* steps are Euler's implicit ones                        */
     int enough;              /* iterations after which a step is taken; 0: converged   */
     struct contact_step *contact; /* NULL: no obstacles                                */

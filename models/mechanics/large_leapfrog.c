@@ -53,8 +53,7 @@ static double step_of(const struct large_leapfrog *l)
     return l->m->newmark->dt / l->substeps;
 }
 
-enum status large_leapfrog_refuse(const struct discretization *d, unsigned more,
-                                  struct message *why)
+enum status large_leapfrog_refuse(const struct discretization *d, struct message *why)
 {
     if (d->integrator != INTEGRATOR_IMPLICIT && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
@@ -67,8 +66,8 @@ enum status large_leapfrog_refuse(const struct discretization *d, unsigned more,
     if (d->integrator != INTEGRATOR_LEAPFROG && d->substeps)
         return status_fail(why, STATUS_INPUT, "substeps: with integrator=leapfrog only");
     return discretization_refuse(d,
-                                 more | DISCRETIZATION_NEWTON | DISCRETIZATION_INTEGRATOR |
-                                     DISCRETIZATION_SUBSTEPS,
+                                 DISCRETIZATION_NEWTON | DISCRETIZATION_VISCOSITY |
+                                     DISCRETIZATION_INTEGRATOR | DISCRETIZATION_SUBSTEPS,
                                  why);
 }
 

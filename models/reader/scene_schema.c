@@ -216,7 +216,7 @@ static const struct schema_key DISCRETIZATION[] = {
      IN(discretization, preconditioner)},
     {"newton", "its tangents: kept while they serve, or all new", SCHEMA_WORD,
      .word = newton_tangents_name, IN(discretization, newton)},
-    {"viscosity", "against a shell's ringing membrane, or none", SCHEMA_WORD,
+    {"viscosity", "against a ringing membrane, or none", SCHEMA_WORD,
      .word = viscosity_name, IN(discretization, viscosity)},
     {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_name,
      IN(discretization, parameters)},

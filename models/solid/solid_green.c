@@ -113,17 +113,19 @@ static void gather(const struct solid_space *space, int element, const double *x
 static double *strain_of(const void *self, int thread, int element, const double *x,
                          const struct large_foresight *foresight)
 {
-    const double *change = foresight ? foresight->change : NULL;
     const struct solid_green *s = self;
     const struct solid_space *space = s->assembly->space;
     struct solid_green_element *e = &s->work[thread];
     const struct solid_green_rest rest = rest_of(s, element);
 
     gather(space, element, x, space->rest, e->U[0]);
-    if (change)
-        gather(space, element, change, NULL, e->U[2]);
-    return solid_green_element_strain(e, &s->assembly->material, &rest, change) ? e->strain
-                                                                                : NULL;
+    if (foresight) {
+        gather(space, element, foresight->beside, NULL, e->U[1]); /* no geometry yet */
+        gather(space, element, foresight->change, NULL, e->U[2]);
+    }
+    return solid_green_element_strain(e, &s->assembly->material, &rest, foresight)
+               ? e->strain
+               : NULL;
 }
 
 static void set_geometry(const void *self, int thread, int element, const double *x_old,

@@ -44,13 +44,13 @@ out:
     return st;
 }
 
-/* E += factor D^T D / 2. */
-static void add_square(double D[3][3], double factor, double *E)
+/* E += factor (A^T B + B^T A) / 4. */
+static void add_product(double A[3][3], double B[3][3], double factor, double *E)
 {
     for (int i = 0; i < 3; i++)
         for (int j = i; j < 3; j++)
-            E[PLACE[i][j]] +=
-                factor / 2 * (D[0][i] * D[0][j] + D[1][i] * D[1][j] + D[2][i] * D[2][j]);
+            for (int k = 0; k < 3; k++)
+                E[PLACE[i][j]] += factor / 4 * (A[k][i] * B[k][j] + B[k][i] * A[k][j]);
 }
 
 static double determinant(double F[3][3])
@@ -114,19 +114,20 @@ bool solid_green_element_strain(struct solid_green_element *e,
         return solid_green_layer_strain(e, &rest->layer, change);
     for (int q = 0; q < rest->points; q++) {
         const double *g = gradients_at(e, rest, q);
-        double D[3][3], *E = e->strain + 6 * q;
+        double D[3][3], W[3][3], *E = e->strain + 6 * q;
 
         gradient(e, e->U[0], g, D);
         for (int i = 0; i < 3; i++)
             for (int j = i; j < 3; j++)
                 E[PLACE[i][j]] = (D[i][j] + D[j][i]) / 2;
-        add_square(D, 1, E);
+        add_product(D, D, 1, E);
         add_unit(D);
         if (!(determinant(D) > 0))
             return false;
         if (change) {
+            gradient(e, e->U[1], g, W);
             gradient(e, e->U[2], g, D);
-            add_square(D, -1, E);
+            add_product(W, D, -1, E);
         }
     }
     if (e->modes)

@@ -28,8 +28,9 @@ void solid_green_element_modes(const struct solid_green_element *e,
                                const struct solid_green_rest *rest, double *A);
 
 /* e->strain of the displacement e->U[0]: zero, to the bit, at rest. False if it is no
- * number or det F <= 0 somewhere. With `change`, less the part of second order in e->U[2]:
- * the strain as a linearisation foresaw it (Magisano, Leonetti, Garcea, CMAME 313, 2017).
+ * number or det F <= 0 somewhere. With `change`, less the product of e->U[1] and e->U[2],
+ * `beside` and `change` of large_foresight: the strain as a linearisation foresaw it
+ * (Magisano, Leonetti, Garcea, CMAME 313, 2017).
  * Modes included. */
 bool solid_green_element_strain(struct solid_green_element *e,
                                 const struct solid_material *material,

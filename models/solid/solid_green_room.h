@@ -25,8 +25,8 @@ struct solid_green_rest {
 struct solid_green_element {
     int local, row, gauss, modes;
     bool plane;   /* space->plane_stress                                                  */
-    double *U[3]; /* [row][4]: displacement, present and of the geometry; last change;
-                     fourth zero                                            [m]   */
+    double *U[3]; /* [row][4]: displacement, present and of the geometry, for which first
+                     stands what is beside the change; last change; fourth zero   [m]   */
     double *strain; /* [gauss][6]; solid_layer_strains                                  */
     double *f;      /* [row][4]                                                   [N]   */
     double *p, *wp; /* [gauss][3][row] F g and dV F g                                   */

@@ -49,6 +49,7 @@ enum status solid_large_create(struct solid_motion *m, const struct discretizati
         .K = new->K,
         .x = m->x,
         .held = m->held,
+        .relief = d->viscosity == VISCOSITY_MEMBRANE,
         .full = d->newton == NEWTON_FULL,
         .contact = m->scene->obstacle_count ? &m->contact : NULL,
     };

@@ -219,7 +219,7 @@ def compare():
     return compare_table(contestants())
 
 
-def compare_models():
+def best_contestants():
     """Of each model who is first to 1 %; where nobody gets there, who comes nearest."""
     best = {}
     for one in contestants():
@@ -227,7 +227,11 @@ def compare_models():
         key = (math.inf if math.isnan(time) else time, one[3])
         if one[1] not in best or key < best[one[1]][0]:
             best[one[1]] = key, one
-    return compare_table(one for _, one in sorted(best.values(), key=lambda b: b[0]))
+    return [one for _, one in sorted(best.values(), key=lambda b: b[0])]
+
+
+def compare_models():
+    return compare_table(best_contestants())
 
 
 def compare_threads():

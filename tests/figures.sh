@@ -59,6 +59,7 @@ a cell of compare|doc/compare.md|s/^\(. mass-spring, explicit .*\)0[.]/\17./
 a cell of the hard cases|doc/stress.md|s/^\(. buckling .*\|. ends pushed .*\)ok/\1died/
 a cell of the map|doc/stress.md|s/^\(. shell.*\)100 ms/\1200 ms/
 a cell of the peers|doc/peers.md|s/^\(. CalculiX.* 5 ms . \)0/\17/
+a point of the chart|doc/speed_against_error.svg|0,/circle/s/cx="/&7/
 a cell of the locking|doc/studies.md|s/^\(. degree 2 . \)6/\17/
 EDITS
 expect 1 '' 'cells'

@@ -98,8 +98,8 @@ mkdir -p "$odd/study_mesh" "$odd/compare_edge_drop" "$odd/table1"
     printf '# Sentences of the paper\nclaim,verdict,sentence\n%s,holds,%s\n' "$hostile" "$hostile"
 } >"$odd/study_mesh/printed.csv"
 printf 'a\n%s,\n' "$hostile" >"$odd/table1/printed.csv" # damaged
-printf 'title,contestant,side,step_s,iterations,seconds,worst_rmse_over_length,front\n%s,%s,5,0.005,nan,1,0.1,1\n' \
-    "$hostile" ../../etc/passwd >"$odd/compare_edge_drop/compare.csv"
+printf 'title,contestant,model,side,step_s,iterations,seconds,worst_rmse_over_length,front\n%s,%s,%s,5,0.005,nan,1,0.1,1\n' \
+    "$hostile" ../../etc/passwd "$hostile" >"$odd/compare_edge_drop/compare.csv"
 good "$odd"
 for tag in '<script' '</script' '<img' '<b>' '<!--'; do
     [ "$(grep -oF -- "$tag" page.html | wc -l)" -eq "$(grep -oF -- "$tag" "$skeleton" | wc -l)" ] ||

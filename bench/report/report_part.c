@@ -76,7 +76,7 @@ const struct report_part report_part_list[] = {
     STUDY("ensemble", "Beyond the horizon", false, {0}),
     {"compare", "Speed against error: edge_drop", "compare edge_drop",
      {"compare_edge_drop/compare.csv", "compare.csv"}, NULL, "speed", false,
-     "|title|side|across|step_s|iterations|seconds|worst_rmse_over_length|front|outcome|",
+     "|title|model|side|across|step_s|iterations|seconds|worst_rmse_over_length|front|outcome|",
      {{0}}},
     {"scenes", "Who wins where", "compare edge_drop corners_patch flag sphere strip_swing "
      "thick stiff", {"compare_scenes.csv"}, ".", "scenes", false,

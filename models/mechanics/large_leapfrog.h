@@ -24,11 +24,9 @@
 
 #include "models/mechanics/large_body.h"
 
-/* STATUS_INPUT or _UNSUPPORTED with a sentence for keys that shell and solids have no use
- * for (discretization_refuse) but `more`, bits of DISCRETIZATION_LIST, and for an
- * integrator, mass, kinematics and number of substeps that do not go together. */
-enum status large_leapfrog_refuse(const struct discretization *d, unsigned more,
-                                  struct message *why);
+/* model_refuse_options of shell and solids, and for an integrator, kinematics and number of
+ * substeps that do not go together. */
+enum status large_leapfrog_refuse(const struct discretization *d, struct message *why);
 
 /* Steps of *m, initialised and at rest, become explicit if d says so: m->leapfrog, which
  * large_motion_clear frees. Overwrites m->K. STATUS_INPUT with a sentence if a frame needs

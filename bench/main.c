@@ -11,6 +11,7 @@
 #include "bench/files/output.h"
 #include "bench/experiment/plan.h"
 #include "bench/files/provenance.h"
+#include "bench/harness/contestant.h"
 #include "bench/harness/measures.h"
 #include "bench/ui/table.h"
 #include "models/linalg/blas_kernel.h"
@@ -61,6 +62,8 @@ static void print_key(void *file, const char *key, const char *text)
 
 static void print_scene_help(FILE *file)
 {
+    const struct model *model;
+
     fputs(
         "A scene is a YAML file of physics, in SI units; clothbench list scenes names "
         "those\n"
@@ -68,6 +71,8 @@ static void print_scene_help(FILE *file)
         "command line alone gives:\n\n",
         file);
     scene_file_keys(print_key, file);
+    for (int n = 0; (model = contestant_model(n)); n++)
+        schema_list(model->options, "discretization.", print_key, file);
     fputs(
         "\n--set KEY=VALUE overrides any of them; the value is YAML, later settings win:\n"
         "  --set material.young=5e4 --set 'damping={kind: none}' --set "

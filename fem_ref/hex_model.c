@@ -15,13 +15,14 @@ struct hex {
     int points[3];
 };
 
-static void defaults(struct discretization *d)
-{
-    *d = (struct discretization){.points = {20, 20, 2},
-                                 .degree = {1, 1, 1},
-                                 .kinematics = KINEMATICS_NONLINEAR,
-                                 .remedy = REMEDY_INCOMPATIBLE};
-}
+/* clang-format off */
+static const struct schema_key options[] = {
+    {"points"}, {"degree"}, {"gauss"}, {"kinematics"}, {"unknowns"}, {"solver"},
+    {"preconditioner"}, {"newton"}, {"viscosity"}, {"substeps"},
+    {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_INCOMPATIBLE)},
+    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
+    {NULL}};
+/* clang-format on */
 
 static void adapt(const struct scene *scene, struct discretization *d,
                   struct message *reason)
@@ -31,7 +32,7 @@ static void adapt(const struct scene *scene, struct discretization *d,
         return;
     d->remedy = REMEDY_NONE;
     status_fail(reason, STATUS_OK, "cured sheets die of kinematics=%s",
-                kinematics_name(d->kinematics));
+                option_kinematics[d->kinematics]);
 }
 
 static enum status refuse(const struct discretization *d, struct message *why)
@@ -46,16 +47,7 @@ static enum status refuse(const struct discretization *d, struct message *why)
                                'u' + i, d->points[i]);
         if (d->gauss[i] != 0 && d->gauss[i] != 2)
             return status_fail(why, STATUS_INPUT, "gauss: hexahedra use [2,2,2]");
-        if (d->knot_count[i])
-            return status_fail(why, STATUS_INPUT, "knots_%c: hexahedra have no knots",
-                               "uvw"[i]);
     }
-    if (d->weight_count)
-        return status_fail(why, STATUS_INPUT, "weights: hexahedra have none");
-    if (d->remedy != REMEDY_NONE && d->remedy != REMEDY_INCOMPATIBLE)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "hex has no remedy=%s; use none or incompatible",
-                           remedy_name(d->remedy));
     return STATUS_OK;
 }
 
@@ -174,7 +166,11 @@ const struct model hex_model = {
     .source = "Hughes 2000, The Finite Element Method, ch. 3; incompatible modes: Taylor, "
               "Beresford, Wilson 1976",
     .serves = SOLID_MODEL_SERVES,
-    .defaults = defaults,
+    .options = options,
+    .defaults = {.points = {20, 20, 2},
+                 .degree = {1, 1, 1},
+                 .kinematics = KINEMATICS_NONLINEAR,
+                 .remedy = REMEDY_INCOMPATIBLE},
     .adapt = adapt,
     .create = create,
     .advance = solid_model_advance,

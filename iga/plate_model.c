@@ -28,15 +28,15 @@ struct plate {
     double (*uvw)[3]; /* with weights given: parameters of the grid's points    owned  */
 };
 
-/* Degree 3: at any cost below 3 % of error it is the cheaper one, and of degree 2 a sheet
- * with Gamma above 1e4 folds between its points (README, Speed against error). */
-static void defaults(struct discretization *d)
-{
-    *d = (struct discretization){.points = {10, 10, 2},
-                                 .degree = {3, 3, 1},
-                                 .kinematics = KINEMATICS_NONLINEAR,
-                                 .remedy = REMEDY_SELECTIVE};
-}
+/* clang-format off */
+static const struct schema_key options[] = {
+    {"points"}, {"degree"}, {"gauss"}, {"knots_u"}, {"knots_v"}, {"knots_w"}, {"weights"},
+    {"kinematics"}, {"unknowns"}, {"solver"}, {"preconditioner"}, {"newton"}, {"viscosity"}, {"substeps"},
+    {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_REDUCED) |
+                       OPTION(REMEDY_SELECTIVE) | OPTION(REMEDY_CLAMPED)},
+    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
+    {NULL}};
+/* clang-format on */
 
 static void make_box(const struct scene *scene, struct patch *patch)
 {
@@ -317,14 +317,10 @@ static void clamp_edges(struct plate *p, const struct scene *scene)
 
 static enum status check_remedy(const struct discretization *d, struct message *why)
 {
-    const char *name = remedy_name(d->remedy);
+    const char *name = option_remedy[d->remedy];
 
     if (d->remedy == REMEDY_NONE)
         return STATUS_OK;
-    if (d->remedy != REMEDY_REDUCED && !has_layer(d))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "iga has no remedy=%s; use none, reduced, selective or clamped",
-                           name);
     if (d->degree[0] < 2 || d->degree[1] < 2)
         return status_fail(why, STATUS_INPUT,
                            "remedy=%s needs degree 2 or more along u and v", name);
@@ -350,7 +346,7 @@ static void adapt(const struct scene *scene, struct discretization *d,
             d->degree[i] = bspline_open_degree(d, i, i < 2 ? 3 - paper : 2 - paper);
     if (paper)
         status_fail(reason, STATUS_OK, "cured sheets die of kinematics=%s",
-                    kinematics_name(d->kinematics));
+                    option_kinematics[d->kinematics]);
     if (d->remedy != REMEDY_AUTO)
         return;
     d->remedy = REMEDY_SELECTIVE;
@@ -426,7 +422,13 @@ const struct model plate_model = {
     .title = "IGA thick plate",
     .source = "Ren, Dai, Lin 2024, Journal of Image and Graphics 29(1), eq. 1-22",
     .serves = SOLID_MODEL_SERVES,
-    .defaults = defaults,
+    .options = options,
+    /* Degree 3: at any cost below 3 % of error it is the cheaper one, and of degree 2 a
+     * sheet with Gamma above 1e4 folds between its points (README, Speed against error). */
+    .defaults = {.points = {10, 10, 2},
+                 .degree = {3, 3, 1},
+                 .kinematics = KINEMATICS_NONLINEAR,
+                 .remedy = REMEDY_SELECTIVE},
     .adapt = adapt,
     .extra_points = extra_points,
     .create = create,

@@ -8,24 +8,20 @@
 #include "models/grid.h"
 #include "models/net.h"
 
-#define SERVES                                                                             \
-    (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |                  \
-     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |         \
-     SCENE_NEED_INITIAL_MOTION)
-
-static void defaults(struct discretization *d)
-{
-    *d = (struct discretization){
-        .points = {10, 10, 1}, .degree = {1, 1, 1}, .kinematics = KINEMATICS_NONLINEAR};
-}
-
-/* Keys it has a use for. */
-enum {
-    USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_INTEGRATOR | DISCRETIZATION_SUBSTEPS |
-           DISCRETIZATION_ITERATIONS | DISCRETIZATION_TOLERANCE |
-           DISCRETIZATION_STRAIN_LIMIT | DISCRETIZATION_PRECISION | DISCRETIZATION_SPRINGS |
-           DISCRETIZATION_BENDING
-};
+/* clang-format off */
+static const struct schema_key options[] = {
+    OPTIONS_NET, {"solver"}, {"preconditioner"}, {"parameters"}, {"precision"},
+    {"tolerance"},
+    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_EXPLICIT) |
+                           OPTION(INTEGRATOR_LEAPFROG) | OPTION(INTEGRATOR_MOMENTUM)},
+    {"bending", .only = OPTION(BENDING_QUADRATIC) | OPTION(BENDING_STRUT)},
+    {"strain_limit", "of a spring, 0: none", SCHEMA_NUMBER, .low = 0, .high = 10,
+     OPTION_OWN(spring_own, strain_limit)},
+    {"springs", "what springs resist in leapfrog steps",
+     OPTION_WORDS([SPRINGS_SQUARES] = "squares", [SPRINGS_LENGTHS] = "lengths"),
+     OPTION_OWN(spring_own, springs)},
+    {NULL}};
+/* clang-format on */
 
 static void destroy(void *state)
 {
@@ -35,30 +31,23 @@ static void destroy(void *state)
 
 static enum status refuse(const struct discretization *d, struct message *why)
 {
+    const struct spring_own *own = OWN(spring_own, d);
     const bool momentum = d->integrator == INTEGRATOR_MOMENTUM;
 
-    if (d->integrator == INTEGRATOR_BDF2 || d->integrator == INTEGRATOR_MIDPOINT)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "integrator=%s: mass_spring has implicit, explicit, leapfrog "
-                           "and momentum",
-                           integrator_name(d->integrator));
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");
-    if (d->bending == BENDING_HINGE)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "bending=hinge: of triangles; springs have quadratic, strut");
-    if ((d->springs || d->bending) && d->integrator != INTEGRATOR_LEAPFROG)
+    if ((own->springs || d->bending) && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "springs, bending: with integrator=leapfrog only; implicit and "
                            "explicit have lengths and struts, momentum has squares");
-    if (d->bending == BENDING_STRUT && d->springs == SPRINGS_SQUARES)
+    if (d->bending == BENDING_STRUT && own->springs == SPRINGS_SQUARES)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "bending=strut: with springs=lengths only");
     if (solver_iterates(d->solver) && d->integrator != INTEGRATOR_IMPLICIT && !momentum)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "solver=%s: with integrator=implicit or momentum only",
-                           solver_name(d->solver));
+                           option_solver[d->solver]);
     if (momentum && (d->iterations || d->tolerance > 0))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "iterations, tolerance: not with integrator=momentum");
@@ -66,7 +55,7 @@ static enum status refuse(const struct discretization *d, struct message *why)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "parameters=paper, which has a drag of points: not with "
                            "integrator=momentum");
-    if (d->strain_limit > 0 && (momentum || d->integrator == INTEGRATOR_LEAPFROG))
+    if (own->strain_limit > 0 && (momentum || d->integrator == INTEGRATOR_LEAPFROG))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "strain_limit: with integrator=implicit or explicit only");
     return STATUS_OK;
@@ -78,8 +67,7 @@ static enum status create(const struct scene *scene, const struct discretization
     enum status st;
     struct spring_motion *m = NULL;
 
-    TRY(model_refuse_net(scene, SERVES, why));
-    TRY(discretization_refuse_net(d, USED, "mass_spring", why));
+    TRY(model_refuse_net(scene, d, why));
     TRY(refuse(d, why));
     m = calloc(1, sizeof *m);
     if (!m)
@@ -155,8 +143,13 @@ const struct model spring_model = {
     .title = "mass-spring net",
     .source =
         "Provot 1995; implicit steps: Baraff and Witkin 1998; bending: Choi and Ko 2002",
-    .serves = SERVES,
-    .defaults = defaults,
+    .serves = SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |
+              SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |
+              SCENE_NEED_INITIAL_MOTION,
+    .options = options,
+    .defaults = {.points = {10, 10, 1},
+                 .degree = {1, 1, 1},
+                 .kinematics = KINEMATICS_NONLINEAR},
     .create = create,
     .advance = advance,
     .sample = sample,

@@ -82,7 +82,7 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
                                      .drag = m->points.drag,
                                      .load = m->points.load,
                                      .beta = m->points.beta,
-                                     .springs = d->springs,
+                                     .springs = OWN(spring_own, d)->springs,
                                      .bending = d->bending};
 
     return spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, m->newton.K,
@@ -135,7 +135,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
 
     *m = (struct spring_motion){.scene = scene,
                                 .integrator = d->integrator,
-                                .strain_limit = d->strain_limit,
+                                .strain_limit = OWN(spring_own, d)->strain_limit,
                                 .struts = d->bending == BENDING_STRUT};
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters, squares));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));

@@ -33,6 +33,11 @@
 #include "mass_spring/spring_newton.h"
 #include "mass_spring/spring_strips.h"
 
+struct spring_own {       /* choices of its own (models/option.h) */
+    double strain_limit;  /* Provot 1995: greatest elongation of a spring [1]; 0: none  */
+    enum springs springs; /* in leapfrog steps */
+};
+
 struct spring_motion {
     const struct scene *scene; /* borrowed                                             */
     struct spring_net net;

@@ -18,6 +18,8 @@
 
 enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12, SPRING_STENCIL_STRUTS = 16 };
 
+enum springs { SPRINGS_SQUARES, SPRINGS_LENGTHS }; /* what they resist             */
+
 /* Steps (in i, in j) to the neighbours: those that share a cell first; struts alone reach
  * the last four. */
 extern const int spring_stencil_step[SPRING_STENCIL_STRUTS][2];

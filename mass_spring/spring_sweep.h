@@ -43,6 +43,9 @@ struct spring_sweep_clamp {
     double strut;    /* [N]                                                             */
 };
 
+/* What strain of a triangle is (triangles/tri_strain.h). */
+enum membrane { MEMBRANE_GREEN, MEMBRANE_COROTATIONAL, MEMBRANE_BARAFF_WITKIN };
+
 /* A membrane of triangles in place of springs: each cell cut along one diagonal, in turns
  * (triangles/tri_net.h). */
 struct spring_cells {

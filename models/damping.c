@@ -36,16 +36,11 @@ double damping_velocity(const struct scene *scene)
     }
 }
 
-const char *damping_name(int kind)
-{
-    static const char *const words[] = {
-        [DAMPING_NONE] = "none",
-        [DAMPING_VELOCITY_SCALE] = "velocity_scale",
-        [DAMPING_VELOCITY_RATE] = "velocity_rate",
-        [DAMPING_MASS] = "mass",
-        [DAMPING_RAYLEIGH] = "rayleigh",
-    };
-    bool known = kind >= 0 && (size_t)kind < sizeof words / sizeof *words;
-
-    return known ? words[kind] : "unknown";
-}
+const char *const damping_words[] = {
+    [DAMPING_NONE] = "none",
+    [DAMPING_VELOCITY_SCALE] = "velocity_scale",
+    [DAMPING_VELOCITY_RATE] = "velocity_rate",
+    [DAMPING_MASS] = "mass",
+    [DAMPING_RAYLEIGH] = "rayleigh",
+    NULL,
+};

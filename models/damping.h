@@ -18,7 +18,7 @@ double damping_stiffness(const struct scene *scene);
 /* v is multiplied by this after each frame: velocity_scale, velocity_rate; 1 otherwise. */
 double damping_velocity(const struct scene *scene);
 
-/* The kind's word, as scenes have it. Static storage. */
-const char *damping_name(int kind);
+/* The kinds' words, as scenes have them; NULL ends. */
+extern const char *const damping_words[];
 
 #endif

@@ -1,12 +1,12 @@
 /* discretization.h - the work put in: how finely, of what degree, by which kinematics.
  *
  * Physics is scene.h. A model's `defaults` fills one of these; `--set discretization.KEY=`
- * changes it. Keys a model has no use for are refused by its create.
+ * changes it. Choices that models share are here, those of one are its own (option.h).
  */
 #ifndef DISCRETIZATION_H
 #define DISCRETIZATION_H
 
-#include "models/status.h"
+#include "models/schema_key.h"
 
 enum kinematics {
     KINEMATICS_LINEAR,      /* small strain about the rest shape                      */
@@ -63,25 +63,11 @@ enum integrator {
     INTEGRATOR_MIDPOINT, /* implicit, second order, damps nothing                      */
 };
 
-/* Of leapfrog steps of shell and solids. */
-
 /* Of positions in leapfrog steps and in position_based. */
 enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
 
-/* How position_based moves points back to its constraints. */
-enum projection {
-    PROJECTION_XPBD, /* by compliance (Macklin et al. 2016)                            */
-    PROJECTION_PBD,  /* by a share of the way an iteration (Mueller et al. 2007)       */
-};
-/* What strain of a triangle is (triangles), what springs resist (mass_spring by leapfrog),
- * and what bends a net: of triangles quadratic or hinges, of springs quadratic or struts.
- */
-enum membrane { MEMBRANE_GREEN, MEMBRANE_COROTATIONAL, MEMBRANE_BARAFF_WITKIN };
-enum springs { SPRINGS_SQUARES, SPRINGS_LENGTHS };
+/* What bends a net: of triangles quadratic or hinges, of springs quadratic or struts. */
 enum bending { BENDING_QUADRATIC, BENDING_HINGE, BENDING_STRUT };
-
-/* What resists stretching in projective_dynamics. */
-enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 
 /* Tangents of Newton's method: kept while they serve, or new in each iteration. */
 enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
@@ -89,13 +75,16 @@ enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
 /* What takes the energy of a membrane that rings: the scheme's own, or nothing. */
 enum viscosity { VISCOSITY_MEMBRANE, VISCOSITY_NONE };
 
-enum acceleration {
-    ACCELERATION_NONE,
-    ACCELERATION_CHEBYSHEV, /* Wang 2015                                               */
-    ACCELERATION_ADMM,      /* Overby et al. 2017, softly weighted                     */
-};
+enum { DISCRETIZATION_ROOM = 32 }; /* for a model's own choices [bytes] */
+struct model;
 
 struct discretization {
+    const struct model *model; /* whose it is; NULL: nobody's, to read a scene with    */
+    /* The n-th of the models whose own choices may be named, too, as long as that changes
+     * nothing; NULL past the last. NULL: none. */
+    const struct model *(*others)(int n);
+    const struct schema_key *foreign; /* that was to change another's                  */
+
     int points[3]; /* control points or nodes along u, v, w; 0: left open, as AUTO     */
     int degree[3]; /* p, q, r                            1..5; 0: left open, as AUTO   */
     int gauss[3];  /* Gauss points per span; 0: degree + 1                             */
@@ -116,57 +105,16 @@ struct discretization {
     enum parameters parameters;
     enum integrator integrator;
     enum precision precision;
-    int substeps;        /* of one frame; 0: as many as the model needs, mostly one    */
-    int iterations;      /* at most, in a step; 0: until the tolerance is met          */
-    double tolerance;    /* ends the iteration; each model says of what [1]; 0: its own */
-    double strain_limit; /* Provot 1995: greatest elongation of a spring [1]; 0: none  */
-    enum constraint constraint;
-    enum acceleration acceleration;
-    enum projection projection;
-    enum membrane membrane;
-    enum springs springs;
+    int substeps;     /* of one frame; 0: as many as the model needs, mostly one    */
+    int iterations;   /* at most, in a step; 0: until the tolerance is met          */
+    double tolerance; /* ends the iteration; each model says of what [1]; 0: its own */
     enum bending bending;
+    _Alignas(double) char own[DISCRETIZATION_ROOM]; /* the model's own choices, in a struct
+                                                       of its own  */
 };
 
-/* The keys above that not every model has a use for, zero if unset; bits. */
-#define DISCRETIZATION_LIST(X)                                                             \
-    X(NEWTON, newton)                                                                      \
-    X(VISCOSITY, viscosity)                                                                \
-    X(PARAMETERS, parameters)                                                              \
-    X(INTEGRATOR, integrator)                                                              \
-    X(PRECISION, precision)                                                                \
-    X(SUBSTEPS, substeps)                                                                  \
-    X(ITERATIONS, iterations)                                                              \
-    X(TOLERANCE, tolerance)                                                                \
-    X(STRAIN_LIMIT, strain_limit)                                                          \
-    X(CONSTRAINT, constraint)                                                              \
-    X(ACCELERATION, acceleration)                                                          \
-    X(PROJECTION, projection)                                                              \
-    X(MEMBRANE, membrane)                                                                  \
-    X(SPRINGS, springs)                                                                    \
-    X(BENDING, bending)
-
-enum discretization_place {
-#define DISCRETIZATION_PLACE(name, member) DISCRETIZATION_PLACE_##name,
-    DISCRETIZATION_LIST(DISCRETIZATION_PLACE)
-#undef DISCRETIZATION_PLACE
-};
-enum discretization_bit {
-#define DISCRETIZATION_BIT(name, member)                                                   \
-    DISCRETIZATION_##name = 1u << DISCRETIZATION_PLACE_##name,
-    DISCRETIZATION_LIST(DISCRETIZATION_BIT)
-#undef DISCRETIZATION_BIT
-};
-
-/* STATUS_INPUT with a sentence if any of those keys is set that is not in `used`. */
-enum status discretization_refuse(const struct discretization *d, unsigned used,
-                                  struct message *why);
-
-/* The same for a model that is a net of points over the mid-surface, points=[n,m,1], and
- * turns with the sheet: no degree, quadrature, knots, weights, thickness unknowns, remedy
- * or other kinematics than nonlinear. `model` is its name in the sentences. */
-enum status discretization_refuse_net(const struct discretization *d, unsigned used,
-                                      const char *model, struct message *why);
+/* The struct in d->own. */
+#define OWN(type, d) ((struct type *)(void *)(d)->own)
 
 /* Frees what it owns; accepts all-zero and leaves all-zero. */
 void discretization_clear(struct discretization *d);
@@ -176,29 +124,16 @@ enum status discretization_copy(const struct discretization *from,
                                 struct discretization *to);
 
 /* Conjugate gradients or GMRES. */
-bool solver_iterates(int solver);
+static inline bool solver_iterates(int solver)
+{
+    return solver == SOLVER_CG || solver == SOLVER_GMRES;
+}
 
 /* The paper's schemes, which assemble on the present shape in every step. Cured sheets die
  * of them (edge_drop, undamped incremental: 0.5 s; printed: 0.55 s). */
-bool kinematics_rebuilds(int kinematics);
-
-/* Words for the enums, as written on the command line; "unknown" for other values. Static
- * storage. */
-const char *kinematics_name(int kinematics);
-const char *remedy_name(int remedy);
-const char *unknowns_name(int unknowns);
-const char *solver_name(int solver);
-const char *preconditioner_name(int preconditioner);
-const char *newton_tangents_name(int newton);
-const char *viscosity_name(int viscosity);
-const char *parameters_name(int parameters);
-const char *integrator_name(int integrator);
-const char *precision_name(int precision);
-const char *constraint_name(int constraint);
-const char *acceleration_name(int acceleration);
-const char *projection_name(int projection);
-const char *membrane_name(int membrane);
-const char *springs_name(int springs);
-const char *bending_name(int bending);
+static inline bool kinematics_rebuilds(int kinematics)
+{
+    return kinematics == KINEMATICS_PRINTED || kinematics == KINEMATICS_INCREMENTAL;
+}
 
 #endif

@@ -43,23 +43,86 @@ enum status model_refuse(const struct scene *scene, unsigned serves, struct mess
     return st == STATUS_OK ? refuse_depth(scene, why) : st;
 }
 
-enum status model_refuse_net(const struct scene *scene, unsigned serves,
+/* "integrator=bdf2: shell has implicit, leapfrog" */
+static enum status refuse_word(const struct schema_key *option, unsigned only, int value,
+                               const struct model *model, struct message *why)
+{
+    char known[256] = "";
+
+    for (int n = 0; option->words[n]; n++)
+        if (only & OPTION(n))
+            snprintf(known + strlen(known), sizeof known - strlen(known), "%s%s",
+                     *known ? ", " : "", option->words[n]);
+    return status_fail(why, STATUS_UNSUPPORTED, "%s=%s: %s has %s", option->key,
+                       option->words[value], model->name, known);
+}
+
+enum status model_refuse_options(const struct discretization *d, struct message *why)
+{
+    const struct schema_key *foreign = d->foreign;
+
+    for (const struct schema_key *s = option_shared; s->key; s++) {
+        const struct schema_key *listed = option_find(d->model->options, s->key);
+        const int value = *(const int *)(const void *)((const char *)d + s->offset);
+
+        if (!listed && option_is_set(s, d))
+            foreign = s;
+        if (listed && listed->only && !(listed->only & OPTION(value)))
+            return refuse_word(s, listed->only, value, d->model, why);
+    }
+    if (foreign)
+        return status_fail(why, STATUS_INPUT, "%s: %s has no use for it", foreign->key,
+                           d->model->name);
+    if (d->preconditioner != PRECONDITIONER_FACTOR && !solver_iterates(d->solver))
+        return status_fail(why, STATUS_INPUT,
+                           "preconditioner: with solver=cg or gmres only");
+    return STATUS_OK;
+}
+
+static enum status refuse_points(const struct discretization *d, struct message *why)
+{
+    for (int i = 0; i < 2; i++)
+        if (d->points[i] < 2)
+            return status_fail(why, STATUS_INPUT, "points: at least 2 along %c, not %d",
+                               'u' + i, d->points[i]);
+    if (d->points[2] != 1)
+        return status_fail(why, STATUS_INPUT,
+                           "points: %s has 1 point through the thickness, points=[n,m,1], "
+                           "not %d",
+                           d->model->name, d->points[2]);
+    for (int i = 0; i < 3; i++)
+        if (d->degree[i] != 1)
+            return status_fail(why, STATUS_INPUT, "degree: %s has none", d->model->name);
+    return STATUS_OK;
+}
+
+enum status model_refuse_net(const struct scene *scene, const struct discretization *d,
                              struct message *why)
 {
     const unsigned thickness = SCENE_NEED_THICKNESS_SUPPORTS;
-    unsigned missing = scene_needs(scene) & ~serves & ~thickness;
+    unsigned missing = scene_needs(scene) & ~d->model->serves & ~thickness;
+    enum status st;
 
     for (int n = 0; n < scene->support_count; n++)
         if (scene->supports[n].lo[2] > 0.5 || scene->supports[n].hi[2] < 0.5)
             missing |= thickness;
-    const enum status st =
-        refuse(missing, missing & thickness ? " that leave out the mid-surface" : "", why);
-    return st == STATUS_OK ? refuse_depth(scene, why) : st;
+    TRY(refuse(missing, missing & thickness ? " that leave out the mid-surface" : "", why));
+    TRY(refuse_depth(scene, why));
+    TRY(refuse_points(d, why));
+    TRY(model_refuse_options(d, why));
+out:
+    return st;
+}
+
+void model_defaults(const struct model *model, struct discretization *d)
+{
+    *d = model->defaults;
+    d->model = model;
 }
 
 void model_open(const struct model *model, struct discretization *d)
 {
-    model->defaults(d);
+    model_defaults(model, d);
     memset(d->points, 0, sizeof d->points);
     memset(d->degree, 0, sizeof d->degree);
     d->remedy = REMEDY_AUTO;
@@ -93,7 +156,7 @@ static void tell(const struct discretization *usual, const struct discretization
         used += (size_t)snprintf(text + used, sizeof text - used, "degree=[%d,%d,%d], ",
                                  d->degree[0], d->degree[1], d->degree[2]);
     if (remedy)
-        snprintf(text + used, sizeof text - used, "remedy=%s, ", remedy_name(d->remedy));
+        snprintf(text + used, sizeof text - used, "remedy=%s, ", option_remedy[d->remedy]);
     if (points || degree || remedy)
         status_fail(why, STATUS_OK, "%snot the defaults: %s", text, reason.text);
     else
@@ -125,19 +188,19 @@ void model_complete(const struct model *model, const struct scene *scene,
                     struct discretization *d, struct message *told)
 {
     const bool open[3] = {!d->points[0], !d->points[1], !d->points[2]};
-    struct discretization usual, all = *d;
+    const struct discretization *usual = &model->defaults;
+    struct discretization all = *d;
 
-    model->defaults(&usual);
-    fill(&usual, &all);
+    fill(usual, &all);
     for (int i = 0; i < 3; i++)
         if (!d->points[i])
-            d->points[i] = at_least(usual.points[i], d->degree[i]);
+            d->points[i] = at_least(usual->points[i], d->degree[i]);
     status_fail(told, STATUS_OK, "more does not fit the points or knots");
     if (model->adapt)
         model->adapt(scene, d, told);
     if (memcmp(d->points, all.points, sizeof d->points))
         status_fail(told, STATUS_OK, "the degree needs as many");
-    fill(&usual, d);
+    fill(usual, d);
     if (add_points(model, scene, open, d) && d->remedy == all.remedy)
         status_fail(told, STATUS_OK, "knots repeat at the ends of supports");
     tell(&all, d, told);

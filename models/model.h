@@ -8,7 +8,7 @@
 #ifndef MODEL_H
 #define MODEL_H
 
-#include "models/discretization.h"
+#include "models/option.h"
 #include "models/scene.h"
 
 /* Work done, added up by the model; does not jitter as seconds do. */
@@ -50,14 +50,20 @@ struct matrix {
 void matrix_clear(struct matrix *m);
 
 /* STATUS_UNSUPPORTED with a sentence naming what is missing, if the scene needs more than
- * `serves`, SCENE_NEED_* bits. model_refuse_net: for a net of points on the mid-surface; a
- * support on part of the thickness is served if it takes the mid-surface: it holds the
- * points, and the sheet may turn about them. */
+ * `serves`, SCENE_NEED_* bits. model_refuse_net: for a net of points on the mid-surface,
+ * points=[n,m,1], than d->model serves; a support on part of the thickness is served if it
+ * takes the mid-surface: it holds the points, and the sheet may turn about them. And
+ * model_refuse_options. */
 enum status model_refuse(const struct scene *scene, unsigned serves, struct message *why);
-enum status model_refuse_net(const struct scene *scene, unsigned serves,
+enum status model_refuse_net(const struct scene *scene, const struct discretization *d,
                              struct message *why);
 
-struct model;
+/* A sentence if a choice is made that d->model does not have (STATUS_INPUT), or not so
+ * (STATUS_UNSUPPORTED). */
+enum status model_refuse_options(const struct discretization *d, struct message *why);
+
+/* *d as the model has it by default. */
+void model_defaults(const struct model *model, struct discretization *d);
 
 /* Points, degrees and the remedy hang on each other: *d as the model has
  * it by default, these left open; and, once settings were read into it, what they still
@@ -73,8 +79,8 @@ struct model {
     const char *source; /* citation of the formulation                                 */
     unsigned serves;    /* the SCENE_NEED_* bits it can serve                          */
 
-    /* Fills *d with the model's defaults (owns nothing afterwards). */
-    void (*defaults)(struct discretization *d);
+    const struct schema_key *options; /* its numerical choices (option.h)              */
+    struct discretization defaults;   /* owns nothing                                  */
 
     /* optional: fills in degrees and the remedy where they were left open and the scene or
      * the rest of *d excludes the defaults; with a reason, unless points and knots are it.

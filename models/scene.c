@@ -141,10 +141,8 @@ void scene_needs_text(unsigned needs, char *text, int size)
     }
 }
 
-const char *scene_shape_name(int shape)
-{
-    return shape == SCENE_FLAT ? "flat" : shape == SCENE_CLOAK ? "cloak" : "unknown";
-}
+const char *const scene_shape_words[] = {
+    [SCENE_FLAT] = "flat", [SCENE_CLOAK] = "cloak", NULL};
 
 void scene_normal(const struct scene *scene, double e_w[3])
 {

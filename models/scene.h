@@ -144,8 +144,8 @@ enum status scene_add_load(struct scene *scene, const struct scene_load *load);
 /* Adds a copy of *obstacle. */
 enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle *obstacle);
 
-/* "flat", "cloak"; "unknown" beyond the last. Static storage. */
-const char *scene_shape_name(int shape);
+/* "flat", "cloak"; NULL ends. */
+extern const char *const scene_shape_words[];
 
 /* e_w = e_u x e_v. */
 void scene_normal(const struct scene *scene, double e_w[3]);

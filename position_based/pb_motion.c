@@ -273,7 +273,7 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
     enum status st;
 
     *m = (struct pb_motion){.scene = scene,
-                            .projection = d->projection,
+                            .projection = OWN(pb_own, d)->projection,
                             .iterations = d->iterations > 0 ? d->iterations : 1};
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters, false));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));

@@ -58,6 +58,16 @@
 #include "models/mechanics/supports.h"
 #include "position_based/pb_sweep.h"
 
+/* How points are moved back to constraints. */
+enum projection {
+    PROJECTION_XPBD, /* by compliance (Macklin et al. 2016)                            */
+    PROJECTION_PBD,  /* by a share of the way an iteration (Mueller et al. 2007)       */
+};
+
+struct pb_own { /* choices of its own (models/option.h) */
+    enum projection projection;
+};
+
 struct pb_motion {
     const struct scene *scene; /* borrowed                                             */
     struct spring_net net;

@@ -8,24 +8,15 @@
 #include "models/net.h"
 #include "position_based/pb_motion.h"
 
-#define SERVES                                                                             \
-    (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |                  \
-     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |         \
-     SCENE_NEED_INITIAL_MOTION)
+/* clang-format off */
+static const struct schema_key options[] = {
+    OPTIONS_NET, {"solver"}, {"preconditioner"}, {"parameters"}, {"precision"},
 
-/* Keys it has a use for. */
-enum {
-    USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
-           DISCRETIZATION_PRECISION | DISCRETIZATION_PROJECTION
-};
-
-static void defaults(struct discretization *d)
-{
-    *d = (struct discretization){.points = {10, 10, 1},
-                                 .degree = {1, 1, 1},
-                                 .kinematics = KINEMATICS_NONLINEAR,
-                                 .iterations = 1};
-}
+    {"projection", "of constraints on positions",
+     OPTION_WORDS([PROJECTION_XPBD] = "xpbd", [PROJECTION_PBD] = "pbd"),
+     OPTION_OWN(pb_own, projection)},
+    {NULL}};
+/* clang-format on */
 
 static void destroy(void *state)
 {
@@ -39,13 +30,13 @@ static enum status create(const struct scene *scene, const struct discretization
     enum status st;
     struct pb_motion *m = NULL;
 
-    TRY(model_refuse_net(scene, SERVES, why));
-    TRY(discretization_refuse_net(d, USED, "position_based", why));
+    TRY(model_refuse_net(scene, d, why));
     if (d->iterations < 1)
         return status_fail(why, STATUS_INPUT,
                            "iterations: position_based takes a fixed number, 1 or more");
-    if (d->projection == PROJECTION_PBD && scene->damping.kind == DAMPING_RAYLEIGH &&
-        scene->damping.beta > 0 && d->parameters == PARAMETERS_MATCHED)
+    if (OWN(pb_own, d)->projection == PROJECTION_PBD &&
+        scene->damping.kind == DAMPING_RAYLEIGH && scene->damping.beta > 0 &&
+        d->parameters == PARAMETERS_MATCHED)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "unsupported: no damping by stiffness (rayleigh beta) with "
                            "projection=pbd, which knows no stiffness");
@@ -129,8 +120,14 @@ const struct model position_based_model = {
     .title = "position-based constraints",
     .source = "Macklin, Mueller, Chentanez 2016 (XPBD), small steps: Macklin et al. 2019; "
               "Mueller et al. 2007 (PBD)",
-    .serves = SERVES,
-    .defaults = defaults,
+    .serves = SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |
+              SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |
+              SCENE_NEED_INITIAL_MOTION,
+    .options = options,
+    .defaults = {.points = {10, 10, 1},
+                 .degree = {1, 1, 1},
+                 .kinematics = KINEMATICS_NONLINEAR,
+                 .iterations = 1},
     .create = create,
     .advance = advance,
     .sample = sample,

@@ -4,6 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const pd_energy_constraints[] = {
+    [CONSTRAINT_TRIANGLES] = "triangles", [CONSTRAINT_EDGES] = "edges", NULL};
+
 static const double PAPER_STRETCH = 10, PAPER_BEND = 10, PAPER_MASS = 1;
 
 /* Plane stress: energy per area E h / 2(1-nu^2) [(1-nu) |e|^2 + nu tr(e)^2], e the strain.

@@ -33,6 +33,10 @@
 #include "models/discretization.h"
 #include "projective_dynamics/pd_bending.h"
 
+/* What resists stretching. */
+enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
+extern const char *const pd_energy_constraints[]; /* NULL ends */
+
 struct pd_energy {
     struct pd_net net;
     enum constraint constraint;

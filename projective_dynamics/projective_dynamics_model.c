@@ -10,18 +10,21 @@ enum { DEFAULT_ITERATIONS = 10, MOST_ITERATIONS = 1000000 };
 static const double DEFAULT_TOLERANCE = 1e-6; /* of the length; if iterations = 0        */
 static const double LEFT_TOLD = 0.01;         /* of a step's movement                    */
 
-#define SERVES                                                                             \
-    (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |         \
-     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_LOADS |                  \
-     SCENE_NEED_INITIAL_MOTION)
-
-static void defaults(struct discretization *d)
-{
-    *d = (struct discretization){.points = {10, 10, 1},
-                                 .degree = {1, 1, 1},
-                                 .kinematics = KINEMATICS_NONLINEAR,
-                                 .iterations = DEFAULT_ITERATIONS};
-}
+/* clang-format off */
+static const struct schema_key options[] = {
+    OPTIONS_NET, {"parameters"}, {"tolerance"},
+    {"solver", .only = OPTION(SOLVER_AUTO) | OPTION(SOLVER_BANDED) |
+                       OPTION(SOLVER_SUPERNODAL) | OPTION(SOLVER_CHOLMOD)},
+    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_BDF2) |
+                           OPTION(INTEGRATOR_MIDPOINT)},
+    {"constraint", "what resists stretching", SCHEMA_WORD, .words = pd_energy_constraints,
+     OPTION_OWN(pd_own, constraint)},
+    {"acceleration", "of an iteration",
+     OPTION_WORDS([ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev",
+                  [ACCELERATION_ADMM] = "admm"),
+     OPTION_OWN(pd_own, acceleration)},
+    {NULL}};
+/* clang-format on */
 
 static enum status refuse_damping(const struct scene *scene, struct message *why)
 {
@@ -32,24 +35,18 @@ static enum status refuse_damping(const struct scene *scene, struct message *why
     return STATUS_OK;
 }
 
-/* Keys it has a use for. */
-enum {
-    USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
-           DISCRETIZATION_TOLERANCE | DISCRETIZATION_CONSTRAINT |
-           DISCRETIZATION_ACCELERATION | DISCRETIZATION_INTEGRATOR
-};
-
 static struct pd_options options_of(const struct discretization *d)
 {
+    const struct pd_own *own = OWN(pd_own, d);
     struct pd_options o = {
         .points = {d->points[0], d->points[1]},
-        .constraint = d->constraint,
+        .constraint = own->constraint,
         .parameters = d->parameters,
         .substeps = d->substeps > 0 ? d->substeps : 1,
         .iterations = d->iterations > 0 ? d->iterations : MOST_ITERATIONS,
         .tolerance = d->tolerance,
-        .chebyshev = d->acceleration == ACCELERATION_CHEBYSHEV,
-        .split = d->acceleration == ACCELERATION_ADMM,
+        .chebyshev = own->acceleration == ACCELERATION_CHEBYSHEV,
+        .split = own->acceleration == ACCELERATION_ADMM,
         .second = d->integrator == INTEGRATOR_BDF2,
         .midpoint = d->integrator == INTEGRATOR_MIDPOINT,
         .solver = d->solver,
@@ -71,35 +68,24 @@ static enum status create(const struct scene *scene, const struct discretization
 {
     enum status st;
     struct pd_motion *m = NULL;
-    struct pd_options options;
+    const struct pd_own *own = OWN(pd_own, d);
+    const struct pd_options chosen = options_of(d);
 
-    TRY(model_refuse_net(scene, SERVES, why));
+    TRY(model_refuse_net(scene, d, why));
     if (d->parameters == PARAMETERS_MATCHED)
         TRY(refuse_damping(scene, why));
-    TRY(discretization_refuse_net(d, USED, "projective_dynamics", why));
-    if (d->integrator != INTEGRATOR_IMPLICIT && d->integrator != INTEGRATOR_BDF2 &&
-        d->integrator != INTEGRATOR_MIDPOINT)
-        return status_fail(
-            why, STATUS_UNSUPPORTED,
-            "integrator=%s: projective_dynamics has implicit, bdf2 and midpoint",
-            integrator_name(d->integrator));
     if (d->integrator == INTEGRATOR_MIDPOINT && scene->obstacle_count)
         return status_fail(
             why, STATUS_UNSUPPORTED,
             "integrator=midpoint: without obstacles only, as a sheet that is "
             "outside of them in the middle of a step may be inside at its end");
-    if (d->acceleration == ACCELERATION_ADMM && d->constraint != CONSTRAINT_TRIANGLES)
+    if (own->acceleration == ACCELERATION_ADMM && own->constraint != CONSTRAINT_TRIANGLES)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "acceleration=admm: with constraint=triangles only");
-    if (solver_iterates(d->solver))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "solver=%s: projective_dynamics factors its one matrix",
-                           solver_name(d->solver));
     m = calloc(1, sizeof *m);
     if (!m)
         TRY(STATUS_MEMORY);
-    options = options_of(d);
-    TRY(pd_motion_init(m, scene, &options, why));
+    TRY(pd_motion_init(m, scene, &chosen, why));
     *state = m, m = NULL;
 out:
     destroy(m);
@@ -158,8 +144,14 @@ const struct model projective_dynamics_model = {
     .title = "projective dynamics",
     .source = "Bouaziz, Martin, Liu, Kavan, Pauly 2014; on springs Liu et al. 2013; "
               "acceleration: Wang 2015",
-    .serves = SERVES,
-    .defaults = defaults,
+    .serves = SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
+              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_LOADS |
+              SCENE_NEED_INITIAL_MOTION,
+    .options = options,
+    .defaults = {.points = {10, 10, 1},
+                 .degree = {1, 1, 1},
+                 .kinematics = KINEMATICS_NONLINEAR,
+                 .iterations = DEFAULT_ITERATIONS},
     .create = create,
     .advance = advance,
     .sample = sample,

@@ -5,6 +5,18 @@
 #define PROJECTIVE_DYNAMICS_MODEL_H
 
 #include "models/model.h"
+#include "projective_dynamics/pd_energy.h"
+
+enum acceleration {
+    ACCELERATION_NONE,
+    ACCELERATION_CHEBYSHEV, /* Wang 2015                                               */
+    ACCELERATION_ADMM,      /* Overby et al. 2017, softly weighted                     */
+};
+
+struct pd_own { /* choices of its own (models/option.h) */
+    enum constraint constraint;
+    enum acceleration acceleration;
+};
 
 extern const struct model projective_dynamics_model;
 

@@ -23,25 +23,20 @@ struct shell {
     struct samples grid[2];
 };
 
-/* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in about
- * the same time: Newton's method takes fewer tangents. */
-static void defaults(struct discretization *d)
-{
-    *d = (struct discretization){.points = {10, 10, 1},
-                                 .degree = {3, 3, 1},
-                                 .kinematics = KINEMATICS_NONLINEAR,
-                                 .remedy = REMEDY_SELECTIVE};
-}
+/* clang-format off */
+static const struct schema_key options[] = {
+    {"points"}, {"degree"}, {"gauss"}, {"knots_u"}, {"knots_v"}, {"solver"},
+    {"preconditioner"}, {"newton"}, {"viscosity"}, {"substeps"},
+    {"kinematics", .only = OPTION(KINEMATICS_LINEAR) | OPTION(KINEMATICS_NONLINEAR)},
+    {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_SELECTIVE)},
+    {"unknowns", .only = OPTION(UNKNOWNS_AUTO) | OPTION(UNKNOWNS_POINTS)},
+    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
+    {NULL}};
+/* clang-format on */
 
 static enum status check_remedy(const struct discretization *d, struct message *why)
 {
-    if (d->remedy == REMEDY_NONE)
-        return STATUS_OK;
-    if (d->remedy != REMEDY_SELECTIVE)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "shell has no remedy=%s; use none or selective",
-                           remedy_name(d->remedy));
-    if (d->gauss[0] || d->gauss[1])
+    if (d->remedy != REMEDY_NONE && (d->gauss[0] || d->gauss[1]))
         return status_fail(why, STATUS_INPUT,
                            "remedy=selective has its own rule; leave gauss out");
     return STATUS_OK;
@@ -134,19 +129,11 @@ static enum status refuse(const struct scene *scene, const struct discretization
 
     if (st != STATUS_OK)
         return st;
-    if (d->points[2] > 1 || d->knot_count[2] || d->gauss[2])
+    if (d->points[2] > 1 || d->gauss[2])
         return status_fail(why, STATUS_INPUT,
                            "a shell has one point through the thickness: use "
                            "discretization.points=[%d,%d]",
                            d->points[0], d->points[1]);
-    if (d->unknowns == UNKNOWNS_THICKNESS)
-        return status_fail(
-            why, STATUS_UNSUPPORTED,
-            "shell has no unknowns through the thickness; use unknowns=auto");
-    if (d->weight_count)
-        return status_fail(why, STATUS_INPUT,
-                           "shell takes no weights: a flat sheet has no use for them, and "
-                           "a curved one brings its own");
     st = check_remedy(d, why);
     return st == STATUS_OK ? large_leapfrog_refuse(d, why) : st;
 }
@@ -409,7 +396,13 @@ const struct model shell_model = {
               SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |
               SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |
               SCENE_NEED_INITIAL_MOTION,
-    .defaults = defaults,
+    .options = options,
+    /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
+     * about the same time: Newton's method takes fewer tangents. */
+    .defaults = {.points = {10, 10, 1},
+                 .degree = {3, 3, 1},
+                 .kinematics = KINEMATICS_NONLINEAR,
+                 .remedy = REMEDY_SELECTIVE},
     .adapt = adapt,
     .extra_points = extra_points,
     .create = create,

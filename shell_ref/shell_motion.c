@@ -205,10 +205,6 @@ enum status shell_motion_init(struct shell_motion *m, const struct scene *scene,
 {
     enum status st;
 
-    if (d->kinematics != KINEMATICS_LINEAR && d->kinematics != KINEMATICS_NONLINEAR)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "shell has no %s kinematics; use linear or nonlinear",
-                           kinematics_name(d->kinematics));
     *m = (struct shell_motion){.scene = scene, .space = space, .kinematics = d->kinematics};
     st = build(m, d, why);
     if (st != STATUS_OK)

@@ -168,9 +168,7 @@ static const struct {
     {"discretization.substeps=1.5", "a whole number from 0"},
     {"discretization.iterations=-1", "a whole number from 0"},
     {"discretization.tolerance=2", "a number from 0 to 1"},
-    {"discretization.strain_limit=-0.1", "a number from 0 to 10"},
-    {"discretization.constraint=faces", "one of triangles, edges"},
-    {"discretization.acceleration=magic", "one of none, chebyshev, admm"},
+    {"discretization.bending=magic", "one of quadratic, hinge, strut"},
     {"discretization[0]=1", "discretization is a section; it has no elements"},
 };
 

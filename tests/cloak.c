@@ -198,7 +198,7 @@ static void test_refusals(void)
     init_cloak(&s, 200, 25);
     CHECK(scene_needs(&s) & SCENE_NEED_CURVED_REST);
     for (int n = 0; n < 2; n++) {
-        find(cannot[n])->defaults(&d);
+        model_defaults(find(cannot[n]), &d);
         CHECK(find(cannot[n])->create(&s, &d, &state, &why) == STATUS_UNSUPPORTED);
         CHECK(strstr(why.text, "no curved rest shape"));
     }
@@ -230,7 +230,7 @@ static void test_file(void)
 
     REQUIRE(contestant_find("iga", &plan.contestant, NULL) == STATUS_OK);
     settings_set_all(&settings, 3, list);
-    REQUIRE(settings_read_scene(&settings, plan.path, &s, NULL) == STATUS_OK);
+    REQUIRE(contestant_read_scene(&settings, plan.path, &s, NULL) == STATUS_OK);
     CHECK(s.shape == SCENE_CLOAK && s.opening == 150 && s.flare == 10);
     CHECK(run_file_write(&plan, &keep, NULL, NULL) == STATUS_OK);
     settings_clear(&settings);

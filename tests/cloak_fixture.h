@@ -51,7 +51,7 @@ static inline struct discretization net(const struct model *model, int n, int m,
 {
     struct discretization d;
 
-    model->defaults(&d);
+    model_defaults(model, &d);
     d.points[0] = n, d.points[1] = m;
     d.degree[0] = p, d.degree[1] = q;
     d.remedy = REMEDY_NONE;

@@ -15,7 +15,7 @@ static void test_rigid_modes(const char *name, enum unknowns unknowns)
     struct scene s;
     double omega[8];
 
-    model->defaults(&d);
+    model_defaults(model, &d);
     d.points[0] = 6, d.points[1] = 7, d.unknowns = unknowns;
     d.kinematics = KINEMATICS_LINEAR;
     init_cloak(&s, 200, 25);
@@ -50,7 +50,7 @@ static void test_kinematics(const char *name)
     for (int n = 0; n < 3; n++) {
         struct discretization d;
         struct counters counters = {0};
-        model->defaults(&d);
+        model_defaults(model, &d);
         d.points[0] = 6, d.points[1] = 7;
         d.kinematics = kind[n], d.unknowns = n == 0 ? UNKNOWNS_THICKNESS : UNKNOWNS_POINTS;
         void *state = create(model, &s, &d);

@@ -63,7 +63,7 @@ static void *build(const struct model *model, const struct scene *scene,
     struct message why = {{0}};
     void *state = NULL;
 
-    model->defaults(&d);
+    model_defaults(model, &d);
     d.points[0] = 8;
     d.points[1] = 7;
     d.kinematics = kinematics;
@@ -226,7 +226,7 @@ static void check_refusals(const struct model *model)
 
     make_scene(&scene, 0.004, 0); /* half a thickness is 0.005 */
     add_plane(&scene, 0, 1, 0);
-    model->defaults(&d);
+    model_defaults(model, &d);
     CHECK(model->create(&scene, &d, &state, &why) == STATUS_INPUT);
     CHECK(strstr(why.text, "0.001 m into obstacle 0") && !state);
     scene.origin[2] = 1;

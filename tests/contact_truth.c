@@ -2,9 +2,12 @@
  * law on an incline, and no preferred direction. One program, a row of tests/CMakeLists.txt
  * a model: contact_truth MODEL[.VARIANT]. */
 #include "bench/harness/contestant.h"
+#include "mass_spring/spring_motion.h"
 #include "models/grid.h"
 #include "models/mechanics/large_newton.h"
 #include "models/metric/metric.h"
+#include "position_based/pb_motion.h"
+#include "projective_dynamics/projective_dynamics_model.h"
 #include "tests/check.h"
 
 /* Gaps of the net, of the sheet's length: closed to round-off of the model's solver. */
@@ -84,21 +87,21 @@ static void set_variant(struct fixture *f, const char *variant)
     else if (!strcmp(variant, "momentum"))
         d->integrator = INTEGRATOR_MOMENTUM, d->tolerance = 0;
     else if (!strcmp(variant, "limited"))
-        d->strain_limit = 0.05;
+        OWN(spring_own, d)->strain_limit = 0.05;
     else if (!strcmp(variant, "quarters"))
         f->pieces = QUARTERS, d->points[0] = d->points[1] = 4;
     else if (!strcmp(variant, "paper"))
         d->parameters = PARAMETERS_PAPER;
     else if (!strcmp(variant, "chebyshev"))
-        d->acceleration = ACCELERATION_CHEBYSHEV;
+        OWN(pd_own, d)->acceleration = ACCELERATION_CHEBYSHEV;
     else if (!strcmp(variant, "admm"))
-        d->acceleration = ACCELERATION_ADMM;
+        OWN(pd_own, d)->acceleration = ACCELERATION_ADMM;
     else if (!strcmp(variant, "bdf2"))
         d->integrator = INTEGRATOR_BDF2;
     else if (!strcmp(variant, "edges"))
-        d->constraint = CONSTRAINT_EDGES;
+        OWN(pd_own, d)->constraint = CONSTRAINT_EDGES;
     else if (!strcmp(variant, "pbd"))
-        d->projection = PROJECTION_PBD;
+        OWN(pb_own, d)->projection = PROJECTION_PBD;
     else if (!strcmp(variant, "linear"))
         d->kinematics = KINEMATICS_LINEAR, f->gain = GAIN_LINEAR;
     else if (!strcmp(variant, "nonlinear"))
@@ -121,7 +124,7 @@ static void make(struct fixture *f, const char *name)
     snprintf(model, sizeof model, "%.*s", dot ? (int)(dot - name) : 63, name);
     REQUIRE(contestant_find(model, &c, &why) == STATUS_OK);
     f->model = c->model;
-    f->model->defaults(&f->d);
+    model_defaults(f->model, &f->d);
     f->d.points[0] = 8;
     f->d.points[1] = 7;
     if (!strcmp(model, "mass_spring"))

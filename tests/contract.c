@@ -48,7 +48,7 @@ static void check_fields(const struct model *model)
     struct message why = {{0}};
 
     CHECK(model->name && model->title && model->source);
-    CHECK(model->defaults && model->create && model->advance && model->sample);
+    CHECK(model->options && model->create && model->advance && model->sample);
     CHECK(model->probe && model->size && model->destroy);
     CHECK(!(model->serves & SCENE_NEED_CONTACT) || model->contact);
     CHECK(strspn(model->name, "abcdefghijklmnopqrstuvwxyz_") == strlen(model->name));

@@ -39,7 +39,7 @@ static inline void fill_scene(struct scene *scene)
 static inline struct discretization small_net(const struct model *model)
 {
     struct discretization d;
-    model->defaults(&d);
+    model_defaults(model, &d);
     d.points[0] = 6;
     d.points[1] = 5;
     return d;

@@ -29,17 +29,84 @@ static void check_row(const struct contestant *c)
     for (const struct contestant *k = contestant_table; k < c; k++)
         CHECK(strcmp(c->name, k->name) && strcmp(c->title, k->title));
     CHECK(c->points[0] >= contestant_least(c) && c->divisors[0] > 0);
-    c->model->defaults(&d);
+    model_defaults(c->model, &d);
     contestant_settings(c, &all);
     contestant_points(c, c->points[0], c->points[0], &all);
-    if (!CHECK(settings_read(&all, SOURCE_DIR "/models/scenes/edge_drop.yaml", &scene, &d,
-                             &why) == STATUS_OK))
+    if (!CHECK(contestant_read_settings(&all, SOURCE_DIR "/models/scenes/edge_drop.yaml",
+                                        &scene, &d, &why) == STATUS_OK))
         printf("%s: %s\n", c->name, why.text);
     CHECK(d.degree[0] == c->degree && d.points[0] == c->points[0]);
     model_starts(c->model, &scene, &d, c->name);
     settings_clear(&all);
     scene_clear(&scene);
     discretization_clear(&d);
+}
+
+/* A row names a choice that models share, or describes one that is the model's alone. */
+static void check_options(const struct model *model)
+{
+    const struct model *other;
+
+    for (const struct schema_key *k = model->options; k->key; k++) {
+        const struct schema_key *shared = option_find(option_shared, k->key);
+        if (!CHECK(k->what ? !shared : shared && (!k->only || shared->words)))
+            printf("%s: %s\n", model->name, k->key);
+        CHECK(option_find(model->options, k->key) == k);
+        CHECK(!k->what || k->type == SCHEMA_NUMBER || k->type == SCHEMA_COUNT ||
+              (k->type == SCHEMA_WORD && k->words));
+        for (int n = 0; (other = contract_model(n)); n++) {
+            const struct schema_key *theirs = option_find(other->options, k->key);
+            CHECK(!k->what || other == model || !theirs);
+        }
+    }
+}
+
+/* What another model has is read if it is said right, and refused by name. */
+static void check_foreign(void)
+{
+    static const struct {
+        const char *model, *setting, *part;
+    } cases[] = {
+        {NULL, "discretization.constraint=edges", ""},
+        {NULL, "discretization.constraint=foo", "must be one of triangles, edges"},
+        {NULL, "discretization.strain_limit=-0.1", "a number from 0 to 10"},
+        {NULL, "discretization.constrant=edges", "did you mean 'constraint'"},
+        {"iga", "discretization.acceleration=magic", "one of none, chebyshev, admm"},
+        {"iga", "discretization.constraint=edges", "constraint: iga has no use for it"},
+        {"iga", "discretization.constraint=triangles", ""},
+        {"iga", "discretization.integrator=bdf2",
+         "integrator=bdf2: iga has implicit, leapfrog"},
+        {"hex", "discretization.knots_u=[0,0,1,1]", "knots_u: hex has no use for it"},
+        {"hex", "discretization.remedy=clamped", "remedy=clamped: hex has none, incomp"},
+        {"triangles", "discretization.bending=strut",
+         "bending=strut: triangles has quadratic, hinge"},
+        {"mass_spring", "discretization.kinematics=linear",
+         "kinematics=linear: mass_spring has nonlinear"},
+    };
+
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        const struct contestant *c = NULL;
+        struct discretization d = {0};
+        struct settings all = {0};
+        struct message why = {""};
+        struct scene scene;
+        void *state = NULL;
+        enum status st = STATUS_OK;
+        if (cases[n].model)
+            st = contestant_find(cases[n].model, &c, &why), model_defaults(c->model, &d);
+        settings_set(&all, cases[n].setting);
+        TRY(contestant_read_settings(&all, SOURCE_DIR "/models/scenes/edge_drop.yaml",
+                                     &scene, &d, &why));
+        st = c ? c->model->create(&scene, &d, &state, &why) : STATUS_OK;
+    out:
+        if (!CHECK(*cases[n].part ? st && strstr(why.text, cases[n].part) : !st))
+            printf("%s: '%s'\n", cases[n].setting, why.text);
+        if (state)
+            c->model->destroy(state);
+        settings_clear(&all);
+        scene_clear(&scene);
+        discretization_clear(&d);
+    }
 }
 
 static void check_table(void)
@@ -215,10 +282,12 @@ static void check_needs(const struct model *model)
 int main(void)
 {
     check_table();
+    check_foreign();
     for (int n = 0; contract_model(n); n++) {
         const struct model *model = contract_model(n);
         struct scene scene;
         fill_scene(&scene);
+        check_options(model);
         check_bad_discretizations(model, &scene);
         check_nets(model, &scene);
         check_needs(model);

@@ -391,7 +391,7 @@ static void check_row(const struct row *row)
         printf("%s, %s: %s: [%d,%d,%d] [%d,%d,%d] %s; %s\n", row->model,
                row->settings[0] ? row->settings[0] : row->scene, why.text, d->points[0],
                d->points[1], d->points[2], d->degree[0], d->degree[1], d->degree[2],
-               remedy_name(d->remedy), run.adapted.text);
+               option_remedy[d->remedy], run.adapted.text);
     run_close(&run);
     settings_clear(&set);
 }

@@ -140,8 +140,12 @@ static void check_refused(void)
         int kind;
         const char *set[2], *why;
     } cases[] = {
-        {1, {"discretization.integrator=explicit"}, "implicit or leapfrog, not explicit"},
-        {2, {"discretization.integrator=momentum"}, "implicit or leapfrog, not momentum"},
+        {1,
+         {"discretization.integrator=explicit"},
+         "integrator=explicit: shell has implicit, leapfrog"},
+        {2,
+         {"discretization.integrator=momentum"},
+         "integrator=momentum: iga has implicit, leapfrog"},
         {1, {"discretization.kinematics=linear"}, "kinematics=nonlinear only"},
         {3, {"discretization.kinematics=printed"}, "kinematics=nonlinear only"},
         {2,

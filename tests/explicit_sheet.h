@@ -58,7 +58,7 @@ static inline void read_run(struct run *r, const struct kind *k, const char *con
     int count = 0;
 
     *r = (struct run){.model = k->model};
-    k->model->defaults(&r->d);
+    model_defaults(k->model, &r->d);
     r->d.integrator = INTEGRATOR_LEAPFROG;
     add(list, SOFT, MOST_SETTINGS);
     add(list, k->settings, 4);

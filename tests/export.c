@@ -353,9 +353,9 @@ static void scenes_come_back(void)
             printf("%s\n%s\nis\n%s\n", cases[n].name, was, is);
         char *first = NULL;
         REQUIRE(scene_file_find(cases[n].name, &first, NULL) == STATUS_OK);
-        REQUIRE(settings_read_scene(&settings, first, &s, NULL) == STATUS_OK);
+        REQUIRE(contestant_read_scene(&settings, first, &s, NULL) == STATUS_OK);
         settings_clear(&settings);
-        REQUIRE(settings_read_scene(&settings, path, &again, NULL) == STATUS_OK);
+        REQUIRE(contestant_read_scene(&settings, path, &again, NULL) == STATUS_OK);
         CHECK(s.step == again.step && s.end == again.end && !strcmp(s.name, again.name) &&
               !strcmp(s.source, again.source) && s.snapshot_count == again.snapshot_count);
         for (int k = 0; k < s.snapshot_count && k < again.snapshot_count; k++)

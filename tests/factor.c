@@ -4,6 +4,7 @@
 
 #include "tests/net_matrix.h"
 #include "models/linalg/factor.h"
+#include "models/option.h"
 #include "models/linalg/order.h"
 #include "tests/check.h"
 
@@ -159,7 +160,7 @@ static void check_agreement(void)
         struct factor_info info;
         REQUIRE(factor_create(&pattern, method, &f) == STATUS_OK);
         factor_describe(f, &info);
-        CHECK(!strcmp(info.method, solver_name(method)));
+        CHECK(!strcmp(info.method, option_solver[method]));
         fill(&a, f);
         right_hand_side(N, x[method]);
         REQUIRE(factor_refactor(f) == STATUS_OK);

@@ -46,7 +46,7 @@ static void advance(struct run *t, int steps)
     for (int n = 0; n < steps; n++)
         if (!CHECK(t->model->advance(t->state, &counters) == STATUS_OK)) {
             printf("%s, %s, step %d\n", t->model->name,
-                   kinematics_name(t->discretization.kinematics), n);
+                   option_kinematics[t->discretization.kinematics], n);
             exit(1);
         }
 }

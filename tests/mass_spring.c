@@ -263,7 +263,7 @@ static double largest_elongation(enum parameters parameters, double limit, doubl
     REQUIRE(scene_file_read(path, 0, NULL, &scene, &d, &why) == STATUS_OK);
     free(path);
     d.parameters = parameters;
-    d.strain_limit = limit;
+    OWN(spring_own, &d)->strain_limit = limit;
     start(&m, &scene, &d);
     for (int n = 0; n < 300; n++) {
         CHECK(spring_motion_step(&m, &counters) == STATUS_OK);

@@ -32,7 +32,7 @@ static inline struct discretization net_of(int n, int m)
     const struct contestant *c = NULL;
 
     REQUIRE(contestant_find("mass_spring", &c, NULL) == STATUS_OK);
-    c->model->defaults(&d);
+    model_defaults(c->model, &d);
     d.points[0] = n, d.points[1] = m;
     return d;
 }

@@ -8,7 +8,7 @@ static struct discretization leapfrog(int n, int m, enum bending bending)
     struct discretization d = net_of(n, m);
 
     d.integrator = INTEGRATOR_LEAPFROG;
-    d.springs = SPRINGS_LENGTHS, d.bending = bending;
+    OWN(spring_own, &d)->springs = SPRINGS_LENGTHS, d.bending = bending;
     return d;
 }
 
@@ -108,7 +108,7 @@ static void check_slope(int n, int m, enum bending bending)
     }
     free(f);
     if (!CHECK(off < SLOPE * most))
-        printf("%d x %d, %s: %g of %g\n", n, m, bending_name(bending), off, most);
+        printf("%d x %d, bending %d: %g of %g\n", n, m, (int)bending, off, most);
     spring_motion_clear(&motion);
     scene_clear(&scene);
 }

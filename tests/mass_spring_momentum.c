@@ -250,14 +250,15 @@ static void check_refusals(void)
     static const struct {
         struct discretization d;
         const char *says;
+        struct spring_own own;
     } cases[] = {
         {{.iterations = 3}, "iterations"},
         {{.tolerance = 1e-6}, "tolerance"},
-        {{.strain_limit = 0.1}, "strain_limit"},
+        {{0}, "strain_limit", {.strain_limit = 0.1}},
         {{.parameters = PARAMETERS_PAPER}, "parameters=paper"},
         {{.precision = PRECISION_SINGLE}, "precision=single"},
-        {{.integrator = INTEGRATOR_LEAPFROG, .strain_limit = 0.1}, "strain_limit"},
-        {{.springs = SPRINGS_LENGTHS}, "with integrator=leapfrog only"},
+        {{.integrator = INTEGRATOR_LEAPFROG}, "strain_limit", {.strain_limit = 0.1}},
+        {{0}, "with integrator=leapfrog only", {.springs = SPRINGS_LENGTHS}},
         {{.integrator = INTEGRATOR_EXPLICIT, .bending = BENDING_STRUT},
          "with integrator=leapfrog only"},
         {{.integrator = INTEGRATOR_LEAPFROG, .bending = BENDING_STRUT},
@@ -274,9 +275,9 @@ static void check_refusals(void)
         fill_scene(&scene, true);
         d.integrator = cases[k].d.integrator ? cases[k].d.integrator : INTEGRATOR_MOMENTUM;
         d.iterations = cases[k].d.iterations, d.tolerance = cases[k].d.tolerance;
-        d.strain_limit = cases[k].d.strain_limit, d.precision = cases[k].d.precision;
+        *OWN(spring_own, &d) = cases[k].own, d.precision = cases[k].d.precision;
         d.parameters = cases[k].d.parameters;
-        d.springs = cases[k].d.springs, d.bending = cases[k].d.bending;
+        d.bending = cases[k].d.bending;
         CHECK(spring_model.create(&scene, &d, &state, &why) == STATUS_UNSUPPORTED);
         if (!CHECK(!state && strstr(why.text, cases[k].says)))
             printf("%s\n", why.text);

@@ -92,9 +92,9 @@ static void try_contestant(const struct contestant *c, const char *kind, bool at
     if (c->iterations[0])
         settings_set(&all, "discretization.iterations=3");
     settings_set(&all, more);
-    c->model->defaults(&s.d);
-    if (!CHECK(settings_read(&all, SOURCE_DIR "/models/scenes/edge_drop.yaml", &s.scene,
-                             &s.d, &why) == STATUS_OK))
+    model_defaults(c->model, &s.d);
+    if (!CHECK(contestant_read_settings(&all, SOURCE_DIR "/models/scenes/edge_drop.yaml",
+                                        &s.scene, &s.d, &why) == STATUS_OK))
         printf("  %s: %s\n", name, why.text);
     else if (!model_refuse(&s.scene, c->model->serves, NULL))
         try_all(&(struct deed){name, live_through, &s});

@@ -37,7 +37,7 @@ static inline void run_read(struct run *run, const char *model, const char *scen
 
     memset(run, 0, sizeof *run);
     run->model = !strcmp(model, "hex") ? &hex_model : &plate_model;
-    run->model->defaults(&run->d);
+    model_defaults(run->model, &run->d);
     run->d.kinematics = KINEMATICS_PRINTED;
     run->d.remedy = REMEDY_NONE;
     if (run->model == &plate_model)

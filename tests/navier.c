@@ -42,7 +42,7 @@ static void quarter_scene(double h, double nu, bool antisymmetric, struct scene 
 /* All of it under its own weight: the shipped scene. */
 static void whole_scene(double h, double nu, struct scene *scene)
 {
-    struct discretization d = {{0}};
+    struct discretization d = {0};
     struct message why = {""};
     char *path = NULL;
 

@@ -72,7 +72,7 @@ const struct model odd_model = {
     .name = "odd",
     .title = "ends as it is told",
     .source = "a test",
-    .defaults = scripted_defaults,
+    .defaults = {.points = {2, 2, 1}, .degree = {1, 1, 1}},
     .create = create,
     .advance = advance,
     .sample = scripted_sample,

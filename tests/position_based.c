@@ -58,7 +58,8 @@ static void check_fall(enum projection projection, enum precision precision, dou
     scene.gravity[0] = 0, scene.drag = drag, scene.wind[2] = 3;
     scene.damping =
         (struct scene_damping){.kind = DAMPING_RAYLEIGH, .alpha = alpha, .beta = beta};
-    d.projection = projection, d.precision = precision, d.substeps = substeps;
+    OWN(pb_own, &d)->projection = projection, d.precision = precision,
+                d.substeps = substeps;
     begin(&m, &scene, &d);
     frames(&m, FRAMES);
     c = alpha + drag / scene.density;
@@ -86,7 +87,7 @@ static void check_momentum(int n, int m, enum projection projection)
 
     fill_scene(&scene, false);
     memset(scene.gravity, 0, sizeof scene.gravity);
-    d.projection = projection;
+    OWN(pb_own, &d)->projection = projection;
     begin(&motion, &scene, &d);
     for (int k = 0; k < 3 * n * m; k++) {
         motion.work[k] = motion.dt * noise(k);
@@ -275,7 +276,7 @@ static void swing(int substeps, enum precision precision, int pbd, int count, do
     scene.thickness = 0.003, scene.young = 2e4;
     d.substeps = substeps, d.precision = precision;
     if (pbd)
-        d.projection = PROJECTION_PBD, d.iterations = pbd;
+        OWN(pb_own, &d)->projection = PROJECTION_PBD, d.iterations = pbd;
     begin(&m, &scene, &d);
     frames(&m, 40);
     REQUIRE(count == 3 * m.net.nodes);
@@ -372,7 +373,8 @@ static void check_refusals(void)
         scene.young = cases[k].young;
         scene.damping =
             (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = cases[k].beta};
-        d.iterations = cases[k].iterations, d.projection = cases[k].projection;
+        d.iterations = cases[k].iterations,
+        OWN(pb_own, &d)->projection = cases[k].projection;
         CHECK(position_based_model.create(&scene, &d, &state, &why) != STATUS_OK);
         CHECK(!state && strstr(why.text, cases[k].says));
         scene_clear(&scene);

@@ -205,7 +205,7 @@ static void check_plate(const struct plate *p)
     for (int k = 0; k < MODES; k++)
         if (!CHECK_RELATIVE(omega[k] / unit, want[k], TOL_FREQUENCY))
             printf("  degree %d, %s, %dx%d, width %g, mode %d\n", p->degree,
-                   remedy_name(p->remedy), p->points[0], p->points[1], p->width, k + 1);
+                   option_remedy[p->remedy], p->points[0], p->points[1], p->width, k + 1);
     plate_model.destroy(state);
     scene_clear(&scene);
 }

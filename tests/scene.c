@@ -149,22 +149,6 @@ static void check_clamped(void)
     }
 }
 
-static void check_words(void)
-{
-    CHECK(!strcmp(kinematics_name(KINEMATICS_PRINTED), "printed"));
-    CHECK(!strcmp(remedy_name(REMEDY_INCOMPATIBLE), "incompatible"));
-    CHECK(!strcmp(unknowns_name(UNKNOWNS_THICKNESS), "thickness"));
-    CHECK(!strcmp(solver_name(SOLVER_BANDED), "banded"));
-    CHECK(!strcmp(parameters_name(PARAMETERS_PAPER), "paper"));
-    CHECK(!strcmp(integrator_name(INTEGRATOR_EXPLICIT), "explicit"));
-    CHECK(!strcmp(constraint_name(CONSTRAINT_EDGES), "edges"));
-    CHECK(!strcmp(acceleration_name(ACCELERATION_CHEBYSHEV), "chebyshev"));
-    CHECK(!strcmp(projection_name(PROJECTION_PBD), "pbd"));
-    CHECK(!strcmp(damping_name(DAMPING_VELOCITY_RATE), "velocity_rate"));
-    CHECK(!strcmp(damping_name(-1), "unknown"));
-    CHECK(!strcmp(solver_name((enum solver)99), "unknown"));
-}
-
 int main(void)
 {
     check_rest_point();
@@ -173,6 +157,5 @@ int main(void)
     check_path();
     check_discretization();
     check_clamped();
-    check_words();
     return check_result();
 }

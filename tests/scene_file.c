@@ -1,4 +1,5 @@
 /* The scene reader: shipped scenes, settings, names. Refusals are in bad_scenes.c. */
+#include "models/model.h"
 #include "models/reader/scene_file.h"
 #include "models/reader/scene_schema.h"
 #include "tests/check.h"
@@ -169,6 +170,27 @@ static void check_settings(void)
     discretization_clear(&d);
 }
 
+/* Models with choices of their own. */
+struct own {
+    int turns;
+    enum weave { PLAIN, TWILL } weave;
+};
+
+static const struct schema_key options[] = {
+    {"points"},
+    {"turns", "of the yarn", SCHEMA_COUNT, .high = 9, OPTION_OWN(own, turns)},
+    {"weave", "of the cloth", OPTION_WORDS([PLAIN] = "plain", [TWILL] = "twill"),
+     OPTION_OWN(own, weave)},
+    {NULL},
+};
+static const struct model yarn = {.name = "yarn", .options = options},
+                          felt = {.name = "felt", .options = options + 3};
+
+static const struct model *both(int n)
+{
+    return n == 0 ? &felt : n == 1 ? &yarn : NULL;
+}
+
 /* Every key as it was set, printed as the settings that set it again. */
 static void check_printed(void)
 {
@@ -191,19 +213,17 @@ static void check_printed(void)
         "discretization.substeps=7",
         "discretization.iterations=8",
         "discretization.tolerance=1.0000000000000001e-09",
-        "discretization.strain_limit=0.25",
-        "discretization.constraint=edges",
-        "discretization.acceleration=chebyshev",
-        "discretization.projection=pbd",
-        "discretization.membrane=corotational",
-        "discretization.springs=lengths",
-        "discretization.bending=hinge"};
+        "discretization.bending=hinge",
+        "discretization.turns=3",
+        "discretization.weave=twill"};
     const int count = sizeof settings / sizeof *settings;
     struct scene s;
     struct discretization d = defaults();
     char *text = NULL, *line;
 
+    d.model = &yarn;
     REQUIRE(parse(MINIMAL, count, settings, &s, &d) == STATUS_OK);
+    CHECK(OWN(own, &d)->turns == 3 && OWN(own, &d)->weave == TWILL && !d.foreign);
     REQUIRE(scene_schema_print(&d, &text) == STATUS_OK);
     line = strtok(text, "\n");
     for (int n = 0; n < count; n++, line = strtok(NULL, "\n"))
@@ -213,6 +233,37 @@ static void check_printed(void)
     free(text);
     scene_clear(&s);
     discretization_clear(&d);
+}
+
+/* Choices of others may be named as they are, and are told if not; they change nothing. */
+static void check_foreign(void)
+{
+    static const struct {
+        const char *setting, *foreign, *part;
+    } cases[] = {{"discretization.turns=0", NULL, ""},
+                 {"discretization.weave=plain", NULL, ""},
+                 {"discretization.turns=2", "turns", ""},
+                 {"discretization.weave=twill", "weave", ""},
+                 {"discretization.turns=10", NULL, "turns is '10', but must be a whole"},
+                 {"discretization.weave=satin", NULL, "one of plain, twill"},
+                 {"discretization.waeve=twill", NULL, "did you mean 'weave'"}};
+
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++)
+        for (int felted = 0; felted < 2; felted++) {
+            struct discretization d = defaults();
+            struct message why = {""};
+            struct scene s;
+            const char *foreign = cases[n].foreign;
+            d.model = felted ? &felt : NULL, d.others = both;
+            const enum status st = scene_file_parse("memory", MINIMAL, strlen(MINIMAL), 1,
+                                                    &cases[n].setting, &s, &d, &why);
+            CHECK(st == (*cases[n].part ? STATUS_INPUT : STATUS_OK));
+            if (!CHECK(strstr(why.text, cases[n].part)))
+                printf("%s: %s\n", cases[n].setting, why.text);
+            CHECK(foreign ? d.foreign && !strcmp(d.foreign->key, foreign) : !d.foreign);
+            CHECK(!OWN(own, &d)->turns && !OWN(own, &d)->weave);
+            scene_clear(&s);
+        }
 }
 
 /* Settings outrank what they make meaningless in the file. */
@@ -314,6 +365,7 @@ int main(void)
     check_everything();
     check_settings();
     check_printed();
+    check_foreign();
     check_outranked();
     check_failure();
     check_shipped();

@@ -50,11 +50,6 @@ static void script_wait(double seconds)
     nanosleep(&(struct timespec){0, (long)(seconds * 1e9)}, NULL);
 }
 
-static void scripted_defaults(struct discretization *d)
-{
-    *d = (struct discretization){.points = {2, 2, 1}, .degree = {1, 1, 1}};
-}
-
 static enum status scripted_create(const struct scene *scene,
                                    const struct discretization *d, void **state,
                                    struct message *why)
@@ -136,7 +131,7 @@ static const struct model scripted_model = {
     .name = "scripted",
     .title = "does as it is told",
     .source = "a test",
-    .defaults = scripted_defaults,
+    .defaults = {.points = {2, 2, 1}, .degree = {1, 1, 1}},
     .create = scripted_create,
     .advance = scripted_advance,
     .sample = scripted_sample,

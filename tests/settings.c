@@ -1,5 +1,5 @@
 /* Settings: in order, the last wins, numbers to the bit, and no memory is told. */
-#include "bench/harness/settings.h"
+#include "bench/harness/contestant.h"
 
 #include "tests/check.h"
 
@@ -32,7 +32,7 @@ static enum status read(const struct settings *s, struct scene *scene,
                         struct discretization *d, struct message *why)
 {
     memset(d, 0, sizeof *d);
-    return settings_read(s, DROP, scene, d, why);
+    return contestant_read_settings(s, DROP, scene, d, why);
 }
 
 static void test_order(void)

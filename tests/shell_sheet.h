@@ -20,7 +20,7 @@ static inline void sheet_init(struct sheet *s, int p, int spans_u, int spans_v)
 {
     memset(s, 0, sizeof *s);
     REQUIRE(scene_init(&s->scene) == STATUS_OK);
-    shell_model.defaults(&s->d);
+    model_defaults(&shell_model, &s->d);
     s->d.remedy = REMEDY_NONE;
     s->d.degree[0] = s->d.degree[1] = p;
     s->d.points[0] = p + spans_u;

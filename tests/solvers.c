@@ -58,7 +58,7 @@ static struct counters move(const struct subject *s, const struct scene *scene,
         CHECK(c->model->advance(state, &work) == STATUS_OK);
     c->model->sample(state, xyz);
     c->model->size(state, &size);
-    CHECK(!solver_iterates(d->solver) || !strcmp(size.solver, solver_name(d->solver)));
+    CHECK(!solver_iterates(d->solver) || !strcmp(size.solver, option_solver[d->solver]));
     c->model->destroy(state);
     return work;
 }
@@ -85,8 +85,8 @@ static void check_way(const struct subject *s, const struct scene *scene,
     const struct counters work = move(s, scene, &d, xyz);
     off = apart(xyz, direct) / scene->length;
     if (!CHECK(off < SAME))
-        printf("%s %s, %s, %s: %g L\n", s->model, kinematics_name(s->kinematics),
-               solver_name(way->solver), preconditioner_name(way->preconditioner), off);
+        printf("%s %s, %s, %d: %g L\n", s->model, option_kinematics[s->kinematics],
+               option_solver[way->solver], (int)way->preconditioner, off);
     CHECK(!solver_iterates(way->solver) || s->kinematics == KINEMATICS_LINEAR ||
           work.solves > work.steps);
     if (way->preconditioner == PRECONDITIONER_FACTOR && way->solver == SOLVER_CG &&
@@ -144,7 +144,7 @@ static void check_refused(void)
         {"mass_spring",
          {"discretization.solver=gmres", "discretization.integrator=leapfrog"},
          "integrator=implicit or momentum only"},
-        {"mass_spring", {"discretization.newton=full"}, "newton: this model has no use"},
+        {"mass_spring", {"discretization.newton=full"}, "newton: mass_spring has no use"},
         {"iga", {"discretization.preconditioner=ichol"}, "with solver=cg or gmres only"},
         {"shell", {"discretization.preconditioner=jacobi"}, "with solver=cg or gmres only"},
     };

@@ -24,31 +24,25 @@ struct toy {
     struct supports supports;
 };
 
-/* The cheapest discretization that shows the model; keys it has no use for stay zero. */
-static void defaults(struct discretization *d)
-{
-    *d = (struct discretization){
-        .points = {10, 10, 1}, .degree = {1, 1, 1}, .kinematics = KINEMATICS_LINEAR};
-}
+/* What it has a use for: all else is refused, so that nobody believes it had an effect. */
+static const struct schema_key options[] = {
+    {"points"},
+    {"degree"},
+    {"kinematics", .only = OPTION(KINEMATICS_LINEAR)},
+    {"remedy", .only = OPTION(REMEDY_NONE)},
+    {"unknowns", .only = OPTION(UNKNOWNS_AUTO) | OPTION(UNKNOWNS_POINTS)},
+    {NULL},
+};
 
-/* Every key that would have no effect is refused, so that nobody believes it had one. */
 static enum status refuse(const struct discretization *d, struct message *why)
 {
     if (d->points[0] < 2 || d->points[1] < 2 || d->points[2] != 1)
         return status_fail(why, STATUS_INPUT,
                            "points: strands have [n,m,1], n and m at least 2");
     for (int i = 0; i < 3; i++)
-        if (d->degree[i] != 1 || d->gauss[i] || d->knot_count[i])
-            return status_fail(why, STATUS_INPUT,
-                               "degree, gauss, knots: strands have degree 1 and none of "
-                               "the others");
-    if (d->weight_count || d->unknowns == UNKNOWNS_THICKNESS || d->solver != SOLVER_AUTO)
-        return status_fail(why, STATUS_INPUT,
-                           "weights, unknowns, solver: strands have no choice of them");
-    if (d->kinematics != KINEMATICS_LINEAR || d->remedy != REMEDY_NONE)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "strands move with kinematics=linear and remedy=none only");
-    return discretization_refuse(d, 0, why);
+        if (d->degree[i] != 1)
+            return status_fail(why, STATUS_INPUT, "degree: strands have degree 1");
+    return model_refuse_options(d, why);
 }
 
 /* NULL and what a failed create leaves are allowed. */
@@ -281,7 +275,11 @@ const struct model toy_model = {
     .title = "strands in shear",
     .source = "the wave equation; an example, no model of cloth",
     .serves = SERVES,
-    .defaults = defaults,
+    .options = options,
+    /* the cheapest that shows the model; what it has no use for stays zero */
+    .defaults = {.points = {10, 10, 1},
+                 .degree = {1, 1, 1},
+                 .kinematics = KINEMATICS_LINEAR},
     .create = create,
     .advance = advance,
     .sample = sample,

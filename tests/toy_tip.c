@@ -27,7 +27,7 @@ int main(void)
     scene.density = 0.5;
     scene.gravity[2] = -9.81;
     scene.damping = (struct scene_damping){.kind = DAMPING_MASS, .value = 60};
-    toy_model.defaults(&d);
+    model_defaults(&toy_model, &d);
     REQUIRE(toy_model.create(&scene, &d, &state, NULL) == STATUS_OK);
     for (int n = 0; n < STEPS; n++)
         CHECK(toy_model.advance(state, &counters) == STATUS_OK);

@@ -18,7 +18,7 @@ static inline void sheet_init(struct sheet *s, int n, int m)
 {
     memset(s, 0, sizeof *s);
     REQUIRE(scene_init(&s->scene) == STATUS_OK);
-    tri_model.defaults(&s->d);
+    model_defaults(&tri_model, &s->d);
     s->d.points[0] = n, s->d.points[1] = m;
 }
 

@@ -25,7 +25,7 @@ static void start(struct sheet *s, int n, int m, enum membrane membrane,
     s->scene.poisson = poisson;
     memcpy(s->scene.axis_u, u, sizeof u);
     memcpy(s->scene.axis_v, v, sizeof v);
-    s->d.membrane = membrane, s->d.bending = bending;
+    OWN(tri_own, &s->d)->membrane = membrane, s->d.bending = bending;
     if (held)
         sheet_clamp(s);
     sheet_start(s);

@@ -189,7 +189,7 @@ static void find_stored(const struct truth_made *made)
 
     provenance_collect(&here);
     REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
-    REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
+    REQUIRE(contestant_read_scene(&settings, path, &s, NULL) == STATUS_OK);
     REQUIRE(truth_file_find("edge_drop", &s, &read, &why) == STATUS_OK);
     CHECK(read.claimed == made->claimed && read.xyz[1]);
     CHECK(!strcmp(read.commit, provenance_value(&here, "commit")) &&

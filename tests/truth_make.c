@@ -171,7 +171,7 @@ static void check_push(void)
         REQUIRE(scene_file_find(cases[n].scene, &path, NULL) == STATUS_OK);
         runs.path = path;
         REQUIRE(truth_level_settings(&runs, &level, &s, NULL) == STATUS_OK);
-        REQUIRE(settings_read_scene(&s, path, &scene, NULL) == STATUS_OK);
+        REQUIRE(contestant_read_scene(&s, path, &scene, NULL) == STATUS_OK);
         for (int c = 0; c < 3; c++)
             CHECK_NEAR(scene.gravity[c], push - (c == 2) * cases[n].down, ROUNDING);
         scene_clear(&scene);
@@ -210,7 +210,7 @@ static void push_finer(const char *folder)
     settings_set(&s, "material.young=2e5");
     settings_set(&s, "damping={kind: none}");
     runs.path = path;
-    REQUIRE(settings_read_scene(&s, path, &scene, NULL) == STATUS_OK);
+    REQUIRE(contestant_read_scene(&s, path, &scene, NULL) == STATUS_OK);
     for (double error = 3e-6; error > 1e-7 && solids < 5; error /= 2) {
         truth_made_clear(&made);
         REQUIRE(truth_make(&runs, &scene, &(struct truth_wish){error, 1e4}, &made, &end,
@@ -332,7 +332,7 @@ static void check_plate(void)
     char *path = NULL;
 
     REQUIRE(scene_file_find("cantilever_transient", &path, NULL) == STATUS_OK);
-    REQUIRE(settings_read_scene(&s, path, &scene, NULL) == STATUS_OK);
+    REQUIRE(contestant_read_scene(&s, path, &scene, NULL) == STATUS_OK);
     const double gamma = scene_gamma(&scene), ratio = scene.thickness / scene.length;
     REQUIRE(truth_plate_init(&plate, &scene, TIMES, TIME, NULL) == STATUS_OK);
     CHECK(gamma > 0.001 && gamma < 0.09);

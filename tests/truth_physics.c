@@ -156,7 +156,7 @@ static void physics_told(void)
 
     REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
     settings_set(&settings, held);
-    REQUIRE(settings_read_scene(&settings, path, &s, NULL) == STATUS_OK);
+    REQUIRE(contestant_read_scene(&settings, path, &s, NULL) == STATUS_OK);
     CHECK(truth_physics_check(text, &s, &why) == STATUS_OK && !*why.text);
     s.poisson = 0.25;
     CHECK(truth_physics_check(text, &s, &why) == STATUS_UNSUPPORTED);

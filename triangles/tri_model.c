@@ -8,45 +8,28 @@
 #include "models/net.h"
 #include "triangles/tri_motion.h"
 
-#define SERVES                                                                             \
-    (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |                  \
-     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |         \
-     SCENE_NEED_INITIAL_MOTION)
-
-static void defaults(struct discretization *d)
-{
-    *d = (struct discretization){.points = {16, 16, 1},
-                                 .degree = {1, 1, 1},
-                                 .kinematics = KINEMATICS_NONLINEAR,
-                                 .integrator = INTEGRATOR_MOMENTUM};
-}
-
-/* Keys it has a use for. */
-enum {
-    USED = DISCRETIZATION_INTEGRATOR | DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
-           DISCRETIZATION_PRECISION | DISCRETIZATION_MEMBRANE | DISCRETIZATION_BENDING
-};
+/* clang-format off */
+static const struct schema_key options[] = {
+    OPTIONS_NET, {"solver"}, {"preconditioner"}, {"precision"},
+    {"integrator", .only = OPTION(INTEGRATOR_MOMENTUM) | OPTION(INTEGRATOR_IMPLICIT) |
+                           OPTION(INTEGRATOR_LEAPFROG)},
+    {"bending", .only = OPTION(BENDING_QUADRATIC) | OPTION(BENDING_HINGE)},
+    {"membrane", "strain of triangles",
+     OPTION_WORDS([MEMBRANE_GREEN] = "green", [MEMBRANE_COROTATIONAL] = "corotational",
+                  [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin"),
+     OPTION_OWN(tri_own, membrane)},
+    {NULL}};
+/* clang-format on */
 
 static enum status refuse(const struct scene *scene, const struct discretization *d,
                           struct message *why)
 {
     enum status st;
 
-    TRY(model_refuse_net(scene, SERVES, why));
-    TRY(discretization_refuse_net(d, USED, "triangles", why));
-    if (d->integrator == INTEGRATOR_EXPLICIT)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "triangles take explicit steps by integrator=leapfrog");
-    if (d->integrator == INTEGRATOR_BDF2 || d->integrator == INTEGRATOR_MIDPOINT)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "integrator=%s: triangles have momentum, implicit, leapfrog",
-                           integrator_name(d->integrator));
+    TRY(model_refuse_net(scene, d, why));
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");
-    if (d->bending == BENDING_STRUT)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "bending=strut: of springs; triangles have quadratic, hinge");
     if (d->precision == PRECISION_SINGLE && d->bending == BENDING_HINGE)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with bending=quadratic only");
@@ -167,8 +150,14 @@ const struct model tri_model = {
         "membrane: St. Venant and Kirchhoff, or Baraff and Witkin 1998; bending: Bergou "
         "et al. 2006, or Grinspun et al. 2003; steps: Simo and Tarnow 1992, Baraff and "
         "Witkin 1998, leapfrog",
-    .serves = SERVES,
-    .defaults = defaults,
+    .serves = SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |
+              SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |
+              SCENE_NEED_INITIAL_MOTION,
+    .options = options,
+    .defaults = {.points = {16, 16, 1},
+                 .degree = {1, 1, 1},
+                 .kinematics = KINEMATICS_NONLINEAR,
+                 .integrator = INTEGRATOR_MOMENTUM},
     .create = create,
     .advance = advance,
     .sample = sample,

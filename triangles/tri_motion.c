@@ -82,7 +82,7 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
                                .form_count = m->net.form_count,
                                .forms = m->net.forms};
 
-    m->cells.membrane = d->membrane;
+    m->cells.membrane = OWN(tri_own, d)->membrane;
     memcpy(m->cells.D, m->body.D, sizeof m->cells.D);
     memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
     TRY(rest_frequency(m, &body.omega));
@@ -101,7 +101,7 @@ static enum status build(struct tri_motion *m, const struct discretization *d,
     struct spring_net *points = &m->net.points;
 
     TRY(tri_net_init(&m->net, scene, d->points, d->bending));
-    TRY(tri_body_init(&m->body, scene, &m->net, d->membrane));
+    TRY(tri_body_init(&m->body, scene, &m->net, OWN(tri_own, d)->membrane));
     TRY(spring_load_init(&m->load, scene, points, PARAMETERS_MATCHED));
     TRY(supports_init(&m->supports, scene, points->nodes, points->uvw, why));
     TRY(make_arrays(m));
@@ -135,11 +135,7 @@ enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
     *m = (struct tri_motion){.scene = scene,
                              .swept = d->integrator == INTEGRATOR_LEAPFROG &&
                                       d->bending == BENDING_QUADRATIC,
-                             .asked = {.integrator = d->integrator,
-                                       .solver = d->solver,
-                                       .preconditioner = d->preconditioner,
-                                       .iterations = d->iterations,
-                                       .substeps = d->substeps}};
+                             .asked = *d};
     enum status st = build(m, d, why);
 
     if (st != STATUS_OK)

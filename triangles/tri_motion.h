@@ -17,6 +17,10 @@
 #include "mass_spring/spring_leapfrog.h"
 #include "triangles/tri_body.h"
 
+struct tri_own { /* choices of its own (models/option.h) */
+    enum membrane membrane;
+};
+
 struct tri_motion {
     const struct scene *scene;   /* borrowed                                             */
     bool swept;                  /* steps of spring_leapfrog.h                           */

@@ -14,7 +14,7 @@
 #ifndef TRI_STRAIN_H
 #define TRI_STRAIN_H
 
-#include "models/discretization.h"
+#include "mass_spring/spring_sweep.h"
 #include "models/scene.h"
 
 struct tri_strain {

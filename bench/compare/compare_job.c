@@ -22,7 +22,7 @@ static void choose_damping(struct compare_job *j)
     const char *truth = truth_plan_damping(&j->scene);
 
     snprintf(j->contest.physics, sizeof j->contest.physics, "damping %s",
-             damping_name((int)j->scene.damping.kind));
+             damping_words[j->scene.damping.kind]);
     settings_append(&j->truth, &j->user);
     for (int n = 0; n < j->user.count; n++)
         if (!strncmp(j->user.text[n], "damping", 7))
@@ -71,7 +71,7 @@ enum status compare_job_open(struct compare_job *j, const char *scene, double un
     enum status st;
 
     TRY(scene_file_find(scene, &j->path, why));
-    TRY(settings_read_scene(&j->user, j->path, &j->scene, why));
+    TRY(contestant_read_scene(&j->user, j->path, &j->scene, why));
     j->contest.scene = &j->scene;
     choose_damping(j);
     TRY(choose_times(j, until, why));

@@ -8,11 +8,7 @@
 
 #define IN(type, member) .offset = offsetof(struct type, member)
 
-static const char *keep_word(int value)
-{
-    static const char *const words[] = {"none", "snapshots"};
-    return 0 <= value && value < 2 ? words[value] : "unknown";
-}
+static const char *const KEEPS[] = {"none", "snapshots", NULL};
 
 static enum status read_axes(const struct schema_key *key, const struct yaml_tree *node,
                              void *target, struct message *why)
@@ -264,7 +260,7 @@ static const struct schema_key TABLE[] = {
      .read = read_words, .most = PLAN_TABLE_COLUMNS, IN(plan, table.columns),
      .want = "a list of 1 to 16 quantities"},
     {"last", "people see the last time of each study alone", SCHEMA_WORD,
-     .word = plan_settings_truth, IN(plan, table.last)},
+     .words = plan_settings_truth, IN(plan, table.last)},
     {"shown", "people see the levels with these labels alone", SCHEMA_SPECIAL,
      .read = read_shown, .want = "a map {AXIS: LABEL}"},
     {"pictures", "studies whose sheets are drawn", SCHEMA_SPECIAL, .read = read_words,
@@ -307,9 +303,9 @@ static const struct schema_key PLAN[] = {
      .want = "a list of 1 to 10000 maps {name: ..., KEY: VALUE, ...}"},
     {"look", "frames from one reading of the metrics to the next", SCHEMA_COUNT, .low = 1,
      .high = 1e6, IN(plan, look)},
-    {"intersections", "count self-intersections", SCHEMA_WORD, .word = plan_settings_truth,
+    {"intersections", "count self-intersections", SCHEMA_WORD, .words = plan_settings_truth,
      IN(plan, intersections)},
-    {"keep", "fields in the result files", SCHEMA_WORD, .word = keep_word, IN(plan, keep)},
+    {"keep", "fields in the result files", SCHEMA_WORD, .words = KEEPS, IN(plan, keep)},
     {"time_limit", "of a case on the clock [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
      IN(plan, time_limit)},
     {"verdicts", "when a case gets a label", SCHEMA_SPECIAL, .read = read_verdicts,

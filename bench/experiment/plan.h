@@ -116,7 +116,7 @@ void *plan_settings_list(const struct schema_key *key, const struct yaml_tree *n
                          enum status *st, struct message *why);
 
 /* The words of schema.h for 0 and 1. */
-const char *plan_settings_truth(int value);
+extern const char *const plan_settings_truth[];
 
 /* The setting of a key; NULL if there is none. */
 const struct plan_setting *plan_settings_find(const struct plan_settings *settings,
@@ -228,7 +228,7 @@ struct plan_study {
     {"quick_times", "instead of them in a quick run [s]",                                  \
      PLAN_STUDY_TIMES_AT(at, quick_times, quick_count)},                                   \
     {"truth", "errors against the scene's truth; plate: Kirchhoff's, of linear theory",    \
-     SCHEMA_WORD, .word = plan_study_truth,                                                \
+     SCHEMA_WORD, .words = plan_study_truth,                                                \
      .offset = (at) + offsetof(struct plan_study, truth)},                                 \
     {"timed", "repeats of the milliseconds a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
      .offset = (at) + offsetof(struct plan_study, timed)}
@@ -237,7 +237,7 @@ struct plan_study {
 extern const struct schema_key plan_study_keys[], plan_study_level_keys[];
 
 /* The words of schema.h for enum plan_truth. */
-const char *plan_study_truth(int value);
+extern const char *const plan_study_truth[];
 
 /* A reader of schema.h, into the struct plan_study at key->offset. */
 enum status plan_study_read_levels(const struct schema_key *key,

@@ -11,11 +11,7 @@
 #define IN(type, member) .offset = offsetof(struct type, member)
 #define ANY              .low = -1e30, .high = 1e30
 
-static const char *scale_word(int value)
-{
-    static const char *const words[] = {"linear", "log"};
-    return 0 <= value && value < 2 ? words[value] : "unknown";
-}
+static const char *const SCALES[] = {"linear", "log", NULL};
 
 /* An axis as it is read. */
 struct axis_reading {
@@ -46,7 +42,7 @@ const struct schema_key plan_axis_keys[] = {
     {"to", "last value", SCHEMA_NUMBER, ANY, IN(axis_reading, to)},
     {"count", "values from first to last", SCHEMA_COUNT, .low = 2, .high = PLAN_AXIS_MOST,
      IN(axis_reading, count)},
-    {"scale", "steps between them", SCHEMA_WORD, .word = scale_word,
+    {"scale", "steps between them", SCHEMA_WORD, .words = SCALES,
      IN(axis_reading, axis.scale)},
     {NULL}};
 /* clang-format on */

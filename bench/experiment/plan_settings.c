@@ -153,11 +153,7 @@ void *plan_settings_list(const struct schema_key *key, const struct yaml_tree *n
     return list;
 }
 
-const char *plan_settings_truth(int value)
-{
-    static const char *const words[] = {"false", "true"};
-    return 0 <= value && value < 2 ? words[value] : "unknown";
-}
+const char *const plan_settings_truth[] = {"false", "true", NULL};
 
 const struct plan_setting *plan_settings_find(const struct plan_settings *settings,
                                               const char *key)

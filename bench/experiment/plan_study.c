@@ -21,7 +21,7 @@ const struct schema_key plan_study_level_keys[] = {
     {"quick", "on top of them in a quick run", SCHEMA_SPECIAL, .read = plan_settings_read_key,
      IN(plan_level, quick), .want = "a map {KEY: VALUE, ...}"},
     {"phases", "time assembly, factorisation and solve of a frame, too", SCHEMA_WORD,
-     .word = plan_settings_truth, IN(plan_level, phases)},
+     .words = plan_settings_truth, IN(plan_level, phases)},
     {"paper_ms", "what somebody else's frame costs [ms]", SCHEMA_NUMBER, .low = 0,
      .high = 1e9, .open = true, IN(plan_level, paper_ms)},
     {"timed", "repeats of its milliseconds a frame (as the study has it)", SCHEMA_COUNT,
@@ -42,11 +42,7 @@ const struct schema_key plan_study_keys[] = {
     {NULL}};
 /* clang-format on */
 
-const char *plan_study_truth(int value)
-{
-    static const char *const words[] = {"false", "true", "plate"};
-    return 0 <= value && value < 3 ? words[value] : "unknown";
-}
+const char *const plan_study_truth[] = {"false", "true", "plate", NULL};
 
 /* "10x10x2, p = 2": "10x10x2_p_2". */
 static char *make_name(const char *label)

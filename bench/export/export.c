@@ -51,7 +51,7 @@ static void put_sheet(const struct scene *s, struct output *out)
     put_key(out, ", width", s->width);
     put_key(out, ", thickness", s->thickness);
     output_print(out, "}\n");
-    output_print(out, "pose:\n  kind: %s\n", scene_shape_name((int)s->shape));
+    output_print(out, "pose:\n  kind: %s\n", scene_shape_words[s->shape]);
     put_list(out, "  origin: ", 3, s->origin, "\n");
     put_list(out, "  u: ", 3, s->axis_u, "\n");
     put_list(out, "  v: ", 3, s->axis_v, "\n");
@@ -75,7 +75,7 @@ static void put_forces(const struct scene *s, struct output *out)
         put_key(out, "drag: {coefficient", s->drag);
         put_list(out, ", wind: ", 3, s->wind, "}\n");
     }
-    output_print(out, "damping: {kind: %s", damping_name((int)d->kind));
+    output_print(out, "damping: {kind: %s", damping_words[d->kind]);
     if (d->kind == DAMPING_RAYLEIGH) {
         put_key(out, ", alpha", d->alpha);
         put_key(out, ", beta", d->beta);
@@ -179,9 +179,9 @@ static void put_title(const struct export_sheet *s, struct output *out)
         "# %s for your simulator\n\nA %s sheet, %g m (u) by %g m (v), %g m thick: E = "
         "%g Pa, nu = %g, rho = %g kg/m^3; gravity\n%g %g %g m/s^2; Gamma = rho g h L^3 "
         "/ D = %.4g.\nSource: %s.\n\n",
-        c->name, scene_shape_name((int)c->shape), c->length, c->width, c->thickness,
-        c->young, c->poisson, c->density, g[0] + 0.0, g[1] + 0.0, g[2] + 0.0,
-        scene_gamma(c), c->source);
+        c->name, scene_shape_words[c->shape], c->length, c->width, c->thickness, c->young,
+        c->poisson, c->density, g[0] + 0.0, g[1] + 0.0, g[2] + 0.0, scene_gamma(c),
+        c->source);
     output_print(out, "SI units; x, y, z right-handed.");
     for (int n = 0; n < 3; n++) {
         static const double corner[3][3] = {{0, 0, 0.5}, {1, 0, 0.5}, {0, 1, 0.5}};

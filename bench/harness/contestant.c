@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "models/reader/scene_file.h"
+
 const struct model *contestant_model(int n)
 {
     for (const struct contestant *c = contestant_table; c->name; c++)
@@ -121,7 +123,7 @@ bool contestant_is_paper_scheme(const struct contestant *c)
 {
     const char *kinematics = contestant_setting(c, "discretization.kinematics");
 
-    return kinematics && !strcmp(kinematics, kinematics_name(KINEMATICS_PRINTED));
+    return kinematics && !strcmp(kinematics, option_kinematics[KINEMATICS_PRINTED]);
 }
 
 void contestant_points(const struct contestant *c, int u, int v, struct settings *s)
@@ -134,4 +136,25 @@ void contestant_points(const struct contestant *c, int u, int v, struct settings
 int contestant_least(const struct contestant *c)
 {
     return c->degree + 1;
+}
+
+enum status contestant_read_settings(const struct settings *s, const char *path,
+                                     struct scene *scene, struct discretization *d,
+                                     struct message *why)
+{
+    if (s->status != STATUS_OK)
+        return status_fail(why, s->status, "settings of %s: %s", path,
+                           status_text(s->status));
+    d->others = contestant_model;
+    return scene_file_read(path, s->count, (const char *const *)s->text, scene, d, why);
+}
+
+enum status contestant_read_scene(const struct settings *s, const char *path,
+                                  struct scene *scene, struct message *why)
+{
+    struct discretization unused = {0};
+    const enum status st = contestant_read_settings(s, path, scene, &unused, why);
+
+    discretization_clear(&unused);
+    return st;
 }

@@ -73,4 +73,12 @@ void contestant_points(const struct contestant *c, int u, int v, struct settings
 /* One net of the least kind: points a side for one span. */
 int contestant_least(const struct contestant *c);
 
+/* scene_file_read with settings, which may name what any model has; for who wants the scene
+ * alone. */
+enum status contestant_read_settings(const struct settings *s, const char *path,
+                                     struct scene *scene, struct discretization *d,
+                                     struct message *why);
+enum status contestant_read_scene(const struct settings *s, const char *path,
+                                  struct scene *scene, struct message *why);
+
 #endif

@@ -20,7 +20,7 @@ enum status run_read(struct run *r, const struct run_plan *plan, struct message 
     if (plan->settings)
         settings_append(&all, plan->settings);
     TRY(scene_file_find(plan->path, &path, why));
-    TRY(settings_read(&all, path, &r->scene, &r->discretization, why));
+    TRY(contestant_read_settings(&all, path, &r->scene, &r->discretization, why));
     model_complete(r->model, &r->scene, &r->discretization, &r->adapted);
     if (plan->end > 0)
         r->scene.end = plan->end;

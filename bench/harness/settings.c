@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "bench/files/output.h"
-#include "models/reader/scene_file.h"
 
 void settings_clear(struct settings *s)
 {
@@ -129,23 +128,4 @@ const char *settings_value(const struct settings *s, const char *key)
         if (!strncmp(s->text[n], key, length) && s->text[n][length] == '=')
             return s->text[n] + length + 1;
     return NULL;
-}
-
-enum status settings_read(const struct settings *s, const char *path, struct scene *scene,
-                          struct discretization *d, struct message *why)
-{
-    if (s->status != STATUS_OK)
-        return status_fail(why, s->status, "settings of %s: %s", path,
-                           status_text(s->status));
-    return scene_file_read(path, s->count, (const char *const *)s->text, scene, d, why);
-}
-
-enum status settings_read_scene(const struct settings *s, const char *path,
-                                struct scene *scene, struct message *why)
-{
-    struct discretization unused = {0};
-    const enum status st = settings_read(s, path, scene, &unused, why);
-
-    discretization_clear(&unused);
-    return st;
 }

@@ -2,21 +2,20 @@
  * their values, in order; the later ones win.
  *
  * A list begins all-zero and grows as it needs. What goes wrong on the way (no memory, a
- * text that is no KEY=VALUE) is remembered and told by settings_read, so that filling needs
- * no checks:
+ * text that is no KEY=VALUE) is remembered and told by contestant_read_settings, so that
+ * filling needs no checks:
  *
  *     struct settings s = {0};
  *     settings_word(&s, "discretization.kinematics", "printed");
  *     settings_integers(&s, "discretization.points", 3, (int[]){10, 10, 2});
  *     settings_number(&s, "time.end", 0.5);
- *     TRY(settings_read(&s, path, &scene, &discretization, why));
+ *     TRY(contestant_read_settings(&s, path, &scene, &discretization, why));
  *     out: settings_clear(&s);
  */
 #ifndef SETTINGS_H
 #define SETTINGS_H
 
-#include "models/discretization.h"
-#include "models/scene.h"
+#include "models/status.h"
 
 struct settings {
     int count;
@@ -48,11 +47,5 @@ void settings_append(struct settings *s, const struct settings *more);
 
 /* The last value of a key as it was given; NULL: the key is not there. Borrowed. */
 const char *settings_value(const struct settings *s, const char *key);
-
-/* scene_file_read with these settings; for who wants the scene alone. */
-enum status settings_read(const struct settings *s, const char *path, struct scene *scene,
-                          struct discretization *d, struct message *why);
-enum status settings_read_scene(const struct settings *s, const char *path,
-                                struct scene *scene, struct message *why);
 
 #endif

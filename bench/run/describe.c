@@ -17,8 +17,8 @@ static void describe_discretization(const struct discretization *d, FILE *file)
 {
     fprintf(file, "discretization  %d x %d x %d points, degree (%d,%d,%d), kinematics %s",
             d->points[0], d->points[1], d->points[2], d->degree[0], d->degree[1],
-            d->degree[2], kinematics_name(d->kinematics));
-    fprintf(file, ", remedy %s", remedy_name(d->remedy));
+            d->degree[2], option_kinematics[d->kinematics]);
+    fprintf(file, ", remedy %s", option_remedy[d->remedy]);
     if (d->gauss[0] || d->gauss[1] || d->gauss[2])
         fprintf(file, ", Gauss (%d,%d,%d)", d->gauss[0], d->gauss[1], d->gauss[2]);
     for (int i = 0; i < 3; i++)
@@ -34,7 +34,7 @@ static void describe_scene(const struct scene *scene, FILE *file)
         "scene           %s: %g x %g m, h = %g m, E = %g Pa, nu = %g, rho = %g kg/m^3\n",
         scene->name, scene->length, scene->width, scene->thickness, scene->young,
         scene->poisson, scene->density);
-    fprintf(file, "damping         %s", damping_name(scene->damping.kind));
+    fprintf(file, "damping         %s", damping_words[scene->damping.kind]);
     if (scene->damping.kind == DAMPING_RAYLEIGH)
         fprintf(file, ", alpha %g 1/s, beta %g s", scene->damping.alpha,
                 scene->damping.beta);

@@ -83,7 +83,7 @@ enum { PHASES = sizeof phases / sizeof *phases, KINDS = 2 };
 static void name_of(int net, enum constraint constraint, char name[SAMPLES_NAME])
 {
     snprintf(name, SAMPLES_NAME, "%dx%d %s", nets[net].points, nets[net].points,
-             constraint_name(constraint));
+             pd_energy_constraints[constraint]);
 }
 
 static enum status sample_frames(struct bench *b, const struct scene *scene,
@@ -126,7 +126,7 @@ static void frame_row(struct table *t, const struct bench *b, int net,
         return;
     table_row(t);
     table_text(t, "%dx%d", nets[net].points, nets[net].points);
-    table_text(t, "%s", constraint_name(constraint));
+    table_text(t, "%s", pd_energy_constraints[constraint]);
     table_fixed(t, samples_number(&b->samples, name, "constraints"), 0);
     table_fixed(t, samples_number(&b->samples, name, "entries"), 0);
     table_number(t, 1e3 * samples_number(&b->samples, name, "local"), 3);

@@ -81,7 +81,7 @@ static enum status choose(const struct experiment_options *o, const char *scene,
                 : status_fail(why, STATUS_INPUT, "--models: too many contestants"));
     }
     TRY(scene_file_find(scene, &job->path, why));
-    TRY(settings_read_scene(&(struct settings){0}, job->path, &job->scene, why));
+    TRY(contestant_read_scene(&(struct settings){0}, job->path, &job->scene, why));
     snprintf(e->scene, sizeof e->scene, "%s", job->scene.name);
     const double usual = o->quick ? fmin(0.3, job->scene.end) : job->scene.end;
     const double until = o->until > 0 ? o->until : usual;

@@ -167,7 +167,7 @@ enum status truth_stored_times(const char *path, const struct settings *settings
     int last = 0;
 
     *count = 0;
-    TRY(settings_read_scene(settings, path, &scene, why));
+    TRY(contestant_read_scene(settings, path, &scene, why));
     TRY(truth_judged(&scene, &made, why));
     while (last < made.claimed && made.time[last] <= until + 1e-9)
         last++;
@@ -264,7 +264,7 @@ enum status truth_of_plate(const char *path, const struct settings *settings, in
     enum status st = t ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
-    TRY(settings_read_scene(settings, path, &scene, why));
+    TRY(contestant_read_scene(settings, path, &scene, why));
     TRY(from_kirchhoff(&scene, true, t, why));
     *truth = t, t = NULL;
 out:
@@ -282,7 +282,7 @@ enum status truth_find(const char *path, const struct settings *settings, int ti
     enum status st;
 
     TRY(t ? STATUS_OK : STATUS_MEMORY);
-    TRY(settings_read_scene(settings, path, &scene, why));
+    TRY(contestant_read_scene(settings, path, &scene, why));
     st = look_up(&scene, t, why);
     if (st == STATUS_FILE && folder)
         st = from_folder(folder, &scene, t, NULL);
@@ -340,7 +340,7 @@ enum status truth_find_or_make(const char *path, const struct settings *settings
     enum status st;
 
     TRY(t ? STATUS_OK : STATUS_MEMORY);
-    TRY(settings_read_scene(settings, path, &scene, why));
+    TRY(contestant_read_scene(settings, path, &scene, why));
     runs.frame = scene.step;
     st = look_up(&scene, t, why);
     TRY(st == STATUS_FILE ? make_one(&runs, &scene, wish, t, why) : st);

@@ -108,7 +108,7 @@ static enum status read_run(const struct truth_runs *runs, const struct truth_ma
     enum status st;
 
     if (made->closed || made->foreign)
-        return settings_read_scene(runs->settings, runs->path, &run->scene, why);
+        return contestant_read_scene(runs->settings, runs->path, &run->scene, why);
     TRY(truth_level_settings(runs, &made->level, &settings, why));
     plan.contestant = truth_level_contestant(made->level.model);
     TRY(run_read(run, &plan, why));

@@ -71,7 +71,7 @@ enum status truth_level_push(const char *path, const struct settings *given, int
     double direction[3];
     enum status st;
 
-    TRY(settings_read_scene(given, path, &scene, why));
+    TRY(contestant_read_scene(given, path, &scene, why));
     double *g = scene.gravity;
     const double mean = (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / 3;
     const double by = TRUTH_PERTURBATION * sqrt(mean > 0 ? mean : EARTH * EARTH / 3);

@@ -54,7 +54,7 @@ static void print_damping(const struct scene *s, FILE *out)
 {
     const struct scene_damping *d = &s->damping;
 
-    fprintf(out, "damping %s\n", damping_name((int)d->kind));
+    fprintf(out, "damping %s\n", damping_words[d->kind]);
     if (d->kind == DAMPING_RAYLEIGH)
         print(out, "rayleigh", 2, (double[]){d->alpha, d->beta});
     else if (d->kind != DAMPING_NONE)
@@ -77,7 +77,7 @@ enum status truth_physics(const struct scene *s, char **text)
     if (!out)
         return STATUS_MEMORY;
     print(out, "sheet", 3, (double[]){s->length, s->width, s->thickness});
-    fprintf(out, "shape %s\n", scene_shape_name((int)s->shape));
+    fprintf(out, "shape %s\n", scene_shape_words[s->shape]);
     if (s->shape == SCENE_CLOAK)
         print(out, "cloak", 2, (double[]){s->opening, s->flare});
     print(out, "origin", 3, s->origin);

@@ -151,13 +151,13 @@ enum status truth_plan_scene(const char *path, struct settings *settings,
     enum status st;
     const char *damping;
 
-    TRY(settings_read_scene(settings, path, scene, why));
+    TRY(contestant_read_scene(settings, path, scene, why));
     damping = truth_plan_damping(scene);
     if (!damping)
         return STATUS_OK;
     scene_clear(scene);
     settings_set(settings, damping);
-    TRY(settings_read_scene(settings, path, scene, why));
+    TRY(contestant_read_scene(settings, path, scene, why));
 out:
     return st;
 }

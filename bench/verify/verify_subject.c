@@ -115,7 +115,7 @@ bool verify_subject_is_linear(const struct verify_subject *s)
 {
     const char *value = contestant_setting(s->contestant, "discretization.kinematics");
 
-    return value && !strcmp(value, kinematics_name(KINEMATICS_LINEAR));
+    return value && !strcmp(value, option_kinematics[KINEMATICS_LINEAR]);
 }
 
 double verify_subject_order(const struct verify_subject *s, const double *error, double bar)

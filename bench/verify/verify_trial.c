@@ -44,7 +44,7 @@ enum status verify_trial_scene(const char *name, struct scene *scene, struct mes
     char *path = NULL;
 
     TRY(scene_file_find(name, &path, why));
-    TRY(settings_read_scene(&(struct settings){0}, path, scene, why));
+    TRY(contestant_read_scene(&(struct settings){0}, path, scene, why));
 out:
     free(path);
     return st;

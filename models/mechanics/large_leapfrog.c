@@ -55,20 +55,13 @@ static double step_of(const struct large_leapfrog *l)
 
 enum status large_leapfrog_refuse(const struct discretization *d, struct message *why)
 {
-    if (d->integrator != INTEGRATOR_IMPLICIT && d->integrator != INTEGRATOR_LEAPFROG)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "this model has integrator=implicit or leapfrog, not %s",
-                           integrator_name(d->integrator));
     if (d->integrator == INTEGRATOR_LEAPFROG && d->kinematics != KINEMATICS_NONLINEAR)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "integrator=leapfrog: with kinematics=nonlinear only, not %s",
-                           kinematics_name(d->kinematics));
+                           option_kinematics[d->kinematics]);
     if (d->integrator != INTEGRATOR_LEAPFROG && d->substeps)
         return status_fail(why, STATUS_INPUT, "substeps: with integrator=leapfrog only");
-    return discretization_refuse(d,
-                                 DISCRETIZATION_NEWTON | DISCRETIZATION_VISCOSITY |
-                                     DISCRETIZATION_INTEGRATOR | DISCRETIZATION_SUBSTEPS,
-                                 why);
+    return model_refuse_options(d, why);
 }
 
 void large_leapfrog_free(struct large_leapfrog *l)

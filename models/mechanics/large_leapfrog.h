@@ -24,9 +24,8 @@
 
 #include "models/mechanics/large_body.h"
 
-/* STATUS_INPUT or _UNSUPPORTED with a sentence for keys that shell and solids have no use
- * for (discretization_refuse) and for an integrator, mass, kinematics and number
- * of substeps that do not go together. */
+/* model_refuse_options of shell and solids, and for an integrator, kinematics and number of
+ * substeps that do not go together. */
 enum status large_leapfrog_refuse(const struct discretization *d, struct message *why);
 
 /* Steps of *m, initialised and at rest, become explicit if d says so: m->leapfrog, which

@@ -185,7 +185,7 @@ struct model_size system_size(const struct system *s, const char *unknown_basis)
     if (s->factor)
         factor_describe(s->factor, &info);
     if (s->iterative)
-        info.method = solver_name((int)iterative_method(s->iterative));
+        info.method = option_solver[iterative_method(s->iterative)];
     return (struct model_size){.nodes = s->held->nodes,
                                .unknowns = s->held->free_count,
                                .factor_entries = info.entries,

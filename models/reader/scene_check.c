@@ -90,7 +90,7 @@ static enum status check_shape(const struct yaml_tree *root, struct scene *scene
     enum status st = STATUS_OK;
     const struct yaml_tree *pose = yaml_tree_find(root, "pose");
     const bool cloak = scene->shape == SCENE_CLOAK;
-    const char *kind = scene_shape_name((int)scene->shape);
+    const char *kind = scene_shape_words[scene->shape];
 
     if (!pose)
         return STATUS_OK;
@@ -111,7 +111,7 @@ static enum status check_loads(const struct yaml_tree *root, const struct scene 
     if (scene->load_count && scene->shape != SCENE_FLAT)
         return yaml_tree_refuse(yaml_tree_find(root, "loads"), why,
                                 "loads are for flat sheets, but pose has kind '%s'",
-                                scene_shape_name((int)scene->shape));
+                                scene_shape_words[scene->shape]);
     return STATUS_OK;
 }
 
@@ -158,7 +158,7 @@ static enum status check_damping(const struct yaml_tree *root, struct scene *sce
     const struct yaml_tree *damping = yaml_tree_find(root, "damping"), *value;
     struct scene_damping *d = &scene->damping;
     const bool rayleigh = d->kind == DAMPING_RAYLEIGH;
-    const char *kind = damping_name((int)d->kind);
+    const char *kind = damping_words[d->kind];
     const bool one_value = d->kind != DAMPING_NONE && !rayleigh;
 
     if (!damping)
@@ -169,7 +169,7 @@ static enum status check_damping(const struct yaml_tree *root, struct scene *sce
     value = yaml_tree_find(damping, "value");
     if (one_value && !value)
         return yaml_tree_refuse(damping, why, "damping of kind '%s' lacks the key 'value'",
-                                damping_name(d->kind));
+                                damping_words[d->kind]);
     if (rayleigh && !yaml_tree_find(damping, "alpha") && !yaml_tree_find(damping, "beta"))
         return yaml_tree_refuse(damping, why,
                                 "damping of kind 'rayleigh' lacks the key 'alpha' "

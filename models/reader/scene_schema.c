@@ -1,11 +1,13 @@
-/* scene_schema.c - the keys of a scene. */
+/* scene_schema.c - the keys of a scene, and those that models have (option.h). */
 #include "models/reader/scene_schema.h"
-#include "models/damping.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/damping.h"
+#include "models/model.h"
 #include "models/reader/scene_check.h"
 #include "models/reader/scene_place.h"
 
@@ -13,7 +15,10 @@ enum {
     SCENE_MAX_OBSTACLES = 100,
     SCENE_MAX_SNAPSHOTS = 10000,
     SCENE_MAX_POINTS = 20000000, /* control points or nodes */
+    MOST_OPTIONS = 100,          /* of all models */
 };
+
+#define PREFIX "discretization."
 
 /* Limits of what doubles and people can handle; physics asks for less. */
 #define LENGTH           .low = 1e-9, .high = 1e6
@@ -116,7 +121,7 @@ static const struct schema_key POSE[] = {
      SCHEMA_VECTOR, PLACE, IN(scene, origin)},
     {"u", "unit vector along the length", SCHEMA_VECTOR, PLACE, IN(scene, axis_u)},
     {"v", "unit vector along the width, across u", SCHEMA_VECTOR, PLACE, IN(scene, axis_v)},
-    {"kind", "rest shape", SCHEMA_WORD, .word = scene_shape_name, IN(scene, shape)},
+    {"kind", "rest shape", SCHEMA_WORD, .words = scene_shape_words, IN(scene, shape)},
     {"opening", "cloak: angle around the axis u [deg]", SCHEMA_NUMBER, .low = 1,
      .high = SCENE_CLOAK_MAX_OPENING, IN(scene, opening)},
     {"flare", "cloak: angle of its generators to the axis [deg]", SCHEMA_NUMBER, .low = -90,
@@ -138,7 +143,7 @@ static const struct schema_key DRAG[] = {
     {NULL}};
 
 static const struct schema_key DAMPING[] = {
-    {"kind", "law", SCHEMA_WORD, .required = true, .word = damping_name,
+    {"kind", "law", SCHEMA_WORD, .required = true, .words = damping_words,
      IN(scene, damping.kind)},
     {"value", "factor, or rate [1/s]", SCHEMA_NUMBER, NOT_NEGATIVE,
      IN(scene, damping.value)},
@@ -188,70 +193,46 @@ static const struct schema_key SCENE[] = {
     {"discretization", NULL, SCHEMA_SPECIAL, .read = refuse_numerics}, /* not listed */
     {NULL}};
 
-#define KNOTS(direction) .high = 1, .order = SCHEMA_NON_DECREASING, .most = 100000,         \
-    IN(discretization, knots[direction]),                                                   \
-    .count_offset = offsetof(struct discretization, knot_count[direction])
+/* What changes another model's choice: whether it does is for the model to refuse. */
+static enum status read_foreign(const struct schema_key *key, const struct yaml_tree *node,
+                                void *target, struct message *why)
+{
+    struct discretization *d = target, other = {0};
+    enum status st = schema_value(key->keys, node, &other, why);
 
-static const struct schema_key DISCRETIZATION[] = {
-    {"points", "control points or nodes", SCHEMA_COUNTS, .low = 1, .high = 10000,
-     IN(discretization, points)},
-    {"degree", "p, q, r", SCHEMA_COUNTS, .low = 1, .high = 5, IN(discretization, degree)},
-    {"gauss", "points per span, 0: degree + 1", SCHEMA_COUNTS, .low = 0, .high = 16,
-     IN(discretization, gauss)},
-    {"knots_u", "open knots along u", SCHEMA_NUMBERS, KNOTS(0)},
-    {"knots_v", "open knots along v", SCHEMA_NUMBERS, KNOTS(1)},
-    {"knots_w", "open knots along w", SCHEMA_NUMBERS, KNOTS(2)},
-    {"weights", "NURBS weights [u][v][w]", SCHEMA_NUMBERS, .low = 1e-6, .high = 1e6,
-     .most = 1000000, IN(discretization, weights),
-     .count_offset = offsetof(struct discretization, weight_count)},
-    {"kinematics", "law of motion", SCHEMA_WORD, .word = kinematics_name,
-     IN(discretization, kinematics)},
-    {"remedy", "against locking", SCHEMA_WORD, .word = remedy_name,
-     IN(discretization, remedy)},
-    {"unknowns", "through the thickness", SCHEMA_WORD, .word = unknowns_name,
-     IN(discretization, unknowns)},
-    {"solver", "of the linear systems", SCHEMA_WORD, .word = solver_name,
-     IN(discretization, solver)},
-    {"preconditioner", "of cg and gmres", SCHEMA_WORD, .word = preconditioner_name,
-     IN(discretization, preconditioner)},
-    {"newton", "its tangents: kept while they serve, or all new", SCHEMA_WORD,
-     .word = newton_tangents_name, IN(discretization, newton)},
-    {"viscosity", "against a ringing membrane, or none", SCHEMA_WORD,
-     .word = viscosity_name, IN(discretization, viscosity)},
-    {"parameters", "where strengths come from", SCHEMA_WORD, .word = parameters_name,
-     IN(discretization, parameters)},
-    {"integrator", "Euler's methods, leapfrog, energy-momentum, bdf2, midpoint", SCHEMA_WORD,
-     .word = integrator_name, IN(discretization, integrator)},
-    {"precision", "of leapfrog and position_based", SCHEMA_WORD, .word = precision_name,
-     IN(discretization, precision)},
-    {"substeps", "of a frame, 0: as many as needed", SCHEMA_COUNT, .low = 0, .high = 1e6,
-     IN(discretization, substeps)},
-    {"iterations", "at most in a step, 0: until the tolerance is met", SCHEMA_COUNT,
-     .low = 0, .high = 1e6, IN(discretization, iterations)},
-    {"tolerance", "ends an iteration, 0: the model's own", SCHEMA_NUMBER, .low = 0,
-     .high = 1, IN(discretization, tolerance)},
-    {"strain_limit", "of a spring, 0: none", SCHEMA_NUMBER, .low = 0, .high = 10,
-     IN(discretization, strain_limit)},
-    {"constraint", "what resists stretching", SCHEMA_WORD, .word = constraint_name,
-     IN(discretization, constraint)},
-    {"acceleration", "of an iteration", SCHEMA_WORD, .word = acceleration_name,
-     IN(discretization, acceleration)},
-    {"projection", "of constraints on positions", SCHEMA_WORD, .word = projection_name,
-     IN(discretization, projection)},
-    {"membrane", "strain of triangles", SCHEMA_WORD, .word = membrane_name,
-     IN(discretization, membrane)},
-    {"springs", "what springs resist in leapfrog steps", SCHEMA_WORD, .word = springs_name,
-     IN(discretization, springs)},
-    {"bending", "of triangles, or of springs in leapfrog steps", SCHEMA_WORD, .word = bending_name,
-     IN(discretization, bending)},
-    {NULL}};
-/* clang-format on */
+    if (st == STATUS_OK && option_is_set(key->keys, &other))
+        d->foreign = key->keys;
+    return st;
+}
 
-/* What a setting may reach besides the scene. */
-static const struct schema_key NUMERICS[] = {
-    {"discretization", "the work put in", SCHEMA_SECTION, .keys = DISCRETIZATION},
-    {NULL},
-};
+/* Appends the options of a table that are its own; those of others by read_foreign. */
+static int add_own(const struct schema_key *table, bool others, int count,
+                   struct schema_key *all)
+{
+    for (; table && table->key; table++) {
+        assert(count < MOST_OPTIONS);
+        if (table->what)
+            all[count++] = others ? (struct schema_key){table->key, table->what,
+                                                        SCHEMA_SPECIAL, .keys = table,
+                                                        .read = read_foreign}
+                                  : *table;
+    }
+    return count;
+}
+
+/* Options that a setting may name: those of the model come before those of others. */
+static void gather(const struct discretization *d, struct schema_key all[MOST_OPTIONS + 1])
+{
+    const struct model *model;
+    int count = add_own(option_shared, false, 0, all);
+
+    if (d->model)
+        count = add_own(d->model->options, false, count, all);
+    for (int n = 0; d->others && (model = d->others(n)); n++)
+        if (model != d->model)
+            count = add_own(model->options, true, count, all);
+    all[count] = (struct schema_key){NULL};
+}
 
 enum status scene_schema_read(const struct yaml_tree *root, struct scene *scene,
                               struct message *why)
@@ -269,8 +250,12 @@ enum status scene_schema_read_numerics(const struct yaml_tree *root,
 {
     enum status st = STATUS_OK;
     const struct yaml_tree *section, *points;
+    struct schema_key all[MOST_OPTIONS + 1];
+    const struct schema_key numerics[] = {
+        {"discretization", "the work put in", SCHEMA_SECTION, .keys = all}, {NULL}};
 
-    TRY(schema_read(NUMERICS, root, "the command line", d, why));
+    gather(d, all);
+    TRY(schema_read(numerics, root, "the command line", d, why));
     section = yaml_tree_find(root, "discretization");
     points = section ? yaml_tree_find(section, "points") : NULL;
     if (points && (double)d->points[0] * d->points[1] * d->points[2] > SCENE_MAX_POINTS)
@@ -288,7 +273,9 @@ enum status scene_schema_print(const struct discretization *d, char **text)
 
     if (!out)
         return STATUS_MEMORY;
-    schema_print(DISCRETIZATION, "discretization.", d, out);
+    schema_print(option_shared, PREFIX, d, out);
+    if (d->model && d->model->options)
+        schema_print(d->model->options, PREFIX, d, out);
     if (fclose(out) != 0) {
         free(result);
         return STATUS_MEMORY;
@@ -301,5 +288,5 @@ void scene_schema_list(void (*line)(void *context, const char *key, const char *
                        void *context)
 {
     schema_list(SCENE, "", line, context);
-    schema_list(NUMERICS, "", line, context);
+    schema_list(option_shared, PREFIX, line, context);
 }

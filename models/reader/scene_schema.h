@@ -17,10 +17,10 @@ enum status scene_schema_read_numerics(const struct yaml_tree *root,
                                        struct discretization *d, struct message *why);
 
 /* A discretization spelled the way --set takes it: lines `discretization.key=value`, every
- * key, 17 digits; *text is freed by the receiver. */
+ * key that models share and the model's own, 17 digits; *text is freed by the receiver. */
 enum status scene_schema_print(const struct discretization *d, char **text);
 
-/* Calls line() for every key that a scene or a setting may have. */
+/* Calls line() for every key that a scene or a setting of any model may have. */
 void scene_schema_list(void (*line)(void *context, const char *key, const char *text),
                        void *context);
 

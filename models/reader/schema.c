@@ -23,6 +23,14 @@ static int write_range(char *text, size_t size, const struct schema_key *key)
     return snprintf(text, size, " from %g to %g", key->low, key->high);
 }
 
+/* NULL past the last. */
+static const char *word_of(const struct schema_key *key, int value)
+{
+    const char *word = key->words ? key->words[value] : key->word(value);
+
+    return word && strcmp(word, NO_WORD) ? word : NULL;
+}
+
 /* " a, b, c": the words of an enum or the listed keys of a section. */
 static void write_names(char *text, size_t size, const struct schema_key *key)
 {
@@ -30,9 +38,9 @@ static void write_names(char *text, size_t size, const struct schema_key *key)
 
     for (int i = 0; used < size; i++) {
         const bool is_word = key->type == SCHEMA_WORD;
-        const char *name = is_word ? key->word(i) : key->keys[i].key;
+        const char *name = is_word ? word_of(key, i) : key->keys[i].key;
 
-        if (!name || !strcmp(name, NO_WORD))
+        if (!name)
             break;
         if (is_word || key->keys[i].what)
             used +=
@@ -210,9 +218,11 @@ static enum status read_counts(const struct schema_key *key, const struct yaml_t
 static enum status read_word(const struct schema_key *key, const struct yaml_tree *node,
                              int *value, struct message *why)
 {
-    if (node->kind == YAML_TREE_SCALAR && strcmp(node->text, NO_WORD))
-        for (int i = 0; strcmp(key->word(i), NO_WORD); i++)
-            if (!strcmp(key->word(i), node->text)) {
+    const char *word;
+
+    if (node->kind == YAML_TREE_SCALAR)
+        for (int i = 0; (word = word_of(key, i)); i++)
+            if (!strcmp(word, node->text)) {
                 *value = i;
                 return STATUS_OK;
             }
@@ -257,8 +267,8 @@ out:
     return st;
 }
 
-static enum status read_value(const struct schema_key *key, const struct yaml_tree *node,
-                              void *target, struct message *why)
+enum status schema_value(const struct schema_key *key, const struct yaml_tree *node,
+                         void *target, struct message *why)
 {
     void *place = (char *)target + key->offset;
     void *count = (char *)target + key->count_offset;
@@ -351,7 +361,7 @@ enum status schema_read(const struct schema_key *keys, const struct yaml_tree *n
             key++;
         if (!key->key)
             return refuse_key(keys, child, name, why);
-        TRY(read_value(key, child, target, why));
+        TRY(schema_value(key, child, target, why));
     }
     for (const struct schema_key *key = keys; key->key; key++)
         if (key->required && !yaml_tree_find(node, key->key))
@@ -402,7 +412,7 @@ void schema_print(const struct schema_key *keys, const char *prefix, const void 
         const void *place = (const char *)source + k->offset;
         const int *count = (const void *)((const char *)source + k->count_offset);
 
-        if (k->type == SCHEMA_NUMBERS && !*(double *const *)place)
+        if (!k->what || (k->type == SCHEMA_NUMBERS && !*(double *const *)place))
             continue;
         fprintf(out, "%s%s=", prefix, k->key);
         switch (k->type) {
@@ -420,7 +430,7 @@ void schema_print(const struct schema_key *keys, const char *prefix, const void 
             break;
         default:
             assert(k->type == SCHEMA_WORD);
-            fprintf(out, "%s\n", k->word(*(const int *)place));
+            fprintf(out, "%s\n", word_of(k, *(const int *)place));
         }
     }
 }

@@ -1,0 +1,84 @@
+/* option.c - the choices that models share. */
+#include "models/option.h"
+
+#include <string.h>
+
+#define IN(member) .offset = offsetof(struct discretization, member)
+#define KNOTS(direction)                                                                   \
+    .high = 1, .order = SCHEMA_NON_DECREASING, .most = 100000, IN(knots[direction]),       \
+    .count_offset = offsetof(struct discretization, knot_count[direction])
+
+/* clang-format off */
+const char *const option_kinematics[] = {
+    [KINEMATICS_LINEAR] = "linear", [KINEMATICS_PRINTED] = "printed",
+    [KINEMATICS_INCREMENTAL] = "incremental", [KINEMATICS_NONLINEAR] = "nonlinear", NULL};
+const char *const option_remedy[] = {
+    [REMEDY_NONE] = "none", [REMEDY_INCOMPATIBLE] = "incompatible",
+    [REMEDY_REDUCED] = "reduced", [REMEDY_SELECTIVE] = "selective",
+    [REMEDY_CLAMPED] = "clamped", [REMEDY_AUTO] = "auto", NULL};
+const char *const option_solver[] = {
+    [SOLVER_AUTO] = "auto", [SOLVER_BANDED] = "banded", [SOLVER_SUPERNODAL] = "supernodal",
+    [SOLVER_CHOLMOD] = "cholmod", [SOLVER_CG] = "cg", [SOLVER_GMRES] = "gmres", NULL};
+
+const struct schema_key option_shared[] = {
+    {"points", "control points or nodes", SCHEMA_COUNTS, .low = 1, .high = 10000, IN(points)},
+    {"degree", "p, q, r", SCHEMA_COUNTS, .low = 1, .high = 5, IN(degree)},
+    {"gauss", "points per span, 0: degree + 1", SCHEMA_COUNTS, .low = 0, .high = 16,
+     IN(gauss)},
+    {"knots_u", "open knots along u", SCHEMA_NUMBERS, KNOTS(0)},
+    {"knots_v", "open knots along v", SCHEMA_NUMBERS, KNOTS(1)},
+    {"knots_w", "open knots along w", SCHEMA_NUMBERS, KNOTS(2)},
+    {"weights", "NURBS weights [u][v][w]", SCHEMA_NUMBERS, .low = 1e-6, .high = 1e6,
+     .most = 1000000, IN(weights),
+     .count_offset = offsetof(struct discretization, weight_count)},
+    {"kinematics", "law of motion", SCHEMA_WORD, .words = option_kinematics, IN(kinematics)},
+    {"remedy", "against locking", SCHEMA_WORD, .words = option_remedy, IN(remedy)},
+    {"unknowns", "through the thickness",
+     OPTION_WORDS([UNKNOWNS_AUTO] = "auto", [UNKNOWNS_POINTS] = "points",
+           [UNKNOWNS_THICKNESS] = "thickness"), IN(unknowns)},
+    {"solver", "of the linear systems", SCHEMA_WORD, .words = option_solver, IN(solver)},
+    {"preconditioner", "of cg and gmres",
+     OPTION_WORDS([PRECONDITIONER_FACTOR] = "factor", [PRECONDITIONER_ICHOL] = "ichol",
+           [PRECONDITIONER_JACOBI] = "jacobi"), IN(preconditioner)},
+    {"newton", "its tangents: kept while they serve, or all new",
+     OPTION_WORDS([NEWTON_CHORD] = "chord", [NEWTON_FULL] = "full"), IN(newton)},
+    {"viscosity", "against a ringing membrane, or none",
+     OPTION_WORDS([VISCOSITY_MEMBRANE] = "membrane", [VISCOSITY_NONE] = "none"), IN(viscosity)},
+    {"parameters", "where strengths come from",
+     OPTION_WORDS([PARAMETERS_MATCHED] = "matched", [PARAMETERS_PAPER] = "paper"), IN(parameters)},
+    {"integrator", "Euler's methods, leapfrog, energy-momentum, bdf2, midpoint",
+     OPTION_WORDS([INTEGRATOR_IMPLICIT] = "implicit", [INTEGRATOR_EXPLICIT] = "explicit",
+           [INTEGRATOR_LEAPFROG] = "leapfrog", [INTEGRATOR_MOMENTUM] = "momentum",
+           [INTEGRATOR_BDF2] = "bdf2", [INTEGRATOR_MIDPOINT] = "midpoint"), IN(integrator)},
+    {"precision", "of leapfrog and position_based",
+     OPTION_WORDS([PRECISION_DOUBLE] = "double", [PRECISION_SINGLE] = "single"), IN(precision)},
+    {"substeps", "of a frame, 0: as many as needed", SCHEMA_COUNT, .low = 0, .high = 1e6,
+     IN(substeps)},
+    {"iterations", "at most in a step, 0: until the tolerance is met", SCHEMA_COUNT,
+     .low = 0, .high = 1e6, IN(iterations)},
+    {"tolerance", "ends an iteration, 0: the model's own", SCHEMA_NUMBER, .low = 0,
+     .high = 1, IN(tolerance)},
+    {"bending", "of triangles, or of springs in leapfrog steps",
+     OPTION_WORDS([BENDING_QUADRATIC] = "quadratic", [BENDING_HINGE] = "hinge",
+           [BENDING_STRUT] = "strut"), IN(bending)},
+    {NULL}};
+/* clang-format on */
+
+const struct schema_key *option_find(const struct schema_key *table, const char *key)
+{
+    for (; table && table->key; table++)
+        if (!strcmp(table->key, key))
+            return table;
+    return NULL;
+}
+
+bool option_is_set(const struct schema_key *option, const struct discretization *d)
+{
+    static const char zero[3 * sizeof(int)];
+    const size_t size = option->type == SCHEMA_COUNTS    ? sizeof zero
+                        : option->type == SCHEMA_NUMBER  ? sizeof(double)
+                        : option->type == SCHEMA_NUMBERS ? sizeof(double *)
+                                                         : sizeof(int);
+
+    return memcmp((const char *)d + option->offset, zero, size) != 0;
+}

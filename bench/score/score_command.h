@@ -1,4 +1,5 @@
-/* score_command.h - `clothbench score`: anybody's frames against a scene's truth. */
+/* score_command.h - `clothbench score`: measures somebody else's frames against a scene's
+ * truth. */
 #ifndef SCORE_COMMAND_H
 #define SCORE_COMMAND_H
 

@@ -30,9 +30,9 @@ struct score_fit {
     double left;             /* of the rms difference; 1: none takes part              */
 };
 
-/* Of the frames less `shift` [m]. *fit says of none where nothing can be fitted, or the
- * difference is within the bars and the net's floor, or no three flaws explain most of it.
- * STATUS_MEMORY. */
+/* Fits flaws to the frames, moved back by `shift` [m]. *fit has none where nothing can be
+ * fitted, the difference is within the bars and the net's floor, or no three flaws explain
+ * most of it. STATUS_MEMORY. */
 enum status score_fit_make(const struct score *score, const double shift[3],
                            struct score_fit *fit);
 

@@ -1,5 +1,5 @@
-/* A mesh a file, .obj or .ply, and sequences of them: count and faces are those of the
- * first. */
+/* Reads meshes, one a file, .obj or .ply, and sequences of them; count and faces are those
+ * of the first. */
 #define _GNU_SOURCE /* strverscmp */
 #include "bench/frames/frames_parts.h"
 

@@ -26,17 +26,17 @@ struct frames {
     void *state; /* owned by the reader */
 };
 
-/* Room for the vertices of the net. STATUS_INPUT: too many, none. */
+/* Allocates the vertices of the net. STATUS_INPUT: too many, none. */
 enum status frames_room(struct frames *f, long vertices, struct message *why);
 
-/* STATUS_INPUT: xyz is there, and empty. */
+/* Fails with STATUS_INPUT: xyz is there, but empty. */
 enum status frames_none(const struct frames *f, struct message *why);
 
 enum status frames_csv_open(struct frames *f, const char *path, struct message *why);
 enum status frames_npz_open(struct frames *f, const char *path, struct message *why);
 enum status frames_hdf5_open(struct frames *f, const char *path, struct message *why);
 enum status frames_cache_open(struct frames *f, const char *path, struct message *why);
-/* Files in the order given. */
+/* Opens files in the order given. */
 enum status frames_sequence_open(struct frames *f, int count, const char *const *paths,
                                  struct message *why);
 
@@ -57,7 +57,7 @@ enum status frames_mesh_obj(const struct frames_bytes *b, struct frames_mesh *me
 enum status frames_mesh_ply(const struct frames_bytes *b, struct frames_mesh *mesh,
                             struct message *why);
 
-/* A polygon's vertices [count], from 0, as triangles. */
+/* Adds a polygon's vertices [count], counted from 0, as triangles. */
 enum status frames_mesh_face(struct frames_mesh *mesh, int count, const long *vertex);
 
 #endif

@@ -25,13 +25,14 @@ struct export_held {
     struct message doubt; /* where the net holds less than the scene; empty: nowhere   */
 };
 
-/* STATUS_UNSUPPORTED with a sentence: vertices cannot say how the scene holds the sheet,
- * STATUS_INPUT: a support holds none of them. Free with export_held_clear. */
+/* Finds the held vertices. STATUS_UNSUPPORTED with a sentence: vertices cannot express how
+ * the scene holds the sheet, STATUS_INPUT: a support holds none of them. Free with
+ * export_held_clear. */
 enum status export_held_find(const struct export_sheet *s, struct export_held *held,
                              struct message *why);
 void export_held_clear(struct export_held *held); /* all-zero is allowed */
 
-/* held.csv */
+/* Writes held.csv. */
 enum status export_held_write(const struct export_sheet *s, const struct export_held *held,
                               struct message *why);
 

@@ -24,15 +24,15 @@ struct atomic_file {
  * folder, no permission. On failure *a is all-zero. */
 enum status atomic_file_open(const char *path, struct atomic_file *a, struct message *why);
 
-/* After the temporary file was closed by its writer: syncs it to disk, renames it, syncs
- * the folder; clears *a. On failure the temporary file is removed. */
+/* Finishes the file after its writer has closed it: syncs it to disk, renames it, syncs the
+ * folder; clears *a. On failure the temporary file is removed. */
 enum status atomic_file_commit(struct atomic_file *a, struct message *why);
 
 /* Removes the temporary file and clears *a; all-zero is allowed. */
 void atomic_file_discard(struct atomic_file *a);
 
-/* From now on SIGINT, SIGTERM and SIGHUP remove the temporary files of this process before
- * they end it. Signals that are ignored stay so. Call once, early in main. */
+/* Makes SIGINT, SIGTERM and SIGHUP remove the temporary files of this process before they
+ * end it. Signals that are ignored stay so. Call once, early in main. */
 void atomic_file_catch_signals(void);
 
 #endif

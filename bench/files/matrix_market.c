@@ -10,8 +10,9 @@
 #include "bench/files/output.h"
 #include "models/linalg/cholmod_status.h"
 
-/* CHOLMOD copies comments from a file: this one has no place on disk. Puts the % and the
- * blank before each line, and breaks lines at what the format allows. NULL if refused. */
+/* Returns the comment as a file in memory, since CHOLMOD copies comments from a file. Puts
+ * a blank before each line (CHOLMOD adds the %), and breaks lines at what the format
+ * allows. NULL if the file cannot be made. */
 static FILE *comment_file(const char *comment)
 {
     enum { LONGEST = 1000 };

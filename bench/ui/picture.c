@@ -10,7 +10,7 @@
 
 enum { EVERY = 3, WIDTH = 300, HEIGHT = 300, PATH = 4096 };
 
-/* The least box around all panels [m]; a NaN is left out. */
+/* The smallest box around all panels [m]; NaNs are left out. */
 struct box {
     double low[3], high[3];
 };
@@ -31,7 +31,8 @@ static void widen(struct box *box, const double x[3])
     }
 }
 
-/* Blocks of gnuplot, one a panel: rows of v apart by one blank line, blocks by two. */
+/* Writes gnuplot's data blocks, one a panel: rows of v apart by one blank line, blocks by
+ * two. */
 static void write_panel(struct output *out, const double *xyz, struct box *box)
 {
     double x[3];
@@ -66,11 +67,12 @@ out:
     return st;
 }
 
-/* Turns of the view about x and z [degrees], and how far a cube may be enlarged before it
- * touches the title: gnuplot leaves room for any turn. */
+/* The view's angles about x and z [degrees], and the factor by which a cube may be enlarged
+ * before it touches the title: gnuplot leaves room for any angle. */
 static const double TILT = 62, TURN = 35, ENLARGE = 1.12;
 
-/* What a box can be enlarged by, whose longer side of x and y gnuplot makes one. */
+/* Returns the factor by which a box can be enlarged, whose longer side of x and y gnuplot
+ * scales to one. */
 static double zoom_of(const double side[3])
 {
     const double degree = acos(-1) / 180, tilt = TILT * degree, turn = TURN * degree;

@@ -17,7 +17,7 @@
 #include "bench/files/atomic_file.h"
 #include "models/clock.h"
 
-/* What the child says. */
+/* The child's report, in memory that it shares with its parent. */
 struct child_note {
     enum status st;
     struct message why;
@@ -25,7 +25,7 @@ struct child_note {
     int limit; /* of processor time [s]; 0: none                                       */
 };
 
-/* In a child: what it says. */
+/* The report of this process, if it is a child. */
 static struct child_note *my_note;
 
 void child_reached(double how_far)
@@ -57,7 +57,7 @@ static void pause_milliseconds(long count)
     nanosleep(&(struct timespec){.tv_nsec = 1000000 * count}, NULL);
 }
 
-/* SIGTERM, after which a child removes its temporary file; SIGKILL if that is ignored. */
+/* Ends a child by SIGTERM, on which it removes its temporary file, then by SIGKILL. */
 static void end_child(pid_t pid)
 {
     kill(pid, SIGTERM);
@@ -79,7 +79,8 @@ void child_clear(struct child *c)
     *c = (struct child){0};
 }
 
-/* In the child. `mask`: of signals, once it has its own way with them. */
+/* Does the work in the child. `mask` is the signal mask to restore once the child has its
+ * own signal handlers. */
 static void be_child(struct child *c, pid_t parent, const sigset_t *mask,
                      enum status (*work)(void *, struct message *), void *context)
 {
@@ -121,8 +122,8 @@ enum status child_start(struct child *c, enum status (*work)(void *, struct mess
                        strerror(errno));
 }
 
-/* Ended by a signal that is not ours. Those of a crash are the work's own doing; the others
- * say nothing about it. */
+/* Judges a child that a signal ended. A crash is the work's own doing; other signals say
+ * nothing about the work. */
 static enum child_outcome read_signal(int number, struct message *why)
 {
     static const int crashes[] = {SIGSEGV, SIGBUS,  SIGFPE, SIGILL,
@@ -179,8 +180,8 @@ static void read_end(const struct child *c, int code, double time_limit,
     }
 }
 
-/* A pause between two polls that is longer was ours: this process was suspended, the
- * machine asleep [s]. */
+/* A longer pause between two polls [s] means that this process was suspended or the machine
+ * asleep. */
 static const double NAP = 1;
 
 static void pass_time(struct child *c, double time_limit)

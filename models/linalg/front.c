@@ -3,8 +3,8 @@
 #include "models/linalg/tile.h"
 #include "models/linalg/tile_three.h"
 
-/* Pivot tiles a panel: three tile rows of it (18 kB) and one more stay in the first cache.
- */
+/* Pivot tiles per panel: three tile rows of it (18 kB) and one more fit into the first
+ * cache. */
 enum { PANEL = 12 };
 
 #define REAL       double

@@ -19,7 +19,7 @@ struct krylov {
     int iterations;   /* products of P that the last call took, written                */
 };
 
-/* Numbers of work: conjugate gradients; GMRES. */
+/* Return the numbers of work space: conjugate gradients; GMRES. */
 size_t krylov_cg_work(int n);
 size_t krylov_gmres_work(int n);
 

@@ -6,19 +6,19 @@
 
 #include "models/scene.h"
 
-/* alpha of the damping itself [1/s]. Body drag is not in it: see damping_drag. */
+/* Returns alpha of the damping itself [1/s], without body drag: see damping_drag. */
 double damping_mass(const struct scene *scene);
 
-/* Body drag c as mass damping, c / rho [1/s]. */
+/* Returns body drag c as mass damping, c / rho [1/s]. */
 double damping_drag(const struct scene *scene);
 
-/* beta [s]. */
+/* Returns beta [s]. */
 double damping_stiffness(const struct scene *scene);
 
-/* v is multiplied by this after each frame: velocity_scale, velocity_rate; 1 otherwise. */
+/* Returns the factor on v after each frame: velocity_scale, velocity_rate; 1 otherwise. */
 double damping_velocity(const struct scene *scene);
 
-/* The kind's word, as scenes have it. Static storage. */
+/* Returns the kind's word, as scenes have it. Static storage. */
 const char *damping_name(int kind);
 
 #endif

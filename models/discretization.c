@@ -14,7 +14,7 @@ void discretization_clear(struct discretization *d)
     memset(d, 0, sizeof *d);
 }
 
-/* NULL for NULL; otherwise a copy of values[count]. */
+/* Copies values[count]; NULL stays NULL. */
 static enum status copy_array(const double *values, int count, double **copy)
 {
     *copy = NULL;
@@ -127,7 +127,7 @@ bool kinematics_rebuilds(int kinematics)
     return kinematics == KINEMATICS_PRINTED || kinematics == KINEMATICS_INCREMENTAL;
 }
 
-/* NAME_name(value): the word of a value, or "unknown" for one that no enum has. */
+/* Defines NAME_name(value): the word of a value, "unknown" for one that no enum has. */
 #define WORDS(name, ...)                                                                   \
     const char *name##_name(int value)                                                     \
     {                                                                                      \

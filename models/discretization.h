@@ -24,7 +24,7 @@ enum remedy {
     REMEDY_AUTO,         /* left open: the model's usual one (model_complete)          */
 };
 
-/* Which coefficients through the thickness are unknowns. */
+/* The choice of unknowns among the coefficients through the thickness. */
 enum unknowns {
     UNKNOWNS_AUTO,
     UNKNOWNS_POINTS,    /* control points                                              */
@@ -40,15 +40,14 @@ enum solver {
     SOLVER_GMRES,      /* generalised minimal residuals                                */
 };
 
-/* Of cg and gmres. */
+/* Preconditioners of cg and gmres. */
 enum preconditioner {
     PRECONDITIONER_FACTOR, /* of an earlier matrix, as long as it serves               */
     PRECONDITIONER_ICHOL,  /* incomplete Cholesky                                      */
     PRECONDITIONER_JACOBI, /* the blocks on the diagonal                               */
 };
 
-/* Where a spring's or constraint's strength comes from (mass_spring, projective_dynamics).
- */
+/* The source of a spring's or constraint's strength (mass_spring, projective_dynamics). */
 enum parameters {
     PARAMETERS_MATCHED, /* the scene's E, nu, h and rho                                */
     PARAMETERS_PAPER,   /* Ren et al. 2024, Fig. 6                                     */
@@ -63,30 +62,28 @@ enum integrator {
     INTEGRATOR_MIDPOINT, /* implicit, second order, damps nothing                      */
 };
 
-/* Of leapfrog steps of shell and solids. */
-
-/* Of positions in leapfrog steps and in position_based. */
+/* The precision of positions in leapfrog steps and in position_based. */
 enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
 
-/* How position_based moves points back to its constraints. */
+/* The way in which position_based moves points back to its constraints. */
 enum projection {
     PROJECTION_XPBD, /* by compliance (Macklin et al. 2016)                            */
     PROJECTION_PBD,  /* by a share of the way an iteration (Mueller et al. 2007)       */
 };
-/* What strain of a triangle is (triangles), what springs resist (mass_spring by leapfrog),
- * and what bends a net: of triangles quadratic or hinges, of springs quadratic or struts.
- */
+/* The strain of a triangle (triangles), what springs resist (mass_spring by leapfrog),
+ * and the bending of a net: of triangles quadratic or hinges, of springs quadratic or
+ * struts. */
 enum membrane { MEMBRANE_GREEN, MEMBRANE_COROTATIONAL, MEMBRANE_BARAFF_WITKIN };
 enum springs { SPRINGS_SQUARES, SPRINGS_LENGTHS };
 enum bending { BENDING_QUADRATIC, BENDING_HINGE, BENDING_STRUT };
 
-/* What resists stretching in projective_dynamics. */
+/* The constraints that resist stretching in projective_dynamics. */
 enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 
-/* Tangents of Newton's method: kept while they serve, or new in each iteration. */
+/* Tangents of Newton's method are kept while they help, or made anew in each iteration. */
 enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
 
-/* What takes the energy of a membrane that rings: the scheme's own, or nothing. */
+/* The viscosity that damps a membrane's ringing: the scheme's own, or none. */
 enum viscosity { VISCOSITY_MEMBRANE, VISCOSITY_NONE };
 
 enum acceleration {
@@ -112,7 +109,7 @@ struct discretization {
     enum newton_tangents newton; /* nonlinear kinematics */
     enum viscosity viscosity;    /* likewise */
 
-    /* Of some models; zero: the model's own. */
+    /* The following belong to some models only; zero: the model's own choice. */
     enum parameters parameters;
     enum integrator integrator;
     enum precision precision;
@@ -128,7 +125,7 @@ struct discretization {
     enum bending bending;
 };
 
-/* The keys above that not every model has a use for, zero if unset; bits. */
+/* The keys above that only some models use, zero if unset; bits. */
 #define DISCRETIZATION_LIST(X)                                                             \
     X(NEWTON, newton)                                                                      \
     X(VISCOSITY, viscosity)                                                                \
@@ -158,32 +155,35 @@ enum discretization_bit {
 #undef DISCRETIZATION_BIT
 };
 
-/* STATUS_INPUT with a sentence if any of those keys is set that is not in `used`. */
+/* Refuses with STATUS_INPUT and a sentence if any of those keys is set that is not
+ * `used`. */
 enum status discretization_refuse(const struct discretization *d, unsigned used,
                                   struct message *why);
 
-/* The same for a model that is a net of points over the mid-surface, points=[n,m,1], and
- * turns with the sheet: no degree, quadrature, knots, weights, thickness unknowns, remedy
- * or other kinematics than nonlinear. `model` is its name in the sentences. */
+/* Refuses keys likewise for a model that is a net of points over the mid-surface,
+ * points=[n,m,1], and turns with the sheet: it has no degree, quadrature, knots, weights,
+ * thickness unknowns, remedy or other kinematics than nonlinear. `model` is its name in the
+ * sentences. */
 enum status discretization_refuse_net(const struct discretization *d, unsigned used,
                                       const char *model, struct message *why);
 
 /* Frees what it owns; accepts all-zero and leaves all-zero. */
 void discretization_clear(struct discretization *d);
 
-/* Deep copy; *to is overwritten, not freed. */
+/* Copies deeply; *to is overwritten, not freed. */
 enum status discretization_copy(const struct discretization *from,
                                 struct discretization *to);
 
-/* Conjugate gradients or GMRES. */
+/* Whether a solver iterates: conjugate gradients or GMRES. */
 bool solver_iterates(int solver);
 
-/* The paper's schemes, which assemble on the present shape in every step. Cured sheets die
- * of them (edge_drop, undamped incremental: 0.5 s; printed: 0.55 s). */
+/* Whether kinematics assemble on the present shape in every step, as the paper's schemes
+ * do. Sheets with a remedy die with them (edge_drop, undamped incremental: 0.5 s; printed:
+ * 0.55 s). */
 bool kinematics_rebuilds(int kinematics);
 
-/* Words for the enums, as written on the command line; "unknown" for other values. Static
- * storage. */
+/* Return the words of the enums, as written on the command line; "unknown" for other
+ * values. Static storage. */
 const char *kinematics_name(int kinematics);
 const char *remedy_name(int remedy);
 const char *unknowns_name(int unknowns);

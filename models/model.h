@@ -22,7 +22,7 @@ struct energy {
     double kinetic, elastic, potential; /* [J]; potential of gravity, zero at rest     */
 };
 
-/* What was built. */
+/* The size of what was built. */
 struct model_size {
     long nodes;          /* control points or nodes                                    */
     long unknowns;       /* 3 nodes - held components                                  */
@@ -93,34 +93,34 @@ struct model {
     enum status (*create)(const struct scene *scene, const struct discretization *d,
                           void **state, struct message *why);
 
-    /* One time step (scene->step). Adds to *counters. After a death the state may still
-     * be sampled and destroyed. */
+    /* Takes one time step (scene->step) and adds to *counters. After a death the state may
+     * still be sampled and destroyed. */
     enum status (*advance)(void *state, struct counters *counters);
 
-    /* Positions of the material grid into xyz[GRID_W][GRID_V][GRID_U][3] [m]. */
+    /* Fills xyz[GRID_W][GRID_V][GRID_U][3] with positions of the material grid [m]. */
     void (*sample)(const void *state, double *xyz);
 
-    /* Positions of material points uvw[n][3] into xyz[n][3] [m]. Same values as sample at
-     * grid points, bit for bit. */
+    /* Fills xyz[n][3] with positions of material points uvw[n][3] [m]; at grid points the
+     * same values as sample, bit for bit. */
     void (*probe)(const void *state, int n, const double *uvw, double *xyz);
 
     void (*size)(const void *state, struct model_size *size);
 
-    /* optional: what people should know of what was built and could not guess (a misfit, a
-     * limit), as sentences in one line; empty if there is nothing. */
+    /* optional: writes what users should know of what was built and could not guess (a
+     * misfit, a limit), as sentences in one line; empty if there is nothing. */
     void (*describe)(const void *state, struct message *line);
 
-    /* optional: the same of the motion so far (an iteration that ends too early). */
+    /* optional: writes doubts about the motion so far (an iteration that ends too
+     * early). */
     void (*doubt)(const void *state, struct message *line);
 
     /* optional */ void (*energy)(const void *state, struct energy *energy);
 
-    /* optional: where SCENE_NEED_CONTACT is served. */
+    /* optional: reports contact; needed where SCENE_NEED_CONTACT is supported. */
     void (*contact)(const void *state, struct model_contact *contact);
 
-    /* optional: the control points of a sheet that does not go through them, present
-     * positions into xyz[nodes][3], numbered as for `matrices`. In scenes with obstacles.
-     */
+    /* optional: fills xyz[nodes][3] with the present control points of a sheet that does
+     * not go through them, numbered as for `matrices`. In scenes with obstacles. */
     void (*net)(const void *state, double *xyz);
 
     /* optional: moves the state to static equilibrium under the scene's loads, at rest, on
@@ -130,14 +130,14 @@ struct model {
      * first, then the paths. */
     enum status (*equilibrium)(void *state, struct counters *counters, struct message *why);
 
-    /* optional: the `count` lowest angular frequencies [rad/s], ascending: about the shape
-     * that `equilibrium` left, under its stress, where kinematics are nonlinear and no step
-     * has been taken since; else about the rest shape, where zero modes of an unsupported
-     * sheet come first. An equilibrium that is not stable has modes that grow as exp(s t):
-     * they are told as -s, before all others. */
+    /* optional: finds the `count` lowest angular frequencies [rad/s], ascending: about the
+     * shape that `equilibrium` left, under its stress, where kinematics are nonlinear and
+     * no step has been taken since; else about the rest shape, where zero modes of an
+     * unsupported sheet come first. Modes of an unstable equilibrium that grow as exp(s t)
+     * are given as -s, before all others. */
     enum status (*modes)(void *state, int count, double *omega, struct message *why);
 
-    /* optional: K and M of the rest shape, all 3*nodes rows, control-point unknowns,
+    /* optional: makes K and M of the rest shape, all 3*nodes rows, control-point unknowns,
      * row = 3 node + component, node = (i m + j) l + k (w fastest, then v, then u). */
     enum status (*matrices)(const void *state, struct matrix *K, struct matrix *M);
 

@@ -45,13 +45,13 @@ struct message {
             goto out;                                                                      \
     } while (0)
 
-/* *to = from, which is left all-zero: what `out:` clears it no longer owns. */
+/* Moves from to *to and leaves it all-zero: what `out:` clears it no longer owns. */
 #define HAND_OVER(to, from) (*(to) = (from), memset(&(from), 0, sizeof(from)))
 
-/* The sentence of a code. Static storage. */
+/* Returns the sentence of a code. Static storage. */
 const char *status_text(enum status st);
 
-/* True for the codes that end a simulation as a result. */
+/* Whether the code ends a simulation as a result. */
 bool status_is_death(enum status st);
 
 /* Writes the sentence into *why (if not NULL), '?' for control characters; returns st:

@@ -1,4 +1,4 @@
-/* large_settle.h - a body at large displacements comes to rest, among obstacles and where
+/* large_settle.h - brings a body at large displacements to rest, among obstacles and where
  * it snaps to a shape far off (large_rest.h). */
 #ifndef LARGE_SETTLE_H
 #define LARGE_SETTLE_H

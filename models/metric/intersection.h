@@ -62,12 +62,12 @@ void intersection_clear(struct intersection *s);
 enum status intersection_count(struct intersection *s, int n_u, int n_v, const double *xyz,
                                long *count);
 
-/* The same count by testing every pair, boxes of cells and all: for tests and to show what
- * the tree saves. Lists no pairs. */
+/* Counts by testing every pair, boxes of cells and all: for tests and to show what the tree
+ * saves. Lists no pairs. */
 enum status intersection_count_all(struct intersection *s, int n_u, int n_v,
                                    const double *xyz, long *count);
 
-/* Grid points of a triangle. */
+/* Returns the grid points of a triangle. */
 void intersection_corners(int n_u, int triangle, int corner[3]);
 
 #endif

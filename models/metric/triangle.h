@@ -15,13 +15,14 @@
 
 #include <stdbool.h>
 
-/* p and q share no corner. */
+/* Whether p and q, which share no corner, meet. */
 bool triangle_meets(const double *const p[3], const double *const q[3]);
 
-/* p[0] and q[0] are the same corner: any other common point? */
+/* Whether p and q, with the corner p[0] = q[0], have any other common point. */
 bool triangle_meets_beyond_vertex(const double *const p[3], const double *const q[3]);
 
-/* p[0], p[1] and q[0], q[1] are the same corners: any common point off the edge between? */
+/* Whether p and q, with corners p[0], p[1] = q[0], q[1], have a common point off the
+ * edge. */
 bool triangle_meets_beyond_edge(const double *const p[3], const double *const q[3]);
 
 #endif

@@ -247,7 +247,7 @@ static const struct schema_key DISCRETIZATION[] = {
     {NULL}};
 /* clang-format on */
 
-/* What a setting may reach besides the scene. */
+/* The section that a setting may reach besides the scene. */
 static const struct schema_key NUMERICS[] = {
     {"discretization", "the work put in", SCHEMA_SECTION, .keys = DISCRETIZATION},
     {NULL},

@@ -46,16 +46,16 @@ struct schema_key {
 enum status schema_read(const struct schema_key *keys, const struct yaml_tree *node,
                         const char *name, void *target, struct message *why);
 
-/* For special readers: a finite number inside the key's range, or the sentence. */
+/* Reads a finite number inside the key's range, or refuses; for special readers. */
 enum status schema_number(const struct schema_key *key, const struct yaml_tree *node,
                           double *value, struct message *why);
 
-/* Likewise a line of text that is not empty and has no control characters, owned, in place
- * of *text. */
+/* Reads likewise a line of text that is not empty and has no control characters, owned, in
+ * place of *text. */
 enum status schema_text(const struct schema_key *key, const struct yaml_tree *node,
                         char **text, struct message *why);
 
-/* The sentence "KEY is FOUND, but must be WANTED". */
+/* Fails with the sentence "KEY is FOUND, but must be WANTED". */
 enum status schema_refuse(const struct schema_key *key, const struct yaml_tree *node,
                           struct message *why);
 
@@ -64,8 +64,8 @@ void schema_list(const struct schema_key *keys, const char *prefix,
                  void (*line)(void *context, const char *key, const char *text),
                  void *context);
 
-/* Lines `prefix` + key=value as a setting is written, 17 digits; arrays that are NULL are
- * left out. For tables of numbers, counts and words. */
+/* Prints lines `prefix` + key=value as a setting is written, 17 digits; arrays that are
+ * NULL are left out. For tables of numbers, counts and words. */
 void schema_print(const struct schema_key *keys, const char *prefix, const void *source,
                   FILE *out);
 

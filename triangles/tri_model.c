@@ -21,7 +21,7 @@ static void defaults(struct discretization *d)
                                  .integrator = INTEGRATOR_MOMENTUM};
 }
 
-/* Keys it has a use for. */
+/* The keys that the model uses. */
 enum {
     USED = DISCRETIZATION_INTEGRATOR | DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
            DISCRETIZATION_PRECISION | DISCRETIZATION_MEMBRANE | DISCRETIZATION_BENDING
@@ -108,7 +108,7 @@ static void size(const void *state, struct model_size *size)
                         "mid-surface points");
 }
 
-/* What is not the scene's law, and the explicit steps' limit. */
+/* Describes deviations from the scene's law, and the explicit steps' limit. */
 static void describe(const void *state, struct message *line)
 {
     const struct tri_motion *m = state;

@@ -23,14 +23,14 @@ struct tri_strain {
     double H[3][6]; /* d2e_k / dC_l dC_m for (l,m) = 11, 22, 33, 12, 13, 23             */
 };
 
-/* False where the triangle has no area, or C is none. */
+/* Computes strains; false where the triangle has no area, or C is not finite. */
 bool tri_strain_at(enum membrane membrane, const double C[3], struct tri_strain *s);
 
-/* Stiffness of a sheet in plane stress, energy e . D e / 2 per area: D11 = D22, D12, D33
- * [N/m]. */
+/* Computes a sheet's stiffness in plane stress, energy e . D e / 2 per area: D11 = D22,
+ * D12, D33 [N/m]. */
 void tri_strain_stiffness(const struct scene *scene, enum membrane membrane, double D[3]);
 
-/* D e. */
+/* Computes D e. */
 void tri_strain_stress(const double D[3], const double e[3], double stress[3]);
 
 #endif

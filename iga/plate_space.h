@@ -19,7 +19,7 @@ struct plate_direction {
     double *weight;          /* [spans][gauss]                                         */
 };
 
-/* Lines of points of a cure: of reduced_rule.h; of line_rule.h's greville, bending. */
+/* The lines of points of a remedy: reduced_rule.h's; line_rule.h's greville, bending. */
 enum { PLATE_REDUCED, PLATE_GREVILLE, PLATE_BENDING, PLATE_LINES };
 
 struct plate_tables {
@@ -40,9 +40,9 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
                              const struct patch *patch, const int gauss[3], bool thickness);
 void plate_space_clear(struct solid_space *space, struct plate_tables *tables);
 
-/* The stiffness of *space by as many points in u and in v as there are functions
- * (reduced_rule.h). With one linear function through the thickness, plane stress as well:
- * that function cannot follow the strain nu asks of it. */
+/* Integrates the stiffness of *space by as many points in u and in v as there are functions
+ * (reduced_rule.h). With one linear function through the thickness it adds plane stress:
+ * that function cannot follow the strain that nu requires. */
 enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 
@@ -71,10 +71,11 @@ enum status plate_space_select(struct solid_space *space, struct plate_tables *t
 void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, int i,
                        bool end, double thickness, double poisson);
 
-/* Values of the functions through the thickness in use at w: N[order]. */
+/* Computes values at w of the functions through the thickness in use, N[order]. */
 void plate_space_thickness(const struct patch *patch, bool thickness, double w, double *N);
 
-/* Shifted Legendre polynomials P_k(2 w - 1), k = 0..degree, and derivatives (or NULL). */
+/* Computes shifted Legendre polynomials P_k(2 w - 1), k = 0..degree, and derivatives or
+ * NULL. */
 void plate_space_legendre(int degree, double w, double *value, double *derivative);
 
 #endif

@@ -26,8 +26,9 @@ struct elastica {
  * below 1e-10 (tests/elastica.c). At most 0.3 s; allocates nothing. */
 enum status elastica_solve(double gamma, struct elastica *e);
 
-/* The strip itself: where each s[count], increasing from 0 (the clamp) to 1 (the tip), is
- * out and below, over L, and how far it has turned. STATUS and error as elastica_solve. */
+/* The shape of the strip: where each s[count], increasing from 0 (the clamp) to 1 (the
+ * tip), is out and below, over L, and how far it has turned. STATUS and error as
+ * elastica_solve. */
 struct elastica_point {
     double reach, drop, angle;
 };

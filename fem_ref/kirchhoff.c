@@ -43,7 +43,7 @@ static double *table(size_t n)
     return calloc(n, sizeof(double));
 }
 
-/* Integrals of two functions of one direction. */
+/* The integrals of two functions of one direction. */
 struct pair {
     double mass, slope, bend; /* phi_i phi_j, phi_i' phi_j', phi_i'' phi_j'' */
     double mixed, mixed_back; /* phi_i'' phi_j, phi_i phi_j''                */
@@ -87,7 +87,7 @@ static enum status fill_matrices(const struct kirchhoff *k, struct family *f)
     return STATUS_OK;
 }
 
-/* M c = mu K c; the eigenvectors come out K-orthonormal, one a row of `mode`. */
+/* Solves M c = mu K c; the eigenvectors come out K-orthonormal, one a row of `mode`. */
 static enum status solve_modes(struct family *f)
 {
     enum status st = STATUS_OK;
@@ -125,7 +125,7 @@ static enum status family_init(const struct kirchhoff *k, int parity, struct fam
             for (int b = 0; b < f->ny; b++)
                 f->load[i] += c[a * f->ny + b] * ritz_integral(&k->along, a) *
                               ritz_integral(&k->across, 2 * b + parity);
-        /* Round-off of the largest mu drowns the smallest: keep those finite. */
+        /* Round-off of the largest mu exceeds the smallest, which are kept finite. */
         f->mu[i] = fmax(f->mu[i], DBL_EPSILON * f->mu[f->n - 1]);
     }
 out:
@@ -211,7 +211,7 @@ double kirchhoff_frequency(const struct kirchhoff *k, int i)
     return k->order[i].lambda * k->frequency_scale;
 }
 
-/* sum c_ab X_a Y_b for functions already evaluated. */
+/* Returns sum c_ab X_a Y_b for functions already evaluated. */
 static double combine(const struct kirchhoff *k, const struct family *f, const double *c,
                       const double *X, const double *Y)
 {
@@ -271,8 +271,8 @@ static void step_response(double omega, double alpha, double t, double *y, doubl
     *rate = omega * omega * exp(-a * t) * over;
 }
 
-/* Coefficients of w / (q deflection_scale) and, unless NULL, of its rate at time t: only
- * even modes feel a uniform load. Allocates *c, *v of [family[0].n]. */
+/* Computes coefficients of w / (q deflection_scale) and, unless NULL, of its rate at time
+ * t: only even modes respond to a uniform load. Allocates *c, *v of [family[0].n]. */
 static enum status coefficients(const struct kirchhoff *k, double alpha, double t,
                                 double **c, double **v)
 {
@@ -318,7 +318,7 @@ double kirchhoff_static(const struct kirchhoff *k, double q, double x, double y)
     return kirchhoff_transient(k, q, 0, INFINITY, x, y);
 }
 
-/* out[ny][nx] = scale sum c_ab X_a(x) Y_b(y), derivatives of order dx and dy. */
+/* Fills out[ny][nx] = scale sum c_ab X_a(x) Y_b(y), derivatives of order dx and dy. */
 static void tabulate(const struct kirchhoff *k, const double *c, double scale, int dx,
                      int dy, int nx, const double *x, int ny, const double *y, double *out)
 {

@@ -218,7 +218,7 @@ int main(int argc, char **argv)
     blas_kernel_set_threads(1);
     if (!getenv("OMP_NUM_THREADS"))
         omp_set_num_threads(1); /* seconds are those of one thread unless told otherwise */
-    /* Output is buffered by line, so that no word to standard error stands inside a line of
+    /* Output is buffered by line, so that no standard error stands inside a line of
      * results. */
     setvbuf(stdout, NULL, _IOLBF, 0);
     output_keep_after_closed_pipe();

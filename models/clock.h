@@ -9,8 +9,7 @@ double clock_now(void);
  * other threads compete for it. */
 double clock_processor(void);
 
-/* Quartiles of repeats are linear between order statistics (type 7 of Hyndman & Fan
- * 1996). */
+/* Quartiles are linear between order statistics (type 7 of Hyndman & Fan 1996). */
 struct clock_summary {
     int count;
     double min, lower, median, upper, max; /* [s] */

@@ -155,8 +155,7 @@ enum discretization_bit {
 #undef DISCRETIZATION_BIT
 };
 
-/* Refuses with STATUS_INPUT and a sentence if any of those keys is set that is not
- * `used`. */
+/* Refuses (STATUS_INPUT, a sentence) any of those keys that is set but not in `used`. */
 enum status discretization_refuse(const struct discretization *d, unsigned used,
                                   struct message *why);
 

@@ -13,8 +13,7 @@ void grid_point(int n, double uvw[3]);
 void grid_sample(void (*probe)(const void *state, int n, const double *uvw, double *xyz),
                  const void *state, double *xyz);
 
-/* Returns the cell of x among `points` nodes evenly on [0,1], and weights of its two
- * ends. */
+/* Returns the cell of x among `points` nodes evenly on [0,1], and its ends' weights. */
 int grid_cell(int points, double x, double weight[2]);
 
 #endif

@@ -25,8 +25,7 @@ static enum status refuse(unsigned missing, const char *which, struct message *w
     return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no %s%s", text, which);
 }
 
-/* Refuses a sheet that begins in an obstacle; the depth is the same for all models and
- * nets. */
+/* Refuses a sheet that begins in an obstacle, whatever the model and net. */
 static enum status refuse_depth(const struct scene *scene, struct message *why)
 {
     for (int o = 0; o < scene->obstacle_count; o++) {
@@ -101,8 +100,7 @@ static void tell(const struct discretization *usual, const struct discretization
         why->text[0] = '\0';
 }
 
-/* Returns the points of a direction, raised to suit a given degree (0: any); 0 and 1
- * stay. */
+/* Returns a direction's points, raised to suit a given degree (0: any); 0 and 1 stay. */
 static int at_least(int points, int degree)
 {
     return points > 1 && points <= degree ? degree + 1 : points;

@@ -110,8 +110,7 @@ struct model {
      * misfit, a limit), as sentences in one line; empty if there is nothing. */
     void (*describe)(const void *state, struct message *line);
 
-    /* optional: writes doubts about the motion so far (an iteration that ends too
-     * early). */
+    /* optional: writes doubts about the motion so far (iterations that end too early). */
     void (*doubt)(const void *state, struct message *line);
 
     /* optional */ void (*energy)(const void *state, struct energy *energy);

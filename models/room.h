@@ -11,8 +11,7 @@ struct room_part {
     size_t bytes;
 };
 
-/* Stands for `count` elements for the array that `array` points to; any product of
- * sizes. */
+/* Stands for `count` elements of the array that `array` points to; any product of sizes. */
 #define ROOM(array, count)                                                                 \
     {                                                                                      \
         &(array), (size_t)(count) * sizeof *(array)                                        \

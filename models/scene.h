@@ -179,8 +179,7 @@ double scene_cloak_quarter_tangent(const struct scene *scene);
 void scene_cloak_meridian(const struct scene *scene, double u, double w, double *r,
                           double *z);
 
-/* Returns the point at height z and r times the vector (along e_v, along e_w) off the axis
- * [m]. */
+/* Returns the point at height z, r times (along e_v, along e_w) off the axis [m]. */
 void scene_cloak_place(const struct scene *scene, double z, double along_v, double along_w,
                        double xyz[3]);
 

@@ -57,8 +57,7 @@ static bool has_direction(unsigned fix, const double from[3], const double to[3]
     return all;
 }
 
-/* Whether the vertex is fixed so that the sheet cannot turn towards the neighbour at
- * `step`. */
+/* Whether the vertex's fixed components keep the sheet from turning towards `step`. */
 static bool is_stiff(const struct export_sheet *s, int i, int j, const int step[2])
 {
     double uvw[3], here[3], there[3];

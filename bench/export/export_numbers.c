@@ -7,8 +7,7 @@
 #include "mass_spring/spring_net.h"
 #include "models/mechanics/dead_load.h"
 
-/* A stiffness over E h below this is round-off: springs of long cells that are not
- * needed. */
+/* A stiffness over E h below this is round-off: long cells do not need that spring. */
 static const double NOTHING = 1e-12;
 
 /* Numbers that differ by less than this share are the same but for rounding: the mass of a
@@ -289,8 +288,7 @@ static enum status path_rows(const struct numbers *of, struct output *out)
     return STATUS_OK;
 }
 
-/* Writes loads, distributed to vertices with their hat functions as the nets of springs and
- * triangles do. */
+/* Writes loads, distributed by the vertices' hat functions as springs and triangles do. */
 static enum status load_rows(const struct numbers *of, struct output *out)
 {
     const struct export_sheet *s = of->sheet;

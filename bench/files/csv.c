@@ -8,8 +8,7 @@
 
 enum { MOST = 64 << 20 }; /* bytes of a file */
 
-/* The state of splitting a file into tables: `at` reads, `to` writes what is kept behind
- * it. */
+/* The state of splitting a file into tables: `at` reads, `to` writes what is kept. */
 struct reader {
     const char *path;
     struct csv *csv;

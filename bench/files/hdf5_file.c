@@ -68,8 +68,7 @@ herr_t hdf5_file_put_text(hid_t object, const char *key, const char *text)
     const size_t length = strlen(text);
     hid_t type = H5Tcopy(H5T_C_S1);
 
-    /* The text has fixed length: the library crashes on damaged texts of variable
-     * length. */
+    /* Fixed length: the library crashes on damaged texts of variable length. */
     H5Tset_size(type, length ? length : 1);
     H5Tset_strpad(type, H5T_STR_NULLPAD);
     H5Tset_cset(type, H5T_CSET_UTF8);

@@ -20,8 +20,8 @@ void output_print(struct output *out, const char *format, ...)
 /* Returns the fewest digits of %.*g, 15 to 17, that read back as the same number. */
 int output_digits(double value);
 
-/* Returns the stream that output_print prints to, for other functions that print; do not
- * close it. */
+/* Returns the stream behind output_print, for other functions that print; do not close
+ * it. */
 FILE *output_stream(struct output *out);
 
 /* Writes what is left, checks every write since the start, syncs, renames, frees. On

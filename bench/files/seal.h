@@ -28,7 +28,7 @@ unsigned long seal_text_sum(unsigned long before, const void *bytes, size_t size
  * differ. STATUS_FILE. */
 enum status seal_text_program(unsigned long *sum, struct message *why);
 
-/* Writes a text and its seal, as output.h does. The text ends in a line's end.
+/* Writes a text, which ends in a line's end, and its seal, as output.h does.
  * STATUS_FILE. */
 enum status seal_text_write(const char *path, const char *text, struct message *why);
 

@@ -346,8 +346,7 @@ static enum status put_end(struct store *s, struct message *why)
     return STATUS_OK;
 }
 
-/* Closes the file. It is flushed first: a flush that fails leaves the identifiers usable
- * for discard. */
+/* Closes the file, flushed first: if that fails, discard can still use the identifiers. */
 static enum status close_file(struct store *s, struct message *why)
 {
     if (H5Fflush(s->file, H5F_SCOPE_GLOBAL) < 0)
@@ -560,8 +559,7 @@ out:
     return st;
 }
 
-/* Whether an attribute or, if long, a dataset is one text of fixed length; gives its
- * size. */
+/* Whether an attribute or, if long, a dataset is one text of fixed length, *size. */
 static bool is_text(hid_t type, hid_t space, size_t *size)
 {
     *size = type < 0 ? 0 : H5Tget_size(type);

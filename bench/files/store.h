@@ -108,8 +108,7 @@ enum status store_read_open(const char *path, struct store_read **file,
                             struct message *why);
 void store_read_close(struct store_read *file); /* NULL is allowed */
 
-/* Returns the number of frames with a field in the file; their times are its array
- * "xyz_time". */
+/* Returns the number of frames with a field; their times are the array "xyz_time". */
 int store_read_frames(const struct store_read *file);
 
 /* Reads the n-th field, 0 <= n < frames, into xyz (grid.h) [m]. */

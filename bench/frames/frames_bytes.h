@@ -29,8 +29,7 @@ void *frames_bytes_grow(void *array, int *room, int count, size_t size);
 double frames_bytes_float(const unsigned char *p, int size, bool big);
 unsigned long frames_bytes_whole(const unsigned char *p, int size, bool big);
 
-/* A text that is read a line at a time: *line [*end) is without its line end; false: no
- * more. */
+/* A text read line by line: *line [*end) is without its line end; false: no more. */
 struct frames_text {
     const char *at, *end;
     long line; /* of the one last read, from 1 */
@@ -38,12 +37,10 @@ struct frames_text {
 struct frames_text frames_text_of(const struct frames_bytes *b);
 bool frames_text_line(struct frames_text *text, const char **line, const char **end);
 
-/* Reads a number, after blanks, as strtod does; *p moves behind it. False: there is
- * none. */
+/* Reads a number, after blanks, as strtod does; *p moves behind it. False: none. */
 bool frames_text_number(const char **p, const char *end, double *x);
 
-/* Skips blanks, finds the next word, up to a blank, and returns its length, 0 at the
- * end. */
+/* Skips blanks and finds the next word, up to a blank; returns its length, 0 at the end. */
 int frames_text_word(const char **p, const char *end, const char **word);
 
 #endif

@@ -65,8 +65,7 @@ static enum status next_foreign(struct frames *f, double *t, bool *more,
     return good ? STATUS_OK : hdf5_file_fail(f->path, "cannot read a frame of xyz", why);
 }
 
-/* Reads a data set of `count` numbers, whatever its rank; NULL stays NULL if there is
- * none. */
+/* Reads a data set of `count` numbers of any rank; NULL stays NULL if there is none. */
 static enum status take_small(struct frames *f, hid_t file, const char *name, hsize_t count,
                               double **values, struct message *why)
 {
@@ -190,8 +189,7 @@ out:
     return st;
 }
 
-/* Opens a file. A sealed one is the program's own; any other begins with HDF5's
- * signature. */
+/* Opens a file: the program's own is sealed; any other begins with HDF5's signature. */
 enum status frames_hdf5_open(struct frames *f, const char *path, struct message *why)
 {
     struct frames_bytes b = {0};

@@ -179,7 +179,7 @@ static bool read_numbers(struct stream *s, const struct npz *npz, size_t count,
                          double *values)
 {
     const size_t bytes = (size_t)s->array.bytes;
-    /* The bytes go to the end of the array, so that widening from its front does not
+    /* The bytes go to the array's end, so that widening from its front does not
      * overtake. */
     unsigned char *at = (unsigned char *)values + count * (8 - bytes);
 

@@ -180,8 +180,7 @@ static void read_end(const struct child *c, int code, double time_limit,
     }
 }
 
-/* A longer pause between two polls [s] means that this process was suspended or the machine
- * asleep. */
+/* A longer pause between polls [s] means that this process or the machine slept. */
 static const double NAP = 1;
 
 static void pass_time(struct child *c, double time_limit)

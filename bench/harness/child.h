@@ -37,13 +37,11 @@ struct child {
 enum status child_init(struct child *c);
 void child_clear(struct child *c); /* kills what runs; all-zero is allowed */
 
-/* Starts work(context) in a new process. STATUS_LIBRARY with a sentence: none can be
- * started. */
+/* Starts work(context) in a new process. STATUS_LIBRARY with a sentence: it cannot. */
 enum status child_start(struct child *c, enum status (*work)(void *, struct message *),
                         void *context, struct message *why);
 
-/* Records in the child how far the work is, in case it does not end; does nothing
- * elsewhere. */
+/* Records in the child how far the work is, in case it does not end; elsewhere nothing. */
 void child_reached(double how_far);
 
 /* Ends the child after so much processor time, which counts as overdue, too. Unlike the

@@ -53,7 +53,7 @@ enum status contestant_find(const char *name, const struct contestant **c,
  * all). The name of a model of which none enters chooses the contestant of that name. */
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where);
 
-/* Checks that every word of a choice names a model or contestant. STATUS_INPUT, a
+/* Checks that all words of a choice name models or contestants. STATUS_INPUT, a
  * sentence. */
 enum status contestant_check(const char *choice, struct message *why);
 

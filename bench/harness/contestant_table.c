@@ -38,8 +38,7 @@
 
 /* clang-format off */
 const struct contestant contestant_table[] = {
-    /* The first row of each model is the one with its defaults. Here: the isogeometric
-     * plate. */
+    /* The first row of each model is the one with its defaults. The isogeometric plate. */
     {"iga", "IGA", "IGA def.", &plate_model, 0, {0}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
     {"iga_paper", "IGA, printed (paper)", "IGA paper", &plate_model,
      COMPARE | STRESS | SPEED, {PRINTED, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},

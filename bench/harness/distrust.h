@@ -27,8 +27,7 @@
 bool distrust(const struct scene *scene, const double value[MEASURES],
               struct message *sentence);
 
-/* Judges fields (grid.h) at their times likewise; an empty sentence: no reason.
- * STATUS_MEMORY. */
+/* Judges fields (grid.h) at their times; an empty sentence: no reason. STATUS_MEMORY. */
 enum status distrust_fields(const struct scene *scene, int count, const double *time,
                             double *const *xyz, struct message *sentence);
 

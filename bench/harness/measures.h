@@ -1,5 +1,4 @@
-/* measures.h - the numbers that a run is reduced to, computed from all its looks
- * (looks.h). */
+/* measures.h - the numbers that a run is reduced to, computed from its looks (looks.h). */
 #ifndef MEASURES_H
 #define MEASURES_H
 

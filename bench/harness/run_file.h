@@ -22,8 +22,7 @@ enum run_fields {
     RUN_FIELDS_NONE,
 };
 
-/* A number of the caller's own at every look in motion, stored as metrics/NAME
- * (store.h). */
+/* A number of the caller's own at every look in motion, kept as metrics/NAME (store.h). */
 struct run_own {
     const char *name, *unit;
 };
@@ -87,8 +86,7 @@ enum status run_file_close(struct run_file *file, const struct motion *m,
                            struct run_result *result, struct message *why);
 void run_file_discard(struct run_file *file); /* gives it up; NULL is allowed */
 
-/* Whether a status of run_build is a result, stored in the file, and not a failure of
- * ours. */
+/* Whether a status of run_build is a result, told in the file, and no failure of ours. */
 bool run_file_is_refusal(enum status st);
 
 /* Does the whole run: a death is a result, and so is a model that refuses. The bits are the

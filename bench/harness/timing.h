@@ -5,8 +5,7 @@
 
 #include "bench/harness/run.h"
 
-/* The number of repeats of runs that take up to TIMING_SHORT seconds, and of longer
- * ones. */
+/* The repeats of runs that take up to TIMING_SHORT seconds, and of longer ones. */
 enum { TIMING_REPEATS = 9, TIMING_REPEATS_LONG = 3, TIMING_REPEATS_QUICK = 3 };
 #define TIMING_SHORT 0.2
 
@@ -41,7 +40,7 @@ void timing_clear(struct timing_case *c);
  */
 int timing_pin(void);
 
-/* Limits the program to one thread on one processor: timings shall compare models, not
+/* Limits the program to one thread on one processor: timings compare models, not
  * schedulers. */
 void timing_alone(void);
 

@@ -12,8 +12,7 @@ struct warnings_rule {
     const char *name;
     const char *source; /* where it is known from                                      */
 
-    /* Whether the rule applies to a run that was read (run_read); then with its
-     * sentence. */
+    /* Whether the rule applies to a run (as of run_read); then with its sentence. */
     bool (*holds)(const struct run *run, struct message *sentence);
 };
 

@@ -1,5 +1,4 @@
-/* report.h - the command `report`: makes one page of HTML from the results of other
- * commands. */
+/* report.h - the command `report`: makes one page of HTML from other commands' results. */
 #ifndef REPORT_H
 #define REPORT_H
 

@@ -1,5 +1,4 @@
-/* report_claim.h - the paper's claims, and the verdict on each, as the commands judged them
- * (kept.h). */
+/* report_claim.h - the paper's claims, and each one's verdict by the commands (kept.h). */
 #ifndef REPORT_CLAIM_H
 #define REPORT_CLAIM_H
 

@@ -72,8 +72,7 @@ static void write_trouble(struct player *p, const char *name, const struct messa
     fputc('}', p->file);
 }
 
-/* Writes positions [frames][NUMBERS] as 16-bit integers, every `stride`-th of the stored
- * ones. */
+/* Writes positions [frames][NUMBERS] as 16-bit integers, every `stride`-th frame. */
 static enum status write_motion(struct player *p, const char *name, bool truth, int stride,
                                 int frames, const double *time, const double *xyz)
 {
@@ -298,8 +297,7 @@ static enum status write_own(struct player *p, const char *folder)
     return st;
 }
 
-/* Writes the stored truth; where there is none that can be read, runs are played
- * without. */
+/* Writes the stored truth, if one can be read; runs are played without it, too. */
 static enum status play_truth(struct player *p)
 {
     struct truth_made made = {0};

@@ -138,8 +138,7 @@ void describe_motion(const struct motion *m, FILE *file)
     fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());
 }
 
-/* Adds an energy. NaN: the model has no such energy in its kinematics, and no row is
- * added. */
+/* Adds a row. NaN: the model has no such energy in its kinematics. */
 static void add_row(struct table *t, const char *name, double value, const char *unit)
 {
     table_row(t);

@@ -7,8 +7,7 @@
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
 
-/* Prints scene, Gamma, discretization spelled out, what was built, seconds of set-up,
- * warnings. */
+/* Prints scene, Gamma, the full discretization, what was built, seconds, warnings. */
 void describe_setup(const struct run *run, FILE *file);
 
 /* Prints frames, seconds a frame, work done, peak memory. */

@@ -184,8 +184,7 @@ out:
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a scene that cannot be read is input */
 }
 
-/* The number of frames examined where no file is kept; a run's sentences may open with what
- * they show. */
+/* The frames examined where no file is kept; a run's sentences may open with a finding. */
 enum { LOOKS = 20 };
 
 static enum status open_file(struct job *j, const char *path, struct message *why)
@@ -276,8 +275,7 @@ out:
     return st;
 }
 
-/* Finds equilibrium and prints its table, unless points that were asked for use standard
- * output. */
+/* Finds equilibrium and prints its table, unless points use standard output. */
 static enum status run_static(struct job *j, struct message *why)
 {
     struct message told = {""};

@@ -133,8 +133,7 @@ out:
     return st;
 }
 
-/* Adds a mode. A growing one has no frequency: its rate is shown with the sign of omega
- * (model.h). */
+/* Adds a mode; a growing one has no frequency: its rate has the sign of omega (model.h). */
 static void add_mode(struct table *t, const struct scene *scene, int n, double omega)
 {
     double L = scene->length, mass = scene->density * scene->thickness;

@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A frame counts as one of a given time within this difference [s]: a sheet at 10 m/s moves
- * by 1e-5 m in it. */
+/* A frame is at a time to within this [s]: a sheet at 10 m/s moves by 1e-5 m in it. */
 #define SAME_TIME 1e-6
 
 /* Positions are not interpolated between frames farther apart than this [s] (24 frames a
@@ -36,8 +35,7 @@ double score_rms(int points, const double *a, const double *b)
     return sqrt(sum / points);
 }
 
-/* Turns positions into the scene's axes and metres: Blender's y-up (x, y, z) is (x, -z,
- * y). */
+/* Turns positions into the scene's axes and metres: Blender's (x, y, z) is (x, -z, y). */
 static void turn(const struct score_look *look, int vertices, const double *from,
                  double *to)
 {

@@ -11,8 +11,7 @@
 /* Frames that move by less than this share of what the truth does are still. */
 #define STILL_MOST 0.01
 
-/* Neighbours that lie this many times as far apart as the truth's are not neighbours in any
- * cloth. */
+/* Neighbours so many times as far apart as the truth's are none in any cloth. */
 #define SCATTERED_LEAST 2
 
 /* Another pace is reported where it leaves this many times less than the fitted flaws
@@ -24,7 +23,7 @@
  * too, and leaves a quarter. */
 #define PACE_MOST 0.1
 
-/* A lead of up to half a step is that of a first-order step; frames come every step or less
+/* A lead of up to half a step is a first-order step's; frames come every step or less
  * often. */
 #define HALF_STEP 0.55
 
@@ -86,8 +85,7 @@ static int moved(int n, int order)
     return j * GRID_U + i;
 }
 
-/* Sums the squared error over all known times; ends early where it is no better than
- * `least`. */
+/* Sums the squared error of all known times; stops early where it exceeds `least`. */
 static double squared(const struct score *s, const struct turned *t, double least,
                       int *points)
 {
@@ -404,15 +402,13 @@ struct held_off {
     double shift[3]; /* [m]; else zero */
 };
 
-/* What is held must be where the truth has it, to this share of the length: penalties
- * yield. */
+/* What is held is where the truth has it, to this share of the length: penalties yield. */
 #define HELD_MOST 0.01
 
 /* Reported displacements are rounded to this [m]. */
 #define DIGIT 1e-6
 
-/* All that is held is shifted as a whole where its offsets vary by less than this share of
- * their mean. */
+/* All is shifted as a whole where offsets vary by less than this share of their mean. */
 #define SAME 0.25
 
 /* Sums over points, of the components that their supports fix [m]. */
@@ -721,8 +717,8 @@ static bool say_pace(const struct score *s, const struct pace *pace,
     return true;
 }
 
-/* Reports another gravity. In a free fall it cannot be told from another pace, in other
- * scenes hardly. */
+/* Reports another gravity, which in a free fall looks like another pace, elsewhere
+ * hardly. */
 static void say_gravity(const struct score *s, double g, const struct pace *pace,
                         const struct score_fit *fit, struct score_diagnosis *d)
 {

@@ -1,5 +1,4 @@
-/* score_diagnosis.h - finds what is wrong with frames and says it in sentences with
- * numbers. */
+/* score_diagnosis.h - finds what is wrong with frames, in sentences with numbers. */
 #ifndef SCORE_DIAGNOSIS_H
 #define SCORE_DIAGNOSIS_H
 

@@ -203,8 +203,7 @@ struct trial {
     double value[FIT_KINDS], stiffness;
 };
 
-/* Solves a x = b, a symmetric and positive, by elimination; skips unknowns whose diagonal
- * vanishes. */
+/* Solves a x = b, a symmetric and positive, by elimination; skips zero diagonals. */
 static void solve(int count, double a[][COLUMNS], double *b)
 {
     for (int k = 0; k < count; k++) {
@@ -290,8 +289,7 @@ static int size_of(unsigned set)
     return size;
 }
 
-/* Whether without any one of the flaws much more would be left, and a fitted hinge has a
- * plausible size. */
+/* Whether each flaw is needed to leave little, and a fitted hinge has a plausible size. */
 static bool all_matter(const struct sums *s, unsigned set, const struct trial *t)
 {
     const double hinge = t->value[FIT_HINGE], left = t->left;

@@ -19,7 +19,7 @@ struct score_result {
 
 void score_result_clear(struct score_result *result); /* all-zero is allowed */
 
-/* Prints scores. CSV has scene,time,error,bar,floor, over the length; JSON has an object a
+/* Prints scores: CSV has scene,time,error,bar,floor, over the length; JSON an object a
  * scene. */
 enum status score_print(const struct score_result *results, int count,
                         enum table_format format, FILE *file);

@@ -100,8 +100,7 @@ out:
     return st;
 }
 
-/* Evaluates an exact solution every tenth of a second; `word` is the scene as the user
- * named it. */
+/* Evaluates an exact solution every tenth of a second; `word` is the user's name for it. */
 static enum status from_formula(const char *word, const char *path,
                                 const struct settings *settings, struct score_truth *t,
                                 struct message *why)

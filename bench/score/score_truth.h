@@ -8,8 +8,7 @@
 
 enum { SCORE_POINTS = GRID_U * GRID_V };
 
-/* A coarse selection of the grid's points, every ninth each way, for trying many
- * motions. */
+/* A few of the grid's points, every ninth each way, for trying many motions. */
 enum { SCORE_EVERY = 9, SCORE_SIDE = (GRID_U - 1) / SCORE_EVERY + 1 };
 enum { SCORE_FEW = SCORE_SIDE * SCORE_SIDE };
 

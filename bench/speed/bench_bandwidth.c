@@ -1,5 +1,4 @@
-/* Compares explicit springs on small and large nets with the memory's bandwidth, which
- * limits them. */
+/* Compares explicit springs on small and large nets with the memory's bandwidth. */
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -26,8 +25,7 @@ enum { MOVED = 12, HELD = 9 };
 /* Numbers per element that a triad, a = b + s c, must read or write. */
 enum { TRIAD_MOVED = 3 };
 
-/* Arrays that shall lie in memory are BEYOND times the last cache, within these bounds
- * [bytes]. */
+/* Arrays to lie in memory are BEYOND times the last cache, within these bounds [bytes]. */
 static const double BEYOND = 4, LEAST_MEMORY = 192e6, MOST_MEMORY = 1.6e9;
 
 /* A triad, for the sustainable rate of memory as McCalpin measures it (IEEE TCCA

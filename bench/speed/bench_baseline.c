@@ -9,8 +9,7 @@
 #include "bench/experiment/bench_solid.h"
 #include "bench/speed/bench.h"
 
-/* A net's matrix, lower triangle by columns, and the factors and solutions of the
- * libraries. */
+/* A net's matrix, lower triangle by columns, and the libraries' factors and solutions. */
 struct baseline {
     struct run run;
     int n, width; /* unknowns, half bandwidth                                          */
@@ -189,8 +188,8 @@ static double residual(const struct baseline *m, const double *x)
     return most / scale;
 }
 
-/* Measures the libraries' residuals for the right-hand side of ones; without a band
- * LAPACK's is 0. */
+/* Measures the libraries' residuals for a right-hand side of ones; LAPACK's is 0 if left
+ * out. */
 static enum status solve_once(struct baseline *m, double off[2])
 {
     cholmod_dense *x = NULL;

@@ -43,8 +43,7 @@ struct chart {
     bool failed;             /* out of memory somewhere                                */
 };
 
-/* Appends an element of zeros to an array of `count` and returns it; NULL without
- * memory. */
+/* Appends a zero element to an array of `count`, returns it; NULL without memory. */
 static void *one_more(struct chart *c, void *array, int *count, size_t size)
 {
     char **at = array;
@@ -63,8 +62,7 @@ static void *one_more(struct chart *c, void *array, int *count, size_t size)
     return memset(*at + n * size, 0, size);
 }
 
-/* Returns a copy in one line: a line end in a name must not tear a legend. NULL stays
- * NULL. */
+/* Copies into one line: a line end in a name must not tear a legend. NULL stays NULL. */
 static char *copy(struct chart *c, const char *text)
 {
     char *own = text ? strdup(text) : NULL;
@@ -306,8 +304,7 @@ void chart_mark(struct chart *c, double x, double y, const char *text)
 /* --- looks: colours, points and dashes ---------------------------------------------------
  */
 
-/* Looks that all kinds of eyes can distinguish (Okabe and Ito), in grey by points and
- * dashes. */
+/* Looks that all eyes can distinguish (Okabe and Ito), in grey by points and dashes. */
 static const struct look {
     const char *rgb;
     int filled, open; /* points */
@@ -320,8 +317,7 @@ enum { LOOKS = sizeof looks / sizeof *looks };
 
 static const char band_rgb[] = "#c8c8c8";
 
-/* Whether an item is drawn dashed and with open points: series beyond the number of looks
- * repeat them so. */
+/* Whether an item is dashed with open points, as those beyond the number of looks are. */
 static bool is_second(const struct chart_item *item)
 {
     return item->as.second || item->look / LOOKS % 2;
@@ -668,8 +664,7 @@ static void write_pane(struct output *out, const struct chart_pane *p, int pane)
 
 /* --- the page ------------------------------------------------------------------------- */
 
-/* Wraps words to lines of at most `most` characters, broken at blanks: gnuplot breaks
- * none. */
+/* Wraps words to lines of at most `most` characters, at blanks: gnuplot does not. */
 static int wrap(const char *text, int most, char *wrapped, int size)
 {
     int lines = 1, column = 0;

@@ -51,8 +51,7 @@ struct chart_axis chart_axis_of(const struct table *t, const char *key, bool log
 /* Sets the axes of the panel, and of those that are started after it. */
 void chart_axes(struct chart *c, const struct chart_axis *x, const struct chart_axis *y);
 
-/* Starts the next panel; the first call only names the first panel, if that is still
- * empty. */
+/* Starts the next panel; the first call only names the first panel, if still empty. */
 void chart_panel(struct chart *c, const char *title);
 
 enum chart_style {
@@ -82,8 +81,7 @@ void chart_bar(struct chart *c, double x, double y, double low, double high);
 void chart_cell(struct chart *c, double x, double y, const double x_side[2],
                 const double y_side[2]);
 
-/* A condition on a row: the cell of `key` has these words or, without words, this
- * number. */
+/* A condition on a row: the cell of `key` has these words or, if NULL, this number. */
 struct chart_where {
     const char *key, *text;
     double number; /* as in CSV */
@@ -94,8 +92,7 @@ struct chart_where {
 void chart_rows(struct chart *c, const struct table *t, const char *x, const char *y,
                 int count, const struct chart_where *where);
 
-/* Adds a band across the panel: the error bar of a truth; a line if low and high are
- * equal. */
+/* Adds a band across the panel, a truth's error bar; a line if low and high are equal. */
 void chart_band(struct chart *c, const char *label, double low, double high);
 
 /* Writes words at a point. */

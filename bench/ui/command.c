@@ -24,8 +24,7 @@ static int option_index(const struct command *command, const char *name, size_t 
     return -1;
 }
 
-/* Reads the option in argv[*at] and, if it takes one, its value, there or in the next
- * argument. */
+/* Reads the option in argv[*at] and, if it takes one, its value, there or in the next. */
 static enum status read_option(struct command_line *line, int argc, char **argv, int *at,
                                struct message *why)
 {
@@ -189,7 +188,7 @@ enum status command_pair(const struct command_line *line, const char *option, in
     return STATUS_OK;
 }
 
-/* Prints the lines of `text`, each but the first after `indent` blanks, all after
+/* Prints the lines of `text`, all but the first after `indent` blanks, all after
  * `before`. */
 static void print_lines(const char *text, int indent, const char *before, FILE *file)
 {

@@ -67,8 +67,7 @@ const char *command_value(const struct command_line *line, const char *option);
 const char *const *command_values(const struct command_line *line, const char *option,
                                   int *count);
 
-/* Reads a whole number from low to high; *number is as it was if the option was not
- * given. */
+/* Reads a whole number from low to high; *number stays if the option was not given. */
 enum status command_integer(const struct command_line *line, const char *option, long low,
                             long high, long *number, struct message *why);
 

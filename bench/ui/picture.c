@@ -31,8 +31,7 @@ static void widen(struct box *box, const double x[3])
     }
 }
 
-/* Writes gnuplot's data blocks, one a panel: rows of v apart by one blank line, blocks by
- * two. */
+/* Writes data blocks, one a panel: rows of v apart by one blank line, blocks by two. */
 static void write_panel(struct output *out, const double *xyz, struct box *box)
 {
     double x[3];
@@ -71,8 +70,8 @@ out:
  * before it touches the title: gnuplot leaves room for any angle. */
 static const double TILT = 62, TURN = 35, ENLARGE = 1.12;
 
-/* Returns the factor by which a box can be enlarged, whose longer side of x and y gnuplot
- * scales to one. */
+/* Returns the factor that enlarges a box, whose longer side of x and y gnuplot makes
+ * one. */
 static double zoom_of(const double side[3])
 {
     const double degree = acos(-1) / 180, tilt = TILT * degree, turn = TURN * degree;

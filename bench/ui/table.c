@@ -12,8 +12,7 @@
 
 #include "bench/files/output.h"
 
-/* The most columns of the screen for a sentence, for any line, and for a cell of words that
- * is wrapped. */
+/* The most columns of the screen for a sentence, for any line, and for a wrapped cell. */
 enum { TEXT_WIDTH = 96, LINE_WIDTH = 120, CELL_WIDTH = 40 };
 
 struct table_cell {
@@ -197,8 +196,7 @@ static bool grow(void *array, size_t old, size_t count, size_t size)
     return true;
 }
 
-/* Makes room for one more row, which table_row starts; `ruled` has room for the rule below
- * the last one. */
+/* Makes room for one more row (see table_row), and for the rule below the last one. */
 static bool room(struct table *t)
 {
     const size_t rows = (size_t)t->room, more = rows ? 2 * rows : 4;
@@ -650,8 +648,7 @@ static bool is_shown(const struct table *t, const struct part *p, int n)
     return has(t, n, TABLE_PEOPLE) && (n < p->keys || n >= p->from) && n < p->to;
 }
 
-/* Returns the width of a part's columns with the blanks between them; the last may be
- * wrapped. */
+/* Returns the width of a part's columns with blanks between; the last may be wrapped. */
 static int part_width(const struct table *t, const struct part *p)
 {
     int total = -2;
@@ -820,8 +817,7 @@ static void print_markdown(const struct table *t, FILE *file)
 
 /* --- LaTeX: plain tabular, no packages ------------------------------------------------ */
 
-/* Prints `text` with TeX's special characters escaped, between two strings that TeX
- * interprets. */
+/* Prints `text` with TeX's special characters escaped, between two strings for TeX. */
 static void print_latex_text(const char *before, const char *text, const char *behind,
                              FILE *file)
 {

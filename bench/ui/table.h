@@ -39,7 +39,7 @@ enum status table_format_parse(const char *word, enum table_format *format,
  * else. */
 bool table_format_is_prose(enum table_format format);
 
-/* Whether the format is CSV or JSON, which get one table with everything where people get
+/* Whether the format is CSV or JSON: one table with everything, where people get
  * several. */
 bool table_format_is_data(enum table_format format);
 
@@ -98,7 +98,7 @@ void table_missing(struct table *t, const char *format, ...)
 void table_note(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Prints the table. STATUS_MEMORY, or STATUS_FILE if the stream fails (the stream is not
+/* Prints the table. STATUS_MEMORY, or STATUS_FILE if the stream fails (it is not
  * flushed). */
 enum status table_print(const struct table *t, enum table_format format, FILE *file);
 
@@ -147,8 +147,7 @@ const char *table_words(const struct table *t, int row, int column);
  * of UTF-8; 0 for NULL. */
 int table_width(const char *text);
 
-/* Prints words as notes are printed in text: lines of at most its width, then a line
- * end. */
+/* Prints words as text's notes: lines of at most its width, then a line end. */
 void table_print_wrapped(const char *text, FILE *file);
 
 /* Prints a name, and from this column on text, wrapped to the width of a line of tables. */

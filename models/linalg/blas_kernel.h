@@ -3,8 +3,7 @@
 #ifndef BLAS_KERNEL_H
 #define BLAS_KERNEL_H
 
-/* Returns the kernel that runs, as the library names it ("SkylakeX", ...). Static
- * storage. */
+/* Returns the running kernel's name in the library ("SkylakeX", ...). Static storage. */
 const char *blas_kernel_name(void);
 
 /* Returns library version and configuration in one line. Static storage. */

@@ -6,8 +6,7 @@
 
 #include "models/status.h"
 
-/* Returns the status of the last call with *c; a warning (not positive definite) is no
- * error. */
+/* Returns the last call's status; a warning (not positive definite) is no error. */
 static inline enum status cholmod_status(const cholmod_common *c)
 {
     if (c->status >= CHOLMOD_OK)

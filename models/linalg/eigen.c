@@ -192,8 +192,7 @@ struct lanczos {
 static enum status lanczos_init(struct lanczos *l, int n, int nev)
 {
     enum status st;
-    /* ARPACK advises twice the wanted ones; a few more save restarts where few are
-     * wanted. */
+    /* ARPACK advises twice the wanted ones; a few more save restarts if few are wanted. */
     *l = (struct lanczos){.n = n, .nev = nev, .ncv = 2 * nev + 20 < n ? 2 * nev + 20 : n};
     l->lworkl = l->ncv * (l->ncv + 8);
     l->iparam[0] = 1;    /* exact shifts  */
@@ -203,8 +202,7 @@ static enum status lanczos_init(struct lanczos *l, int n, int nev)
     TRY(room_cut(&l->room, ROOM(l->select, l->ncv), ROOM(l->resid, n),
                  ROOM(l->v, (size_t)n * l->ncv), ROOM(l->workd, 3 * n),
                  ROOM(l->workl, l->lworkl)));
-    /* The start vector is one that no mode is likely to be orthogonal to, the same every
-     * run. */
+    /* The start vector is hardly orthogonal to any mode, and the same every run. */
     unsigned long state = 1;
     for (int i = 0; i < n; i++) {
         state = state * 6364136223846793005u + 1442695040888963407u;

@@ -37,7 +37,7 @@ static int half_bandwidth(const struct factor_pattern *a, const int *position)
     return half;
 }
 
-/* Takes the given order, unless the natural one is as narrow. Returns the
+/* Takes the given order, unless the natural one is as narrow; returns the
  * half-bandwidth. */
 static int choose_order(const struct factor_pattern *a, int *position)
 {

@@ -1,5 +1,4 @@
-/* factor_pattern.h - the nonzero pattern of a symmetric matrix, and its independent
- * parts. */
+/* factor_pattern.h - the nonzero pattern of a symmetric matrix, and its components. */
 #ifndef FACTOR_PATTERN_H
 #define FACTOR_PATTERN_H
 

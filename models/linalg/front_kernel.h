@@ -4,8 +4,8 @@
 #define COLUMN  ((REAL *const *)f->column)
 #define INVERSE ((REAL *)f->inverse)
 
-/* Finishes tiles (row .. row + count - 1, column) of L, with updates from panel tiles from
- * .. column. */
+/* Finishes tiles (row .. row + count - 1, column) of L, updated by panel tiles from ..
+ * column. */
 TILE_INLINE void NAME(finish)(const struct front *f, int count, int row, int column,
                               int from)
 {
@@ -18,8 +18,7 @@ TILE_INLINE void NAME(finish)(const struct front *f, int count, int row, int col
     NAME(tile_store)(count, c, target);
 }
 
-/* Subtracts from tiles (row .. row + count - 1, column) their product over the panel from
- * .. to. */
+/* Subtracts their product over the panel from tiles (row .. row + count - 1, column). */
 TILE_INLINE void NAME(update)(const struct front *f, int count, int row, int column,
                               int from, int to)
 {

@@ -8,13 +8,12 @@
 
 struct ichol;
 
-/* Creates a factor; the pattern is as for factor.h, its order is not used. Owned by the
+/* Creates a factor; of the pattern (factor.h) the order is not used. Owned by the
  * caller. */
 enum status ichol_create(const struct factor_pattern *pattern, struct ichol **f);
 void ichol_destroy(struct ichol *f); /* NULL is allowed */
 
-/* Returns the pattern's values, to fill before ichol_refactor, which leaves them.
- * Borrowed. */
+/* Returns the values to fill before ichol_refactor, which leaves them. Borrowed. */
 double *ichol_values(struct ichol *f);
 
 /* Factors. STATUS_INDEFINITE if a diagonal is not positive or the shift passes 1. */

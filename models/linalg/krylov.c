@@ -12,8 +12,7 @@ static double product(int n, const double *a, const double *b)
     return sum;
 }
 
-/* Returns the length of the longest of the vectors of three numbers: independent of the
- * axes. */
+/* Returns the longest length of the vectors of three numbers: independent of the axes. */
 static double longest(int n, const double *a)
 {
     double most = 0;

@@ -18,8 +18,7 @@ typedef double tile_line __attribute__((vector_size(TILE * sizeof(double)), may_
 
 enum { SIDES = 3, BLOCK = SIDES * TILE, TILE_PAIR = 2 * TILE_SIZE };
 
-/* Returns the place of row i of the first side among blocks; the others follow TILE
- * apart. */
+/* Returns the place of row i of the first side in blocks; the others follow TILE apart. */
 static inline ptrdiff_t block_place(ptrdiff_t i)
 {
     return (i & ~(ptrdiff_t)(TILE - 1)) * SIDES + (i & (TILE - 1)); /* i >= 0 */

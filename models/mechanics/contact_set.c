@@ -222,8 +222,7 @@ double contact_set_arrest(const struct contact_set *c, const double *v, double *
     return largest;
 }
 
-/* Applies friction of node a against f[3], which it shortens, to zero if the node
- * sticks. */
+/* Applies friction of node a against f[3], which becomes zero if the node sticks. */
 static void rub(struct contact_set *c, int a, const struct contact_pair *pair, double f[3])
 {
     struct contact_node *node = &c->node[a];

@@ -65,8 +65,7 @@ out:
     return st;
 }
 
-/* Makes b = 2 M v + dt (f - K d), less the part of held unknowns; w: their values, else
- * 0. */
+/* Makes b = 2 M v + dt (f - K d), less held unknowns' part; w: their values, else 0. */
 static void linear_side(struct newmark *n, const struct system *s, const double (*K)[9],
                         const double *M, const double *load,
                         const struct newmark_held *held, double *b, double *w)

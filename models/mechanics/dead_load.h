@@ -12,8 +12,7 @@ struct dead_load_line {
     int breaks;       /* values in `at`                                            */
     const double *at; /* [breaks] pieces' ends, non-decreasing, from 0 to 1;
                          NULL: k / (n - 1)                                borrowed */
-    /* Evaluates all functions at t, N[n]; NULL: hats at k / (n - 1), the constant 1 if n =
-     * 1. */
+    /* Evaluates all functions at t, N[n]; NULL: hats at k / (n - 1), 1 if n = 1. */
     void (*value)(const void *context, double t, double *N);
     const void *context;
 };

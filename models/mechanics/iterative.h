@@ -29,8 +29,7 @@ struct iterative_owner {
     int patience; /* iterations that cost as much as a factorisation                   */
 };
 
-/* Creates; `pattern` of the free unknowns is for incomplete Cholesky. Owned by the
- * caller. */
+/* Creates; `pattern` (free unknowns) is for incomplete Cholesky. Owned by the caller. */
 enum status iterative_create(const struct iterative_owner *owner,
                              const struct factor_pattern *pattern, enum solver solver,
                              enum preconditioner preconditioner, struct iterative **it);
@@ -60,8 +59,7 @@ void iterative_tolerate(struct iterative *it, double tolerance, double near);
  * takes more than a few iterations on its own A. */
 void iterative_single(struct iterative *it);
 
-/* Notes that the factor belongs to another matrix: iterative_update then makes a new
- * one. */
+/* Notes that the factor is of another matrix: iterative_update makes a new one. */
 void iterative_forget(struct iterative *it);
 
 /* Solves in place, x[nodes][3], zero at held unknowns. STATUS_UNSOLVED if that takes too
@@ -70,8 +68,7 @@ enum status iterative_solve(struct iterative *it, double *x);
 
 enum solver iterative_method(const struct iterative *it);
 
-/* Returns the work since the last call: products with the preconditioner,
- * factorisations. */
+/* Returns products with the preconditioner and factorisations since the last call. */
 void iterative_work(struct iterative *it, long *solves, long *factorisations);
 
 #endif

@@ -50,8 +50,8 @@ struct large_body {
     /* Sets the geometry to (1 - share) x_old + share x; x_old is NULL if share == 1. */
     void (*geometry)(const void *self, int thread, int element, const double *x_old,
                      double share);
-    /* Add the element's part, of the strains in the room, to force[nodes][3] and
-     * K[pairs]. */
+    /* Add the element's part to force[nodes][3] and K[pairs], of the strains in the
+     * room. */
     void (*force)(const void *self, int thread, int element, double *force);
     void (*tangent)(const void *self, int thread, int element,
                     const struct large_path *path, double (*K)[9]);

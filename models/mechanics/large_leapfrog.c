@@ -172,8 +172,7 @@ out:
     return st;
 }
 
-/* Returns the energy of what is free to move, and all that is stored, less supports'
- * work. */
+/* Returns the free unknowns' kinetic and all stored energy, less the supports' work. */
 static double energy_now(const struct large_leapfrog *l)
 {
     const struct large_motion *m = l->m;
@@ -241,8 +240,7 @@ static void add_work(struct large_leapfrog *l)
         l->work += l->pull[h] * l->shift[h] / 2;
 }
 
-/* Pushes nodes out of obstacles; v of those that were pushed is that of their actual
- * way. */
+/* Pushes nodes out of obstacles; v of those that were pushed is that of their real way. */
 static void leave_obstacles(struct large_leapfrog *l, double dt)
 {
     struct large_motion *m = l->m;

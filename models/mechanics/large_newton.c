@@ -211,8 +211,7 @@ static void fill_beside(const struct large_motion *m, const struct large_equatio
         i->work[t] = i->d[t] + (back > 0 ? back * (i->x[t] - i->d[t] - old[t]) : 0);
 }
 
-/* Returns the greatest ratio of the next step to the last for which the old tangent is
- * kept. */
+/* Returns the largest ratio of the next step to the last for which the tangent is kept. */
 static double chord_of(const struct large_motion *m, const struct iteration *i)
 {
     bool slow = m->rings && i->gain < 1;

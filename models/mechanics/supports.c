@@ -68,8 +68,7 @@ enum status supports_hinge(const struct scene *scene, int layers, const double (
     return STATUS_OK;
 }
 
-/* Fills owner[3 nodes] with the support holding each unknown, -1 if none; the first
- * wins. */
+/* Fills owner[3 nodes]: the support holding each unknown, -1 if none; the first wins. */
 static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3],
                           int *owner, struct message *why)
 {

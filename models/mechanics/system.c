@@ -49,7 +49,7 @@ static enum status pattern(const struct blocks *graph, const struct supports *he
     return STATUS_OK;
 }
 
-/* Finds the slot of each block entry; those above the diagonal, held or uncoupled get the
+/* Finds each block entry's slot; those above the diagonal, held or uncoupled get the
  * dump. */
 static void find_slots(struct system *s, const unsigned char *parity)
 {

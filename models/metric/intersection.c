@@ -7,8 +7,7 @@
 
 #include "models/metric/triangle.h"
 
-/* Pairs of cells are tested so many at a time, so that memory does not grow with
- * overlaps. */
+/* Pairs of cells tested at a time, so that memory does not grow with overlaps. */
 enum { CANDIDATES = 1 << 15, FIRST_PAIRS = 1024 };
 
 /* Coordinates below this share of the largest become 0; the others suit predicate.h. */
@@ -177,8 +176,7 @@ static bool triangles_intersect(const struct intersection *s, int first, int sec
     return shared ? triangle_meets_beyond_vertex(a, b) : triangle_meets(a, b);
 }
 
-/* Returns bits 2a + b for triangles a, b of the two cells; a cell with itself: bit 1
- * only. */
+/* Returns bits 2a + b for triangles a, b of two cells; a cell with itself: bit 1 only. */
 static unsigned char test_cells(const struct intersection *s, struct intersection_pair cell)
 {
     unsigned char hit = 0;

@@ -5,8 +5,8 @@
 
 #define HALF_ULP (0.5 * DBL_EPSILON)
 
-/* Error bounds A of Shewchuk (1997), figures 21 and 22, relative to the sum of absolute
- * products. */
+/* Error bounds A of Shewchuk (1997), figures 21, 22, relative to the absolute products'
+ * sum. */
 static const double turn_bound = (3 + 16 * HALF_ULP) * HALF_ULP;
 static const double side_bound = (7 + 56 * HALF_ULP) * HALF_ULP;
 

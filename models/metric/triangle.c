@@ -105,8 +105,7 @@ static bool segment_boxes_meet(const double a[3], const double b[3], const doubl
     return true;
 }
 
-/* Whether segments a b and c d of one plane meet, seen along `axis`. -1 if all look
- * collinear. */
+/* Whether segments a b, c d of one plane meet, seen along `axis`; -1 if all collinear. */
 static int projected_segments_meet(int axis, const double a[3], const double b[3],
                                    const double c[3], const double d[3])
 {

@@ -21,8 +21,7 @@ bool triangle_meets(const double *const p[3], const double *const q[3]);
 /* Whether p and q, with the corner p[0] = q[0], have any other common point. */
 bool triangle_meets_beyond_vertex(const double *const p[3], const double *const q[3]);
 
-/* Whether p and q, with corners p[0], p[1] = q[0], q[1], have a common point off the
- * edge. */
+/* Whether p and q, with corners p[0], p[1] = q[0], q[1], share a point off the edge. */
 bool triangle_meets_beyond_edge(const double *const p[3], const double *const q[3]);
 
 #endif

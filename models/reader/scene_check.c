@@ -10,8 +10,7 @@
 /* Axes written with four digits or more are meant as orthonormal, and the reader makes them
  * so; what is farther off is a mistake. */
 #define TOL_AXES 1e-3
-/* Axes written with ten digits stay as they are: stored results are found by a scene's
- * numbers. */
+/* Axes written with ten digits stay: stored results are found by a scene's numbers. */
 #define TOL_EXACT 1e-9
 /* The round-off of two ways to write the same path, relative to the shift. */
 #define TOL_PATH 1e-12
@@ -104,8 +103,7 @@ out:
     return st;
 }
 
-/* Refuses loads on a curved shape, where even over parameters would not mean even over
- * area. */
+/* Refuses loads on a curved shape, where even over parameters is not even over area. */
 static enum status check_loads(const struct yaml_tree *root, const struct scene *scene,
                                struct message *why)
 {

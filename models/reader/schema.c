@@ -286,7 +286,7 @@ static enum status read_value(const struct schema_key *key, const struct yaml_tr
     return STATUS_INPUT;
 }
 
-/* Counts the edits (insert, delete, exchange) from a to b; words over 31 letters are far. */
+/* Counts edits (insert, delete, exchange) from a to b; words over 31 letters are far. */
 static int distance(const char *a, const char *b)
 {
     enum { FAR = 99, MOST = 32 };

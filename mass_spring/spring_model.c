@@ -19,7 +19,7 @@ static void defaults(struct discretization *d)
         .points = {10, 10, 1}, .degree = {1, 1, 1}, .kinematics = KINEMATICS_NONLINEAR};
 }
 
-/* Keys it has a use for. */
+/* The keys that the model uses. */
 enum {
     USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_INTEGRATOR | DISCRETIZATION_SUBSTEPS |
            DISCRETIZATION_ITERATIONS | DISCRETIZATION_TOLERANCE |
@@ -121,7 +121,7 @@ static void size(const void *state, struct model_size *size)
     *size = system_size(implicit && system->graph ? system : &none, "mid-surface points");
 }
 
-/* The misfit of springs to plane stress, and the explicit method's limit. */
+/* Describes the misfit of springs to plane stress, and the explicit method's limit. */
 static void describe(const void *state, struct message *line)
 {
     const struct spring_motion *m = state;

@@ -1,4 +1,4 @@
-/* pd_local.h - the local step: every constraint's nearest point, gathered per node.
+/* pd_local.h - the local step: finds every constraint's nearest point and sums per node.
  *
  * Chunks of nodes are fixed by the net and handed out to threads; a chunk computes all the
  * projections that its nodes need, a few of them its neighbour's too, and sums them per

@@ -60,23 +60,23 @@ struct pd_motion {
     bool counted; /* the factorisation of create                                       */
 };
 
-/* *m must stay where it is until pd_motion_clear. */
+/* Initialises; *m must stay where it is until pd_motion_clear. */
 enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                            const struct pd_options *options, struct message *why);
 void pd_motion_clear(struct pd_motion *m);
 
-/* One frame of scene->step. STATUS_NAN if a position is no longer a number. */
+/* Moves one frame of scene->step. STATUS_NAN if a position is no longer a number. */
 enum status pd_motion_frame(struct pd_motion *m, struct counters *counters);
 
-/* The parts of a step, for tests and measurements: what is known of it (base, and the free
- * flight as first guess in m->x, the old positions in m->start); one local and global step
- * `number` = 0, 1, ..., which returns the farthest that a node moved [m] (0 if not asked).
- */
+/* The parts of a step, for tests and measurements. begin computes its constants (base, and
+ * the free flight as first guess in m->x, the old positions in m->start); iterate does one
+ * local and global step `number` = 0, 1, ..., and finds how far a node moved at most [m] (0
+ * if NULL). */
 void pd_motion_begin(struct pd_motion *m);
 enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved);
 
-/* What a step minimises, in J: 1/2 |x - free flight|^2_M (1 + alpha s)/s^2 + E(x), s the
- * span, at m->x, between pd_motion_begin and the end of the step. */
+/* Returns what a step minimises, in J: 1/2 |x - free flight|^2_M (1 + alpha s)/s^2 + E(x),
+ * s the span, at m->x, between pd_motion_begin and the end of the step. */
 double pd_motion_objective(const struct pd_motion *m);
 
 void pd_motion_energy(const struct pd_motion *m, struct energy *energy);
@@ -89,8 +89,8 @@ void pd_motion_size(const struct pd_motion *m, struct model_size *size);
  * objective so far, INFINITY at first. */
 enum status pd_motion_find_radius(struct pd_motion *m);
 
-/* ADMM: the weight of the split over that of stretching, once span and energy are known:
- * the geometric mean of what a net's shortest wave is resisted with by inertia, and by
+/* Returns for ADMM the weight of the split over that of stretching, once span and energy
+ * are known: the geometric mean of a net's shortest wave's resistance by inertia, and by
  * both. Less does better still where a sheet swings as one; where it folds it loses the
  * motion (corners_patch at 5 ms, a tenth of it: by 2 to 4 % at 10 to 50 iterations). */
 double pd_motion_find_share(const struct pd_motion *m);

@@ -32,7 +32,7 @@ static enum status refuse_damping(const struct scene *scene, struct message *why
     return STATUS_OK;
 }
 
-/* Keys it has a use for. */
+/* The keys that the model uses. */
 enum {
     USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
            DISCRETIZATION_TOLERANCE | DISCRETIZATION_CONSTRAINT |

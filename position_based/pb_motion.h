@@ -85,12 +85,12 @@ struct pb_motion {
     int pushed;       /* points that they bore at its end                              */
 };
 
-/* *m must stay where it is: it holds pointers into itself. */
+/* Initialises; *m must stay where it is: it holds pointers into itself. */
 enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
                            const struct discretization *d, struct message *why);
 void pb_motion_clear(struct pb_motion *m);
 
-/* One step of scene->step. STATUS_NAN. */
+/* Moves one frame of scene->step. STATUS_NAN. */
 enum status pb_motion_frame(struct pb_motion *m, struct counters *counters);
 
 void pb_motion_energy(const struct pb_motion *m, struct energy *energy);

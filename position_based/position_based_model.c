@@ -13,7 +13,7 @@
      SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |         \
      SCENE_NEED_INITIAL_MOTION)
 
-/* Keys it has a use for. */
+/* The keys that the model uses. */
 enum {
     USED = DISCRETIZATION_PARAMETERS | DISCRETIZATION_SUBSTEPS | DISCRETIZATION_ITERATIONS |
            DISCRETIZATION_PRECISION | DISCRETIZATION_PROJECTION
@@ -87,7 +87,7 @@ static void size(const void *state, struct model_size *size)
                                 .unknown_basis = "mid-surface points"};
 }
 
-/* The misfit of springs to plane stress, and what one iteration leaves. */
+/* Describes the misfit of springs to plane stress, and what one iteration leaves. */
 static void describe(const void *state, struct message *line)
 {
     const struct pb_motion *m = state;

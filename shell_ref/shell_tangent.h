@@ -5,7 +5,7 @@
 #include "models/mechanics/large_body.h"
 #include "shell_ref/shell_room.h"
 
-/* Rows over an element's functions that the kernel needs at all points, left and right. */
+/* Return the kernel's rows over an element's functions at all points, left and right. */
 size_t shell_tangent_left(const struct shell_space *space);
 size_t shell_tangent_right(const struct shell_space *space);
 

@@ -217,7 +217,7 @@ int main(int argc, char **argv)
     }
     blas_kernel_set_threads(1);
     if (!getenv("OMP_NUM_THREADS"))
-        omp_set_num_threads(1); /* seconds are those of one thread unless told otherwise */
+        omp_set_num_threads(1); /* timings use one thread unless set otherwise */
     /* Output is buffered by line, so that no standard error stands inside a line of
      * results. */
     setvbuf(stdout, NULL, _IOLBF, 0);

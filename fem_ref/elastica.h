@@ -35,8 +35,8 @@ struct elastica_point {
 enum status elastica_curve(double gamma, int count, const double *s,
                            struct elastica_point *point);
 
-/* An inextensible strip without weight whose ends, both clamped or both hinged, have come
- * nearer by shortening L, 0 < shortening <= 0.9: how far its middle stands out, over L.
+/* Returns how far the middle stands out, over L, of an inextensible strip without weight
+ * whose ends, clamped or hinged, are nearer by shortening L, 0 < shortening <= 0.9:
  *   shortening = 2 - 2 E(k) / K(k),  middle = k / K(k),
  * with k the sine of half the greatest slope (Euler 1744; Love, Theory of Elasticity, sec.
  * 262-263). Relative error below 1e-12; NaN outside that range. */

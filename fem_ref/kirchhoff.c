@@ -58,7 +58,7 @@ static struct pair pair_of(const struct ritz *r, int i, int j)
                          .mixed_back = ritz_product(r, 0, i, 2, j)};
 }
 
-/* Both matrices: bending energy with r = L / W
+/* Fills both matrices; the bending energy is, with r = L / W,
  *   w_xx^2 + r^4 w_yy^2 + 2 nu r^2 w_xx w_yy + 2 (1 - nu) r^2 w_xy^2. */
 static enum status fill_matrices(const struct kirchhoff *k, struct family *f)
 {
@@ -244,7 +244,7 @@ double kirchhoff_mode(const struct kirchhoff *k, int i, double x, double y)
 
 /* -------------------------------------------------------------------- motion -------- */
 
-/* Response y(t) of y'' + alpha y' + omega^2 y = omega^2 from rest, and its rate. */
+/* Computes y(t) and its rate: y'' + alpha y' + omega^2 y = omega^2, from rest. */
 static void step_response(double omega, double alpha, double t, double *y, double *rate)
 {
     const double a = alpha / 2, s2 = omega * omega - a * a, s = sqrt(fabs(s2));

@@ -15,7 +15,7 @@ struct reference {
     char **cell;    /* [rows][columns]                   */
     int *line;      /* [rows] in the file                */
     int comments, columns, rows, head;
-    struct message *fault; /* of the first wrong question; "" */
+    struct message *fault; /* of the first wrong query; "" */
 };
 
 static const char NO_MEMORY[] = "out of memory";

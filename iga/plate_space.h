@@ -46,8 +46,8 @@ void plate_space_clear(struct solid_space *space, struct plate_tables *tables);
 enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 
-/* The stiffness of *space, one linear layer, by solid_layer.h, at as many points as there
- * are functions, but bending by line_rule_bending. A net that zigzags along u and v stands
+/* Sets the stiffness of *space, one linear layer, to solid_layer.h's, at as many points as
+ * functions, but bending by line_rule_bending. A net that zigzags along u and v stands
  * still at all points of plate_space_reduce (of odd degree): in the folds of a flag it
  * stretched ninefold. The stretch along u is therefore seen from the Greville points along
  * v, where what zigzags has values, and that along v likewise. (Tried, and left: transverse
@@ -58,16 +58,16 @@ enum status plate_space_reduce(struct solid_space *space, struct plate_tables *t
 enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 
-/* After plate_space_select: bending near the clamp along u (i = 0) or v, at 0 or at `end`,
- * as in a solid that can't change its thickness there. What the faces gain and lose when
- * the plate bends, q - as eps_33 is linear through it, energy int (lambda + 2 mu) (q + c tr
- * k)^2 / 2 + mu q'^2 h^2 / 120 a unit of bending, c = nu / (1 - nu) - decays from the clamp
- * with exp(-x / l), l^2 = h^2 (1 - nu) / 120, and the plate bends by k (1 - c^2 exp(-x /
- * l)) where plane stress bends by k: a clamp is l c^2 farther in, 0.06 h at nu = 0.49. Of
- * that the points of the rule get what makes the turn right for every moment that their
- * polynomials can follow, however much longer than l the spans are. (The derivation is
- * ours; on such layers, Gregory and Wan, J. Elasticity 14, 1984.) `thickness` is of the
- * length along i. */
+/* Changes, after plate_space_select, bending near the clamp along u (i = 0) or v, at 0 or
+ * at `end`, to that of a solid that keeps its thickness there. What the faces gain and lose
+ * when the plate bends, q - as eps_33 is linear through it, energy int (lambda + 2 mu) (q +
+ * c tr k)^2 / 2 + mu q'^2 h^2 / 120 a unit of bending, c = nu / (1 - nu) - decays from the
+ * clamp with exp(-x / l), l^2 = h^2 (1 - nu) / 120, and the plate bends by k (1 - c^2
+ * exp(-x / l)) where plane stress bends by k: a clamp is l c^2 farther in, 0.06 h at nu =
+ * 0.49. Of that the points of the rule get what makes the turn right for every moment that
+ * their polynomials can follow, however much longer than l the spans are. (The derivation
+ * is ours; on such layers, Gregory and Wan, J. Elasticity 14, 1984.) `thickness` is
+ * relative to the length along i. */
 void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, int i,
                        bool end, double thickness, double poisson);
 

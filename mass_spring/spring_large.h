@@ -12,7 +12,7 @@
 struct spring_large_plan {
     const struct scene *scene;
     const struct spring_net *net;
-    const struct blocks *graph; /* of whom elements reach, 2 rows at most              */
+    const struct blocks *graph; /* of the nodes that elements reach, 2 rows at most    */
     const struct large_body *body;
     const struct spring_load *load;
     const struct supports *supports;

@@ -38,7 +38,7 @@ struct spring_motion {
     struct spring_net net;
     struct spring_newton newton;
     enum integrator integrator;
-    bool struts; /* of leapfrog: the net's own law                                     */
+    bool struts; /* leapfrog uses the net's own law                                    */
     struct spring_limits limits;
     int substeps;
     double dt;           /* of a substep                                        [s]   */
@@ -60,7 +60,7 @@ struct spring_motion {
     struct spring_large large;
     long substep;   /* taken so far; momentum: frames                            */
     double push[3]; /* of obstacles, mean over the last frame              [N]   */
-    int pushed;     /* points that they bore in its last substep                 */
+    int pushed;     /* points carried in its last substep                        */
 };
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */

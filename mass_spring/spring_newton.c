@@ -64,7 +64,7 @@ enum status spring_newton_system(struct spring_newton *s)
         return STATUS_MEMORY;
     order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
     TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
-    if (!contact_set_used(&s->contact)) /* which wants its systems solved to the last */
+    if (!contact_set_used(&s->contact)) /* contact needs exact solutions */
         system_single(&s->system);
     st = system_follow(&s->system, frames, s, false);
 out:
@@ -237,7 +237,7 @@ static double search(const struct spring_newton *s, const struct spring_problem 
             x[t] = from[t] + part * d[t];
         residual(s, p, x, work, r);
         double rise = -product(count, r, d) - rub;
-        if (rise <= LARGEST_RISE * fall || fall < 0) /* that has just come to stick */
+        if (rise <= LARGEST_RISE * fall || fall < 0) /* the point began to stick */
             break;
         part *= isfinite(rise) ? fall / (fall + rise) : 0.5;
     }
@@ -304,7 +304,7 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
                    ? calm + 1
                    : 0;
         before = size;
-        if (calm > bears) /* what friction makes of a step shows in the next */
+        if (calm > bears) /* friction of a step shows in the next */
             goto out;
     }
     st = limits->iterations ? STATUS_OK : STATUS_DIVERGED;

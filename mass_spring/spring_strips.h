@@ -21,7 +21,7 @@ struct spring_strips {
     double *work;                         /* [threads][room]                   owned   */
 };
 
-/* The stencil and *s must stay where they are. Threads: as many as OpenMP would give
+/* Prepares; stencil, *s must stay where they are. Threads: as many as OpenMP would give
  * now. */
 enum status spring_strips_init(struct spring_strips *s,
                                const struct spring_stencil *stencil);

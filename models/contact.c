@@ -48,7 +48,7 @@ double contact_rest_depth(const struct scene *scene, const struct scene_obstacle
     const double size = sqrt(dot(obstacle->normal, obstacle->normal));
     double d[3], a[3], b[3], ab[3];
 
-    for (int i = 0; i < 3; i++) /* of a plane: a point far below it */
+    for (int i = 0; i < 3; i++) /* for a plane: a point far below it */
         d[i] = ball ? obstacle->point[i] - scene->origin[i]
                     : -FAR * scene->width * obstacle->normal[i] / size;
     const double v = nearest_line(scene, d);

@@ -42,7 +42,7 @@ enum solver {
 
 /* Preconditioners of cg and gmres. */
 enum preconditioner {
-    PRECONDITIONER_FACTOR, /* of an earlier matrix, as long as it serves               */
+    PRECONDITIONER_FACTOR, /* of an earlier matrix, while it helps                     */
     PRECONDITIONER_ICHOL,  /* incomplete Cholesky                                      */
     PRECONDITIONER_JACOBI, /* the blocks on the diagonal                               */
 };

@@ -14,7 +14,7 @@
 /* Work done, added up by the model; does not jitter as seconds do. */
 struct counters {
     long steps, assemblies, factorisations, solves, iterations;
-    long substeps; /* that the steps were taken in; 0: by a model that never divides them */
+    long substeps; /* of all steps; 0: the model never divides steps */
     long viscous;  /* steps with a viscosity that Newton's method failed without          */
 };
 
@@ -31,7 +31,7 @@ struct model_size {
     const char *unknown_basis; /* "control points", "thickness"; static storage        */
 };
 
-/* How a sheet touches the scene's obstacles, after the last step. */
+/* The contact of a sheet with the scene's obstacles, after the last step. */
 struct model_contact {
     int nodes;        /* control points or nodes that an obstacle carries              */
     double least_gap; /* of the net, where the model keeps its distance; INFINITY without
@@ -49,9 +49,9 @@ struct matrix {
 };
 void matrix_clear(struct matrix *m);
 
-/* STATUS_UNSUPPORTED with a sentence naming what is missing, if the scene needs more than
- * `serves`, SCENE_NEED_* bits. model_refuse_net: for a net of points on the mid-surface; a
- * support on part of the thickness is served if it takes the mid-surface: it holds the
+/* Refuse a scene that needs more than `serves`, SCENE_NEED_* bits: STATUS_UNSUPPORTED with
+ * a sentence naming it. model_refuse_net: for a net of points on the mid-surface, which
+ * supports a part of the thickness as held if that contains the mid-surface: it holds the
  * points, and the sheet may turn about them. */
 enum status model_refuse(const struct scene *scene, unsigned serves, struct message *why);
 enum status model_refuse_net(const struct scene *scene, unsigned serves,
@@ -59,10 +59,9 @@ enum status model_refuse_net(const struct scene *scene, unsigned serves,
 
 struct model;
 
-/* Points, degrees and the remedy hang on each other: *d as the model has
- * it by default, these left open; and, once settings were read into it, what they still
- * leave open: the defaults, or what serves the rest, with a sentence (else empty) in *told.
- */
+/* Points, degrees and the remedy depend on each other. model_open fills *d with the model's
+ * defaults, these left open; model_complete, once settings were read into it, fills in what
+ * is still open: the defaults, or what suits the rest, with a sentence (else empty). */
 void model_open(const struct model *model, struct discretization *d);
 void model_complete(const struct model *model, const struct scene *scene,
                     struct discretization *d, struct message *told);
@@ -71,7 +70,7 @@ struct model {
     const char *name;   /* key: command line, result file, test name                   */
     const char *title;  /* as printed in tables                                        */
     const char *source; /* citation of the formulation                                 */
-    unsigned serves;    /* the SCENE_NEED_* bits it can serve                          */
+    unsigned serves;    /* the SCENE_NEED_* bits it supports                           */
 
     /* Fills *d with the model's defaults (owns nothing afterwards). */
     void (*defaults)(struct discretization *d);

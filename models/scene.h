@@ -65,7 +65,7 @@ struct scene_obstacle {
 struct scene {
     char *name;   /* [a-z0-9_]+                                             owned     */
     char *source; /* where the numbers come from                            owned     */
-    char *about;  /* what happens, a line for lists; NULL: not told         owned     */
+    char *about;  /* what happens, a line for lists; NULL: none             owned     */
     char *text;   /* the file as read, with the settings applied below it   owned     */
 
     double length, width, thickness; /*                                       [m] > 0 */

@@ -82,7 +82,7 @@ struct pb_motion {
     double left;      /* strain of springs that iterations left, rms, most so far   [1] */
     double left_time; /* when                                                      [s]  */
     double push[3];   /* of obstacles, mean over the last frame                [N]      */
-    int pushed;       /* points that they bore at its end                              */
+    int pushed;       /* points carried at its end                                     */
 };
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */

@@ -39,7 +39,7 @@ enum { PD_CONTACT_CHANGES = 4 };
 struct pd_touch {
     bool closed;
     enum pd_rub rub;
-    int changes;       /* to sticking in this step                                     */
+    int changes;       /* changes to sticking in this step                             */
     double press;      /* p >= 0 if closed                                     [kg m]  */
     double tangent[3]; /* force across the normal, in the same unit                    */
 };
@@ -63,7 +63,7 @@ struct pd_contact {
     double *alone, *free, *way;
     bool stale;      /* free holds tangents that are no more                        */
     double force[3]; /* on the sheet in the last iteration                  [kg m]  */
-    int pressed;     /* nodes that bore any of it                                   */
+    int pressed;     /* nodes that carried any of it                                */
 };
 
 /* Gaps are closed to this share of the sheet's length: round-off of solving with A. */

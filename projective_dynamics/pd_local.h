@@ -27,8 +27,8 @@ enum status pd_local_init(struct pd_local *local, const struct pd_energy *energy
                           double factor, double share);
 void pd_local_clear(struct pd_local *local);
 
-/* b = base + factor sum over the stretch constraints of w G^T p(G x), p the nearest point.
- * x, base and b: three fields each, of pd_net_stride.
+/* Computes b = base + factor sum over the stretch constraints of w G^T p(G x), p the
+ * nearest point. x, base and b: three fields each, of pd_net_stride.
  *
  * Split, as ADMM has it (Overby, Brown, Li, Narain 2017), with a weight W of its own:
  *     z = argmin U(z) + W/2 |G x + u - z|^2,  u <- u + G x - z,  w p becomes W (z - u).

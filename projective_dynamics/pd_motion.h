@@ -49,7 +49,7 @@ struct pd_motion {
     const double *origin, *speed; /* where and how fast the span begins, three fields  */
     double radius; /* Chebyshev: of the iteration about the rest shape              */
     double weight; /* of the last iteration                                         */
-    double left;   /* of a step's movement when its iteration ended, at most so far [1]  */
+    double left;   /* largest share of a step's movement left by its iteration [1]       */
     double left_time; /* that step's [s]                                               */
     double *x, *v;    /* three fields each                                   owned    */
     double *base, *start, *next, *before; /* work, the same                  owned    */
@@ -82,11 +82,11 @@ double pd_motion_objective(const struct pd_motion *m);
 void pd_motion_energy(const struct pd_motion *m, struct energy *energy);
 void pd_motion_size(const struct pd_motion *m, struct model_size *size);
 
-/* Acceleration, pd_motion_accelerate.c: m->radius, once the system is factored; m->next of
- * iteration `number` = 0, 1, ... since the last plain start overshot; whether it is time to
- * look back, after `number` of them (`last`: of the step); whether that look took them
- * back: m->x is again what it was at the look before, and *number is 0. *value is the least
- * objective so far, INFINITY at first. */
+/* pd_motion_accelerate.c, the acceleration: finds m->radius, once the system is factored;
+ * overshoots m->next of iteration `number` = 0, 1, ... since the last plain start; whether
+ * it is time to look back, after `number` of them (`last`: of the step); whether that took
+ * them back: m->x is again what it was at the look before, and *number is 0. *value is the
+ * least objective so far, INFINITY at first. */
 enum status pd_motion_find_radius(struct pd_motion *m);
 
 /* Returns for ADMM the weight of the split over that of stretching, once span and energy
@@ -98,11 +98,11 @@ void pd_motion_overshoot(struct pd_motion *m, int number);
 bool pd_motion_is_due(int number, bool last);
 bool pd_motion_take_back(struct pd_motion *m, int *number, double *value);
 
-/* Acceleration of a free node on which no neighbour pulls, component c, its place `at` in
- * three fields, less what damping takes [m/s^2]. pd_motion_history.c, as what BDF2 needs:
- * the history before the start, where nothing pulls (work in m->next); and after a step:
- * an obstacle gives no notice, so that what touches has Euler's velocity along the normal,
- * and had it a step ago. */
+/* pd_motion_history.c, as BDF2 needs it. Returns the acceleration of a free node on which
+ * no neighbour pulls, component c, its place `at` in three fields, less damping [m/s^2];
+ * makes the history before the start, where nothing pulls (work in m->next); and corrects
+ * it after a step: what touches an obstacle, which comes without notice, has Euler's
+ * velocity along the normal, and had it a step ago. */
 double pd_motion_fall(const struct pd_motion *m, int c, ptrdiff_t at);
 enum status pd_motion_remember(struct pd_motion *m);
 void pd_motion_touch(struct pd_motion *m);

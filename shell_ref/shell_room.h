@@ -16,7 +16,7 @@ struct shell_material {
 struct shell_points {
     int count, padded; /* points, and rows of them                                     */
     const double *T;   /* [SHELL_DERIVATIVES or SHELL_SLOPES][local][padded]           */
-    double *room;      /* to make them in                                              */
+    double *room;      /* room to make them in                                         */
     double *strain;    /* [3][padded]; the mass has none                               */
     struct shell_surface *surface; /* [padded / SHELL_LANES] of the strain; likewise   */
 };

@@ -20,7 +20,8 @@ struct tri_body {
     struct tri_body_room *work;  /* [threads]                                  owned   */
 };
 
-/* `net` and *b must stay where they are. Threads: as many as OpenMP would give now. */
+/* Prepares; `net`, *b must stay where they are. Threads: as many as OpenMP would give
+ * now. */
 enum status tri_body_init(struct tri_body *b, const struct scene *scene,
                           const struct tri_net *net, enum membrane membrane);
 void tri_body_clear(struct tri_body *b);

@@ -376,7 +376,7 @@ struct job {
     struct export_held held;
     struct truth_made known;
     unsigned formats;
-    bool undamped; /* which the scene is not                                           */
+    bool undamped; /* the truth is, the scene is not                                   */
 };
 
 static enum status read_formats(const struct command_line *line, unsigned *formats,

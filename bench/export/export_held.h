@@ -22,7 +22,7 @@ struct export_held_vertex {
 struct export_held {
     int count, outside;
     struct export_held_vertex *vertex; /* [count], those of the sheet first      owned */
-    struct message doubt; /* where the net holds less than the scene; empty: nowhere   */
+    struct message doubt; /* where the net holds too little; empty: nowhere            */
 };
 
 /* Finds the held vertices. STATUS_UNSUPPORTED with a sentence: vertices cannot express how

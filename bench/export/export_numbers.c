@@ -202,7 +202,7 @@ struct numbers {
     struct message *misfit;
 };
 struct file {
-    unsigned need; /* of the scene; 0: the file is always there                         */
+    unsigned need; /* of the scene; 0: the file is always made                          */
     const char *name, *header;
     enum status (*rows)(const struct numbers *of, struct output *out);
 };

@@ -15,7 +15,7 @@
 struct atomic_file {
     char *path;      /* the wanted name, as the user wrote it                   owned */
     char *target;    /* the same with symbolic links followed                   owned */
-    char *temporary; /* what to write to                                        owned */
+    char *temporary; /* name to write to                                        owned */
     bool in_place;   /* a device: temporary = target, nothing is renamed              */
 };
 

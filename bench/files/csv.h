@@ -15,7 +15,7 @@ struct csv_table {
 };
 
 struct csv {
-    char *bytes; /* what all strings point into                                owned */
+    char *bytes; /* memory of all strings                                      owned */
     int count;
     struct csv_table *table; /* [count]                                        owned */
 };

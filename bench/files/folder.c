@@ -36,7 +36,7 @@ static enum status check_free(const char *path, struct message *why)
     if (*path == '\0')
         return status_fail(why, STATUS_INPUT, "the name of the folder is empty");
     if (lstat(path, &info) != 0)
-        return STATUS_OK; /* what is wrong with it is told when it is made */
+        return STATUS_OK; /* its making reports what is wrong */
     if (!S_ISDIR(info.st_mode))
         return status_fail(why, STATUS_INPUT, "%s: is there already, and no folder", path);
     DIR *folder = opendir(path);

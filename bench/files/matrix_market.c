@@ -72,7 +72,7 @@ enum status matrix_market_write(const char *path, const struct matrix *m,
     snprintf(name, sizeof name, "/proc/self/fd/%d", fileno(comments));
     TRY(output_create(path, &out, why));
     st = print_matrix(output_stream(out), m, name);
-    if (st != STATUS_FILE) /* why it is that, the end of the file tells */
+    if (st != STATUS_FILE) /* closing the file gives the reason */
         TRY(st);
     whole = out, out = NULL;
     TRY(output_close(whole, why));

@@ -539,7 +539,7 @@ enum status store_read_array(const struct store_read *f, const char *name, doubl
     int rank = space < 0 ? -1 : H5Sget_simple_extent_ndims(space);
     if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space, size, NULL) < 0)
         TRY(unreadable(f, name, why));
-    if (size[1] == 0) /* who reads rows looks for a number in them */
+    if (size[1] == 0) /* readers expect a number in a row */
         TRY(status_fail(why, STATUS_INPUT, "%s: %s has rows of nothing", f->path, name));
     const hsize_t most = (hsize_t)(f->size < INT_MAX ? f->size : INT_MAX);
     if (size[0] > most || size[1] > most || size[0] * size[1] > most)

@@ -32,7 +32,7 @@
 struct frames;
 
 struct frames_look {
-    double dt; /* between frames [s]; 0: not given. Beats times in the file      */
+    double dt; /* interval [s]; 0: not given. Overrides the file's times         */
     const char
         *rest; /* a mesh (.obj, .ply) with the vertices' uv or rest positions; NULL */
 };
@@ -40,7 +40,7 @@ struct frames_look {
 /* The net that moves; owned by the frames. */
 struct frames_net {
     int vertices;
-    double *uv;         /* [vertices][2] material coordinates; NULL: not told             */
+    double *uv;         /* [vertices][2] material coordinates; NULL: unknown              */
     double *rest;       /* [vertices][3] of --rest; NULL: none                            */
     int triangles;      /* 0: no faces                                                    */
     int (*triangle)[3]; /* [triangles] of vertices, from 0                                */

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { PAGES = 1 << 22 }; /* so many bytes are let go of at once */
+enum { PAGES = 1 << 22 }; /* bytes that are released at once */
 
 static enum status map(int file, struct frames_bytes *b, struct message *why)
 {

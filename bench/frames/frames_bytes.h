@@ -32,7 +32,7 @@ unsigned long frames_bytes_whole(const unsigned char *p, int size, bool big);
 /* A text read line by line: *line [*end) is without its line end; false: no more. */
 struct frames_text {
     const char *at, *end;
-    long line; /* of the one last read, from 1 */
+    long line; /* number of the line last read, from 1 */
 };
 struct frames_text frames_text_of(const struct frames_bytes *b);
 bool frames_text_line(struct frames_text *text, const char **line, const char **end);

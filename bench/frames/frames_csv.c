@@ -26,9 +26,9 @@ struct key { /* a vertex by its uv, rounded */
 
 struct csv {
     struct frames_bytes bytes;
-    int column[COLUMNS_MOST]; /* of a cell: what it is, -1: passed over               */
-    int time_cell, width;     /* which the time is; how many are read                 */
-    struct frames_text text;  /* from the first row on                                  */
+    int column[COLUMNS_MOST]; /* meaning of each cell, -1: ignored                    */
+    int time_cell, width;     /* the time's cell; how many are read                   */
+    struct frames_text text;  /* begins at the first row                                */
     struct place *place;      /* [rows] sorted; NULL: rows are in order          owned */
     long rows, taken;         /* taken: of `place`                                       */
     struct key *key;          /* [vertices] sorted                               owned */

@@ -141,7 +141,8 @@ enum status frames_mesh_obj(const struct frames_bytes *b, struct frames_mesh *me
 
     TRY(take_lines(&o, frames_text_of(b), false, why));
     TRY(take_lines(&o, frames_text_of(b), true, why));
-    /* Without faces, as many vt as v belong to them one by one. */
+    /* If no faces pair them, and there are as many vt as v, they belong together in
+     * order. */
     if (!mesh->triangles && o.vt_count == mesh->vertices)
         mesh->uv = o.vt, o.vt = NULL;
     for (int n = 0; mesh->uv && n < 2 * mesh->vertices; n++)

@@ -22,7 +22,7 @@ struct element {
 
 struct ply {
     const struct frames_bytes *b;
-    struct frames_text text; /* after the header: of the rows                          */
+    struct frames_text text; /* the rows, after the header                             */
     bool ascii, big;
     int elements;
     struct element element[ELEMENTS];

@@ -9,7 +9,7 @@
 /* The bytes of one array, read from front to end; all-zero before. */
 struct stream {
     zip_file_t *member; /* NULL: the file is the array                           owned */
-    const unsigned char *at; /* what comes next of a bare array */
+    const unsigned char *at; /* next byte of a bare array */
     unsigned long long size; /* of all bytes, as the directory announces them */
     struct npz_array array;
 };

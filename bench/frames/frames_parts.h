@@ -19,7 +19,7 @@ struct frames {
     struct frames_look look;
     struct frames_net net;
     double *xyz; /* [vertices][3]                                                 owned */
-    int number;  /* of the frame last read, from 1                                      */
+    int number;  /* number of the frame last read, from 1                               */
     double time; /* of it                                                               */
     bool timed;  /* the file has times                                                  */
     const struct frames_reader *reader;

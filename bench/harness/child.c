@@ -22,7 +22,7 @@ struct child_note {
     enum status st;
     struct message why;
     double reached;
-    int limit; /* of processor time [s]; 0: none                                       */
+    int limit; /* limit of processor time [s]; 0: none                                 */
 };
 
 /* The report of this process, if it is a child. */
@@ -109,7 +109,7 @@ enum status child_start(struct child *c, enum status (*work)(void *, struct mess
     c->seen = clock_now();
     c->worked = c->idle = 0;
     c->suspended = c->overdue = false;
-    sigfillset(&all); /* none may meet the parent's ways in the child */
+    sigfillset(&all); /* no signal may meet the parent's handlers in the child */
     sigprocmask(SIG_SETMASK, &all, &mask);
     c->pid = fork();
     if (c->pid == 0)

@@ -22,14 +22,14 @@ struct child_end {
     enum child_outcome outcome;
     bool overdue;   /* failed: it was killed because its time was over                 */
     double seconds; /* of processor time                                               */
-    double reached; /* what child_reached was last told; NaN: nothing                  */
+    double reached; /* last value of child_reached; NaN: none                          */
     struct message why;
 };
 
 struct child {
     pid_t pid;           /* 0: none runs                                               */
     double seen;         /* clock_now() at the last poll                               */
-    double worked, idle; /* since its start, idle: while it was suspended [s]          */
+    double worked, idle; /* since its start; idle: suspended [s]                       */
     bool suspended, overdue;
     struct child_note *note; /* memory shared with the child                     owned */
 };

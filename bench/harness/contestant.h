@@ -22,7 +22,7 @@ enum {
 
 struct contestant {
     const char *name;   /* [a-z0-9_]+, of command line and files                       */
-    const char *title;  /* what tables and plots call it                               */
+    const char *title;  /* its name in tables and plots                                */
     const char *column; /* the same where columns are narrow                           */
     const struct model *model;
     unsigned enters;                           /* CONTESTANT_ bits                    */

@@ -11,15 +11,15 @@ struct motion {
     const struct model *model; /*                                             borrowed */
     const struct scene *scene; /*                                             borrowed */
     void *state;               /* of the model                                borrowed */
-    int frame_count;           /* that the scene asks for                              */
-    int frames;                /* that were lived through                              */
+    int frame_count;           /* that the scene requires                              */
+    int frames;                /* that were survived                                   */
     double time;               /* of the last of them                              [s] */
     double *seconds;           /* [frame_count] of each step; a fatal one has its, too */
     int steps;                 /* numbers in `seconds`                                 */
     struct counters counters;
     bool judged;       /* set after motion_init: every frame was judged in a run before  */
     enum status death; /* STATUS_OK: it lives                                          */
-    double death_time; /* of the frame that could not be had                       [s] */
+    double death_time; /* of the frame that failed                                 [s] */
 };
 
 /* A watcher is called at t = 0 and after every frame survived; if it returns anything but

@@ -26,8 +26,8 @@ struct run {
  * only the model could not be built on it. Call run_close in any case. */
 enum status run_open(struct run *run, const struct run_plan *plan, struct message *why);
 
-/* The two halves of run_open, for callers that change run->scene or run->discretization in
- * between: reads them; then builds the model. Errors as above. */
+/* The two halves of run_open, for callers that change run->scene or run->discretization
+ * between: reading them, then building the model. Errors as above. */
 enum status run_read(struct run *run, const struct run_plan *plan, struct message *why);
 enum status run_build(struct run *run, struct message *why);
 

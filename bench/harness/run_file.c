@@ -23,12 +23,12 @@ struct run_file {
     bool waits;           /* xyz is of a frame that is no look, at:                  */
     double time;
     struct energy energy; /* NaN: the model has none                               */
-    double load;          /* what obstacles carry, over the weight */
+    double load;          /* carried by obstacles, over the weight */
     struct counters work;
     double seconds; /* spent looking                                           */
     bool ended;
     struct model_size size; /* zeros: not built                                        */
-    bool created, advanced; /* those seconds were handed in                            */
+    bool created, advanced; /* the caller gave those seconds                           */
     enum status refused;
     struct message sentence, doubt;
 };

@@ -18,7 +18,7 @@
 
 enum run_fields {
     RUN_FIELDS_TIMES, /* of the looks at `time` alone                                  */
-    RUN_FIELDS_ALL,   /* of all looks, and of the last frame it lived, then a look, too */
+    RUN_FIELDS_ALL,   /* of all looks; the last survived frame becomes one */
     RUN_FIELDS_NONE,
 };
 
@@ -37,8 +37,8 @@ struct run_keep {
     bool intersections;   /* count self-intersections at every look                      */
     bool doubles;         /* fields as 64-bit numbers, not 32                            */
     bool packed;          /* and deflated (store.h)                                      */
-    bool quick;           /* of --quick: told in the file, as no verdict rests on it     */
-    const char *made_for; /* one line, told in the file; NULL: nothing                 */
+    bool quick;           /* of --quick: noted in the file; no verdict rests on it       */
+    const char *made_for; /* one line, noted in the file; NULL: none                   */
     const struct provenance *provenance; /* NULL: as things stand                      */
 
     /* Fills value[own_count] from the moment and its field. */

@@ -19,7 +19,7 @@ struct run_result {
     bool quick; /* a quick run's: smaller than what it is named after (run_file.h)     */
 
     /* The following come from the file alone: */
-    char made_for[128]; /* what run_keep has it made for; ""                            */
+    char made_for[128]; /* run_keep's made_for; ""                                      */
     double unknowns, factor_entries;
     double bytes; /* that the model held after its last step (timing.h); NaN: not timed */
     struct clock_summary create; /* over the repeats [s]; count = 0: not timed          */

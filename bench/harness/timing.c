@@ -97,7 +97,7 @@ static enum status run_once(struct timing_case *c, int repeat, struct message *w
     TRY(run_build(&fresh, why));
     c->create[repeat] = fresh.create_seconds;
     st = c->rest ? settle(&fresh, advance, why) : step(c, &fresh, advance, why);
-    if (repeat == 0) /* before what the libraries keep from run to run is told off */
+    if (repeat == 0) /* later the libraries keep memory */
         c->bytes = clock_allocated() - before;
 out:
     fresh.model->destroy(fresh.state);

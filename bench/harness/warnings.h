@@ -10,7 +10,7 @@
 
 struct warnings_rule {
     const char *name;
-    const char *source; /* where it is known from                                      */
+    const char *source; /* source of the rule                                          */
 
     /* Whether the rule applies to a run (as of run_read); then with its sentence. */
     bool (*holds)(const struct run *run, struct message *sentence);

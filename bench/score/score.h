@@ -18,7 +18,7 @@ struct score_look {
 /* What is known at one time of the truth; all but the time are divided by the length. */
 struct score_time {
     double time;         /* [s]                                                          */
-    bool known, between; /* frames tell of it; between two of them                       */
+    bool known, between; /* frames determine it; between two of them                     */
     double error;        /* rms over the material grid                                   */
     double bar;          /* of the truth                                                 */
     double floor;        /* of the truth itself, bilinear between the net's vertices     */
@@ -33,8 +33,8 @@ struct score {
     double *field;                 /* [truth.times][SCORE_POINTS][3], if known   owned   */
     int *tells, *coarse_tells; /* [truth.times], [ladder.times]: 0: no frame   owned   */
     double *coarse_field;      /* [ladder.times][LADDER_POINTS][3] [m]       owned   */
-    int frames, repeats; /* as many as are the same as the one before                   */
-    double first, last, interval; /* of the frames: times, shortest between two [s]      */
+    int frames, repeats; /* count; those equal to the one before                        */
+    double first, last, interval; /* frames' times, shortest interval [s]                */
     double start; /* rms displacement at t = 0 [m]; NaN: no such frame                   */
     double begin[3]; /* the same on average over the sheet, with its direction [m]        */
 };

@@ -704,7 +704,7 @@ static bool say_pace(const struct score *s, const struct pace *pace,
         return false;
     if (s->repeats)
         snprintf(repeats, sizeof repeats, " (%d are as the one before)", s->repeats);
-    if (!s->ladder.times) /* nothing was fitted that could tell them apart */
+    if (!s->ladder.times) /* no fit distinguishes them */
         snprintf(gravity, sizeof gravity, ", or is gravity %.3g times the scene's",
                  pace->speed * pace->speed);
     say(d, SCORE_TIME, pace->speed,

@@ -38,7 +38,7 @@ struct score_finding {
 struct score_diagnosis {
     int count;
     double
-        left; /* of the difference, with the flaws of the motion put right; 0: none are  */
+        left; /* share of the difference left without the motion's flaws; 0: none found  */
     struct score_finding finding[SCORE_KINDS];
 };
 

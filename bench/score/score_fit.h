@@ -23,11 +23,11 @@ enum fit_kind {
 
 struct score_fit {
     int count;               /* of flaws                                               */
-    bool has[FIT_KINDS];     /* whether it takes part in the frames' difference        */
+    bool has[FIT_KINDS];     /* whether the frames have the flaw                       */
     double value[FIT_KINDS]; /* its size, if so                                        */
     bool at_end;             /* bending: off the ladder's end                          */
     double rest;             /* rms difference that is left, in the same unit of all fits */
-    double left;             /* of the rms difference; 1: none takes part              */
+    double left;             /* share of the rms difference; 1: no flaw                */
 };
 
 /* Fits flaws to the frames, moved back by `shift` [m]. *fit has none where nothing can be

@@ -40,7 +40,7 @@ out:
     scene_clear(&own);
     settings_clear(&settings);
     return st == STATUS_MEMORY ? st
-                               : STATUS_OK; /* where there is no such scene: it is none */
+                               : STATUS_OK; /* without such a scene there is no ladder */
 }
 
 static enum status take(const struct npz *npz, const char *name, size_t count,

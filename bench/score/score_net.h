@@ -19,7 +19,7 @@ struct score_map {
 struct score_net {
     int vertices;
     double *uv;               /* [vertices][2] owned */
-    bool by_position;         /* uv were told from rest positions                        */
+    bool by_position;         /* uv were found from rest positions                       */
     int triangles;            /* of the frames */
     const int (*triangle)[3]; /* borrowed      */
 };

@@ -13,7 +13,7 @@ struct score_result {
     int times, frames, vertices;
     struct score_time *row; /* [times]                                         owned */
     bool undamped, by_position;
-    double first, last; /* of the frames [s]                                     */
+    double first, last; /* times of frames [s]                                   */
     struct score_diagnosis diagnosis;
 };
 

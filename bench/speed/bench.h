@@ -37,7 +37,7 @@ enum { BENCH_PART_RUNS = 64 };
 struct bench_part {
     struct command_item item;
     const char *caption, *note; /* of its table                                         */
-    const char *peers; /* others did the work of this name, too; NULL: nobody           */
+    const char *peers; /* name of the same work in peers.csv; NULL: none                */
     int count;
     const struct bench_row *rows; /* [count] its runs; or else:                          */
     enum status (*plan)(struct bench *b, struct message *why);

@@ -233,7 +233,7 @@ static void note_growth(struct table *t, const struct growth *g)
 
 static void add_net(struct table *t, int n, const struct run_result *r, struct growth *g)
 {
-    const int side = 5 * (n + 1); /* of those rows of Table 2 */
+    const int side = 5 * (n + 1); /* of Table 2's rows */
 
     g->unknowns[n] = r->unknowns;
     g->points[n] = 2.0 * side * side;

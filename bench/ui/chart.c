@@ -51,7 +51,7 @@ static void *one_more(struct chart *c, void *array, int *count, size_t size)
 
     if (!c || c->failed)
         return NULL;
-    if ((n & (n - 1)) == 0) { /* none, or as many as there is room for */
+    if ((n & (n - 1)) == 0) { /* empty or full */
         char *grown = realloc(*at, (n ? 2 * n : 1) * size);
         c->failed = !grown;
         if (!grown)
@@ -408,7 +408,7 @@ static struct chart_legend legend_of(const struct chart *c, int width)
     if (l.columns < 1)
         l.columns = 1;
     l.rows = (l.count + l.columns - 1) / l.columns;
-    if (l.rows) /* as even as it can be */
+    if (l.rows) /* as even as possible */
         l.columns = (l.count + l.rows - 1) / l.rows;
     return l;
 }

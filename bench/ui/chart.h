@@ -68,8 +68,8 @@ struct chart_series {
     const char *label; /* NULL: not in the legend                                        */
     enum chart_style style;
     int colour;      /* from 1; 0: the label's, the next one for a new label           */
-    bool second;     /* of its colour: dashed, open points                             */
-    bool sorted;     /* its points by x, in whatever order they come                   */
+    bool second;     /* second of its colour: dashed, open points                      */
+    bool sorted;     /* points are sorted by x                                         */
     const char *rgb; /* "#8cd17d", for a class that has its own; NULL: by `colour`     */
 };
 

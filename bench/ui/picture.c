@@ -97,7 +97,7 @@ static void write_view(struct output *out, const struct box *box)
         double more = fmax(0.02 * (high - low), 0.05 * (high - low < 0.1));
         low -= more, high += more;
         side[d] = high - low;
-        floor = low; /* of z in the end */
+        floor = low; /* the last one is z's */
         output_print(out, "set %clabel '%c [m]' font ',8' tc rgb '#606060' offset %d,0\n",
                      axis[d], axis[d], 2 * (d == 2));
         output_print(out, "set %crange [%.4g:%.4g]\nset %ctics %g offset %s\n", axis[d],

@@ -8,7 +8,7 @@ TILE_INLINE void NAME(finish_tiles)(const struct banded *band, REAL *const *tile
 {
     NAME(tile_registers) c;
     REAL *target = tile[column] + (ptrdiff_t)row * TILE_SIZE;
-    int all = band->first[row + count - 1]; /* from here on every row has its tile */
+    int all = band->first[row + count - 1]; /* from here every row has a tile */
     NAME(tile_load)(count, target, c);
     TILE_UNROLL
     for (int r = 0; r < count - 1; r++)

@@ -24,8 +24,8 @@ static inline ptrdiff_t block_place(ptrdiff_t i)
     return (i & ~(ptrdiff_t)(TILE - 1)) * SIDES + (i & (TILE - 1)); /* i >= 0 */
 }
 
-/* pair[TILE_PAIR]: l^-1 and l^-T, column by column; inverse: reciprocals of l's diagonal.
- */
+/* Fills pair[TILE_PAIR]: l^-1, l^-T, column by column; inverse: reciprocals of l's
+ * diagonal. */
 static inline void tile_invert(const double *l, const double *inverse, double *pair)
 {
     double *down = pair, *up = pair + TILE_SIZE;

@@ -19,7 +19,7 @@ struct backward {
     void *room;             /* of the arrays; NULL: not in use                 owned   */
 };
 
-/* *b must be all zero, or initialised. */
+/* Allocates; *b must be all zero, or initialised. */
 enum status backward_init(struct backward *b, size_t count);
 void backward_clear(struct backward *b);
 

@@ -60,7 +60,7 @@ struct contact_set {
 /* A normal adds a direction to others if the part of it outside their span is longer. */
 static const double CONTACT_SET_INDEPENDENT = 1e-3;
 
-/* Nothing is allocated for a scene without obstacles: contact_set_used says false. */
+/* Initialises; allocates nothing without obstacles: contact_set_used then says false. */
 enum status contact_set_init(struct contact_set *c, const struct scene *scene,
                              const struct supports *held, double offset);
 void contact_set_clear(struct contact_set *c);
@@ -84,7 +84,7 @@ void contact_set_forget(struct contact_set *c);
 /* Whether an obstacle carries any node. */
 bool contact_set_any(const struct contact_set *c);
 
-/* v <- P v for P[nodes][9], c->projector or the like, v[nodes][3]. */
+/* Computes v <- P v for P[nodes][9], c->projector or the like, v[nodes][3]. */
 void contact_set_apply(const struct contact_set *c, const double (*P)[9], double *v);
 
 /* Finds the smallest change[nodes][3] that takes from the rates v what the set forbids:

@@ -35,7 +35,7 @@ enum status contact_step_impact(struct contact_step *c, const double *M, double 
                                 double unit, double *v, double *work,
                                 struct counters *counters);
 
-/* One step of the trapezoidal rule with r constant over the step,
+/* Takes a step of the trapezoidal rule with r constant over the step,
  *     M (v1 - v0) / dt = f - K (d0 + d1) / 2 - C (v0 + v1) / 2 + r,
  *     d1 - d0 = dt (v0 + v1) / 2,
  * that is average acceleration with the contact force taken wholly at the step's end (Kane,

@@ -37,7 +37,7 @@ struct iterative {
     struct ichol *ichol;
     long *entry; /* [pairs][9] of ichol's values, -1: none                             */
     bool factored, fresh, single;
-    double tolerance, near; /* of systems in a row                                     */
+    double tolerance, near; /* of systems of a sequence                                */
 
     void (*frames)(const void *body, double (*Q)[9]);
     const void *body;
@@ -46,7 +46,7 @@ struct iterative {
     double *turned;               /* [nodes][3]                                        */
     double *past[PAST];           /* [nodes][3] solutions, the last first, to extrapolate */
     int known;                    /* of those                                          */
-    long age, spent; /* of the factor: systems, iterations worth of work on them       */
+    long age, spent; /* the factor's: systems solved, iterations' work on them         */
     bool spent_more; /* the last took more than they did on average                    */
     long solves, factorisations;
 };

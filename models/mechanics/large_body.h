@@ -40,7 +40,7 @@ struct large_body {
     const int *slab; /* [slabs + 1]                                          borrowed  */
     long pairs;      /* of K                                                           */
     size_t strains;  /* numbers an element                                             */
-    size_t lagged;   /* of which the first so many feel the lag                        */
+    size_t lagged;   /* the first of these, to which the lag applies                   */
 
     /* Returns strains at x, in the thread's own room, or NULL if x is not a valid shape
      * there. With `foresight` they are the strains that its change's linearisation foresaw;
@@ -112,7 +112,7 @@ struct large_motion {
     double *strain_mean; /* of the last step, in the same room; NULL: not rings        */
     double *room;        /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */
     double factored;     /* mass factor of the tangent that is factored; -1: none       */
-    double added;        /* to the factored tangent, of mass; 0: none         [1/s^2]   */
+    double added;        /* mass added to the factored tangent; 0: none       [1/s^2]   */
     bool stressless;     /* the present tangent leaves out the stress                   */
     bool worn;           /* the last equation could not do with one factored tangent    */
     bool started;        /* strain_old belongs to x                                     */

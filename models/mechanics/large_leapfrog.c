@@ -40,7 +40,7 @@ struct large_leapfrog {
     double *before, *weight;   /* [nodes][3], [nodes] with obstacles                      */
     double *pull, *shift;      /* [held_count] with supports that move: force less load,
                                   and the step's way                                      */
-    int pushed;                /* nodes that obstacles bore at the end                    */
+    int pushed;                /* nodes that obstacles carried at the end                 */
 };
 
 static size_t count_of(const struct large_leapfrog *l)

@@ -123,8 +123,8 @@ struct iteration {
     double *r, *next; /* right-hand side at x; the step from there                     */
     double *work;
     double tolerance; /* [m]                                                           */
-    double chord; /* the tangent serves on if it makes the next step so much shorter   */
-    double gain;  /* what the last new tangent made of the step before it              */
+    double chord; /* the tangent is kept if the next step is so much shorter           */
+    double gain;  /* ratio of steps at the last new tangent                            */
     enum contact_friction friction;
 };
 

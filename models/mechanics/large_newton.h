@@ -30,7 +30,7 @@ struct large_equation {
     double load;       /* factor on m->load and the follower                           */
     double chord;      /* a tangent is kept while steps shrink by this; 0: never       */
     int limit;         /* iterations                                                   */
-    int enough;        /* after so many x is taken as it is; 0: never                  */
+    int enough;        /* iterations to stop after, converged or not; 0: none          */
 };
 
 /* Solves for x[nodes][3]: predictor on entry, with held unknowns where they shall be;

@@ -21,7 +21,7 @@ void solid_large_contact(const struct solid_motion *m, struct model_contact *con
 /* Calls large_leapfrog.h's. */
 void solid_large_describe(const struct solid_motion *m, struct message *line);
 
-/* Call large_rest.h's. */
+/* Call large_rest.h's functions. */
 enum status solid_large_equilibrium(struct solid_motion *m, struct counters *counters,
                                     struct message *why);
 enum status solid_large_modes(struct solid_motion *m, int count, double *omega,

@@ -100,7 +100,7 @@ struct solid_space {
     const double *mode_gradient;
     const double *centre_gradient;
 
-    struct solid_hinge hinge; /* what is above knows nothing of it                        */
+    struct solid_hinge hinge; /* hidden from the layers above                             */
 };
 
 /* Frees what is marked owned, not `tables`. Accepts all-zero, leaves all-zero. */

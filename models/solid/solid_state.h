@@ -25,7 +25,7 @@ struct solid_motion {
     bool started; /* the constant system is factored                                  */
     struct solid_large *large; /* nonlinear only                                 owned */
 
-    /* with obstacles only: see solid_contact.h */
+    /* These are used with obstacles only (solid_contact.h). */
     struct contact_step contact;
     double force_unit; /* of the set's forces                                 [N]     */
 };

@@ -1,4 +1,4 @@
-/* spring_law.h - how strong the springs of a net are, and what sheet they amount to.
+/* spring_law.h - the strength of a net's springs, and the sheet that they amount to.
  *
  * A net has springs along u, along v and along both diagonals of every cell a_u x a_v, and
  * hinges: two springs in line with a strut across both (spring_net.h). Springs on the rim

@@ -1,6 +1,5 @@
-/* damping.h - what a scene's damping means to a model with masses and stiffness:
- * C = alpha M + beta K, and a factor on the velocity after each frame.
- */
+/* damping.h - a scene's damping for a model with masses and stiffness: C = alpha M + beta
+ * K, and a factor on the velocity after each frame. */
 #ifndef DAMPING_H
 #define DAMPING_H
 

@@ -1,4 +1,4 @@
-/* status.h - how functions say what went wrong.
+/* status.h - statuses and sentences by which functions report failures.
  *
  * Every function that can fail for the user's, the file system's or the numerics' reasons
  * returns an enum status; results go out by pointer. Programmer errors are assert. Inside a

@@ -1,4 +1,4 @@
-/* pd_net.h - how the nodes of a net lie in memory, and its edges.
+/* pd_net.h - the layout of a net's nodes in memory, and its edges.
  *
  * n x m nodes over the mid-surface, node k = i m + j at (u,v) = (i/(n-1), j/(m-1)). A field
  * of numbers per node has zeros before node 0 and behind the last, so that k + m + 1 and

@@ -1,4 +1,4 @@
-/* frames_parts.h - what the readers of frames.h share; no business of others.
+/* frames_parts.h - shared by the readers of frames.h; private to them.
  *
  * A reader's `open` fills net.vertices, uv and faces as far as the file has them, `reader`
  * and `state`; its `next` fills xyz and *t, or says that there is no more. What all have in

@@ -1,5 +1,5 @@
-/* settings.h - what a run is told besides its scene: keys of scene and discretization with
- * their values, in order; the later ones win.
+/* settings.h - the settings of a run: keys of scene and discretization with their values,
+ * in order; the later ones win.
  *
  * A list begins all-zero and grows as it needs. What goes wrong on the way (no memory, a
  * text that is no KEY=VALUE) is remembered and told by settings_read, so that filling needs

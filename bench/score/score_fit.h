@@ -1,5 +1,5 @@
-/* score_fit.h - which flaws, and how large, make the truth into the frames: least squares
- * over all times and points of the difference, of what each flaw does.
+/* score_fit.h - finds the flaws, and their sizes, that turn the truth into the frames:
+ * least squares over all times and points of the difference, of each flaw's effect.
  *
  * On edge_drop what a flaw does is taken from the ladder (score_ladder.h): bending by
  * cubics in log D, the others in proportion. On a sheet that nothing holds it is known: a

@@ -1,4 +1,4 @@
-/* command.h - what a command of the program is, and how its options are read.
+/* command.h - a command of the program, and the reading of its options.
  *
  * A command is one `const struct command`, named in bench/commands.c and nowhere else. Its
  * table of options reads the command line, refuses what is wrong and makes the help, so

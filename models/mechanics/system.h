@@ -23,9 +23,10 @@ struct system {
     long factorisations; /* system_work                                                */
 };
 
-/* Initialises. parity[nodes][3] or NULL: entries that couple unlike parities are left out (they must be
- * zero; see solid_space.h). order[nodes] or NULL: a node order for the factorisation. d
- * has the solver; NULL: a factor, as the program chooses. *s must stay where it is. */
+/* Initialises; *s must stay where it is. parity[nodes][3] or NULL: entries that couple
+ * unlike parities are left out (they must be zero; see solid_space.h). order[nodes] or
+ * NULL: a node order for the factorisation. d has the solver; NULL: a factor, as the
+ * program chooses. */
 enum status system_init(struct system *s, const struct blocks *graph,
                         const struct supports *held, const unsigned char *parity,
                         const int *order, const struct discretization *d);

@@ -1,5 +1,5 @@
-/* intersection.h - where a sheet passes through itself: pairs of triangles of its grid that
- * have points in common which they should not have.
+/* intersection.h - finds where a sheet passes through itself: pairs of triangles of its
+ * grid with common points that they should not have.
  *
  * The surface is a grid of points xyz[n_v][n_u][3], u fastest. Cell (i,j), number
  * j (n_u - 1) + i, is cut along the diagonal from (i,j) to (i+1,j+1) into the triangles

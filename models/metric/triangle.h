@@ -1,4 +1,4 @@
-/* triangle.h - whether two triangles in space have points in common, decided exactly.
+/* triangle.h - decides exactly whether two triangles in space have points in common.
  *
  * A triangle is the convex hull of its three corners, border included; three corners on a
  * line make it a segment, three equal ones a point, and they are decided as such. Touching

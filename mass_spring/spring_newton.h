@@ -15,8 +15,8 @@
  * follow; 1e-4 if it is the only one.
  *
  * Obstacles are their tangent planes at `start`, half a thickness nearer. Every system is
- * first solved as if there were none; if a point bore on one before, or would now be beyond
- * one, contact_solve takes its place, with a factor of its own.
+ * first solved as if there were none; if a point touched one before, or would be beyond one
+ * now, contact_solve takes its place, with a factor of its own.
  */
 #ifndef SPRING_NEWTON_H
 #define SPRING_NEWTON_H

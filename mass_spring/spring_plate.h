@@ -5,7 +5,7 @@
  *     B/2 int |x_uu|^2 + |x_vv|^2 + 2 nu x_uu x_vv + 2 (1 - nu) |x_uv|^2,
  * x_uu and x_vv at points, x_uv in cells; what has both is, with s the sign of nu,
  *     (1 - |nu|) (|x_uu|^2 + |x_vv|^2) + |nu| |x_uu + s x_vv|^2.
- * Along a rim, across which no moment is borne, the strip bends as a beam: factor 1 - nu^2
+ * Along a rim, across which no moment acts, the strip bends as a beam: factor 1 - nu^2
  * and no nu x_uu x_vv.
  *
  * Clamps: at a held column that cannot turn, the curvature of the cubic that leaves the

@@ -202,7 +202,7 @@ static void chunk_triangles(const struct pd_local *local, int from, int count,
     }
 }
 
-/* Updates u of the chunk's own cells; the `before` cells before are another chunk's. */
+/* Projects with the split; u is updated for own cells, not for the `before` before them. */
 static void chunk_split(const struct pd_local *local, int first, int before, int nodes,
                         const double *x, double *buffer)
 {

@@ -1,6 +1,6 @@
 /* store.h - the result file of one run: scene, model, discretization, motion, seconds.
  *
- * HDF5, after a first line of text, the seal (seal.h), by which a damaged file is told;
+ * HDF5, after a first line of text, the seal (seal.h), which shows damage;
  * texts are of fixed length. In /, F = frames kept, K <= F = those of them with their
  * field, R = repeats:
  *

@@ -5,8 +5,7 @@
  *     struct run_result r;
  *     TRY(run_file_write(&(struct run_plan){...}, &(struct run_keep){...}, &r, why));
  *
- * Who wants more on the way (probes, repeats that are timed) opens, watches and closes by
- * itself.
+ * Callers that do more on the way (probes, timed repeats) open, watch and close themselves.
  */
 #ifndef RUN_FILE_H
 #define RUN_FILE_H

@@ -2,8 +2,8 @@
  * in order; the later ones win.
  *
  * A list begins all-zero and grows as it needs. What goes wrong on the way (no memory, a
- * text that is no KEY=VALUE) is remembered and told by settings_read, so that filling needs
- * no checks:
+ * text that is no KEY=VALUE) is remembered and reported by settings_read, so that
+ * filling needs no checks:
  *
  *     struct settings s = {0};
  *     settings_word(&s, "discretization.kinematics", "printed");

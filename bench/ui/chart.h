@@ -12,7 +12,7 @@
  * The legend stands below, never over data. A look (colour, point, dash) belongs to a
  * label: the same label looks the same in every panel and stands in the legend once. Words
  * are copied; none is ever read as a command by gnuplot, whatever it holds. Running out of
- * memory on the way is remembered and told by chart_write.
+ * memory on the way is remembered and reported by chart_write.
  */
 #ifndef CHART_H
 #define CHART_H

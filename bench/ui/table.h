@@ -2,7 +2,7 @@
  * Markdown, LaTeX), for machines (CSV, JSON) and to charts (chart.h).
  *
  * A table is filled row by row, cell by cell, and printed at the end. Running out of memory
- * on the way is remembered and told by table_print, so that filling needs no checks:
+ * on the way is remembered and reported by table_print, so that filling needs no checks:
  *
  *     static const struct table_column columns[] = {
  *         {"model", NULL, TABLE_LEFT},

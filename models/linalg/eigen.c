@@ -29,7 +29,7 @@ static enum status lowest_dense(const struct eigen_matrix *K, const struct eigen
     int n = K->n, found = 0, info;
     size_t square = (size_t)n * n;
     void *room;
-    double *k, *m, *all; /* dsygvx wants room for all n */
+    double *k, *m, *all; /* dsygvx needs room for all n */
     int *failed;
     TRY(room_cut(&room, ROOM(k, square), ROOM(m, square), ROOM(all, n), ROOM(failed, n)));
     spread(K, k);
@@ -135,8 +135,8 @@ static enum status factor_at(const struct shifting *s, double part)
     return factor_refactor(s->f);
 }
 
-/* Factors K - sigma M for the smallest -sigma that leaves it positive definite, searched in
- * steps of a hundred, and closer where lambdas are negative, as modes far above the shift
+/* Factors K - sigma M for the smallest -sigma that leaves it positive definite, searched by
+ * factors of a hundred, closer where lambdas are negative, as modes far above the shift
  * converge slowly. */
 static enum status factor_shifted(const struct shifting *s, double *sigma,
                                   struct message *why)

@@ -89,7 +89,7 @@ static void frames(const void *body, double (*Q)[9])
     frames_of_net(m->points, m->space->thickness_basis, m->x, Q);
 }
 
-/* Sets up an iterated system: rebuilt frames add to d each step, others use Newton. */
+/* Sets up an iterated system; its solutions are increments of d, or steps of Newton. */
 static enum status follow(struct solid_motion *m)
 {
     static const double SOLVE_TOLERANCE = 1e-8, STEP_TOLERANCE = 1e-3;
